@@ -1,0 +1,55 @@
+#include "cli/command_line.h"
+
+#include "mirrorball/base/text.h"
+
+namespace mirrorball::cli {
+
+std::string describe(const OptionText& text, const std::string& default_value) {
+  std::string description(text.help);
+  std::string facts;
+  const auto add = [&](const std::string& fact) { facts += (facts.empty() ? "" : "; ") + fact; };
+  if (!text.unit.empty()) add("in " + std::string(text.unit));
+  if (const std::string range = rangeText(text); !range.empty()) add(range);
+  if (!default_value.empty()) add("default " + default_value);
+  if (!text.implied.empty()) add("without a value " + std::string(text.implied));
+  return facts.empty() ? description : description + " (" + facts + ")";
+}
+
+void addOption(CLI::App& command, const OptionText& text, const std::string& default_value, bool is_flag,
+               bool may_repeat, SetValue set) {
+  const std::string name(text.name);
+  const std::string flags = (text.letter.empty() ? "" : "-" + std::string(text.letter) + ",") + "--" + name;
+  const auto take = [set](const std::string& value) {
+    if (const auto done = set(value); !done) throw CLI::ValidationError("--" + done.error().message);
+  };
+  CLI::Option* option = nullptr;
+  if (is_flag) {
+    option = command.add_flag_callback(flags, [take] { take("yes"); }, describe(text, ""));
+  } else {
+    option = command.add_option_function<std::vector<std::string>>(
+        flags, [take](const std::vector<std::string>& values) { std::for_each(values.begin(), values.end(), take); },
+        describe(text, default_value));
+    option->type_name(std::string(text.value.empty() ? (text.choices.empty() ? "NUMBER" : text.choices) : text.value));
+    if (!text.implied.empty())
+      option->expected(0, 1)->default_str(std::string(text.implied));
+    else
+      option->expected(1);
+    option->multi_option_policy(may_repeat ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::TakeLast);
+  }
+  if (!text.group.empty()) option->group(std::string(text.group));
+}
+
+Error unexpectedArgument(const CLI::App& command, const std::string& argument) {
+  const std::string name = argument.substr(0, argument.find('='));
+  if (!name.starts_with('-'))
+    return {ErrorCode::usage, "'" + argument + "' was not expected; see mirrorball " + command.get_name() + " --help"};
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& long_name : option->get_lnames()) options.push_back("--" + long_name);
+  const std::vector<std::string_view> views(options.begin(), options.end());
+  std::string message = "there is no option " + name;
+  if (const auto nearest = nearestWord(name, views)) message += "; did you mean " + std::string(*nearest) + "?";
+  return {ErrorCode::usage, message + " (mirrorball " + command.get_name() + " --help lists them)"};
+}
+
+}  // namespace mirrorball::cli

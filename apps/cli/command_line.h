@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "mirrorball/base/option.h"
+#include "mirrorball/base/result.h"
+
+namespace mirrorball::cli {
+
+/// The text of an option for help: its sentence, choices, unit, range and default.
+std::string describe(const OptionText& text, const std::string& default_value);
+
+/// What one option of the command line does with a value; a flag is given "yes".
+using SetValue = std::function<Result<void>(const std::string& written)>;
+
+/// Adds one option that is told by its text. A wrong value becomes a CLI::ValidationError with the Error's message.
+void addOption(CLI::App& command, const OptionText& text, const std::string& default_value, bool is_flag,
+               bool may_repeat, SetValue set);
+
+/// Adds a table of options that set the fields of `target`, which must outlive the parsing.
+template <typename Target>
+void addOptions(CLI::App& command, std::span<const Option<Target>> table, Target& target) {
+  for (const Option<Target>& option : table)
+    addOption(command, option.text, written(option, target), std::holds_alternative<bool Target::*>(option.field),
+              std::holds_alternative<std::vector<std::string> Target::*>(option.field),
+              [&option, &target](const std::string& value) { return assign(option, target, value); });
+}
+
+/// The error for arguments that no option or positional takes: suggests the nearest option.
+Error unexpectedArgument(const CLI::App& command, const std::string& argument);
+
+}  // namespace mirrorball::cli

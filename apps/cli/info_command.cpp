@@ -1,0 +1,117 @@
+#include "cli/info_command.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "formula/formula.h"
+#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/load.h"
+#include "mirrorball/environment/statistics.h"
+
+namespace mirrorball::cli {
+namespace {
+
+const std::array<Option<InfoOptions>, 2> kOptions{{
+    {{.name = "direction", .value = "X,Y,Z", .fewest = 3, .most = 3,
+      .help = "print where that direction is found: cube face, (s, t) and texel, and the texel of each projection"},
+     &InfoOptions::direction},
+    {{.name = "from", .value = "FORM", .help = "the form, where it is not recognised: a projection, or a cube's layout"},
+     &InfoOptions::from},
+}};
+
+constexpr std::array<const char*, 6> kFaceNames{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+
+std::string text(glm::vec3 v) {
+  char buffer[96];
+  std::snprintf(buffer, sizeof buffer, "%.5g %.5g %.5g", double(v.x), double(v.y), double(v.z));
+  return buffer;
+}
+
+void printFile(const LoadedEnvironment& loaded) {
+  std::printf("%s\n  format       %s\n", loaded.name.c_str(), loaded.format.c_str());
+  if (loaded.recognition) {
+    std::printf("  size         %dx%d\n", loaded.file_size.x, loaded.file_size.y);
+    std::printf("  projection   %s (told by %s)\n", textOf(loaded.recognition->form).c_str(),
+                loaded.recognition->told_by.c_str());
+  } else {
+    std::printf("  projection   none: a function of the direction\n");
+  }
+  if (loaded.bad_texels.count > 0)
+    std::printf("  bad texels   %zu are NaN or infinite, the first at (%d, %d)\n", loaded.bad_texels.count,
+                loaded.bad_texels.first.x, loaded.bad_texels.first.y);
+  else
+    std::printf("  bad texels   none\n");
+}
+
+void printStatistics(const RadianceStatistics& statistics) {
+  std::printf("  range        %s to %s\n", text(statistics.least).c_str(), text(statistics.greatest).c_str());
+  std::printf("  mean         %s over the sphere\n", text(statistics.mean).c_str());
+  std::printf("  brightest    %s from direction %s\n", text(statistics.brightest).c_str(),
+              text(statistics.brightest_direction).c_str());
+}
+
+void printPosition(const Environment& environment, Projection projection, glm::vec3 direction) {
+  const glm::ivec2 size = imageSize(projection, environment.naturalSize(projection));
+  const MapPosition place = positionOf(projection, direction);
+  const glm::ivec2 texel = glm::min(glm::ivec2(place.uv * glm::vec2(size)), size - 1);
+  const bool is_cube = projection == Projection::cube;
+  // OpenGL's t of a sphere map grows upwards, a cube's and an image's v downwards.
+  const bool t_up = projection == Projection::sphere;
+  std::printf("  %-12s %s%s%s = (%.4f, %.4f), texel (%d, %d) of %dx%d\n", std::string(nameOf(projection)).c_str(),
+              is_cube ? "face " : "", is_cube ? kFaceNames[static_cast<std::size_t>(place.face)] : "",
+              is_cube ? ", (s, t)" : (t_up ? "(s, t)" : "(u, v)"), double(place.uv.x),
+              double(t_up ? 1.0f - place.uv.y : place.uv.y), texel.x, texel.y, size.x, size.y);
+}
+
+Result<void> printDirection(const Environment& environment, const std::vector<float>& numbers) {
+  const glm::vec3 given(numbers[0], numbers[1], numbers[2]);
+  if (glm::length(given) == 0.0f || !std::isfinite(glm::length(given)))
+    return fail(ErrorCode::usage, "--direction takes a vector that has a length; it was given " + text(given));
+  const glm::vec3 direction = glm::normalize(given);
+  std::printf("direction %s, unit %s\n", text(given).c_str(), text(direction).c_str());
+  for (const Projection projection : {Projection::cube, Projection::equirect, Projection::sphere, Projection::angular})
+    printPosition(environment, projection, direction);
+  std::printf("  radiance     %s\n", text(environment.radiance(direction)).c_str());
+  return {};
+}
+
+Result<void> info(const std::string& input, const InfoOptions& options) {
+  EnvironmentLoadOptions how{.keep_bad = true};
+  if (!options.from.empty()) {
+    MIRRORBALL_TRY(hint, formHintNamed(options.from));
+    how.from = hint;
+  }
+  MIRRORBALL_TRY(loaded, loadEnvironment(input, how));
+  if (!options.direction.empty()) return printDirection(loaded.environment, options.direction);
+  printFile(loaded);
+  if (const EnvironmentMap* map = loaded.environment.map()) {
+    printStatistics(radianceStatistics(*map));
+    return {};
+  }
+  // A function has no texels of its own: it is read where a cube of its natural size has some.
+  const int size = loaded.environment.naturalSize(Projection::cube);
+  MIRRORBALL_TRY(map, convert(loaded.environment, Projection::cube, size));
+  printStatistics(radianceStatistics(map));
+  return {};
+}
+
+}  // namespace
+
+std::span<const Option<InfoOptions>> infoOptions() { return kOptions; }
+
+Action addInfoCommand(CLI::App& program) {
+  struct Request {
+    std::string input;
+    InfoOptions options;
+  };
+  auto request = std::make_shared<Request>();
+  CLI::App* command = program.add_subcommand("info", "Says what an environment map is, or where a direction lies in it");
+  command->add_option("FILE", request->input, "a map (.hdr .exr .png .jpg) or a built-in: studio sky uv white")->required();
+  addOptions(*command, infoOptions(), request->options);
+  return [request] { return info(request->input, request->options); };
+}
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mirrorball/base/option.h"
+
+namespace mirrorball::cli {
+
+/// What `info` is told beside its input.
+struct InfoOptions {
+  std::vector<float> direction;
+  std::string from;
+};
+
+std::span<const Option<InfoOptions>> infoOptions();
+
+}  // namespace mirrorball::cli

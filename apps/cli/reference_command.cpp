@@ -1,0 +1,67 @@
+#include <cstdio>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/convert_command.h"
+#include "cli/info_command.h"
+#include "cli/render_command.h"
+#include "mirrorball/environment/builtin.h"
+#include "mirrorball/render/render_options.h"
+#include "mirrorball/scene/material.h"
+
+namespace mirrorball::cli {
+namespace {
+
+/// "a|b" would end a cell of a Markdown table.
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char letter : text) {
+    if (letter == '|') result += '\\';
+    result += letter;
+  }
+  return result;
+}
+
+void printHeading(const char* title, const char* prefix_meaning) {
+  std::printf("\n## %s\n\n%s\n\n| name | value | unit | range | default | meaning |\n|---|---|---|---|---|---|\n", title,
+              prefix_meaning);
+}
+
+template <typename Target>
+void printRows(std::span<const Option<Target>> table, const char* prefix) {
+  const Target defaults{};
+  for (const Option<Target>& option : table) {
+    const OptionText& text = option.text;
+    const std::string_view value = text.value.empty() ? text.choices : text.value;
+    const std::string letter = text.letter.empty() ? "" : " -" + std::string(text.letter);
+    std::printf("| `%s%s`%s | %s | %s | %s | %s | %s |\n", prefix, std::string(text.name).c_str(), letter.c_str(),
+                escaped(value).c_str(), std::string(text.unit).c_str(), rangeText(text).c_str(),
+                escaped(written(option, defaults)).c_str(), escaped(text.help).c_str());
+  }
+}
+
+Result<void> printReference() {
+  std::printf("# Options\n\nMade by `mirrorball reference` from the tables that the command line itself is made from; "
+              "a test holds this page to them.\n");
+  printHeading("mirrorball render [MODEL]", "MODEL is a file (.glb .gltf .obj .ply .stl) or a built-in.");
+  printRows(renderFileOptions(), "--");
+  printRows(renderOptions(), "--");
+  printHeading("mirrorball convert IN", "IN is a map (.hdr .exr .png .jpg) or a built-in environment.");
+  printRows(convertOptions(), "--");
+  printHeading("mirrorball info FILE", "FILE is a map or a built-in environment.");
+  printRows(infoOptions(), "--");
+  printHeading("Material parameters", "For `--set key=value`.");
+  printRows(materialParameters(), "");
+  printHeading("Parameters of the sky", "For `sky:key=value,key=value`.");
+  printRows(skyParameters(), "");
+  return {};
+}
+
+}  // namespace
+
+Action addReferenceCommand(CLI::App& program) {
+  program.add_subcommand("reference", "Prints all options and parameters as Markdown");
+  return printReference;
+}
+
+}  // namespace mirrorball::cli

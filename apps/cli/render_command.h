@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "mirrorball/base/option.h"
+
+namespace mirrorball::cli {
+
+/// The files of `render`.
+struct RenderFiles {
+  std::string environment = "studio";
+  std::string output = "mirrorball.png";
+  std::string from;
+  bool repair = false;
+  bool timings = false;
+};
+
+std::span<const Option<RenderFiles>> renderFileOptions();
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "mirrorball/base/progress.h"
+
+namespace mirrorball::cli {
+
+/// From now on Ctrl-C asks long work to stop at its next step, so that no half file stays; a second one ends the program.
+void catchInterrupt();
+
+/// Whether Ctrl-C was pressed.
+bool interrupted();
+
+/// A progress bar with the time left, on standard error if that is a terminal; else silent. Stops the work on Ctrl-C.
+ProgressFunction progressBar(const std::string& what);
+
+/// Removes the bar, so that the next line starts clean.
+void clearProgress();
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,39 @@
+# cmake -DOUTPUT=embedded_text.cpp -DFILES="a.glsl|b.frag" -P EmbedText.cmake
+#
+# Writes the C++ file that holds the text of all FILES, for mirrorball::embeddedText(name).
+string(REPLACE "|" ";" files "${FILES}")
+
+set(entries "")
+foreach(file IN LISTS files)
+  get_filename_component(name "${file}" NAME)
+  file(READ "${file}" text)
+  string(APPEND entries "    {\"${name}\", R\"mirrorball(${text})mirrorball\"},\n")
+endforeach()
+
+string(CONFIGURE [=[
+// Written by cmake/EmbedText.cmake from the files of shaders/ and formula/.
+#include "shaders/embedded_text.h"
+
+namespace mirrorball {
+namespace {
+
+struct EmbeddedText {
+  std::string_view name;
+  std::string_view text;
+};
+
+constexpr EmbeddedText kTexts[] = {
+@entries@};
+
+}  // namespace
+
+std::optional<std::string_view> embeddedText(std::string_view name) {
+  for (const EmbeddedText& file : kTexts) {
+    if (file.name == name) return file.text;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mirrorball
+]=] source @ONLY)
+file(WRITE "${OUTPUT}" "${source}")

@@ -1,0 +1,32 @@
+# What every target of the project is compiled with, and the options that change it.
+
+option(MIRRORBALL_TESTS "Build the tests" ON)
+option(MIRRORBALL_BENCH "Build the benchmarks" ON)
+option(MIRRORBALL_WARNINGS_AS_ERRORS "Stop at the first compiler warning" OFF)
+set(MIRRORBALL_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+# Dev is Release with assertions and line numbers: fast enough to run every test with.
+set(CMAKE_CXX_FLAGS_DEV "-O2 -g1")
+set(CMAKE_EXE_LINKER_FLAGS_DEV "")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# Results must not depend on whether a compiler fuses a multiplication with an addition.
+add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor)
+if(MIRRORBALL_WARNINGS_AS_ERRORS)
+  add_compile_options(-Werror)
+endif()
+if(MIRRORBALL_SANITIZE)
+  # The sanitizers' checks make -O2 half as slow again to compile as -O1, for little speed.
+  set(CMAKE_CXX_FLAGS_DEV "-O1 -g1")
+  add_compile_options(-fsanitize=${MIRRORBALL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${MIRRORBALL_SANITIZE})
+  # GCC sees uninitialised values in its own <regex> and <functional> once the sanitizers have rewritten them.
+  add_compile_options(-Wno-maybe-uninitialized)
+endif()

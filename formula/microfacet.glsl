@@ -1,0 +1,29 @@
+// Rough surfaces. alpha = perceptual_roughness² is the width of the lobe (Burley 2012).
+
+FN float alphaFromPerceptualRoughness(float perceptual_roughness) {
+  return perceptual_roughness * perceptual_roughness;
+}
+
+// The mip level that stands for a roughness, `last` being the level of roughness 1: M r (2 − r), as Filament and
+// three.js do it. It gives the rough end, whose pictures hardly differ, fewer levels than the smooth one.
+FN float lodFromPerceptualRoughness(float perceptual_roughness, float last) {
+  return last * perceptual_roughness * (2.0f - perceptual_roughness);
+}
+
+// Its inverse, 1 − √(1 − lod / M).
+FN float perceptualRoughnessFromLod(float lod, float last) { return 1.0f - sqrt(max(1.0f - lod / last, 0.0f)); }
+
+// Scale and bias of f0 in the light that a GGX surface reflects from a white environment: Brian Karis' fit ("Physically
+// based shading on mobile", 2014), good to about 0.02. At roughness 0 the two sum to 1.
+FN vec2 environmentBrdf(float perceptual_roughness, float cosine) {
+  vec4 r = vec4(-1.0f, -0.0275f, -0.572f, 0.022f) * perceptual_roughness + vec4(1.0f, 0.0425f, 1.04f, -0.04f);
+  float bend = min(r.x * r.x, exp2(-9.28f * cosine)) * r.x + r.y;
+  return vec2(-1.04f * bend + r.z, 1.04f * bend + r.w);
+}
+
+// The exponent of the Phong lobe that is as wide as a GGX lobe: 2 / alpha² − 2 (Walter et al. 2007, for Blinn), a
+// quarter of it for the reflected ray, which turns twice as fast as the half vector.
+FN float phongExponent(float perceptual_roughness) {
+  float alpha = max(alphaFromPerceptualRoughness(perceptual_roughness), 0.01f);
+  return max((2.0f / (alpha * alpha) - 2.0f) / 4.0f, 1.0f);
+}

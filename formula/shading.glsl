@@ -1,0 +1,93 @@
+// How a surface answers to the light of its environment. Needs: constants, color, microfacet, optics.
+// Light that another object would block or send is not seen: each point sees the whole environment.
+
+struct Surface {
+  vec3 normal;       // unit, on the viewer's side
+  vec3 base_color;   // diffuse albedo, or a metal's reflectance head-on
+  float metallic;
+  float perceptual_roughness;
+  float specular;    // strength of a dielectric's reflection
+  float ior;         // index of the far side over the near side, at 588 nm
+  float dispersion;  // 20 / Abbe number
+  float transmission;
+  vec3 conductor_n;  // complex index of a metal; all 0 where only its base colour is known
+  vec3 conductor_k;
+  float occlusion;
+  vec3 emission;
+  int fresnel;       // 0 exact, 1 Schlick, 2 empirical
+  vec3 fresnel_empirical;  // offset, scale, power
+};
+
+FN float dielectricReflectance(Surface s, float cosine, float ior) {
+  if (s.fresnel == 2)
+    return fresnelEmpirical(cosine, s.fresnel_empirical.x, s.fresnel_empirical.y, s.fresnel_empirical.z);
+  if (s.fresnel == 1) return fresnelSchlick(cosine, vec3(fresnelDielectric(1.0f, ior))).x;
+  return fresnelDielectric(cosine, ior);
+}
+
+FN vec3 metalReflectance(Surface s, float cosine) {
+  vec3 k = s.conductor_k;
+  if (s.fresnel == 0 && k.x + k.y + k.z > 0.0f) return fresnelConductor(cosine, s.conductor_n, k);
+  return fresnelSchlick(cosine, s.base_color);
+}
+
+// Of a smooth surface, per channel: dispersion gives each its own index.
+FN vec3 smoothReflectance(Surface s, float cosine) {
+  vec3 ior = iorOfChannels(s.ior, s.dispersion);
+  vec3 dielectric = vec3(dielectricReflectance(s, cosine, ior.x), dielectricReflectance(s, cosine, ior.y),
+                         dielectricReflectance(s, cosine, ior.z));
+  return mix(dielectric * s.specular, metalReflectance(s, cosine), s.metallic);
+}
+
+// The share of a white environment's light that is reflected towards the viewer. A lobe up to perceptual roughness ¼
+// (alpha 1/16) is so narrow that Fresnel's equations hold at its middle; from 0 to there they give way to the fit for
+// rough surfaces, which knows only the reflectance head-on.
+FN vec3 specularReflectance(Surface s, float cosine) {
+  vec3 exact = smoothReflectance(s, cosine);
+  vec2 rough = environmentBrdf(s.perceptual_roughness, cosine);
+  float grazing_strength = mix(s.specular, 1.0f, s.metallic);
+  vec3 fitted = smoothReflectance(s, 1.0f) * rough.x + vec3(rough.y * grazing_strength);
+  return mix(exact, fitted, clamp(s.perceptual_roughness * 4.0f, 0.0f, 1.0f));
+}
+
+// What is seen through one refracting surface: the environment in the direction of the bent ray, for each channel its
+// own where the glass disperses. `last` is the mip level of roughness 1.
+FN vec3 refractedLight(Surface s, vec3 ray, mat3 environment_from_world, CUBE_SAMPLER environment, float last) {
+  float lod = lodFromPerceptualRoughness(s.perceptual_roughness, last);
+  vec3 ior = iorOfChannels(s.ior, s.dispersion);
+  vec4 green = sampleLod(environment, environment_from_world * refractedDirection(ray, s.normal, ior.y), lod);
+  if (s.dispersion == 0.0f) return vec3(green);
+  vec4 red = sampleLod(environment, environment_from_world * refractedDirection(ray, s.normal, ior.x), lod);
+  vec4 blue = sampleLod(environment, environment_from_world * refractedDirection(ray, s.normal, ior.z), lod);
+  return vec3(red.x, green.y, blue.z);
+}
+
+// The radiance towards the viewer: what is not reflected is refracted, scattered or absorbed, so that a white surface
+// in a white environment is exactly white.
+//   ray          unit, from the eye to the surface
+//   reflected    the environment's radiance in the mirror direction, blurred for the roughness
+//   refracted    the same for refractedLight; read only where transmission > 0
+//   irradiance   on the surface, divided by π
+FN vec3 shadedByEnvironment(Surface s, vec3 ray, vec3 reflected, vec3 refracted, vec3 irradiance) {
+  float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
+  vec3 reflectance = specularReflectance(s, cosine);
+  vec3 not_reflected = s.base_color * (1.0f - s.metallic) * (vec3(1.0f) - reflectance);
+  vec3 inner = mix(irradiance * s.occlusion, refracted, s.transmission);
+  // Occlusion is known for diffuse light only; of reflected light it takes the more the rougher the lobe.
+  float reflected_occlusion = mix(1.0f, s.occlusion, s.perceptual_roughness);
+  return reflected * reflectance * reflected_occlusion + inner * not_reflected + s.emission;
+}
+
+// Phong's point light: diffuse by Lambert, specular by the reflected ray, its lobe scaled to keep its energy.
+//   light        unit, from the surface to the light
+//   color        the radiance that a white diffuse surface facing the light shows
+FN vec3 shadedByPointLight(Surface s, vec3 ray, vec3 light, vec3 color) {
+  float facing = dot(s.normal, light);
+  if (facing <= 0.0f) return vec3(0.0f);
+  float exponent = phongExponent(s.perceptual_roughness);
+  float mirrored = max(dot(reflect(ray, s.normal), light), 0.0f);
+  vec3 reflectance = specularReflectance(s, clamp(-dot(ray, s.normal), 0.0f, 1.0f));
+  vec3 diffuse = s.base_color * (1.0f - s.metallic) * (1.0f - s.transmission) * (vec3(1.0f) - reflectance);
+  vec3 lobe = reflectance * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
+  return color * facing * (diffuse + lobe);
+}

@@ -1,0 +1,102 @@
+#include "mirrorball/base/option.h"
+
+#include <cmath>
+
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr double kUnbounded = 1e29;
+
+std::vector<std::string_view> choicesOf(const OptionText& text) {
+  std::vector<std::string_view> choices;
+  std::string_view rest = text.choices;
+  while (!rest.empty()) {
+    const std::size_t end = rest.find('|');
+    choices.push_back(rest.substr(0, end));
+    rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
+  }
+  return choices;
+}
+
+/// "--fov takes a number of degrees (1 … 170); it was given 'wide'"
+tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, std::string_view given) {
+  std::string message = std::string(text.name) + " takes " + std::string(wants);
+  if (!text.unit.empty()) message += " in " + std::string(text.unit);
+  if (const std::string range = rangeText(text); !range.empty()) message += " (" + range + ")";
+  return fail(ErrorCode::usage, message + "; it was given '" + std::string(given) + "'");
+}
+
+std::string wantedNumbers(const OptionText& text) {
+  if (text.most == 1) return "a number";
+  if (text.fewest == text.most) return std::to_string(text.most) + " numbers with commas between";
+  return std::to_string(text.fewest) + " to " + std::to_string(text.most) + " numbers with commas between";
+}
+
+}  // namespace
+
+Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view written) {
+  std::vector<float> numbers;
+  for (const std::string& part : split(written, ',')) {
+    const auto number = parseNumber(part);
+    if (!number || *number < text.minimum || *number > text.maximum)
+      return misused(text, wantedNumbers(text), written);
+    numbers.push_back(static_cast<float>(*number));
+  }
+  const int count = static_cast<int>(numbers.size());
+  if (count < text.fewest || count > text.most) return misused(text, wantedNumbers(text), written);
+  return numbers;
+}
+
+Result<glm::vec3> parseVector(const OptionText& text, std::string_view written) {
+  OptionText any_count = text;
+  any_count.fewest = 1;
+  any_count.most = 3;
+  MIRRORBALL_TRY(numbers, parseNumbers(any_count, written));
+  if (numbers.size() == 2) return misused(text, "one or three numbers with commas between", written);
+  return numbers.size() == 1 ? glm::vec3(numbers[0]) : glm::vec3(numbers[0], numbers[1], numbers[2]);
+}
+
+Result<int> parseInteger(const OptionText& text, std::string_view written) {
+  const auto number = parseNumber(written);
+  if (!number || *number != std::floor(*number) || std::abs(*number) > 2147483647.0 ||
+      *number < text.minimum || *number > text.maximum)
+    return misused(text, "a whole number", written);
+  return static_cast<int>(*number);
+}
+
+Result<int> parseChoice(const OptionText& text, std::string_view written) {
+  const auto choices = choicesOf(text);
+  for (std::size_t index = 0; index < choices.size(); ++index)
+    if (choices[index] == written) return static_cast<int>(index);
+  return tl::unexpected<Error>(unknownName("value of " + std::string(text.name), written, choices));
+}
+
+Result<bool> parseFlag(const OptionText& text, std::string_view written) {
+  if (written == "yes" || written == "true" || written == "on" || written == "1") return true;
+  if (written == "no" || written == "false" || written == "off" || written == "0") return false;
+  return misused(text, "yes or no", written);
+}
+
+std::string rangeText(const OptionText& text) {
+  const bool low = text.minimum > -kUnbounded;
+  const bool high = text.maximum < kUnbounded;
+  if (low && high) return formatNumber(text.minimum) + " … " + formatNumber(text.maximum);
+  if (low) return "at least " + formatNumber(text.minimum);
+  if (high) return "at most " + formatNumber(text.maximum);
+  return "";
+}
+
+std::string writeNumbers(std::span<const float> numbers) {
+  std::string written;
+  for (const float number : numbers) written += (written.empty() ? "" : ",") + formatNumber(number);
+  return written;
+}
+
+std::string_view choiceAt(const OptionText& text, int index) {
+  const auto choices = choicesOf(text);
+  return choices.at(static_cast<std::size_t>(index));
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "mirrorball/base/result.h"
+
+namespace mirrorball {
+
+/// What a person reads of an option or a parameter: one row of a table of data from which the command line,
+/// its help, the documentation and a viewer's panels are made.
+struct OptionText {
+  std::string_view name;           ///< "fov", "perceptual_roughness": without dashes
+  std::string_view value = {};  ///< how the value is written in help: "DEG"; empty for a flag
+  std::string_view unit = {};  ///< "degrees"; empty for a pure number
+  double minimum = -1e30;          ///< of each number
+  double maximum = 1e30;
+  int fewest = 1;                  ///< how many numbers a list takes
+  int most = 1;
+  std::string_view choices = {};  ///< "exact|schlick|empirical": the values of an enumeration, in its order
+  std::string_view help = {};  ///< one sentence
+  std::string_view letter = {};   ///< "o" where -o is a short form
+  std::string_view implied = {};  ///< what is meant when the option is given without a value; empty: it needs one
+  std::string_view group = {};  ///< heading in help
+};
+
+/// An enumeration field of `Target` as an index into its choices.
+template <typename Target>
+struct ChoiceField {
+  int (*get)(const Target&);
+  void (*set)(Target&, int);
+};
+
+namespace detail {
+template <auto Member>
+struct ChoiceAccess;
+template <typename Target, typename Enumeration, Enumeration Target::*Member>
+struct ChoiceAccess<Member> {
+  static constexpr ChoiceField<Target> field{
+      [](const Target& target) { return static_cast<int>(target.*Member); },
+      [](Target& target, int index) { target.*Member = static_cast<Enumeration>(index); }};
+};
+}  // namespace detail
+
+/// `choiceField<&Camera::lens>`
+template <auto Member>
+inline constexpr auto choiceField = detail::ChoiceAccess<Member>::field;
+
+/// One row of a table: its text, and the field of `Target` that it sets. The field's initialiser is the default.
+template <typename Target>
+struct Option {
+  OptionText text;
+  std::variant<bool Target::*, int Target::*, float Target::*, glm::vec3 Target::*, std::string Target::*,
+               std::vector<float> Target::*, std::vector<std::string> Target::*, ChoiceField<Target>>
+      field;
+};
+
+/// Numbers written "1,2.5,3", as many as `text` allows and each in its range.
+///
+/// errors   usage: names the option, its unit and range
+Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view written);
+
+/// Three numbers, or one that stands for all three.
+Result<glm::vec3> parseVector(const OptionText& text, std::string_view written);
+
+/// A whole number in the option's range.
+Result<int> parseInteger(const OptionText& text, std::string_view written);
+
+/// The index of one of the option's choices.
+Result<int> parseChoice(const OptionText& text, std::string_view written);
+
+/// "yes/no", "true/false", "on/off" or "1/0".
+Result<bool> parseFlag(const OptionText& text, std::string_view written);
+
+/// "0 … 1", "at least 0" or "" when there is no bound.
+std::string rangeText(const OptionText& text);
+
+/// "a,b,c"
+std::string writeNumbers(std::span<const float> numbers);
+
+/// The choice with that index.
+std::string_view choiceAt(const OptionText& text, int index);
+
+/// Sets the option's field of `target` from what the user wrote. A list of texts grows by one.
+///
+/// errors   usage
+template <typename Target>
+Result<void> assign(const Option<Target>& option, Target& target, std::string_view written) {
+  return std::visit(
+      [&](auto field) -> Result<void> {
+        using Field = decltype(field);
+        if constexpr (std::is_same_v<Field, bool Target::*>) {
+          MIRRORBALL_TRY(flag, parseFlag(option.text, written));
+          target.*field = flag;
+        } else if constexpr (std::is_same_v<Field, int Target::*>) {
+          MIRRORBALL_TRY(integer, parseInteger(option.text, written));
+          target.*field = integer;
+        } else if constexpr (std::is_same_v<Field, ChoiceField<Target>>) {
+          MIRRORBALL_TRY(index, parseChoice(option.text, written));
+          field.set(target, index);
+        } else if constexpr (std::is_same_v<Field, glm::vec3 Target::*>) {
+          MIRRORBALL_TRY(vector, parseVector(option.text, written));
+          target.*field = vector;
+        } else if constexpr (std::is_same_v<Field, std::string Target::*>) {
+          target.*field = std::string(written);
+        } else if constexpr (std::is_same_v<Field, std::vector<std::string> Target::*>) {
+          (target.*field).emplace_back(written);
+        } else {
+          MIRRORBALL_TRY(numbers, parseNumbers(option.text, written));
+          if constexpr (std::is_same_v<Field, float Target::*>)
+            target.*field = numbers[0];
+          else
+            target.*field = std::move(numbers);
+        }
+        return {};
+      },
+      option.field);
+}
+
+/// The value that the field has in `target`, as the user would write it; "" for an empty list or text.
+template <typename Target>
+std::string written(const Option<Target>& option, const Target& target) {
+  return std::visit(
+      [&](auto field) -> std::string {
+        using Field = decltype(field);
+        if constexpr (std::is_same_v<Field, bool Target::*>) {
+          return target.*field ? "yes" : "no";
+        } else if constexpr (std::is_same_v<Field, int Target::*>) {
+          return std::to_string(target.*field);
+        } else if constexpr (std::is_same_v<Field, float Target::*>) {
+          return writeNumbers({&(target.*field), 1});
+        } else if constexpr (std::is_same_v<Field, glm::vec3 Target::*>) {
+          return writeNumbers({&(target.*field).x, 3});
+        } else if constexpr (std::is_same_v<Field, std::string Target::*>) {
+          return target.*field;
+        } else if constexpr (std::is_same_v<Field, std::vector<float> Target::*>) {
+          return writeNumbers(target.*field);
+        } else if constexpr (std::is_same_v<Field, std::vector<std::string> Target::*>) {
+          return "";
+        } else {
+          return std::string(choiceAt(option.text, field.get(target)));
+        }
+      },
+      option.field);
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,85 @@
+#include "mirrorball/base/option.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace mirrorball {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+enum class Lens { wide, tele };
+struct Camera {
+  float fov_deg = 45;
+  glm::vec3 target{1, 2, 3};
+  std::vector<float> orbit{30, 15};
+  Lens lens = Lens::tele;
+  int samples = 4;
+  bool on = false;
+  std::vector<std::string> lights;
+};
+
+const Option<Camera> kFov{{.name = "fov", .unit = "degrees", .minimum = 1, .maximum = 170}, &Camera::fov_deg};
+const Option<Camera> kTarget{{.name = "target"}, &Camera::target};
+const Option<Camera> kOrbit{{.name = "orbit", .fewest = 2, .most = 3}, &Camera::orbit};
+const Option<Camera> kLens{{.name = "lens", .choices = "wide|tele"}, choiceField<&Camera::lens>};
+const Option<Camera> kSamples{{.name = "samples", .minimum = 1, .maximum = 64}, &Camera::samples};
+const Option<Camera> kOn{{.name = "on"}, &Camera::on};
+const Option<Camera> kLight{{.name = "light"}, &Camera::lights};
+
+TEST(Option, DefaultIsTheFieldsInitialiser) {
+  EXPECT_EQ(written(kFov, Camera{}), "45");
+  EXPECT_EQ(written(kTarget, Camera{}), "1,2,3");
+  EXPECT_EQ(written(kOrbit, Camera{}), "30,15");
+  EXPECT_EQ(written(kLens, Camera{}), "tele");
+  EXPECT_EQ(written(kSamples, Camera{}), "4");
+  EXPECT_EQ(written(kOn, Camera{}), "no");
+}
+
+TEST(Option, AssignSetsTheField) {
+  Camera camera;
+  EXPECT_TRUE(assign(kFov, camera, "60.5"));
+  EXPECT_TRUE(assign(kTarget, camera, "0,-1,+2"));
+  EXPECT_TRUE(assign(kOrbit, camera, "1,2,3"));
+  EXPECT_TRUE(assign(kLens, camera, "wide"));
+  EXPECT_TRUE(assign(kOn, camera, "yes"));
+  EXPECT_TRUE(assign(kLight, camera, "a"));
+  EXPECT_TRUE(assign(kLight, camera, "b"));
+  EXPECT_EQ(camera.fov_deg, 60.5f);
+  EXPECT_EQ(camera.target, glm::vec3(0, -1, 2));
+  EXPECT_THAT(camera.orbit, ElementsAre(1, 2, 3));
+  EXPECT_EQ(camera.lens, Lens::wide);
+  EXPECT_TRUE(camera.on);
+  EXPECT_THAT(camera.lights, ElementsAre("a", "b"));
+}
+
+TEST(Option, WrongValuesAreNamedWithUnitAndRange) {
+  Camera camera;
+  for (const char* wrong : {"", "wide", "0", "171", "nan", "inf", "45 ", "45,46"}) {
+    const auto result = assign(kFov, camera, wrong);
+    ASSERT_FALSE(result) << wrong;
+    EXPECT_EQ(result.error().code, ErrorCode::usage);
+    EXPECT_THAT(result.error().message, HasSubstr("fov takes a number in degrees (1 … 170)"));
+  }
+  EXPECT_EQ(camera.fov_deg, 45.0f);
+  EXPECT_FALSE(assign(kTarget, camera, "1,2"));
+  EXPECT_FALSE(assign(kTarget, camera, "1,2,3,4"));
+  ASSERT_TRUE(assign(kTarget, camera, "7"));
+  EXPECT_EQ(camera.target, glm::vec3(7));
+  EXPECT_FALSE(assign(kOrbit, camera, "1,2,3,4"));
+  EXPECT_FALSE(assign(kSamples, camera, "2.5"));
+  EXPECT_FALSE(assign(kSamples, camera, "65"));
+  EXPECT_FALSE(assign(kOn, camera, "maybe"));
+}
+
+TEST(Option, WrongChoiceListsTheRightOnes) {
+  Camera camera;
+  const auto result = assign(kLens, camera, "tela");
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().message, HasSubstr("did you mean 'tele'"));
+  EXPECT_THAT(result.error().message, HasSubstr("wide, tele"));
+}
+
+}  // namespace
+}  // namespace mirrorball

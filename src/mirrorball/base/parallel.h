@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace mirrorball {
+
+/// Calls `body(begin, end)` for consecutive pieces of [0, count) on all cores, and returns when all are done.
+///
+/// count    how many items there are
+/// grain    how many items a piece has (the last may have fewer); the pieces are the same for any number of
+///          threads, so a result that is gathered by piece is bit-identical everywhere
+/// body     must not throw, and writes only what belongs to its own items
+void parallelFor(std::size_t count, std::size_t grain,
+                 const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// Runs two independent tasks at the same time.
+void parallelInvoke(const std::function<void()>& first, const std::function<void()>& second);
+
+}  // namespace mirrorball

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include <tl/expected.hpp>
+
+namespace mirrorball {
+
+/// What kind of failure an Error is, for callers that treat kinds differently.
+enum class ErrorCode {
+  usage,        ///< an option or argument is wrong: the command line exits with 2
+  not_found,    ///< a file or a built-in name does not exist
+  io,           ///< reading or writing failed
+  bad_file,     ///< the bytes are not what the format says
+  bad_shape,    ///< right format, wrong dimensions for what was asked
+  non_finite,   ///< NaN or infinity where light is expected
+  too_large,    ///< more texels than the program takes
+  unsupported,  ///< a valid file that uses a feature which this program lacks
+  no_gl,        ///< no OpenGL driver, or one too old
+  interrupted,  ///< the user pressed Ctrl-C
+};
+
+/// A failure as the user reads it: one line that names the file or option, what is wrong, and what to do.
+struct Error {
+  ErrorCode code = ErrorCode::io;
+  std::string message;
+};
+
+/// A value or an Error, with std::expected's member names. The library neither exits nor throws.
+template <typename Value>
+class [[nodiscard]] Result : public tl::expected<Value, Error> {
+ public:
+  using tl::expected<Value, Error>::expected;
+};
+
+/// `return fail(ErrorCode::bad_file, name + ": …");`
+inline tl::unexpected<Error> fail(ErrorCode code, std::string message) {
+  return tl::unexpected<Error>(Error{code, std::move(message)});
+}
+
+/// Passes on the Error of a failed Result.
+template <typename Value>
+tl::unexpected<Error> fail(Result<Value>&& failed) {
+  return tl::unexpected<Error>(std::move(failed).error());
+}
+
+}  // namespace mirrorball
+
+/// `MIRRORBALL_TRY(image, readImage(path));` declares `image`, or returns the failure to the caller.
+#define MIRRORBALL_TRY(name, expression)                                \
+  auto name##_result = (expression);                                    \
+  if (!name##_result) return ::mirrorball::fail(std::move(name##_result)); \
+  auto name = std::move(*name##_result)
+
+/// The same for a Result<void>.
+#define MIRRORBALL_TRY_VOID(expression)                                              \
+  do {                                                                               \
+    auto mirrorball_void_result = (expression);                                      \
+    if (!mirrorball_void_result) return ::mirrorball::fail(std::move(mirrorball_void_result)); \
+  } while (false)

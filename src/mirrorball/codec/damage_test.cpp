@@ -1,0 +1,137 @@
+/// Untrusted bytes: small files of every format, damaged in every way. None may crash, hang or read
+/// outside its bytes; the sanitizers' build is where these tests bite.
+
+#include <ImfHeader.h>
+#include <ImfRgbaFile.h>
+#include <ImfTiledRgbaFile.h>
+
+#include <functional>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/codec_testing.h"
+#include "mirrorball/codec/exr.h"
+#include "mirrorball/codec/exr_stream.h"
+#include "mirrorball/codec/hdr.h"
+#include "mirrorball/codec/jpeg.h"
+#include "mirrorball/codec/png.h"
+#include "mirrorball/codec/srgb.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::bytesOf;
+using testing::gradient;
+
+Bytes oldRleHdr() {
+  Bytes bytes = bytesOf("#?RGBE\nEXPOSURE=2\n\n+X 9 -Y 4\n");
+  for (int column = 0; column < 9; ++column)
+    bytes.insert(bytes.end(), {9, 8, 7, 130, 1, 1, 1, 3});
+  return bytes;
+}
+
+template <typename File, typename... Arguments>
+Bytes foreignExr(Imf::Compression compression, Arguments... arguments) {
+  Imf::Header header(12, 10);
+  header.compression() = compression;
+  const std::vector<Imf::Rgba> texels(12 * 10, Imf::Rgba(0.5f, 0.25f, 2.0f, 1.0f));
+  ExrOutput stream("foreign.exr");
+  {
+    File file(stream, header, arguments...);
+    file.setFrameBuffer(texels.data(), 1, 12);
+    if constexpr (std::is_same_v<File, Imf::TiledRgbaOutputFile>)
+      file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+    else
+      file.writePixels(10);
+  }
+  return stream.takeBytes();
+}
+
+Bytes scanLineExr(Imf::Compression compression, Imf::RgbaChannels channels) {
+  return foreignExr<Imf::RgbaOutputFile>(compression, channels);
+}
+
+Image8 picture() { return pictureFromLinear(gradient(13, 11, 3), 3); }
+
+struct Format {
+  const char* name;
+  std::function<Bytes()> bytes;
+};
+
+class Damage : public ::testing::TestWithParam<Format> {};
+
+TEST_P(Damage, TheFileItselfIsRead) {
+  const auto result = decodeImage(GetParam().bytes(), "whole");
+  EXPECT_TRUE(result) << result.error().message;
+}
+
+TEST_P(Damage, EveryTruncationIsAnError) {
+  const Bytes bytes = GetParam().bytes();
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    // A copy of its own, so that the sanitizer sees a read past its end.
+    const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
+    const auto result = decodeImage(part, "part.file");
+    ASSERT_FALSE(result) << length << " of " << bytes.size() << " bytes";
+    EXPECT_TRUE(result.error().message.starts_with("part.file: ")) << result.error().message;
+    EXPECT_EQ(result.error().message.find('\n'), std::string::npos) << result.error().message;
+  }
+}
+
+TEST_P(Damage, RandomBytesAreSurvived) {
+  const Bytes bytes = GetParam().bytes();
+  std::mt19937 random(20240501);
+  const auto below = [&](std::size_t bound) { return random() % bound; };
+  constexpr std::uint8_t kEvil[] = {0x00, 0x01, 0x7f, 0x80, 0xff};
+  for (int variant = 0; variant < 3000; ++variant) {
+    Bytes damaged = bytes;
+    for (std::size_t count = 1 + below(4); count > 0; --count) {
+      std::uint8_t& byte = damaged[below(damaged.size())];
+      switch (below(3)) {
+        case 0: byte = static_cast<std::uint8_t>(byte ^ (1u << below(8))); break;
+        case 1: byte = kEvil[below(std::size(kEvil))]; break;
+        default: byte = static_cast<std::uint8_t>(random());
+      }
+    }
+    const auto result = decodeImage(damaged, "damaged");
+    if (result) {
+      EXPECT_FALSE(result->image.empty());
+      EXPECT_NE(result->image.channels(), 2);
+    }
+    static_cast<void>(decodeTexture(damaged, "damaged").has_value());
+  }
+}
+
+TEST_P(Damage, GarbageBehindTheMagicIsAnError) {
+  const Bytes bytes = GetParam().bytes();
+  std::mt19937 random(7);
+  for (int variant = 0; variant < 200; ++variant) {
+    Bytes garbage = bytes;
+    for (std::size_t i = 10; i < garbage.size(); ++i) garbage[i] = static_cast<std::uint8_t>(random());
+    EXPECT_FALSE(decodeImage(garbage, "garbage"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, Damage,
+    ::testing::Values(
+        Format{"HdrNewRle", [] { return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}}); }},
+        Format{"HdrOldRle", oldRleHdr},
+        Format{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}, "a"); }},
+        Format{"ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }},
+        Format{"ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }},
+        Format{"ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }},
+        Format{"ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }},
+        Format{"ExrChroma", [] { return scanLineExr(Imf::ZIP_COMPRESSION, Imf::WRITE_YC); }},
+        Format{"ExrTiled",
+               [] {
+                 return foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8,
+                                                             8, Imf::ONE_LEVEL);
+               }},
+        Format{"Png", [] { return *encodePng(picture(), {{"envmap", "cube"}}, "a"); }},
+        Format{"Jpeg", [] { return *encodeJpeg(picture(), {{"envmap", "cube"}}, "a"); }}),
+    [](const auto& format) { return std::string(format.param.name); });
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <ImfIO.h>
+
+#include <cstdint>
+#include <span>
+
+#include "mirrorball/base/file.h"
+
+namespace mirrorball {
+
+/// Bytes in memory as OpenEXR reads them. Reading past the end throws, as OpenEXR expects.
+class ExrInput : public Imf::IStream {
+ public:
+  /// name     for OpenEXR's own messages
+  ExrInput(std::span<const std::uint8_t> bytes, const std::string& name)
+      : Imf::IStream(name.c_str()), bytes_(bytes) {}
+
+  bool read(char to[], int count) override;
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override { at_ = position; }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::uint64_t at_ = 0;  // may lie past the end until something is read
+};
+
+/// A file that OpenEXR writes into memory.
+class ExrOutput : public Imf::OStream {
+ public:
+  explicit ExrOutput(const std::string& name) : Imf::OStream(name.c_str()) {}
+
+  void write(const char from[], int count) override;
+  std::uint64_t tellp() override { return at_; }
+  void seekp(std::uint64_t position) override { at_ = position; }
+
+  Bytes takeBytes() { return std::move(bytes_); }
+
+ private:
+  Bytes bytes_;
+  std::uint64_t at_ = 0;
+};
+
+}  // namespace mirrorball

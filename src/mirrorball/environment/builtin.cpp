@@ -1,0 +1,165 @@
+#include "mirrorball/environment/builtin.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "formula/formula.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/environment/uv_environment.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr std::array<std::string_view, 4> kNames{"studio", "sky", "uv", "white"};
+
+const std::array<Option<SkyParameters>, 4> kSkyParameters{{
+    {{.name = "elevation", .unit = "degrees", .minimum = 0, .maximum = 90, .help = "height of the sun"},
+     &SkyParameters::elevation_deg},
+    {{.name = "azimuth", .unit = "degrees", .help = "where the sun stands: 0 over +Z, 90 over +X"},
+     &SkyParameters::azimuth_deg},
+    {{.name = "turbidity", .minimum = 2, .maximum = 10, .help = "haze: 2 very clear, 10 hazy"},
+     &SkyParameters::turbidity},
+    {{.name = "sun", .minimum = 0, .maximum = 10, .help = "strength of the sun's disc; 0 leaves the sky alone"},
+     &SkyParameters::sun},
+}};
+
+/// A rectangular lamp on a far sphere, facing the origin.
+struct SoftBox {
+  glm::vec3 direction;
+  glm::vec2 half_extent;  ///< tangents of the half angles, across and up
+  glm::vec3 radiance;
+};
+
+/// How much of a box's light is seen along d: 1 inside, falling to 0 across a soft edge.
+float coverage(const SoftBox& box, glm::vec3 d) {
+  const glm::vec3 forward = glm::normalize(box.direction);
+  const float depth = glm::dot(d, forward);
+  if (depth <= 0.0f) return 0.0f;
+  const glm::vec3 up_hint = std::abs(forward.y) > 0.95f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+  const glm::vec3 right = glm::normalize(glm::cross(up_hint, forward));
+  const glm::vec3 up = glm::cross(forward, right);
+  const glm::vec2 beyond =
+      glm::abs(glm::vec2(glm::dot(d, right), glm::dot(d, up)) / depth) - box.half_extent;
+  const float edge = 0.04f;
+  return (1.0f - glm::smoothstep(-edge, edge, beyond.x)) * (1.0f - glm::smoothstep(-edge, edge, beyond.y));
+}
+
+/// A large warm key to the upper left of the default camera, a cool strip behind on the right, a fill, a ceiling box,
+/// over walls that grow lighter towards the horizon.
+glm::vec3 studioRadiance(glm::vec3 d) {
+  static const std::array<SoftBox, 5> kBoxes{{
+      {{-0.55f, 0.65f, 0.75f}, {0.42f, 0.42f}, glm::vec3(9.0f, 8.5f, 7.8f)},
+      {{0.95f, 0.25f, -0.35f}, {0.12f, 0.75f}, glm::vec3(7.0f, 7.8f, 9.0f)},
+      {{-0.95f, 0.10f, -0.45f}, {0.10f, 0.60f}, glm::vec3(5.0f, 5.2f, 5.6f)},
+      {{0.85f, 0.20f, 0.75f}, {0.35f, 0.28f}, glm::vec3(1.6f, 1.7f, 1.9f)},
+      {{0.0f, 1.0f, -0.15f}, {0.55f, 0.30f}, glm::vec3(4.0f, 4.0f, 4.0f)},
+  }};
+  const float height = glm::smoothstep(-0.9f, 0.9f, d.y);
+  const float horizon = std::exp(-12.0f * d.y * d.y);
+  glm::vec3 light = glm::mix(glm::vec3(0.030f, 0.028f, 0.027f), glm::vec3(0.060f, 0.066f, 0.078f), height) +
+                    horizon * glm::vec3(0.105f, 0.105f, 0.110f);
+  for (const SoftBox& box : kBoxes) light = glm::mix(light, box.radiance, coverage(box, d));
+  return light;
+}
+
+/// Transmittance of air for the sun's light at three wavelengths that stand for red, green and blue, after Preetham et
+/// al. 1999, appendix A.1: Rayleigh scattering by molecules and Ångström's formula for haze.
+glm::vec3 sunTransmittance(float elevation_rad, float turbidity) {
+  const float zenith_deg = 90.0f - glm::degrees(elevation_rad);
+  const float air_mass = 1.0f / (std::max(std::sin(elevation_rad), 0.0f) +
+                                 0.15f * std::pow(93.885f - std::min(zenith_deg, 90.0f), -1.253f));
+  const glm::vec3 wavelength_um(0.615f, 0.535f, 0.445f);
+  const float haze = 0.04608f * turbidity - 0.04586f;
+  glm::vec3 transmittance;
+  for (int channel = 0; channel < 3; ++channel) {
+    const float rayleigh = 0.008735f * std::pow(wavelength_um[channel], -4.08f);
+    const float aerosol = haze * std::pow(wavelength_um[channel], -1.3f);
+    transmittance[channel] = std::exp(-(rayleigh + aerosol) * air_mass);
+  }
+  return transmittance;
+}
+
+Environment skyEnvironment(const SkyParameters& parameters) {
+  constexpr float kKcdPerUnit = 20.0f;
+  // 133.8 klx outside the air from a disc of 0.533° across.
+  constexpr float kSunRadius_rad = 0.00465f;
+  const float kSunLuminance_kcd = 133.8f / (formula::kPi * kSunRadius_rad * kSunRadius_rad);
+  const float elevation = glm::radians(parameters.elevation_deg);
+  const float azimuth = glm::radians(parameters.azimuth_deg);
+  const glm::vec3 sun(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                      std::cos(elevation) * std::cos(azimuth));
+  const float turbidity = parameters.turbidity;
+  const glm::vec3 sun_radiance =
+      sunTransmittance(elevation, turbidity) * (kSunLuminance_kcd / kKcdPerUnit * parameters.sun);
+  // Ground of albedo 0.2 under half of the zenith's light and the sun's.
+  const glm::vec3 zenith = formula::skyLuminance({0, 1, 0}, sun, turbidity) / kKcdPerUnit;
+  const float sun_solid_angle = formula::kPi * kSunRadius_rad * kSunRadius_rad;
+  const glm::vec3 ground =
+      0.2f * (zenith + sun_radiance * (sun_solid_angle * std::sin(elevation) / formula::kPi)) *
+      glm::vec3(1.0f, 0.95f, 0.88f);
+
+  const auto radiance = [=](glm::vec3 d) {
+    if (d.y < 0.0f) {
+      const glm::vec3 horizon =
+          formula::skyLuminance(glm::normalize(glm::vec3(d.x, 0.0f, d.z) + glm::vec3(0, 1e-4f, 0)), sun, turbidity);
+      return glm::mix(horizon / kKcdPerUnit, ground, glm::smoothstep(0.0f, 0.06f, -d.y));
+    }
+    const glm::vec3 sky = formula::skyLuminance(d, sun, turbidity) / kKcdPerUnit;
+    const bool on_disc = glm::length(glm::cross(d, sun)) < kSunRadius_rad && glm::dot(d, sun) > 0.0f;
+    return on_disc ? sky + sun_radiance : sky;
+  };
+  return Environment(radiance, 1024);
+}
+
+/// The parameters written after "sky:".
+Result<SkyParameters> parseSky(std::string_view written) {
+  SkyParameters parameters;
+  if (written.empty()) return parameters;
+  for (const std::string& assignment : split(written, ',')) {
+    const std::size_t equals = assignment.find('=');
+    const std::string key = assignment.substr(0, equals);
+    const auto found = std::find_if(kSkyParameters.begin(), kSkyParameters.end(),
+                                    [&](const auto& parameter) { return parameter.text.name == key; });
+    if (found == kSkyParameters.end() || equals == std::string::npos) {
+      std::vector<std::string_view> names;
+      for (const auto& parameter : kSkyParameters) names.push_back(parameter.text.name);
+      return tl::unexpected<Error>(unknownName("parameter of sky", key, names));
+    }
+    MIRRORBALL_TRY_VOID(assign(*found, parameters, assignment.substr(equals + 1)));
+  }
+  return parameters;
+}
+
+}  // namespace
+
+std::span<const Option<SkyParameters>> skyParameters() { return kSkyParameters; }
+
+std::span<const std::string_view> builtinEnvironmentNames() { return kNames; }
+
+bool isBuiltinEnvironment(std::string_view name) {
+  return std::find(kNames.begin(), kNames.end(), name.substr(0, name.find(':'))) != kNames.end();
+}
+
+Result<Environment> builtinEnvironment(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  const std::string_view base = name.substr(0, colon);
+  const std::string_view written = colon == std::string_view::npos ? std::string_view{} : name.substr(colon + 1);
+  if (!isBuiltinEnvironment(base)) return tl::unexpected<Error>(noSuchEnvironment(name));
+  if (base == "sky") {
+    MIRRORBALL_TRY(parameters, parseSky(written));
+    return skyEnvironment(parameters);
+  }
+  if (!written.empty())
+    return fail(ErrorCode::usage, "the environment '" + std::string(base) + "' takes no parameters; only sky does");
+  if (base == "studio") return Environment(studioRadiance, 1024);
+  if (base == "uv") return Environment(uvRadiance, 1024);
+  return Environment([](glm::vec3) { return glm::vec3(1.0f); }, 32);
+}
+
+Error noSuchEnvironment(std::string_view name) {
+  return {ErrorCode::not_found, std::string(name) + ": no such file, and no built-in environment (there are: " +
+                                    join(kNames) + ")"};
+}
+
+}  // namespace mirrorball

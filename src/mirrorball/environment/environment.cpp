@@ -1,0 +1,22 @@
+#include "mirrorball/environment/environment.h"
+
+namespace mirrorball {
+
+glm::vec3 Environment::radiance(glm::vec3 direction) const {
+  if (const EnvironmentMap* images = map()) return images->radiance(direction);
+  return std::get<RadianceFunction>(light_)(direction);
+}
+
+int Environment::naturalSize(Projection projection) const {
+  if (const EnvironmentMap* images = map())
+    return equivalentSize(images->projection(), images->size(), projection);
+  return equivalentSize(Projection::equirect, panorama_height_, projection);
+}
+
+float Environment::texelDensity() const {
+  if (const EnvironmentMap* images = map())
+    return mirrorball::texelDensity(images->projection(), images->size());
+  return mirrorball::texelDensity(Projection::equirect, panorama_height_);
+}
+
+}  // namespace mirrorball

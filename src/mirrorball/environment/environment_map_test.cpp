@@ -1,0 +1,94 @@
+#include "mirrorball/environment/environment_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/environment_testing.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr std::array kAll{Projection::equirect, Projection::sphere, Projection::angular, Projection::cube};
+
+EnvironmentMap smoothMap(Projection projection, int size) {
+  return *convert(Environment(testing::smoothRadiance, 256), projection, size);
+}
+
+TEST(EnvironmentMap, TexelCentresAnswerWithTheTexelItself) {
+  for (const Projection projection : kAll) {
+    const EnvironmentMap map = smoothMap(projection, 16);
+    const glm::ivec2 size(map.face(0).width(), map.size());
+    for (int face = 0; face < map.faces(); ++face)
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+          const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(size);
+          if (!covers(projection, uv)) continue;
+          const glm::vec3 light = map.radiance(directionAt(projection, {face, uv}));
+          EXPECT_LT(glm::length(light - rgbAt(map.face(face), x, y)), 2e-4f)
+              << nameOf(projection) << " face " << face << " (" << x << ", " << y << ")";
+        }
+  }
+}
+
+// Steps of a hundredth of a texel along circles that cross every seam, edge, corner and pole: no step may jump. A wrong
+// neighbour jumps by about a texel's difference, here 0.05 and more.
+TEST(EnvironmentMap, DoesNotJumpAcrossSeams) {
+  const std::array<glm::mat2x3, 5> circles{{{{1, 0, 0}, {0, 1, 0}},
+                                            {{1, 0, 0}, {0, 0, 1}},
+                                            {{0, 1, 0}, {0, 0, 1}},
+                                            {{1, 0, 0}, {0, std::sqrt(0.5f), std::sqrt(0.5f)}},
+                                            {{std::sqrt(0.5f), std::sqrt(0.5f), 0}, {0, 0, 1}}}};
+  for (const Projection projection : {Projection::equirect, Projection::angular, Projection::cube}) {
+    const EnvironmentMap map = smoothMap(projection, 32);
+    float largest = 0.0f;
+    for (const glm::mat2x3& circle : circles) {
+      constexpr int kSteps = 20000;
+      glm::vec3 before = map.radiance(circle[0]);
+      for (int step = 1; step <= kSteps; ++step) {
+        const float angle = 6.2831853f * static_cast<float>(step) / kSteps;
+        const glm::vec3 here = map.radiance(circle * glm::vec2(std::cos(angle), std::sin(angle)));
+        // Straight behind, every point of an angular map's rim is the same direction, but texels are not.
+        const bool is_rim = projection == Projection::angular && (circle * glm::vec2(std::cos(angle), std::sin(angle))).z < -0.995f;
+        if (!is_rim) largest = std::max(largest, glm::length(here - before));
+        before = here;
+      }
+    }
+    EXPECT_LT(largest, 0.01f) << nameOf(projection);
+  }
+}
+
+TEST(EnvironmentMap, NothingFromBesideADiscIsMixedIn) {
+  for (const Projection projection : {Projection::sphere, Projection::angular}) {
+    Image image(16, 16, 4);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x) {
+        const bool inside = covers(projection, (glm::vec2(x, y) + 0.5f) / 16.0f);
+        std::fill_n(image.texel(x, y), 4, inside ? 1.0f : -100.0f);
+      }
+    const EnvironmentMap map(projection, ImageSet(std::move(image)));
+    for (int i = 0; i < 5000; ++i) {
+      const float z = 1.0f - 2.0f * static_cast<float>(i) / 4999.0f;
+      const float angle = 2.39996f * static_cast<float>(i);
+      const float radius = std::sqrt(std::max(0.0f, 1.0f - z * z));
+      EXPECT_NEAR(map.radiance({radius * std::cos(angle), radius * std::sin(angle), z}).x, 1.0f, 1e-5f);
+    }
+  }
+}
+
+TEST(EnvironmentMap, OneTexelAnswersEverywhere) {
+  const EnvironmentMap cube(Projection::cube, [] {
+    ImageSet faces(1, 6);
+    for (int face = 0; face < 6; ++face) faces.at(0, face) = Image(1, 1, 1, 3.0f);
+    return faces;
+  }());
+  EXPECT_EQ(cube.radiance(glm::normalize(glm::vec3(1, 1, 1))), glm::vec3(3.0f));
+  const EnvironmentMap panorama(Projection::equirect, ImageSet(Image(2, 1, 3, 3.0f)));
+  EXPECT_EQ(panorama.radiance({0, 1, 0}), glm::vec3(3.0f));
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,82 @@
+#include "mirrorball/environment/load.h"
+
+#include <array>
+#include <filesystem>
+#include <limits>
+
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/codec/codec.h"
+
+namespace mirrorball {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class LoadTest : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  const fs::path folder_ = fs::path(::testing::TempDir()) / ("mirrorball_load_test_" + std::to_string(::getpid()));
+};
+
+TEST_F(LoadTest, AFileIsReadAndRecognised) {
+  ASSERT_TRUE(writeImage(path("a.exr"), Image(8, 4, 3, 2.0f)));
+  const auto loaded = loadEnvironment(path("a.exr"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->recognition->form.projection, Projection::equirect);
+  EXPECT_EQ(loaded->environment.radiance({0, 0, 1}), glm::vec3(2.0f));
+  EXPECT_EQ(loaded->file_size, glm::ivec2(8, 4));
+}
+
+TEST_F(LoadTest, SixFacesAreOneCube) {
+  const std::array<const char*, 6> names{"a_px.exr", "a_nx.exr", "a_py.exr", "a_ny.exr", "a_pz.exr", "a_nz.exr"};
+  for (std::size_t face = 0; face < 6; ++face)
+    ASSERT_TRUE(writeImage(path(names[face]), Image(4, 4, 3, static_cast<float>(face))));
+  const auto loaded = loadEnvironment(path("a_py.exr"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->environment.radiance({-1, 0, 0}), glm::vec3(1.0f));
+  EXPECT_EQ(loaded->environment.radiance({0, 1, 0}), glm::vec3(2.0f));
+
+  ASSERT_TRUE(writeImage(path("a_nz.exr"), Image(5, 5, 3)));
+  EXPECT_THAT(loadEnvironment(path("a_px.exr")).error().message, HasSubstr("a_nz.exr: is 5x5"));
+  fs::remove(path("a_ny.exr"));
+  EXPECT_THAT(loadEnvironment(path("a_px.exr")).error().message, HasSubstr("a_ny.exr: no such file"));
+  EXPECT_EQ(loadEnvironment(path("b.exr"), {.from = *formHintNamed("faces")}).error().code, ErrorCode::usage);
+}
+
+TEST_F(LoadTest, BadTexelsAreRefusedCountedOrRepaired) {
+  Image image(8, 4, 3, 2.0f);
+  image.texel(3, 1)[0] = std::numeric_limits<float>::quiet_NaN();
+  image.texel(5, 2)[2] = std::numeric_limits<float>::infinity();
+  ASSERT_TRUE(writeImage(path("bad.exr"), image));
+
+  const auto refused = loadEnvironment(path("bad.exr"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::non_finite);
+  EXPECT_THAT(refused.error().message, HasSubstr("2 texels are NaN or infinite, the first at (3, 1)"));
+
+  const auto counted = loadEnvironment(path("bad.exr"), {.keep_bad = true});
+  ASSERT_TRUE(counted);
+  EXPECT_EQ(counted->bad_texels.count, 2u);
+
+  const auto repaired = loadEnvironment(path("bad.exr"), {.repair = true});
+  ASSERT_TRUE(repaired);
+  EXPECT_EQ(repaired->environment.map()->face(0).texel(3, 1)[0], 2.0f);
+}
+
+TEST_F(LoadTest, WrongShapesAndNamesAreTold) {
+  ASSERT_TRUE(writeImage(path("odd.exr"), Image(7, 4, 3)));
+  EXPECT_THAT(loadEnvironment(path("odd.exr")).error().message, HasSubstr("is 7x4"));
+  EXPECT_THAT(loadEnvironment(path("none.hdr")).error().message, HasSubstr("no such file"));
+  EXPECT_EQ(loadEnvironment("studoi").error().code, ErrorCode::not_found);
+  EXPECT_TRUE(loadEnvironment("studio"));
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <ranges>
+#include <span>
+
+#include "mirrorball/gl/handle.h"
+
+namespace mirrorball::gl {
+
+/// Bytes on the GPU that never change: vertices or indices.
+class Buffer {
+ public:
+  /// Copies the elements of a vector or an array: `Buffer(mesh.vertices)`.
+  template <std::ranges::contiguous_range Elements>
+  explicit Buffer(const Elements& elements)
+      : Buffer(std::span<const std::byte>(std::as_bytes(std::span(elements)))) {}
+  explicit Buffer(std::span<const std::byte> bytes);
+
+  unsigned name() const { return handle_.name(); }
+
+ private:
+  static void destroy(unsigned name);
+  Handle<destroy> handle_;
+};
+
+/// One float attribute of a vertex.
+struct Attribute {
+  unsigned location;   ///< as in the shader's layout(location = …)
+  int components;      ///< 1 to 4
+  std::size_t offset;  ///< bytes from the vertex's start
+};
+
+/// How vertices are laid out in a buffer, and which triangles they make.
+class VertexArray {
+ public:
+  /// No buffers: the vertex shader makes everything from gl_VertexID.
+  VertexArray();
+
+  /// Takes both buffers over.
+  ///
+  /// stride   bytes from one vertex to the next
+  /// indices  32-bit, three a triangle
+  VertexArray(Buffer vertices, std::size_t stride, std::span<const Attribute> attributes,
+              Buffer indices);
+
+  /// Draws `count` indices from the first, as triangles.
+  void drawIndexed(std::size_t count) const;
+
+  /// Draws `count` vertices without indices, as triangles: 3 for a triangle that covers the screen.
+  void draw(std::size_t count) const;
+
+ private:
+  static void destroy(unsigned name);
+  Handle<destroy> handle_;
+  std::optional<Buffer> vertices_;
+  std::optional<Buffer> indices_;
+};
+
+}  // namespace mirrorball::gl

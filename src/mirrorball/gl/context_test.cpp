@@ -1,0 +1,83 @@
+#include "mirrorball/gl/context.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <epoxy/gl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/gl/gl_testing.h"
+
+namespace mirrorball::gl {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class ContextTest : public ::testing::TestWithParam<Api> {};
+
+TEST_P(ContextTest, GivesTheVersionAskedFor) {
+  MIRRORBALL_NEEDS_GL(context, GetParam());
+  EXPECT_EQ(context.api(), GetParam());
+  EXPECT_FALSE(context.renderer().empty());
+  GLint major = 0;
+  GLint minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  EXPECT_GE(10 * major + minor, GetParam() == Api::desktop43 ? 43 : 30);
+  EXPECT_EQ(context.version().starts_with("OpenGL ES"), GetParam() == Api::es30);
+  EXPECT_GE(context.largestTexture(), 2048);
+}
+
+MIRRORBALL_WITH_BOTH_APIS(ContextTest);
+
+TEST(Context, TwoLiveSideBySide) {
+  MIRRORBALL_NEEDS_GL(desktop, Api::desktop43);
+  {
+    MIRRORBALL_NEEDS_GL(embedded, Api::es30);
+    EXPECT_THAT(embedded.version(), StartsWith("OpenGL ES"));
+    desktop.makeCurrent();
+    EXPECT_THAT(desktop.version(), Not(StartsWith("OpenGL ES")));
+    embedded.makeCurrent();
+    EXPECT_THAT(embedded.version(), StartsWith("OpenGL ES"));
+  }
+  // The second one's end leaves the display that they share.
+  desktop.makeCurrent();
+  EXPECT_FALSE(desktop.version().empty());
+  EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+/// Sets an environment variable and reports what createHeadless says, in a process of its own: a
+/// driver reads its variables once.
+[[noreturn]] void reportWith(const char* variable, const char* value) {
+  setenv(variable, value, 1);
+  const Result<Context> context = Context::createHeadless();
+  std::fputs(context ? context->version().c_str() : context.error().message.c_str(), stderr);
+  std::_Exit(context ? 1 : 0);
+}
+
+TEST(ContextDeathTest, MissingDriversAreAnErrorThatSaysWhatToInstall) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(reportWith("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent"),
+              ::testing::ExitedWithCode(0),
+              AllOf(HasSubstr("no driver for OpenGL 4.3 found"), HasSubstr("install libegl1")));
+}
+
+TEST(ContextDeathTest, AnOldDriverIsNamedWithItsVersion) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto any_status = [](int) { return true; };
+  EXPECT_EXIT(reportWith("MESA_GL_VERSION_OVERRIDE", "3.1"), any_status,
+              AnyOf(Not(HasSubstr("Mesa")), AllOf(HasSubstr("offers only version 3.1"),
+                                                  HasSubstr("OpenGL 4.3 is needed"))));
+  MIRRORBALL_NEEDS_GL(context, Api::desktop43);
+  if (context.version().find("Mesa") == std::string::npos) {
+    GTEST_SKIP() << "only Mesa can pretend to be an older version";
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball::gl

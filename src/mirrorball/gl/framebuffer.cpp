@@ -1,0 +1,78 @@
+#include "mirrorball/gl/framebuffer.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <epoxy/gl.h>
+
+#include "mirrorball/gl/read_pixels.h"
+
+namespace mirrorball::gl {
+namespace {
+
+/// OpenGL's first row is the bottom, an image's is the top.
+template <typename Sample>
+void flipRows(ImageOf<Sample>& image) {
+  for (int y = 0; y < image.height() / 2; ++y) {
+    std::ranges::swap_ranges(image.row(y), image.row(image.height() - 1 - y));
+  }
+}
+
+}  // namespace
+
+Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool depth) {
+  MIRRORBALL_TRY(texture, Texture::make2d(color, width, height));
+  texture.setSampling(
+      {.filter = color == Format::rgba32f ? Sampling::Filter::nearest : Sampling::Filter::linear});
+  Framebuffer framebuffer(std::move(texture));
+  GLuint name = 0;
+  glGenFramebuffers(1, &name);
+  framebuffer.handle_ = Handle<destroyFramebuffer>(name);
+  glBindFramebuffer(GL_FRAMEBUFFER, name);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                         framebuffer.color_.name(), 0);
+  if (depth) {
+    GLuint depth_name = 0;
+    glGenRenderbuffers(1, &depth_name);
+    framebuffer.depth_ = Handle<destroyRenderbuffer>(depth_name);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_name);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_name);
+  }
+  if (glGetError() == GL_OUT_OF_MEMORY) {
+    return fail(ErrorCode::too_large, "a picture of " + std::to_string(width) + " × " +
+                                          std::to_string(height) +
+                                          " pixels does not fit into the graphics memory");
+  }
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    return fail(ErrorCode::no_gl,
+                "the graphics driver cannot draw into a picture of this format (floats in OpenGL "
+                "ES need its extension EXT_color_buffer_float)");
+  }
+  return framebuffer;
+}
+
+void Framebuffer::destroyFramebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
+void Framebuffer::destroyRenderbuffer(unsigned name) { glDeleteRenderbuffers(1, &name); }
+
+void Framebuffer::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, handle_.name());
+  glViewport(0, 0, width(), height());
+}
+
+Image Framebuffer::readFloat() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, handle_.name());
+  Image image = readPixelFloats(color_.format(), width(), height());
+  flipRows(image);
+  return image;
+}
+
+Image8 Framebuffer::readBytes() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, handle_.name());
+  Image8 image = readPixelBytes(width(), height());
+  flipRows(image);
+  return image;
+}
+
+}  // namespace mirrorball::gl

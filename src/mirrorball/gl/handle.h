@@ -1,0 +1,29 @@
+#pragma once
+
+#include <utility>
+
+namespace mirrorball::gl {
+
+/// Owns the name of one OpenGL object and deletes it with `destroy`. Moves, never copies. It must
+/// end while the context that made the object (or one sharing with it) is current.
+template <void (*destroy)(unsigned name)>
+class Handle {
+ public:
+  Handle() = default;
+  explicit Handle(unsigned name) : name_(name) {}
+  Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(name_, other.name_);
+    return *this;
+  }
+  ~Handle() {
+    if (name_ != 0) destroy(name_);
+  }
+
+  unsigned name() const { return name_; }
+
+ private:
+  unsigned name_ = 0;
+};
+
+}  // namespace mirrorball::gl

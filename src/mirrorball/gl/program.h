@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/handle.h"
+#include "mirrorball/gl/shader_source.h"
+
+namespace mirrorball::gl {
+
+/// A linked vertex and fragment shader.
+///
+/// A uniform that the program does not have is ignored by set(): compilers remove what no output
+/// depends on, and which uniforms those are differs between drivers and between the #defines of one
+/// shader.
+class Program {
+ public:
+  /// Compiles and links.
+  ///
+  /// name     for messages
+  /// errors   unsupported: the driver's own words, with file and line of each shader text
+  static Result<Program> build(const ShaderSource& vertex, const ShaderSource& fragment,
+                               const std::string& name);
+
+  /// Joins two entry files of /shaders and builds them: `Program::load(api, "mesh.vert",
+  /// "surface.frag", defines)`.
+  ///
+  /// errors   not_found (shaderSource); unsupported
+  static Result<Program> load(Api api, std::string_view vertex_entry,
+                              std::string_view fragment_entry,
+                              std::span<const std::string_view> defines = {});
+
+  /// What is drawn from now on goes through this program.
+  void use() const;
+
+  /// Sets a uniform, and makes this program the one in use. Samplers take the number of their
+  /// texture unit.
+  void set(std::string_view uniform, float value);
+  void set(std::string_view uniform, int value);
+  void set(std::string_view uniform, glm::vec2 value);
+  void set(std::string_view uniform, glm::vec3 value);
+  void set(std::string_view uniform, glm::vec4 value);
+  void set(std::string_view uniform, const glm::mat3& value);
+  void set(std::string_view uniform, const glm::mat4& value);
+  /// An array: `uniform vec3 harmonics[9]` is set as "harmonics".
+  void set(std::string_view uniform, std::span<const glm::vec3> values);
+
+ private:
+  static void destroy(unsigned name);
+  explicit Program(unsigned name) : handle_(name) {}
+  int locationOf(std::string_view uniform);
+
+  Handle<destroy> handle_;
+  /// Of the uniforms asked for so far; −1 for those that the program lacks.
+  std::map<std::string, int, std::less<>> locations_;
+};
+
+}  // namespace mirrorball::gl

@@ -1,0 +1,275 @@
+#include "mirrorball/gl/texture.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "formula/formula.h"
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/gl/half.h"
+#include "mirrorball/gl/read_pixels.h"
+
+namespace mirrorball::gl {
+namespace {
+
+constexpr int kWorkUnit = 15;  // the last one that OpenGL ES 3.0 promises
+constexpr std::uint16_t kHalfOne = 0x3c00;
+
+GLenum internalFormat(Format format) {
+  switch (format) {
+    case Format::rgba8:
+      return GL_RGBA8;
+    case Format::srgb8_alpha8:
+      return GL_SRGB8_ALPHA8;
+    case Format::rgba16f:
+      return GL_RGBA16F;
+    case Format::rgba32f:
+      return GL_RGBA32F;
+  }
+  assert(false && "no such format");
+  return GL_RGBA8;
+}
+
+[[maybe_unused]] bool isEightBit(Format format) {
+  return format == Format::rgba8 || format == Format::srgb8_alpha8;
+}
+
+/// The type of one component as it is handed to OpenGL.
+template <typename Component>
+constexpr GLenum kComponentType = GL_UNSIGNED_BYTE;
+template <>
+constexpr GLenum kComponentType<std::uint16_t> = GL_HALF_FLOAT;
+template <>
+constexpr GLenum kComponentType<float> = GL_FLOAT;
+
+/// Spreads texels of 1, 3 or 4 channels to four.
+template <typename Sample>
+void expandRow(std::span<const Sample> row, int channels, Sample opaque, std::span<Sample> rgba) {
+  assert(channels == 1 || channels == 3 || channels == 4);
+  const std::size_t step = static_cast<std::size_t>(channels);
+  const std::size_t green = channels == 1 ? 0 : 1;
+  const std::size_t blue = channels == 1 ? 0 : 2;
+  for (std::size_t from = 0, to = 0; from < row.size(); from += step, to += 4) {
+    rgba[to] = row[from];
+    rgba[to + 1] = row[from + green];
+    rgba[to + 2] = row[from + blue];
+    rgba[to + 3] = channels == 4 ? row[from + 3] : opaque;
+  }
+}
+
+std::uint8_t byteFromUnit(float value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
+}
+
+void encodeRow(std::span<const float> rgba, bool srgb, std::span<std::uint8_t> bytes) {
+  for (std::size_t i = 0; i < rgba.size(); ++i) {
+    const bool curved = srgb && i % 4 != 3;
+    bytes[i] = byteFromUnit(curved ? formula::srgbFromLinear1(rgba[i]) : rgba[i]);
+  }
+}
+
+GLint wrapMode(Sampling::Wrap wrap) {
+  switch (wrap) {
+    case Sampling::Wrap::repeat:
+      return GL_REPEAT;
+    case Sampling::Wrap::mirrored_repeat:
+      return GL_MIRRORED_REPEAT;
+    case Sampling::Wrap::clamp_to_edge:
+      return GL_CLAMP_TO_EDGE;
+  }
+  assert(false && "no such wrap mode");
+  return GL_CLAMP_TO_EDGE;
+}
+
+GLint minifyMode(Sampling::Filter filter) {
+  switch (filter) {
+    case Sampling::Filter::nearest:
+      return GL_NEAREST;
+    case Sampling::Filter::linear:
+      return GL_LINEAR;
+    case Sampling::Filter::trilinear:
+      return GL_LINEAR_MIPMAP_LINEAR;
+  }
+  assert(false && "no such filter");
+  return GL_NEAREST;
+}
+
+GLenum targetOf(bool is_cube) { return is_cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D; }
+
+/// What names one image of a texture in uploads and framebuffers.
+GLenum imageTarget(bool is_cube, int face) {
+  assert(face >= 0 && face < (is_cube ? 6 : 1));
+  return is_cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : GL_TEXTURE_2D;
+}
+
+int levelSide(int side, int level) { return std::max(1, side >> level); }
+
+int allLevels(int longest_side) {
+  int levels = 1;
+  while (longest_side >> levels > 0) ++levels;
+  return levels;
+}
+
+}  // namespace
+
+Result<Texture> Texture::make2d(Format format, int width, int height, int levels) {
+  return make(format, false, width, height, levels);
+}
+
+Result<Texture> Texture::makeCube(Format format, int size, int levels) {
+  return make(format, true, size, size, levels);
+}
+
+Result<Texture> Texture::make(Format format, bool is_cube, int width, int height, int levels) {
+  assert(width >= 1 && height >= 1 && levels >= 0);
+  GLint largest = 0;
+  glGetIntegerv(is_cube ? GL_MAX_CUBE_MAP_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &largest);
+  const std::string what = "a texture of " + std::to_string(width) + " × " + std::to_string(height);
+  if (width > largest || height > largest) {
+    return fail(ErrorCode::too_large, what + " texels is larger than the " +
+                                          std::to_string(largest) +
+                                          " texels a side that the graphics driver takes");
+  }
+  const int most = allLevels(std::max(width, height));
+  Texture texture(format, is_cube, width, height,
+                  levels == kAllLevels ? most : std::min(levels, most));
+  if (glGetError() == GL_OUT_OF_MEMORY) {
+    return fail(ErrorCode::too_large, what + " texels does not fit into the graphics memory");
+  }
+  return texture;
+}
+
+Result<Texture> Texture::fromImages(Format format, const ImageSet& images) {
+  assert(!images.empty() && (images.faces() == 1 || images.faces() == 6));
+  const Image& first = images.at(0, 0);
+  MIRRORBALL_TRY(texture,
+                 make(format, images.faces() == 6, first.width(), first.height(), images.levels()));
+  for (int level = 0; level < images.levels(); ++level) {
+    for (int face = 0; face < images.faces(); ++face) {
+      texture.upload(level, face, images.at(level, face));
+    }
+  }
+  return texture;
+}
+
+Texture::Texture(Format format, bool is_cube, int width, int height, int levels)
+    : format_(format), is_cube_(is_cube), width_(width), height_(height), levels_(levels) {
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  handle_ = Handle<destroy>(name);
+  bindForWork();
+  glTexStorage2D(targetOf(is_cube), levels, internalFormat(format), width, height);
+  Sampling sampling;
+  if (format == Format::rgba32f) sampling.filter = Sampling::Filter::nearest;
+  setSampling(sampling);
+}
+
+void Texture::destroy(unsigned name) { glDeleteTextures(1, &name); }
+
+void Texture::bindForWork() const {
+  glActiveTexture(GL_TEXTURE0 + kWorkUnit);
+  glBindTexture(targetOf(is_cube_), handle_.name());
+}
+
+void Texture::bind(int unit) const {
+  assert(unit >= 0 && unit < kWorkUnit);
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(targetOf(is_cube_), handle_.name());
+}
+
+template <typename Component, typename Fill>
+void Texture::uploadRows(int level, int face, Fill&& fill) {
+  // Rows go over in bands, so that a large image is not in memory twice and a band is still in the
+  // cache when the driver copies it.
+  constexpr std::size_t kBandBytes = std::size_t{2} << 20;
+  constexpr std::size_t kGrainBytes = std::size_t{64} << 10;
+  const int width = levelSide(width_, level);
+  const std::size_t row_length = 4 * static_cast<std::size_t>(width);
+  const std::size_t row_bytes = row_length * sizeof(Component);
+  const std::size_t height = static_cast<std::size_t>(levelSide(height_, level));
+  const std::size_t band_rows = std::clamp<std::size_t>(kBandBytes / row_bytes, 1, height);
+  std::vector<Component> band(band_rows * row_length);
+  bindForWork();
+  for (std::size_t top = 0; top < height; top += band_rows) {
+    const std::size_t rows = std::min(band_rows, height - top);
+    parallelFor(rows, kGrainBytes / row_bytes, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin; row < end; ++row) {
+        fill(static_cast<int>(top + row), std::span(band).subspan(row * row_length, row_length));
+      }
+    });
+    glTexSubImage2D(imageTarget(is_cube_, face), level, 0, static_cast<GLint>(top), width,
+                    static_cast<GLsizei>(rows), GL_RGBA, kComponentType<Component>, band.data());
+  }
+}
+
+void Texture::upload(int level, int face, const Image& image) {
+  assert(level >= 0 && level < levels_);
+  assert(image.width() == levelSide(width_, level) && image.height() == levelSide(height_, level));
+  const auto expanded = [&](int y, std::span<float> rgba) {
+    expandRow(image.row(y), image.channels(), 1.0f, rgba);
+  };
+  if (format_ == Format::rgba32f) {
+    uploadRows<float>(level, face, expanded);
+  } else if (format_ == Format::rgba16f) {
+    uploadRows<std::uint16_t>(level, face, [&](int y, std::span<std::uint16_t> rgba) {
+      std::vector<std::uint16_t> halves(image.row(y).size());
+      halvesFromFloats(image.row(y), halves);
+      expandRow<std::uint16_t>(halves, image.channels(), kHalfOne, rgba);
+    });
+  } else {
+    uploadRows<std::uint8_t>(level, face, [&](int y, std::span<std::uint8_t> bytes) {
+      std::vector<float> rgba(bytes.size());
+      expanded(y, rgba);
+      encodeRow(rgba, format_ == Format::srgb8_alpha8, bytes);
+    });
+  }
+}
+
+void Texture::upload(int level, int face, const Image8& image) {
+  assert(isEightBit(format_) && level >= 0 && level < levels_);
+  assert(image.width() == levelSide(width_, level) && image.height() == levelSide(height_, level));
+  uploadRows<std::uint8_t>(level, face, [&](int y, std::span<std::uint8_t> bytes) {
+    expandRow<std::uint8_t>(image.row(y), image.channels(), 255, bytes);
+  });
+}
+
+void Texture::generateMipmaps() {
+  bindForWork();
+  glGenerateMipmap(targetOf(is_cube_));
+}
+
+void Texture::setSampling(const Sampling& sampling) {
+  bindForWork();
+  const GLenum target = targetOf(is_cube_);
+  const bool magnify_nearest =
+      sampling.magnify_nearest || sampling.filter == Sampling::Filter::nearest;
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minifyMode(sampling.filter));
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify_nearest ? GL_NEAREST : GL_LINEAR);
+  glTexParameteri(target, GL_TEXTURE_WRAP_S,
+                  is_cube_ ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_s));
+  glTexParameteri(target, GL_TEXTURE_WRAP_T,
+                  is_cube_ ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_t));
+}
+
+Image Texture::read(int level, int face) const {
+  assert(level >= 0 && level < levels_);
+  GLint previous = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &previous);
+  GLuint framebuffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, imageTarget(is_cube_, face),
+                         handle_.name(), level);
+  Image image = readPixelFloats(format_, levelSide(width_, level), levelSide(height_, level));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(previous));
+  glDeleteFramebuffers(1, &framebuffer);
+  return image;
+}
+
+}  // namespace mirrorball::gl

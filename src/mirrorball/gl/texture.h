@@ -1,0 +1,105 @@
+#pragma once
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/handle.h"
+#include "mirrorball/image/image.h"
+#include "mirrorball/image/image_set.h"
+
+namespace mirrorball::gl {
+
+/// How texels are kept on the GPU.
+enum class Format {
+  rgba8,         ///< 8 bits, linear
+  srgb8_alpha8,  ///< 8 bits, decoded from sRGB when sampled
+  rgba16f,       ///< half floats: radiance up to 65504
+  rgba32f,       ///< floats; OpenGL ES samples them with Filter::nearest only
+};
+
+/// How a texture is read between texels and beyond its edges.
+struct Sampling {
+  enum class Filter {
+    nearest,    ///< level 0 only
+    linear,     ///< level 0 only, bilinear
+    trilinear,  ///< bilinear, and linear between the mip levels
+  };
+  enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
+
+  Filter filter = Filter::trilinear;
+  bool magnify_nearest = false;  ///< shows the texels as squares where they are larger than pixels
+  Wrap wrap_s = Wrap::clamp_to_edge;
+  Wrap wrap_t = Wrap::clamp_to_edge;
+};
+
+/// A 2D texture or a cube map of any number of mip levels. Texel rows are as in Image: row 0 is at
+/// t = 0. It starts with Sampling{}; rgba32f, which OpenGL ES cannot filter, with Filter::nearest.
+///
+/// Uploads and settings go through texture unit 15, which is therefore no unit to bind textures to.
+class Texture {
+ public:
+  /// A 2D texture whose texels are undefined until uploaded or rendered.
+  ///
+  /// levels   mip levels, level k being max(1, side >> k); kAllLevels: down to 1 × 1
+  /// errors   too_large: a side is longer than the driver takes
+  static Result<Texture> make2d(Format format, int width, int height, int levels = 1);
+
+  /// A cube map, faces in the order +X −X +Y −Y +Z −Z, each as OpenGL's table has it. Always
+  /// clamped to its edges and filtered across them.
+  ///
+  /// errors   too_large
+  static Result<Texture> makeCube(Format format, int size, int levels = 1);
+
+  /// A texture with all levels of `images`: a cube if it has six faces, else 2D.
+  ///
+  /// errors   too_large
+  static Result<Texture> fromImages(Format format, const ImageSet& images);
+
+  static constexpr int kAllLevels = 0;
+
+  /// Replaces one image by linear floats. A grey image fills r, g and b; alpha is 1 where the image
+  /// has none. In 8-bit formats [0, 1] is stored (sRGB-encoded for srgb8_alpha8); rgba16f clamps to
+  /// ±65504.
+  ///
+  /// image    of exactly the level's size, with 1, 3 or 4 channels
+  void upload(int level, int face, const Image& image);
+
+  /// Replaces one image of an 8-bit format by bytes as they are; the channels as above.
+  void upload(int level, int face, const Image8& image);
+  void upload(const Image8& image) { upload(0, 0, image); }
+
+  /// Fills the levels after the first by the driver's own filter (2 × 2 boxes).
+  void generateMipmaps();
+
+  void setSampling(const Sampling& sampling);
+
+  /// Binds to a texture unit, 0 to 14, for the sampler uniform that is set to that number.
+  void bind(int unit) const;
+
+  /// Reads one image back: 4 channels as a shader would sample them, so sRGB is decoded. In OpenGL
+  /// ES the format must be one that the driver can draw into.
+  Image read(int level = 0, int face = 0) const;
+
+  Format format() const { return format_; }
+  bool isCube() const { return is_cube_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int levels() const { return levels_; }
+  unsigned name() const { return handle_.name(); }  ///< for a call that this class does not have
+
+ private:
+  static void destroy(unsigned name);
+  Texture(Format format, bool is_cube, int width, int height, int levels);
+  static Result<Texture> make(Format format, bool is_cube, int width, int height, int levels);
+  void bindForWork() const;
+  /// Replaces an image row by row: fill(y, rgba) writes row y as the GPU keeps it.
+  template <typename Component, typename Fill>
+  void uploadRows(int level, int face, Fill&& fill);
+
+  Handle<destroy> handle_;
+  Format format_;
+  bool is_cube_;
+  int width_;
+  int height_;
+  int levels_;
+};
+
+}  // namespace mirrorball::gl

@@ -1,0 +1,91 @@
+#include "mirrorball/image/image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mirrorball {
+namespace {
+
+bool isFinite(const Image& image, int x, int y) {
+  const float* texel = image.texel(x, y);
+  for (int channel = 0; channel < image.channels(); ++channel)
+    if (!std::isfinite(texel[channel])) return false;
+  return true;
+}
+
+/// The mean of the finite ones among the eight neighbours of (x, y); nothing when there is none.
+std::optional<glm::vec4> meanOfNeighbours(const Image& image, int x, int y) {
+  glm::vec4 sum(0.0f);
+  int count = 0;
+  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, image.height() - 1); ++j)
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, image.width() - 1); ++i) {
+      if (!isFinite(image, i, j)) continue;
+      for (int channel = 0; channel < image.channels(); ++channel)
+        sum[channel] += image.texel(i, j)[channel];
+      ++count;
+    }
+  if (count == 0) return {};
+  return sum / static_cast<float>(count);
+}
+
+}  // namespace
+
+glm::vec3 rgbAt(const Image& image, int x, int y) {
+  const float* texel = image.texel(x, y);
+  if (image.channels() < 3) return glm::vec3(texel[0]);
+  return {texel[0], texel[1], texel[2]};
+}
+
+glm::vec4 rgbaAt(const Image& image, int x, int y) {
+  const float* texel = image.texel(x, y);
+  const bool has_alpha = image.channels() == 2 || image.channels() == 4;
+  return glm::vec4(rgbAt(image, x, y), has_alpha ? texel[image.channels() - 1] : 1.0f);
+}
+
+NonFinite findNonFinite(const Image& image) {
+  NonFinite found;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (!isFinite(image, x, y) && found.count++ == 0) found.first = {x, y};
+  return found;
+}
+
+Result<void> repairNonFinite(Image& image) {
+  std::vector<glm::ivec2> holes;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (!isFinite(image, x, y)) holes.push_back({x, y});
+  if (!holes.empty() && holes.size() == image.texelCount())
+    return fail(ErrorCode::non_finite, "no texel is finite, so none can be repaired");
+
+  // Ring by ring from the edge of each hole: what one pass finds is written only after it, so that the order of
+  // the texels within a ring does not matter.
+  while (!holes.empty()) {
+    std::vector<std::pair<glm::ivec2, glm::vec4>> ring;
+    std::vector<glm::ivec2> inner;
+    for (const glm::ivec2 hole : holes) {
+      if (const auto mean = meanOfNeighbours(image, hole.x, hole.y))
+        ring.emplace_back(hole, *mean);
+      else
+        inner.push_back(hole);
+    }
+    for (const auto& [hole, mean] : ring)
+      for (int channel = 0; channel < image.channels(); ++channel)
+        image.texel(hole.x, hole.y)[channel] = mean[channel];
+    holes = std::move(inner);
+  }
+  return {};
+}
+
+Result<void> checkDimensions(const std::string& name, long long width, long long height) {
+  const std::string size = std::to_string(width) + "x" + std::to_string(height);
+  if (width <= 0 || height <= 0)
+    return fail(ErrorCode::bad_file, name + ": says its size is " + size + "; an image has at least one texel");
+  if (width > kLargestTexelCount / height)
+    return fail(ErrorCode::too_large, name + ": says its size is " + size + "; at most " +
+                                          std::to_string(kLargestTexelCount) + " texels are read");
+  return {};
+}
+
+}  // namespace mirrorball

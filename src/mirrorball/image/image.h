@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "mirrorball/base/result.h"
+
+namespace mirrorball {
+
+/// A rectangle of texels: `channels` interleaved samples a texel, rows from the top, no padding.
+///
+/// Sample   float (linear light unless said otherwise) or std::uint8_t (encoded as the owner says)
+template <typename Sample>
+class ImageOf {
+ public:
+  ImageOf() = default;
+  /// Takes width · height · channels samples of memory, all set to `fill`.
+  ImageOf(int width, int height, int channels, Sample fill = Sample{})
+      : width_(width), height_(height), channels_(channels) {
+    assert(width >= 0 && height >= 0 && channels >= 1 && channels <= 4);
+    samples_.assign(std::size_t(width) * std::size_t(height) * std::size_t(channels), fill);
+  }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int channels() const { return channels_; }
+  bool empty() const { return samples_.empty(); }
+  std::size_t texelCount() const { return std::size_t(width_) * std::size_t(height_); }
+
+  std::span<Sample> samples() { return samples_; }
+  std::span<const Sample> samples() const { return samples_; }
+
+  std::span<Sample> row(int y) { return samples().subspan(offset(0, y), rowLength()); }
+  std::span<const Sample> row(int y) const { return samples().subspan(offset(0, y), rowLength()); }
+
+  /// The samples of one texel, x to the right and y down from the top left one.
+  Sample* texel(int x, int y) { return samples_.data() + offset(x, y); }
+  const Sample* texel(int x, int y) const { return samples_.data() + offset(x, y); }
+
+ private:
+  std::size_t rowLength() const { return std::size_t(width_) * std::size_t(channels_); }
+  std::size_t offset(int x, int y) const {
+    assert(x >= 0 && x < width_ && y >= 0 && y < height_);
+    return std::size_t(y) * rowLength() + std::size_t(x) * std::size_t(channels_);
+  }
+
+  int width_ = 0;
+  int height_ = 0;
+  int channels_ = 1;
+  std::vector<Sample> samples_;
+};
+
+using Image = ImageOf<float>;          ///< linear light
+using Image8 = ImageOf<std::uint8_t>;  ///< a picture or a texture, encoded
+
+/// The first three channels of a texel; a grey image's one channel three times.
+glm::vec3 rgbAt(const Image& image, int x, int y);
+
+/// A texel as (r, g, b, a); alpha is 1 where the image has none.
+glm::vec4 rgbaAt(const Image& image, int x, int y);
+
+/// How many samples are NaN or infinite, and the first texel that has one.
+struct NonFinite {
+  std::size_t count = 0;  ///< texels, not samples
+  glm::ivec2 first{0};
+};
+NonFinite findNonFinite(const Image& image);
+
+/// Replaces every texel that holds NaN or infinity by the mean of its nearest finite neighbours, ring by ring.
+///
+/// errors   non_finite when no texel is finite
+Result<void> repairNonFinite(Image& image);
+
+/// Refuses what no image may be: a side of 0, or more than `kLargestTexelCount` texels.
+///
+/// name     the file, for the message
+/// errors   bad_file (a side is 0 or negative); too_large
+Result<void> checkDimensions(const std::string& name, long long width, long long height);
+
+/// 2³⁰ texels: 32768 × 32768, or 16 GiB as float RGBA.
+inline constexpr long long kLargestTexelCount = 1LL << 30;
+
+}  // namespace mirrorball

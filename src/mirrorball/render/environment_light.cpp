@@ -1,0 +1,61 @@
+#include "mirrorball/render/environment_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formula/formula.h"
+#include "mirrorball/bake/mip_chain.h"
+#include "mirrorball/environment/convert.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr float kLargestHalf = 65504.0f;
+
+/// A face side at which a face's middle has as many texels a radian as the environment, rounded up to a multiple of 64
+/// so that the first mip levels halve evenly.
+int faceSide(const Environment& environment) {
+  const float side = environment.texelDensity() / texelDensity(Projection::cube, 1);
+  if (side <= 64.0f) return std::max(static_cast<int>(std::ceil(side)), 1);
+  return static_cast<int>(std::ceil(side / 64.0f)) * 64;
+}
+
+float greatestSample(const ImageSet& chain) {
+  float greatest = 0.0f;
+  for (int face = 0; face < 6; ++face)
+    for (const float sample : chain.at(0, face).samples()) greatest = std::max(greatest, sample);
+  return greatest;
+}
+
+}  // namespace
+
+PreparedEnvironment prepareEnvironment(const Environment& environment) {
+  PreparedEnvironment prepared;
+  if (environment.map() && environment.map()->projection() == Projection::cube) {
+    prepared.chain = mipChain(*environment.map());
+    prepared.irradiance = irradianceHarmonics(*environment.map());
+  } else {
+    // Only an interruption makes it fail, and nobody is asked for one here.
+    const EnvironmentMap cube = *convert(environment, Projection::cube, faceSide(environment));
+    prepared.chain = mipChain(cube);
+    prepared.irradiance = irradianceHarmonics(cube);
+  }
+  prepared.needs_floats = greatestSample(prepared.chain) > kLargestHalf;
+  return prepared;
+}
+
+Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepared) {
+  const gl::Format format = prepared.needs_floats ? gl::Format::rgba32f : gl::Format::rgba16f;
+  MIRRORBALL_TRY(cube, gl::Texture::fromImages(format, prepared.chain));
+  cube.setSampling({.filter = gl::Sampling::Filter::trilinear});
+  return EnvironmentLight(std::move(cube), prepared.irradiance);
+}
+
+float EnvironmentLight::roughestLevel() const {
+  const float last = static_cast<float>(cube_.levels() - 1);
+  return std::clamp(std::log2(static_cast<float>(cube_.width())) - 2.0f, 0.0f, last);
+}
+
+float EnvironmentLight::texelsPerRadian() const { return texelDensity(Projection::cube, cube_.width()); }
+
+}  // namespace mirrorball

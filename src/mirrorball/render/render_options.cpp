@@ -1,0 +1,197 @@
+#include "mirrorball/render/render_options.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "formula/formula.h"
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr int kMostLights = 8;
+constexpr int kLongestSide = 16384;
+
+const std::array<Option<RenderOptions>, 18> kOptions{{
+    {{.name = "size", .value = "WxH", .unit = "pixels", .help = "size of the picture", .group = "Picture"},
+     &RenderOptions::size},
+    {{.name = "samples", .value = "N", .unit = "a pixel", .minimum = 1, .maximum = 4096,
+      .help = "how many times each pixel is drawn, evenly spread over its area", .group = "Picture"},
+     &RenderOptions::samples},
+    {{.name = "frames", .value = "N", .minimum = 0, .maximum = 100000,
+      .help = "a turntable of N numbered pictures, the camera going once round", .group = "Picture"},
+     &RenderOptions::frames},
+    {{.name = "exposure", .value = "EV", .unit = "stops", .minimum = -30, .maximum = 30,
+      .help = "brightness of a tone-mapped picture; .exr and .hdr keep radiance as it is", .group = "Picture"},
+     &RenderOptions::exposure_ev},
+    {{.name = "tone-map", .choices = "agx|aces|neutral|reinhard|linear", .help = "how scene light becomes a picture",
+      .group = "Picture"},
+     choiceField<&RenderOptions::tone_map>},
+    {{.name = "background", .value = "env|blur|COLOR|transparent",
+      .help = "what is behind the model; COLOR is #rrggbb (sRGB) or R,G,B (linear)", .group = "Picture"},
+     &RenderOptions::background},
+
+    {{.name = "camera", .value = "AZIMUTH,ELEVATION[,DISTANCE]", .unit = "degrees and model radii", .fewest = 2, .most = 3,
+      .help = "azimuth 0 stands on +Z and looks along -Z, 90 on +X; elevation 90 on +Y; without a distance the model "
+              "fills the picture",
+      .group = "Camera"},
+     &RenderOptions::camera},
+    {{.name = "target", .value = "X,Y,Z", .unit = "world units", .fewest = 3, .most = 3,
+      .help = "the point that the camera looks at; without it the model's centre", .group = "Camera"},
+     &RenderOptions::target},
+    {{.name = "fov", .value = "DEG", .unit = "degrees", .minimum = 1, .maximum = 170, .help = "vertical angle of view",
+      .group = "Camera"},
+     &RenderOptions::fov_deg},
+    {{.name = "orthographic", .value = "HEIGHT", .unit = "model radii", .minimum = 1e-3, .maximum = 1e4,
+      .help = "parallel projection of that height; 2 inscribes a sphere", .implied = "2.2", .group = "Camera"},
+     &RenderOptions::orthographic},
+
+    {{.name = "env-rotation", .value = "DEG", .unit = "degrees", .help = "turns the environment about +Y, +Z towards +X",
+      .group = "Environment"},
+     &RenderOptions::env_rotation_deg},
+    {{.name = "env-intensity", .value = "FACTOR", .minimum = 0, .maximum = 1e6, .help = "strength of its light",
+      .group = "Environment"},
+     &RenderOptions::env_intensity},
+    {{.name = "mapping", .choices = "reflection|normal|sphere",
+      .help = "what looks the map up: the reflected ray, the surface normal, or the normal as texture coordinates of a "
+              "sphere map",
+      .group = "Environment"},
+     choiceField<&RenderOptions::mapping>},
+    {{.name = "reflect-at", .choices = "vertex|fragment",
+      .help = "where the ray is reflected: at vertices, the result interpolated, or at each fragment",
+      .group = "Environment"},
+     choiceField<&RenderOptions::reflect_at>},
+    {{.name = "light", .value = "X,Y,Z,R,G,B", .unit = "world units and radiance",
+      .help = "a point light after Phong; may be repeated", .group = "Environment"},
+     &RenderOptions::lights},
+
+    {{.name = "material", .value = "NAME", .help = "gives every surface this material", .group = "Material"},
+     &RenderOptions::material},
+    {{.name = "set", .value = "KEY=VALUE", .help = "sets one parameter of every material; may be repeated",
+      .group = "Material"},
+     &RenderOptions::set},
+    {{.name = "fresnel", .choices = "material|exact|schlick|empirical",
+      .help = "form of Fresnel's law for every material; empirical is offset + scale (1 + V·N)^power",
+      .group = "Material"},
+     choiceField<&RenderOptions::fresnel>},
+}};
+
+tl::unexpected<Error> misused(std::string_view option, std::string_view wants, std::string_view given) {
+  return fail(ErrorCode::usage, std::string(option) + " takes " + std::string(wants) + "; it was given '" +
+                                    std::string(given) + "'");
+}
+
+Result<glm::ivec2> parseSize(const std::string& text) {
+  const auto sides = split(text, 'x');
+  std::array<int, 2> size{};
+  for (std::size_t side = 0; side < sides.size() && side < 2; ++side) {
+    const auto number = parseNumber(sides[side]);
+    if (number && *number == std::floor(*number) && *number >= 1 && *number <= kLongestSide)
+      size[side] = static_cast<int>(*number);
+  }
+  if (sides.size() != 2 || size[0] == 0 || size[1] == 0)
+    return misused("size", "WIDTHxHEIGHT in pixels (1 … " + std::to_string(kLongestSide) + ")", text);
+  return glm::ivec2(size[0], size[1]);
+}
+
+/// "#rrggbb" as linear light.
+std::optional<glm::vec3> parseHexColor(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  unsigned bits = 0;
+  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, bits, 16);
+  if (error != std::errc{} || end != text.data() + 7) return std::nullopt;
+  const glm::vec3 encoded((bits >> 16) & 255u, (bits >> 8) & 255u, bits & 255u);
+  return formula::linearFromSrgb(encoded / 255.0f);
+}
+
+Result<void> parseBackground(const std::string& text, FrameSettings& settings) {
+  if (text == "env") {
+    settings.background = BackgroundKind::environment;
+  } else if (text == "blur") {
+    settings.background = BackgroundKind::blur;
+  } else if (text == "transparent") {
+    settings.background = BackgroundKind::transparent;
+  } else {
+    settings.background = BackgroundKind::color;
+    if (const auto color = parseHexColor(text)) {
+      settings.background_color = *color;
+    } else if (const auto numbers = parseVector({.name = "background", .minimum = 0, .maximum = 1e6}, text)) {
+      settings.background_color = *numbers;
+    } else {
+      return misused("background", "env, blur, transparent, #rrggbb or R,G,B", text);
+    }
+  }
+  return {};
+}
+
+Result<PointLight> parseLight(const std::string& text) {
+  MIRRORBALL_TRY(numbers, parseNumbers({.name = "light", .fewest = 6, .most = 6}, text));
+  return PointLight{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+}
+
+CameraOptions cameraOptions(const RenderOptions& options) {
+  CameraOptions camera;
+  camera.azimuth_deg = options.camera[0];
+  camera.elevation_deg = options.camera[1];
+  if (options.camera.size() > 2) camera.distance = options.camera[2];
+  if (!options.target.empty()) camera.target = glm::vec3(options.target[0], options.target[1], options.target[2]);
+  camera.fov_deg = options.fov_deg;
+  if (!options.orthographic.empty()) camera.orthographic_height = options.orthographic[0];
+  return camera;
+}
+
+/// One material for every surface.
+void replaceMaterials(Scene& scene, const Material& material) {
+  scene.materials = {material};
+  for (Mesh& mesh : scene.meshes) {
+    mesh.material = 0;
+    for (Vertex& vertex : mesh.vertices) vertex.color = glm::vec4(1.0f);
+  }
+}
+
+}  // namespace
+
+std::span<const Option<RenderOptions>> renderOptions() { return kOptions; }
+
+Result<FrameSettings> frameSettings(const RenderOptions& options) {
+  FrameSettings settings;
+  MIRRORBALL_TRY(size, parseSize(options.size));
+  settings.size = size;
+  settings.camera = cameraOptions(options);
+  if (settings.camera.elevation_deg < -90.0f || settings.camera.elevation_deg > 90.0f)
+    return misused("camera", "an elevation from -90 to 90 degrees", formatNumber(settings.camera.elevation_deg));
+  if (settings.camera.distance && *settings.camera.distance <= 0.0f)
+    return misused("camera", "a distance above 0", formatNumber(*settings.camera.distance));
+  settings.exposure = std::exp2(options.exposure_ev);
+  settings.tone_map = options.tone_map;
+  settings.env_rotation_rad = glm::radians(options.env_rotation_deg);
+  settings.env_intensity = options.env_intensity;
+  MIRRORBALL_TRY_VOID(parseBackground(options.background, settings));
+  settings.samples = options.samples;
+  settings.mapping = options.mapping;
+  settings.reflect_at = options.reflect_at;
+  for (const std::string& text : options.lights) {
+    MIRRORBALL_TRY(light, parseLight(text));
+    settings.lights.push_back(light);
+  }
+  if (settings.lights.size() > kMostLights)
+    return fail(ErrorCode::usage, "light may be given " + std::to_string(kMostLights) + " times at most");
+  return settings;
+}
+
+Result<void> applyMaterialOptions(const RenderOptions& options, Scene& scene) {
+  if (!options.material.empty()) {
+    MIRRORBALL_TRY(material, materialNamed(options.material));
+    replaceMaterials(scene, material);
+  }
+  if (scene.materials.empty()) scene.materials.emplace_back();
+  for (Material& material : scene.materials) {
+    if (options.fresnel != FresnelOverride::material)
+      material.fresnel = static_cast<FresnelModel>(static_cast<int>(options.fresnel) - 1);
+    for (const std::string& assignment : options.set) MIRRORBALL_TRY_VOID(setParameter(material, assignment));
+  }
+  return {};
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/option.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/scene/camera.h"
+#include "mirrorball/scene/material.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+enum class ToneMap { agx, aces, neutral, reinhard, linear };     ///< formula::toneMap's numbers
+enum class Mapping { reflection, normal, sphere };
+enum class ReflectAt { vertex, fragment };
+enum class FresnelOverride { material, exact, schlick, empirical };
+enum class BackgroundKind { environment, blur, color, transparent };
+
+/// A point light, for Phong's model.
+struct PointLight {
+  glm::vec3 position{0.0f};  ///< world
+  glm::vec3 color{1.0f};     ///< the radiance that a white diffuse surface facing it shows
+};
+
+/// Everything that one picture needs to be told, as the user says it: the fields that the table of render options sets.
+struct RenderOptions {
+  std::string size = "1280x720";
+  std::vector<float> camera{30.0f, 15.0f};
+  std::vector<float> target;
+  float fov_deg = 35.0f;
+  std::vector<float> orthographic;
+  float exposure_ev = 0.0f;
+  ToneMap tone_map = ToneMap::agx;
+  float env_rotation_deg = 0.0f;
+  float env_intensity = 1.0f;
+  std::string background = "env";
+  int samples = 4;
+  std::string material;
+  std::vector<std::string> set;
+  FresnelOverride fresnel = FresnelOverride::material;
+  Mapping mapping = Mapping::reflection;
+  ReflectAt reflect_at = ReflectAt::fragment;
+  std::vector<std::string> lights;
+  int frames = 0;
+};
+
+/// The table of them.
+std::span<const Option<RenderOptions>> renderOptions();
+
+/// The options in the form that the renderer takes, checked.
+struct FrameSettings {
+  glm::ivec2 size{1280, 720};
+  CameraOptions camera;
+  float exposure = 1.0f;  ///< factor, 2^EV
+  ToneMap tone_map = ToneMap::agx;
+  float env_rotation_rad = 0.0f;
+  float env_intensity = 1.0f;
+  BackgroundKind background = BackgroundKind::environment;
+  glm::vec3 background_color{0.0f};  ///< linear
+  int samples = 4;
+  Mapping mapping = Mapping::reflection;
+  ReflectAt reflect_at = ReflectAt::fragment;
+  std::vector<PointLight> lights;
+};
+
+/// errors   usage: names the option and what it takes
+Result<FrameSettings> frameSettings(const RenderOptions& options);
+
+/// Gives every surface of a scene the material that the options name, sets the parameters and the Fresnel form that
+/// they name on all materials.
+///
+/// errors   usage
+Result<void> applyMaterialOptions(const RenderOptions& options, Scene& scene);
+
+}  // namespace mirrorball

@@ -1,0 +1,258 @@
+#include "mirrorball/render/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "formula/formula.h"
+#include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/render/scene_buffers.h"
+#include "mirrorball/render/sphere_map.h"
+#include "mirrorball/render/surface_program.h"
+
+namespace mirrorball {
+namespace {
+
+/// Directions of the world, in an environment that is turned about +Y by an angle, +Z towards +X.
+glm::mat3 environmentFromWorld(float rotation_rad) {
+  return glm::mat3(glm::rotate(glm::mat4(1.0f), -rotation_rad, glm::vec3(0, 1, 0)));
+}
+
+/// The camera with its picture shifted by a part of a pixel.
+Camera shifted(Camera camera, glm::vec2 offset_px, glm::ivec2 size) {
+  const glm::vec2 ndc = offset_px * 2.0f / glm::vec2(size);
+  camera.clip_from_view = glm::translate(glm::mat4(1.0f), glm::vec3(ndc, 0.0f)) * camera.clip_from_view;
+  return camera;
+}
+
+}  // namespace
+
+struct Renderer::State {
+  gl::Api api;
+  const Scene& scene;
+  const Environment& environment;
+  EnvironmentLight light;
+  SceneBuffers buffers;
+  BoundingSphere bounds;
+  SurfacePrograms surfaces;
+  gl::Program background;
+  gl::Program accumulate;
+  gl::Program tone_map;
+  gl::VertexArray screen;
+  std::optional<gl::Texture> sphere_map;
+  std::optional<gl::Framebuffer> sample;  ///< one sample's picture
+  std::optional<gl::Framebuffer> sum;     ///< the mean, when there is more than one
+  std::optional<gl::Framebuffer> display;
+  int samples = 1;
+
+  const gl::Framebuffer& result() const { return samples > 1 ? *sum : *sample; }
+
+  Result<void> makeFramebuffers(const FrameSettings& settings);
+  Result<void> makeSphereMap(const FrameUniforms& frame);
+  Result<void> drawSample(const FrameUniforms& frame, const FrameSettings& settings);
+  void drawBackground(const FrameUniforms& frame, const FrameSettings& settings);
+  Result<void> drawInstance(const Instance& instance, const FrameUniforms& frame, const FrameSettings& settings);
+  Result<void> drawOpaque(const FrameUniforms& frame, const FrameSettings& settings);
+  Result<void> drawBlended(const FrameUniforms& frame, const FrameSettings& settings);
+  void addSample(int count);
+
+  const Material& materialOf(const Instance& instance) const {
+    return scene.materials[std::size_t(scene.meshes[std::size_t(instance.mesh)].material)];
+  }
+};
+
+Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, const Environment& environment,
+                                const PreparedEnvironment& prepared) {
+  const gl::Api api = context.api();
+  MIRRORBALL_TRY(light, EnvironmentLight::make(prepared));
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(scene));
+  MIRRORBALL_TRY(background, gl::Program::load(api, "screen.vert", "background.frag"));
+  MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
+  MIRRORBALL_TRY(tone_map, gl::Program::load(api, "screen.vert", "tone_map.frag"));
+  return Renderer(std::unique_ptr<State>(new State{api,
+                                                   scene,
+                                                   environment,
+                                                   std::move(light),
+                                                   std::move(buffers),
+                                                   boundingSphere(scene),
+                                                   SurfacePrograms(api),
+                                                   std::move(background),
+                                                   std::move(accumulate),
+                                                   std::move(tone_map),
+                                                   gl::VertexArray(),
+                                                   {},
+                                                   {},
+                                                   {},
+                                                   {},
+                                                   1}));
+}
+
+Result<void> Renderer::draw(const FrameSettings& settings) {
+  State& state = *state_;
+  state.samples = settings.samples;
+  MIRRORBALL_TRY_VOID(state.makeFramebuffers(settings));
+
+  FrameUniforms frame;
+  const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
+  const Camera camera = makeCamera(settings.camera, state.bounds, aspect);
+  frame.camera = camera;
+  frame.environment_from_world = environmentFromWorld(settings.env_rotation_rad);
+  frame.texture_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
+  if (settings.mapping == Mapping::sphere) MIRRORBALL_TRY_VOID(state.makeSphereMap(frame));
+
+  for (int index = 0; index < settings.samples; ++index) {
+    frame.camera = shifted(camera, formula::sampleOffset(index) - 0.5f, settings.size);
+    MIRRORBALL_TRY_VOID(state.drawSample(frame, settings));
+    if (settings.samples > 1) state.addSample(index);
+  }
+  return {};
+}
+
+Image Renderer::radiance() const { return state_->result().readFloat(); }
+
+Result<Image8> Renderer::picture(const FrameSettings& settings) {
+  State& state = *state_;
+  const gl::Framebuffer& result = state.result();
+  if (!state.display || state.display->width() != result.width() || state.display->height() != result.height()) {
+    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba8, result.width(), result.height(), false));
+    state.display = std::move(made);
+  }
+  state.display->bind();
+  glDisable(GL_DEPTH_TEST);
+  result.color().bind(TextureUnit::picture);
+  state.tone_map.set("picture", TextureUnit::picture);
+  state.tone_map.set("exposure", settings.exposure);
+  state.tone_map.set("tone_map", static_cast<int>(settings.tone_map));
+  state.screen.draw(3);
+  return state.display->readBytes();
+}
+
+Result<void> Renderer::State::makeFramebuffers(const FrameSettings& settings) {
+  const glm::ivec2 size = settings.size;
+  if (!sample || sample->width() != size.x || sample->height() != size.y) {
+    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, true));
+    sample = std::move(made);
+    sum.reset();
+  }
+  if (settings.samples > 1 && !sum) {
+    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, false));
+    sum = std::move(made);
+  }
+  return {};
+}
+
+/// Photographs the mirror ball from the camera's direction, so that the seeds' look-up is right for every camera.
+Result<void> Renderer::State::makeSphereMap(const FrameUniforms& frame) {
+  const glm::mat3 environment_from_view =
+      frame.environment_from_world * glm::transpose(glm::mat3(frame.camera.view_from_world));
+  const int size = std::min(environment.naturalSize(Projection::sphere), 2048);
+  const ImageSet image(sphereMapTexture(environment, environment_from_view, size));
+  const gl::Format format = light.cube().format();
+  MIRRORBALL_TRY(made, gl::Texture::fromImages(format, image));
+  made.setSampling({.filter = gl::Sampling::Filter::linear});
+  sphere_map = std::move(made);
+  sphere_map->bind(TextureUnit::sphere_map);
+  return {};
+}
+
+Result<void> Renderer::State::drawSample(const FrameUniforms& frame, const FrameSettings& settings) {
+  sample->bind();
+  const bool has_color = settings.background == BackgroundKind::color;
+  const glm::vec3 color = has_color ? settings.background_color : glm::vec3(0.0f);
+  glClearColor(color.x, color.y, color.z, has_color ? 1.0f : 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glDisable(GL_BLEND);
+  // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  MIRRORBALL_TRY_VOID(drawOpaque(frame, settings));
+  if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
+    drawBackground(frame, settings);
+  return drawBlended(frame, settings);
+}
+
+void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSettings& settings) {
+  const bool blurred = settings.background == BackgroundKind::blur;
+  glDisable(GL_CULL_FACE);
+  light.cube().bind(TextureUnit::environment);
+  background.set("environment", TextureUnit::environment);
+  background.set("environment_from_world", frame.environment_from_world);
+  background.set("environment_intensity", settings.env_intensity);
+  background.set("world_from_clip", glm::inverse(frame.camera.clip_from_view * frame.camera.view_from_world));
+  background.set("camera_forward", frame.camera.forward);
+  background.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
+  background.set("level", blurred ? light.roughestLevel() * 0.6f : 0.0f);
+  screen.draw(3);
+}
+
+Result<void> Renderer::State::drawInstance(const Instance& instance, const FrameUniforms& frame,
+                                           const FrameSettings& settings) {
+  const Material& material = materialOf(instance);
+  MIRRORBALL_TRY(program, surfaces.prepare(material, buffers, light, frame, settings));
+  program->set("world_from_object", instance.world_from_object);
+  program->set("normal_matrix", glm::transpose(glm::inverse(glm::mat3(instance.world_from_object))));
+  if (material.double_sided)
+    glDisable(GL_CULL_FACE);
+  else
+    glEnable(GL_CULL_FACE);
+  buffers.drawMesh(instance.mesh);
+  return {};
+}
+
+Result<void> Renderer::State::drawOpaque(const FrameUniforms& frame, const FrameSettings& settings) {
+  for (const Instance& instance : scene.instances)
+    if (materialOf(instance).alpha_mode != AlphaMode::blend)
+      MIRRORBALL_TRY_VOID(drawInstance(instance, frame, settings));
+  return {};
+}
+
+/// What shines through is drawn over the rest, the farthest first.
+Result<void> Renderer::State::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
+  std::vector<const Instance*> blended;
+  for (const Instance& instance : scene.instances)
+    if (materialOf(instance).alpha_mode == AlphaMode::blend) blended.push_back(&instance);
+  if (blended.empty()) return {};
+  const auto depth = [&](const Instance* instance) {
+    return glm::dot(glm::vec3(instance->world_from_object[3]) - frame.camera.position, frame.camera.forward);
+  };
+  std::stable_sort(blended.begin(), blended.end(),
+                   [&](const Instance* a, const Instance* b) { return depth(a) > depth(b); });
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthMask(GL_FALSE);
+  Result<void> drawn;
+  for (const Instance* instance : blended)
+    if (drawn) drawn = drawInstance(*instance, frame, settings);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  return drawn;
+}
+
+void Renderer::State::addSample(int index) {
+  sum->bind();
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  if (index == 0) {
+    glDisable(GL_BLEND);
+  } else {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+  }
+  sample->color().bind(TextureUnit::picture);
+  accumulate.set("picture", TextureUnit::picture);
+  accumulate.set("share", 1.0f / static_cast<float>(samples));
+  screen.draw(3);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/environment/environment.h"
+#include "mirrorball/gl/context.h"
+#include "mirrorball/image/image.h"
+#include "mirrorball/render/environment_light.h"
+#include "mirrorball/render/render_options.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// Draws a scene in an environment on the current GL context.
+///
+/// A frame is: the background, the objects (each lit by the whole environment, and by point lights if there are any),
+/// drawn once for each sample of a pixel with the picture shifted within the pixel, and the mean of them all.
+class Renderer {
+ public:
+  /// Uploads everything. `scene` and `environment` must outlive the renderer.
+  ///
+  /// errors   too_large (a texture for this driver)
+  static Result<Renderer> make(const gl::Context& context, const Scene& scene, const Environment& environment,
+                               const PreparedEnvironment& prepared);
+
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  ~Renderer();
+
+  /// Draws a frame; the pictures below are then of it.
+  ///
+  /// errors   too_large; no_gl (the driver cannot draw floats); unsupported (it does not compile a shader)
+  Result<void> draw(const FrameSettings& settings);
+
+  /// Linear radiance: 4 channels, premultiplied alpha, row 0 at the top.
+  Image radiance() const;
+
+  /// Tone mapped and sRGB-encoded: 4 channels, straight alpha, row 0 at the top.
+  Result<Image8> picture(const FrameSettings& settings);
+
+ private:
+  struct State;
+  explicit Renderer(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace mirrorball

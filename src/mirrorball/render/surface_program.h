@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/program.h"
+#include "mirrorball/render/environment_light.h"
+#include "mirrorball/render/render_options.h"
+#include "mirrorball/render/scene_buffers.h"
+#include "mirrorball/scene/camera.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// The texture units that the shaders read from.
+struct TextureUnit {
+  static constexpr int environment = 0;
+  static constexpr int sphere_map = 1;
+  static constexpr int picture = 2;
+  static constexpr int first_of_material = 3;
+};
+
+/// What all surfaces of a frame share.
+struct FrameUniforms {
+  Camera camera;
+  glm::mat3 environment_from_world{1.0f};
+  glm::mat4 texture_matrix{1.0f};  ///< of the sphere map
+};
+
+/// The shader programs for surfaces, one for each set of features that some material needs, made when first needed.
+class SurfacePrograms {
+ public:
+  explicit SurfacePrograms(gl::Api api) : api_(api) {}
+
+  /// The program for a material with everything set that does not depend on the instance.
+  ///
+  /// errors   unsupported (the driver does not compile it)
+  Result<gl::Program*> prepare(const Material& material, const SceneBuffers& buffers, const EnvironmentLight& light,
+                               const FrameUniforms& frame, const FrameSettings& settings);
+
+ private:
+  Result<gl::Program*> programFor(const std::vector<std::string>& defines);
+
+  gl::Api api_;
+  std::map<std::vector<std::string>, gl::Program> programs_;
+};
+
+}  // namespace mirrorball

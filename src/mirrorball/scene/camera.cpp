@@ -1,0 +1,61 @@
+#include "mirrorball/scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace mirrorball {
+namespace {
+
+/// From the target towards a camera at those angles.
+glm::vec3 towardsCamera(float azimuth_rad, float elevation_rad) {
+  return {std::cos(elevation_rad) * std::sin(azimuth_rad), std::sin(elevation_rad),
+          std::cos(elevation_rad) * std::cos(azimuth_rad)};
+}
+
+/// Up for that camera: the direction in which elevation grows, which has a value at the poles too.
+glm::vec3 upOfCamera(float azimuth_rad, float elevation_rad) {
+  return {-std::sin(elevation_rad) * std::sin(azimuth_rad), std::cos(elevation_rad),
+          -std::sin(elevation_rad) * std::cos(azimuth_rad)};
+}
+
+/// The distance in radii from which a ball of radius 1 fills the narrower side of the picture, with a small margin.
+float framingDistance(float fov_rad, float aspect) {
+  const float half_height = std::tan(fov_rad / 2.0f);
+  const float narrower = std::atan(half_height * std::min(aspect, 1.0f));
+  return 1.06f / std::sin(narrower);
+}
+
+}  // namespace
+
+Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, float aspect) {
+  const float azimuth = glm::radians(options.azimuth_deg);
+  const float elevation = glm::radians(options.elevation_deg);
+  const float fov = glm::radians(options.fov_deg);
+  const glm::vec3 target = options.target.value_or(bounds.center);
+  const glm::vec3 backward = towardsCamera(azimuth, elevation);
+  const float distance = options.distance.value_or(framingDistance(fov, aspect)) * bounds.radius;
+
+  Camera camera;
+  camera.orthographic = options.orthographic_height.has_value();
+  camera.forward = -backward;
+  camera.position = target + backward * distance;
+  camera.view_from_world = glm::lookAt(camera.position, target, upOfCamera(azimuth, elevation));
+
+  // The depths between which the whole model lies. A perspective camera sees nothing behind itself.
+  const float center_depth = glm::dot(bounds.center - camera.position, camera.forward);
+  const float margin = bounds.radius * 1.01f;
+  const float far_depth = std::max(center_depth + margin, bounds.radius * 0.01f);
+  if (camera.orthographic) {
+    const float half_height = *options.orthographic_height * bounds.radius / 2.0f;
+    camera.clip_from_view = glm::ortho(-half_height * aspect, half_height * aspect, -half_height, half_height,
+                                       center_depth - margin, center_depth + margin);
+  } else {
+    const float near_depth = std::max(center_depth - margin, far_depth * 1e-4f);
+    camera.clip_from_view = glm::perspective(fov, aspect, near_depth, far_depth);
+  }
+  return camera;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "mirrorball/scene/gltf_file.h"
+
+// How an accessor's elements lie in its buffer: glTF 2.0, section 3.6. tinygltf checks none of it.
+
+namespace mirrorball {
+namespace {
+
+// An accessor without a buffer view is all zeros and takes memory that no bytes of the file stand for: at most this many
+// elements of it are made.
+constexpr std::size_t kMostZeroElements = std::size_t{1} << 24;
+
+std::string quoted(const char* array, int index) { return std::string(array) + "[" + std::to_string(index) + "]"; }
+
+std::size_t componentSize(int component_type) {
+  switch (component_type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+    case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
+    default: return 0;
+  }
+}
+
+std::size_t componentCount(int type) {
+  switch (type) {
+    case TINYGLTF_TYPE_SCALAR: return 1;
+    case TINYGLTF_TYPE_VEC2: return 2;
+    case TINYGLTF_TYPE_VEC3: return 3;
+    case TINYGLTF_TYPE_VEC4: return 4;
+    default: return 0;
+  }
+}
+
+template <typename Value>
+Value loadAs(const std::uint8_t* bytes) {
+  Value value;
+  std::memcpy(&value, bytes, sizeof value);
+  return value;
+}
+
+/// A component as a float; normalised as section 3.11 says.
+float loadNumber(const std::uint8_t* bytes, int component_type, bool normalized) {
+  const auto signed_share = [](float value, float full) { return std::max(value / full, -1.0f); };
+  switch (component_type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE: {
+      const auto value = static_cast<float>(loadAs<std::int8_t>(bytes));
+      return normalized ? signed_share(value, 127.0f) : value;
+    }
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: {
+      const auto value = static_cast<float>(loadAs<std::uint8_t>(bytes));
+      return normalized ? value / 255.0f : value;
+    }
+    case TINYGLTF_COMPONENT_TYPE_SHORT: {
+      const auto value = static_cast<float>(loadAs<std::int16_t>(bytes));
+      return normalized ? signed_share(value, 32767.0f) : value;
+    }
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
+      const auto value = static_cast<float>(loadAs<std::uint16_t>(bytes));
+      return normalized ? value / 65535.0f : value;
+    }
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return static_cast<float>(loadAs<std::uint32_t>(bytes));
+    default: return loadAs<float>(bytes);
+  }
+}
+
+std::uint32_t loadInteger(const std::uint8_t* bytes, int component_type) {
+  switch (component_type) {
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return loadAs<std::uint8_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return loadAs<std::uint16_t>(bytes);
+    default: return loadAs<std::uint32_t>(bytes);
+  }
+}
+
+bool isUnsignedInteger(int component_type) {
+  return component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+         component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+         component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
+/// Elements that lie in a buffer, all of them inside it.
+struct Elements {
+  const std::uint8_t* first = nullptr;
+  std::size_t stride = 0;
+  const std::uint8_t* at(std::size_t i) const { return first + i * stride; }
+};
+
+/// The elements of `size` bytes that begin at `offset` of a buffer view.
+Result<Elements> elementsIn(const GltfFile& file, int view_index, std::size_t offset, std::size_t size,
+                            std::size_t count, bool may_stride, const std::string& key) {
+  MIRRORBALL_TRY(bytes, viewBytes(file, view_index, key + ".bufferView"));
+  const std::size_t given = file.model.bufferViews[std::size_t(view_index)].byteStride;
+  const std::size_t stride = may_stride && given != 0 ? given : size;
+  if (stride < size)
+    return fail(ErrorCode::bad_file, file.name + ": " + quoted("bufferViews", view_index) + ".byteStride is " +
+                                         std::to_string(stride) + ", less than an element of " + key);
+  if (count == 0) return Elements{};
+  const std::size_t last = std::numeric_limits<std::size_t>::max() - size;
+  if (offset > last || (count - 1) > (last - offset) / stride)
+    return fail(ErrorCode::bad_file, file.name + ": " + key + " reaches past the end of every buffer");
+  const std::size_t end = offset + (count - 1) * stride + size;
+  if (end > bytes.size())
+    return fail(ErrorCode::bad_file, file.name + ": " + key + " reaches byte " + std::to_string(end) + " of " +
+                                         quoted("bufferViews", view_index) + ", which has " +
+                                         std::to_string(bytes.size()));
+  return Elements{bytes.data() + offset, stride};
+}
+
+/// Where the elements of an accessor are, those of its buffer view and those that replace them.
+struct Layout {
+  std::size_t count = 0;
+  std::size_t components = 0;
+  std::size_t component_size = 0;
+  std::optional<Elements> dense;  // all zeros where there is none
+  std::vector<std::uint32_t> replaced;
+  Elements replacements;
+};
+
+Result<void> addSparse(const GltfFile& file, const tinygltf::Accessor& accessor, const std::string& key,
+                       Layout& layout) {
+  const auto& sparse = accessor.sparse;
+  if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 ||
+      std::size_t(sparse.count) > layout.count)
+    return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse has a count or offset out of range");
+  if (!isUnsignedInteger(sparse.indices.componentType))
+    return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse.indices.componentType is none of indices");
+  const auto count = std::size_t(sparse.count);
+  MIRRORBALL_TRY(indices, elementsIn(file, sparse.indices.bufferView, std::size_t(sparse.indices.byteOffset),
+                                     componentSize(sparse.indices.componentType), count, false,
+                                     key + ".sparse.indices"));
+  MIRRORBALL_TRY(values, elementsIn(file, sparse.values.bufferView, std::size_t(sparse.values.byteOffset),
+                                    layout.components * layout.component_size, count, false,
+                                    key + ".sparse.values"));
+  layout.replacements = values;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t index = loadInteger(indices.at(i), sparse.indices.componentType);
+    if (index >= layout.count)
+      return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse.indices names element " +
+                                           std::to_string(index) + " of " + std::to_string(layout.count));
+    layout.replaced.push_back(index);
+  }
+  return {};
+}
+
+Result<Layout> layoutOf(const GltfFile& file, int index, const std::string& referrer) {
+  MIRRORBALL_TRY_VOID(checkIndex(file, index, file.model.accessors.size(), referrer, "accessors"));
+  const tinygltf::Accessor& accessor = file.model.accessors[std::size_t(index)];
+  const std::string key = quoted("accessors", index);
+  Layout layout;
+  layout.count = accessor.count;
+  layout.components = componentCount(accessor.type);
+  layout.component_size = componentSize(accessor.componentType);
+  if (layout.components == 0 || layout.component_size == 0)
+    return fail(ErrorCode::bad_file, file.name + ": " + key + " has a type that " + referrer + " cannot have");
+
+  if (accessor.bufferView >= 0) {
+    MIRRORBALL_TRY(dense, elementsIn(file, accessor.bufferView, accessor.byteOffset,
+                                     layout.components * layout.component_size, layout.count, true, key));
+    layout.dense = dense;
+  } else if (layout.count > kMostZeroElements) {
+    return fail(ErrorCode::too_large, file.name + ": " + key + ".count is " + std::to_string(layout.count) +
+                                          ", but it has no bufferView");
+  }
+  if (accessor.sparse.isSparse) MIRRORBALL_TRY_VOID(addSparse(file, accessor, key, layout));
+  return layout;
+}
+
+/// Calls `take(element, bytes)` for every element that bytes stand for, the replacements last.
+template <typename Take>
+void forEachElement(const Layout& layout, Take&& take) {
+  if (layout.dense)
+    for (std::size_t i = 0; i < layout.count; ++i) take(i, layout.dense->at(i));
+  for (std::size_t i = 0; i < layout.replaced.size(); ++i) take(layout.replaced[i], layout.replacements.at(i));
+}
+
+}  // namespace
+
+Result<void> checkIndex(const GltfFile& file, int index, std::size_t count, const std::string& key,
+                        const char* things) {
+  if (index >= 0 && std::size_t(index) < count) return {};
+  return fail(ErrorCode::bad_file, file.name + ": " + key + " is " + std::to_string(index) + ", but there are " +
+                                       std::to_string(count) + " " + things);
+}
+
+Result<std::span<const std::uint8_t>> viewBytes(const GltfFile& file, int view_index, const std::string& key) {
+  MIRRORBALL_TRY_VOID(checkIndex(file, view_index, file.model.bufferViews.size(), key, "bufferViews"));
+  const tinygltf::BufferView& view = file.model.bufferViews[std::size_t(view_index)];
+  const std::string view_key = quoted("bufferViews", view_index);
+  MIRRORBALL_TRY_VOID(checkIndex(file, view.buffer, file.model.buffers.size(), view_key + ".buffer", "buffers"));
+  const std::vector<unsigned char>& data = file.model.buffers[std::size_t(view.buffer)].data;
+  if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
+    return fail(ErrorCode::bad_file, file.name + ": " + view_key + " takes " + std::to_string(view.byteLength) +
+                                         " bytes from byte " + std::to_string(view.byteOffset) + " of " +
+                                         quoted("buffers", view.buffer) + ", which has " +
+                                         std::to_string(data.size()));
+  return std::span<const std::uint8_t>(data).subspan(view.byteOffset, view.byteLength);
+}
+
+Result<GltfNumbers> readNumbers(const GltfFile& file, int index, const std::string& key) {
+  MIRRORBALL_TRY(layout, layoutOf(file, index, key));
+  const tinygltf::Accessor& accessor = file.model.accessors[std::size_t(index)];
+  GltfNumbers numbers;
+  numbers.components = layout.components;
+  numbers.values.assign(layout.count * layout.components, 0.0f);
+  forEachElement(layout, [&](std::size_t element, const std::uint8_t* bytes) {
+    float* out = numbers.values.data() + element * layout.components;
+    for (std::size_t i = 0; i < layout.components; ++i)
+      out[i] = loadNumber(bytes + i * layout.component_size, accessor.componentType, accessor.normalized);
+  });
+  for (std::size_t i = 0; i < numbers.values.size(); ++i)
+    if (!std::isfinite(numbers.values[i]))
+      return fail(ErrorCode::bad_file, file.name + ": " + quoted("accessors", index) + " (" + key +
+                                           ") holds NaN or infinity in element " +
+                                           std::to_string(i / layout.components));
+  return numbers;
+}
+
+Result<std::vector<std::uint32_t>> readIntegers(const GltfFile& file, int index, const std::string& key) {
+  MIRRORBALL_TRY(layout, layoutOf(file, index, key));
+  const tinygltf::Accessor& accessor = file.model.accessors[std::size_t(index)];
+  if (layout.components != 1 || !isUnsignedInteger(accessor.componentType))
+    return fail(ErrorCode::bad_file, file.name + ": " + quoted("accessors", index) + " has a type that " + key +
+                                         " cannot have");
+  std::vector<std::uint32_t> integers(layout.count, 0u);
+  forEachElement(layout, [&](std::size_t element, const std::uint8_t* bytes) {
+    integers[element] = loadInteger(bytes, accessor.componentType);
+  });
+  return integers;
+}
+
+}  // namespace mirrorball

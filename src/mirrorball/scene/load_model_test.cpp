@@ -1,0 +1,120 @@
+#include "mirrorball/scene/load_model.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/base/file.h"
+#include "test_data.h"
+
+namespace mirrorball {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// What every loaded scene promises: indices in range, finite numbers.
+void expectSafe(const Scene& scene) {
+  for (const Instance& instance : scene.instances) ASSERT_LT(std::size_t(instance.mesh), scene.meshes.size());
+  for (const Mesh& mesh : scene.meshes) {
+    ASSERT_LT(std::size_t(mesh.material), scene.materials.size());
+    ASSERT_EQ(mesh.indices.size() % 3, 0u);
+    for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.vertices.size());
+    for (const Vertex& vertex : mesh.vertices) {
+      ASSERT_TRUE(std::isfinite(glm::length(vertex.position)));
+      ASSERT_NEAR(glm::length(vertex.normal), 1.0f, 1e-3f);
+      ASSERT_NEAR(glm::length(glm::vec3(vertex.tangent)), 1.0f, 1e-3f);
+    }
+  }
+  for (const Material& material : scene.materials)
+    for (const TextureSlot& slot :
+         {material.base_color_texture, material.metallic_roughness_texture, material.normal_texture,
+          material.occlusion_texture, material.emission_texture})
+      ASSERT_LT(slot.texture, static_cast<int>(scene.textures.size()));
+  for (const Texture& texture : scene.textures) ASSERT_EQ(texture.image.channels(), 4);
+}
+
+TEST(LoadModel, KnowsEveryBuiltIn) {
+  for (const std::string_view name : builtinModelNames()) {
+    const Result<Scene> scene = loadModel(std::string(name));
+    ASSERT_TRUE(scene) << name;
+    EXPECT_EQ(scene->empty(), name == "none") << name;
+    expectSafe(*scene);
+  }
+}
+
+TEST(LoadModel, ListsWhatThereIsForAnUnknownName) {
+  const Result<Scene> scene = loadModel("tepot");
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().code, ErrorCode::not_found);
+  EXPECT_THAT(scene.error().message, HasSubstr("did you mean 'teapot'"));
+  EXPECT_THAT(scene.error().message, HasSubstr("showcase"));
+  EXPECT_THAT(scene.error().message, HasSubstr(".glb .gltf .obj .ply .stl"));
+}
+
+TEST(LoadModel, NamesAMissingFileAndAnUnknownKind) {
+  const Result<Scene> missing = loadModel("no/such/model.glb");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::not_found);
+  EXPECT_THAT(missing.error().message, HasSubstr("no/such/model.glb"));
+
+  const std::string path = ::testing::TempDir() + "model.fbx";
+  ASSERT_TRUE(writeFile(path, {}));
+  const Result<Scene> unknown = loadModel(path);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::unsupported);
+  EXPECT_THAT(unknown.error().message, HasSubstr(".glb .gltf .obj .ply .stl"));
+}
+
+TEST(LoadModel, RefusesWhatIsTooLargeToDraw) {
+  const std::string path = ::testing::TempDir() + "huge.obj";
+  const std::string text = "v 0 0 0\nv 1e20 0 0\nv 0 1 0\nf 1 2 3\n";
+  ASSERT_TRUE(writeFile(path, Bytes(text.begin(), text.end())));
+  const Result<Scene> scene = loadModel(path);
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().code, ErrorCode::bad_file);
+  EXPECT_THAT(scene.error().message, HasSubstr("scale the model down"));
+}
+
+TEST(LoadModel, LoadsRealFiles) {
+  struct Expected {
+    const char* file;
+    std::size_t meshes;
+    std::size_t textures;
+  };
+  for (const Expected& expected : {Expected{"Duck.glb", 1, 1}, Expected{"lucy.glb", 1, 0},
+                                   Expected{"FlightHelmet/FlightHelmet.gltf", 6, 10}}) {
+    const auto path = testing::sharedData(expected.file);
+    if (!path) GTEST_SKIP() << expected.file << " is not in the shared data folder";
+    const Result<Scene> scene = loadModel(path->string());
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_EQ(scene->meshes.size(), expected.meshes) << expected.file;
+    EXPECT_EQ(scene->textures.size(), expected.textures) << expected.file;
+    expectSafe(*scene);
+    EXPECT_GT(boundingSphere(*scene).radius, 0.0f);
+  }
+}
+
+TEST(LoadModel, ComputesTheTangentsThatARealFileHas) {
+  const auto path = testing::sharedData("FlightHelmet/FlightHelmet.gltf");
+  if (!path) GTEST_SKIP() << "FlightHelmet is not in the shared data folder";
+  const Result<Scene> scene = loadModel(path->string());
+  ASSERT_TRUE(scene) << scene.error().message;
+  std::size_t count = 0;
+  std::size_t agreeing = 0;
+  for (const Mesh& mesh : scene->meshes) {
+    Mesh computed = mesh;
+    computeTangents(computed);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      const glm::vec4 theirs = mesh.vertices[i].tangent;
+      const glm::vec4 ours = computed.vertices[i].tangent;
+      ++count;
+      agreeing += theirs.w == ours.w && glm::dot(glm::vec3(theirs), glm::vec3(ours)) > 0.9f;
+    }
+  }
+  // The file's come from another program, which splits vertices where ours takes the mean.
+  EXPECT_GT(static_cast<double>(agreeing), 0.95 * static_cast<double>(count));
+}
+
+}  // namespace
+}  // namespace mirrorball

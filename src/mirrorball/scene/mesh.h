@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/result.h"
+
+namespace mirrorball {
+
+/// One corner of a mesh as the GPU reads it.
+struct Vertex {
+  glm::vec3 position{0.0f};                ///< object space
+  glm::vec3 normal{0.0f, 0.0f, 1.0f};      ///< unit
+  glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f};  ///< unit p_u, and the sign of the bitangent: b = w · n × t
+  glm::vec2 uv[2] = {glm::vec2(0.0f), glm::vec2(0.0f)};  ///< glTF's: (0, 0) is the top left of a texture
+  glm::vec4 color{1.0f};                   ///< linear; multiplies the base colour
+};
+
+/// Triangles with one material. Counter-clockwise seen from outside.
+struct Mesh {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;  ///< three a triangle, each below vertices.size()
+  int material = 0;                    ///< index into Scene::materials
+};
+
+/// Sets smooth normals: the mean of the triangles' normals at each vertex, weighted by angle (Thürmer & Wüthrich 1998).
+void computeNormals(Mesh& mesh);
+
+/// Sets tangents from positions, normals and `uv[set]`: the direction of growing u, orthogonal to the normal, with the
+/// bitangent's sign. Where the texture coordinates are degenerate any unit tangent is taken.
+void computeTangents(Mesh& mesh, int set = 0);
+
+}  // namespace mirrorball

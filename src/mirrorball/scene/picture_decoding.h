@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/image/image.h"
+
+namespace mirrorball {
+
+/// A picture as it lies in a model's file or beside it.
+struct EncodedPicture {
+  std::string name;  ///< for messages
+  std::span<const std::uint8_t> bytes;
+};
+
+/// Decodes PNG and JPEG pictures, several at the same time: with large textures this is where a model's loading time
+/// goes.
+///
+/// returns  for each picture its image of 4 channels as stored, or why it cannot be read
+std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures);
+
+}  // namespace mirrorball

@@ -1,0 +1,52 @@
+#include "mirrorball/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace mirrorball {
+namespace {
+
+/// Calls `visit` with the world position of every vertex, in double precision so that huge coordinates do not overflow.
+template <typename Visit>
+void forEachPosition(const Scene& scene, Visit&& visit) {
+  for (const Instance& instance : scene.instances) {
+    const glm::dmat4 world_from_object(instance.world_from_object);
+    for (const Vertex& vertex : scene.meshes[std::size_t(instance.mesh)].vertices)
+      visit(glm::dvec3(world_from_object * glm::dvec4(glm::dvec3(vertex.position), 1.0)));
+  }
+}
+
+}  // namespace
+
+Scene sceneOf(Mesh mesh, Material material) {
+  Scene scene;
+  mesh.material = 0;
+  scene.meshes.push_back(std::move(mesh));
+  scene.materials.push_back(std::move(material));
+  scene.instances.emplace_back();
+  return scene;
+}
+
+BoundingSphere boundingSphere(const Scene& scene) {
+  glm::dvec3 least(std::numeric_limits<double>::infinity());
+  glm::dvec3 most(-std::numeric_limits<double>::infinity());
+  forEachPosition(scene, [&](glm::dvec3 position) {
+    least = glm::min(least, position);
+    most = glm::max(most, position);
+  });
+  if (!(least.x <= most.x)) return {};
+
+  const glm::dvec3 center = 0.5 * (least + most);
+  double squared_radius = 0.0;
+  forEachPosition(scene, [&](glm::dvec3 position) {
+    const glm::dvec3 away = position - center;
+    squared_radius = std::max(squared_radius, glm::dot(away, away));
+  });
+  // A single point still needs a ball that a camera can stand off from.
+  const double radius = squared_radius > 0.0 ? std::sqrt(squared_radius) : 1.0;
+  return {glm::vec3(center), std::max(static_cast<float>(radius), std::numeric_limits<float>::min())};
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/image/image.h"
+#include "mirrorball/scene/material.h"
+#include "mirrorball/scene/mesh.h"
+
+namespace mirrorball {
+
+/// How texture coordinates outside [0, 1] are answered.
+enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
+
+/// A picture on a surface.
+struct Texture {
+  Image8 image;        ///< 4 channels
+  bool srgb = false;   ///< its colour channels are sRGB-encoded (base colour, emission)
+  Wrap wrap_s = Wrap::repeat;
+  Wrap wrap_t = Wrap::repeat;
+  bool nearest = false;  ///< magnified without interpolation
+};
+
+/// A mesh put into the world.
+struct Instance {
+  int mesh = 0;
+  glm::mat4 world_from_object{1.0f};
+};
+
+/// A ball that encloses everything; what "model radii" on the command line means.
+struct BoundingSphere {
+  glm::vec3 center{0.0f};
+  float radius = 1.0f;
+};
+
+/// What there is to see.
+struct Scene {
+  std::vector<Mesh> meshes;
+  std::vector<Instance> instances;
+  std::vector<Material> materials;  ///< at least one where there is a mesh
+  std::vector<Texture> textures;
+  std::vector<std::string> warnings;  ///< what a file held that was left out, a line each
+
+  bool empty() const { return instances.empty(); }
+};
+
+/// A scene of one mesh where it is, with one material.
+Scene sceneOf(Mesh mesh, Material material = {});
+
+/// The sphere about the middle of the bounding box through the farthest vertex; radius 1 about the origin for an empty
+/// scene, and never 0. Exact for a sphere about its own centre.
+BoundingSphere boundingSphere(const Scene& scene);
+
+}  // namespace mirrorball

@@ -1,0 +1,43 @@
+#include "mirrorball/scene/scene.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include "mirrorball/scene/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+TEST(BoundingSphere, OfASphereIsExact) {
+  const BoundingSphere bounds = boundingSphere(sceneOf(sphereMesh(16, 32)));
+  EXPECT_EQ(bounds.center, glm::vec3(0.0f));
+  EXPECT_NEAR(bounds.radius, 1.0f, 1e-6f);
+}
+
+TEST(BoundingSphere, FollowsTheInstances) {
+  Scene scene = sceneOf(sphereMesh(16, 32));
+  scene.instances[0].world_from_object =
+      glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(3, 4, 5)), glm::vec3(2.0f));
+  const BoundingSphere bounds = boundingSphere(scene);
+  EXPECT_LT(glm::distance(bounds.center, glm::vec3(3, 4, 5)), 1e-6f);
+  EXPECT_NEAR(bounds.radius, 2.0f, 1e-6f);
+}
+
+TEST(BoundingSphere, OfNothingIsTheUnitSphere) {
+  const BoundingSphere bounds = boundingSphere(Scene{});
+  EXPECT_EQ(bounds.center, glm::vec3(0.0f));
+  EXPECT_EQ(bounds.radius, 1.0f);
+}
+
+TEST(BoundingSphere, OfAPointIsNotZero) {
+  Mesh mesh;
+  mesh.vertices.resize(3);
+  for (Vertex& vertex : mesh.vertices) vertex.position = glm::vec3(7.0f);
+  mesh.indices = {0, 1, 2};
+  const BoundingSphere bounds = boundingSphere(sceneOf(mesh));
+  EXPECT_EQ(bounds.center, glm::vec3(7.0f));
+  EXPECT_GT(bounds.radius, 0.0f);
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+
+/// Reads white-space separated words from a text, and knows in which line it stands.
+class TextScanner {
+ public:
+  explicit TextScanner(std::string_view text) : text_(text) {}
+
+  /// The line of the word read last, from 1.
+  std::size_t line() const { return line_; }
+
+  /// The next word; empty at the end of the text.
+  std::string_view word() {
+    while (at_ < text_.size() && isSpace(text_[at_])) advance();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && !isSpace(text_[at_])) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+
+  /// The rest of the line, without its end, and steps past it.
+  std::string_view restOfLine() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+    std::size_t end = at_;
+    if (end > begin && text_[end - 1] == '\r') --end;
+    if (at_ < text_.size()) advance();
+    return text_.substr(begin, end - begin);
+  }
+
+  /// The next word as a number; nothing where it is none, or NaN or infinite.
+  std::optional<double> number() { return parseNumber(word()); }
+
+  /// How many bytes are read.
+  std::size_t position() const { return at_; }
+
+ private:
+  static bool isSpace(char letter) {
+    return letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r' || letter == '\v' || letter == '\f';
+  }
+  void advance() {
+    if (text_[at_] == '\n') ++line_;
+    ++at_;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+};
+
+}  // namespace mirrorball

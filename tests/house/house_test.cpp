@@ -1,0 +1,246 @@
+// Holds the tree to the rules of docs/architecture.md: which room may include which, and how files
+// are written.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::Contains;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+using Complaints = std::vector<std::string>;
+
+/// The rooms that each room may include, besides itself and what those rooms may include. Any room
+/// may include formula/. Programs (apps/, examples/) may include every room.
+const std::map<std::string, std::set<std::string>> kPermitted = {
+    {"base", {}},
+    {"image", {"base"}},
+    {"metric", {"image"}},
+    {"codec", {"image"}},
+    {"environment", {"codec"}},
+    {"bake", {"environment"}},
+    {"surface", {"image"}},
+    {"scene", {"codec", "surface"}},
+    {"gl", {"image"}},
+    {"trace", {"scene", "bake"}},
+    {"transfer", {"trace", "surface"}},
+    {"render", {"gl", "scene", "bake"}},
+};
+
+constexpr std::size_t kLongestFile = 600;
+
+struct SourceFile {
+  std::string path;  ///< relative to the root, with '/'
+  std::string text;
+};
+
+bool startsWith(const std::string& text, const std::string& beginning) {
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+bool isOneOf(const std::string& extension, const std::set<std::string>& extensions) {
+  return extensions.contains(extension);
+}
+
+std::vector<SourceFile> readTree() {
+  const fs::path root = MIRRORBALL_SOURCE_DIR;
+  const std::set<std::string> extensions = {".h",    ".cpp",   ".glsl", ".vert",
+                                            ".frag", ".cmake", ".sh"};
+  std::vector<SourceFile> files;
+  for (const char* folder :
+       {"apps", "src", "formula", "shaders", "cmake", "tests", "bench", "examples"}) {
+    if (!fs::exists(root / folder)) continue;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (!entry.is_regular_file()) continue;
+      const fs::path& path = entry.path();
+      if (!isOneOf(path.extension().string(), extensions) && path.filename() != "CMakeLists.txt")
+        continue;
+      std::ifstream stream(path, std::ios::binary);
+      files.push_back({path.lexically_relative(root).generic_string(),
+                       std::string(std::istreambuf_iterator<char>(stream), {})});
+    }
+  }
+  return files;
+}
+
+/// Calls `visit(line number from 1, line)`.
+void forEachLine(const std::string& text,
+                 const std::function<void(int, const std::string&)>& visit) {
+  std::istringstream stream(text);
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) visit(number, line);
+}
+
+std::string place(const SourceFile& file, int line) {
+  return file.path + ":" + std::to_string(line) + ": ";
+}
+
+/// A room with everything below it.
+std::set<std::string> reachableFrom(const std::string& room) {
+  std::set<std::string> reachable = {room};
+  for (const std::string& direct : kPermitted.at(room)) reachable.merge(reachableFrom(direct));
+  return reachable;
+}
+
+/// The third part of src/mirrorball/ROOM/…; empty for a file outside the rooms.
+std::string roomOf(const std::string& path) {
+  const std::string rooms = "src/mirrorball/";
+  if (!startsWith(path, rooms)) return "";
+  return path.substr(rooms.size(), path.find('/', rooms.size()) - rooms.size());
+}
+
+Complaints checkRoomRule(const SourceFile& file) {
+  const std::string room = roomOf(file.path);
+  if (room.empty()) return {};
+  if (!kPermitted.contains(room))
+    return {file.path + ": the room " + room + " is not in the table"};
+  const std::set<std::string> reachable = reachableFrom(room);
+  const std::regex include(R"re(^\s*#\s*include\s*[<"]mirrorball/([^/"]+)/)re");
+  Complaints complaints;
+  forEachLine(file.text, [&](int number, const std::string& line) {
+    std::smatch match;
+    if (std::regex_search(line, match, include) && !reachable.contains(match[1]))
+      complaints.push_back(place(file, number) + room + " may not include " + match[1].str());
+  });
+  return complaints;
+}
+
+Complaints checkFormula(const SourceFile& file) {
+  if (!startsWith(file.path, "formula/") || !file.path.ends_with(".glsl")) return {};
+  const std::regex directive(R"(^\s*#\s*(include|if|ifdef|ifndef|pragma)\b)");
+  Complaints complaints;
+  forEachLine(file.text, [&](int number, const std::string& line) {
+    if (std::regex_search(line, directive))
+      complaints.push_back(place(file, number) +
+                           "a formula is the same text for C++ and GLSL: no " + line);
+  });
+  return complaints;
+}
+
+Complaints checkLength(const SourceFile& file) {
+  const auto lines = std::size_t(std::count(file.text.begin(), file.text.end(), '\n'));
+  if (lines <= kLongestFile) return {};
+  return {file.path + ": " + std::to_string(lines) + " lines; past " +
+          std::to_string(kLongestFile) + " a file wants to be two"};
+}
+
+Complaints checkLeftovers(const SourceFile& file) {
+  // Spelled in two halves, so that this file does not find itself.
+  const std::regex leftover(
+      "\\b(TO"
+      "DO|FIX"
+      "ME|XX"
+      "X)\\b|^\\s*#\\s*if\\s+0\\b");
+  Complaints complaints;
+  forEachLine(file.text, [&](int number, const std::string& line) {
+    if (std::regex_search(line, leftover)) complaints.push_back(place(file, number) + line);
+  });
+  return complaints;
+}
+
+Complaints checkPragmaOnce(const SourceFile& file) {
+  if (!file.path.ends_with(".h") || file.text.find("#pragma once\n") != std::string::npos)
+    return {};
+  return {file.path + ": no #pragma once"};
+}
+
+Complaints checkTree(Complaints (*check)(const SourceFile&)) {
+  Complaints all;
+  for (const SourceFile& file : readTree()) {
+    const Complaints complaints = check(file);
+    all.insert(all.end(), complaints.begin(), complaints.end());
+  }
+  return all;
+}
+
+TEST(House, TreeIsRead) {
+  std::vector<std::string> paths;
+  for (const SourceFile& file : readTree()) paths.push_back(file.path);
+  EXPECT_THAT(paths, Contains("src/mirrorball/base/result.h"));
+  EXPECT_THAT(paths, Contains("formula/formula.h"));
+  EXPECT_THAT(paths, Contains("tests/house/house_test.cpp"));
+}
+
+TEST(House, RoomsIncludeOnlyWhatTheTablePermits) {
+  EXPECT_THAT(checkRoomRule({"src/mirrorball/gl/x.h", "#include \"mirrorball/codec/codec.h\"\n"}),
+              SizeIs(1));
+  EXPECT_THAT(checkRoomRule({"src/mirrorball/render/x.h", "#include \"mirrorball/base/file.h\"\n"}),
+              IsEmpty());
+  EXPECT_THAT(checkRoomRule({"src/mirrorball/attic/x.h", ""}), SizeIs(1));
+  EXPECT_THAT(checkTree(checkRoomRule), IsEmpty());
+}
+
+/// The rooms that docs/architecture.md permits each room, from its lines of the form
+/// `name/   what it is   → room, room` (or `→ nothing`).
+std::map<std::string, std::set<std::string>> readDocumentedTable(const std::string& text) {
+  const std::regex row(R"(^\s*([a-z]+)/\s.*→ ([a-z, ]+)$)");
+  std::map<std::string, std::set<std::string>> table;
+  forEachLine(text, [&](int, const std::string& line) {
+    std::smatch match;
+    if (!std::regex_search(line, match, row) || !kPermitted.contains(match[1])) return;
+    std::set<std::string>& rooms = table[match[1]];
+    std::istringstream names(match[2]);
+    for (std::string name; std::getline(names >> std::ws, name, ',');)
+      if (name != "nothing") rooms.insert(name);
+  });
+  return table;
+}
+
+TEST(House, DocumentedTableIsTheOneInForce) {
+  const auto sample =
+      readDocumentedTable("  gl/    windows → image\n  base/  words → nothing\nno row\n");
+  EXPECT_EQ(sample, (decltype(sample){{"base", {}}, {"gl", {"image"}}}));
+
+  std::ifstream stream(fs::path(MIRRORBALL_SOURCE_DIR) / "docs/architecture.md");
+  const auto documented = readDocumentedTable({std::istreambuf_iterator<char>(stream), {}});
+  for (const auto& [room, permitted] : documented)
+    EXPECT_EQ(permitted, kPermitted.at(room)) << room;
+  std::set<std::string> rooms;
+  for (const SourceFile& file : readTree()) rooms.insert(roomOf(file.path));
+  rooms.erase("");
+  for (const std::string& room : rooms)
+    EXPECT_TRUE(documented.contains(room)) << "docs/architecture.md has no line for " << room;
+}
+
+TEST(House, FormulasHaveNoDirectivesThatOneSideLacks) {
+  EXPECT_THAT(checkFormula({"formula/x.glsl", "# ifdef GL_ES\n"}), SizeIs(1));
+  EXPECT_THAT(checkFormula({"formula/x.glsl", "#define HALF 0.5f\n"}), IsEmpty());
+  EXPECT_THAT(checkTree(checkFormula), IsEmpty());
+}
+
+TEST(House, FilesAreShortEnoughToRead) {
+  EXPECT_THAT(checkLength({"src/x.cpp", std::string(kLongestFile + 1, '\n')}), SizeIs(1));
+  EXPECT_THAT(checkLength({"src/x.cpp", std::string(kLongestFile, '\n')}), IsEmpty());
+  EXPECT_THAT(checkTree(checkLength), IsEmpty());
+}
+
+TEST(House, NothingIsLeftForLater) {
+  EXPECT_THAT(checkLeftovers({"src/x.cpp",
+                              "int a;  // TO"
+                              "DO: b\n"}),
+              SizeIs(1));
+  EXPECT_THAT(checkLeftovers({"src/x.cpp", "#  if 0\n"}), SizeIs(1));
+  EXPECT_THAT(checkTree(checkLeftovers), IsEmpty());
+}
+
+TEST(House, HeadersHavePragmaOnce) {
+  EXPECT_THAT(checkPragmaOnce({"src/x.h", "int a;\n"}), SizeIs(1));
+  EXPECT_THAT(checkTree(checkPragmaOnce), IsEmpty());
+}
+
+}  // namespace

@@ -1,0 +1,191 @@
+#include <iterator>
+
+#include "formula/formula.h"
+#include "parity/parity_case.h"
+
+namespace mirrorball::formula {
+
+#define FN inline
+#include "parity/smooth_cube.glsl"
+#include "parity/test_surface.glsl"
+#undef FN
+
+}  // namespace mirrorball::formula
+
+// One row a formula: its name, the domain, the tolerance, and an expression that C++ compiles here
+// and a shader compiles as text.
+#define PARITY(function, domain, tolerance, ...)                    \
+  Case {                                                            \
+#function, Domain::domain, tolerance, #__VA_ARGS__,             \
+        []([[maybe_unused]] vec4 p, [[maybe_unused]] vec4 q,        \
+           [[maybe_unused]] vec4 r) -> vec4 { return __VA_ARGS__; } \
+  }
+
+namespace mirrorball::parity {
+namespace {
+
+using namespace formula;
+
+// Whole numbers, choices, and sums and products that a power of two scales.
+constexpr float kExact = 0.0f;
+// Some additions, multiplications, divisions and square roots: a few units in the last place, since
+// a shader may fuse or reorder them and divide by way of the reciprocal.
+constexpr float kTight = 1e-5f;
+// exp2, log2, pow, atan, sin: OpenGL promises little for these, and drivers take polynomials;
+// Mesa's atan is off by 2e-6.
+constexpr float kTranscendental = 5e-5f;
+// acos, Mesa's of which is off by 1.3e-4, where the light near the sun falls by e^(−2.5 γ).
+constexpr float kAngleNearSun = 2e-3f;
+
+const Case kCases[] = {
+    // color
+    PARITY(linearFromSrgb1, unit, kTranscendental, vec4(linearFromSrgb1(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(srgbFromLinear1, unit, kTranscendental, vec4(srgbFromLinear1(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(linearFromSrgb, unit, kTranscendental, vec4(linearFromSrgb(vec3(p)), 0.0f)),
+    PARITY(srgbFromLinear, light, kTranscendental, vec4(srgbFromLinear(vec3(p)), 0.0f)),
+    PARITY(luminance, light, kTight, vec4(luminance(vec3(p)), 0.0f, 0.0f, 0.0f)),
+    PARITY(rec709FromXyz, light, kTight, vec4(rec709FromXyz(vec3(p)), 0.0f)),
+    PARITY(toneMapLinear, light, kExact, vec4(toneMapLinear(vec3(p)), 0.0f)),
+    PARITY(toneMapReinhard, light, kTight, vec4(toneMapReinhard(vec3(p)), 0.0f)),
+    PARITY(toneMapAces, light, kTight, vec4(toneMapAces(vec3(p)), 0.0f)),
+    PARITY(toneMapNeutral, light, kTight, vec4(toneMapNeutral(vec3(p)), 0.0f)),
+    PARITY(agxContrast, unit, kTight, vec4(agxContrast(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(agxEncoded, light, kTranscendental, vec4(agxEncoded(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(toneMapAgx, light, kTranscendental, vec4(toneMapAgx(vec3(p)), 0.0f)),
+    PARITY(toneMap, light, kTranscendental, vec4(toneMap(int(4.9375f * r.x), vec3(p)), 0.0f)),
+    PARITY(displayed, light, kTranscendental,
+           displayed(vec4(vec3(p), r.y), 0.25f + r.z, int(4.9375f * r.x))),
+
+    // cube
+    PARITY(cubeFace, direction, kExact, vec4(float(cubeFace(vec3(p))), 0.0f, 0.0f, 0.0f)),
+    PARITY(cubeProjected, direction, kExact,
+           vec4(cubeProjected(int(5.9375f * r.x), vec3(p)), 0.0f)),
+    PARITY(cubeCoordinates, direction, kTight,
+           vec4(cubeCoordinates(cubeFace(vec3(p)), vec3(p)), 0.0f, 0.0f)),
+    PARITY(cubePoint, unit, kExact, vec4(cubePoint(int(5.9375f * r.x), vec2(p)), 0.0f)),
+    PARITY(cubeDirection, unit, kTight, vec4(cubeDirection(int(5.9375f * r.x), vec2(p)), 0.0f)),
+    PARITY(cubeCornerSolidAngle, unit, kTranscendental,
+           vec4(cubeCornerSolidAngle(2.0f * p.x - 1.0f, 2.0f * p.y - 1.0f), 0.0f, 0.0f, 0.0f)),
+    PARITY(cubeRectangleSolidAngle, unit, kTranscendental,
+           vec4(cubeRectangleSolidAngle(p.x - 1.0f, p.y - 1.0f, p.z, p.w), 0.0f, 0.0f, 0.0f)),
+
+    // harmonics
+    PARITY(harmonic, direction, kTight,
+           vec4(harmonic(int(8.9375f * r.x), vec3(p)), 0.0f, 0.0f, 0.0f)),
+    PARITY(cosineLobeBand, unit, kTight,
+           vec4(cosineLobeBand(int(2.9375f * r.x)), 0.0f, 0.0f, 0.0f)),
+    PARITY(harmonicIrradiance, direction, kTight,
+           vec4(harmonicIrradiance(vec3(p), vec3(3.0f, 2.0f, 1.0f), vec3(q), vec3(r), vec3(p.w),
+                                   vec3(q.w), vec3(r.w), vec3(q.z), vec3(r.y), vec3(r.z)),
+                0.0f)),
+
+    // height
+    PARITY(gridRandom, unit, kExact, vec4(gridRandom(ivec3(vec3(p) * 2048.0f - 1024.0f)), 0.0f)),
+    PARITY(orangeHeight, unit, kTight, orangeHeight(vec3(p) * 16.0f - 8.0f)),
+
+    // microfacet
+    PARITY(alphaFromPerceptualRoughness, unit, kTight,
+           vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(lodFromPerceptualRoughness, unit, kTight,
+           vec4(lodFromPerceptualRoughness(p.x, 1.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(perceptualRoughnessFromLod, unit, kTight,
+           vec4(perceptualRoughnessFromLod(8.0f * p.x, 8.0f), 0.0f, 0.0f, 0.0f)),
+    PARITY(environmentBrdf, unit, kTranscendental, vec4(environmentBrdf(p.x, p.y), 0.0f, 0.0f)),
+    PARITY(phongExponent, unit, kTight, vec4(phongExponent(p.x), 0.0f, 0.0f, 0.0f)),
+
+    // optics
+    PARITY(refractedDirection, direction, kTight,
+           vec4(refractedDirection(vec3(p), dot(vec3(p), vec3(q)) > 0.0f ? -vec3(q) : vec3(q),
+                                   0.4f + 2.0f * r.x),
+                0.0f)),
+    PARITY(fresnelDielectric, unit, kTight,
+           vec4(fresnelDielectric(p.x, 0.4f + 2.0f * p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(fresnelConductor1, unit, kTight,
+           vec4(fresnelConductor1(p.x, 0.1f + 3.0f * p.y, 0.5f + 6.0f * p.z), 0.0f, 0.0f, 0.0f)),
+    PARITY(fresnelConductor, unit, kTight,
+           vec4(fresnelConductor(p.x, vec3(q) + 0.1f, vec3(r) * 6.0f + 0.5f), 0.0f)),
+    PARITY(fresnelSchlick, unit, kTight, vec4(fresnelSchlick(p.x, vec3(q)), 0.0f)),
+    PARITY(fresnelEmpirical, unit, kTranscendental,
+           vec4(fresnelEmpirical(p.x, p.y, p.z, 1.0f + 5.0f * p.w), 0.0f, 0.0f, 0.0f)),
+    PARITY(iorOfChannels, unit, kTight, vec4(iorOfChannels(1.0f + 1.5f * p.x, p.y), 0.0f)),
+
+    // projection
+    // u as a point of the circle: next to u = 0 the last bit decides between 0 and 1.
+    PARITY(equirectPosition, direction, kTranscendental,
+           vec4(cos(kTwoPi* equirectPosition(vec3(p)).x), sin(kTwoPi* equirectPosition(vec3(p)).x),
+                equirectPosition(vec3(p)).y, 0.0f)),
+    PARITY(equirectDirection, unit, kTranscendental, vec4(equirectDirection(vec2(p)), 0.0f)),
+    PARITY(equirectTexelSolidAngle, unit, kTranscendental,
+           vec4(equirectTexelSolidAngle(p.x, p.y, 4.0f), 0.0f, 0.0f, 0.0f)),
+    PARITY(angularPosition, direction, kTranscendental, vec4(angularPosition(vec3(p)), 0.0f, 0.0f)),
+    PARITY(angularDirection, unit, kTranscendental, vec4(angularDirection(vec2(p)), 0.0f)),
+    PARITY(insideDisc, unit, kExact, vec4(float(insideDisc(vec2(p))), 0.0f, 0.0f, 0.0f)),
+
+    // sampling
+    PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x)), 0.0f, 0.0f)),
+    PARITY(footprintLod, direction, kTight,
+           vec4(footprintLod(vec3(p), vec3(q), 1.0f + 2048.0f * r.x, 1.0f + 16.0f * r.y), 0.0f,
+                0.0f, 0.0f)),
+
+    // sky
+    PARITY(perez, unit, kTranscendental,
+           vec4(perez(p.x, 3.0f * p.y, -1.0f - p.z, -0.3f, 5.0f * p.w, -2.5f, 0.3f * q.x), 0.0f,
+                0.0f, 0.0f)),
+    PARITY(zenithChromaticity, unit, kTight,
+           vec4(zenithChromaticity(1.5f * p.x, 2.0f + 8.0f * p.y, q, r, vec4(0.1f)), 0.0f, 0.0f,
+                0.0f)),
+    PARITY(zenithLuminance, unit, kTranscendental,
+           vec4(zenithLuminance(1.5f * p.x, 2.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(skyLuminance, direction, kAngleNearSun,
+           vec4(skyLuminance(vec3(p.x, abs(p.y), p.z), vec3(q.x, abs(q.y), q.z), 2.0f + 8.0f * r.x),
+                0.0f)),
+
+    // sphere_map
+    PARITY(sphereMapCoordinates, direction, kTight,
+           vec4(sphereMapCoordinates(vec3(p)), 0.0f, 0.0f)),
+    PARITY(sphereMapCoordinatesOfNormal, direction, kTight,
+           vec4(sphereMapCoordinatesOfNormal(vec3(p)), 0.0f, 0.0f)),
+    PARITY(sphereMapTextureMatrix, direction, kTight,
+           sphereMapTextureMatrix(mat3(vec3(p), vec3(q), vec3(r))) * r),
+    PARITY(sphereMapNormal, unit, kTight, vec4(sphereMapNormal(vec2(p)), 0.0f)),
+    PARITY(sphereMapDirection, unit, kTight, vec4(sphereMapDirection(vec2(p)), 0.0f)),
+
+    // tangent
+    PARITY(anyTangent, direction, kTight, vec4(anyTangent(vec3(p)), 0.0f)),
+    PARITY(perturbedNormal, direction, kTight,
+           vec4(perturbedNormal(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p),
+                                r.x - 0.5f, r.y - 0.5f),
+                0.0f)),
+    PARITY(normalFromMap, direction, kTight,
+           vec4(normalFromMap(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p),
+                              vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),
+                0.0f)),
+
+    // shading
+    PARITY(dielectricReflectance, direction, kTranscendental,
+           vec4(dielectricReflectance(testSurface(p, q, r), p.w, 1.0f + r.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(metalReflectance, direction, kTight,
+           vec4(metalReflectance(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(smoothReflectance, direction, kTranscendental,
+           vec4(smoothReflectance(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(specularReflectance, direction, kTranscendental,
+           vec4(specularReflectance(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(refractedLight, direction, kTight,
+           vec4(refractedLight(testSurface(p, q, r), vec3(p), mat3(vec3(q), vec3(p), vec3(r)),
+                               SmoothCube(2.0f), 6.0f),
+                0.0f)),
+    PARITY(shadedByEnvironment, direction, kTranscendental,
+           vec4(shadedByEnvironment(testSurface(p, q, r), vec3(p), vec3(r), vec3(0.5f, 1.0f, 2.0f),
+                                    vec3(1.0f, r.w, 0.25f)),
+                0.0f)),
+    PARITY(shadedByPointLight, direction, kTranscendental,
+           vec4(shadedByPointLight(testSurface(p, q, r), vec3(p),
+                                   normalize(vec3(0.5f, 0.75f, 0.25f)), vec3(1.0f, 2.0f, 3.0f)),
+                0.0f)),
+};
+
+}  // namespace
+
+std::span<const Case> allCases() { return kCases; }
+
+}  // namespace mirrorball::parity

@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/gl/buffer.h"
+#include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/gl/program.h"
+#include "parity/formula_files.h"
+#include "parity/parity_case.h"
+
+namespace mirrorball::parity {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kVertexShader =
+    "void main() {\n"
+    "  gl_Position = vec4(float(gl_VertexID % 2) * 4.0 - 1.0,\n"
+    "                     float(gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);\n"
+    "}\n";
+
+/// A fragment shader that evaluates a case at input number x in the pixel of column x.
+std::string fragmentShader(const Case& formula, const std::string& includes) {
+  std::string text =
+      "#include \"smooth_cube.glsl\"\n"
+      "#undef CUBE_SAMPLER\n"
+      "#define CUBE_SAMPLER SmoothCube\n" +
+      includes;
+  if (formula.glsl.find("testSurface") != std::string_view::npos) {
+    text += "#include \"test_surface.glsl\"\n";
+  }
+  return text +
+         "uniform sampler2D inputs;\n"
+         "out vec4 result;\n"
+         "void main() {\n"
+         "  int column = int(gl_FragCoord.x);\n"
+         "  vec4 p = texelFetch(inputs, ivec2(column, 0), 0);\n"
+         "  vec4 q = texelFetch(inputs, ivec2(column, 1), 0);\n"
+         "  vec4 r = texelFetch(inputs, ivec2(column, 2), 0);\n"
+         "  result = " +
+         std::string(formula.glsl) + ";\n}\n";
+}
+
+Image imageOf(const std::vector<Input>& inputs) {
+  Image image(static_cast<int>(inputs.size()), 3, 4);
+  for (int x = 0; x < image.width(); ++x) {
+    const Input& input = inputs[static_cast<std::size_t>(x)];
+    const std::array<glm::vec4, 3> rows = {input.p, input.q, input.r};
+    for (int y = 0; y < 3; ++y) {
+      for (int channel = 0; channel < 4; ++channel) {
+        image.texel(x, y)[channel] = rows[static_cast<std::size_t>(y)][channel];
+      }
+    }
+  }
+  return image;
+}
+
+/// The results of a case on the GPU, one texel an input.
+Result<Image> evaluate(gl::Api api, const Case& formula, const std::string& includes,
+                       const std::vector<Input>& inputs) {
+  const std::string fragment_text = fragmentShader(formula, includes);
+  const auto find = [&](std::string_view name) -> std::optional<std::string_view> {
+    if (name == "parity.vert") return kVertexShader;
+    if (name == "parity.frag") return fragment_text;
+    return findParityText(name);
+  };
+  MIRRORBALL_TRY(vertex, gl::shaderSource(api, "parity.vert", {}, find));
+  MIRRORBALL_TRY(fragment, gl::shaderSource(api, "parity.frag", {}, find));
+  MIRRORBALL_TRY(program, gl::Program::build(vertex, fragment, std::string(formula.function)));
+  const int count = static_cast<int>(inputs.size());
+  MIRRORBALL_TRY(texture, gl::Texture::make2d(gl::Format::rgba32f, count, 3));
+  MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(gl::Format::rgba32f, count, 1, false));
+  texture.upload(0, 0, imageOf(inputs));
+  texture.bind(0);
+  framebuffer.bind();
+  program.set("inputs", 0);
+  gl::VertexArray().draw(3);
+  return framebuffer.readFloat();
+}
+
+/// The difference of two results in units of max(1, |expected|); infinite if one is no number.
+float difference(glm::vec4 expected, glm::vec4 actual) {
+  float largest = 0.0f;
+  for (int i = 0; i < 4; ++i) {
+    const float share = std::abs(expected[i] - actual[i]) / std::max(1.0f, std::abs(expected[i]));
+    if (!std::isfinite(share)) return INFINITY;
+    largest = std::max(largest, share);
+  }
+  return largest;
+}
+
+std::string show(glm::vec4 v) {
+  return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) +
+         ", " + std::to_string(v.w) + ")";
+}
+
+void expectParity(gl::Api api, const Case& formula, const std::string& includes) {
+  const std::vector<Input> inputs = inputsOf(formula.domain);
+  const auto results = evaluate(api, formula, includes, inputs);
+  ASSERT_TRUE(results) << results.error().message;
+  float worst = 0.0f;
+  std::string where;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const auto& [p, q, r] = inputs[i];
+    const glm::vec4 expected = formula.cpp(p, q, r);
+    const glm::vec4 actual = rgbaAt(*results, static_cast<int>(i), 0);
+    const float off = difference(expected, actual);
+    if (off > worst) {
+      worst = off;
+      where = "p " + show(p) + " q " + show(q) + " r " + show(r) + ": C++ " + show(expected) +
+              ", GLSL " + show(actual);
+    }
+  }
+  ::testing::Test::RecordProperty(std::string(formula.function), formatNumber(worst));
+  EXPECT_LE(worst, formula.tolerance) << formula.function << " at " << where;
+}
+
+/// All formulas of one file, with one Api.
+class ParityTest : public ::testing::TestWithParam<std::tuple<gl::Api, std::string>> {};
+
+TEST_P(ParityTest, SameNumbersAsInCpp) {
+  const auto& [api, file_name] = GetParam();
+  MIRRORBALL_NEEDS_GL(context, api);
+  const std::vector<FormulaFile> files = allFormulaFiles();
+  const FormulaFile& file = *std::ranges::find(files, file_name, &FormulaFile::name);
+  for (const Case& formula : allCases()) {
+    if (std::ranges::find(file.functions, formula.function) == file.functions.end()) continue;
+    expectParity(api, formula, includesOf(files, file_name));
+  }
+}
+
+std::vector<std::string> filesWithFunctions() {
+  std::vector<std::string> names;
+  for (const FormulaFile& file : allFormulaFiles()) {
+    if (!file.functions.empty()) names.push_back(file.name);
+  }
+  return names;
+}
+
+/// "optics_es30"
+std::string parityName(const ::testing::TestParamInfo<ParityTest::ParamType>& test) {
+  const auto& [api, file] = test.param;
+  return fs::path(file).stem().string() + '_' + gl::shortNameOf(api);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formulas, ParityTest,
+                         ::testing::Combine(::testing::Values(gl::Api::desktop43, gl::Api::es30),
+                                            ::testing::ValuesIn(filesWithFunctions())),
+                         parityName);
+
+TEST(Parity, EveryFormulaHasACase) {
+  std::size_t functions = 0;
+  for (const FormulaFile& file : allFormulaFiles()) {
+    functions += file.functions.size();
+    for (const std::string& function : file.functions) {
+      EXPECT_TRUE(std::ranges::any_of(
+          allCases(), [&](const Case& formula) { return formula.function == function; }))
+          << function << " of " << file.name << " needs a row in tests/parity/cases.cpp";
+    }
+  }
+  EXPECT_EQ(functions, allCases().size()) << "a row of cases.cpp names no formula, or one twice";
+}
+
+/// Whether glslang, the reference compiler, takes a shader.
+void expectGlslangTakes(gl::Api api, const gl::ShaderSource& source, const fs::path& name) {
+  const fs::path path = fs::path(::testing::TempDir()) / name;
+  const auto bytes =
+      std::span(reinterpret_cast<const std::uint8_t*>(source.text.data()), source.text.size());
+  const auto written = writeFile(path, bytes);
+  ASSERT_TRUE(written) << written.error().message;
+  const std::string command = "glslangValidator '" + path.string() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0) << name << " as " << gl::nameOf(api);
+  fs::remove(path);
+}
+
+class GlslangTest : public ::testing::TestWithParam<gl::Api> {
+ protected:
+  void SetUp() override {
+    if (std::system("glslangValidator --version > /dev/null 2>&1") != 0) {
+      GTEST_SKIP() << "glslangValidator is not installed (Debian's package glslang-tools)";
+    }
+  }
+};
+
+TEST_P(GlslangTest, TakesEveryFormulaFile) {
+  const std::vector<FormulaFile> files = allFormulaFiles();
+  for (const FormulaFile& file : files) {
+    const std::string entry = includesOf(files, file.name) + "void main() {}\n";
+    const auto find = [&](std::string_view name) -> std::optional<std::string_view> {
+      return name == "entry" ? entry : findParityText(name);
+    };
+    const auto source = gl::shaderSource(GetParam(), "entry", {}, find);
+    ASSERT_TRUE(source) << source.error().message;
+    expectGlslangTakes(GetParam(), *source, "formula_" + file.name + ".frag");
+  }
+}
+
+TEST_P(GlslangTest, TakesEveryShader) {
+  for (const auto& entry : fs::directory_iterator(fs::path(MIRRORBALL_SOURCE_DIR) / "shaders")) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".vert" && extension != ".frag") continue;
+    const std::string name = entry.path().filename().string();
+    const auto source = gl::shaderSource(GetParam(), name);
+    ASSERT_TRUE(source) << source.error().message;
+    expectGlslangTakes(GetParam(), *source, name);
+  }
+}
+
+MIRRORBALL_WITH_BOTH_APIS(GlslangTest);
+
+}  // namespace
+}  // namespace mirrorball::parity

@@ -1,0 +1,21 @@
+// A surface from three vectors of inputs: q.xyz its normal, turned to the side that the ray p.xyz comes from; the rest
+// its parameters, each over its whole range.
+FN Surface testSurface(vec4 p, vec4 q, vec4 r) {
+  Surface s;
+  vec3 n = vec3(q);
+  s.normal = dot(vec3(p), n) > 0.0f ? -n : n;
+  s.base_color = vec3(p.w, 0.5f, 1.0f - p.w);
+  s.metallic = q.w;
+  s.perceptual_roughness = r.x;
+  s.specular = 1.0f - 0.5f * r.y;
+  s.ior = 1.0f + 1.5f * r.z;
+  s.dispersion = r.w;
+  s.transmission = r.y;
+  s.conductor_n = vec3(0.2f, 0.9f, 1.5f);
+  s.conductor_k = r.w < 0.5f ? vec3(0.0f, 0.0f, 0.0f) : vec3(3.0f, 2.5f, 2.0f);
+  s.occlusion = 1.0f - p.w;
+  s.emission = vec3(0.0f, 0.25f, r.w);
+  s.fresnel = int(2.9375f * r.z);
+  s.fresnel_empirical = vec3(0.05f, 0.9f, 4.0f);
+  return s;
+}

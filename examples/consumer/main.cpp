@@ -20,8 +20,8 @@ mirrorball::Result<void> writeCross(const std::filesystem::path& path) {
 
   MIRRORBALL_TRY(decoded, mirrorball::readImage(path));
   const glm::vec3 front = mirrorball::rgbAt(decoded.image, 32 + 16, 32 + 16);
-  std::printf("cross: %d x %d, front %g %g %g\n", decoded.image.width(), decoded.image.height(),
-              front.r, front.g, front.b);
+  std::printf("cross: %d x %d, front %g %g %g\n", decoded.image.width(), decoded.image.height(), front.r, front.g,
+              front.b);
   return {};
 }
 
@@ -35,7 +35,6 @@ int main(int count, char** words) {
   }
   const glm::vec3 right(1.0f, 0.0f, 0.0f);
   std::printf("+X lies on face %d\n", mirrorball::formula::cubeFace(right));
-  std::printf("glass reflects %.4f head on\n",
-              mirrorball::formula::fresnelDielectric(1.0f, 1.0f / 1.5f));
+  std::printf("glass reflects %.4f head on\n", mirrorball::formula::fresnelDielectric(1.0f, 1.0f / 1.5f));
   return 0;
 }

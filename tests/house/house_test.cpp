@@ -59,36 +59,30 @@ bool isOneOf(const std::string& extension, const std::set<std::string>& extensio
 
 std::vector<SourceFile> readTree() {
   const fs::path root = MIRRORBALL_SOURCE_DIR;
-  const std::set<std::string> extensions = {".h",    ".cpp",   ".glsl", ".vert",
-                                            ".frag", ".cmake", ".sh"};
+  const std::set<std::string> extensions = {".h", ".cpp", ".glsl", ".vert", ".frag", ".cmake", ".sh"};
   std::vector<SourceFile> files;
-  for (const char* folder :
-       {"apps", "src", "formula", "shaders", "cmake", "tests", "bench", "examples"}) {
+  for (const char* folder : {"apps", "src", "formula", "shaders", "cmake", "tests", "bench", "examples"}) {
     if (!fs::exists(root / folder)) continue;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
       if (!entry.is_regular_file()) continue;
       const fs::path& path = entry.path();
-      if (!isOneOf(path.extension().string(), extensions) && path.filename() != "CMakeLists.txt")
-        continue;
+      if (!isOneOf(path.extension().string(), extensions) && path.filename() != "CMakeLists.txt") continue;
       std::ifstream stream(path, std::ios::binary);
-      files.push_back({path.lexically_relative(root).generic_string(),
-                       std::string(std::istreambuf_iterator<char>(stream), {})});
+      files.push_back(
+          {path.lexically_relative(root).generic_string(), std::string(std::istreambuf_iterator<char>(stream), {})});
     }
   }
   return files;
 }
 
 /// Calls `visit(line number from 1, line)`.
-void forEachLine(const std::string& text,
-                 const std::function<void(int, const std::string&)>& visit) {
+void forEachLine(const std::string& text, const std::function<void(int, const std::string&)>& visit) {
   std::istringstream stream(text);
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) visit(number, line);
 }
 
-std::string place(const SourceFile& file, int line) {
-  return file.path + ":" + std::to_string(line) + ": ";
-}
+std::string place(const SourceFile& file, int line) { return file.path + ":" + std::to_string(line) + ": "; }
 
 /// A room with everything below it.
 std::set<std::string> reachableFrom(const std::string& room) {
@@ -107,8 +101,7 @@ std::string roomOf(const std::string& path) {
 Complaints checkRoomRule(const SourceFile& file) {
   const std::string room = roomOf(file.path);
   if (room.empty()) return {};
-  if (!kPermitted.contains(room))
-    return {file.path + ": the room " + room + " is not in the table"};
+  if (!kPermitted.contains(room)) return {file.path + ": the room " + room + " is not in the table"};
   const std::set<std::string> reachable = reachableFrom(room);
   const std::regex include(R"re(^\s*#\s*include\s*[<"]mirrorball/([^/"]+)/)re");
   Complaints complaints;
@@ -126,8 +119,7 @@ Complaints checkFormula(const SourceFile& file) {
   Complaints complaints;
   forEachLine(file.text, [&](int number, const std::string& line) {
     if (std::regex_search(line, directive))
-      complaints.push_back(place(file, number) +
-                           "a formula is the same text for C++ and GLSL: no " + line);
+      complaints.push_back(place(file, number) + "a formula is the same text for C++ and GLSL: no " + line);
   });
   return complaints;
 }
@@ -135,8 +127,8 @@ Complaints checkFormula(const SourceFile& file) {
 Complaints checkLength(const SourceFile& file) {
   const auto lines = std::size_t(std::count(file.text.begin(), file.text.end(), '\n'));
   if (lines <= kLongestFile) return {};
-  return {file.path + ": " + std::to_string(lines) + " lines; past " +
-          std::to_string(kLongestFile) + " a file wants to be two"};
+  return {file.path + ": " + std::to_string(lines) + " lines; past " + std::to_string(kLongestFile) +
+          " a file wants to be two"};
 }
 
 Complaints checkLeftovers(const SourceFile& file) {
@@ -154,8 +146,7 @@ Complaints checkLeftovers(const SourceFile& file) {
 }
 
 Complaints checkPragmaOnce(const SourceFile& file) {
-  if (!file.path.ends_with(".h") || file.text.find("#pragma once\n") != std::string::npos)
-    return {};
+  if (!file.path.ends_with(".h") || file.text.find("#pragma once\n") != std::string::npos) return {};
   return {file.path + ": no #pragma once"};
 }
 
@@ -177,10 +168,8 @@ TEST(House, TreeIsRead) {
 }
 
 TEST(House, RoomsIncludeOnlyWhatTheTablePermits) {
-  EXPECT_THAT(checkRoomRule({"src/mirrorball/gl/x.h", "#include \"mirrorball/codec/codec.h\"\n"}),
-              SizeIs(1));
-  EXPECT_THAT(checkRoomRule({"src/mirrorball/render/x.h", "#include \"mirrorball/base/file.h\"\n"}),
-              IsEmpty());
+  EXPECT_THAT(checkRoomRule({"src/mirrorball/gl/x.h", "#include \"mirrorball/codec/codec.h\"\n"}), SizeIs(1));
+  EXPECT_THAT(checkRoomRule({"src/mirrorball/render/x.h", "#include \"mirrorball/base/file.h\"\n"}), IsEmpty());
   EXPECT_THAT(checkRoomRule({"src/mirrorball/attic/x.h", ""}), SizeIs(1));
   EXPECT_THAT(checkTree(checkRoomRule), IsEmpty());
 }
@@ -202,14 +191,12 @@ std::map<std::string, std::set<std::string>> readDocumentedTable(const std::stri
 }
 
 TEST(House, DocumentedTableIsTheOneInForce) {
-  const auto sample =
-      readDocumentedTable("  gl/    windows → image\n  base/  words → nothing\nno row\n");
+  const auto sample = readDocumentedTable("  gl/    windows → image\n  base/  words → nothing\nno row\n");
   EXPECT_EQ(sample, (decltype(sample){{"base", {}}, {"gl", {"image"}}}));
 
   std::ifstream stream(fs::path(MIRRORBALL_SOURCE_DIR) / "docs/architecture.md");
   const auto documented = readDocumentedTable({std::istreambuf_iterator<char>(stream), {}});
-  for (const auto& [room, permitted] : documented)
-    EXPECT_EQ(permitted, kPermitted.at(room)) << room;
+  for (const auto& [room, permitted] : documented) EXPECT_EQ(permitted, kPermitted.at(room)) << room;
   std::set<std::string> rooms;
   for (const SourceFile& file : readTree()) rooms.insert(roomOf(file.path));
   rooms.erase("");

@@ -28,12 +28,22 @@ Overlap overlapOf(int target, int target_side, int source_side) {
   return overlap;
 }
 
+/// The solid angle of each texel of a face, row by row: differences of the corners' angles, each taken once.
 std::vector<float> solidAngles(int side) {
-  std::vector<float> angles(std::size_t(side) * std::size_t(side));
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
-      angles[std::size_t(y) * std::size_t(side) + std::size_t(x)] =
-          texelSolidAngle(Projection::cube, glm::ivec2(side), {x, y});
+  const auto columns = std::size_t(side);
+  std::vector<float> corners((columns + 1) * (columns + 1));
+  for (int y = 0; y <= side; ++y)
+    for (int x = 0; x <= side; ++x)
+      corners[std::size_t(y) * (columns + 1) + std::size_t(x)] = formula::cubeCornerSolidAngle(
+          2.0f * static_cast<float>(x) / static_cast<float>(side) - 1.0f,
+          2.0f * static_cast<float>(y) / static_cast<float>(side) - 1.0f);
+  std::vector<float> angles(columns * columns);
+  for (std::size_t y = 0; y < columns; ++y)
+    for (std::size_t x = 0; x < columns; ++x) {
+      const float* upper = &corners[y * (columns + 1) + x];
+      const float* lower = upper + columns + 1;
+      angles[y * columns + x] = upper[0] - upper[1] - lower[0] + lower[1];
+    }
   return angles;
 }
 

@@ -23,20 +23,17 @@ struct Extension {
   std::string_view text;
   Format format;
 };
-constexpr std::array<Extension, 5> kExtensions{{{"exr", Format::exr},
-                                                {"hdr", Format::hdr},
-                                                {"png", Format::png},
-                                                {"jpg", Format::jpeg},
-                                                {"jpeg", Format::jpeg}}};
+constexpr std::array<Extension, 5> kExtensions{
+    {{"exr", Format::exr}, {"hdr", Format::hdr}, {"png", Format::png}, {"jpg", Format::jpeg}, {"jpeg", Format::jpeg}}};
 
 /// The format that the name asks for.
 Result<Format> formatOf(const std::filesystem::path& path) {
   const std::string extension = extensionOf(path);
   for (const Extension& known : kExtensions)
     if (extension == known.text) return known.format;
-  return fail(ErrorCode::usage,
-              path.string() + ": its extension names no format that is written; use .exr or .hdr "
-                              "for linear light, .png or .jpg for pictures");
+  return fail(ErrorCode::usage, path.string() +
+                                    ": its extension names no format that is written; use .exr or .hdr "
+                                    "for linear light, .png or .jpg for pictures");
 }
 
 /// Runs one of the codecs, the only places that take memory for as many texels as a file says.
@@ -59,8 +56,10 @@ tl::unexpected<Error> unknownFormat(Span bytes, const std::string& name, std::st
     begins += kDigits[byte >> 4];
     begins += kDigits[byte & 15];
   }
-  return fail(ErrorCode::bad_file, name + ": is not an image that can be read (it begins with the "
-                                          "bytes" + begins + "); use " + std::string(known));
+  return fail(ErrorCode::bad_file, name +
+                                       ": is not an image that can be read (it begins with the "
+                                       "bytes" +
+                                       begins + "); use " + std::string(known));
 }
 
 Result<DecodedImage> decodeByMagic(Span bytes, const std::string& name) {
@@ -77,8 +76,7 @@ Result<Image8> decodeTextureByMagic(Span bytes, const std::string& name) {
   return unknownFormat(bytes, name, "PNG or JPEG for textures");
 }
 
-Result<Bytes> encodePicture(Format format, const Image8& picture, const Metadata& metadata,
-                            const std::string& name) {
+Result<Bytes> encodePicture(Format format, const Image8& picture, const Metadata& metadata, const std::string& name) {
   if (format == Format::png) return encodePng(picture, metadata, name);
   return encodeJpeg(picture, metadata, name);
 }
@@ -113,14 +111,12 @@ Result<DecodedImage> decodeImage(Span bytes, const std::string& name) {
   return withinMemory<DecodedImage>(name, [&] { return decodeByMagic(bytes, name); });
 }
 
-Result<void> writeImage(const std::filesystem::path& path, const Image& image,
-                        const ImageWriteOptions& options) {
+Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options) {
   const std::string name = path.string();
   MIRRORBALL_TRY(format, formatOf(path));
   MIRRORBALL_TRY_VOID(checkShape(image, name));
   MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
-  MIRRORBALL_TRY(bytes, withinMemory<Bytes>(
-                            name, [&] { return encodeImage(format, image, options, name); }));
+  MIRRORBALL_TRY(bytes, withinMemory<Bytes>(name, [&] { return encodeImage(format, image, options, name); }));
   return writeFile(path, bytes);
 }
 
@@ -128,16 +124,14 @@ Result<Image8> decodeTexture(Span bytes, const std::string& name) {
   return withinMemory<Image8>(name, [&] { return decodeTextureByMagic(bytes, name); });
 }
 
-Result<void> writePicture(const std::filesystem::path& path, const Image8& picture,
-                          const Metadata& metadata) {
+Result<void> writePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata) {
   const std::string name = path.string();
   MIRRORBALL_TRY(format, formatOf(path));
   if (format != Format::png && format != Format::jpeg)
     return fail(ErrorCode::usage, name + ": holds linear light, not a picture; use .png or .jpg");
   MIRRORBALL_TRY_VOID(checkShape(picture, name));
   MIRRORBALL_TRY_VOID(checkMetadata(metadata));
-  MIRRORBALL_TRY(bytes, withinMemory<Bytes>(
-                            name, [&] { return encodePicture(format, picture, metadata, name); }));
+  MIRRORBALL_TRY(bytes, withinMemory<Bytes>(name, [&] { return encodePicture(format, picture, metadata, name); }));
   return writeFile(path, bytes);
 }
 

@@ -18,19 +18,20 @@ using Metadata = std::map<std::string, std::string>;
 
 /// An image as it comes from a file.
 struct DecodedImage {
-  Image image;          ///< linear light, Rec.709; 1, 3 or 4 channels
+  Image image;  ///< linear light, Rec.709; 1, 3 or 4 channels
   Metadata metadata;
-  std::string format;   ///< as `info` shows it: "Radiance HDR, RLE", "OpenEXR, half, DWAB", "PNG, 8 bit, sRGB"
+  std::string format;  ///< as `info` shows it: "Radiance HDR, RLE", "OpenEXR, half, DWAB", "PNG, 8
+                       ///< bit, sRGB"
 };
 
 /// How writeImage stores floats.
 struct ImageWriteOptions {
-  bool half = false;    ///< OpenEXR: 16-bit floats instead of 32-bit ones
+  bool half = false;  ///< OpenEXR: 16-bit floats instead of 32-bit ones
   Metadata metadata;
 };
 
-/// Reads .hdr .exr .png .jpg by their first bytes, not by their name. PNG and JPEG are decoded from sRGB to linear
-/// light. NaN and infinity are kept: whoever needs light asks findNonFinite.
+/// Reads .hdr .exr .png .jpg by their first bytes, not by their name. PNG and JPEG are decoded from
+/// sRGB to linear light. NaN and infinity are kept: whoever needs light asks findNonFinite.
 ///
 /// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported
 Result<DecodedImage> readImage(const std::filesystem::path& path);
@@ -38,15 +39,16 @@ Result<DecodedImage> readImage(const std::filesystem::path& path);
 /// The same from memory. `name` is for messages.
 Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Writes linear light by the name's extension: .exr .hdr as it is, .png .jpg encoded to sRGB and clipped to [0, 1].
-/// PNG keeps straight alpha, EXR premultiplied (the caller's samples are taken as the format wants them), HDR and
-/// JPEG drop it.
+/// Writes linear light by the name's extension: .exr .hdr as it is, .png .jpg encoded to sRGB and
+/// clipped to [0, 1]. PNG keeps straight alpha, EXR premultiplied (the caller's samples are taken
+/// as the format wants them), HDR and JPEG drop it.
 ///
-/// errors   usage (an unknown extension: the known ones are listed); io; bad_shape (a channel count it cannot hold)
-Result<void> writeImage(const std::filesystem::path& path, const Image& image,
-                        const ImageWriteOptions& options = {});
+/// errors   usage (an unknown extension: the known ones are listed); io; bad_shape (a channel count
+/// it cannot hold)
+Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options = {});
 
-/// Decodes a PNG or JPEG texture to its 8-bit samples as stored (no colour conversion); 16-bit PNG is rounded.
+/// Decodes a PNG or JPEG texture to its 8-bit samples as stored (no colour conversion); 16-bit PNG
+/// is rounded.
 ///
 /// returns  4 channels; alpha 255 where the file has none
 Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes, const std::string& name);

@@ -13,15 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
-using ::testing::HasSubstr;
 using testing::bytesOf;
 using testing::gradient;
+using ::testing::HasSubstr;
 
 class CodecFile : public testing::FolderTest {
  protected:
   std::size_t fileCount() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
 };
 
@@ -71,10 +70,8 @@ TEST_P(CodecFormat, NanIsWrittenWithoutHarm) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CodecFormat,
-                         ::testing::Values(WrittenFormat{"a.exr", 0.0f, true},
-                                           WrittenFormat{"a.hdr", 0.0f, false},
-                                           WrittenFormat{"a.png", 0.005f, true},
-                                           WrittenFormat{"a.JPG", 0.01f, false},
+                         ::testing::Values(WrittenFormat{"a.exr", 0.0f, true}, WrittenFormat{"a.hdr", 0.0f, false},
+                                           WrittenFormat{"a.png", 0.005f, true}, WrittenFormat{"a.JPG", 0.01f, false},
                                            WrittenFormat{"a.jpeg", 0.01f, false}),
                          [](const auto& format) { return std::to_string(format.index); });
 
@@ -90,8 +87,7 @@ TEST_F(CodecFile, UnknownExtensionsListTheKnown) {
     ASSERT_FALSE(result) << name;
     EXPECT_EQ(result.error().code, ErrorCode::usage);
     EXPECT_THAT(result.error().message,
-                AllOf(HasSubstr(name), HasSubstr(".exr"), HasSubstr(".hdr"), HasSubstr(".png"),
-                      HasSubstr(".jpg")));
+                AllOf(HasSubstr(name), HasSubstr(".exr"), HasSubstr(".hdr"), HasSubstr(".png"), HasSubstr(".jpg")));
     EXPECT_FALSE(checkWritable(name));
   }
   EXPECT_TRUE(checkWritable("b/a.EXR"));
@@ -133,8 +129,7 @@ TEST(Codec, WhatIsNoImageIsNamed) {
   EXPECT_THAT(decodeImage(bytesOf("GIF89a"), "a.gif").error().message,
               AllOf(HasSubstr("47 49 46 38"), HasSubstr("OpenEXR")));
   EXPECT_EQ(decodeImage(bytesOf("#"), "a").error().code, ErrorCode::bad_file);
-  EXPECT_THAT(decodeTexture(bytesOf("#?RADIANCE\n\n-Y 1 +X 1\n1234"), "a").error().message,
-              HasSubstr("PNG or JPEG"));
+  EXPECT_THAT(decodeTexture(bytesOf("#?RADIANCE\n\n-Y 1 +X 1\n1234"), "a").error().message, HasSubstr("PNG or JPEG"));
   EXPECT_EQ(readImage("no such file.hdr").error().code, ErrorCode::not_found);
 }
 

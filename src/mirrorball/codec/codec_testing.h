@@ -1,11 +1,10 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/image/image.h"
@@ -33,9 +32,8 @@ class FolderTest : public ::testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   const std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) /
-      ("mirrorball_codec_" + std::to_string(::getpid()) + "_" +
-       ::testing::UnitTest::GetInstance()->current_test_info()->name());
+      std::filesystem::path(::testing::TempDir()) / ("mirrorball_codec_" + std::to_string(::getpid()) + "_" +
+                                                     ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 }  // namespace mirrorball::testing

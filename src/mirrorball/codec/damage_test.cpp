@@ -1,13 +1,12 @@
 /// Untrusted bytes: small files of every format, damaged in every way. None may crash, hang or read
 /// outside its bytes; the sanitizers' build is where these tests bite.
 
-#include <ImfHeader.h>
-#include <ImfRgbaFile.h>
-#include <ImfTiledRgbaFile.h>
-
 #include <functional>
 #include <random>
 
+#include <ImfHeader.h>
+#include <ImfRgbaFile.h>
+#include <ImfTiledRgbaFile.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/codec/codec.h"
@@ -27,8 +26,7 @@ using testing::gradient;
 
 Bytes oldRleHdr() {
   Bytes bytes = bytesOf("#?RGBE\nEXPOSURE=2\n\n+X 9 -Y 4\n");
-  for (int column = 0; column < 9; ++column)
-    bytes.insert(bytes.end(), {9, 8, 7, 130, 1, 1, 1, 3});
+  for (int column = 0; column < 9; ++column) bytes.insert(bytes.end(), {9, 8, 7, 130, 1, 1, 1, 3});
   return bytes;
 }
 
@@ -89,9 +87,14 @@ TEST_P(Damage, RandomBytesAreSurvived) {
     for (std::size_t count = 1 + below(4); count > 0; --count) {
       std::uint8_t& byte = damaged[below(damaged.size())];
       switch (below(3)) {
-        case 0: byte = static_cast<std::uint8_t>(byte ^ (1u << below(8))); break;
-        case 1: byte = kEvil[below(std::size(kEvil))]; break;
-        default: byte = static_cast<std::uint8_t>(random());
+        case 0:
+          byte = static_cast<std::uint8_t>(byte ^ (1u << below(8)));
+          break;
+        case 1:
+          byte = kEvil[below(std::size(kEvil))];
+          break;
+        default:
+          byte = static_cast<std::uint8_t>(random());
       }
     }
     const auto result = decodeImage(damaged, "damaged");
@@ -115,22 +118,30 @@ TEST_P(Damage, GarbageBehindTheMagicIsAnError) {
 
 INSTANTIATE_TEST_SUITE_P(
     Files, Damage,
-    ::testing::Values(
-        Format{"HdrNewRle", [] { return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}}); }},
-        Format{"HdrOldRle", oldRleHdr},
-        Format{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}, "a"); }},
-        Format{"ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }},
-        Format{"ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }},
-        Format{"ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }},
-        Format{"ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }},
-        Format{"ExrChroma", [] { return scanLineExr(Imf::ZIP_COMPRESSION, Imf::WRITE_YC); }},
-        Format{"ExrTiled",
-               [] {
-                 return foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8,
-                                                             8, Imf::ONE_LEVEL);
-               }},
-        Format{"Png", [] { return *encodePng(picture(), {{"envmap", "cube"}}, "a"); }},
-        Format{"Jpeg", [] { return *encodeJpeg(picture(), {{"envmap", "cube"}}, "a"); }}),
+    ::testing::Values(Format{"HdrNewRle",
+                             [] {
+                               return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}});
+                             }},
+                      Format{"HdrOldRle", oldRleHdr},
+                      Format{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}, "a"); }},
+                      Format{"ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }},
+                      Format{"ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }},
+                      Format{"ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }},
+                      Format{"ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }},
+                      Format{"ExrChroma", [] { return scanLineExr(Imf::ZIP_COMPRESSION, Imf::WRITE_YC); }},
+                      Format{"ExrTiled",
+                             [] {
+                               return foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8,
+                                                                           Imf::ONE_LEVEL);
+                             }},
+                      Format{"Png",
+                             [] {
+                               return *encodePng(picture(), {{"envmap", "cube"}}, "a");
+                             }},
+                      Format{"Jpeg",
+                             [] {
+                               return *encodeJpeg(picture(), {{"envmap", "cube"}}, "a");
+                             }}),
     [](const auto& format) { return std::string(format.param.name); });
 
 }  // namespace

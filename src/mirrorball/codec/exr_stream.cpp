@@ -1,8 +1,8 @@
 #include "mirrorball/codec/exr_stream.h"
 
-#include <Iex.h>
-
 #include <cstring>
+
+#include <Iex.h>
 
 namespace mirrorball {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <ImfIO.h>
-
 #include <cstdint>
 #include <span>
+
+#include <ImfIO.h>
 
 #include "mirrorball/base/file.h"
 
@@ -13,8 +13,7 @@ namespace mirrorball {
 class ExrInput : public Imf::IStream {
  public:
   /// name     for OpenEXR's own messages
-  ExrInput(std::span<const std::uint8_t> bytes, const std::string& name)
-      : Imf::IStream(name.c_str()), bytes_(bytes) {}
+  ExrInput(std::span<const std::uint8_t> bytes, const std::string& name) : Imf::IStream(name.c_str()), bytes_(bytes) {}
 
   bool read(char to[], int count) override;
   std::uint64_t tellg() override { return at_; }

@@ -1,5 +1,10 @@
 #include "mirrorball/codec/exr.h"
 
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -10,12 +15,6 @@
 #include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
 #include <ImfTiledOutputFile.h>
-
-#include <bit>
-#include <cmath>
-#include <cstring>
-#include <limits>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,8 +25,8 @@
 namespace mirrorball {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::gradient;
+using ::testing::HasSubstr;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -60,14 +59,11 @@ void expectSameBits(const Image& actual, const Image& expected) {
   ASSERT_EQ(actual.width(), expected.width());
   ASSERT_EQ(actual.height(), expected.height());
   ASSERT_EQ(actual.channels(), expected.channels());
-  EXPECT_EQ(std::memcmp(actual.samples().data(), expected.samples().data(),
-                        expected.samples().size_bytes()),
-            0);
+  EXPECT_EQ(std::memcmp(actual.samples().data(), expected.samples().data(), expected.samples().size_bytes()), 0);
 }
 
 /// A frame over an image's channels with those names.
-Imf::FrameBuffer frameOf(const Image& image, const std::vector<std::string>& names,
-                         const Imath::Box2i& window) {
+Imf::FrameBuffer frameOf(const Image& image, const std::vector<std::string>& names, const Imath::Box2i& window) {
   Imf::FrameBuffer frame;
   const std::size_t texel = sizeof(float) * std::size_t(image.channels());
   for (std::size_t c = 0; c < names.size(); ++c)
@@ -116,8 +112,7 @@ TEST_P(ExrSize, FloatsComeBackBitByBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SizesAndChannels, ExrSize,
-                         ::testing::Combine(::testing::Values(glm::ivec2{1, 1}, glm::ivec2{7, 3},
-                                                              glm::ivec2{100, 57}),
+                         ::testing::Combine(::testing::Values(glm::ivec2{1, 1}, glm::ivec2{7, 3}, glm::ivec2{100, 57}),
                                             ::testing::Values(1, 3, 4)));
 
 TEST(Exr, NanAndInfinityAreKept) {
@@ -147,9 +142,7 @@ TEST(Exr, HalfRoundsToTenBits) {
 }
 
 TEST(Exr, MetadataComesBack) {
-  const Metadata metadata{{"mirrorball:projection", "cube"},
-                          {"mirrorball:layout", "vstrip"},
-                          {"envmap", "latlong"}};
+  const Metadata metadata{{"mirrorball:projection", "cube"}, {"mirrorball:layout", "vstrip"}, {"envmap", "latlong"}};
   EXPECT_EQ(decoded(encoded(Image(2, 2, 3), {.half = false, .metadata = metadata})).metadata, metadata);
   const Metadata cube{{"envmap", "cube"}};
   EXPECT_EQ(decoded(encoded(Image(2, 12, 3), {.half = false, .metadata = cube})).metadata, cube);
@@ -176,8 +169,7 @@ TEST_P(ExrCompression, OfABlackImageIsNotTakenForALie) {
   EXPECT_EQ(back.image.width(), 2048);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ExrCompression,
-                         ::testing::Range(0, static_cast<int>(Imf::NUM_COMPRESSION_METHODS)));
+INSTANTIATE_TEST_SUITE_P(All, ExrCompression, ::testing::Range(0, static_cast<int>(Imf::NUM_COMPRESSION_METHODS)));
 
 TEST(Exr, TilesAreRead) {
   const Image image = gradient(70, 50, 4);
@@ -248,8 +240,8 @@ TEST(Exr, LuminanceAndChromaAreRead) {
 
 TEST(Exr, ChromaticitiesAreConverted) {
   Imf::Header header(1, 1);
-  Imf::addChromaticities(header, Imf::Chromaticities({0.708f, 0.292f}, {0.170f, 0.797f},
-                                                     {0.131f, 0.046f}, {0.3127f, 0.3290f}));
+  Imf::addChromaticities(header,
+                         Imf::Chromaticities({0.708f, 0.292f}, {0.170f, 0.797f}, {0.131f, 0.046f}, {0.3127f, 0.3290f}));
   Image red(1, 1, 3);
   red.samples()[0] = 1.0f;
   const Image back = decoded(foreignFile(header, red, {"R", "G", "B"})).image;
@@ -260,8 +252,7 @@ TEST(Exr, ChromaticitiesAreConverted) {
 TEST(Exr, TheFirstPartWithColourIsRead) {
   const Image image = gradient(6, 5, 3);
   const Imath::Box2i screen({0, 0}, {5, 4});  // one for all parts
-  std::vector<Imf::Header> headers{Imf::Header(screen, Imath::Box2i({0, 0}, {2, 1})),
-                                   Imf::Header(screen, screen)};
+  std::vector<Imf::Header> headers{Imf::Header(screen, Imath::Box2i({0, 0}, {2, 1})), Imf::Header(screen, screen)};
   addChannels(headers[0], {"Z"});
   addChannels(headers[1], {"R", "G", "B"});
   const char* names[] = {"depth", "colour"};
@@ -321,9 +312,20 @@ Bytes withDataWindow(Bytes bytes, std::int32_t x, std::int32_t y) {
 TEST(Exr, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
   const Bytes bytes = encoded(gradient(8, 8, 3));
   EXPECT_EQ(failureOf(withDataWindow(bytes, -1, 7)).code, ErrorCode::bad_file);
-  EXPECT_EQ(failureOf(withDataWindow(bytes, 2147483647, 7)).code, ErrorCode::bad_file);
+  EXPECT_EQ(failureOf(withDataWindow(bytes, 2147483647, 7)).code, ErrorCode::too_large);
   EXPECT_EQ(failureOf(withDataWindow(bytes, 1 << 29, 7)).code, ErrorCode::too_large);
   EXPECT_THAT(failureOf(withDataWindow(bytes, (1 << 26) - 1, 7)).message, HasSubstr("cannot hold"));
+
+  Bytes tiled = tiledFile(gradient(8, 8, 3), {"R", "G", "B"}, Imf::ONE_LEVEL);
+  const std::string key = std::string("tiles\0tiledesc\0", 15);
+  const auto found = std::search(tiled.begin(), tiled.end(), key.begin(), key.end());
+  ASSERT_NE(found, tiled.end());
+  *(found + 15 + 4 + 3) = 0x7f;  // the highest byte of a tile's width
+  EXPECT_EQ(failureOf(tiled).code, ErrorCode::too_large);
+
+  Bytes attribute = bytes;
+  attribute[8 + std::string("channels.chlist.").size() + 3] = 0x7f;  // of the first attribute's size
+  EXPECT_THAT(failureOf(attribute).message, HasSubstr("attribute at byte 24"));
 }
 
 TEST(Exr, RealFileWithDwab) {

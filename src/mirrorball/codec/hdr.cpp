@@ -35,9 +35,9 @@ std::size_t linesPerPiece(std::size_t line_length) { return 1 + kTexelsPerPiece 
 /// What a scan line turned out to be.
 enum class LineForm { flat, old_rle, new_rle };
 
-/// Walks over scan lines. With `kStore`, their bytes go to four planes (all R, all G, all B, all E);
-/// without, only the line's end is found: that pass is cheap, and proves that the second one, which
-/// takes memory and runs in parallel, will not fail.
+/// Walks over scan lines. With `kStore`, their bytes go to four planes (all R, all G, all B, all
+/// E); without, only the line's end is found: that pass is cheap, and proves that the second one,
+/// which takes memory and runs in parallel, will not fail.
 class LineWalker {
  public:
   LineWalker(std::span<const std::uint8_t> bytes, std::size_t at) : bytes_(bytes), at_(at) {}
@@ -48,8 +48,8 @@ class LineWalker {
   /// Returns what is wrong, or nullptr.
   template <bool kStore>
   const char* walk(std::size_t length, std::uint8_t* planes) {
-    if (length >= kShortestRle && length <= kLongestRle && left() >= 4 && bytes_[at_] == 2 &&
-        bytes_[at_ + 1] == 2 && bytes_[at_ + 2] < 128) {
+    if (length >= kShortestRle && length <= kLongestRle && left() >= 4 && bytes_[at_] == 2 && bytes_[at_ + 1] == 2 &&
+        bytes_[at_ + 2] < 128) {
       form_ = LineForm::new_rle;
       return walkNew<kStore>(length, planes);
     }
@@ -115,8 +115,7 @@ class LineWalker {
         form_ = LineForm::old_rle;
       } else {
         if constexpr (kStore)
-          for (std::size_t plane = 0; plane < 4; ++plane)
-            planes[plane * length + filled] = texel[plane];
+          for (std::size_t plane = 0; plane < 4; ++plane) planes[plane * length + filled] = texel[plane];
         ++filled;
         shift = 0;
       }
@@ -136,15 +135,13 @@ struct LineIndex {
   LineForm form = LineForm::flat;
 };
 
-Result<LineIndex> indexLines(std::span<const std::uint8_t> bytes, const HdrHeader& header,
-                             const std::string& name) {
+Result<LineIndex> indexLines(std::span<const std::uint8_t> bytes, const HdrHeader& header, const std::string& name) {
   const std::size_t left = bytes.size() - header.size;
   const std::size_t texels = header.lineCount() * header.lineLength();
   // A scan line has at least one whole texel.
   if (left / 4 < header.lineCount() || texels / kMostTexelsPerByte > left)
-    return fail(ErrorCode::bad_file, name + ": says its size is " + std::to_string(header.width) +
-                                         "x" + std::to_string(header.height) + ", but only " +
-                                         std::to_string(left) +
+    return fail(ErrorCode::bad_file, name + ": says its size is " + std::to_string(header.width) + "x" +
+                                         std::to_string(header.height) + ", but only " + std::to_string(left) +
                                          " bytes follow the header; the file is truncated");
   LineIndex index;
   index.starts.reserve(header.lineCount());
@@ -152,8 +149,8 @@ Result<LineIndex> indexLines(std::span<const std::uint8_t> bytes, const HdrHeade
   for (std::size_t line = 0; line < header.lineCount(); ++line) {
     index.starts.push_back(walker.position());
     if (const char* wrong = walker.walk<false>(header.lineLength(), nullptr))
-      return fail(ErrorCode::bad_file, name + ": " + wrong + " (scan line " + std::to_string(line) +
-                                           ", byte " + std::to_string(walker.position()) + ")");
+      return fail(ErrorCode::bad_file, name + ": " + wrong + " (scan line " + std::to_string(line) + ", byte " +
+                                           std::to_string(walker.position()) + ")");
     index.form = std::max(index.form, walker.form());
   }
   return index;
@@ -163,8 +160,7 @@ Result<LineIndex> indexLines(std::span<const std::uint8_t> bytes, const HdrHeade
 const std::array<float, 256>& unitTable() {
   static const std::array<float, 256> table = [] {
     std::array<float, 256> units{};
-    for (int exponent = 1; exponent < 256; ++exponent)
-      units[std::size_t(exponent)] = std::ldexp(1.0f, exponent - 136);
+    for (int exponent = 1; exponent < 256; ++exponent) units[std::size_t(exponent)] = std::ldexp(1.0f, exponent - 136);
     return units;
   }();
   return table;
@@ -218,8 +214,7 @@ struct Rgbe {
 
 Rgbe encodeTexel(glm::vec3 light) {
   constexpr float kLargest = 0x1.fep+126f;  // 255 · 2^(255 − 136)
-  for (int c = 0; c < 3; ++c)
-    light[c] = light[c] > 0.0f ? std::min(light[c], kLargest) : 0.0f;  // NaN is not above 0
+  for (int c = 0; c < 3; ++c) light[c] = light[c] > 0.0f ? std::min(light[c], kLargest) : 0.0f;  // NaN is not above 0
   const float brightest = std::max({light.x, light.y, light.z});
   int exponent = 0;
   std::frexp(brightest, &exponent);
@@ -227,11 +222,8 @@ Rgbe encodeTexel(glm::vec3 light) {
   if (std::floor(std::ldexp(double{brightest}, 8 - exponent) + 0.5) > 255.0) ++exponent;
   if (brightest == 0.0f || exponent + 128 < 1) return {};
   const double scale = std::ldexp(1.0, 8 - exponent);
-  const auto mantissa = [&](float component) {
-    return static_cast<std::uint8_t>(double{component} * scale + 0.5);
-  };
-  return {{mantissa(light.x), mantissa(light.y), mantissa(light.z),
-           static_cast<std::uint8_t>(exponent + 128)}};
+  const auto mantissa = [&](float component) { return static_cast<std::uint8_t>(double{component} * scale + 0.5); };
+  return {{mantissa(light.x), mantissa(light.y), mantissa(light.z), static_cast<std::uint8_t>(exponent + 128)}};
 }
 
 /// How many bytes from `at` on are the same, up to the longest run.
@@ -281,8 +273,7 @@ Bytes encodeLine(const Image& image, int y) {
   if (!rle) return planes;
   out.reserve(4 * length + 64);
   out.assign({2, 2, static_cast<std::uint8_t>(length >> 8), static_cast<std::uint8_t>(length)});
-  for (std::size_t plane = 0; plane < 4; ++plane)
-    appendPlane(std::span(planes).subspan(plane * length, length), out);
+  for (std::size_t plane = 0; plane < 4; ++plane) appendPlane(std::span(planes).subspan(plane * length, length), out);
   return out;
 }
 
@@ -313,23 +304,21 @@ Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes, const std::s
   if (const auto matrix = conversion(header)) transformColors(image, *matrix);
 
   constexpr const char* kForms[] = {"flat", "old RLE", "RLE"};
-  return DecodedImage{std::move(image), std::move(header.metadata),
-                      std::string("Radiance HDR, ") + (header.xyz ? "XYZE, " : "") +
-                          kForms[static_cast<int>(index.form)]};
+  return DecodedImage{
+      std::move(image), std::move(header.metadata),
+      std::string("Radiance HDR, ") + (header.xyz ? "XYZE, " : "") + kForms[static_cast<int>(index.form)]};
 }
 
 Bytes encodeHdr(const Image& image, const Metadata& metadata) {
   std::vector<Bytes> lines(std::size_t(image.height()));
-  parallelFor(lines.size(), linesPerPiece(std::size_t(image.width())),
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t y = begin; y < end; ++y)
-                  lines[y] = encodeLine(image, static_cast<int>(y));
-              });
+  parallelFor(lines.size(), linesPerPiece(std::size_t(image.width())), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y) lines[y] = encodeLine(image, static_cast<int>(y));
+  });
 
   std::string header = "#?RADIANCE\n";
   for (const auto& [key, value] : metadata) header += "# " + metadataLine(key, value) + "\n";
-  header += "FORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(image.height()) + " +X " +
-            std::to_string(image.width()) + "\n";
+  header +=
+      "FORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(image.height()) + " +X " + std::to_string(image.width()) + "\n";
   Bytes bytes(header.begin(), header.end());
   for (const Bytes& line : lines) bytes.insert(bytes.end(), line.begin(), line.end());
   return bytes;

@@ -16,11 +16,11 @@ bool isHdr(std::span<const std::uint8_t> bytes);
 /// and COLORCORR are divided out, PRIMARIES converted to Rec.709.
 ///
 /// A component is mantissa · 2^(exponent − 136). Radiance's own reader adds ½ to the mantissa, for
-/// its writer truncates; stb, OpenCV, OpenImageIO and ffmpeg do not, and neither do we, whose writer
-/// rounds: so 1 stays 1.
+/// its writer truncates; stb, OpenCV, OpenImageIO and ffmpeg do not, and neither do we, whose
+/// writer rounds: so 1 stays 1.
 ///
-/// XYZE is taken as CIE XYZ with Y as it stands, seen under Rec.709's white: no white balance and no
-/// division by Radiance's 179 lm/W.
+/// XYZE is taken as CIE XYZ with Y as it stands, seen under Rec.709's white: no white balance and
+/// no division by Radiance's 179 lm/W.
 ///
 /// errors   bad_file (the line or byte is named); too_large; unsupported
 /// cost     O(width · height), on all cores

@@ -54,19 +54,16 @@ std::optional<std::vector<double>> parseNumbers(std::string_view text, std::size
 }
 
 /// EXPOSURE= and COLORCORR= tell what the texels have been multiplied by; several lines add up.
-Result<void> applyExposure(std::string_view value, std::size_t count, const LineReader& reader,
-                           HdrHeader& header) {
+Result<void> applyExposure(std::string_view value, std::size_t count, const LineReader& reader, HdrHeader& header) {
   const auto numbers = parseNumbers(value, count);
   if (!numbers)
-    return reader.failure(ErrorCode::bad_file,
-                          "should have " + std::to_string(count) + " number(s) behind its '='");
+    return reader.failure(ErrorCode::bad_file, "should have " + std::to_string(count) + " number(s) behind its '='");
   for (int c = 0; c < 3; ++c) {
     const double factor = (*numbers)[count == 1 ? 0 : std::size_t(c)];
     const double product = static_cast<double>(header.exposure[c]) * factor;
     if (!(product > 1e-30 && product < 1e30))
       return reader.failure(ErrorCode::bad_file,
-                            "makes the exposure " + formatNumber(product) +
-                                ", which cannot be divided out");
+                            "makes the exposure " + formatNumber(product) + ", which cannot be divided out");
     header.exposure[c] = static_cast<float>(product);
   }
   return {};
@@ -82,9 +79,8 @@ Result<void> readVariable(std::string_view line, const LineReader& reader, HdrHe
   } else if (const auto format = valueOf("FORMAT=")) {
     header.xyz = *format == "32-bit_rle_xyze";
     if (!header.xyz && *format != "32-bit_rle_rgbe")
-      return reader.failure(ErrorCode::unsupported,
-                            "names the format '" + std::string(*format) +
-                                "'; 32-bit_rle_rgbe and 32-bit_rle_xyze are read");
+      return reader.failure(ErrorCode::unsupported, "names the format '" + std::string(*format) +
+                                                        "'; 32-bit_rle_rgbe and 32-bit_rle_xyze are read");
   } else if (const auto exposure = valueOf("EXPOSURE=")) {
     MIRRORBALL_TRY_VOID(applyExposure(*exposure, 1, reader, header));
   } else if (const auto correction = valueOf("COLORCORR=")) {
@@ -118,8 +114,8 @@ std::optional<Axis> parseAxis(const std::string& sign_and_name, const std::strin
 
 /// "-Y 1024 +X 2048": the axis named first is the one from scan line to scan line, and its sign
 /// tells whether the coordinate grows, Y upwards (Radiance's file formats, "resolution string").
-Result<void> readResolution(std::string_view line, const LineReader& reader,
-                            const std::string& name, HdrHeader& header) {
+Result<void> readResolution(std::string_view line, const LineReader& reader, const std::string& name,
+                            HdrHeader& header) {
   const std::vector<std::string> words = split(line, ' ');
   std::optional<Axis> slow;
   std::optional<Axis> fast;
@@ -128,8 +124,7 @@ Result<void> readResolution(std::string_view line, const LineReader& reader,
     fast = parseAxis(words[2], words[3]);
   }
   if (!slow || !fast || slow->name == fast->name)
-    return reader.failure(ErrorCode::bad_file,
-                          "should be the resolution, such as '-Y 1024 +X 2048'");
+    return reader.failure(ErrorCode::bad_file, "should be the resolution, such as '-Y 1024 +X 2048'");
   header.columns = slow->name == 'X';
   const Axis& x = header.columns ? *slow : *fast;
   const Axis& y = header.columns ? *fast : *slow;
@@ -147,8 +142,8 @@ Result<HdrHeader> parseHdrHeader(std::span<const std::uint8_t> bytes, const std:
   LineReader reader(bytes, name);
   HdrHeader header;
   const auto ends_early = [&] {
-    return fail(ErrorCode::bad_file, name + ": the header ends early, at byte " +
-                                         std::to_string(bytes.size()) + "; the file is truncated");
+    return fail(ErrorCode::bad_file,
+                name + ": the header ends early, at byte " + std::to_string(bytes.size()) + "; the file is truncated");
   };
   while (true) {
     const auto line = reader.next();

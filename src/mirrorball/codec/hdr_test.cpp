@@ -14,14 +14,13 @@
 namespace mirrorball {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using testing::bytesOf;
+using ::testing::ElementsAre;
 using testing::gradient;
+using ::testing::HasSubstr;
 
 /// A picture file of a header and texel bytes.
-Bytes file(const std::string& variables, const std::string& resolution,
-           std::initializer_list<int> texels) {
+Bytes file(const std::string& variables, const std::string& resolution, std::initializer_list<int> texels) {
   Bytes bytes = bytesOf("#?RADIANCE\n" + variables + "\n" + resolution + "\n");
   for (const int byte : texels) bytes.push_back(static_cast<std::uint8_t>(byte));
   return bytes;
@@ -31,8 +30,7 @@ Bytes file(const std::string& variables, const std::string& resolution,
 std::vector<int> reds(const Image& image) {
   std::vector<int> found;
   for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      found.push_back(static_cast<int>(image.texel(x, y)[0]));
+    for (int x = 0; x < image.width(); ++x) found.push_back(static_cast<int>(image.texel(x, y)[0]));
   return found;
 }
 
@@ -80,9 +78,8 @@ TEST_P(HdrSize, RoundTripIsWithinHalfAMantissaStep) {
 
 // 7 and 32768 are just outside what run lengths are defined for, 8 and 32767 just inside.
 INSTANTIATE_TEST_SUITE_P(Sizes, HdrSize,
-                         ::testing::Values(glm::ivec2{1, 1}, glm::ivec2{7, 3}, glm::ivec2{8, 5},
-                                           glm::ivec2{300, 40}, glm::ivec2{32767, 2},
-                                           glm::ivec2{32768, 2}));
+                         ::testing::Values(glm::ivec2{1, 1}, glm::ivec2{7, 3}, glm::ivec2{8, 5}, glm::ivec2{300, 40},
+                                           glm::ivec2{32767, 2}, glm::ivec2{32768, 2}));
 
 TEST(Hdr, WhiteAndPowersOfTwoAreExact) {
   for (const float light : {1.0f, 0.5f, 2.0f, 1024.0f, 0x1p-100f, 0x1p+100f})
@@ -113,17 +110,15 @@ TEST(Hdr, GreyIsWrittenToAllComponentsAndAlphaDropped) {
 TEST(Hdr, RunsAreWrittenShorterThanTheirTexels) {
   const Bytes bytes = encodeHdr(Image(1000, 1, 3, 1.0f), {});
   // The header, the line's marker, and for each component 8 runs of 2 bytes.
-  EXPECT_EQ(bytes.size(), std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1000\n").size() +
-                              4 + 4 * 8 * 2);
+  EXPECT_EQ(bytes.size(), std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1000\n").size() + 4 + 4 * 8 * 2);
 }
 
 TEST(Hdr, NewRunLengthsByHand) {
-  const auto result = decodeHdr(file("", "-Y 1 +X 8",
-                                     {2, 2, 0, 8,                    // marker and length
-                                      128 + 3, 9, 5, 1, 2, 3, 4, 5,  // R: 9 9 9, then five literals
-                                      128 + 8, 0,                    // G
-                                      128 + 8, 0,                    // B
-                                      128 + 7, 136, 1, 137}),        // E: the last is twice as bright
+  const auto result = decodeHdr(file("", "-Y 1 +X 8", {2,       2,   0, 8,               // marker and length
+                                                       128 + 3, 9,   5, 1,  2, 3, 4, 5,  // R: 9 9 9, then five literals
+                                                       128 + 8, 0,                       // G
+                                                       128 + 8, 0,                       // B
+                                                       128 + 7, 136, 1, 137}),  // E: the last is twice as bright
                                 "a");
   ASSERT_TRUE(result);
   EXPECT_THAT(reds(result->image), ElementsAre(9, 9, 9, 1, 2, 3, 4, 10));
@@ -131,9 +126,8 @@ TEST(Hdr, NewRunLengthsByHand) {
 }
 
 TEST(Hdr, OldRunLengthsByHand) {
-  const auto result = decodeHdr(file("", "-Y 2 +X 4",
-                                     {7, 0, 0, 136, 1, 1, 1, 3,  // one texel, three times more
-                                      5, 0, 0, 136, 6, 0, 0, 136, 1, 1, 1, 2}),
+  const auto result = decodeHdr(file("", "-Y 2 +X 4", {7, 0, 0, 136, 1, 1, 1, 3,  // one texel, three times more
+                                                       5, 0, 0, 136, 6, 0, 0, 136, 1, 1, 1, 2}),
                                 "a");
   ASSERT_TRUE(result);
   EXPECT_THAT(reds(result->image), ElementsAre(7, 7, 7, 7, 5, 6, 6, 6));
@@ -142,8 +136,7 @@ TEST(Hdr, OldRunLengthsByHand) {
 
 TEST(Hdr, OldRunsInARowCountInDigitsOf256) {
   // 1 + 3 + 2 · 256 texels, then one more.
-  const Image image = decoded(file("", "-Y 1 +X 517",
-                                   {7, 0, 0, 136, 1, 1, 1, 3, 1, 1, 1, 2, 8, 0, 0, 136}));
+  const Image image = decoded(file("", "-Y 1 +X 517", {7, 0, 0, 136, 1, 1, 1, 3, 1, 1, 1, 2, 8, 0, 0, 136}));
   EXPECT_EQ(image.texel(515, 0)[0], 7.0f);
   EXPECT_EQ(image.texel(516, 0)[0], 8.0f);
 }
@@ -164,22 +157,18 @@ struct Orientation {
 class HdrOrientation : public ::testing::TestWithParam<Orientation> {};
 
 TEST_P(HdrOrientation, TexelsGoWhereTheLineSays) {
-  const Image image = decoded(file("", GetParam().resolution,
-                                   {1, 0, 0, 136, 2, 0, 0, 136, 3, 0, 0, 136,  //
-                                    4, 0, 0, 136, 5, 0, 0, 136, 6, 0, 0, 136}));
+  const Image image = decoded(file("", GetParam().resolution, {1, 0, 0, 136, 2, 0, 0, 136, 3, 0, 0, 136,  //
+                                                               4, 0, 0, 136, 5, 0, 0, 136, 6, 0, 0, 136}));
   ASSERT_EQ(image.width(), 3);
   EXPECT_EQ(reds(image), GetParam().rows);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllEight, HdrOrientation,
-                         ::testing::Values(Orientation{"-Y 2 +X 3", {1, 2, 3, 4, 5, 6}},
-                                           Orientation{"-Y 2 -X 3", {3, 2, 1, 6, 5, 4}},
-                                           Orientation{"+Y 2 +X 3", {4, 5, 6, 1, 2, 3}},
-                                           Orientation{"+Y 2 -X 3", {6, 5, 4, 3, 2, 1}},
-                                           Orientation{"+X 3 -Y 2", {1, 3, 5, 2, 4, 6}},
-                                           Orientation{"+X 3 +Y 2", {2, 4, 6, 1, 3, 5}},
-                                           Orientation{"-X 3 -Y 2", {5, 3, 1, 6, 4, 2}},
-                                           Orientation{"-X 3 +Y 2", {6, 4, 2, 5, 3, 1}}));
+INSTANTIATE_TEST_SUITE_P(
+    AllEight, HdrOrientation,
+    ::testing::Values(Orientation{"-Y 2 +X 3", {1, 2, 3, 4, 5, 6}}, Orientation{"-Y 2 -X 3", {3, 2, 1, 6, 5, 4}},
+                      Orientation{"+Y 2 +X 3", {4, 5, 6, 1, 2, 3}}, Orientation{"+Y 2 -X 3", {6, 5, 4, 3, 2, 1}},
+                      Orientation{"+X 3 -Y 2", {1, 3, 5, 2, 4, 6}}, Orientation{"+X 3 +Y 2", {2, 4, 6, 1, 3, 5}},
+                      Orientation{"-X 3 -Y 2", {5, 3, 1, 6, 4, 2}}, Orientation{"-X 3 +Y 2", {6, 4, 2, 5, 3, 1}}));
 
 TEST(Hdr, ColumnsMayBeRunLengthCodedToo) {
   const std::initializer_list<int> texels = {2, 2, 0, 8, 136, 1, 136, 0, 136, 0, 136, 136,
@@ -191,16 +180,14 @@ TEST(Hdr, ColumnsMayBeRunLengthCodedToo) {
 }
 
 TEST(Hdr, ExposureIsDividedOut) {
-  const Image image = decoded(file("EXPOSURE=2\nEXPOSURE= 4.0\nCOLORCORR=1 0.5 2\n", "-Y 1 +X 1",
-                                   {64, 64, 64, 136}));
+  const Image image = decoded(file("EXPOSURE=2\nEXPOSURE= 4.0\nCOLORCORR=1 0.5 2\n", "-Y 1 +X 1", {64, 64, 64, 136}));
   EXPECT_EQ(rgbAt(image, 0, 0), glm::vec3(8, 16, 4));
 }
 
 TEST(Hdr, XyzBecomesRec709) {
-  // D65's XYZ is (0.9505, 1, 1.0888). These are the nearest mantissas over 128; their steps of 0.4 %
-  // come out up to 3.2 times as large.
-  const auto result =
-      decodeHdr(file("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 1", {122, 128, 139, 129}), "a");
+  // D65's XYZ is (0.9505, 1, 1.0888). These are the nearest mantissas over 128; their steps of 0.4
+  // % come out up to 3.2 times as large.
+  const auto result = decodeHdr(file("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 1", {122, 128, 139, 129}), "a");
   ASSERT_TRUE(result);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(result->image.samples()[std::size_t(c)], 1.0f, 0.0125f);
   EXPECT_EQ(result->format, "Radiance HDR, XYZE, flat");
@@ -237,10 +224,9 @@ TEST(Hdr, HeaderErrorsNameTheLine) {
   EXPECT_THAT(failureOf(file("EXPOSURE=x\n", "-Y 1 +X 1", {})).message, HasSubstr("line 2"));
   EXPECT_THAT(failureOf(file("EXPOSURE=0\n", "-Y 1 +X 1", {})).message, HasSubstr("exposure 0"));
   EXPECT_THAT(failureOf(file("COLORCORR=1 2\n", "-Y 1 +X 1", {})).message, HasSubstr("3 number(s)"));
-  for (const char* resolution : {"Y 1 +X 1", "-Y 1", "-Y 1 +Y 1", "-Y one +X 1", "-Y 1.5 +X 1",
-                                 "-Y 1e300 +X 1", "-Z 1 +X 1", "-Y 1 +X 1 ", ""})
-    EXPECT_THAT(failureOf(file("", resolution, {1, 1, 1, 1})).message,
-                HasSubstr("line 3 should be the resolution"))
+  for (const char* resolution :
+       {"Y 1 +X 1", "-Y 1", "-Y 1 +Y 1", "-Y one +X 1", "-Y 1.5 +X 1", "-Y 1e300 +X 1", "-Z 1 +X 1", "-Y 1 +X 1 ", ""})
+    EXPECT_THAT(failureOf(file("", resolution, {1, 1, 1, 1})).message, HasSubstr("line 3 should be the resolution"))
         << resolution;
 }
 
@@ -248,26 +234,22 @@ TEST(Hdr, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
   EXPECT_EQ(failureOf(file("", "-Y 0 +X 1", {1, 1, 1, 1})).code, ErrorCode::bad_file);
   EXPECT_EQ(failureOf(file("", "-Y 1 +X -1", {1, 1, 1, 1})).code, ErrorCode::bad_file);
   EXPECT_EQ(failureOf(file("", "-Y 2147483648 +X 1", {1, 1, 1, 1})).code, ErrorCode::too_large);
-  EXPECT_EQ(failureOf(file("", "-Y 2147483648 +X 2147483648", {1, 1, 1, 1})).code,
-            ErrorCode::too_large);
+  EXPECT_EQ(failureOf(file("", "-Y 2147483648 +X 2147483648", {1, 1, 1, 1})).code, ErrorCode::too_large);
   EXPECT_THAT(failureOf(file("", "-Y 32768 +X 32768", {1, 1, 1, 1})).message, HasSubstr("truncated"));
-  EXPECT_THAT(failureOf(file("", "-Y 1 +X 1073741824", {9, 1, 1, 1, 1, 1, 1, 255})).message,
-              HasSubstr("truncated"));
+  EXPECT_THAT(failureOf(file("", "-Y 1 +X 1073741824", {9, 1, 1, 1, 1, 1, 1, 255})).message, HasSubstr("truncated"));
 }
 
 TEST(Hdr, WrongScanLinesAreNamed) {
   EXPECT_THAT(failureOf(file("", "-Y 1 +X 8", {2, 2, 0, 9, 0, 0, 0, 0})).message,
               HasSubstr("length is not the image's"));
-  EXPECT_THAT(failureOf(file("", "-Y 1 +X 8", {2, 2, 0, 8, 0, 0, 0, 0})).message,
-              HasSubstr("run of no bytes"));
+  EXPECT_THAT(failureOf(file("", "-Y 1 +X 8", {2, 2, 0, 8, 0, 0, 0, 0})).message, HasSubstr("run of no bytes"));
   EXPECT_THAT(failureOf(file("", "-Y 1 +X 8", {2, 2, 0, 8, 128 + 9, 0, 0, 0})).message,
               HasSubstr("longer than its scan line"));
   EXPECT_THAT(failureOf(file("", "-Y 1 +X 2", {5, 5, 5, 136, 1, 1, 1, 2})).message,
               HasSubstr("longer than its scan line"));
   EXPECT_THAT(failureOf(file("", "-Y 1 +X 2", {1, 1, 1, 1, 5, 5, 5, 136})).message,
               HasSubstr("begins with a repetition"));
-  const std::string message =
-      failureOf(file("", "-Y 2 +X 2", {5, 5, 5, 136, 5, 5, 5, 136, 5, 5, 5, 136})).message;
+  const std::string message = failureOf(file("", "-Y 2 +X 2", {5, 5, 5, 136, 5, 5, 5, 136, 5, 5, 5, 136})).message;
   EXPECT_THAT(message, HasSubstr("truncated (scan line 1, byte "));
 }
 

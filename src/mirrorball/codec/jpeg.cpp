@@ -100,22 +100,19 @@ struct Compressor {
   unsigned long size = 0;
 };
 
-tl::unexpected<Error> failure(const Decompressor& decoder, const std::string& name,
-                              std::size_t size) {
+tl::unexpected<Error> failure(const Decompressor& decoder, const std::string& name, std::size_t size) {
   const std::string text = decoder.errors.message;
   switch (decoder.errors.code) {
     case JERR_BAD_PRECISION:
     case JERR_SOF_UNSUPPORTED:
-      return fail(ErrorCode::unsupported, name + ": " + text +
-                                              "; save it as baseline or progressive JPEG of 8 bits");
+      return fail(ErrorCode::unsupported, name + ": " + text + "; save it as baseline or progressive JPEG of 8 bits");
     case JERR_OUT_OF_MEMORY:
       return fail(ErrorCode::too_large, name + ": not enough memory to decode it");
     default: {
       const std::size_t left = decoder.codec.src ? decoder.codec.src->bytes_in_buffer : size;
       // libjpeg supplies two bytes of its own when the data end early.
       const std::size_t at = decoder.errors.code == JWRN_JPEG_EOF ? size : size - std::min(left, size);
-      return fail(ErrorCode::bad_file,
-                  name + ": is a damaged JPEG, at byte " + std::to_string(at) + ": " + text);
+      return fail(ErrorCode::bad_file, name + ": is a damaged JPEG, at byte " + std::to_string(at) + ": " + text);
     }
   }
 }
@@ -128,8 +125,7 @@ Metadata readComments(const jpeg_decompress_struct& codec) {
 }
 
 /// Reads up to the first scan and refuses what cannot be decoded.
-Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> bytes,
-                        const std::string& name) {
+Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> bytes, const std::string& name) {
   jpeg_decompress_struct& codec = decoder.codec;
   const bool read = guarded(decoder.errors, [&] {
     jpeg_create_decompress(&codec);
@@ -141,8 +137,7 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
   MIRRORBALL_TRY_VOID(checkDimensions(name, codec.image_width, codec.image_height));
   const std::size_t texels = std::size_t(codec.image_width) * codec.image_height;
   if (texels / kMostTexelsPerByte > bytes.size())
-    return fail(ErrorCode::bad_file, name + ": says its size is " +
-                                         std::to_string(codec.image_width) + "x" +
+    return fail(ErrorCode::bad_file, name + ": says its size is " + std::to_string(codec.image_width) + "x" +
                                          std::to_string(codec.image_height) + ", which its " +
                                          std::to_string(bytes.size()) +
                                          " bytes cannot hold; the file is truncated or damaged");
@@ -157,8 +152,7 @@ struct Decoded {
 };
 
 /// texture  RGBA for everything; else grey or RGB as the file has it
-Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, const std::string& name,
-                            bool texture) {
+Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, const std::string& name, bool texture) {
   Decompressor decoder;
   MIRRORBALL_TRY_VOID(readHeader(decoder, bytes, name));
   jpeg_decompress_struct& codec = decoder.codec;
@@ -166,8 +160,7 @@ Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, const std::stri
   const bool grey = codec.num_components == 1;
   codec.out_color_space = texture ? JCS_EXT_RGBA : grey ? JCS_GRAYSCALE : JCS_RGB;
 
-  Image8 picture(static_cast<int>(codec.image_width), static_cast<int>(codec.image_height),
-                 texture ? 4 : grey ? 1 : 3);
+  Image8 picture(static_cast<int>(codec.image_width), static_cast<int>(codec.image_height), texture ? 4 : grey ? 1 : 3);
   const bool decoded = guarded(decoder.errors, [&] {
     jpeg_start_decompress(&codec);
     while (codec.output_scanline < codec.output_height) {
@@ -188,9 +181,7 @@ void writePixels(Compressor& encoder, const Image8& picture, const Metadata& met
   codec.image_width = static_cast<JDIMENSION>(picture.width());
   codec.image_height = static_cast<JDIMENSION>(picture.height());
   codec.input_components = picture.channels();
-  codec.in_color_space = picture.channels() == 1   ? JCS_GRAYSCALE
-                         : picture.channels() == 3 ? JCS_RGB
-                                                   : JCS_EXT_RGBX;
+  codec.in_color_space = picture.channels() == 1 ? JCS_GRAYSCALE : picture.channels() == 3 ? JCS_RGB : JCS_EXT_RGBX;
   jpeg_set_defaults(&codec);
   jpeg_set_quality(&codec, kQuality, TRUE);
   for (int component = 0; component < codec.num_components; ++component)
@@ -218,8 +209,7 @@ bool isJpeg(std::span<const std::uint8_t> bytes) {
 
 Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
   MIRRORBALL_TRY(decoded, readPicture(bytes, name, false));
-  return DecodedImage{linearFromPicture(decoded.picture), std::move(decoded.metadata),
-                      "JPEG, 8 bit, sRGB"};
+  return DecodedImage{linearFromPicture(decoded.picture), std::move(decoded.metadata), "JPEG, 8 bit, sRGB"};
 }
 
 Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes, const std::string& name) {
@@ -229,13 +219,11 @@ Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes, const std:
 
 Result<Bytes> encodeJpeg(const Image8& picture, const Metadata& metadata, const std::string& name) {
   if (picture.width() > JPEG_MAX_DIMENSION || picture.height() > JPEG_MAX_DIMENSION)
-    return fail(ErrorCode::bad_shape, name + ": a JPEG has at most " +
-                                          std::to_string(JPEG_MAX_DIMENSION) +
-                                          " texels a side; use .png");
+    return fail(ErrorCode::bad_shape,
+                name + ": a JPEG has at most " + std::to_string(JPEG_MAX_DIMENSION) + " texels a side; use .png");
   Compressor encoder;
   if (!guarded(encoder.errors, [&] { writePixels(encoder, picture, metadata); }))
-    return fail(ErrorCode::too_large,
-                name + ": cannot be encoded as JPEG: " + std::string(encoder.errors.message));
+    return fail(ErrorCode::too_large, name + ": cannot be encoded as JPEG: " + std::string(encoder.errors.message));
   return Bytes(encoder.bytes, encoder.bytes + encoder.size);
 }
 

@@ -6,7 +6,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <jpeglib.h>
 
 #include "mirrorball/codec/codec_testing.h"
@@ -15,8 +14,8 @@
 namespace mirrorball {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::bytesOf;
+using ::testing::HasSubstr;
 
 /// Smooth, as photographs are at the scale of a block.
 Image8 photograph(int width, int height, int channels) {
@@ -24,8 +23,7 @@ Image8 photograph(int width, int height, int channels) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       for (int c = 0; c < channels; ++c)
-        picture.texel(x, y)[c] =
-            static_cast<std::uint8_t>(128.0 + 100.0 * std::sin(0.05 * x + 0.08 * y + c));
+        picture.texel(x, y)[c] = static_cast<std::uint8_t>(128.0 + 100.0 * std::sin(0.05 * x + 0.08 * y + c));
   return picture;
 }
 
@@ -88,8 +86,7 @@ TEST_P(JpegSize, ComesBackWithinItsQuality) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SizesAndChannels, JpegSize,
-                         ::testing::Combine(::testing::Values(glm::ivec2{1, 1}, glm::ivec2{7, 3},
-                                                              glm::ivec2{120, 70}),
+                         ::testing::Combine(::testing::Values(glm::ivec2{1, 1}, glm::ivec2{7, 3}, glm::ivec2{120, 70}),
                                             ::testing::Values(1, 3, 4)));
 
 TEST(Jpeg, LightIsLinearAndGreyHasOneChannel) {
@@ -105,8 +102,7 @@ TEST(Jpeg, ChromaIsNotSubsampled) {
   const Bytes bytes = encoded(photograph(16, 16, 3));
   // Marker, length, precision, height, width, then for each component: number, sampling, table.
   const std::size_t components = frameHeader(bytes) + 2 + 2 + 1 + 2 + 2 + 1;
-  for (std::size_t component = 0; component < 3; ++component)
-    EXPECT_EQ(bytes[components + 3 * component + 1], 0x11);
+  for (std::size_t component = 0; component < 3; ++component) EXPECT_EQ(bytes[components + 3 * component + 1], 0x11);
 }
 
 TEST(Jpeg, MetadataComesBack) {
@@ -114,9 +110,7 @@ TEST(Jpeg, MetadataComesBack) {
   EXPECT_EQ(decodeJpeg(encoded(Image8(2, 2, 3), metadata), "a")->metadata, metadata);
 }
 
-TEST(Jpeg, ProgressiveIsRead) {
-  EXPECT_TRUE(decodeJpeg(foreignFile(JCS_RGB, 3, true), "a"));
-}
+TEST(Jpeg, ProgressiveIsRead) { EXPECT_TRUE(decodeJpeg(foreignFile(JCS_RGB, 3, true), "a")); }
 
 TEST(Jpeg, WhatCannotBeReadIsNamed) {
   const auto cmyk = decodeJpeg(foreignFile(JCS_CMYK, 4, false), "a.jpg");

@@ -24,21 +24,16 @@ Result<void> checkMetadata(const Metadata& metadata) {
   for (const auto& [key, value] : metadata) {
     if (!isMetadataKey(key) || key.size() > kLongestKey || !isPrintable(key) ||
         key.find_first_of(" =") != std::string::npos)
-      return fail(ErrorCode::usage, "the metadata key '" + key +
-                                        "' cannot be stored; use envmap or mirrorball:WORD");
+      return fail(ErrorCode::usage, "the metadata key '" + key + "' cannot be stored; use envmap or mirrorball:WORD");
     if (!isPrintable(value))
-      return fail(ErrorCode::usage,
-                  "the metadata value of " + key + " cannot be stored; use printable ASCII only");
+      return fail(ErrorCode::usage, "the metadata value of " + key + " cannot be stored; use printable ASCII only");
     if (key == "envmap" && value != "latlong" && value != "cube")
-      return fail(ErrorCode::usage,
-                  "the metadata value envmap=" + value + " is unknown; use latlong or cube");
+      return fail(ErrorCode::usage, "the metadata value envmap=" + value + " is unknown; use latlong or cube");
   }
   return {};
 }
 
-std::string metadataLine(const std::string& key, const std::string& value) {
-  return key + "=" + value;
-}
+std::string metadataLine(const std::string& key, const std::string& value) { return key + "=" + value; }
 
 void readMetadataLine(std::string_view line, Metadata& metadata) {
   const std::size_t equals = line.find('=');

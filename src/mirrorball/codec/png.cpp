@@ -1,14 +1,14 @@
 #include "mirrorball/codec/png.h"
 
-#include <png.h>
-#include <zlib.h>
-
 #include <algorithm>
 #include <bit>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
 #include <vector>
+
+#include <png.h>
+#include <zlib.h>
 
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/srgb.h"
@@ -54,15 +54,14 @@ bool append(Bytes& out, const std::uint8_t* bytes, std::size_t count) {
 }
 
 void writeBytes(png_structp png, png_bytep from, std::size_t count) {
-  if (!append(static_cast<PngContext*>(png_get_io_ptr(png))->out, from, count))
-    png_error(png, "out of memory");
+  if (!append(static_cast<PngContext*>(png_get_io_ptr(png))->out, from, count)) png_error(png, "out of memory");
 }
 
 void flushBytes(png_structp) {}
 
-/// Runs calls of libpng, which reports an error by a jump back to here. `body` must own nothing that
-/// has a destructor, for the jump passes over its frame; whatever outlives the calls lives in the
-/// caller's.
+/// Runs calls of libpng, which reports an error by a jump back to here. `body` must own nothing
+/// that has a destructor, for the jump passes over its frame; whatever outlives the calls lives in
+/// the caller's.
 ///
 /// returns  false after an error; its text is in the PngContext
 template <typename Body>
@@ -112,8 +111,8 @@ enum class Form {
 void setTransforms(png_structp png, png_infop info, Form form) {
   png_set_expand(png);  // palettes, 1, 2 and 4 bits, and tRNS to whole samples with alpha
   const bool grey = (png_get_color_type(png, info) & PNG_COLOR_MASK_COLOR) == 0;
-  const bool alpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
-                     png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+  const bool alpha =
+      (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
   if (form == Form::texture) {
     png_set_scale_16(png);
     png_set_gray_to_rgb(png);
@@ -140,15 +139,32 @@ Metadata readTexts(png_structp png, png_infop info) {
   png_textp texts = nullptr;
   const int count = png_get_text(png, info, &texts, nullptr);
   for (int i = 0; i < count; ++i)
-    if (texts[i].key && texts[i].text && isMetadataKey(texts[i].key))
-      metadata[texts[i].key] = texts[i].text;
+    if (texts[i].key && texts[i].text && isMetadataKey(texts[i].key)) metadata[texts[i].key] = texts[i].text;
   return metadata;
 }
 
 tl::unexpected<Error> damaged(const Reader& reader, const std::string& name) {
-  return fail(ErrorCode::bad_file, name + ": is a damaged PNG, at byte " +
-                                       std::to_string(reader.context.at) + ": " +
+  return fail(ErrorCode::bad_file, name + ": is a damaged PNG, at byte " + std::to_string(reader.context.at) + ": " +
                                        reader.context.message);
+}
+
+/// Checks the chunks' sizes against the file's, up to its end chunk: libpng takes a chunk's memory,
+/// and clears it, before it finds that the bytes are not there.
+Result<void> checkChunks(std::span<const std::uint8_t> bytes, const std::string& name) {
+  constexpr std::size_t kSignature = 8;
+  constexpr std::size_t kFrame = 12;  // a chunk's length, its type, and its checksum behind the data
+  constexpr std::uint8_t kEnd[] = {'I', 'E', 'N', 'D'};
+  for (std::size_t at = kSignature; bytes.size() - at >= kFrame;) {
+    const std::size_t length = png_get_uint_32(bytes.data() + at);
+    if (length > bytes.size() - at - kFrame)
+      return fail(ErrorCode::bad_file, name + ": the chunk at byte " + std::to_string(at) + " says it has " +
+                                           std::to_string(length) +
+                                           " bytes, more than the file; it is truncated or damaged");
+    if (std::equal(std::begin(kEnd), std::end(kEnd), bytes.data() + at + 4)) return {};
+    at += length + kFrame;
+  }
+  return fail(ErrorCode::bad_file, name + ": has no end chunk before its end at byte " + std::to_string(bytes.size()) +
+                                       "; the file is truncated");
 }
 
 Result<void> readHeader(Reader& reader, const std::string& name, Pixels& pixels) {
@@ -162,10 +178,9 @@ Result<void> readHeader(Reader& reader, const std::string& name, Pixels& pixels)
   MIRRORBALL_TRY_VOID(checkDimensions(name, width, height));
   const std::size_t stored = png_get_rowbytes(reader.png, reader.info) * std::size_t(height);
   if (stored / kMostBytesPerByte > reader.context.in.size())
-    return fail(ErrorCode::bad_file, name + ": says its size is " + std::to_string(width) + "x" +
-                                         std::to_string(height) + ", which its " +
-                                         std::to_string(reader.context.in.size()) +
-                                         " bytes cannot hold; the file is truncated or damaged");
+    return fail(ErrorCode::bad_file,
+                name + ": says its size is " + std::to_string(width) + "x" + std::to_string(height) + ", which its " +
+                    std::to_string(reader.context.in.size()) + " bytes cannot hold; the file is truncated or damaged");
   pixels.width = static_cast<int>(width);
   pixels.height = static_cast<int>(height);
   pixels.stored_bits = png_get_bit_depth(reader.png, reader.info);
@@ -173,6 +188,7 @@ Result<void> readHeader(Reader& reader, const std::string& name, Pixels& pixels)
 }
 
 Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, const std::string& name, Form form) {
+  MIRRORBALL_TRY_VOID(checkChunks(bytes, name));
   Reader reader(bytes);
   if (!reader.info) return fail(ErrorCode::too_large, name + ": not enough memory to decode it");
   Pixels pixels;
@@ -218,10 +234,10 @@ int colorType(int channels) {
   return channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA;
 }
 
-/// The better of two filters for each row, and of deflate only its runs of one byte. After the filters
-/// a rendered or photographed picture has hardly anything else that repeats, and looking for it is
-/// what takes the time. A noisy 1280 × 720 picture takes 21 ms and 1.20 MB this way on one core;
-/// libpng's own choice (all filters, level 6, Z_FILTERED) takes 360 ms and 1.18 MB.
+/// The better of two filters for each row, and of deflate only its runs of one byte. After the
+/// filters a rendered or photographed picture has hardly anything else that repeats, and looking
+/// for it is what takes the time. A noisy 1280 × 720 picture takes 21 ms and 1.20 MB this way on
+/// one core; libpng's own choice (all filters, level 6, Z_FILTERED) takes 360 ms and 1.18 MB.
 void setCompression(png_structp png) {
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
   png_set_compression_level(png, 1);
@@ -232,8 +248,7 @@ void setCompression(png_structp png) {
 
 bool isPng(std::span<const std::uint8_t> bytes) {
   constexpr std::uint8_t kMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  return bytes.size() >= sizeof kMagic &&
-         std::equal(std::begin(kMagic), std::end(kMagic), bytes.begin());
+  return bytes.size() >= sizeof kMagic && std::equal(std::begin(kMagic), std::end(kMagic), bytes.begin());
 }
 
 Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
@@ -254,7 +269,7 @@ Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, const s
   for (const auto& [key, value] : metadata) {
     png_text text{};
     text.compression = PNG_TEXT_COMPRESSION_NONE;
-    text.key = const_cast<char*>(key.c_str());     // libpng only reads them
+    text.key = const_cast<char*>(key.c_str());  // libpng only reads them
     text.text = const_cast<char*>(value.c_str());
     text.text_length = value.size();
     texts.push_back(text);
@@ -264,18 +279,16 @@ Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, const s
     png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     setCompression(writer.png);
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(picture.width()),
-                 static_cast<png_uint_32>(picture.height()), 8, colorType(picture.channels()),
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 static_cast<png_uint_32>(picture.height()), 8, colorType(picture.channels()), PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_text(writer.png, writer.info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(writer.png, writer.info);
-    for (int y = 0; y < picture.height(); ++y)
-      png_write_row(writer.png, picture.row(y).data());
+    for (int y = 0; y < picture.height(); ++y) png_write_row(writer.png, picture.row(y).data());
     png_write_end(writer.png, nullptr);
   });
   if (!written)
-    return fail(ErrorCode::too_large, name + ": cannot be encoded as PNG: " +
-                                          std::string(writer.context.message));
+    return fail(ErrorCode::too_large, name + ": cannot be encoded as PNG: " + std::string(writer.context.message));
   return std::move(writer.context.out);
 }
 

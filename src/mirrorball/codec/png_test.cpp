@@ -1,11 +1,10 @@
 #include "mirrorball/codec/png.h"
 
-#include <png.h>
-
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include "formula/formula.h"
 #include "mirrorball/codec/codec_testing.h"
@@ -15,8 +14,8 @@ namespace mirrorball {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using testing::gradient;
+using ::testing::HasSubstr;
 
 /// What a hand-made PNG is made of.
 struct Recipe {
@@ -41,15 +40,12 @@ Bytes made(const Recipe& recipe) {
         to->insert(to->end(), from, from + count);
       },
       [](png_structp) {});
-  png_set_IHDR(png, info, static_cast<png_uint_32>(recipe.width),
-               static_cast<png_uint_32>(recipe.height), recipe.depth, recipe.color_type,
-               recipe.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
+  png_set_IHDR(png, info, static_cast<png_uint_32>(recipe.width), static_cast<png_uint_32>(recipe.height), recipe.depth,
+               recipe.color_type, recipe.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  if (!recipe.palette.empty())
-    png_set_PLTE(png, info, recipe.palette.data(), static_cast<int>(recipe.palette.size()));
+  if (!recipe.palette.empty()) png_set_PLTE(png, info, recipe.palette.data(), static_cast<int>(recipe.palette.size()));
   if (!recipe.palette_alpha.empty())
-    png_set_tRNS(png, info, recipe.palette_alpha.data(),
-                 static_cast<int>(recipe.palette_alpha.size()), nullptr);
+    png_set_tRNS(png, info, recipe.palette_alpha.data(), static_cast<int>(recipe.palette_alpha.size()), nullptr);
   png_write_info(png, info);
   std::vector<Bytes> rows = recipe.rows;
   std::vector<png_bytep> pointers;
@@ -89,8 +85,7 @@ TEST_P(PngSize, CodesComeBack) {
   ASSERT_TRUE(bytes);
   const DecodedImage back = light(*bytes);
   ASSERT_EQ(back.image.channels(), channels);
-  EXPECT_THAT(pictureFromLinear(back.image, channels).samples(),
-              ::testing::ElementsAreArray(picture.samples()));
+  EXPECT_THAT(pictureFromLinear(back.image, channels).samples(), ::testing::ElementsAreArray(picture.samples()));
   EXPECT_EQ(back.format, "PNG, 8 bit, sRGB");
 
   const Image8 rgba = texture(*bytes);
@@ -100,8 +95,7 @@ TEST_P(PngSize, CodesComeBack) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SizesAndChannels, PngSize,
-                         ::testing::Combine(::testing::Values(glm::ivec2{1, 1}, glm::ivec2{7, 3},
-                                                              glm::ivec2{200, 90}),
+                         ::testing::Combine(::testing::Values(glm::ivec2{1, 1}, glm::ivec2{7, 3}, glm::ivec2{200, 90}),
                                             ::testing::Values(1, 3, 4)));
 
 TEST(Png, MetadataComesBackAndForeignTextsDoNot) {
@@ -112,8 +106,11 @@ TEST(Png, MetadataComesBackAndForeignTextsDoNot) {
 
 TEST(Png, GreyOfEveryDepth) {
   // Two texels: black and the brightest.
-  for (const auto& [depth, row] : {std::pair{1, Bytes{0x40}}, {2, Bytes{0x30}}, {4, Bytes{0x0f}},
-                                   {8, Bytes{0, 255}}, {16, Bytes{0, 0, 255, 255}}}) {
+  for (const auto& [depth, row] : {std::pair{1, Bytes{0x40}},
+                                   {2, Bytes{0x30}},
+                                   {4, Bytes{0x0f}},
+                                   {8, Bytes{0, 255}},
+                                   {16, Bytes{0, 0, 255, 255}}}) {
     const Bytes bytes = made({.width = 2, .depth = depth, .color_type = PNG_COLOR_TYPE_GRAY, .rows = {row}});
     EXPECT_THAT(light(bytes).image.samples(), ElementsAre(0.0f, 1.0f)) << depth;
     EXPECT_THAT(texture(bytes).samples(), ElementsAre(0, 0, 0, 255, 255, 255, 255, 255)) << depth;
@@ -187,10 +184,15 @@ TEST(Png, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
 }
 
 TEST(Png, DamageNamesTheByte) {
-  Bytes bytes = *encodePng(Image8(40, 40, 3), {}, "a");
-  bytes.erase(bytes.end() - 20, bytes.end());
-  EXPECT_THAT(decodePng(bytes, "a.png").error().message,
-              ::testing::StartsWith("a.png: is a damaged PNG, at byte "));
+  const Bytes bytes = *encodePng(Image8(40, 40, 3), {}, "a");
+  const Bytes truncated(bytes.begin(), bytes.end() - 20);
+  EXPECT_EQ(decodePng(truncated, "a.png").error().message.substr(0, 30),
+            "a.png: the chunk at byte 46 sa");  // the image data, behind IHDR and sRGB
+  const Bytes endless(bytes.begin(), bytes.end() - 12);
+  EXPECT_THAT(decodePng(endless, "a.png").error().message, HasSubstr("no end chunk"));
+  Bytes changed = bytes;
+  changed[60] ^= 1;
+  EXPECT_THAT(decodePng(changed, "a.png").error().message, ::testing::StartsWith("a.png: is a damaged PNG, at byte "));
 }
 
 }  // namespace

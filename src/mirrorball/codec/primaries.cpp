@@ -41,8 +41,8 @@ bool arePossible(const Primaries& primaries) {
 }
 
 /// Lam's Bradford cone responses (CIE 160:2004 gives the same matrix), row by row.
-const glm::dmat3 kConesFromXyz = glm::transpose(
-    glm::dmat3(0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296));
+const glm::dmat3 kConesFromXyz =
+    glm::transpose(glm::dmat3(0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296));
 
 glm::dmat3 adaptation(glm::dvec2 from_white, glm::dvec2 to_white) {
   const glm::dvec3 gain = (kConesFromXyz * xyzOf(to_white)) / (kConesFromXyz * xyzOf(from_white));

@@ -20,8 +20,7 @@ const std::vector<float>& decodeTable() {
     constexpr std::size_t kCodes = std::size_t{1} << Bits;
     std::vector<float> light(kCodes);
     for (std::size_t code = 0; code < kCodes; ++code)
-      light[code] =
-          formula::linearFromSrgb1(static_cast<float>(code) / static_cast<float>(kCodes - 1));
+      light[code] = formula::linearFromSrgb1(static_cast<float>(code) / static_cast<float>(kCodes - 1));
     return light;
   }();
   return table;
@@ -34,8 +33,7 @@ Image decode(std::span<const Code> samples, int width, int height, int channels)
   constexpr float kLargest = static_cast<float>((1 << Bits) - 1);
   const std::size_t row_length = std::size_t(width) * std::size_t(channels);
   parallelFor(std::size_t(height), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin * row_length; i < end * row_length; ++i)
-      image.samples()[i] = table[samples[i]];
+    for (std::size_t i = begin * row_length; i < end * row_length; ++i) image.samples()[i] = table[samples[i]];
     if (channels < 4) return;
     for (std::size_t i = begin * row_length + 3; i < end * row_length; i += 4)
       image.samples()[i] = static_cast<float>(samples[i]) / kLargest;
@@ -54,8 +52,7 @@ class Encoder {
     for (std::size_t k = 0; k < boundaries_.size(); ++k)
       boundaries_[k] = formula::linearFromSrgb1((static_cast<float>(k) + 0.5f) / 255.0f);
     for (std::size_t interval = 0; interval < first_codes_.size(); ++interval) {
-      const float lower = std::bit_cast<float>(
-          static_cast<std::uint32_t>((interval + kFirstInterval) << kDroppedBits));
+      const float lower = std::bit_cast<float>(static_cast<std::uint32_t>((interval + kFirstInterval) << kDroppedBits));
       const auto above = std::upper_bound(boundaries_.begin(), boundaries_.end(), lower);
       first_codes_[interval] = static_cast<std::uint8_t>(above - boundaries_.begin());
     }
@@ -64,8 +61,7 @@ class Encoder {
   std::uint8_t encode(float light) const {
     if (!(light >= kSmallest)) return 0;  // so that NaN becomes 0
     if (light >= 1.0f) return 255;
-    const std::size_t interval =
-        (std::bit_cast<std::uint32_t>(light) >> kDroppedBits) - kFirstInterval;
+    const std::size_t interval = (std::bit_cast<std::uint32_t>(light) >> kDroppedBits) - kFirstInterval;
     std::uint8_t code = first_codes_[interval];
     while (code < 255 && light >= boundaries_[code]) ++code;
     return code;
@@ -74,10 +70,8 @@ class Encoder {
  private:
   static constexpr int kDroppedBits = 23 - 7;
   static constexpr float kSmallest = 0x1p-13f;  // below the first boundary, ½/255/12.92 = 1.5e-4
-  static constexpr std::uint32_t kFirstInterval =
-      std::bit_cast<std::uint32_t>(kSmallest) >> kDroppedBits;
-  static constexpr std::size_t kIntervals =
-      (std::bit_cast<std::uint32_t>(1.0f) >> kDroppedBits) - kFirstInterval;
+  static constexpr std::uint32_t kFirstInterval = std::bit_cast<std::uint32_t>(kSmallest) >> kDroppedBits;
+  static constexpr std::size_t kIntervals = (std::bit_cast<std::uint32_t>(1.0f) >> kDroppedBits) - kFirstInterval;
 
   std::array<float, 255> boundaries_;
   std::array<std::uint8_t, kIntervals> first_codes_;
@@ -99,8 +93,7 @@ Image linearFromPicture(const Image8& picture) {
   return decode<8>(picture.samples(), picture.width(), picture.height(), picture.channels());
 }
 
-Image linearFromSamples16(std::span<const std::uint16_t> samples, int width, int height,
-                          int channels) {
+Image linearFromSamples16(std::span<const std::uint16_t> samples, int width, int height, int channels) {
   return decode<16>(samples, width, height, channels);
 }
 
@@ -112,8 +105,7 @@ Image8 pictureFromLinear(const Image& image, int channels) {
       for (int x = 0; x < image.width(); ++x) {
         const float* light = image.texel(x, static_cast<int>(y));
         std::uint8_t* code = picture.texel(x, static_cast<int>(y));
-        for (int c = 0; c < channels; ++c)
-          code[c] = c == 3 ? alpha8(light[c]) : encoding.encode(light[c]);
+        for (int c = 0; c < channels; ++c) code[c] = c == 3 ? alpha8(light[c]) : encoding.encode(light[c]);
       }
   });
   return picture;

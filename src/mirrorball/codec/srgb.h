@@ -14,8 +14,7 @@ Image linearFromPicture(const Image8& picture);
 /// The same of 16-bit samples.
 ///
 /// samples  width · height · channels, in the machine's byte order
-Image linearFromSamples16(std::span<const std::uint16_t> samples, int width, int height,
-                          int channels);
+Image linearFromSamples16(std::span<const std::uint16_t> samples, int width, int height, int channels);
 
 /// Encodes linear light to sRGB: clipped to [0, 1], rounded to the nearest code; NaN becomes 0.
 ///

@@ -16,8 +16,7 @@ TEST(Srgb, EveryCodeComesBack) {
   const Image light = linearFromPicture(codes);
   EXPECT_EQ(light.samples().front(), 0.0f);
   EXPECT_EQ(light.samples().back(), 1.0f);
-  for (int code = 0; code < 256; ++code)
-    EXPECT_EQ(srgb8FromLinear(light.texel(code, 0)[0]), code);
+  for (int code = 0; code < 256; ++code) EXPECT_EQ(srgb8FromLinear(light.texel(code, 0)[0]), code);
 }
 
 TEST(Srgb, EncodingRoundsTheFormula) {
@@ -51,8 +50,7 @@ TEST(Srgb, SixteenBitsKeepTheirPrecision) {
   const std::uint16_t samples[] = {0, 1, 1000, 1001, 65535};
   const Image light = linearFromSamples16(samples, 5, 1, 1);
   for (int i = 0; i < 5; ++i)
-    EXPECT_FLOAT_EQ(light.texel(i, 0)[0],
-                    formula::linearFromSrgb1(static_cast<float>(samples[i]) / 65535.0f));
+    EXPECT_FLOAT_EQ(light.texel(i, 0)[0], formula::linearFromSrgb1(static_cast<float>(samples[i]) / 65535.0f));
   EXPECT_LT(light.texel(2, 0)[0], light.texel(3, 0)[0]);
 }
 

@@ -45,20 +45,22 @@ float coverage(const SoftBox& box, glm::vec3 d) {
   return (1.0f - glm::smoothstep(-edge, edge, beyond.x)) * (1.0f - glm::smoothstep(-edge, edge, beyond.y));
 }
 
-/// A large warm key to the upper left of the default camera, a cool strip behind on the right, a fill, a ceiling box,
-/// over walls that grow lighter towards the horizon.
+/// For a camera at azimuth 30°, elevation 15°: a large warm key on the upper left, a softer fill on the right, two
+/// strips behind the model that draw its edges, a ceiling box, over walls that grow lighter towards the horizon, and
+/// behind the camera more than behind the model.
 glm::vec3 studioRadiance(glm::vec3 d) {
   static const std::array<SoftBox, 5> kBoxes{{
-      {{-0.55f, 0.65f, 0.75f}, {0.42f, 0.42f}, glm::vec3(9.0f, 8.5f, 7.8f)},
-      {{0.95f, 0.25f, -0.35f}, {0.12f, 0.75f}, glm::vec3(7.0f, 7.8f, 9.0f)},
-      {{-0.95f, 0.10f, -0.45f}, {0.10f, 0.60f}, glm::vec3(5.0f, 5.2f, 5.6f)},
-      {{0.85f, 0.20f, 0.75f}, {0.35f, 0.28f}, glm::vec3(1.6f, 1.7f, 1.9f)},
-      {{0.0f, 1.0f, -0.15f}, {0.55f, 0.30f}, glm::vec3(4.0f, 4.0f, 4.0f)},
+      {{-0.45f, 0.62f, 0.95f}, {0.40f, 0.40f}, glm::vec3(9.0f, 8.4f, 7.6f)},
+      {{0.95f, 0.22f, 0.45f}, {0.28f, 0.40f}, glm::vec3(2.2f, 2.3f, 2.5f)},
+      {{0.62f, 0.15f, -0.78f}, {0.12f, 0.70f}, glm::vec3(7.0f, 7.8f, 9.0f)},
+      {{-0.98f, 0.10f, 0.15f}, {0.12f, 0.70f}, glm::vec3(6.0f, 6.2f, 6.6f)},
+      {{0.0f, 1.0f, -0.15f}, {0.60f, 0.32f}, glm::vec3(4.5f, 4.5f, 4.5f)},
   }};
-  const float height = glm::smoothstep(-0.9f, 0.9f, d.y);
-  const float horizon = std::exp(-12.0f * d.y * d.y);
-  glm::vec3 light = glm::mix(glm::vec3(0.030f, 0.028f, 0.027f), glm::vec3(0.060f, 0.066f, 0.078f), height) +
-                    horizon * glm::vec3(0.105f, 0.105f, 0.110f);
+  const float height = glm::smoothstep(-0.8f, 0.8f, d.y);
+  const float behind_camera = glm::smoothstep(-0.4f, 0.9f, glm::dot(d, glm::vec3(0.5f, 0.0f, 0.866f)));
+  const float horizon = glm::mix(0.45f, 1.5f, behind_camera) * std::exp(-8.0f * (d.y + 0.08f) * (d.y + 0.08f));
+  glm::vec3 light = glm::mix(glm::vec3(0.070f, 0.066f, 0.062f), glm::vec3(0.110f, 0.122f, 0.145f), height) +
+                    horizon * glm::vec3(0.300f, 0.300f, 0.310f);
   for (const SoftBox& box : kBoxes) light = glm::mix(light, box.radiance, coverage(box, d));
   return light;
 }

@@ -27,19 +27,26 @@ float greatestSample(const ImageSet& chain) {
   return greatest;
 }
 
+/// Harmonics up to l = 2 vary so slowly that a cube of 64² texels a face holds them: the coarse level has the same flux
+/// from each part of the sphere, and costs a hundredth of the finest.
+IrradianceHarmonics irradianceOfChain(const ImageSet& chain) {
+  int level = 0;
+  while (level + 1 < chain.levels() && chain.at(level + 1, 0).width() >= 64) ++level;
+  ImageSet faces(1, 6);
+  for (int face = 0; face < 6; ++face) faces.at(0, face) = chain.at(level, face);
+  return irradianceHarmonics(EnvironmentMap(Projection::cube, std::move(faces)));
+}
+
 }  // namespace
 
 PreparedEnvironment prepareEnvironment(const Environment& environment) {
   PreparedEnvironment prepared;
-  if (environment.map() && environment.map()->projection() == Projection::cube) {
-    prepared.chain = mipChain(*environment.map());
-    prepared.irradiance = irradianceHarmonics(*environment.map());
-  } else {
-    // Only an interruption makes it fail, and nobody is asked for one here.
-    const EnvironmentMap cube = *convert(environment, Projection::cube, faceSide(environment));
-    prepared.chain = mipChain(cube);
-    prepared.irradiance = irradianceHarmonics(cube);
-  }
+  const EnvironmentMap* map = environment.map();
+  // Only an interruption makes convert fail, and nobody is asked for one here.
+  prepared.chain = map && map->projection() == Projection::cube
+                       ? mipChain(*map)
+                       : mipChain(*convert(environment, Projection::cube, faceSide(environment)));
+  prepared.irradiance = irradianceOfChain(prepared.chain);
   prepared.needs_floats = greatestSample(prepared.chain) > kLargestHalf;
   return prepared;
 }

@@ -35,7 +35,7 @@ struct RenderOptions {
   float fov_deg = 35.0f;
   std::vector<float> orthographic;
   float exposure_ev = 0.0f;
-  ToneMap tone_map = ToneMap::agx;
+  ToneMap tone_map = ToneMap::neutral;
   float env_rotation_deg = 0.0f;
   float env_intensity = 1.0f;
   std::string background = "env";
@@ -57,7 +57,7 @@ struct FrameSettings {
   glm::ivec2 size{1280, 720};
   CameraOptions camera;
   float exposure = 1.0f;  ///< factor, 2^EV
-  ToneMap tone_map = ToneMap::agx;
+  ToneMap tone_map = ToneMap::neutral;
   float env_rotation_rad = 0.0f;
   float env_intensity = 1.0f;
   BackgroundKind background = BackgroundKind::environment;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh_checks.h"
+#include "mirrorball/scene/mesh_testing.h"
 
 namespace mirrorball {
 namespace {

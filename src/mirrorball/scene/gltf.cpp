@@ -2,26 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
-#include <string_view>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include <glm/gtc/quaternion.hpp>
-
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/scene/gltf_file.h"
 #include "mirrorball/scene/gltf_material.h"
 #include "mirrorball/scene/gltf_mesh.h"
 
 namespace mirrorball {
+namespace gltf {
 namespace {
 
 // 2²⁶ vertices of 72 bytes each: a small file that names the same accessor again and again must not fill the memory.
 constexpr std::size_t kMostVertices = std::size_t{1} << 26;
-
-std::string quoted(const char* array, int index) { return std::string(array) + "[" + std::to_string(index) + "]"; }
 
 bool isFinite(const glm::dmat4& matrix) {
   for (int column = 0; column < 4; ++column)
@@ -39,14 +37,29 @@ Mesh mirrored(Mesh mesh) {
   return mesh;
 }
 
+/// How much memory a primitive asks for, by what its accessors say: vertices, or corners where it has more of them.
+std::size_t declaredSize(const Document& document, const Primitive& primitive) {
+  const auto count_of = [&](int accessor) {
+    const bool exists = accessor >= 0 && std::size_t(accessor) < document.accessors.size();
+    return exists ? document.accessors[std::size_t(accessor)].count : 0;
+  };
+  const auto position = primitive.attributes.find("POSITION");
+  const std::size_t vertices = position == primitive.attributes.end() ? 0 : count_of(position->second);
+  return std::max(vertices, count_of(primitive.indices));
+}
+
 class SceneBuilder {
  public:
-  explicit SceneBuilder(const GltfFile& file) : file_(file), materials_(file, scene_) {}
+  explicit SceneBuilder(const File& file) : file_(file), document_(file.document), materials_(file, scene_) {}
 
   Result<Scene> build() {
-    warnOfOmissions();
+    for (const std::string& what : document_.left_out)
+      scene_.warnings.push_back(file_.name + ": its " + what + " are left out");
     MIRRORBALL_TRY(roots, rootNodes());
-    MIRRORBALL_TRY_VOID(addNodes(roots));
+    MIRRORBALL_TRY(placements, walk(roots));
+    MIRRORBALL_TRY(jobs, planPrimitives(placements));
+    MIRRORBALL_TRY_VOID(readPrimitives(jobs));
+    addInstances(placements);
     if (scene_.instances.empty())
       return fail(ErrorCode::bad_file, file_.name + ": its scene shows no triangles");
     MIRRORBALL_TRY_VOID(materials_.decodeTextures());
@@ -59,120 +72,121 @@ class SceneBuilder {
     glm::dmat4 world_from_parent;
     std::string key;  // what refers to the node
   };
-
-  void warnOfOmissions() {
-    const auto warn = [&](bool has, const std::string& what) {
-      if (has) scene_.warnings.push_back(file_.name + ": " + what + " left out");
-    };
-    warn(!file_.model.animations.empty(), "its animations are");
-    warn(!file_.model.skins.empty(), "its skins are");
-    warn(!file_.model.lights.empty(), "its lights are");
-  }
+  struct Placement {
+    int mesh;  // of the file
+    glm::dmat4 world_from_node;
+  };
+  struct Job {
+    int mesh;  // of the file
+    const Primitive* primitive;
+    int material;  // of the scene
+    int normal_uv_set;
+    std::string key;
+  };
 
   /// The nodes of the default scene; of a file that names none, all that are nobody's child.
   Result<std::vector<Visit>> rootNodes() const {
     std::vector<Visit> roots;
-    if (file_.model.defaultScene != -1) {
-      const int scene = file_.model.defaultScene;
-      MIRRORBALL_TRY_VOID(checkIndex(file_, scene, file_.model.scenes.size(), "scene", "scenes"));
-      for (const int node : file_.model.scenes[std::size_t(scene)].nodes)
-        roots.push_back({node, glm::dmat4(1.0), quoted("scenes", scene) + ".nodes"});
+    if (const int scene = document_.scene; scene != -1) {
+      MIRRORBALL_TRY_VOID(checkIndex(file_, scene, document_.scenes.size(), "scene", "scenes"));
+      for (const int node : document_.scenes[std::size_t(scene)])
+        roots.push_back({node, glm::dmat4(1.0), quoted("scenes", std::size_t(scene)) + ".nodes"});
       return roots;
     }
-    const auto count = file_.model.nodes.size();
-    std::vector<bool> is_child(count, false);
-    for (const tinygltf::Node& node : file_.model.nodes)
+    std::vector<bool> is_child(document_.nodes.size(), false);
+    for (const Node& node : document_.nodes)
       for (const int child : node.children)
-        if (child >= 0 && std::size_t(child) < count) is_child[std::size_t(child)] = true;
-    for (std::size_t i = 0; i < count; ++i)
+        if (child >= 0 && std::size_t(child) < is_child.size()) is_child[std::size_t(child)] = true;
+    for (std::size_t i = 0; i < is_child.size(); ++i)
       if (!is_child[i]) roots.push_back({static_cast<int>(i), glm::dmat4(1.0), "nodes"});
     return roots;
   }
 
   /// Walks the tree with a stack of its own, so that a deep one cannot overflow the program's.
-  Result<void> addNodes(std::vector<Visit> pending) {
-    std::vector<bool> visited(file_.model.nodes.size(), false);
+  Result<std::vector<Placement>> walk(std::vector<Visit> pending) const {
+    std::vector<Placement> placements;
+    std::vector<bool> visited(document_.nodes.size(), false);
     while (!pending.empty()) {
       const Visit visit = std::move(pending.back());
       pending.pop_back();
-      MIRRORBALL_TRY_VOID(checkIndex(file_, visit.node, file_.model.nodes.size(), visit.key, "nodes"));
-      const std::string key = quoted("nodes", visit.node);
-      if (visited[std::size_t(visit.node)])
-        return fail(ErrorCode::bad_file, file_.name + ": " + key +
-                                             " is reached twice; nodes must form a tree without cycles");
-      visited[std::size_t(visit.node)] = true;
+      MIRRORBALL_TRY_VOID(checkIndex(file_, visit.node, document_.nodes.size(), visit.key, "nodes"));
+      const auto index = std::size_t(visit.node);
+      const std::string key = quoted("nodes", index);
+      if (visited[index])
+        return fail(ErrorCode::bad_file,
+                    file_.name + ": " + key + " is reached twice; nodes must form a tree without cycles");
+      visited[index] = true;
 
-      const tinygltf::Node& node = file_.model.nodes[std::size_t(visit.node)];
-      MIRRORBALL_TRY(parent_from_node, transformOf(node, key));
-      const glm::dmat4 world_from_node = visit.world_from_parent * parent_from_node;
+      const Node& node = document_.nodes[index];
+      const glm::dmat4 world_from_node = visit.world_from_parent * node.parent_from_node;
       if (!isFinite(world_from_node))
-        return fail(ErrorCode::bad_file, file_.name + ": " + key + " has a transform that is not finite");
-      if (node.mesh != -1) MIRRORBALL_TRY_VOID(addInstances(node.mesh, world_from_node, key));
+        return fail(ErrorCode::bad_file, file_.name + ": " + key + " has a transform that is too large");
+      if (node.mesh != -1) {
+        MIRRORBALL_TRY_VOID(checkIndex(file_, node.mesh, document_.meshes.size(), key + ".mesh", "meshes"));
+        // What is scaled to nothing is a file's way to hide it.
+        if (determinantOf(world_from_node) != 0.0) placements.push_back({node.mesh, world_from_node});
+      }
       for (const int child : node.children) pending.push_back({child, world_from_node, key + ".children"});
     }
-    return {};
+    return placements;
   }
 
-  Result<glm::dmat4> transformOf(const tinygltf::Node& node, const std::string& key) const {
-    const auto has = [](const std::vector<double>& numbers, std::size_t size) {
-      return numbers.empty() || numbers.size() == size;
-    };
-    if (!has(node.matrix, 16) || !has(node.translation, 3) || !has(node.rotation, 4) || !has(node.scale, 3))
-      return fail(ErrorCode::bad_file, file_.name + ": " + key + " has a transform with a wrong count of numbers");
-    glm::dmat4 matrix(1.0);
-    if (!node.matrix.empty()) {
-      for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[std::size_t(i)];  // column by column
-      return matrix;
-    }
-    if (!node.translation.empty())
-      matrix[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
-    if (!node.rotation.empty()) {
-      const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-      if (!(glm::length(rotation) > 0.0))
-        return fail(ErrorCode::bad_file, file_.name + ": " + key + ".rotation has no length");
-      matrix *= glm::mat4_cast(glm::normalize(rotation));
-    }
-    if (!node.scale.empty())
-      for (int axis = 0; axis < 3; ++axis) matrix[axis] *= node.scale[std::size_t(axis)];
-    return matrix;
-  }
+  static double determinantOf(const glm::dmat4& matrix) { return glm::determinant(glm::dmat3(matrix)); }
 
-  Result<void> addInstances(int mesh, const glm::dmat4& world_from_node, const std::string& key) {
-    MIRRORBALL_TRY_VOID(checkIndex(file_, mesh, file_.model.meshes.size(), key + ".mesh", "meshes"));
-    const double determinant = glm::determinant(glm::dmat3(world_from_node));
-    if (determinant == 0.0) return {};  // scaled to nothing: a file's way to hide it
-    if (!scene_meshes_.contains(mesh)) MIRRORBALL_TRY_VOID(readMesh(mesh));
-    for (const int scene_mesh : scene_meshes_[mesh]) {
-      const int turned = determinant < 0.0 ? mirroredMesh(scene_mesh) : scene_mesh;
-      scene_.instances.push_back({turned, glm::mat4(world_from_node)});
-    }
-    return {};
-  }
-
-  /// Reads a glTF mesh's primitives when its first instance asks for them.
-  Result<void> readMesh(int mesh_index) {
-    std::vector<int>& scene_meshes = scene_meshes_[mesh_index];
-    const tinygltf::Mesh& source = file_.model.meshes[std::size_t(mesh_index)];
-    for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-      const tinygltf::Primitive& primitive = source.primitives[i];
-      const std::string key = quoted("meshes", mesh_index) + "." + quoted("primitives", static_cast<int>(i));
-      if (!hasTriangles(primitive)) {
-        scene_.warnings.push_back(file_.name + ": " + key + " is made of points or lines; it is left out");
-        continue;
+  /// Lists the primitives of the meshes that are placed, with their materials, and refuses them if they take too much
+  /// memory together.
+  Result<std::vector<Job>> planPrimitives(const std::vector<Placement>& placements) {
+    std::set<int> meshes;
+    for (const Placement& placement : placements) meshes.insert(placement.mesh);
+    std::vector<Job> jobs;
+    std::size_t left = kMostVertices;
+    for (const int mesh : meshes) {
+      const std::vector<Primitive>& primitives = document_.meshes[std::size_t(mesh)];
+      for (std::size_t i = 0; i < primitives.size(); ++i) {
+        const Primitive& primitive = primitives[i];
+        const std::string key = quoted("meshes", std::size_t(mesh)) + "." + quoted("primitives", i);
+        if (!hasTriangles(primitive)) {
+          scene_.warnings.push_back(file_.name + ": " + key + " is made of points or lines; it is left out");
+          continue;
+        }
+        if (primitive.has_targets)
+          scene_.warnings.push_back(file_.name + ": " + key + ".targets are left out; it keeps its basic shape");
+        const std::size_t size = declaredSize(document_, primitive);
+        if (size > left)
+          return fail(ErrorCode::too_large, file_.name + ": " + key + " brings the model above " +
+                                                std::to_string(kMostVertices) + " vertices");
+        left -= size;
+        MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
+        const int normal_uv_set = scene_.materials[std::size_t(material)].normal_texture.uv_set;
+        jobs.push_back({mesh, &primitive, material, normal_uv_set, key});
       }
-      if (!primitive.targets.empty())
-        scene_.warnings.push_back(file_.name + ": " + key + ".targets are left out; it keeps its basic shape");
-      MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
-      const TextureSlot& normal = scene_.materials[std::size_t(material)].normal_texture;
-      MIRRORBALL_TRY(mesh, readPrimitive(file_, primitive, normal.uv_set, verticesLeft(), key));
-      if (mesh.indices.empty()) continue;
-      mesh.material = material;
-      scene_meshes.push_back(addMesh(std::move(mesh)));
+    }
+    return jobs;
+  }
+
+  Result<void> readPrimitives(const std::vector<Job>& jobs) {
+    std::vector<Result<Mesh>> meshes(jobs.size());
+    parallelFor(jobs.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        meshes[i] = readPrimitive(file_, *jobs[i].primitive, jobs[i].normal_uv_set, jobs[i].key);
+    });
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      if (!meshes[i]) return fail(std::move(meshes[i]));
+      if (meshes[i]->indices.empty()) continue;
+      meshes[i]->material = jobs[i].material;
+      scene_meshes_[jobs[i].mesh].push_back(addMesh(std::move(*meshes[i])));
     }
     return {};
   }
 
-  std::size_t verticesLeft() const { return vertex_count_ < kMostVertices ? kMostVertices - vertex_count_ : 0; }
+  void addInstances(const std::vector<Placement>& placements) {
+    for (const auto& [mesh, world_from_node] : placements) {
+      for (const int scene_mesh : scene_meshes_[mesh]) {
+        const int turned = determinantOf(world_from_node) < 0.0 ? mirroredMesh(scene_mesh) : scene_mesh;
+        scene_.instances.push_back({turned, glm::mat4(world_from_node)});
+      }
+    }
+  }
 
   int mirroredMesh(int mesh) {
     const auto found = mirrored_.find(mesh);
@@ -181,26 +195,24 @@ class SceneBuilder {
   }
 
   int addMesh(Mesh mesh) {
-    vertex_count_ += std::max(mesh.vertices.size(), mesh.indices.size());
     scene_.meshes.push_back(std::move(mesh));
     return static_cast<int>(scene_.meshes.size()) - 1;
   }
 
-  const GltfFile& file_;
+  const File& file_;
+  const Document& document_;
   Scene scene_;
-  GltfMaterials materials_;
-  std::map<int, std::vector<int>> scene_meshes_;  // glTF mesh → its primitives in the scene
+  Materials materials_;
+  std::map<int, std::vector<int>> scene_meshes_;  // mesh of the file → its primitives in the scene
   std::map<int, int> mirrored_;                   // scene mesh → its mirrored copy
-  std::size_t vertex_count_ = 0;
 };
 
 }  // namespace
+}  // namespace gltf
 
 Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  std::vector<std::string_view> known(std::begin(kMaterialExtensions), std::end(kMaterialExtensions));
-  known.emplace_back("KHR_mesh_quantization");  // any component type is read everywhere
-  MIRRORBALL_TRY(file, readGltfFile(bytes, path, known));
-  return SceneBuilder(file).build();
+  MIRRORBALL_TRY(file, gltf::openFile(bytes, path));
+  return gltf::SceneBuilder(file).build();
 }
 
 Result<Scene> loadGltf(const std::filesystem::path& path) {

@@ -7,35 +7,23 @@
 
 #include "mirrorball/scene/gltf_file.h"
 
-// How an accessor's elements lie in its buffer: glTF 2.0, section 3.6. tinygltf checks none of it.
+// How an accessor's elements lie in its buffer: glTF 2.0, section 3.6.
 
-namespace mirrorball {
+namespace mirrorball::gltf {
 namespace {
 
 // An accessor without a buffer view is all zeros and takes memory that no bytes of the file stand for: at most this many
 // elements of it are made.
 constexpr std::size_t kMostZeroElements = std::size_t{1} << 24;
 
-std::string quoted(const char* array, int index) { return std::string(array) + "[" + std::to_string(index) + "]"; }
-
 std::size_t componentSize(int component_type) {
   switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
-    default: return 0;
-  }
-}
-
-std::size_t componentCount(int type) {
-  switch (type) {
-    case TINYGLTF_TYPE_SCALAR: return 1;
-    case TINYGLTF_TYPE_VEC2: return 2;
-    case TINYGLTF_TYPE_VEC3: return 3;
-    case TINYGLTF_TYPE_VEC4: return 4;
+    case kByte:
+    case kUnsignedByte: return 1;
+    case kShort:
+    case kUnsignedShort: return 2;
+    case kUnsignedInt:
+    case kFloat: return 4;
     default: return 0;
   }
 }
@@ -51,39 +39,39 @@ Value loadAs(const std::uint8_t* bytes) {
 float loadNumber(const std::uint8_t* bytes, int component_type, bool normalized) {
   const auto signed_share = [](float value, float full) { return std::max(value / full, -1.0f); };
   switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: {
+    case kByte: {
       const auto value = static_cast<float>(loadAs<std::int8_t>(bytes));
       return normalized ? signed_share(value, 127.0f) : value;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: {
+    case kUnsignedByte: {
       const auto value = static_cast<float>(loadAs<std::uint8_t>(bytes));
       return normalized ? value / 255.0f : value;
     }
-    case TINYGLTF_COMPONENT_TYPE_SHORT: {
+    case kShort: {
       const auto value = static_cast<float>(loadAs<std::int16_t>(bytes));
       return normalized ? signed_share(value, 32767.0f) : value;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
+    case kUnsignedShort: {
       const auto value = static_cast<float>(loadAs<std::uint16_t>(bytes));
       return normalized ? value / 65535.0f : value;
     }
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return static_cast<float>(loadAs<std::uint32_t>(bytes));
+    case kUnsignedInt: return static_cast<float>(loadAs<std::uint32_t>(bytes));
     default: return loadAs<float>(bytes);
   }
 }
 
 std::uint32_t loadInteger(const std::uint8_t* bytes, int component_type) {
   switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return loadAs<std::uint8_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return loadAs<std::uint16_t>(bytes);
+    case kUnsignedByte: return loadAs<std::uint8_t>(bytes);
+    case kUnsignedShort: return loadAs<std::uint16_t>(bytes);
     default: return loadAs<std::uint32_t>(bytes);
   }
 }
 
 bool isUnsignedInteger(int component_type) {
-  return component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-         component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-         component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+  return component_type == kUnsignedByte ||
+         component_type == kUnsignedShort ||
+         component_type == kUnsignedInt;
 }
 
 /// Elements that lie in a buffer, all of them inside it.
@@ -94,13 +82,13 @@ struct Elements {
 };
 
 /// The elements of `size` bytes that begin at `offset` of a buffer view.
-Result<Elements> elementsIn(const GltfFile& file, int view_index, std::size_t offset, std::size_t size,
+Result<Elements> elementsIn(const File& file, int view_index, std::size_t offset, std::size_t size,
                             std::size_t count, bool may_stride, const std::string& key) {
   MIRRORBALL_TRY(bytes, viewBytes(file, view_index, key + ".bufferView"));
-  const std::size_t given = file.model.bufferViews[std::size_t(view_index)].byteStride;
+  const std::size_t given = file.document.buffer_views[std::size_t(view_index)].byte_stride;
   const std::size_t stride = may_stride && given != 0 ? given : size;
   if (stride < size)
-    return fail(ErrorCode::bad_file, file.name + ": " + quoted("bufferViews", view_index) + ".byteStride is " +
+    return fail(ErrorCode::bad_file, file.name + ": " + quoted("bufferViews", std::size_t(view_index)) + ".byteStride is " +
                                          std::to_string(stride) + ", less than an element of " + key);
   if (count == 0) return Elements{};
   const std::size_t last = std::numeric_limits<std::size_t>::max() - size;
@@ -109,7 +97,7 @@ Result<Elements> elementsIn(const GltfFile& file, int view_index, std::size_t of
   const std::size_t end = offset + (count - 1) * stride + size;
   if (end > bytes.size())
     return fail(ErrorCode::bad_file, file.name + ": " + key + " reaches byte " + std::to_string(end) + " of " +
-                                         quoted("bufferViews", view_index) + ", which has " +
+                                         quoted("bufferViews", std::size_t(view_index)) + ", which has " +
                                          std::to_string(bytes.size()));
   return Elements{bytes.data() + offset, stride};
 }
@@ -124,24 +112,20 @@ struct Layout {
   Elements replacements;
 };
 
-Result<void> addSparse(const GltfFile& file, const tinygltf::Accessor& accessor, const std::string& key,
-                       Layout& layout) {
-  const auto& sparse = accessor.sparse;
-  if (sparse.count < 0 || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 ||
-      std::size_t(sparse.count) > layout.count)
-    return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse has a count or offset out of range");
-  if (!isUnsignedInteger(sparse.indices.componentType))
+Result<void> addSparse(const File& file, const Sparse& sparse, const std::string& key, Layout& layout) {
+  if (sparse.count > layout.count)
+    return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse.count is " + std::to_string(sparse.count) +
+                                         ", more than the accessor has");
+  if (!isUnsignedInteger(sparse.indices_type))
     return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse.indices.componentType is none of indices");
-  const auto count = std::size_t(sparse.count);
-  MIRRORBALL_TRY(indices, elementsIn(file, sparse.indices.bufferView, std::size_t(sparse.indices.byteOffset),
-                                     componentSize(sparse.indices.componentType), count, false,
-                                     key + ".sparse.indices"));
-  MIRRORBALL_TRY(values, elementsIn(file, sparse.values.bufferView, std::size_t(sparse.values.byteOffset),
-                                    layout.components * layout.component_size, count, false,
+  MIRRORBALL_TRY(indices, elementsIn(file, sparse.indices_view, sparse.indices_offset,
+                                     componentSize(sparse.indices_type), sparse.count, false, key + ".sparse.indices"));
+  MIRRORBALL_TRY(values, elementsIn(file, sparse.values_view, sparse.values_offset,
+                                    layout.components * layout.component_size, sparse.count, false,
                                     key + ".sparse.values"));
   layout.replacements = values;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t index = loadInteger(indices.at(i), sparse.indices.componentType);
+  for (std::size_t i = 0; i < sparse.count; ++i) {
+    const std::uint32_t index = loadInteger(indices.at(i), sparse.indices_type);
     if (index >= layout.count)
       return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse.indices names element " +
                                            std::to_string(index) + " of " + std::to_string(layout.count));
@@ -150,26 +134,26 @@ Result<void> addSparse(const GltfFile& file, const tinygltf::Accessor& accessor,
   return {};
 }
 
-Result<Layout> layoutOf(const GltfFile& file, int index, const std::string& referrer) {
-  MIRRORBALL_TRY_VOID(checkIndex(file, index, file.model.accessors.size(), referrer, "accessors"));
-  const tinygltf::Accessor& accessor = file.model.accessors[std::size_t(index)];
-  const std::string key = quoted("accessors", index);
+Result<Layout> layoutOf(const File& file, int index, const std::string& referrer) {
+  MIRRORBALL_TRY_VOID(checkIndex(file, index, file.document.accessors.size(), referrer, "accessors"));
+  const Accessor& accessor = file.document.accessors[std::size_t(index)];
+  const std::string key = quoted("accessors", std::size_t(index));
   Layout layout;
   layout.count = accessor.count;
-  layout.components = componentCount(accessor.type);
-  layout.component_size = componentSize(accessor.componentType);
+  layout.components = accessor.components;
+  layout.component_size = componentSize(accessor.component_type);
   if (layout.components == 0 || layout.component_size == 0)
     return fail(ErrorCode::bad_file, file.name + ": " + key + " has a type that " + referrer + " cannot have");
 
-  if (accessor.bufferView >= 0) {
-    MIRRORBALL_TRY(dense, elementsIn(file, accessor.bufferView, accessor.byteOffset,
+  if (accessor.buffer_view >= 0) {
+    MIRRORBALL_TRY(dense, elementsIn(file, accessor.buffer_view, accessor.byte_offset,
                                      layout.components * layout.component_size, layout.count, true, key));
     layout.dense = dense;
   } else if (layout.count > kMostZeroElements) {
     return fail(ErrorCode::too_large, file.name + ": " + key + ".count is " + std::to_string(layout.count) +
                                           ", but it has no bufferView");
   }
-  if (accessor.sparse.isSparse) MIRRORBALL_TRY_VOID(addSparse(file, accessor, key, layout));
+  if (accessor.sparse) MIRRORBALL_TRY_VOID(addSparse(file, *accessor.sparse, key, layout));
   return layout;
 }
 
@@ -183,57 +167,54 @@ void forEachElement(const Layout& layout, Take&& take) {
 
 }  // namespace
 
-Result<void> checkIndex(const GltfFile& file, int index, std::size_t count, const std::string& key,
-                        const char* things) {
-  if (index >= 0 && std::size_t(index) < count) return {};
-  return fail(ErrorCode::bad_file, file.name + ": " + key + " is " + std::to_string(index) + ", but there are " +
-                                       std::to_string(count) + " " + things);
-}
-
-Result<std::span<const std::uint8_t>> viewBytes(const GltfFile& file, int view_index, const std::string& key) {
-  MIRRORBALL_TRY_VOID(checkIndex(file, view_index, file.model.bufferViews.size(), key, "bufferViews"));
-  const tinygltf::BufferView& view = file.model.bufferViews[std::size_t(view_index)];
-  const std::string view_key = quoted("bufferViews", view_index);
-  MIRRORBALL_TRY_VOID(checkIndex(file, view.buffer, file.model.buffers.size(), view_key + ".buffer", "buffers"));
-  const std::vector<unsigned char>& data = file.model.buffers[std::size_t(view.buffer)].data;
-  if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
-    return fail(ErrorCode::bad_file, file.name + ": " + view_key + " takes " + std::to_string(view.byteLength) +
-                                         " bytes from byte " + std::to_string(view.byteOffset) + " of " +
-                                         quoted("buffers", view.buffer) + ", which has " +
+Result<std::span<const std::uint8_t>> viewBytes(const File& file, int view_index, const std::string& key) {
+  MIRRORBALL_TRY_VOID(checkIndex(file, view_index, file.document.buffer_views.size(), key, "bufferViews"));
+  const BufferView& view = file.document.buffer_views[std::size_t(view_index)];
+  const std::string view_key = quoted("bufferViews", std::size_t(view_index));
+  MIRRORBALL_TRY_VOID(checkIndex(file, view.buffer, file.buffers.size(), view_key + ".buffer", "buffers"));
+  const std::span<const std::uint8_t> data = file.buffers[std::size_t(view.buffer)];
+  if (view.byte_offset > data.size() || view.byte_length > data.size() - view.byte_offset)
+    return fail(ErrorCode::bad_file, file.name + ": " + view_key + " takes " + std::to_string(view.byte_length) +
+                                         " bytes from byte " + std::to_string(view.byte_offset) + " of " +
+                                         quoted("buffers", std::size_t(view.buffer)) + ", which has " +
                                          std::to_string(data.size()));
-  return std::span<const std::uint8_t>(data).subspan(view.byteOffset, view.byteLength);
+  return data.subspan(view.byte_offset, view.byte_length);
 }
 
-Result<GltfNumbers> readNumbers(const GltfFile& file, int index, const std::string& key) {
+Result<Numbers> readNumbers(const File& file, int index, const std::string& key) {
   MIRRORBALL_TRY(layout, layoutOf(file, index, key));
-  const tinygltf::Accessor& accessor = file.model.accessors[std::size_t(index)];
-  GltfNumbers numbers;
+  const Accessor& accessor = file.document.accessors[std::size_t(index)];
+  Numbers numbers;
   numbers.components = layout.components;
   numbers.values.assign(layout.count * layout.components, 0.0f);
   forEachElement(layout, [&](std::size_t element, const std::uint8_t* bytes) {
     float* out = numbers.values.data() + element * layout.components;
     for (std::size_t i = 0; i < layout.components; ++i)
-      out[i] = loadNumber(bytes + i * layout.component_size, accessor.componentType, accessor.normalized);
+      out[i] = loadNumber(bytes + i * layout.component_size, accessor.component_type, accessor.normalized);
   });
-  for (std::size_t i = 0; i < numbers.values.size(); ++i)
-    if (!std::isfinite(numbers.values[i]))
-      return fail(ErrorCode::bad_file, file.name + ": " + quoted("accessors", index) + " (" + key +
-                                           ") holds NaN or infinity in element " +
-                                           std::to_string(i / layout.components));
+  MIRRORBALL_TRY_VOID(checkFinite(file, numbers, quoted("accessors", std::size_t(index)) + " (" + key + ")"));
   return numbers;
 }
 
-Result<std::vector<std::uint32_t>> readIntegers(const GltfFile& file, int index, const std::string& key) {
+Result<void> checkFinite(const File& file, const Numbers& numbers, const std::string& key) {
+  for (std::size_t i = 0; i < numbers.values.size(); ++i)
+    if (!std::isfinite(numbers.values[i]))
+      return fail(ErrorCode::bad_file, file.name + ": " + key + " holds NaN or infinity in element " +
+                                           std::to_string(i / numbers.components));
+  return {};
+}
+
+Result<std::vector<std::uint32_t>> readIntegers(const File& file, int index, const std::string& key) {
   MIRRORBALL_TRY(layout, layoutOf(file, index, key));
-  const tinygltf::Accessor& accessor = file.model.accessors[std::size_t(index)];
-  if (layout.components != 1 || !isUnsignedInteger(accessor.componentType))
-    return fail(ErrorCode::bad_file, file.name + ": " + quoted("accessors", index) + " has a type that " + key +
+  const Accessor& accessor = file.document.accessors[std::size_t(index)];
+  if (layout.components != 1 || !isUnsignedInteger(accessor.component_type))
+    return fail(ErrorCode::bad_file, file.name + ": " + quoted("accessors", std::size_t(index)) + " has a type that " + key +
                                          " cannot have");
   std::vector<std::uint32_t> integers(layout.count, 0u);
   forEachElement(layout, [&](std::size_t element, const std::uint8_t* bytes) {
-    integers[element] = loadInteger(bytes, accessor.componentType);
+    integers[element] = loadInteger(bytes, accessor.component_type);
   });
   return integers;
 }
 
-}  // namespace mirrorball
+}  // namespace mirrorball::gltf

@@ -1,32 +1,43 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <tiny_gltf.h>
-
+#include "mirrorball/base/file.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/gltf_document.h"
 
-namespace mirrorball {
+namespace mirrorball::gltf {
 
-/// A glTF file as tinygltf reads it: the keys, the buffers' bytes, and the pictures' bytes still encoded. No index or
-/// range in it is checked yet.
-struct GltfFile {
+/// A glTF file: its JSON, and the bytes of its buffers. Everything that reads an accessor, a buffer view or a picture
+/// checks its range here.
+struct File {
   std::string name;  ///< for messages
-  tinygltf::Model model;
+  std::filesystem::path folder;
+  Document document;
+  std::vector<std::span<const std::uint8_t>> buffers;
+  std::vector<Bytes> storage;  ///< of the buffers that do not lie in the file itself
 };
 
-/// Reads the container (.glb or .gltf, told by its first bytes), the JSON, and the buffers and pictures beside it.
+/// Reads the container (.glb or .gltf, told by its first bytes), the JSON, and the buffers.
 ///
-/// errors   bad_file; unsupported (the version, or a required extension that `known_extensions` lacks)
-Result<GltfFile> readGltfFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
-                              std::span<const std::string_view> known_extensions);
+/// bytes    must live as long as the result, which points into them
+/// errors   bad_file; unsupported; io
+Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
+
+/// The bytes that a uri names: base64 data, or a file beside or below the model.
+///
+/// key      what holds the uri, for messages
+/// errors   bad_file (no base64; a missing file); unsupported (a network address)
+Result<Bytes> readUri(const File& file, const std::string& uri, const std::string& key);
 
 /// An attribute's numbers: `components` to an element.
-struct GltfNumbers {
+struct Numbers {
   std::vector<float> values;
   std::size_t components = 0;
   std::size_t count() const { return components == 0 ? 0 : values.size() / components; }
@@ -36,16 +47,28 @@ struct GltfNumbers {
 ///
 /// key      what refers to the accessor, for messages
 /// errors   bad_file (out of range; a value that is not finite); too_large
-Result<GltfNumbers> readNumbers(const GltfFile& file, int accessor, const std::string& key);
+Result<Numbers> readNumbers(const File& file, int accessor, const std::string& key);
+
+/// Refuses numbers among which there is NaN or infinity.
+Result<void> checkFinite(const File& file, const Numbers& numbers, const std::string& key);
 
 /// Reads an accessor of unsigned integers, such as vertex indices.
-Result<std::vector<std::uint32_t>> readIntegers(const GltfFile& file, int accessor, const std::string& key);
+Result<std::vector<std::uint32_t>> readIntegers(const File& file, int accessor, const std::string& key);
 
 /// The bytes of a buffer view, such as those of an embedded picture.
-Result<std::span<const std::uint8_t>> viewBytes(const GltfFile& file, int view, const std::string& key);
+Result<std::span<const std::uint8_t>> viewBytes(const File& file, int view, const std::string& key);
+
+/// Decodes what a primitive keeps in KHR_draco_mesh_compression.
+struct DracoMesh {
+  std::map<std::string, Numbers> attributes;
+  std::vector<std::uint32_t> corners;  ///< three a triangle, each the index of a vertex
+};
+Result<DracoMesh> decodeDraco(const File& file, const Primitive& primitive, const std::string& key);
 
 /// Refuses an index that is not that of one of `count` things.
-Result<void> checkIndex(const GltfFile& file, int index, std::size_t count, const std::string& key,
-                        const char* things);
+Result<void> checkIndex(const File& file, int index, std::size_t count, const std::string& key, const char* things);
 
-}  // namespace mirrorball
+/// "accessors[3]"
+std::string quoted(const char* array, std::size_t index);
+
+}  // namespace mirrorball::gltf

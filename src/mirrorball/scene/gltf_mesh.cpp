@@ -1,21 +1,26 @@
 #include "mirrorball/scene/gltf_mesh.h"
 
-#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <utility>
 
-namespace mirrorball {
+namespace mirrorball::gltf {
 namespace {
 
 /// An attribute of a primitive, if it has it: as many elements as there are vertices, of a fitting number of components.
-Result<GltfNumbers> readAttribute(const GltfFile& file, const tinygltf::Primitive& primitive, const char* name,
-                                  std::size_t fewest, std::size_t most, std::optional<std::size_t> vertices,
-                                  const std::string& primitive_key) {
-  const auto found = primitive.attributes.find(name);
-  if (found == primitive.attributes.end()) return GltfNumbers{};
+Result<Numbers> readAttribute(const File& file, const Primitive& primitive, DracoMesh& draco, const char* name,
+                              std::size_t fewest, std::size_t most, std::optional<std::size_t> vertices,
+                              const std::string& primitive_key) {
   const std::string key = primitive_key + ".attributes." + name;
-  MIRRORBALL_TRY(numbers, readNumbers(file, found->second, key));
+  Numbers numbers;
+  if (const auto compressed = draco.attributes.find(name); compressed != draco.attributes.end()) {
+    numbers = std::move(compressed->second);
+  } else {
+    const auto found = primitive.attributes.find(name);
+    if (found == primitive.attributes.end()) return numbers;
+    MIRRORBALL_TRY(read, readNumbers(file, found->second, key));
+    numbers = std::move(read);
+  }
   if (numbers.components < fewest || numbers.components > most)
     return fail(ErrorCode::bad_file,
                 file.name + ": " + key + " has " + std::to_string(numbers.components) + " components");
@@ -27,21 +32,21 @@ Result<GltfNumbers> readAttribute(const GltfFile& file, const tinygltf::Primitiv
 
 /// Calls `set(vertex, numbers of its element)` for all vertices if the attribute is there.
 template <typename Set>
-void forEachVertex(Mesh& mesh, const GltfNumbers& numbers, Set&& set) {
+void forEachVertex(Mesh& mesh, const Numbers& numbers, Set&& set) {
   for (std::size_t i = 0; i < numbers.count(); ++i)
     set(mesh.vertices[i], numbers.values.data() + i * numbers.components);
 }
 
 /// The corners of the triangles that a strip, a fan or a list of `corners` stands for (glTF 2.0, section 3.7.2.1).
 std::vector<std::uint32_t> triangleCorners(std::vector<std::uint32_t> corners, int mode) {
-  if (mode == TINYGLTF_MODE_TRIANGLES) {
+  if (mode == kTriangles) {
     corners.resize(corners.size() - corners.size() % 3);
     return corners;
   }
   std::vector<std::uint32_t> triangles;
   for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
     const std::size_t odd = i % 2;
-    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP)
+    if (mode == kTriangleStrip)
       triangles.insert(triangles.end(), {corners[i], corners[i + 1 + odd], corners[i + 2 - odd]});
     else
       triangles.insert(triangles.end(), {corners[i + 1], corners[i + 2], corners[0]});
@@ -68,7 +73,7 @@ void makeFlat(Mesh& mesh) {
 }
 
 /// Sets unit normals from the file's; returns whether all of them have a direction.
-bool setNormals(Mesh& mesh, const GltfNumbers& normals) {
+bool setNormals(Mesh& mesh, const Numbers& normals) {
   bool all = true;
   forEachVertex(mesh, normals, [&](Vertex& vertex, const float* n) {
     const glm::dvec3 normal(n[0], n[1], n[2]);
@@ -79,7 +84,7 @@ bool setNormals(Mesh& mesh, const GltfNumbers& normals) {
   return all;
 }
 
-bool setTangents(Mesh& mesh, const GltfNumbers& tangents) {
+bool setTangents(Mesh& mesh, const Numbers& tangents) {
   bool all = true;
   forEachVertex(mesh, tangents, [&](Vertex& vertex, const float* t) {
     const glm::dvec3 tangent(t[0], t[1], t[2]);
@@ -90,7 +95,7 @@ bool setTangents(Mesh& mesh, const GltfNumbers& tangents) {
   return all;
 }
 
-Result<std::vector<std::uint32_t>> readCorners(const GltfFile& file, const tinygltf::Primitive& primitive,
+Result<std::vector<std::uint32_t>> readCorners(const File& file, const Primitive& primitive,
                                                std::size_t vertices, const std::string& key) {
   std::vector<std::uint32_t> corners;
   if (primitive.indices == -1) {
@@ -111,16 +116,21 @@ Result<std::vector<std::uint32_t>> readCorners(const GltfFile& file, const tinyg
 
 }  // namespace
 
-bool hasTriangles(const tinygltf::Primitive& primitive) {
-  return primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
-         primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
+bool hasTriangles(const Primitive& primitive) {
+  return primitive.mode == kTriangles || primitive.mode == kTriangleStrip ||
+         primitive.mode == kTriangleFan;
 }
 
-Result<Mesh> readPrimitive(const GltfFile& file, const tinygltf::Primitive& primitive, int normal_uv_set,
-                           std::size_t most_vertices, const std::string& key) {
+Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int normal_uv_set,
+                           const std::string& key) {
+  DracoMesh draco;
+  if (primitive.draco_view >= 0) {
+    MIRRORBALL_TRY(decoded, decodeDraco(file, primitive, key));
+    draco = std::move(decoded);
+  }
   const auto attribute = [&](const char* name, std::size_t fewest, std::size_t most,
                              std::optional<std::size_t> vertices) {
-    return readAttribute(file, primitive, name, fewest, most, vertices, key);
+    return readAttribute(file, primitive, draco, name, fewest, most, vertices, key);
   };
   MIRRORBALL_TRY(positions, attribute("POSITION", 3, 3, {}));
   const std::size_t count = positions.count();
@@ -129,9 +139,11 @@ Result<Mesh> readPrimitive(const GltfFile& file, const tinygltf::Primitive& prim
   MIRRORBALL_TRY(uv0, attribute("TEXCOORD_0", 2, 2, count));
   MIRRORBALL_TRY(uv1, attribute("TEXCOORD_1", 2, 2, count));
   MIRRORBALL_TRY(colors, attribute("COLOR_0", 3, 4, count));
-  MIRRORBALL_TRY(corners, readCorners(file, primitive, count, key));
-  if (std::max(count, corners.size()) > most_vertices)
-    return fail(ErrorCode::too_large, file.name + ": " + key + " makes the model larger than can be drawn");
+  std::vector<std::uint32_t> corners = std::move(draco.corners);
+  if (primitive.draco_view < 0) {
+    MIRRORBALL_TRY(read, readCorners(file, primitive, count, key));
+    corners = std::move(read);
+  }
 
   Mesh mesh;
   mesh.vertices.resize(count);
@@ -151,4 +163,4 @@ Result<Mesh> readPrimitive(const GltfFile& file, const tinygltf::Primitive& prim
   return mesh;
 }
 
-}  // namespace mirrorball
+}  // namespace mirrorball::gltf

@@ -83,7 +83,7 @@ TEST(LoadModel, LoadsRealFiles) {
     std::size_t textures;
   };
   for (const Expected& expected : {Expected{"Duck.glb", 1, 1}, Expected{"lucy.glb", 1, 0},
-                                   Expected{"FlightHelmet/FlightHelmet.gltf", 6, 10}}) {
+                                   Expected{"FlightHelmet/FlightHelmet.gltf", 5, 10}}) {
     const auto path = testing::sharedData(expected.file);
     if (!path) GTEST_SKIP() << expected.file << " is not in the shared data folder";
     const Result<Scene> scene = loadModel(path->string());

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"
-#include "mesh_checks.h"
+#include "mirrorball/scene/mesh_testing.h"
 
 namespace mirrorball {
 namespace {

@@ -30,11 +30,11 @@ Scene showcaseScene() {
   Scene scene;
   const glm::vec3 x(1, 0, 0);
   const glm::vec3 y(0, 1, 0);
-  addObject(scene, sphereMesh(), "mirror", placed({0.0f, 0.25f, -0.7f}, 1.0f));
-  addObject(scene, teapotMesh(), "gold", glm::rotate(placed({-1.65f, -0.05f, 0.15f}, 0.85f), glm::radians(-25.0f), y));
-  addObject(scene, knotMesh(), "rough-metal", glm::rotate(placed({1.65f, 0.05f, 0.1f}, 0.85f), glm::radians(20.0f), y));
-  addObject(scene, sphereMesh(), "glass", placed({-0.55f, -0.45f, 0.75f}, 0.45f));
-  addObject(scene, sphereMesh(), "orange", glm::rotate(placed({0.55f, -0.45f, 0.75f}, 0.45f), glm::radians(30.0f), x));
+  addObject(scene, sphereMesh(), "mirror", placed({0.0f, 0.58f, -0.35f}, 0.74f));
+  addObject(scene, teapotMesh(), "gold", glm::rotate(placed({-0.98f, -0.22f, 0.1f}, 0.72f), glm::radians(-150.0f), y));
+  addObject(scene, knotMesh(), "rough-metal", glm::rotate(placed({1.0f, -0.12f, 0.1f}, 0.66f), glm::radians(20.0f), y));
+  addObject(scene, sphereMesh(), "glass", placed({-0.40f, -0.74f, 0.55f}, 0.42f));
+  addObject(scene, sphereMesh(), "orange", glm::rotate(placed({0.48f, -0.74f, 0.55f}, 0.42f), glm::radians(30.0f), x));
   return scene;
 }
 

@@ -1,0 +1,331 @@
+#include "mirrorball/render/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "formula/formula.h"
+#include "mirrorball/environment/builtin.h"
+#include "mirrorball/environment/convert.h"
+#include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/scene/load_model.h"
+
+namespace mirrorball {
+namespace {
+
+/// A model in an environment, as the command line would draw it.
+struct Shot {
+  std::string model = "sphere";
+  RenderOptions options;
+};
+
+/// Draws a shot on the current context; what fails becomes a test failure and an empty image.
+class Studio {
+ public:
+  Studio(const gl::Context& context, Environment environment)
+      : context_(context), environment_(std::move(environment)), prepared_(prepareEnvironment(environment_)) {}
+
+  Image radiance(const Shot& shot) {
+    Image image;
+    take(shot, [&](Renderer& renderer, const FrameSettings&) { image = renderer.radiance(); });
+    return image;
+  }
+
+  Image8 picture(const Shot& shot) {
+    Image8 image;
+    take(shot, [&](Renderer& renderer, const FrameSettings& settings) {
+      auto made = renderer.picture(settings);
+      if (made)
+        image = std::move(*made);
+      else
+        ADD_FAILURE() << made.error().message;
+    });
+    return image;
+  }
+
+ private:
+  void take(const Shot& shot, const std::function<void(Renderer&, const FrameSettings&)>& use) {
+    auto scene = loadModel(shot.model);
+    ASSERT_TRUE(scene) << scene.error().message;
+    const auto applied = applyMaterialOptions(shot.options, *scene);
+    ASSERT_TRUE(applied) << applied.error().message;
+    const auto settings = frameSettings(shot.options);
+    ASSERT_TRUE(settings) << settings.error().message;
+    auto renderer = Renderer::make(context_, *scene, environment_, prepared_);
+    ASSERT_TRUE(renderer) << renderer.error().message;
+    const auto drawn = renderer->draw(*settings);
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    use(*renderer, *settings);
+  }
+
+  const gl::Context& context_;
+  Environment environment_;
+  PreparedEnvironment prepared_;
+};
+
+Shot smallShot(std::string model, std::string material) {
+  Shot shot;
+  shot.model = std::move(model);
+  shot.options.size = "96x64";
+  shot.options.material = std::move(material);
+  return shot;
+}
+
+class RendererTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto made = gl::Context::createHeadless();
+    if (!made) GTEST_SKIP() << made.error().message;
+    context_.emplace(std::move(*made));
+  }
+  Studio studio(std::string_view environment) { return Studio(*context_, *builtinEnvironment(environment)); }
+  const gl::Context& context() const { return *context_; }
+
+ private:
+  std::optional<gl::Context> context_;
+};
+
+/// Every texel that the object covers wholly is 1 within 0.1 %.
+void expectFurnaceWhite(const Image& image, const std::string& what) {
+  int covered = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec4 texel = rgbaAt(image, x, y);
+      if (texel.w < 1.0f) continue;
+      ++covered;
+      for (int channel = 0; channel < 3; ++channel)
+        ASSERT_NEAR(texel[channel], 1.0f, 1e-3f) << what << " at (" << x << ", " << y << ")";
+    }
+  EXPECT_GT(covered, image.width() * image.height() / 20) << what << " covers too little to tell";
+}
+
+TEST_F(RendererTest, InAWhiteEnvironmentMirrorAndWhiteDiffuseVanish) {
+  Studio white = studio("white");
+  for (const char* model : {"sphere", "torus", "knot", "teapot", "cube"}) {
+    Shot mirror = smallShot(model, "mirror");
+    mirror.options.background = "transparent";
+    expectFurnaceWhite(white.radiance(mirror), std::string(model) + " mirror");
+    Shot diffuse = smallShot(model, "");
+    diffuse.options.background = "transparent";
+    diffuse.options.set = {"base_color=1"};
+    expectFurnaceWhite(white.radiance(diffuse), std::string(model) + " white dielectric");
+    diffuse.options.set = {"base_color=1", "specular=0"};
+    expectFurnaceWhite(white.radiance(diffuse), std::string(model) + " white diffuse");
+    Shot glass = smallShot(model, "glass");
+    glass.options.background = "transparent";
+    expectFurnaceWhite(white.radiance(glass), std::string(model) + " glass");
+  }
+}
+
+TEST_F(RendererTest, EveryMappingIsWhiteInTheFurnace) {
+  Studio white = studio("white");
+  for (const Mapping mapping : {Mapping::reflection, Mapping::normal, Mapping::sphere})
+    for (const ReflectAt reflect_at : {ReflectAt::vertex, ReflectAt::fragment}) {
+      Shot shot = smallShot("teapot", "mirror");
+      shot.options.background = "transparent";
+      shot.options.mapping = mapping;
+      shot.options.reflect_at = reflect_at;
+      expectFurnaceWhite(white.radiance(shot), "mapping " + std::to_string(static_cast<int>(mapping)));
+    }
+}
+
+// Looking along +Z with +Y up, +X is on the left (docs/conventions.md).
+TEST_F(RendererTest, TheBackgroundIsTheRightWayRound) {
+  Studio marked(context(), Environment([](glm::vec3 d) { return glm::max(d, glm::vec3(0.0f)); }, 128));
+  Shot shot = smallShot("none", "");
+  shot.options.size = "65x65";
+  shot.options.fov_deg = 90;
+  shot.options.camera = {180, 0};
+  const Image image = marked.radiance(shot);
+  EXPECT_NEAR(rgbAt(image, 32, 32).z, 1.0f, 1e-2f) << "+Z in the middle";
+  EXPECT_GT(rgbAt(image, 2, 32).x, 0.6f) << "+X on the left";
+  EXPECT_EQ(rgbAt(image, 62, 32).x, 0.0f) << "-X on the right";
+  EXPECT_GT(rgbAt(image, 32, 2).y, 0.6f) << "+Y above";
+}
+
+// A mirror ball seen from +Z shows what is behind the camera in its middle, +X on its right.
+TEST_F(RendererTest, AMirrorSphereIsTheSphereMap) {
+  const auto light = [](glm::vec3 d) {
+    return glm::vec3(1.0f + d.x, 1.0f + d.y, 1.0f + d.z) * (1.5f + std::sin(9.0f * d.x) * std::cos(7.0f * d.y + d.z));
+  };
+  const Environment environment(light, 256);
+  Studio room(context(), environment);
+  Shot shot = smallShot("sphere", "mirror");
+  shot.options.size = "256x256";
+  shot.options.camera = {0, 0};
+  shot.options.orthographic = {2.0f};
+  const Image rendered = room.radiance(shot);
+  const EnvironmentMap expected = *convert(environment, Projection::sphere, 256);
+  double sum = 0.0;
+  int count = 0;
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) {
+      const glm::vec2 p = (glm::vec2(x, y) + 0.5f) / 128.0f - 1.0f;
+      if (glm::dot(p, p) >= 0.9f) continue;
+      const glm::vec3 difference = (rgbAt(rendered, x, y) - rgbAt(expected.face(0), x, y)) / 5.0f;
+      sum += double(glm::dot(difference, difference)) / 3.0;
+      ++count;
+    }
+  // The cube between is interpolated bilinearly and kept in halves; a shift of half a pixel would leave 37 dB.
+  EXPECT_GT(-10.0 * std::log10(sum / count), 50.0);
+}
+
+TEST_F(RendererTest, TheSphereMappingOfAnOrthographicSphereIsItsReflection) {
+  Studio room(context(), Environment([](glm::vec3 d) { return d * 0.5f + 0.5f; }, 256));
+  Shot shot = smallShot("sphere", "mirror");
+  shot.options.size = "128x128";
+  shot.options.orthographic = {2.0f};
+  shot.options.background = "transparent";
+  for (const float azimuth : {0.0f, 130.0f}) {
+    shot.options.camera = {azimuth, 25.0f};
+    shot.options.mapping = Mapping::reflection;
+    const Image reflected = room.radiance(shot);
+    shot.options.mapping = Mapping::sphere;
+    const Image mapped = room.radiance(shot);
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 0; y < 128; ++y)
+      for (int x = 0; x < 128; ++x) {
+        const glm::vec2 p = (glm::vec2(x, y) + 0.5f) / 64.0f - 1.0f;
+        if (glm::dot(p, p) >= 0.9f) continue;
+        sum += double(glm::length(rgbAt(reflected, x, y) - rgbAt(mapped, x, y)));
+        ++count;
+      }
+    EXPECT_LT(sum / count, 0.005) << "azimuth " << azimuth;
+  }
+}
+
+TEST_F(RendererTest, EnvRotationTurnsPlusZTowardsPlusX) {
+  Studio lamp(context(), Environment([](glm::vec3 d) { return glm::vec3(d.z > 0.9f ? 1.0f : 0.0f); }, 128));
+  Shot shot = smallShot("none", "");
+  shot.options.size = "33x33";
+  shot.options.env_rotation_deg = 90.0f;
+  shot.options.camera = {270, 0};  // stands on −X and looks along +X
+  EXPECT_NEAR(rgbAt(lamp.radiance(shot), 16, 16).x, 1.0f, 1e-3f);
+  shot.options.camera = {90, 0};
+  EXPECT_EQ(rgbAt(lamp.radiance(shot), 16, 16).x, 0.0f);
+}
+
+TEST_F(RendererTest, RefractionBendsBySnellsLawAndReflectsPastTheCriticalAngle) {
+  const auto light = [](glm::vec3 d) { return d * 0.5f + 0.5f; };
+  Studio room(context(), Environment(light, 256));
+  Shot shot = smallShot("sphere", "");
+  shot.options.size = "129x129";
+  shot.options.orthographic = {2.0f};
+  shot.options.camera = {0, 0};
+  shot.options.samples = 1;
+  for (const float ior : {1.5f, 0.7f}) {
+    shot.options.set = {"transmission=1", "base_color=1", "perceptual_roughness=0", "ior=" + std::to_string(ior)};
+    const Image image = room.radiance(shot);
+    for (int x = 4; x < 125; ++x) {
+      const float nx = (static_cast<float>(x) + 0.5f) / 64.5f - 1.0f;
+      const glm::vec3 n(nx, 0.0f, std::sqrt(1.0f - nx * nx));
+      const glm::vec3 ray(0, 0, -1);
+      const float reflectance = formula::fresnelDielectric(n.z, ior);
+      const glm::vec3 expected = light(glm::reflect(ray, n)) * reflectance +
+                                 light(formula::refractedDirection(ray, n, ior)) * (1.0f - reflectance);
+      EXPECT_LT(glm::length(rgbAt(image, x, 64) - expected), 0.02f) << "ior " << ior << " at nx " << nx;
+    }
+  }
+}
+
+TEST_F(RendererTest, TransparentBackgroundHasPremultipliedAlpha) {
+  Studio white = studio("white");
+  Shot shot = smallShot("sphere", "mirror");
+  shot.options.background = "transparent";
+  const Image radiance = white.radiance(shot);
+  const Image8 picture = white.picture(shot);
+  int partial = 0;
+  for (int y = 0; y < radiance.height(); ++y)
+    for (int x = 0; x < radiance.width(); ++x) {
+      const glm::vec4 texel = rgbaAt(radiance, x, y);
+      EXPECT_NEAR(texel.x, texel.w, 1e-3f) << "radiance 1 premultiplied by alpha";
+      EXPECT_NEAR(picture.texel(x, y)[3] / 255.0f, texel.w, 0.003f);
+      if (texel.w <= 0.0f || texel.w >= 1.0f) continue;
+      ++partial;
+      // Straight alpha: the edge has the colour of the middle.
+      EXPECT_NEAR(picture.texel(x, y)[0], picture.texel(48, 32)[0], 1);
+    }
+  EXPECT_GT(partial, 20);
+}
+
+TEST_F(RendererTest, ThePictureIsTheFormulaOfTheRadiance) {
+  Studio room = studio("studio");
+  Shot shot = smallShot("knot", "gold");
+  for (const ToneMap curve : {ToneMap::agx, ToneMap::aces, ToneMap::neutral, ToneMap::reinhard, ToneMap::linear}) {
+    shot.options.tone_map = curve;
+    shot.options.exposure_ev = 0.5f;
+    const Image radiance = room.radiance(shot);
+    const Image8 picture = room.picture(shot);
+    for (int y = 0; y < radiance.height(); ++y)
+      for (int x = 0; x < radiance.width(); ++x) {
+        const glm::vec4 shown =
+            formula::displayed(rgbaAt(radiance, x, y), std::exp2(0.5f), static_cast<int>(curve)) * 255.0f;
+        for (int channel = 0; channel < 4; ++channel)
+          EXPECT_NEAR(picture.texel(x, y)[channel], shown[channel], 1.0f) << static_cast<int>(curve);
+      }
+  }
+}
+
+TEST_F(RendererTest, APointLightLightsItsSideOnly) {
+  Studio dark(context(), Environment([](glm::vec3) { return glm::vec3(0.0f); }, 8));
+  Shot shot = smallShot("sphere", "");
+  shot.options.size = "65x65";
+  shot.options.camera = {0, 0};
+  shot.options.set = {"specular=0", "base_color=0.5"};
+  shot.options.lights = {"1000,0,0,2,1,0"};
+  const Image image = dark.radiance(shot);
+  EXPECT_EQ(rgbAt(image, 12, 32), glm::vec3(0.0f)) << "the side away from the light";
+  const glm::vec3 lit = rgbAt(image, 48, 32);
+  EXPECT_GT(lit.x, 0.3f);
+  EXPECT_NEAR(lit.x, 2.0f * lit.y, 1e-4f);
+  EXPECT_LE(lit.x, 1.0f);
+}
+
+TEST_F(RendererTest, ABumpBendsNormalsAndAFlatBumpDoesNot) {
+  Studio room = studio("studio");
+  Shot smooth = smallShot("sphere", "orange");
+  smooth.options.set = {"bump=none"};
+  Shot flat = smallShot("sphere", "orange");
+  flat.options.set = {"bump_height=0"};
+  const Image a = room.radiance(smooth);
+  const Image b = room.radiance(flat);
+  const Image c = room.radiance(smallShot("sphere", "orange"));
+  float flat_difference = 0.0f;
+  float bump_difference = 0.0f;
+  for (std::size_t i = 0; i < a.samples().size(); ++i) {
+    flat_difference = std::max(flat_difference, std::abs(a.samples()[i] - b.samples()[i]));
+    bump_difference = std::max(bump_difference, std::abs(a.samples()[i] - c.samples()[i]));
+  }
+  EXPECT_LT(flat_difference, 1e-3f);
+  EXPECT_GT(bump_difference, 0.05f);
+}
+
+TEST_F(RendererTest, TheSameFrameTwiceIsTheSame) {
+  Studio room = studio("sky");
+  Shot shot = smallShot("showcase", "");
+  const Image first = room.radiance(shot);
+  const Image second = room.radiance(shot);
+  EXPECT_TRUE(std::equal(first.samples().begin(), first.samples().end(), second.samples().begin()));
+}
+
+// The shaders are the same text; only the drivers' arithmetic may differ.
+TEST(RendererApis, Es30DrawsTheSamePictureAsDesktop) {
+  Image8 pictures[2];
+  for (const gl::Api api : {gl::Api::desktop43, gl::Api::es30}) {
+    MIRRORBALL_NEEDS_GL(context, api);
+    Studio room(context, *builtinEnvironment("studio"));
+    pictures[api == gl::Api::es30] = room.picture(smallShot("showcase", ""));
+  }
+  ASSERT_EQ(pictures[0].samples().size(), pictures[1].samples().size());
+  ASSERT_FALSE(pictures[0].empty());
+  for (std::size_t i = 0; i < pictures[0].samples().size(); ++i)
+    EXPECT_NEAR(pictures[0].samples()[i], pictures[1].samples()[i], 2);
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mirrorball/base/file.h"
+
+namespace mirrorball::testing {
+
+/// Writes small glTF files by hand: numbers go into one buffer, each list with its buffer view and accessor.
+class GltfMaker {
+ public:
+  /// Appends numbers to the buffer and returns the index of their buffer view.
+  template <typename Number>
+  int view(const std::vector<Number>& numbers) {
+    buffer_.resize((buffer_.size() + 3) / 4 * 4);
+    const std::size_t offset = buffer_.size();
+    const std::size_t size = numbers.size() * sizeof(Number);
+    buffer_.resize(offset + size);
+    if (size > 0) std::memcpy(buffer_.data() + offset, numbers.data(), size);
+    return add(views_, "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) +
+                           ",\"byteLength\":" + std::to_string(size) + "}");
+  }
+
+  /// Appends numbers and returns the index of their accessor.
+  ///
+  /// type   "VEC3"
+  /// extra  more members: ",\"normalized\":true"
+  template <typename Number>
+  int accessor(const std::vector<Number>& numbers, const std::string& type, const std::string& extra = "") {
+    const std::size_t components = type == "SCALAR" ? 1 : static_cast<std::size_t>(type[3] - '0');
+    const int view_index = view(numbers);
+    return rawAccessor("{\"bufferView\":" + std::to_string(view_index) + ",\"componentType\":" + componentType<Number>() +
+                       ",\"count\":" + std::to_string(numbers.size() / components) + ",\"type\":\"" + type + "\"" +
+                       extra + "}");
+  }
+  int rawAccessor(const std::string& json) { return add(accessors_, json); }
+
+  /// The JSON with a node for mesh 0, whose one primitive is given; `rest` are more members of the root, which may be
+  /// nodes of their own.
+  std::string gltf(const std::string& primitive, const std::string& rest = "") const {
+    return json(primitive, rest, ",\"uri\":\"data:application/octet-stream;base64," + base64(buffer_) + "\"");
+  }
+
+  /// The same as a .glb.
+  Bytes glb(const std::string& primitive, const std::string& rest = "") const {
+    std::string text = json(primitive, rest, "");
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    Bytes binary = buffer_;
+    binary.resize((binary.size() + 3) / 4 * 4);
+    Bytes file = {'g', 'l', 'T', 'F'};
+    const auto put = [&](std::size_t word) {
+      for (int shift = 0; shift < 32; shift += 8) file.push_back(static_cast<std::uint8_t>(word >> shift));
+    };
+    put(2);
+    put(12 + 8 + text.size() + 8 + binary.size());
+    put(text.size());
+    put(0x4E4F534A);
+    file.insert(file.end(), text.begin(), text.end());
+    put(binary.size());
+    put(0x004E4942);
+    file.insert(file.end(), binary.begin(), binary.end());
+    return file;
+  }
+
+  static std::string base64(const Bytes& bytes) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+      std::uint32_t bits = 0;
+      for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
+      for (std::size_t k = 0; k < 4; ++k)
+        text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
+    }
+    return text;
+  }
+
+ private:
+  static int add(std::vector<std::string>& list, const std::string& json) {
+    list.push_back(json);
+    return static_cast<int>(list.size()) - 1;
+  }
+
+  template <typename Number>
+  static std::string componentType() {
+    if constexpr (std::is_same_v<Number, std::int8_t>) return "5120";
+    if constexpr (std::is_same_v<Number, std::uint8_t>) return "5121";
+    if constexpr (std::is_same_v<Number, std::int16_t>) return "5122";
+    if constexpr (std::is_same_v<Number, std::uint16_t>) return "5123";
+    if constexpr (std::is_same_v<Number, std::uint32_t>) return "5125";
+    return "5126";
+  }
+
+  static std::string array(const std::vector<std::string>& list) {
+    std::string text = "[";
+    for (const std::string& element : list) text += (text.size() > 1 ? "," : "") + element;
+    return text + "]";
+  }
+
+  std::string json(const std::string& primitive, const std::string& rest, const std::string& uri) const {
+    std::string text = "{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{\"primitives\":[" + primitive + "]}]";
+    if (rest.find("\"nodes\":") == std::string::npos) text += ",\"nodes\":[{\"mesh\":0}]";
+    text += ",\"accessors\":" + array(accessors_) + ",\"bufferViews\":" + array(views_);
+    text += ",\"buffers\":[{\"byteLength\":" + std::to_string(buffer_.size()) + uri + "}]";
+    return text + (rest.empty() ? "" : "," + rest) + "}";
+  }
+
+  Bytes buffer_;
+  std::vector<std::string> views_;
+  std::vector<std::string> accessors_;
+};
+
+}  // namespace mirrorball::testing

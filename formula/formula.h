@@ -12,7 +12,6 @@ using namespace glm;  // GLSL's names for vectors and functions, inside this nam
 
 // What GLSL spells otherwise. A cube sampler is any type with `vec4 sampleLod(const Type&, vec3, float)` beside it.
 #define FN inline
-#define OUT(type) type&
 #define CUBE_SAMPLER const auto&
 
 #include "formula/constants.glsl"
@@ -32,7 +31,6 @@ using namespace glm;  // GLSL's names for vectors and functions, inside this nam
 #include "formula/shading.glsl"
 
 #undef FN
-#undef OUT
 #undef CUBE_SAMPLER
 
 }  // namespace mirrorball::formula

@@ -24,7 +24,8 @@ void addOption(CLI::App& command, const OptionText& text, const std::string& def
   };
   CLI::Option* option = nullptr;
   if (is_flag) {
-    option = command.add_flag_callback(flags, [take] { take("yes"); }, describe(text, ""));
+    option = command.add_flag_callback(
+        flags, [take] { take("yes"); }, describe(text, ""));
   } else {
     option = command.add_option_function<std::vector<std::string>>(
         flags, [take](const std::vector<std::string>& values) { std::for_each(values.begin(), values.end(), take); },

@@ -14,16 +14,24 @@ namespace mirrorball::cli {
 namespace {
 
 const std::array<Option<ConvertOptions>, 7> kOptions{{
-    {{.name = "output", .value = "OUT", .help = ".exr .hdr (linear radiance), .png .jpg (sRGB, clipped to [0, 1])",
+    {{.name = "output",
+      .value = "OUT",
+      .help = ".exr .hdr (linear radiance), .png .jpg (sRGB, clipped to [0, 1])",
       .letter = "o"},
      &ConvertOptions::output},
     {{.name = "to", .value = "PROJECTION", .help = "equirect, sphere, angular or cube"}, &ConvertOptions::to},
-    {{.name = "from", .value = "FORM", .help = "the input's form, where it is not recognised: a projection, or a cube's "
-                                               "layout"},
+    {{.name = "from",
+      .value = "FORM",
+      .help = "the input's form, where it is not recognised: a projection, or a cube's "
+              "layout"},
      &ConvertOptions::from},
     {{.name = "layout", .value = "LAYOUT", .help = "of a cube: faces (six files), hcross, vcross, hstrip, vstrip, 3x2"},
      &ConvertOptions::layout},
-    {{.name = "size", .value = "N", .unit = "texels", .minimum = 0, .maximum = 32768,
+    {{.name = "size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 0,
+      .maximum = 32768,
       .help = "a cube face's side, a disc's diameter or a panorama's height; 0 keeps the input's detail"},
      &ConvertOptions::size},
     {{.name = "half", .help = "16-bit instead of 32-bit floats in .exr"}, &ConvertOptions::half},
@@ -46,7 +54,8 @@ Result<void> writeMap(const EnvironmentMap& map, CubeLayout layout, const Conver
 
 Result<void> convertFile(const std::string& input, const ConvertOptions& options) {
   if (options.output.empty()) return fail(ErrorCode::usage, "convert needs an output: -o FILE");
-  if (options.to.empty()) return fail(ErrorCode::usage, "convert needs a projection: --to equirect|sphere|angular|cube");
+  if (options.to.empty())
+    return fail(ErrorCode::usage, "convert needs a projection: --to equirect|sphere|angular|cube");
   MIRRORBALL_TRY(to, projectionNamed(options.to));
   MIRRORBALL_TRY(layout, cubeLayoutNamed(options.layout));
   MIRRORBALL_TRY_VOID(checkWritable(options.output));
@@ -73,7 +82,8 @@ Action addConvertCommand(CLI::App& program) {
   };
   auto request = std::make_shared<Request>();
   CLI::App* command = program.add_subcommand("convert", "Lays an environment map out in another projection");
-  command->add_option("IN", request->input, "a map (.hdr .exr .png .jpg) or a built-in: studio sky uv white")->required();
+  command->add_option("IN", request->input, "a map (.hdr .exr .png .jpg) or a built-in: studio sky uv white")
+      ->required();
   addOptions(*command, convertOptions(), request->options);
   return [request] { return convertFile(request->input, request->options); };
 }

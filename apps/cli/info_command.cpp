@@ -15,10 +15,15 @@ namespace mirrorball::cli {
 namespace {
 
 const std::array<Option<InfoOptions>, 2> kOptions{{
-    {{.name = "direction", .value = "X,Y,Z", .fewest = 3, .most = 3,
+    {{.name = "direction",
+      .value = "X,Y,Z",
+      .fewest = 3,
+      .most = 3,
       .help = "print where that direction is found: cube face, (s, t) and texel, and the texel of each projection"},
      &InfoOptions::direction},
-    {{.name = "from", .value = "FORM", .help = "the form, where it is not recognised: a projection, or a cube's layout"},
+    {{.name = "from",
+      .value = "FORM",
+      .help = "the form, where it is not recognised: a projection, or a cube's layout"},
      &InfoOptions::from},
 }};
 
@@ -108,8 +113,10 @@ Action addInfoCommand(CLI::App& program) {
     InfoOptions options;
   };
   auto request = std::make_shared<Request>();
-  CLI::App* command = program.add_subcommand("info", "Says what an environment map is, or where a direction lies in it");
-  command->add_option("FILE", request->input, "a map (.hdr .exr .png .jpg) or a built-in: studio sky uv white")->required();
+  CLI::App* command =
+      program.add_subcommand("info", "Says what an environment map is, or where a direction lies in it");
+  command->add_option("FILE", request->input, "a map (.hdr .exr .png .jpg) or a built-in: studio sky uv white")
+      ->required();
   addOptions(*command, infoOptions(), request->options);
   return [request] { return info(request->input, request->options); };
 }

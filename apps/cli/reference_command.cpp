@@ -23,8 +23,8 @@ std::string escaped(std::string_view text) {
 }
 
 void printHeading(const char* title, const char* prefix_meaning) {
-  std::printf("\n## %s\n\n%s\n\n| name | value | unit | range | default | meaning |\n|---|---|---|---|---|---|\n", title,
-              prefix_meaning);
+  std::printf("\n## %s\n\n%s\n\n| name | value | unit | range | default | meaning |\n|---|---|---|---|---|---|\n",
+              title, prefix_meaning);
 }
 
 template <typename Target>
@@ -41,8 +41,9 @@ void printRows(std::span<const Option<Target>> table, const char* prefix) {
 }
 
 Result<void> printReference() {
-  std::printf("# Options\n\nMade by `mirrorball reference` from the tables that the command line itself is made from; "
-              "a test holds this page to them.\n");
+  std::printf(
+      "# Options\n\nMade by `mirrorball reference` from the tables that the command line itself is made from; "
+      "a test holds this page to them.\n");
   printHeading("mirrorball render [MODEL]", "MODEL is a file (.glb .gltf .obj .ply .stl) or a built-in.");
   printRows(renderFileOptions(), "--");
   printRows(renderOptions(), "--");

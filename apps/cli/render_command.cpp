@@ -19,19 +19,28 @@ namespace mirrorball::cli {
 namespace {
 
 const std::array<Option<RenderFiles>, 5> kFileOptions{{
-    {{.name = "env", .value = "ENV",
+    {{.name = "env",
+      .value = "ENV",
       .help = "the environment: a panorama, sphere map or cube (.hdr .exr .png .jpg), or studio, sky[:elevation=20,…], "
               "uv, white",
-      .letter = "e", .group = "Files"},
+      .letter = "e",
+      .group = "Files"},
      &RenderFiles::environment},
-    {{.name = "output", .value = "OUT", .help = ".png .jpg (tone mapped) or .exr .hdr (linear radiance)", .letter = "o",
+    {{.name = "output",
+      .value = "OUT",
+      .help = ".png .jpg (tone mapped) or .exr .hdr (linear radiance)",
+      .letter = "o",
       .group = "Files"},
      &RenderFiles::output},
-    {{.name = "from", .value = "FORM", .help = "the environment's form, where it is not recognised: equirect, sphere, "
-                                               "angular, cube, or a cube's layout",
+    {{.name = "from",
+      .value = "FORM",
+      .help = "the environment's form, where it is not recognised: equirect, sphere, "
+              "angular, cube, or a cube's layout",
       .group = "Files"},
      &RenderFiles::from},
-    {{.name = "repair", .help = "replace NaN and infinite texels of the environment by their neighbours", .group = "Files"},
+    {{.name = "repair",
+      .help = "replace NaN and infinite texels of the environment by their neighbours",
+      .group = "Files"},
      &RenderFiles::repair},
     {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &RenderFiles::timings},
 }};
@@ -64,9 +73,11 @@ Result<Scene> loadScene(const RenderRequest& request) {
 /// Driver, model and environment at the same time: none needs the others.
 Result<Inputs> loadInputs(const RenderRequest& request, const EnvironmentLoadOptions& how, StageClock& clock,
                           std::optional<Result<gl::Context>>& context) {
-  auto scene = std::async(std::launch::async, [&] { return clock.time("model: read", [&] { return loadScene(request); }); });
+  auto scene =
+      std::async(std::launch::async, [&] { return clock.time("model: read", [&] { return loadScene(request); }); });
   auto environment = std::async(std::launch::async, [&]() -> Result<std::pair<LoadedEnvironment, PreparedEnvironment>> {
-    MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadEnvironment(request.files.environment, how); }));
+    MIRRORBALL_TRY(loaded,
+                   clock.time("environment: read", [&] { return loadEnvironment(request.files.environment, how); }));
     PreparedEnvironment prepared =
         clock.time("environment: cube, mips, harmonics", [&] { return prepareEnvironment(loaded.environment); });
     return std::pair(std::move(loaded), std::move(prepared));
@@ -81,7 +92,8 @@ Result<Inputs> loadInputs(const RenderRequest& request, const EnvironmentLoadOpt
   return Inputs{std::move(*scene_result), std::move(environment_result->first), std::move(environment_result->second)};
 }
 
-Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output, StageClock& clock) {
+Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
+                         StageClock& clock) {
   MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(settings); }));
   if (storesLinearLight(output)) {
     const Image radiance = clock.time("frame: finish and read back", [&] { return renderer.radiance(); });

@@ -14,11 +14,10 @@ namespace mirrorball::formula {
 
 // One row a formula: its name, the domain, the tolerance, and an expression that C++ compiles here
 // and a shader compiles as text.
-#define PARITY(function, domain, tolerance, ...)                    \
-  Case {                                                            \
-#function, Domain::domain, tolerance, #__VA_ARGS__,             \
-        []([[maybe_unused]] vec4 p, [[maybe_unused]] vec4 q,        \
-           [[maybe_unused]] vec4 r) -> vec4 { return __VA_ARGS__; } \
+#define PARITY(function, domain, tolerance, ...)                                                                      \
+  Case {                                                                                                              \
+#function, Domain::domain, tolerance, #__VA_ARGS__,                                                               \
+        []([[maybe_unused]] vec4 p, [[maybe_unused]] vec4 q, [[maybe_unused]] vec4 r) -> vec4 { return __VA_ARGS__; } \
   }
 
 namespace mirrorball::parity {
@@ -53,15 +52,12 @@ const Case kCases[] = {
     PARITY(agxEncoded, light, kTranscendental, vec4(agxEncoded(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(toneMapAgx, light, kTranscendental, vec4(toneMapAgx(vec3(p)), 0.0f)),
     PARITY(toneMap, light, kTranscendental, vec4(toneMap(int(4.9375f * r.x), vec3(p)), 0.0f)),
-    PARITY(displayed, light, kTranscendental,
-           displayed(vec4(vec3(p), r.y), 0.25f + r.z, int(4.9375f * r.x))),
+    PARITY(displayed, light, kTranscendental, displayed(vec4(vec3(p), r.y), 0.25f + r.z, int(4.9375f * r.x))),
 
     // cube
     PARITY(cubeFace, direction, kExact, vec4(float(cubeFace(vec3(p))), 0.0f, 0.0f, 0.0f)),
-    PARITY(cubeProjected, direction, kExact,
-           vec4(cubeProjected(int(5.9375f * r.x), vec3(p)), 0.0f)),
-    PARITY(cubeCoordinates, direction, kTight,
-           vec4(cubeCoordinates(cubeFace(vec3(p)), vec3(p)), 0.0f, 0.0f)),
+    PARITY(cubeProjected, direction, kExact, vec4(cubeProjected(int(5.9375f * r.x), vec3(p)), 0.0f)),
+    PARITY(cubeCoordinates, direction, kTight, vec4(cubeCoordinates(cubeFace(vec3(p)), vec3(p)), 0.0f, 0.0f)),
     PARITY(cubePoint, unit, kExact, vec4(cubePoint(int(5.9375f * r.x), vec2(p)), 0.0f)),
     PARITY(cubeDirection, unit, kTight, vec4(cubeDirection(int(5.9375f * r.x), vec2(p)), 0.0f)),
     PARITY(cubeCornerSolidAngle, unit, kTranscendental,
@@ -70,13 +66,11 @@ const Case kCases[] = {
            vec4(cubeRectangleSolidAngle(p.x - 1.0f, p.y - 1.0f, p.z, p.w), 0.0f, 0.0f, 0.0f)),
 
     // harmonics
-    PARITY(harmonic, direction, kTight,
-           vec4(harmonic(int(8.9375f * r.x), vec3(p)), 0.0f, 0.0f, 0.0f)),
-    PARITY(cosineLobeBand, unit, kTight,
-           vec4(cosineLobeBand(int(2.9375f * r.x)), 0.0f, 0.0f, 0.0f)),
+    PARITY(harmonic, direction, kTight, vec4(harmonic(int(8.9375f * r.x), vec3(p)), 0.0f, 0.0f, 0.0f)),
+    PARITY(cosineLobeBand, unit, kTight, vec4(cosineLobeBand(int(2.9375f * r.x)), 0.0f, 0.0f, 0.0f)),
     PARITY(harmonicIrradiance, direction, kTight,
-           vec4(harmonicIrradiance(vec3(p), vec3(3.0f, 2.0f, 1.0f), vec3(q), vec3(r), vec3(p.w),
-                                   vec3(q.w), vec3(r.w), vec3(q.z), vec3(r.y), vec3(r.z)),
+           vec4(harmonicIrradiance(vec3(p), vec3(3.0f, 2.0f, 1.0f), vec3(q), vec3(r), vec3(p.w), vec3(q.w), vec3(r.w),
+                                   vec3(q.z), vec3(r.y), vec3(r.z)),
                 0.0f)),
 
     // height
@@ -84,8 +78,7 @@ const Case kCases[] = {
     PARITY(orangeHeight, unit, kTight, orangeHeight(vec3(p) * 16.0f - 8.0f)),
 
     // microfacet
-    PARITY(alphaFromPerceptualRoughness, unit, kTight,
-           vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(lodFromPerceptualRoughness, unit, kTight,
            vec4(lodFromPerceptualRoughness(p.x, 1.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(perceptualRoughnessFromLod, unit, kTight,
@@ -94,16 +87,13 @@ const Case kCases[] = {
     PARITY(phongExponent, unit, kTight, vec4(phongExponent(p.x), 0.0f, 0.0f, 0.0f)),
 
     // optics
-    PARITY(refractedDirection, direction, kTight,
-           vec4(refractedDirection(vec3(p), dot(vec3(p), vec3(q)) > 0.0f ? -vec3(q) : vec3(q),
-                                   0.4f + 2.0f * r.x),
-                0.0f)),
-    PARITY(fresnelDielectric, unit, kTight,
-           vec4(fresnelDielectric(p.x, 0.4f + 2.0f * p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(
+        refractedDirection, direction, kTight,
+        vec4(refractedDirection(vec3(p), dot(vec3(p), vec3(q)) > 0.0f ? -vec3(q) : vec3(q), 0.4f + 2.0f * r.x), 0.0f)),
+    PARITY(fresnelDielectric, unit, kTight, vec4(fresnelDielectric(p.x, 0.4f + 2.0f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(fresnelConductor1, unit, kTight,
            vec4(fresnelConductor1(p.x, 0.1f + 3.0f * p.y, 0.5f + 6.0f * p.z), 0.0f, 0.0f, 0.0f)),
-    PARITY(fresnelConductor, unit, kTight,
-           vec4(fresnelConductor(p.x, vec3(q) + 0.1f, vec3(r) * 6.0f + 0.5f), 0.0f)),
+    PARITY(fresnelConductor, unit, kTight, vec4(fresnelConductor(p.x, vec3(q) + 0.1f, vec3(r) * 6.0f + 0.5f), 0.0f)),
     PARITY(fresnelSchlick, unit, kTight, vec4(fresnelSchlick(p.x, vec3(q)), 0.0f)),
     PARITY(fresnelEmpirical, unit, kTranscendental,
            vec4(fresnelEmpirical(p.x, p.y, p.z, 1.0f + 5.0f * p.w), 0.0f, 0.0f, 0.0f)),
@@ -124,38 +114,31 @@ const Case kCases[] = {
     // sampling
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x)), 0.0f, 0.0f)),
     PARITY(footprintLod, direction, kTight,
-           vec4(footprintLod(vec3(p), vec3(q), 1.0f + 2048.0f * r.x, 1.0f + 16.0f * r.y), 0.0f,
-                0.0f, 0.0f)),
+           vec4(footprintLod(vec3(p), vec3(q), 1.0f + 2048.0f * r.x, 1.0f + 16.0f * r.y), 0.0f, 0.0f, 0.0f)),
 
     // sky
     PARITY(perez, unit, kTranscendental,
-           vec4(perez(p.x, 3.0f * p.y, -1.0f - p.z, -0.3f, 5.0f * p.w, -2.5f, 0.3f * q.x), 0.0f,
-                0.0f, 0.0f)),
+           vec4(perez(p.x, 3.0f * p.y, -1.0f - p.z, -0.3f, 5.0f * p.w, -2.5f, 0.3f * q.x), 0.0f, 0.0f, 0.0f)),
     PARITY(zenithChromaticity, unit, kTight,
-           vec4(zenithChromaticity(1.5f * p.x, 2.0f + 8.0f * p.y, q, r, vec4(0.1f)), 0.0f, 0.0f,
-                0.0f)),
+           vec4(zenithChromaticity(1.5f * p.x, 2.0f + 8.0f * p.y, q, r, vec4(0.1f)), 0.0f, 0.0f, 0.0f)),
     PARITY(zenithLuminance, unit, kTranscendental,
            vec4(zenithLuminance(1.5f * p.x, 2.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(skyLuminance, direction, kAngleNearSun,
-           vec4(skyLuminance(vec3(p.x, abs(p.y), p.z), vec3(q.x, abs(q.y), q.z), 2.0f + 8.0f * r.x),
-                0.0f)),
+           vec4(skyLuminance(vec3(p.x, abs(p.y), p.z), vec3(q.x, abs(q.y), q.z), 2.0f + 8.0f * r.x), 0.0f)),
 
     // sphere_map
-    PARITY(sphereMapCoordinates, direction, kTight,
-           vec4(sphereMapCoordinates(vec3(p)), 0.0f, 0.0f)),
-    PARITY(sphereMapCoordinatesOfNormal, direction, kTight,
-           vec4(sphereMapCoordinatesOfNormal(vec3(p)), 0.0f, 0.0f)),
-    PARITY(sphereMapTextureMatrix, direction, kTight,
-           sphereMapTextureMatrix(mat3(vec3(p), vec3(q), vec3(r))) * r),
+    PARITY(sphereMapCoordinates, direction, kTight, vec4(sphereMapCoordinates(vec3(p)), 0.0f, 0.0f)),
+    PARITY(sphereMapCoordinatesOfNormal, direction, kTight, vec4(sphereMapCoordinatesOfNormal(vec3(p)), 0.0f, 0.0f)),
+    PARITY(sphereMapTextureMatrix, direction, kTight, sphereMapTextureMatrix(mat3(vec3(p), vec3(q), vec3(r))) * r),
     PARITY(sphereMapNormal, unit, kTight, vec4(sphereMapNormal(vec2(p)), 0.0f)),
     PARITY(sphereMapDirection, unit, kTight, vec4(sphereMapDirection(vec2(p)), 0.0f)),
 
     // tangent
     PARITY(anyTangent, direction, kTight, vec4(anyTangent(vec3(p)), 0.0f)),
-    PARITY(perturbedNormal, direction, kTight,
-           vec4(perturbedNormal(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p),
-                                r.x - 0.5f, r.y - 0.5f),
-                0.0f)),
+    PARITY(
+        perturbedNormal, direction, kTight,
+        vec4(perturbedNormal(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p), r.x - 0.5f, r.y - 0.5f),
+             0.0f)),
     PARITY(normalFromMap, direction, kTight,
            vec4(normalFromMap(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p),
                               vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),
@@ -164,23 +147,19 @@ const Case kCases[] = {
     // shading
     PARITY(dielectricReflectance, direction, kTranscendental,
            vec4(dielectricReflectance(testSurface(p, q, r), p.w, 1.0f + r.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(metalReflectance, direction, kTight,
-           vec4(metalReflectance(testSurface(p, q, r), p.w), 0.0f)),
-    PARITY(smoothReflectance, direction, kTranscendental,
-           vec4(smoothReflectance(testSurface(p, q, r), p.w), 0.0f)),
-    PARITY(specularReflectance, direction, kTranscendental,
-           vec4(specularReflectance(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(metalReflectance, direction, kTight, vec4(metalReflectance(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(smoothReflectance, direction, kTranscendental, vec4(smoothReflectance(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(specularReflectance, direction, kTranscendental, vec4(specularReflectance(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(refractedLight, direction, kTight,
-           vec4(refractedLight(testSurface(p, q, r), vec3(p), mat3(vec3(q), vec3(p), vec3(r)),
-                               SmoothCube(2.0f), 6.0f),
+           vec4(refractedLight(testSurface(p, q, r), vec3(p), mat3(vec3(q), vec3(p), vec3(r)), SmoothCube(2.0f), 6.0f),
                 0.0f)),
     PARITY(shadedByEnvironment, direction, kTranscendental,
            vec4(shadedByEnvironment(testSurface(p, q, r), vec3(p), vec3(r), vec3(0.5f, 1.0f, 2.0f),
                                     vec3(1.0f, r.w, 0.25f)),
                 0.0f)),
     PARITY(shadedByPointLight, direction, kTranscendental,
-           vec4(shadedByPointLight(testSurface(p, q, r), vec3(p),
-                                   normalize(vec3(0.5f, 0.75f, 0.25f)), vec3(1.0f, 2.0f, 3.0f)),
+           vec4(shadedByPointLight(testSurface(p, q, r), vec3(p), normalize(vec3(0.5f, 0.75f, 0.25f)),
+                                   vec3(1.0f, 2.0f, 3.0f)),
                 0.0f)),
 };
 

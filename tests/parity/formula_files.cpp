@@ -31,15 +31,13 @@ FormulaFile parse(const fs::path& path) {
       file.needs.push_back(word->str() + ".glsl");
     }
   }
-  for (std::sregex_iterator found(text.begin(), text.end(), kFunction), end; found != end;
-       ++found) {
+  for (std::sregex_iterator found(text.begin(), text.end(), kFunction), end; found != end; ++found) {
     file.functions.push_back((*found)[1]);
   }
   return file;
 }
 
-void collect(const std::vector<FormulaFile>& files, std::string_view name,
-             std::vector<std::string_view>& ordered) {
+void collect(const std::vector<FormulaFile>& files, std::string_view name, std::vector<std::string_view>& ordered) {
   if (std::ranges::find(ordered, name) != ordered.end()) return;
   const auto file = std::ranges::find(files, name, &FormulaFile::name);
   if (file != files.end()) {

@@ -9,8 +9,8 @@ namespace mirrorball::parity {
 
 /// A file of formula/ as its shaders see it.
 struct FormulaFile {
-  std::string name;                ///< "optics.glsl"
-  std::vector<std::string> needs;  ///< the files that its comment "Needs: constants, color." names
+  std::string name;                    ///< "optics.glsl"
+  std::vector<std::string> needs;      ///< the files that its comment "Needs: constants, color." names
   std::vector<std::string> functions;  ///< every `FN type name(`, in order
 };
 

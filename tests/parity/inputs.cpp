@@ -71,8 +71,7 @@ std::vector<Input> inputsOf(Domain domain) {
   for (int i = 0; i < 81; ++i) {
     // 7 and 5 have no factor in common with 81: q and r go through all combinations too, but not
     // beside the same ones of p.
-    add(combination(i, kEdges), combination((7 * i + 40) % 81, kEdges),
-        combination((5 * i + 13) % 81, kEdges));
+    add(combination(i, kEdges), combination((7 * i + 40) % 81, kEdges), combination((5 * i + 13) % 81, kEdges));
   }
   Random random;
   for (int i = 0; i < kRandomCount; ++i) {

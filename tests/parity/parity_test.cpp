@@ -99,8 +99,8 @@ float difference(glm::vec4 expected, glm::vec4 actual) {
 }
 
 std::string show(glm::vec4 v) {
-  return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) +
-         ", " + std::to_string(v.w) + ")";
+  return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ", " +
+         std::to_string(v.w) + ")";
 }
 
 void expectParity(gl::Api api, const Case& formula, const std::string& includes) {
@@ -116,8 +116,7 @@ void expectParity(gl::Api api, const Case& formula, const std::string& includes)
     const float off = difference(expected, actual);
     if (off > worst) {
       worst = off;
-      where = "p " + show(p) + " q " + show(q) + " r " + show(r) + ": C++ " + show(expected) +
-              ", GLSL " + show(actual);
+      where = "p " + show(p) + " q " + show(q) + " r " + show(r) + ": C++ " + show(expected) + ", GLSL " + show(actual);
     }
   }
   ::testing::Test::RecordProperty(std::string(formula.function), formatNumber(worst));
@@ -162,8 +161,7 @@ TEST(Parity, EveryFormulaHasACase) {
   for (const FormulaFile& file : allFormulaFiles()) {
     functions += file.functions.size();
     for (const std::string& function : file.functions) {
-      EXPECT_TRUE(std::ranges::any_of(
-          allCases(), [&](const Case& formula) { return formula.function == function; }))
+      EXPECT_TRUE(std::ranges::any_of(allCases(), [&](const Case& formula) { return formula.function == function; }))
           << function << " of " << file.name << " needs a row in tests/parity/cases.cpp";
     }
   }
@@ -173,8 +171,7 @@ TEST(Parity, EveryFormulaHasACase) {
 /// Whether glslang, the reference compiler, takes a shader.
 void expectGlslangTakes(gl::Api api, const gl::ShaderSource& source, const fs::path& name) {
   const fs::path path = fs::path(::testing::TempDir()) / name;
-  const auto bytes =
-      std::span(reinterpret_cast<const std::uint8_t*>(source.text.data()), source.text.size());
+  const auto bytes = std::span(reinterpret_cast<const std::uint8_t*>(source.text.data()), source.text.size());
   const auto written = writeFile(path, bytes);
   ASSERT_TRUE(written) << written.error().message;
   const std::string command = "glslangValidator '" + path.string() + "'";

@@ -32,9 +32,9 @@ TEST(Irradiance, OfAWhiteEnvironmentIsPi) {
 // Closed forms: light 1 + d·a gives irradiance π + 2π/3 (n·a); light (d·a)² gives π/3 + π/4 ((n·a)² − 1/3).
 TEST(Irradiance, OfLightUpToBandTwoIsExact) {
   const glm::vec3 a = glm::normalize(glm::vec3(1, 2, -3));
-  const auto harmonics = harmonicsOf(
-      [a](glm::vec3 d) { return glm::vec3(1.0f + glm::dot(d, a), glm::dot(d, a) * glm::dot(d, a), 0.0f); },
-      Projection::cube);
+  const auto harmonics =
+      harmonicsOf([a](glm::vec3 d) { return glm::vec3(1.0f + glm::dot(d, a), glm::dot(d, a) * glm::dot(d, a), 0.0f); },
+                  Projection::cube);
   for (const glm::vec3 n : {glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::vec3(0.6f, -0.8f, 0), a, -a}) {
     const float cosine = glm::dot(n, a);
     const glm::vec3 irradiance = irradianceAt(harmonics, n);

@@ -34,9 +34,9 @@ std::vector<float> solidAngles(int side) {
   std::vector<float> corners((columns + 1) * (columns + 1));
   for (int y = 0; y <= side; ++y)
     for (int x = 0; x <= side; ++x)
-      corners[std::size_t(y) * (columns + 1) + std::size_t(x)] = formula::cubeCornerSolidAngle(
-          2.0f * static_cast<float>(x) / static_cast<float>(side) - 1.0f,
-          2.0f * static_cast<float>(y) / static_cast<float>(side) - 1.0f);
+      corners[std::size_t(y) * (columns + 1) + std::size_t(x)] =
+          formula::cubeCornerSolidAngle(2.0f * static_cast<float>(x) / static_cast<float>(side) - 1.0f,
+                                        2.0f * static_cast<float>(y) / static_cast<float>(side) - 1.0f);
   std::vector<float> angles(columns * columns);
   for (std::size_t y = 0; y < columns; ++y)
     for (std::size_t x = 0; x < columns; ++x) {
@@ -60,8 +60,8 @@ Image halved(const Image& source, int side, const std::vector<float>& angles, co
         for (std::size_t i = 0; i < across.lengths.size(); ++i) {
           const int row = down.first + static_cast<int>(j);
           const int column = across.first + static_cast<int>(i);
-          const float weight = down.lengths[j] * across.lengths[i] *
-                               angles[std::size_t(row) * source_side + std::size_t(column)];
+          const float weight =
+              down.lengths[j] * across.lengths[i] * angles[std::size_t(row) * source_side + std::size_t(column)];
           sum += rgbAt(source, column, row) * weight;
           total += weight;
         }

@@ -17,7 +17,8 @@ double flux(const ImageSet& chain, int level) {
     const Image& image = chain.at(level, face);
     for (int y = 0; y < image.height(); ++y)
       for (int x = 0; x < image.width(); ++x)
-        sum += double(rgbAt(image, x, y).x) * double(texelSolidAngle(Projection::cube, glm::ivec2(image.width()), {x, y}));
+        sum +=
+            double(rgbAt(image, x, y).x) * double(texelSolidAngle(Projection::cube, glm::ivec2(image.width()), {x, y}));
   }
   return sum;
 }

@@ -32,8 +32,8 @@ Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest
   if (!file) return fail(ErrorCode::io, name + ": cannot be opened: " + reason());
   const std::uintmax_t size = std::filesystem::file_size(path, status);
   if (!status && size > largest)
-    return fail(ErrorCode::too_large, name + ": has " + std::to_string(size) +
-                                          " bytes; at most " + std::to_string(largest) + " are read");
+    return fail(ErrorCode::too_large,
+                name + ": has " + std::to_string(size) + " bytes; at most " + std::to_string(largest) + " are read");
 
   // A pipe or a device tells no size: then the file is read in pieces until it ends.
   Bytes bytes(status ? 0 : static_cast<std::size_t>(size));
@@ -55,9 +55,10 @@ Result<void> writeFile(const std::filesystem::path& path, std::span<const std::u
   const std::string temporary = name + ".part" + std::to_string(::getpid());
   FileHandle file(std::fopen(temporary.c_str(), "wb"));
   if (!file)
-    return fail(ErrorCode::io, name + ": cannot be written: " + reason() +
-                                   "; check that the folder exists and is writable");
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+    return fail(ErrorCode::io,
+                name + ": cannot be written: " + reason() + "; check that the folder exists and is writable");
+  const bool written =
+      bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   const bool closed = std::fclose(file.release()) == 0;
   if (written && closed && std::rename(temporary.c_str(), name.c_str()) == 0) return {};
 

@@ -1,9 +1,8 @@
 #include "mirrorball/base/file.h"
 
-#include <unistd.h>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace mirrorball {
 namespace {
@@ -18,8 +17,7 @@ class FileTest : public ::testing::Test {
   std::size_t fileCount() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
-  const fs::path folder_ =
-      fs::path(::testing::TempDir()) / ("mirrorball_file_test_" + std::to_string(::getpid()));
+  const fs::path folder_ = fs::path(::testing::TempDir()) / ("mirrorball_file_test_" + std::to_string(::getpid()));
 };
 
 TEST_F(FileTest, WhatIsWrittenIsRead) {

@@ -40,8 +40,7 @@ Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view
   std::vector<float> numbers;
   for (const std::string& part : split(written, ',')) {
     const auto number = parseNumber(part);
-    if (!number || *number < text.minimum || *number > text.maximum)
-      return misused(text, wantedNumbers(text), written);
+    if (!number || *number < text.minimum || *number > text.maximum) return misused(text, wantedNumbers(text), written);
     numbers.push_back(static_cast<float>(*number));
   }
   const int count = static_cast<int>(numbers.size());
@@ -60,8 +59,8 @@ Result<glm::vec3> parseVector(const OptionText& text, std::string_view written) 
 
 Result<int> parseInteger(const OptionText& text, std::string_view written) {
   const auto number = parseNumber(written);
-  if (!number || *number != std::floor(*number) || std::abs(*number) > 2147483647.0 ||
-      *number < text.minimum || *number > text.maximum)
+  if (!number || *number != std::floor(*number) || std::abs(*number) > 2147483647.0 || *number < text.minimum ||
+      *number > text.maximum)
     return misused(text, "a whole number", written);
   return static_cast<int>(*number);
 }

@@ -16,18 +16,18 @@ namespace mirrorball {
 /// What a person reads of an option or a parameter: one row of a table of data from which the command line,
 /// its help, the documentation and a viewer's panels are made.
 struct OptionText {
-  std::string_view name;           ///< "fov", "perceptual_roughness": without dashes
+  std::string_view name;        ///< "fov", "perceptual_roughness": without dashes
   std::string_view value = {};  ///< how the value is written in help: "DEG"; empty for a flag
-  std::string_view unit = {};  ///< "degrees"; empty for a pure number
-  double minimum = -1e30;          ///< of each number
+  std::string_view unit = {};   ///< "degrees"; empty for a pure number
+  double minimum = -1e30;       ///< of each number
   double maximum = 1e30;
-  int fewest = 1;                  ///< how many numbers a list takes
+  int fewest = 1;  ///< how many numbers a list takes
   int most = 1;
   std::string_view choices = {};  ///< "exact|schlick|empirical": the values of an enumeration, in its order
-  std::string_view help = {};  ///< one sentence
+  std::string_view help = {};     ///< one sentence
   std::string_view letter = {};   ///< "o" where -o is a short form
   std::string_view implied = {};  ///< what is meant when the option is given without a value; empty: it needs one
-  std::string_view group = {};  ///< heading in help
+  std::string_view group = {};    ///< heading in help
 };
 
 /// An enumeration field of `Target` as an index into its choices.

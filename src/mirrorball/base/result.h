@@ -48,14 +48,14 @@ tl::unexpected<Error> fail(Result<Value>&& failed) {
 }  // namespace mirrorball
 
 /// `MIRRORBALL_TRY(image, readImage(path));` declares `image`, or returns the failure to the caller.
-#define MIRRORBALL_TRY(name, expression)                                \
-  auto name##_result = (expression);                                    \
+#define MIRRORBALL_TRY(name, expression)                                   \
+  auto name##_result = (expression);                                       \
   if (!name##_result) return ::mirrorball::fail(std::move(name##_result)); \
   auto name = std::move(*name##_result)
 
 /// The same for a Result<void>.
-#define MIRRORBALL_TRY_VOID(expression)                                              \
-  do {                                                                               \
-    auto mirrorball_void_result = (expression);                                      \
+#define MIRRORBALL_TRY_VOID(expression)                                                        \
+  do {                                                                                         \
+    auto mirrorball_void_result = (expression);                                                \
     if (!mirrorball_void_result) return ::mirrorball::fail(std::move(mirrorball_void_result)); \
   } while (false)

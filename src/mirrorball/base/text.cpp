@@ -55,13 +55,11 @@ std::string join(std::span<const std::string_view> words, std::string_view separ
 
 std::string formatNumber(double number) {
   char buffer[32];
-  const auto [end, error] =
-      std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(number));
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(number));
   return std::string(buffer, end);
 }
 
-std::optional<std::string_view> nearestWord(std::string_view text,
-                                            std::span<const std::string_view> words) {
+std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words) {
   std::optional<std::string_view> nearest;
   // Two letters swapped count as two edits.
   std::size_t least = std::clamp<std::size_t>(text.size() / 2, 1, 3) + 1;
@@ -75,11 +73,9 @@ std::optional<std::string_view> nearestWord(std::string_view text,
   return nearest;
 }
 
-Error unknownName(std::string_view what, std::string_view given,
-                  std::span<const std::string_view> right) {
+Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right) {
   std::string message = "no " + std::string(what) + " is named '" + std::string(given) + "'";
-  if (const auto nearest = nearestWord(given, right))
-    message += "; did you mean '" + std::string(*nearest) + "'?";
+  if (const auto nearest = nearestWord(given, right)) message += "; did you mean '" + std::string(*nearest) + "'?";
   return {ErrorCode::usage, message + " (there are: " + join(right) + ")"};
 }
 

@@ -39,8 +39,7 @@ float coverage(const SoftBox& box, glm::vec3 d) {
   const glm::vec3 up_hint = std::abs(forward.y) > 0.95f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
   const glm::vec3 right = glm::normalize(glm::cross(up_hint, forward));
   const glm::vec3 up = glm::cross(forward, right);
-  const glm::vec2 beyond =
-      glm::abs(glm::vec2(glm::dot(d, right), glm::dot(d, up)) / depth) - box.half_extent;
+  const glm::vec2 beyond = glm::abs(glm::vec2(glm::dot(d, right), glm::dot(d, up)) / depth) - box.half_extent;
   const float edge = 0.04f;
   return (1.0f - glm::smoothstep(-edge, edge, beyond.x)) * (1.0f - glm::smoothstep(-edge, edge, beyond.y));
 }
@@ -97,9 +96,8 @@ Environment skyEnvironment(const SkyParameters& parameters) {
   // Ground of albedo 0.2 under half of the zenith's light and the sun's.
   const glm::vec3 zenith = formula::skyLuminance({0, 1, 0}, sun, turbidity) / kKcdPerUnit;
   const float sun_solid_angle = formula::kPi * kSunRadius_rad * kSunRadius_rad;
-  const glm::vec3 ground =
-      0.2f * (zenith + sun_radiance * (sun_solid_angle * std::sin(elevation) / formula::kPi)) *
-      glm::vec3(1.0f, 0.95f, 0.88f);
+  const glm::vec3 ground = 0.2f * (zenith + sun_radiance * (sun_solid_angle * std::sin(elevation) / formula::kPi)) *
+                           glm::vec3(1.0f, 0.95f, 0.88f);
 
   const auto radiance = [=](glm::vec3 d) {
     if (d.y < 0.0f) {
@@ -160,8 +158,8 @@ Result<Environment> builtinEnvironment(std::string_view name) {
 }
 
 Error noSuchEnvironment(std::string_view name) {
-  return {ErrorCode::not_found, std::string(name) + ": no such file, and no built-in environment (there are: " +
-                                    join(kNames) + ")"};
+  return {ErrorCode::not_found,
+          std::string(name) + ": no such file, and no built-in environment (there are: " + join(kNames) + ")"};
 }
 
 }  // namespace mirrorball

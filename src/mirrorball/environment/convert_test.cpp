@@ -46,7 +46,8 @@ TEST(Convert, EveryProjectionShowsTheFunctionItself) {
     const Environment map(*convert(analytic, projection, 256));
     const bool has_rim = projection == Projection::sphere;
     // What bilinear interpolation between 256 texels leaves of a function with curvature of about 1.
-    EXPECT_GT(has_rim ? psnr(map, analytic, beforeTheRim) : psnr(map, analytic, everywhere), 70.0) << nameOf(projection);
+    EXPECT_GT(has_rim ? psnr(map, analytic, beforeTheRim) : psnr(map, analytic, everywhere), 70.0)
+        << nameOf(projection);
   }
 }
 
@@ -89,8 +90,8 @@ TEST(Convert, IsTheSameForAnyNumberOfThreads) {
   const EnvironmentMap many = *convert(sky, Projection::equirect, 64);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const EnvironmentMap single = *convert(sky, Projection::equirect, 64);
-  EXPECT_TRUE(std::equal(many.face(0).samples().begin(), many.face(0).samples().end(),
-                         single.face(0).samples().begin()));
+  EXPECT_TRUE(
+      std::equal(many.face(0).samples().begin(), many.face(0).samples().end(), single.face(0).samples().begin()));
 }
 
 TEST(Convert, MinificationAveragesWhatATexelCovers) {

@@ -34,7 +34,6 @@ constexpr std::array<LayoutTable, 6> kLayouts{{
     {"3x2", {3, 2}, {{{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}}}},
 }};
 
-
 constexpr auto kNames = [] {
   std::array<std::string_view, kLayouts.size()> names;
   for (std::size_t index = 0; index < names.size(); ++index) names[index] = kLayouts[index].name;

@@ -8,14 +8,12 @@ glm::vec3 Environment::radiance(glm::vec3 direction) const {
 }
 
 int Environment::naturalSize(Projection projection) const {
-  if (const EnvironmentMap* images = map())
-    return equivalentSize(images->projection(), images->size(), projection);
+  if (const EnvironmentMap* images = map()) return equivalentSize(images->projection(), images->size(), projection);
   return equivalentSize(Projection::equirect, panorama_height_, projection);
 }
 
 float Environment::texelDensity() const {
-  if (const EnvironmentMap* images = map())
-    return mirrorball::texelDensity(images->projection(), images->size());
+  if (const EnvironmentMap* images = map()) return mirrorball::texelDensity(images->projection(), images->size());
   return mirrorball::texelDensity(Projection::equirect, panorama_height_);
 }
 

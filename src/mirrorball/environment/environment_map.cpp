@@ -69,8 +69,8 @@ glm::vec4 EnvironmentMap::fetchCube(int face_index, int x, int y) const {
   const glm::vec2 center(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
   const glm::vec3 beyond = formula::cubePoint(face_index, center / static_cast<float>(side));
   const MapPosition place = positionOf(Projection::cube, beyond);
-  const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(place.uv * static_cast<float>(side))),
-                                      glm::ivec2(0), glm::ivec2(side - 1));
+  const glm::ivec2 texel =
+      glm::clamp(glm::ivec2(glm::floor(place.uv * static_cast<float>(side))), glm::ivec2(0), glm::ivec2(side - 1));
   return glm::vec4(rgbAt(face(place.face), texel.x, texel.y), 1.0f);
 }
 

@@ -52,7 +52,8 @@ TEST(EnvironmentMap, DoesNotJumpAcrossSeams) {
         const float angle = 6.2831853f * static_cast<float>(step) / kSteps;
         const glm::vec3 here = map.radiance(circle * glm::vec2(std::cos(angle), std::sin(angle)));
         // Straight behind, every point of an angular map's rim is the same direction, but texels are not.
-        const bool is_rim = projection == Projection::angular && (circle * glm::vec2(std::cos(angle), std::sin(angle))).z < -0.995f;
+        const bool is_rim =
+            projection == Projection::angular && (circle * glm::vec2(std::cos(angle), std::sin(angle))).z < -0.995f;
         if (!is_rim) largest = std::max(largest, glm::length(here - before));
         before = here;
       }

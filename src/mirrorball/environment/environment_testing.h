@@ -10,7 +10,8 @@ namespace mirrorball::testing {
 
 /// Smooth light of all directions, between about 0.2 and 1.8: no two projections may disagree on it by much.
 inline glm::vec3 smoothRadiance(glm::vec3 d) {
-  return {1.0f + 0.5f * d.x + 0.3f * d.y * d.z, 1.0f + 0.6f * d.y - 0.2f * d.x * d.z, 1.0f + 0.7f * d.z * d.z - 0.3f * d.x};
+  return {1.0f + 0.5f * d.x + 0.3f * d.y * d.z, 1.0f + 0.6f * d.y - 0.2f * d.x * d.z,
+          1.0f + 0.7f * d.z * d.z - 0.3f * d.x};
 }
 
 /// Peak signal-to-noise ratio in dB over the directions of a dense lattice for which `counts` holds, for a peak of 1.

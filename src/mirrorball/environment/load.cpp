@@ -17,8 +17,8 @@ Result<NonFinite> treatNonFinite(const std::string& name, Image& image, const En
   if (bad.count == 0 || options.keep_bad) return bad;
   if (!options.repair)
     return fail(ErrorCode::non_finite, name + ": " + std::to_string(bad.count) +
-                                           " texels are NaN or infinite, the first at (" +
-                                           std::to_string(bad.first.x) + ", " + std::to_string(bad.first.y) +
+                                           " texels are NaN or infinite, the first at (" + std::to_string(bad.first.x) +
+                                           ", " + std::to_string(bad.first.y) +
                                            "); --repair replaces them by their neighbours");
   if (auto repaired = repairNonFinite(image); !repaired)
     return fail(repaired.error().code, name + ": " + repaired.error().message);
@@ -33,8 +33,7 @@ std::optional<std::array<fs::path, 6>> facePaths(const fs::path& path) {
     const std::string base = stem.substr(0, stem.size() - suffix.size());
     std::array<fs::path, 6> paths;
     for (std::size_t face = 0; face < 6; ++face)
-      paths[face] = path.parent_path() /
-                    (base + std::string(kFaceSuffixes[face]) + path.extension().string());
+      paths[face] = path.parent_path() / (base + std::string(kFaceSuffixes[face]) + path.extension().string());
     return paths;
   }
   return std::nullopt;
@@ -62,12 +61,9 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const std::array<fs
     format = decoded.format;
   }
   const glm::ivec2 size(faces.at(0, 0).width());
-  return LoadedEnvironment{Environment(EnvironmentMap(Projection::cube, std::move(faces))),
-                           name,
-                           std::move(format),
-                           Recognition{{Projection::cube, CubeLayout::faces}, std::move(told_by)},
-                           size,
-                           bad};
+  return LoadedEnvironment{
+      Environment(EnvironmentMap(Projection::cube, std::move(faces))),        name, std::move(format),
+      Recognition{{Projection::cube, CubeLayout::faces}, std::move(told_by)}, size, bad};
 }
 
 Result<EnvironmentMap> mapOfPicture(const std::string& name, Image image, const MapForm& form) {
@@ -101,8 +97,8 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
   if (paths && may_be_faces)
     return loadFaces(name_or_path, *paths, options, faces_named ? "--from" : "its name, one of six faces");
   if (faces_named)
-    return fail(ErrorCode::usage, name_or_path +
-                                      ": name one of the six faces, whose names end in _px _nx _py _ny _pz _nz");
+    return fail(ErrorCode::usage,
+                name_or_path + ": name one of the six faces, whose names end in _px _nx _py _ny _pz _nz");
   if (!exists) return tl::unexpected<Error>(noSuchEnvironment(name_or_path));
   return loadPicture(name_or_path, options);
 }

@@ -4,10 +4,9 @@
 #include <filesystem>
 #include <limits>
 
-#include <unistd.h>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "mirrorball/codec/codec.h"
 

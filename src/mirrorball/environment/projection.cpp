@@ -83,8 +83,8 @@ float texelSolidAngle(Projection projection, glm::ivec2 size, glm::ivec2 texel) 
     case Projection::angular:
       return disc_area * angularDensity(2.0f * glm::length(center - 0.5f));
     case Projection::cube:
-      return formula::cubeRectangleSolidAngle(2.0f * low.x - 1.0f, 2.0f * low.y - 1.0f,
-                                              2.0f * high.x - 1.0f, 2.0f * high.y - 1.0f);
+      return formula::cubeRectangleSolidAngle(2.0f * low.x - 1.0f, 2.0f * low.y - 1.0f, 2.0f * high.x - 1.0f,
+                                              2.0f * high.y - 1.0f);
   }
   return 0.0f;
 }

@@ -49,14 +49,13 @@ Result<MapForm> formOfHint(const FormHint& hint, int width, int height) {
   const bool is_disc = form.projection == Projection::sphere || form.projection == Projection::angular;
   if (is_disc && width != height)
     return fail(ErrorCode::bad_shape, "is " + sizeText(width, height) + ", and a " +
-                                          std::string(nameOf(form.projection)) +
-                                          " map is square; crop it to the disc");
+                                          std::string(nameOf(form.projection)) + " map is square; crop it to the disc");
   if (form.projection != Projection::cube) return form;
 
   const auto layout = hint.layout ? hint.layout : layoutOfShape(width, height);
   if (!layout)
-    return fail(ErrorCode::bad_shape, "is " + sizeText(width, height) +
-                                          ", which is no cube layout that is known (4:3 3:4 6:1 1:6 3:2)");
+    return fail(ErrorCode::bad_shape,
+                "is " + sizeText(width, height) + ", which is no cube layout that is known (4:3 3:4 6:1 1:6 3:2)");
   form.layout = *layout;
   const glm::ivec2 cells = cellsOf(form.layout);
   if (width % cells.x != 0 || height % cells.y != 0 || width / cells.x != height / cells.y)
@@ -94,9 +93,7 @@ Result<FormHint> formHintNamed(std::string_view name) {
 
 Result<Recognition> recognize(const std::string& name, int width, int height, const Metadata& metadata,
                               const FormHint& hint) {
-  const auto named = [&](auto&& failed) {
-    return fail(failed.error().code, name + ": " + failed.error().message);
-  };
+  const auto named = [&](auto&& failed) { return fail(failed.error().code, name + ": " + failed.error().message); };
   if (hint.projection || hint.layout) {
     auto form = formOfHint(hint, width, height);
     if (!form) return named(form);

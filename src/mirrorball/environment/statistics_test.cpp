@@ -12,7 +12,8 @@ namespace {
 TEST(RadianceStatistics, AreTheSameInEveryProjection) {
   // The mean of y² over the sphere is 1/3, of a constant itself, of x nothing.
   const Environment light([](glm::vec3 d) { return glm::vec3(d.y * d.y, 2.0f, 1.0f + d.x); }, 128);
-  for (const Projection projection : {Projection::equirect, Projection::sphere, Projection::angular, Projection::cube}) {
+  for (const Projection projection :
+       {Projection::equirect, Projection::sphere, Projection::angular, Projection::cube}) {
     const RadianceStatistics statistics = radianceStatistics(*convert(light, projection, 128));
     EXPECT_NEAR(statistics.mean.x, 1.0f / 3.0f, 2e-3f) << nameOf(projection);
     EXPECT_NEAR(statistics.mean.y, 2.0f, 1e-5f) << nameOf(projection);

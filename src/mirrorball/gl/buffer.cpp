@@ -14,8 +14,7 @@ Buffer::Buffer(std::span<const std::byte> bytes) {
   // The target of this first binding says nothing about the later use, and unlike
   // GL_ELEMENT_ARRAY_BUFFER this one is no state of the bound vertex array.
   glBindBuffer(GL_ARRAY_BUFFER, name);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
-               GL_STATIC_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
 }
 
 void Buffer::destroy(unsigned name) { glDeleteBuffers(1, &name); }
@@ -26,8 +25,7 @@ VertexArray::VertexArray() {
   handle_ = Handle<destroy>(name);
 }
 
-VertexArray::VertexArray(Buffer vertices, std::size_t stride, std::span<const Attribute> attributes,
-                         Buffer indices)
+VertexArray::VertexArray(Buffer vertices, std::size_t stride, std::span<const Attribute> attributes, Buffer indices)
     : VertexArray() {
   vertices_ = std::move(vertices);
   indices_ = std::move(indices);
@@ -36,8 +34,7 @@ VertexArray::VertexArray(Buffer vertices, std::size_t stride, std::span<const At
   for (const Attribute& attribute : attributes) {
     assert(attribute.components >= 1 && attribute.components <= 4);
     glEnableVertexAttribArray(attribute.location);
-    glVertexAttribPointer(attribute.location, attribute.components, GL_FLOAT, GL_FALSE,
-                          static_cast<GLsizei>(stride),
+    glVertexAttribPointer(attribute.location, attribute.components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
                           reinterpret_cast<const void*>(attribute.offset));
   }
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_->name());

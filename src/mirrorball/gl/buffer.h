@@ -15,8 +15,7 @@ class Buffer {
  public:
   /// Copies the elements of a vector or an array: `Buffer(mesh.vertices)`.
   template <std::ranges::contiguous_range Elements>
-  explicit Buffer(const Elements& elements)
-      : Buffer(std::span<const std::byte>(std::as_bytes(std::span(elements)))) {}
+  explicit Buffer(const Elements& elements) : Buffer(std::span<const std::byte>(std::as_bytes(std::span(elements)))) {}
   explicit Buffer(std::span<const std::byte> bytes);
 
   unsigned name() const { return handle_.name(); }
@@ -43,8 +42,7 @@ class VertexArray {
   ///
   /// stride   bytes from one vertex to the next
   /// indices  32-bit, three a triangle
-  VertexArray(Buffer vertices, std::size_t stride, std::span<const Attribute> attributes,
-              Buffer indices);
+  VertexArray(Buffer vertices, std::size_t stride, std::span<const Attribute> attributes, Buffer indices);
 
   /// Draws `count` indices from the first, as triangles.
   void drawIndexed(std::size_t count) const;

@@ -55,8 +55,7 @@ Devices findDevices() {
   if (!clientHas("EGL_EXT_platform_device")) return found;
   if (!clientHas("EGL_EXT_device_enumeration") && !clientHas("EGL_EXT_device_base")) return found;
   const auto query_devices = extensionFunction<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
-  const auto query_string =
-      extensionFunction<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+  const auto query_string = extensionFunction<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
   EGLint count = 0;
   if (!query_devices || !query_devices(0, nullptr, &count) || count <= 0) return found;
   std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
@@ -64,8 +63,7 @@ Devices findDevices() {
   devices.resize(static_cast<std::size_t>(count));
   for (EGLDeviceEXT device : devices) {
     const char* about = query_string ? query_string(device, EGL_EXTENSIONS) : nullptr;
-    const bool software =
-        about != nullptr && epoxy_extension_in_string(about, "EGL_MESA_device_software");
+    const bool software = about != nullptr && epoxy_extension_in_string(about, "EGL_MESA_device_software");
     (software ? found.software : found.hardware).push_back(device);
   }
   return found;
@@ -76,18 +74,15 @@ Devices findDevices() {
 std::vector<Candidate> findCandidates() {
   std::vector<Candidate> candidates;
   if (!epoxy_has_egl()) return candidates;
-  const auto platform_display =
-      extensionFunction<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+  const auto platform_display = extensionFunction<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
   const Devices devices = platform_display ? findDevices() : Devices{};
   const auto add_device = [&](EGLDeviceEXT device, const char* name) {
-    candidates.push_back(
-        {name, [=] { return platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr); }});
+    candidates.push_back({name, [=] { return platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr); }});
   };
   for (EGLDeviceEXT device : devices.hardware) add_device(device, "GPU");
   if (platform_display && clientHas("EGL_MESA_platform_surfaceless")) {
     candidates.push_back({"surfaceless display", [=] {
-                            return platform_display(EGL_PLATFORM_SURFACELESS_MESA,
-                                                    EGL_DEFAULT_DISPLAY, nullptr);
+                            return platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
                           }});
   }
   for (EGLDeviceEXT device : devices.software) add_device(device, "software device");
@@ -109,31 +104,22 @@ std::shared_ptr<Display> initialise(EGLDisplay handle) {
   return display;
 }
 
-bool bindApi(Api api) {
-  return eglBindAPI(api == Api::desktop43 ? EGL_OPENGL_API : EGL_OPENGL_ES_API) == EGL_TRUE;
-}
+bool bindApi(Api api) { return eglBindAPI(api == Api::desktop43 ? EGL_OPENGL_API : EGL_OPENGL_ES_API) == EGL_TRUE; }
 
 /// Whether the library is there that libepoxy takes the API's functions from: it ends the process
 /// when it is not.
 bool hasLibrary(Api api) {
   // Not closed again, since libepoxy opens it next.
   if (api == Api::es30) return dlopen("libGLESv2.so.2", RTLD_LAZY) != nullptr;
-  return dlopen("libOpenGL.so.0", RTLD_LAZY) != nullptr ||
-         dlopen("libGL.so.1", RTLD_LAZY) != nullptr;
+  return dlopen("libOpenGL.so.0", RTLD_LAZY) != nullptr || dlopen("libGL.so.1", RTLD_LAZY) != nullptr;
 }
 
 EGLContext createContext(EGLDisplay display, Api api) {
-  constexpr EGLint kDesktop[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 4,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 3,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_NONE};
-  constexpr EGLint kEmbedded[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0,
-                                  EGL_NONE};
-  return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
-                          api == Api::desktop43 ? kDesktop : kEmbedded);
+  constexpr EGLint kDesktop[] = {
+      EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  constexpr EGLint kEmbedded[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
+  return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, api == Api::desktop43 ? kDesktop : kEmbedded);
 }
 
 std::string glString(GLenum what) {
@@ -148,8 +134,8 @@ std::string describeOldDriver(EGLDisplay display, Api api) {
   if (context == EGL_NO_CONTEXT) return {};
   std::string text;
   if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
-    text = "the driver \"" + glString(GL_RENDERER) + "\" offers only version " +
-           glString(GL_VERSION) + "; " + nameOf(api) + " is needed";
+    text = "the driver \"" + glString(GL_RENDERER) + "\" offers only version " + glString(GL_VERSION) + "; " +
+           nameOf(api) + " is needed";
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   }
   eglDestroyContext(display, context);
@@ -175,8 +161,7 @@ struct Context::State {
   EGLContext context = EGL_NO_CONTEXT;
   Api api = Api::desktop43;
 
-  State(std::shared_ptr<Display> on, EGLContext made, Api of)
-      : display(std::move(on)), context(made), api(of) {}
+  State(std::shared_ptr<Display> on, EGLContext made, Api of) : display(std::move(on)), context(made), api(of) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State() {
@@ -194,8 +179,7 @@ Result<Context> Context::createHeadless(Api api) {
     return fail(ErrorCode::no_gl, std::string("no EGL library found; ") + kHowToInstall);
   }
   if (!hasLibrary(api)) {
-    return fail(ErrorCode::no_gl,
-                std::string("no library for ") + nameOf(api) + " found; " + kHowToInstall);
+    return fail(ErrorCode::no_gl, std::string("no library for ") + nameOf(api) + " found; " + kHowToInstall);
   }
   std::string tried;
   std::string too_old;
@@ -226,8 +210,8 @@ Result<Context> Context::createHeadless(Api api) {
     return context;
   }
   if (!too_old.empty()) return fail(ErrorCode::no_gl, too_old);
-  return fail(ErrorCode::no_gl, std::string("no driver for ") + nameOf(api) +
-                                    " found (tried: " + tried + "); " + kHowToInstall);
+  return fail(ErrorCode::no_gl,
+              std::string("no driver for ") + nameOf(api) + " found (tried: " + tried + "); " + kHowToInstall);
 }
 
 Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}

@@ -20,13 +20,12 @@ const char* nameOf(Api api);
 /// current in the calling thread, and must be destroyed before it.
 class Context {
  public:
-  /// Makes a context without a display server, and makes it current. Cube maps are filtered across
-  /// their edges, and rows of uploaded pixels are tightly packed.
+  /// Makes a context without a display server, and makes it current. Cube maps are filtered across their edges, and
+  /// rows of uploaded pixels are tightly packed.
   ///
-  /// returns  a context on the first of: a GPU, Mesa's software driver, whatever the default
-  /// display is errors   no_gl: no driver at all, or all of them too old; the message says what was
-  /// found and what to install cost     about 25 ms on Mesa's llvmpipe, of which nearly all is the
-  /// driver's own start
+  /// returns  a context on the first of: a GPU, Mesa's software driver, whatever the default display is
+  /// errors   no_gl: no driver at all, or all of them too old; the message says what was found and what to install
+  /// cost     about 25 ms on Mesa's llvmpipe, of which nearly all is the driver's own start
   static Result<Context> createHeadless(Api api = Api::desktop43);
 
   Context(Context&&) noexcept;
@@ -37,10 +36,9 @@ class Context {
   void makeCurrent();
 
   Api api() const;
-  std::string renderer()
-      const;  ///< the driver's name for the device: "llvmpipe (LLVM 15.0.6, 256 bits)"
-  std::string version() const;  ///< the driver's version line: "4.5 (Core Profile) Mesa 22.3.6"
-  int largestTexture() const;   ///< the longest side in texels of a 2D texture or a framebuffer
+  std::string renderer() const;  ///< the driver's name for the device: "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string version() const;   ///< the driver's version line: "4.5 (Core Profile) Mesa 22.3.6"
+  int largestTexture() const;    ///< the longest side in texels of a 2D texture or a framebuffer
 
  private:
   struct State;

@@ -62,17 +62,16 @@ TEST(Context, TwoLiveSideBySide) {
 
 TEST(ContextDeathTest, MissingDriversAreAnErrorThatSaysWhatToInstall) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(reportWith("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent"),
-              ::testing::ExitedWithCode(0),
+  EXPECT_EXIT(reportWith("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent"), ::testing::ExitedWithCode(0),
               AllOf(HasSubstr("no driver for OpenGL 4.3 found"), HasSubstr("install libegl1")));
 }
 
 TEST(ContextDeathTest, AnOldDriverIsNamedWithItsVersion) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto any_status = [](int) { return true; };
-  EXPECT_EXIT(reportWith("MESA_GL_VERSION_OVERRIDE", "3.1"), any_status,
-              AnyOf(Not(HasSubstr("Mesa")), AllOf(HasSubstr("offers only version 3.1"),
-                                                  HasSubstr("OpenGL 4.3 is needed"))));
+  EXPECT_EXIT(
+      reportWith("MESA_GL_VERSION_OVERRIDE", "3.1"), any_status,
+      AnyOf(Not(HasSubstr("Mesa")), AllOf(HasSubstr("offers only version 3.1"), HasSubstr("OpenGL 4.3 is needed"))));
   MIRRORBALL_NEEDS_GL(context, Api::desktop43);
   if (context.version().find("Mesa") == std::string::npos) {
     GTEST_SKIP() << "only Mesa can pretend to be an older version";

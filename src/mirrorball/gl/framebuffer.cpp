@@ -23,15 +23,13 @@ void flipRows(ImageOf<Sample>& image) {
 
 Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool depth) {
   MIRRORBALL_TRY(texture, Texture::make2d(color, width, height));
-  texture.setSampling(
-      {.filter = color == Format::rgba32f ? Sampling::Filter::nearest : Sampling::Filter::linear});
+  texture.setSampling({.filter = color == Format::rgba32f ? Sampling::Filter::nearest : Sampling::Filter::linear});
   Framebuffer framebuffer(std::move(texture));
   GLuint name = 0;
   glGenFramebuffers(1, &name);
   framebuffer.handle_ = Handle<destroyFramebuffer>(name);
   glBindFramebuffer(GL_FRAMEBUFFER, name);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                         framebuffer.color_.name(), 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, framebuffer.color_.name(), 0);
   if (depth) {
     GLuint depth_name = 0;
     glGenRenderbuffers(1, &depth_name);
@@ -41,8 +39,7 @@ Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool 
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_name);
   }
   if (glGetError() == GL_OUT_OF_MEMORY) {
-    return fail(ErrorCode::too_large, "a picture of " + std::to_string(width) + " × " +
-                                          std::to_string(height) +
+    return fail(ErrorCode::too_large, "a picture of " + std::to_string(width) + " × " + std::to_string(height) +
                                           " pixels does not fit into the graphics memory");
   }
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {

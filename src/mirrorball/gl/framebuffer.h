@@ -8,8 +8,7 @@ namespace mirrorball::gl {
 /// A picture to draw into: one colour texture, and a 24-bit depth buffer if wanted.
 class Framebuffer {
  public:
-  /// errors   too_large; no_gl: this driver cannot draw into such a format (floats in OpenGL ES
-  /// need the extension
+  /// errors   too_large; no_gl: this driver cannot draw into such a format (floats in OpenGL ES need the extension
   ///          EXT_color_buffer_float)
   static Result<Framebuffer> make(Format color, int width, int height, bool depth);
 

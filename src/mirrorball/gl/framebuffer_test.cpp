@@ -95,8 +95,7 @@ TEST_P(FramebufferTest, NearerTrianglesHideThoseBehind) {
       {{0.0f, 9.0f, -0.5f}, {0.0f, 1.0f, 0.0f}},   {{-1.0f, -1.0f, 0.5f}, {1.0f, 0.0f, 0.0f}},
       {{3.0f, -1.0f, 0.5f}, {1.0f, 0.0f, 0.0f}},   {{-1.0f, 3.0f, 0.5f}, {1.0f, 0.0f, 0.0f}}};
   const std::vector<std::uint32_t> indices = {0, 1, 2, 3, 4, 5};
-  const std::array<Attribute, 2> kAttributes = {
-      {{0, 3, offsetof(Corner, position)}, {1, 3, offsetof(Corner, color)}}};
+  const std::array<Attribute, 2> kAttributes = {{{0, 3, offsetof(Corner, position)}, {1, 3, offsetof(Corner, color)}}};
   const VertexArray triangles(Buffer{corners}, sizeof(Corner), kAttributes, Buffer{indices});
 
   auto framebuffer = Framebuffer::make(Format::rgba8, 4, 4, true);

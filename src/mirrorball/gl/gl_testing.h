@@ -25,9 +25,7 @@ inline std::string shortNameOf(Api api) { return api == Api::desktop43 ? "deskto
 inline void PrintTo(Api api, std::ostream* out) { *out << nameOf(api); }
 
 /// Names the instances of a test that runs with both APIs.
-inline std::string apiName(const ::testing::TestParamInfo<Api>& info) {
-  return shortNameOf(info.param);
-}
+inline std::string apiName(const ::testing::TestParamInfo<Api>& info) { return shortNameOf(info.param); }
 
 /// A test that runs once with each Api, or skips itself with the reason where there is no GL, and
 /// fails when it leaves an OpenGL error.
@@ -49,10 +47,9 @@ class GlTest : public ::testing::TestWithParam<Api> {
 };
 
 /// Runs a GlTest with both APIs.
-#define MIRRORBALL_WITH_BOTH_APIS(suite)                                                \
-  INSTANTIATE_TEST_SUITE_P(                                                             \
-      Apis, suite,                                                                      \
-      ::testing::Values(::mirrorball::gl::Api::desktop43, ::mirrorball::gl::Api::es30), \
-      ::mirrorball::gl::apiName)
+#define MIRRORBALL_WITH_BOTH_APIS(suite)                                                                     \
+  INSTANTIATE_TEST_SUITE_P(Apis, suite,                                                                      \
+                           ::testing::Values(::mirrorball::gl::Api::desktop43, ::mirrorball::gl::Api::es30), \
+                           ::mirrorball::gl::apiName)
 
 }  // namespace mirrorball::gl

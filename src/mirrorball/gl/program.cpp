@@ -33,18 +33,16 @@ Result<Shader> compile(GLenum stage, const ShaderSource& source, const std::stri
   GLint compiled = GL_FALSE;
   glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
   if (!compiled) {
-    return fail(
-        ErrorCode::unsupported,
-        name + ": the graphics driver cannot compile this shader: " +
-            namedLog(logOf(shader.name(), glGetShaderiv, glGetShaderInfoLog), source.files));
+    return fail(ErrorCode::unsupported,
+                name + ": the graphics driver cannot compile this shader: " +
+                    namedLog(logOf(shader.name(), glGetShaderiv, glGetShaderInfoLog), source.files));
   }
   return shader;
 }
 
 }  // namespace
 
-Result<Program> Program::build(const ShaderSource& vertex, const ShaderSource& fragment,
-                               const std::string& name) {
+Result<Program> Program::build(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& name) {
   MIRRORBALL_TRY(vertex_shader, compile(GL_VERTEX_SHADER, vertex, name));
   MIRRORBALL_TRY(fragment_shader, compile(GL_FRAGMENT_SHADER, fragment, name));
   Program program(glCreateProgram());
@@ -55,20 +53,17 @@ Result<Program> Program::build(const ShaderSource& vertex, const ShaderSource& f
   GLint linked = GL_FALSE;
   glGetProgramiv(handle, GL_LINK_STATUS, &linked);
   if (!linked) {
-    return fail(ErrorCode::unsupported,
-                name + ": the graphics driver cannot link this shader: " +
-                    namedLog(logOf(handle, glGetProgramiv, glGetProgramInfoLog), {}));
+    return fail(ErrorCode::unsupported, name + ": the graphics driver cannot link this shader: " +
+                                            namedLog(logOf(handle, glGetProgramiv, glGetProgramInfoLog), {}));
   }
   return program;
 }
 
-Result<Program> Program::load(Api api, std::string_view vertex_entry,
-                              std::string_view fragment_entry,
+Result<Program> Program::load(Api api, std::string_view vertex_entry, std::string_view fragment_entry,
                               std::span<const std::string_view> defines) {
   MIRRORBALL_TRY(vertex, shaderSource(api, vertex_entry, defines));
   MIRRORBALL_TRY(fragment, shaderSource(api, fragment_entry, defines));
-  return build(vertex, fragment,
-               std::string(vertex_entry) + " with " + std::string(fragment_entry));
+  return build(vertex, fragment, std::string(vertex_entry) + " with " + std::string(fragment_entry));
 }
 
 void Program::destroy(unsigned name) { glDeleteProgram(name); }
@@ -84,9 +79,7 @@ int Program::locationOf(std::string_view uniform) {
   return location;
 }
 
-void Program::set(std::string_view uniform, float value) {
-  glUniform1f(locationOf(uniform), value);
-}
+void Program::set(std::string_view uniform, float value) { glUniform1f(locationOf(uniform), value); }
 
 void Program::set(std::string_view uniform, int value) { glUniform1i(locationOf(uniform), value); }
 
@@ -111,8 +104,7 @@ void Program::set(std::string_view uniform, const glm::mat4& value) {
 }
 
 void Program::set(std::string_view uniform, std::span<const glm::vec3> values) {
-  glUniform3fv(locationOf(uniform), static_cast<GLsizei>(values.size()),
-               reinterpret_cast<const float*>(values.data()));
+  glUniform3fv(locationOf(uniform), static_cast<GLsizei>(values.size()), reinterpret_cast<const float*>(values.data()));
 }
 
 }  // namespace mirrorball::gl

@@ -25,15 +25,13 @@ class Program {
   ///
   /// name     for messages
   /// errors   unsupported: the driver's own words, with file and line of each shader text
-  static Result<Program> build(const ShaderSource& vertex, const ShaderSource& fragment,
-                               const std::string& name);
+  static Result<Program> build(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& name);
 
   /// Joins two entry files of /shaders and builds them: `Program::load(api, "mesh.vert",
   /// "surface.frag", defines)`.
   ///
   /// errors   not_found (shaderSource); unsupported
-  static Result<Program> load(Api api, std::string_view vertex_entry,
-                              std::string_view fragment_entry,
+  static Result<Program> load(Api api, std::string_view vertex_entry, std::string_view fragment_entry,
                               std::span<const std::string_view> defines = {});
 
   /// What is drawn from now on goes through this program.

@@ -41,8 +41,7 @@ std::optional<std::string_view> findInTest(std::string_view name) {
        "}\n"},
       {"broken.glsl", "// fine\n// fine\nFN float broken() { return nowhere; }\n"},
       {"broken.frag", "#include \"broken.glsl\"\nout vec4 color;\nvoid main() {}\n"},
-      {"late.frag",
-       "#include \"empty.glsl\"\nout vec4 color;\nvoid main() {\n  color = late;\n}\n"},
+      {"late.frag", "#include \"empty.glsl\"\nout vec4 color;\nvoid main() {\n  color = late;\n}\n"},
       {"empty.glsl", "\n\n\n"},
       {"unlinked.frag",
        "in vec3 never_written;\nout vec4 color;\n"

@@ -21,7 +21,6 @@ constexpr std::string_view kEmbeddedVersion =
 // formula/formula.h.
 constexpr std::string_view kPrelude =
     "#define FN\n"
-    "#define OUT(type) out type\n"
     "#define CUBE_SAMPLER samplerCube\n"
     "vec4 sampleLod(samplerCube map, vec3 direction, float lod) {\n"
     "  return textureLod(map, direction, lod);\n"
@@ -51,11 +50,9 @@ std::string lineDirective(int line, std::size_t file) {
 
 }  // namespace
 
-Result<ShaderSource> shaderSource(Api api, std::string_view entry,
-                                  std::span<const std::string_view> defines, const FindText& find) {
-  const auto findText = [&](std::string_view name) {
-    return find ? find(name) : embeddedText(name);
-  };
+Result<ShaderSource> shaderSource(Api api, std::string_view entry, std::span<const std::string_view> defines,
+                                  const FindText& find) {
+  const auto findText = [&](std::string_view name) { return find ? find(name) : embeddedText(name); };
   std::optional<std::string_view> rest = findText(entry);
   if (!rest) return fail(ErrorCode::not_found, std::string(entry) + ": no such shader");
 
@@ -83,8 +80,7 @@ Result<ShaderSource> shaderSource(Api api, std::string_view entry,
     }
     const std::optional<std::string_view> text = findText(*included);
     if (!text) {
-      return fail(ErrorCode::not_found, std::string(entry) + ", line " +
-                                            std::to_string(line_number) +
+      return fail(ErrorCode::not_found, std::string(entry) + ", line " + std::to_string(line_number) +
                                             ": no shader text is named " + std::string(*included));
     }
     source.text += lineDirective(1, source.files.size());
@@ -98,8 +94,7 @@ Result<ShaderSource> shaderSource(Api api, std::string_view entry,
 
 std::string namedLog(std::string_view log, std::span<const std::string> files) {
   // "0:12(5): error" is Mesa's form, "0(12) : error" NVIDIA's, "ERROR: 0:12:" that of most others.
-  static const std::regex kPlace(
-      R"(^(ERROR: |WARNING: )?(\d{1,9})(?::(\d+)(?:\(\d+\))?|\((\d+)\) ?):)");
+  static const std::regex kPlace(R"(^(ERROR: |WARNING: )?(\d{1,9})(?::(\d+)(?:\(\d+\))?|\((\d+)\) ?):)");
   std::string named;
   while (!log.empty()) {
     const std::size_t end = std::min(log.find('\n'), log.size());

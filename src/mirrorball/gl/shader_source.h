@@ -23,18 +23,15 @@ using FindText = std::function<std::optional<std::string_view>(std::string_view 
 
 /// Joins an entry file of /shaders with the formula files that it includes into one shader.
 ///
-/// The text starts with the version and precision that `api` asks for, the names that the formula
-/// files are written with (FN, OUT, CUBE_SAMPLER, sampleLod), and the defines. Each line `#include
-/// "name"` of the entry gives way to that file, once however often it is named; the files included
-/// include nothing themselves.
+/// The text starts with the version and precision that `api` asks for, the names that the formula files are written
+/// with (FN, CUBE_SAMPLER, sampleLod), and the defines. Each line `#include "name"` of the entry gives way to that file,
+/// once however often it is named; the files included include nothing themselves.
 ///
 /// entry    for example "surface.frag"
 /// defines  each "NAME" or "NAME value"
-/// find     where the texts come from: those that were embedded when the program was built, unless
-/// a test has its own errors   not_found: the entry, or an included file (with the line that asks
-/// for it)
-Result<ShaderSource> shaderSource(Api api, std::string_view entry,
-                                  std::span<const std::string_view> defines = {},
+/// find     where the texts come from: those that were embedded when the program was built, unless a test has its own
+/// errors   not_found: the entry, or an included file (with the line that asks for it)
+Result<ShaderSource> shaderSource(Api api, std::string_view entry, std::span<const std::string_view> defines = {},
                                   const FindText& find = {});
 
 /// Puts file names for the numbers in a GLSL compiler's log: "0:12(5): error" becomes

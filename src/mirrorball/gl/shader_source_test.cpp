@@ -68,8 +68,7 @@ TEST(ShaderSource, NamesWhatIsMissing) {
 TEST(NamedLog, ReadsEveryDriversForm) {
   const std::array<std::string, 2> files = {"surface.frag", "optics.glsl"};
   EXPECT_EQ(namedLog("1:12(5): error: no\n\n", files), "optics.glsl:12: error: no");
-  EXPECT_EQ(namedLog("0(7) : error C1008: undefined", files),
-            "surface.frag:7: error C1008: undefined");
+  EXPECT_EQ(namedLog("0(7) : error C1008: undefined", files), "surface.frag:7: error C1008: undefined");
   EXPECT_EQ(namedLog("ERROR: 1:3: 'x' : undeclared\nERROR: 2 errors", files),
             "ERROR: optics.glsl:3: 'x' : undeclared\nERROR: 2 errors");
   EXPECT_EQ(namedLog("9:12(5): error: no", files), "9:12(5): error: no");

@@ -36,9 +36,7 @@ GLenum internalFormat(Format format) {
   return GL_RGBA8;
 }
 
-[[maybe_unused]] bool isEightBit(Format format) {
-  return format == Format::rgba8 || format == Format::srgb8_alpha8;
-}
+[[maybe_unused]] bool isEightBit(Format format) { return format == Format::rgba8 || format == Format::srgb8_alpha8; }
 
 /// The type of one component as it is handed to OpenGL.
 template <typename Component>
@@ -132,13 +130,11 @@ Result<Texture> Texture::make(Format format, bool is_cube, int width, int height
   glGetIntegerv(is_cube ? GL_MAX_CUBE_MAP_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &largest);
   const std::string what = "a texture of " + std::to_string(width) + " × " + std::to_string(height);
   if (width > largest || height > largest) {
-    return fail(ErrorCode::too_large, what + " texels is larger than the " +
-                                          std::to_string(largest) +
+    return fail(ErrorCode::too_large, what + " texels is larger than the " + std::to_string(largest) +
                                           " texels a side that the graphics driver takes");
   }
   const int most = allLevels(std::max(width, height));
-  Texture texture(format, is_cube, width, height,
-                  levels == kAllLevels ? most : std::min(levels, most));
+  Texture texture(format, is_cube, width, height, levels == kAllLevels ? most : std::min(levels, most));
   if (glGetError() == GL_OUT_OF_MEMORY) {
     return fail(ErrorCode::too_large, what + " texels does not fit into the graphics memory");
   }
@@ -148,8 +144,7 @@ Result<Texture> Texture::make(Format format, bool is_cube, int width, int height
 Result<Texture> Texture::fromImages(Format format, const ImageSet& images) {
   assert(!images.empty() && (images.faces() == 1 || images.faces() == 6));
   const Image& first = images.at(0, 0);
-  MIRRORBALL_TRY(texture,
-                 make(format, images.faces() == 6, first.width(), first.height(), images.levels()));
+  MIRRORBALL_TRY(texture, make(format, images.faces() == 6, first.width(), first.height(), images.levels()));
   for (int level = 0; level < images.levels(); ++level) {
     for (int face = 0; face < images.faces(); ++face) {
       texture.upload(level, face, images.at(level, face));
@@ -203,17 +198,15 @@ void Texture::uploadRows(int level, int face, Fill&& fill) {
         fill(static_cast<int>(top + row), std::span(band).subspan(row * row_length, row_length));
       }
     });
-    glTexSubImage2D(imageTarget(is_cube_, face), level, 0, static_cast<GLint>(top), width,
-                    static_cast<GLsizei>(rows), GL_RGBA, kComponentType<Component>, band.data());
+    glTexSubImage2D(imageTarget(is_cube_, face), level, 0, static_cast<GLint>(top), width, static_cast<GLsizei>(rows),
+                    GL_RGBA, kComponentType<Component>, band.data());
   }
 }
 
 void Texture::upload(int level, int face, const Image& image) {
   assert(level >= 0 && level < levels_);
   assert(image.width() == levelSide(width_, level) && image.height() == levelSide(height_, level));
-  const auto expanded = [&](int y, std::span<float> rgba) {
-    expandRow(image.row(y), image.channels(), 1.0f, rgba);
-  };
+  const auto expanded = [&](int y, std::span<float> rgba) { expandRow(image.row(y), image.channels(), 1.0f, rgba); };
   if (format_ == Format::rgba32f) {
     uploadRows<float>(level, face, expanded);
   } else if (format_ == Format::rgba16f) {
@@ -239,22 +232,14 @@ void Texture::upload(int level, int face, const Image8& image) {
   });
 }
 
-void Texture::generateMipmaps() {
-  bindForWork();
-  glGenerateMipmap(targetOf(is_cube_));
-}
-
 void Texture::setSampling(const Sampling& sampling) {
   bindForWork();
   const GLenum target = targetOf(is_cube_);
-  const bool magnify_nearest =
-      sampling.magnify_nearest || sampling.filter == Sampling::Filter::nearest;
+  const bool magnify_nearest = sampling.magnify_nearest || sampling.filter == Sampling::Filter::nearest;
   glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minifyMode(sampling.filter));
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify_nearest ? GL_NEAREST : GL_LINEAR);
-  glTexParameteri(target, GL_TEXTURE_WRAP_S,
-                  is_cube_ ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_s));
-  glTexParameteri(target, GL_TEXTURE_WRAP_T,
-                  is_cube_ ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_t));
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, is_cube_ ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_s));
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, is_cube_ ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_t));
 }
 
 Image Texture::read(int level, int face) const {
@@ -264,8 +249,7 @@ Image Texture::read(int level, int face) const {
   GLuint framebuffer = 0;
   glGenFramebuffers(1, &framebuffer);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, imageTarget(is_cube_, face),
-                         handle_.name(), level);
+  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, imageTarget(is_cube_, face), handle_.name(), level);
   Image image = readPixelFloats(format_, levelSide(width_, level), levelSide(height_, level));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(previous));
   glDeleteFramebuffers(1, &framebuffer);

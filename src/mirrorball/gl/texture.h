@@ -66,9 +66,6 @@ class Texture {
   void upload(int level, int face, const Image8& image);
   void upload(const Image8& image) { upload(0, 0, image); }
 
-  /// Fills the levels after the first by the driver's own filter (2 × 2 boxes).
-  void generateMipmaps();
-
   void setSampling(const Sampling& sampling);
 
   /// Binds to a texture unit, 0 to 14, for the sampler uniform that is set to that number.

@@ -21,8 +21,7 @@ std::optional<glm::vec4> meanOfNeighbours(const Image& image, int x, int y) {
   for (int j = std::max(y - 1, 0); j <= std::min(y + 1, image.height() - 1); ++j)
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, image.width() - 1); ++i) {
       if (!isFinite(image, i, j)) continue;
-      for (int channel = 0; channel < image.channels(); ++channel)
-        sum[channel] += image.texel(i, j)[channel];
+      for (int channel = 0; channel < image.channels(); ++channel) sum[channel] += image.texel(i, j)[channel];
       ++count;
     }
   if (count == 0) return {};
@@ -71,8 +70,7 @@ Result<void> repairNonFinite(Image& image) {
         inner.push_back(hole);
     }
     for (const auto& [hole, mean] : ring)
-      for (int channel = 0; channel < image.channels(); ++channel)
-        image.texel(hole.x, hole.y)[channel] = mean[channel];
+      for (int channel = 0; channel < image.channels(); ++channel) image.texel(hole.x, hole.y)[channel] = mean[channel];
     holes = std::move(inner);
   }
   return {};

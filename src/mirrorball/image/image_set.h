@@ -13,8 +13,7 @@ namespace mirrorball {
 class ImageSet {
  public:
   ImageSet() = default;
-  ImageSet(int levels, int faces)
-      : levels_(levels), faces_(faces), images_(std::size_t(levels) * std::size_t(faces)) {}
+  ImageSet(int levels, int faces) : levels_(levels), faces_(faces), images_(std::size_t(levels) * std::size_t(faces)) {}
   /// One level, one face.
   explicit ImageSet(Image image) : ImageSet(1, 1) { images_[0] = std::move(image); }
 

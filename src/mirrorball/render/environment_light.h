@@ -13,9 +13,9 @@ namespace mirrorball {
 /// An environment made ready for the GPU, still on the CPU: independent of any GL context, so that it can be made while
 /// the driver starts.
 struct PreparedEnvironment {
-  ImageSet chain;                ///< cube with all mip levels
+  ImageSet chain;  ///< cube with all mip levels
   IrradianceHarmonics irradiance{};
-  bool needs_floats = false;     ///< some radiance is above 65504, the largest half float
+  bool needs_floats = false;  ///< some radiance is above 65504, the largest half float
 };
 
 /// Lays the environment out as a cube with mip levels, and projects it on harmonics for diffuse light. A cube stays as

@@ -15,7 +15,7 @@
 
 namespace mirrorball {
 
-enum class ToneMap { agx, aces, neutral, reinhard, linear };     ///< formula::toneMap's numbers
+enum class ToneMap { agx, aces, neutral, reinhard, linear };  ///< formula::toneMap's numbers
 enum class Mapping { reflection, normal, sphere };
 enum class ReflectAt { vertex, fragment };
 enum class FresnelOverride { material, exact, schlick, empirical };

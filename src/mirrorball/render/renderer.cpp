@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <epoxy/gl.h>
-
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "formula/formula.h"

@@ -36,14 +36,15 @@ std::vector<std::string> definesFor(const Material& material, const FrameSetting
 }
 
 /// KHR_texture_transform: translation · rotation · scale, as the columns of a matrix and an offset.
-void setSlot(gl::Program& program, const Slot& slot, const TextureSlot& texture, const SceneBuffers& buffers, int unit) {
+void setSlot(gl::Program& program, const Slot& slot, const TextureSlot& texture, const SceneBuffers& buffers,
+             int unit) {
   const std::string name = slot.name;
   const float sine = std::sin(texture.rotation_rad);
   const float cosine = std::cos(texture.rotation_rad);
   buffers.texture(texture.texture).bind(unit);
   program.set(name + "_texture", unit);
-  program.set(name + "_uv_matrix", glm::vec4(cosine * texture.scale.x, -sine * texture.scale.x,
-                                             sine * texture.scale.y, cosine * texture.scale.y));
+  program.set(name + "_uv_matrix", glm::vec4(cosine * texture.scale.x, -sine * texture.scale.x, sine * texture.scale.y,
+                                             cosine * texture.scale.y));
   program.set(name + "_uv_offset", glm::vec3(texture.offset, static_cast<float>(texture.uv_set)));
 }
 
@@ -59,8 +60,7 @@ void setMaterial(gl::Program& program, const Material& material, const SceneBuff
   program.set("conductor_k", material.conductor_k);
   program.set("emission", material.emission);
   program.set("fresnel", static_cast<int>(material.fresnel));
-  program.set("fresnel_empirical",
-              glm::vec3(material.fresnel_offset, material.fresnel_scale, material.fresnel_power));
+  program.set("fresnel_empirical", glm::vec3(material.fresnel_offset, material.fresnel_scale, material.fresnel_power));
   program.set("bump_height", material.bump_height);
   program.set("bump_frequency", material.bump_frequency);
   program.set("alpha_cutoff", material.alpha_cutoff);

@@ -62,17 +62,16 @@ void addSquare(Mesh& mesh, dvec3 middle, dvec3 right, dvec3 up, double half_side
 /// The tube of radius `tube` about the (2, 3) torus knot c(s) on the torus of radii 2 and 1 about the Z axis.
 SurfacePoint knotPoint(double u, double v, double tube) {
   const double s = kTurn * u;
-  const dvec3 radial(std::cos(2 * s), std::sin(2 * s), 0);        // away from the axis
-  const dvec3 around(-std::sin(2 * s), std::cos(2 * s), 0);       // radial' = 2 around, around' = −2 radial
+  const dvec3 radial(std::cos(2 * s), std::sin(2 * s), 0);   // away from the axis
+  const dvec3 around(-std::sin(2 * s), std::cos(2 * s), 0);  // radial' = 2 around, around' = −2 radial
   const double wide = std::cos(3 * s);
   const double high = std::sin(3 * s);
-  const double distance = 2 + wide;                               // of c from the axis
+  const double distance = 2 + wide;  // of c from the axis
   const dvec3 axis(0, 0, 1);
 
   const dvec3 center = distance * radial + high * axis;
   const dvec3 velocity = -3 * high * radial + 2 * distance * around + 3 * wide * axis;
-  const dvec3 acceleration =
-      (-9 * wide - 4 * distance) * radial - 12 * high * around - 9 * high * axis;
+  const dvec3 acceleration = (-9 * wide - 4 * distance) * radial - 12 * high * around - 9 * high * axis;
 
   // The frame that closes without a seam: the curve lies on a torus, whose normal n turns with the curve, stands at right
   // angles to it, and returns to itself after one round.
@@ -87,7 +86,7 @@ SurfacePoint knotPoint(double u, double v, double tube) {
 
   // p_u = c′ + tube (cos n′ + sin b′), whose part along the curve is shortened or stretched by the curve's bending,
   // and whose part around the tube is the turning of the frame.
-  const dvec3 bending = acceleration / glm::length(velocity);         // up to a part along the tangent
+  const dvec3 bending = acceleration / glm::length(velocity);  // up to a part along the tangent
   const double along = glm::length(velocity) - tube * glm::dot(normal, bending);
   const double turning = tube * glm::dot(n_derivative, b);
   return {center + tube * normal, normal, glm::normalize(along * tangent + turning * sideways)};
@@ -118,8 +117,7 @@ void fitToUnitSphere(Mesh& mesh) {
   Scene scene = sceneOf(std::move(mesh));
   const BoundingSphere bounds = boundingSphere(scene);
   mesh = std::move(scene.meshes.front());
-  for (Vertex& vertex : mesh.vertices)
-    vertex.position = (vertex.position - bounds.center) / bounds.radius;
+  for (Vertex& vertex : mesh.vertices) vertex.position = (vertex.position - bounds.center) / bounds.radius;
 }
 
 Mesh sphereMesh(int rings, int segments) {

@@ -60,8 +60,7 @@ class SceneBuilder {
     MIRRORBALL_TRY(jobs, planPrimitives(placements));
     MIRRORBALL_TRY_VOID(readPrimitives(jobs));
     addInstances(placements);
-    if (scene_.instances.empty())
-      return fail(ErrorCode::bad_file, file_.name + ": its scene shows no triangles");
+    if (scene_.instances.empty()) return fail(ErrorCode::bad_file, file_.name + ": its scene shows no triangles");
     MIRRORBALL_TRY_VOID(materials_.decodeTextures());
     return std::move(scene_);
   }

@@ -19,12 +19,16 @@ constexpr std::size_t kMostZeroElements = std::size_t{1} << 24;
 std::size_t componentSize(int component_type) {
   switch (component_type) {
     case kByte:
-    case kUnsignedByte: return 1;
+    case kUnsignedByte:
+      return 1;
     case kShort:
-    case kUnsignedShort: return 2;
+    case kUnsignedShort:
+      return 2;
     case kUnsignedInt:
-    case kFloat: return 4;
-    default: return 0;
+    case kFloat:
+      return 4;
+    default:
+      return 0;
   }
 }
 
@@ -55,23 +59,26 @@ float loadNumber(const std::uint8_t* bytes, int component_type, bool normalized)
       const auto value = static_cast<float>(loadAs<std::uint16_t>(bytes));
       return normalized ? value / 65535.0f : value;
     }
-    case kUnsignedInt: return static_cast<float>(loadAs<std::uint32_t>(bytes));
-    default: return loadAs<float>(bytes);
+    case kUnsignedInt:
+      return static_cast<float>(loadAs<std::uint32_t>(bytes));
+    default:
+      return loadAs<float>(bytes);
   }
 }
 
 std::uint32_t loadInteger(const std::uint8_t* bytes, int component_type) {
   switch (component_type) {
-    case kUnsignedByte: return loadAs<std::uint8_t>(bytes);
-    case kUnsignedShort: return loadAs<std::uint16_t>(bytes);
-    default: return loadAs<std::uint32_t>(bytes);
+    case kUnsignedByte:
+      return loadAs<std::uint8_t>(bytes);
+    case kUnsignedShort:
+      return loadAs<std::uint16_t>(bytes);
+    default:
+      return loadAs<std::uint32_t>(bytes);
   }
 }
 
 bool isUnsignedInteger(int component_type) {
-  return component_type == kUnsignedByte ||
-         component_type == kUnsignedShort ||
-         component_type == kUnsignedInt;
+  return component_type == kUnsignedByte || component_type == kUnsignedShort || component_type == kUnsignedInt;
 }
 
 /// Elements that lie in a buffer, all of them inside it.
@@ -82,14 +89,15 @@ struct Elements {
 };
 
 /// The elements of `size` bytes that begin at `offset` of a buffer view.
-Result<Elements> elementsIn(const File& file, int view_index, std::size_t offset, std::size_t size,
-                            std::size_t count, bool may_stride, const std::string& key) {
+Result<Elements> elementsIn(const File& file, int view_index, std::size_t offset, std::size_t size, std::size_t count,
+                            bool may_stride, const std::string& key) {
   MIRRORBALL_TRY(bytes, viewBytes(file, view_index, key + ".bufferView"));
   const std::size_t given = file.document.buffer_views[std::size_t(view_index)].byte_stride;
   const std::size_t stride = may_stride && given != 0 ? given : size;
   if (stride < size)
-    return fail(ErrorCode::bad_file, file.name + ": " + quoted("bufferViews", std::size_t(view_index)) + ".byteStride is " +
-                                         std::to_string(stride) + ", less than an element of " + key);
+    return fail(ErrorCode::bad_file, file.name + ": " + quoted("bufferViews", std::size_t(view_index)) +
+                                         ".byteStride is " + std::to_string(stride) + ", less than an element of " +
+                                         key);
   if (count == 0) return Elements{};
   const std::size_t last = std::numeric_limits<std::size_t>::max() - size;
   if (offset > last || (count - 1) > (last - offset) / stride)
@@ -120,9 +128,9 @@ Result<void> addSparse(const File& file, const Sparse& sparse, const std::string
     return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse.indices.componentType is none of indices");
   MIRRORBALL_TRY(indices, elementsIn(file, sparse.indices_view, sparse.indices_offset,
                                      componentSize(sparse.indices_type), sparse.count, false, key + ".sparse.indices"));
-  MIRRORBALL_TRY(values, elementsIn(file, sparse.values_view, sparse.values_offset,
-                                    layout.components * layout.component_size, sparse.count, false,
-                                    key + ".sparse.values"));
+  MIRRORBALL_TRY(values,
+                 elementsIn(file, sparse.values_view, sparse.values_offset, layout.components * layout.component_size,
+                            sparse.count, false, key + ".sparse.values"));
   layout.replacements = values;
   for (std::size_t i = 0; i < sparse.count; ++i) {
     const std::uint32_t index = loadInteger(indices.at(i), sparse.indices_type);
@@ -150,8 +158,8 @@ Result<Layout> layoutOf(const File& file, int index, const std::string& referrer
                                      layout.components * layout.component_size, layout.count, true, key));
     layout.dense = dense;
   } else if (layout.count > kMostZeroElements) {
-    return fail(ErrorCode::too_large, file.name + ": " + key + ".count is " + std::to_string(layout.count) +
-                                          ", but it has no bufferView");
+    return fail(ErrorCode::too_large,
+                file.name + ": " + key + ".count is " + std::to_string(layout.count) + ", but it has no bufferView");
   }
   if (accessor.sparse) MIRRORBALL_TRY_VOID(addSparse(file, *accessor.sparse, key, layout));
   return layout;
@@ -208,8 +216,8 @@ Result<std::vector<std::uint32_t>> readIntegers(const File& file, int index, con
   MIRRORBALL_TRY(layout, layoutOf(file, index, key));
   const Accessor& accessor = file.document.accessors[std::size_t(index)];
   if (layout.components != 1 || !isUnsignedInteger(accessor.component_type))
-    return fail(ErrorCode::bad_file, file.name + ": " + quoted("accessors", std::size_t(index)) + " has a type that " + key +
-                                         " cannot have");
+    return fail(ErrorCode::bad_file, file.name + ": " + quoted("accessors", std::size_t(index)) + " has a type that " +
+                                         key + " cannot have");
   std::vector<std::uint32_t> integers(layout.count, 0u);
   forEachElement(layout, [&](std::size_t element, const std::uint8_t* bytes) {
     integers[element] = loadInteger(bytes, accessor.component_type);

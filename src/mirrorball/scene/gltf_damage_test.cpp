@@ -74,18 +74,23 @@ TEST(GltfDamage, NamesTheKeyOfAWrongAccessor) {
 
 TEST(GltfDamage, NamesTheKeyOfAWrongSparseAccessor) {
   const auto sparse = [](const std::string& json) {
-    return withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"sparse\":" + json + "}");
+    return withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"sparse\":" + json +
+                        "}");
   };
-  expectRefused(sparse("{\"count\":4,\"indices\":{\"bufferView\":0,\"componentType\":5121},\"values\":{\"bufferView\":0}}"),
-                "accessors[0].sparse.count is 4");
-  expectRefused(sparse("{\"count\":3,\"indices\":{\"bufferView\":0,\"componentType\":5126},\"values\":{\"bufferView\":0}}"),
-                "sparse.indices.componentType");
-  expectRefused(sparse("{\"count\":3,\"indices\":{\"bufferView\":0,\"byteOffset\":34,\"componentType\":5121},\"values\":"
-                       "{\"bufferView\":0}}"),
-                "accessors[0].sparse.indices reaches byte 37");
-  expectRefused(sparse("{\"count\":1,\"indices\":{\"bufferView\":0,\"byteOffset\":14,\"componentType\":5121},\"values\":"
-                       "{\"bufferView\":0}}"),
-                "names element 128 of 3");  // a byte of the float 1
+  expectRefused(
+      sparse("{\"count\":4,\"indices\":{\"bufferView\":0,\"componentType\":5121},\"values\":{\"bufferView\":0}}"),
+      "accessors[0].sparse.count is 4");
+  expectRefused(
+      sparse("{\"count\":3,\"indices\":{\"bufferView\":0,\"componentType\":5126},\"values\":{\"bufferView\":0}}"),
+      "sparse.indices.componentType");
+  expectRefused(
+      sparse("{\"count\":3,\"indices\":{\"bufferView\":0,\"byteOffset\":34,\"componentType\":5121},\"values\":"
+             "{\"bufferView\":0}}"),
+      "accessors[0].sparse.indices reaches byte 37");
+  expectRefused(
+      sparse("{\"count\":1,\"indices\":{\"bufferView\":0,\"byteOffset\":14,\"componentType\":5121},\"values\":"
+             "{\"bufferView\":0}}"),
+      "names element 128 of 3");  // a byte of the float 1
   expectRefused(sparse("{\"count\":1}"), "sparse.indices is missing");
 }
 
@@ -102,7 +107,8 @@ TEST(GltfDamage, NamesTheKeyOfAWrongPrimitive) {
   GltfMaker maker;
   maker.accessor(kTriangle, "VEC3");
   maker.accessor(std::vector<float>{0, 0, 1}, "VEC3");
-  expectRefused(maker.gltf("{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}}"), "NORMAL has 1 elements, but POSITION has 3");
+  expectRefused(maker.gltf("{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}}"),
+                "NORMAL has 1 elements, but POSITION has 3");
   GltfMaker not_finite;
   not_finite.accessor(std::vector<float>{0, 0, 0, 1, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 0}, "VEC3");
   expectRefused(not_finite.gltf(kPrimitive), "holds NaN or infinity in element 1");
@@ -118,7 +124,8 @@ TEST(GltfDamage, NamesTheKeyOfAWrongNode) {
   expectRefused(withRest("\"scene\":1,\"scenes\":[{}]"), "scene is 1");
   expectRefused(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1,1]}]"), "nodes[0].scale has not 3 numbers");
   expectRefused(withRest("\"nodes\":[{\"mesh\":0,\"rotation\":[0,0,0,0]}]"), "nodes[0].rotation has no length");
-  expectRefused(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1e300,1,1]}]"), "nodes[0] has a transform that is too large");
+  expectRefused(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1e300,1,1]}]"),
+                "nodes[0] has a transform that is too large");
 }
 
 TEST(GltfDamage, ADeepTreeOfNodesIsRead) {
@@ -136,7 +143,8 @@ TEST(GltfDamage, NamesTheKeyOfAWrongTexture) {
   expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"no-such.png\"}]"),
                 "images[0].uri 'no-such.png' is missing; put it beside the model");
   expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"..\"}]"), "images[0].uri '..'");
-  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"bufferView\":3}]"), "images[0].bufferView is 3");
+  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"bufferView\":3}]"),
+                "images[0].bufferView is 3");
   expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"bufferView\":0}]"), "images[0]");
   expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{}]"), "images[0] has neither");
   expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"data:image/png;base64,*\"}]"),

@@ -14,8 +14,9 @@ namespace mirrorball::gltf {
 namespace {
 
 constexpr std::array<std::string_view, 8> kKnownExtensions = {
-    "KHR_draco_mesh_compression", "KHR_mesh_quantization",      "KHR_texture_transform",    "KHR_materials_ior",
-    "KHR_materials_specular",     "KHR_materials_transmission", "KHR_materials_dispersion", "KHR_materials_emissive_strength",
+    "KHR_draco_mesh_compression", "KHR_mesh_quantization",           "KHR_texture_transform",
+    "KHR_materials_ior",          "KHR_materials_specular",          "KHR_materials_transmission",
+    "KHR_materials_dispersion",   "KHR_materials_emissive_strength",
 };
 
 float share(const JsonReader& value, float otherwise) {
@@ -53,12 +54,9 @@ Accessor parseAccessor(const JsonReader& json) {
   if (const JsonReader sparse = json["sparse"]; sparse.exists()) {
     const JsonReader indices = sparse["indices"].required();
     const JsonReader values = sparse["values"].required();
-    accessor.sparse = Sparse{sparse["count"].required().size(0),
-                             indices["bufferView"].required().index(),
-                             indices["byteOffset"].size(0),
-                             indices["componentType"].required().index(),
-                             values["bufferView"].required().index(),
-                             values["byteOffset"].size(0)};
+    accessor.sparse = Sparse{sparse["count"].required().size(0),      indices["bufferView"].required().index(),
+                             indices["byteOffset"].size(0),           indices["componentType"].required().index(),
+                             values["bufferView"].required().index(), values["byteOffset"].size(0)};
   }
   return accessor;
 }
@@ -73,9 +71,7 @@ std::optional<std::string> parseUri(const JsonReader& json) {
   return json.text("");
 }
 
-Buffer parseBuffer(const JsonReader& json) {
-  return {parseUri(json["uri"]), json["byteLength"].required().size(0)};
-}
+Buffer parseBuffer(const JsonReader& json) { return {parseUri(json["uri"]), json["byteLength"].required().size(0)}; }
 
 Image parseImage(const JsonReader& json) {
   Image image{json["bufferView"].index(), parseUri(json["uri"])};
@@ -186,8 +182,10 @@ glm::dmat4 parseTransform(const JsonReader& json) {
   const std::vector<double> rotation = json["rotation"].numbers({0, 0, 0, 1});
   const std::vector<double> scale = json["scale"].numbers({1, 1, 1});
   const glm::dquat quaternion(rotation[3], rotation[0], rotation[1], rotation[2]);
-  if (glm::length(quaternion) > 0.0) matrix = glm::mat4_cast(glm::normalize(quaternion));
-  else json["rotation"].refuse("has no length");
+  if (glm::length(quaternion) > 0.0)
+    matrix = glm::mat4_cast(glm::normalize(quaternion));
+  else
+    json["rotation"].refuse("has no length");
   for (int axis = 0; axis < 3; ++axis) {
     matrix[axis] *= scale[std::size_t(axis)];
     matrix[3][axis] = translation[std::size_t(axis)];

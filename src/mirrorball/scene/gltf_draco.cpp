@@ -25,14 +25,17 @@ Result<Numbers> numbersOf(const File& file, const draco::Mesh& mesh, const draco
   for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {
     const draco::AttributeValueIndex value = attribute.mapped_index(point);
     float* out = numbers.values.data() + point.value() * numbers.components;
-    if (value.value() >= attribute.size() || !attribute.ConvertValue<float>(value, static_cast<std::int8_t>(components), out))
-      return fail(ErrorCode::bad_file, file.name + ": " + key + " is damaged at vertex " + std::to_string(point.value()));
+    if (value.value() >= attribute.size() ||
+        !attribute.ConvertValue<float>(value, static_cast<std::int8_t>(components), out))
+      return fail(ErrorCode::bad_file,
+                  file.name + ": " + key + " is damaged at vertex " + std::to_string(point.value()));
   }
   return numbers;
 }
 
 /// The accessors keep the counts of what is compressed. They must agree: the memory that a file may take is judged by them.
-Result<void> checkCounts(const File& file, const Primitive& primitive, const draco::Mesh& mesh, const std::string& key) {
+Result<void> checkCounts(const File& file, const Primitive& primitive, const draco::Mesh& mesh,
+                         const std::string& key) {
   const auto count_of = [&](int accessor) {
     const std::vector<Accessor>& accessors = file.document.accessors;
     const bool exists = accessor >= 0 && std::size_t(accessor) < accessors.size();
@@ -65,8 +68,8 @@ Result<DracoMesh> convert(const File& file, const Primitive& primitive, const dr
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
     const std::string attribute_key = key + ".attributes." + name;
     if (attribute == nullptr)
-      return fail(ErrorCode::bad_file, file.name + ": " + attribute_key + ": the compressed mesh has no attribute " +
-                                           std::to_string(id));
+      return fail(ErrorCode::bad_file,
+                  file.name + ": " + attribute_key + ": the compressed mesh has no attribute " + std::to_string(id));
     MIRRORBALL_TRY(numbers, numbersOf(file, mesh, *attribute, attribute_key));
     MIRRORBALL_TRY_VOID(checkFinite(file, numbers, attribute_key));
     converted.attributes[name] = std::move(numbers);

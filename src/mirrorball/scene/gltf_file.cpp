@@ -19,7 +19,9 @@ struct Container {
   std::span<const std::uint8_t> binary;  // of a .glb with a second chunk
 };
 
-bool isGlb(std::span<const std::uint8_t> bytes) { return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0; }
+bool isGlb(std::span<const std::uint8_t> bytes) {
+  return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+}
 
 std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at) {
   return std::uint32_t{bytes[at]} | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
@@ -37,8 +39,10 @@ Result<Container> readGlb(std::span<const std::uint8_t> bytes, const std::string
   if (const std::uint32_t version = wordAt(bytes, 4); version != 2)
     return fail(ErrorCode::unsupported,
                 name + ": is of glTF version " + std::to_string(version) + "; only version 2 is read");
-  if (const std::uint32_t length = wordAt(bytes, 8); length > bytes.size()) return truncated("its length", length);
-  else bytes = bytes.first(std::max<std::size_t>(length, kJsonAt));
+  if (const std::uint32_t length = wordAt(bytes, 8); length > bytes.size())
+    return truncated("its length", length);
+  else
+    bytes = bytes.first(std::max<std::size_t>(length, kJsonAt));
 
   if (wordAt(bytes, kGlbHeaderSize + 4) != kJsonChunk)
     return fail(ErrorCode::bad_file, name + ": its first chunk is not JSON");
@@ -66,12 +70,18 @@ std::optional<Bytes> decodeBase64(std::string_view text) {
   int count = 0;
   for (const char letter : text) {
     std::uint32_t digit = 0;
-    if (letter >= 'A' && letter <= 'Z') digit = static_cast<std::uint32_t>(letter - 'A');
-    else if (letter >= 'a' && letter <= 'z') digit = static_cast<std::uint32_t>(letter - 'a' + 26);
-    else if (letter >= '0' && letter <= '9') digit = static_cast<std::uint32_t>(letter - '0' + 52);
-    else if (letter == '+') digit = 62;
-    else if (letter == '/') digit = 63;
-    else return {};
+    if (letter >= 'A' && letter <= 'Z')
+      digit = static_cast<std::uint32_t>(letter - 'A');
+    else if (letter >= 'a' && letter <= 'z')
+      digit = static_cast<std::uint32_t>(letter - 'a' + 26);
+    else if (letter >= '0' && letter <= '9')
+      digit = static_cast<std::uint32_t>(letter - '0' + 52);
+    else if (letter == '+')
+      digit = 62;
+    else if (letter == '/')
+      digit = 63;
+    else
+      return {};
     bits = (bits << 6 | digit) & 0xFFFFFF;
     count += 6;
     if (count >= 8) {
@@ -124,7 +134,8 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
     }
     if (bytes.size() < buffer.byte_length)
       return fail(ErrorCode::bad_file, file.name + ": " + key + ".byteLength is " + std::to_string(buffer.byte_length) +
-                                           ", but " + (buffer.uri ? "'" + shown(*buffer.uri) + "'" : "the binary chunk") +
+                                           ", but " +
+                                           (buffer.uri ? "'" + shown(*buffer.uri) + "'" : "the binary chunk") +
                                            " has " + std::to_string(bytes.size()) + " bytes");
     file.buffers.push_back(bytes.first(buffer.byte_length));
   }

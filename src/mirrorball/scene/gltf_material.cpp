@@ -48,8 +48,7 @@ Result<int> Materials::sceneTexture(int index, bool srgb, const std::string& key
                               " has its picture only in an extension that is not read; it is left out");
     return textures_[{index, srgb}] = -1;
   }
-  MIRRORBALL_TRY_VOID(
-      checkIndex(file_, source.image, file_.document.images.size(), texture_key + ".source", "images"));
+  MIRRORBALL_TRY_VOID(checkIndex(file_, source.image, file_.document.images.size(), texture_key + ".source", "images"));
   mirrorball::Texture texture;
   texture.srgb = srgb;
   if (source.sampler != -1) {

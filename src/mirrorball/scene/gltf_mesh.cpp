@@ -78,8 +78,10 @@ bool setNormals(Mesh& mesh, const Numbers& normals) {
   forEachVertex(mesh, normals, [&](Vertex& vertex, const float* n) {
     const glm::dvec3 normal(n[0], n[1], n[2]);
     const double length = glm::length(normal);
-    if (length > 0.0) vertex.normal = glm::vec3(normal / length);
-    else all = false;
+    if (length > 0.0)
+      vertex.normal = glm::vec3(normal / length);
+    else
+      all = false;
   });
   return all;
 }
@@ -89,14 +91,16 @@ bool setTangents(Mesh& mesh, const Numbers& tangents) {
   forEachVertex(mesh, tangents, [&](Vertex& vertex, const float* t) {
     const glm::dvec3 tangent(t[0], t[1], t[2]);
     const double length = glm::length(tangent);
-    if (length > 0.0) vertex.tangent = glm::vec4(glm::vec3(tangent / length), t[3] < 0.0f ? -1.0f : 1.0f);
-    else all = false;
+    if (length > 0.0)
+      vertex.tangent = glm::vec4(glm::vec3(tangent / length), t[3] < 0.0f ? -1.0f : 1.0f);
+    else
+      all = false;
   });
   return all;
 }
 
-Result<std::vector<std::uint32_t>> readCorners(const File& file, const Primitive& primitive,
-                                               std::size_t vertices, const std::string& key) {
+Result<std::vector<std::uint32_t>> readCorners(const File& file, const Primitive& primitive, std::size_t vertices,
+                                               const std::string& key) {
   std::vector<std::uint32_t> corners;
   if (primitive.indices == -1) {
     corners.resize(vertices);
@@ -108,21 +112,18 @@ Result<std::vector<std::uint32_t>> readCorners(const File& file, const Primitive
   for (std::size_t i = 0; i < corners.size(); ++i)
     if (corners[i] >= vertices)
       return fail(ErrorCode::bad_file, file.name + ": accessors[" + std::to_string(primitive.indices) + "] (" + key +
-                                           ".indices) names vertex " + std::to_string(corners[i]) +
-                                           " in element " + std::to_string(i) + ", but there are " +
-                                           std::to_string(vertices));
+                                           ".indices) names vertex " + std::to_string(corners[i]) + " in element " +
+                                           std::to_string(i) + ", but there are " + std::to_string(vertices));
   return triangleCorners(std::move(corners), primitive.mode);
 }
 
 }  // namespace
 
 bool hasTriangles(const Primitive& primitive) {
-  return primitive.mode == kTriangles || primitive.mode == kTriangleStrip ||
-         primitive.mode == kTriangleFan;
+  return primitive.mode == kTriangles || primitive.mode == kTriangleStrip || primitive.mode == kTriangleFan;
 }
 
-Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int normal_uv_set,
-                           const std::string& key) {
+Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int normal_uv_set, const std::string& key) {
   DracoMesh draco;
   if (primitive.draco_view >= 0) {
     MIRRORBALL_TRY(decoded, decodeDraco(file, primitive, key));
@@ -156,8 +157,10 @@ Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int nor
   });
 
   const bool has_normals = normals.count() > 0;
-  if (!has_normals) makeFlat(mesh);
-  else if (!setNormals(mesh, normals)) computeNormals(mesh);
+  if (!has_normals)
+    makeFlat(mesh);
+  else if (!setNormals(mesh, normals))
+    computeNormals(mesh);
   // Tangents without normals are to be ignored (section 3.7.2.1).
   if (!has_normals || tangents.count() == 0 || !setTangents(mesh, tangents)) computeTangents(mesh, normal_uv_set);
   return mesh;

@@ -17,7 +17,6 @@ bool hasTriangles(const Primitive& primitive);
 /// key            "meshes[0].primitives[1]", for messages
 /// returns        a mesh whose material is not set yet
 /// errors         bad_file; too_large (an accessor of zeros)
-Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int normal_uv_set,
-                           const std::string& key);
+Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int normal_uv_set, const std::string& key);
 
 }  // namespace mirrorball::gltf

@@ -11,9 +11,9 @@
 namespace mirrorball {
 namespace {
 
-using testing::GltfMaker;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using testing::GltfMaker;
 using ::testing::HasSubstr;
 
 Result<Scene> decode(const std::string& json) {
@@ -101,9 +101,9 @@ TEST(Gltf, PutsSparseValuesIn) {
   const int dense = maker.view(kTriangle);
   const int places = maker.view(std::vector<std::uint8_t>{2});
   const int values = maker.view(std::vector<float>{5, 6, 7});
-  const std::string sparse = ",\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":" +
-                             std::to_string(places) + ",\"componentType\":5121},\"values\":{\"bufferView\":" +
-                             std::to_string(values) + "}}}";
+  const std::string sparse =
+      ",\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":" +
+      std::to_string(places) + ",\"componentType\":5121},\"values\":{\"bufferView\":" + std::to_string(values) + "}}}";
   maker.rawAccessor("{\"bufferView\":" + std::to_string(dense) + sparse);
   const Scene scene = decoded(maker.gltf(primitive()));
   EXPECT_EQ(scene.meshes.at(0).vertices.at(1).position, glm::vec3(1, 0, 0));
@@ -124,7 +124,8 @@ TEST(Gltf, PutsSparseValuesIn) {
 TEST(Gltf, ReadsColoursAndCoordinatesAsIntegersToo) {
   GltfMaker maker;
   maker.accessor(kTriangle, "VEC3");
-  maker.accessor(std::vector<std::uint8_t>{255, 0, 51, 102, 0, 0, 0, 255, 0, 0, 0, 255}, "VEC4", ",\"normalized\":true");
+  maker.accessor(std::vector<std::uint8_t>{255, 0, 51, 102, 0, 0, 0, 255, 0, 0, 0, 255}, "VEC4",
+                 ",\"normalized\":true");
   maker.accessor(std::vector<std::uint16_t>{65535, 0, 0, 0, 0, 0}, "VEC2", ",\"normalized\":true");
   maker.accessor(std::vector<float>{0, 0, 0, 0, 0.5f, 0.75f}, "VEC2");
   const Scene scene = decoded(maker.gltf(primitive(",\"COLOR_0\":1,\"TEXCOORD_0\":2,\"TEXCOORD_1\":3")));
@@ -136,7 +137,8 @@ TEST(Gltf, ReadsColoursAndCoordinatesAsIntegersToo) {
   GltfMaker three;
   three.accessor(kTriangle, "VEC3");
   three.accessor(std::vector<float>{0.5f, 0.25f, 2, 0, 0, 0, 0, 0, 0}, "VEC3");
-  EXPECT_EQ(decoded(three.gltf(primitive(",\"COLOR_0\":1"))).meshes.at(0).vertices[0].color, glm::vec4(0.5f, 0.25f, 2, 1));
+  EXPECT_EQ(decoded(three.gltf(primitive(",\"COLOR_0\":1"))).meshes.at(0).vertices[0].color,
+            glm::vec4(0.5f, 0.25f, 2, 1));
 }
 
 TEST(Gltf, ReadsQuantizedPositions) {
@@ -165,8 +167,8 @@ TEST(Gltf, MultipliesTheNodesTransforms) {
 TEST(Gltf, ShowsAllRootNodesWhereNoSceneIsNamed) {
   GltfMaker maker;
   maker.accessor(kTriangle, "VEC3");
-  const Scene scene =
-      decoded(maker.gltf(primitive(), "\"nodes\":[{\"mesh\":0},{\"children\":[2]},{\"mesh\":0,\"translation\":[1,0,0]}]"));
+  const Scene scene = decoded(
+      maker.gltf(primitive(), "\"nodes\":[{\"mesh\":0},{\"children\":[2]},{\"mesh\":0,\"translation\":[1,0,0]}]"));
   EXPECT_EQ(scene.instances.size(), 2u);
   EXPECT_EQ(scene.meshes.size(), 1u);  // which they share
 }
@@ -206,14 +208,19 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
   const int view = maker.view(*png);
   const std::string rest =
       "\"extensionsRequired\":[\"KHR_texture_transform\"],"
-      "\"images\":[{\"bufferView\":" + std::to_string(view) + ",\"mimeType\":\"image/png\"},"
-      "{\"uri\":\"gltf%20picture.png\"},{\"uri\":\"data:image/png;base64," + GltfMaker::base64(*png) + "\"},"
+      "\"images\":[{\"bufferView\":" +
+      std::to_string(view) +
+      ",\"mimeType\":\"image/png\"},"
+      "{\"uri\":\"gltf%20picture.png\"},{\"uri\":\"data:image/png;base64," +
+      GltfMaker::base64(*png) +
+      "\"},"
       "{\"uri\":\"unused-and-missing.png\"}],"
       "\"samplers\":[{\"wrapS\":33071,\"wrapT\":33648,\"magFilter\":9728}],"
       "\"textures\":[{\"source\":0,\"sampler\":0},{\"source\":1},{\"source\":2},{\"source\":3}],"
       "\"materials\":[{\"name\":\"unused\",\"emissiveTexture\":{\"index\":3}},{\"name\":\"all\","
       "\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.1,0.2,0.3,0.4],\"metallicFactor\":0.5,\"roughnessFactor\":0.25,"
-      "\"baseColorTexture\":{\"index\":0,\"texCoord\":1,\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.5,0.25],"
+      "\"baseColorTexture\":{\"index\":0,\"texCoord\":1,\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.5,0."
+      "25],"
       "\"scale\":[2,3],\"rotation\":1.5,\"texCoord\":0}}},\"metallicRoughnessTexture\":{\"index\":1,\"texCoord\":1}},"
       "\"normalTexture\":{\"index\":1,\"scale\":0.75},\"occlusionTexture\":{\"index\":1,\"strength\":0.5},"
       "\"emissiveTexture\":{\"index\":2},\"emissiveFactor\":[1,0.5,0],\"alphaMode\":\"MASK\",\"alphaCutoff\":0.3,"
@@ -293,8 +300,11 @@ TEST(Gltf, ComputesTangentsAlongTheNormalMapsCoordinates) {
   const auto tangent = [&](int set) {
     return decoded(maker.gltf(primitive(",\"NORMAL\":1,\"TEXCOORD_0\":2,\"TEXCOORD_1\":3", ",\"material\":0"),
                               "\"images\":[{\"uri\":\"gltf_normal.png\"}],\"textures\":[{\"source\":0}],\"materials\":["
-                              "{\"normalTexture\":{\"index\":0,\"texCoord\":" + std::to_string(set) + "}}]"))
-        .meshes.at(0).vertices.at(0).tangent;
+                              "{\"normalTexture\":{\"index\":0,\"texCoord\":" +
+                                  std::to_string(set) + "}}]"))
+        .meshes.at(0)
+        .vertices.at(0)
+        .tangent;
   };
   EXPECT_EQ(tangent(0), glm::vec4(1, 0, 0, 1));
   EXPECT_EQ(tangent(1), glm::vec4(0, 1, 0, 1));

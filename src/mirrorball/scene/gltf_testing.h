@@ -33,9 +33,9 @@ class GltfMaker {
   int accessor(const std::vector<Number>& numbers, const std::string& type, const std::string& extra = "") {
     const std::size_t components = type == "SCALAR" ? 1 : static_cast<std::size_t>(type[3] - '0');
     const int view_index = view(numbers);
-    return rawAccessor("{\"bufferView\":" + std::to_string(view_index) + ",\"componentType\":" + componentType<Number>() +
-                       ",\"count\":" + std::to_string(numbers.size() / components) + ",\"type\":\"" + type + "\"" +
-                       extra + "}");
+    return rawAccessor(
+        "{\"bufferView\":" + std::to_string(view_index) + ",\"componentType\":" + componentType<Number>() +
+        ",\"count\":" + std::to_string(numbers.size() / components) + ",\"type\":\"" + type + "\"" + extra + "}");
   }
   int rawAccessor(const std::string& json) { return add(accessors_, json); }
 
@@ -72,8 +72,7 @@ class GltfMaker {
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
       std::uint32_t bits = 0;
       for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
-      for (std::size_t k = 0; k < 4; ++k)
-        text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
+      for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
     }
     return text;
   }

@@ -45,7 +45,8 @@ class JsonReader {
   std::vector<JsonReader> elements() const {
     std::vector<JsonReader> elements;
     if (value_ == nullptr) return elements;
-    if (!value_->is_array()) refuse("is no array");
+    if (!value_->is_array())
+      refuse("is no array");
     else
       for (const nlohmann::json& element : *value_)
         elements.emplace_back(&element, key_ + "[" + std::to_string(elements.size()) + "]", *problem_);
@@ -56,7 +57,8 @@ class JsonReader {
   std::vector<std::pair<std::string, JsonReader>> members() const {
     std::vector<std::pair<std::string, JsonReader>> members;
     if (value_ == nullptr) return members;
-    if (!value_->is_object()) refuse("is no object");
+    if (!value_->is_object())
+      refuse("is no object");
     else
       for (const auto& [name, member] : value_->items())
         members.emplace_back(name, JsonReader(&member, key_ + "." + name, *problem_));
@@ -75,7 +77,8 @@ class JsonReader {
   std::vector<double> numbers(std::vector<double> otherwise) const {
     if (value_ == nullptr) return otherwise;
     const std::vector<JsonReader> given = elements();
-    if (given.size() != otherwise.size()) refuse("has not " + std::to_string(otherwise.size()) + " numbers");
+    if (given.size() != otherwise.size())
+      refuse("has not " + std::to_string(otherwise.size()) + " numbers");
     else
       for (std::size_t i = 0; i < given.size(); ++i) otherwise[i] = given[i].number(otherwise[i]);
     return otherwise;

@@ -27,9 +27,8 @@ void expectSafe(const Scene& scene) {
     }
   }
   for (const Material& material : scene.materials)
-    for (const TextureSlot& slot :
-         {material.base_color_texture, material.metallic_roughness_texture, material.normal_texture,
-          material.occlusion_texture, material.emission_texture})
+    for (const TextureSlot& slot : {material.base_color_texture, material.metallic_roughness_texture,
+                                    material.normal_texture, material.occlusion_texture, material.emission_texture})
       ASSERT_LT(slot.texture, static_cast<int>(scene.textures.size()));
   for (const Texture& texture : scene.textures) ASSERT_EQ(texture.image.channels(), 4);
 }
@@ -82,8 +81,8 @@ TEST(LoadModel, LoadsRealFiles) {
     std::size_t meshes;
     std::size_t textures;
   };
-  for (const Expected& expected : {Expected{"Duck.glb", 1, 1}, Expected{"lucy.glb", 1, 0},
-                                   Expected{"FlightHelmet/FlightHelmet.gltf", 5, 10}}) {
+  for (const Expected& expected :
+       {Expected{"Duck.glb", 1, 1}, Expected{"lucy.glb", 1, 0}, Expected{"FlightHelmet/FlightHelmet.gltf", 5, 10}}) {
     const auto path = testing::sharedData(expected.file);
     if (!path) GTEST_SKIP() << expected.file << " is not in the shared data folder";
     const Result<Scene> scene = loadModel(path->string());

@@ -45,8 +45,7 @@ std::array<Corner, 3> cornersOf(const Mesh& mesh, std::size_t first) {
     corners[i].position = mesh.vertices[corners[i].vertex].position;
   }
   for (std::size_t i = 0; i < 3; ++i)
-    corners[i].angle = angleAt(corners[i].position, corners[(i + 1) % 3].position,
-                               corners[(i + 2) % 3].position);
+    corners[i].angle = angleAt(corners[i].position, corners[(i + 1) % 3].position, corners[(i + 2) % 3].position);
   return corners;
 }
 
@@ -56,13 +55,11 @@ void computeNormals(Mesh& mesh) {
   std::vector<dvec3> sums(mesh.vertices.size(), dvec3(0.0));
   for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
     const std::array<Corner, 3> corners = cornersOf(mesh, first);
-    const dvec3 normal = unitOr(glm::cross(corners[1].position - corners[0].position,
-                                           corners[2].position - corners[0].position),
-                                dvec3(0.0));
+    const dvec3 normal = unitOr(
+        glm::cross(corners[1].position - corners[0].position, corners[2].position - corners[0].position), dvec3(0.0));
     for (const Corner& corner : corners) sums[corner.vertex] += corner.angle * normal;
   }
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    mesh.vertices[i].normal = glm::vec3(unitOr(sums[i], dvec3(0, 0, 1)));
+  for (std::size_t i = 0; i < sums.size(); ++i) mesh.vertices[i].normal = glm::vec3(unitOr(sums[i], dvec3(0, 0, 1)));
 }
 
 void computeTangents(Mesh& mesh, int set) {

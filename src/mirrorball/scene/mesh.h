@@ -11,11 +11,11 @@ namespace mirrorball {
 
 /// One corner of a mesh as the GPU reads it.
 struct Vertex {
-  glm::vec3 position{0.0f};                ///< object space
-  glm::vec3 normal{0.0f, 0.0f, 1.0f};      ///< unit
-  glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f};  ///< unit p_u, and the sign of the bitangent: b = w · n × t
+  glm::vec3 position{0.0f};                              ///< object space
+  glm::vec3 normal{0.0f, 0.0f, 1.0f};                    ///< unit
+  glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f};             ///< unit p_u, and the sign of the bitangent: b = w · n × t
   glm::vec2 uv[2] = {glm::vec2(0.0f), glm::vec2(0.0f)};  ///< glTF's: (0, 0) is the top left of a texture
-  glm::vec4 color{1.0f};                   ///< linear; multiplies the base colour
+  glm::vec4 color{1.0f};                                 ///< linear; multiplies the base colour
 };
 
 /// Triangles with one material. Counter-clockwise seen from outside.

@@ -60,8 +60,8 @@ inline void expectSound(const Mesh& mesh, float least_cosine) {
     for (std::size_t k = 0; k < 3; ++k) ASSERT_LT(mesh.indices[i + k], mesh.vertices.size());
     const auto corner = [&](std::size_t k) -> const Vertex& { return mesh.vertices[mesh.indices[i + k]]; };
     const glm::dvec3 origin(corner(0).position);
-    const glm::dvec3 normal = glm::normalize(
-        glm::cross(glm::dvec3(corner(1).position) - origin, glm::dvec3(corner(2).position) - origin));
+    const glm::dvec3 normal =
+        glm::normalize(glm::cross(glm::dvec3(corner(1).position) - origin, glm::dvec3(corner(2).position) - origin));
     for (std::size_t k = 0; k < 3; ++k)
       ASSERT_GT(glm::dot(normal, glm::dvec3(corner(k).normal)), least_cosine) << "triangle " << i / 3;
   }

@@ -213,7 +213,8 @@ class MeshBuilder {
     for (const Face& face : geometry_.faces) {
       Part& part = parts_[face.material];
       forEachTriangle(geometry_, face, [&](std::array<std::size_t, 3> triangle) {
-        for (const std::size_t corner : triangle) part.mesh.indices.push_back(vertexOf(geometry_.corners[corner], part));
+        for (const std::size_t corner : triangle)
+          part.mesh.indices.push_back(vertexOf(geometry_.corners[corner], part));
       });
     }
     std::map<int, Mesh> meshes;
@@ -236,8 +237,7 @@ class MeshBuilder {
   }
 
   std::uint32_t vertexOf(const Corner& corner, Part& part) {
-    const auto [found, is_new] =
-        part.vertices.emplace(corner, static_cast<std::uint32_t>(part.mesh.vertices.size()));
+    const auto [found, is_new] = part.vertices.emplace(corner, static_cast<std::uint32_t>(part.mesh.vertices.size()));
     if (!is_new) return found->second;
     Vertex& vertex = part.mesh.vertices.emplace_back();
     vertex.position = geometry_.positions[std::size_t(corner.position)];
@@ -281,8 +281,10 @@ Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesyst
     mesh.material = static_cast<int>(scene.meshes.size());
     scene.instances.push_back({mesh.material, glm::mat4(1.0f)});
     scene.meshes.push_back(std::move(mesh));
-    if (material >= 0) used.push_back(geometry.materials[std::size_t(material)]);
-    else scene.materials.emplace_back();  // the least key comes first, and so does its material
+    if (material >= 0)
+      used.push_back(geometry.materials[std::size_t(material)]);
+    else
+      scene.materials.emplace_back();  // the least key comes first, and so does its material
   }
   addObjMaterials(used, folder, scene);
   return scene;

@@ -64,7 +64,8 @@ Material convert(const tinyobj::material_t& source, Pictures& pictures, std::vec
   material.name = source.name;
   material.base_color = glm::vec3(share(source.diffuse[0]), share(source.diffuse[1]), share(source.diffuse[2]));
   for (int channel = 0; channel < 3; ++channel)
-    if (const float light = source.emission[channel]; std::isfinite(light)) material.emission[channel] = std::max(light, 0.0f);
+    if (const float light = source.emission[channel]; std::isfinite(light))
+      material.emission[channel] = std::max(light, 0.0f);
   if (source.ior > 1.0f && std::isfinite(source.ior)) material.ior = source.ior;
   material.opacity = share(source.dissolve);
   if (material.opacity < 1.0f) material.alpha_mode = AlphaMode::blend;
@@ -83,7 +84,8 @@ Material convert(const tinyobj::material_t& source, Pictures& pictures, std::vec
   // Many programs write black beside a picture, which would hide it.
   if (material.base_color_texture.texture >= 0 && material.base_color == glm::vec3(0.0f))
     material.base_color = glm::vec3(1.0f);
-  if (material.emission_texture.texture >= 0 && material.emission == glm::vec3(0.0f)) material.emission = glm::vec3(1.0f);
+  if (material.emission_texture.texture >= 0 && material.emission == glm::vec3(0.0f))
+    material.emission = glm::vec3(1.0f);
   for (const std::string& left_out : {source.bump_texname, source.alpha_texname})
     if (!left_out.empty())
       warnings.push_back("material '" + source.name + "': the picture '" + left_out + "' is left out");
@@ -92,7 +94,8 @@ Material convert(const tinyobj::material_t& source, Pictures& pictures, std::vec
 
 }  // namespace
 
-void addObjMaterials(std::span<const tinyobj::material_t> materials, const std::filesystem::path& folder, Scene& scene) {
+void addObjMaterials(std::span<const tinyobj::material_t> materials, const std::filesystem::path& folder,
+                     Scene& scene) {
   Pictures pictures(folder, scene);
   for (const tinyobj::material_t& material : materials)
     scene.materials.push_back(convert(material, pictures, scene.warnings));

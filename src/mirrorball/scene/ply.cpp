@@ -43,8 +43,14 @@ struct Header {
 
 std::optional<ValueType> valueTypeNamed(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kNames = {{
-      {"char", "int8"}, {"uchar", "uint8"}, {"short", "int16"}, {"ushort", "uint16"},
-      {"int", "int32"}, {"uint", "uint32"}, {"float", "float32"}, {"double", "float64"},
+      {"char", "int8"},
+      {"uchar", "uint8"},
+      {"short", "int16"},
+      {"ushort", "uint16"},
+      {"int", "int32"},
+      {"uint", "uint32"},
+      {"float", "float32"},
+      {"double", "float64"},
   }};
   for (std::size_t i = 0; i < kNames.size(); ++i)
     if (name == kNames[i].first || name == kNames[i].second) return static_cast<ValueType>(i);
@@ -111,14 +117,22 @@ class ValueReader {
 
   static double decode(ValueType type, const std::uint8_t* raw) {
     switch (type) {
-      case ValueType::int8: return as<std::int8_t>(raw);
-      case ValueType::uint8: return as<std::uint8_t>(raw);
-      case ValueType::int16: return as<std::int16_t>(raw);
-      case ValueType::uint16: return as<std::uint16_t>(raw);
-      case ValueType::int32: return as<std::int32_t>(raw);
-      case ValueType::uint32: return as<std::uint32_t>(raw);
-      case ValueType::float32: return as<float>(raw);
-      case ValueType::float64: return as<double>(raw);
+      case ValueType::int8:
+        return as<std::int8_t>(raw);
+      case ValueType::uint8:
+        return as<std::uint8_t>(raw);
+      case ValueType::int16:
+        return as<std::int16_t>(raw);
+      case ValueType::uint16:
+        return as<std::uint16_t>(raw);
+      case ValueType::int32:
+        return as<std::int32_t>(raw);
+      case ValueType::uint32:
+        return as<std::uint32_t>(raw);
+      case ValueType::float32:
+        return as<float>(raw);
+      case ValueType::float64:
+        return as<double>(raw);
     }
     return 0.0;
   }
@@ -163,10 +177,14 @@ Result<Header> parseHeader(std::string_view text, const std::string& name) {
     if (key == "end_header") break;
     if (key == "format") {
       const std::string_view encoding = words.word();
-      if (encoding == "ascii") header.encoding = Encoding::ascii;
-      else if (encoding == "binary_little_endian") header.encoding = Encoding::little_endian;
-      else if (encoding == "binary_big_endian") header.encoding = Encoding::big_endian;
-      else return wrong("unknown format '" + std::string(encoding) + "'");
+      if (encoding == "ascii")
+        header.encoding = Encoding::ascii;
+      else if (encoding == "binary_little_endian")
+        header.encoding = Encoding::little_endian;
+      else if (encoding == "binary_big_endian")
+        header.encoding = Encoding::big_endian;
+      else
+        return wrong("unknown format '" + std::string(encoding) + "'");
       has_format = true;
     } else if (key == "element") {
       Element& element = header.elements.emplace_back();
@@ -195,11 +213,27 @@ enum Role { kX, kY, kZ, kNx, kNy, kNz, kU, kV, kRed, kGreen, kBlue, kAlpha, kRol
 
 std::optional<Role> roleNamed(std::string_view name) {
   constexpr std::pair<std::string_view, Role> kRoles[] = {
-      {"x", kX},           {"y", kY},           {"z", kZ},         {"nx", kNx},       {"ny", kNy},
-      {"nz", kNz},         {"u", kU},           {"v", kV},         {"s", kU},         {"t", kV},
-      {"texture_u", kU},   {"texture_v", kV},   {"texture_s", kU}, {"texture_t", kV}, {"red", kRed},
-      {"green", kGreen},   {"blue", kBlue},     {"alpha", kAlpha}, {"diffuse_red", kRed},
-      {"diffuse_green", kGreen}, {"diffuse_blue", kBlue},
+      {"x", kX},
+      {"y", kY},
+      {"z", kZ},
+      {"nx", kNx},
+      {"ny", kNy},
+      {"nz", kNz},
+      {"u", kU},
+      {"v", kV},
+      {"s", kU},
+      {"t", kV},
+      {"texture_u", kU},
+      {"texture_v", kV},
+      {"texture_s", kU},
+      {"texture_t", kV},
+      {"red", kRed},
+      {"green", kGreen},
+      {"blue", kBlue},
+      {"alpha", kAlpha},
+      {"diffuse_red", kRed},
+      {"diffuse_green", kGreen},
+      {"diffuse_blue", kBlue},
   };
   for (const auto& [role_name, role] : kRoles)
     if (name == role_name) return role;
@@ -241,8 +275,7 @@ class PlyDecoder {
       least += reader_.leastSize(property.count_type.value_or(property.type));
     if (element.count > 0 && (least == 0 || element.count > reader_.remaining() / least))
       return fail(ErrorCode::bad_file, name_ + ": the header names " + std::to_string(element.count) + " of '" +
-                                           element.name + "', more than its " +
-                                           std::to_string(reader_.remaining()) +
+                                           element.name + "', more than its " + std::to_string(reader_.remaining()) +
                                            " bytes of data can hold; the file is truncated");
     return {};
   }
@@ -286,8 +319,10 @@ class PlyDecoder {
     if (has_normals_) {
       const glm::dvec3 normal(at(kNx), at(kNy), at(kNz));
       const double length = glm::length(normal);
-      if (length > 0.0 && std::isfinite(length)) vertex.normal = glm::vec3(normal / length);
-      else has_normals_ = false;  // then they are all computed
+      if (length > 0.0 && std::isfinite(length))
+        vertex.normal = glm::vec3(normal / length);
+      else
+        has_normals_ = false;  // then they are all computed
     }
     const auto coordinate = [](double value) { return static_cast<float>(glm::clamp(value, -1e6, 1e6)); };
     if (scales[kU] != 0 && scales[kV] != 0)
@@ -295,8 +330,7 @@ class PlyDecoder {
     if (scales[kRed] != 0 && scales[kGreen] != 0 && scales[kBlue] != 0)
       for (int channel = 0; channel < 3; ++channel)
         vertex.color[channel] = linearColor(at(Role(kRed + channel)), scales[std::size_t(kRed + channel)]);
-    if (scales[kAlpha] != 0)
-      vertex.color.a = static_cast<float>(glm::clamp(at(kAlpha) / scales[kAlpha], 0.0, 1.0));
+    if (scales[kAlpha] != 0) vertex.color.a = static_cast<float>(glm::clamp(at(kAlpha) / scales[kAlpha], 0.0, 1.0));
     mesh_.vertices.push_back(vertex);
     return {};
   }
@@ -386,7 +420,8 @@ class PlyDecoder {
       const std::size_t count = strip.size();
       if (count < 3) continue;
       const bool odd = count % 2 == 0;
-      mesh_.indices.insert(mesh_.indices.end(), {strip[count - 3], strip[count - (odd ? 1 : 2)], strip[count - (odd ? 2 : 1)]});
+      mesh_.indices.insert(mesh_.indices.end(),
+                           {strip[count - 3], strip[count - (odd ? 1 : 2)], strip[count - (odd ? 2 : 1)]});
     }
     return {};
   }

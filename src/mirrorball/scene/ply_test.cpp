@@ -69,12 +69,12 @@ TEST(Ply, ReadsBinaryOfBothByteOrders) {
 }
 
 TEST(Ply, ReadsAsciiWithColoursAndTextureCoordinates) {
-  const Result<Scene> scene = decode(
-      bytesOf("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float z\r\nproperty float y\r\n"
-              "property float x\r\nproperty float s\r\nproperty float t\r\nproperty uchar red\r\n"
-              "property uchar green\r\nproperty uchar blue\r\nproperty uchar alpha\r\n"
-              "element face 1\r\nproperty list uchar int vertex_index\r\nend_header\r\n"
-              "0 0 1 0.25 0.75 255 188 0 51\r\n0 1 0 0 0 0 0 0 255\r\n1 0 0 1 1 0 0 0 255\r\n3 0 1 2\r\n"));
+  const Result<Scene> scene =
+      decode(bytesOf("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float z\r\nproperty float y\r\n"
+                     "property float x\r\nproperty float s\r\nproperty float t\r\nproperty uchar red\r\n"
+                     "property uchar green\r\nproperty uchar blue\r\nproperty uchar alpha\r\n"
+                     "element face 1\r\nproperty list uchar int vertex_index\r\nend_header\r\n"
+                     "0 0 1 0.25 0.75 255 188 0 51\r\n0 1 0 0 0 0 0 0 255\r\n1 0 0 1 1 0 0 0 255\r\n3 0 1 2\r\n"));
   ASSERT_TRUE(scene) << scene.error().message;
   const Vertex& vertex = scene->meshes.at(0).vertices.at(0);
   EXPECT_EQ(vertex.position, glm::vec3(1, 0, 0));
@@ -87,10 +87,10 @@ TEST(Ply, ReadsAsciiWithColoursAndTextureCoordinates) {
 }
 
 TEST(Ply, ReadsTriangleStrips) {
-  const Result<Scene> scene = decode(
-      bytesOf("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-              "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-              "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 1 2\n"));
+  const Result<Scene> scene =
+      decode(bytesOf("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                     "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                     "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 1 2\n"));
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_THAT(scene->meshes.at(0).indices, ElementsAre(0, 1, 2, 1, 3, 2, 0, 1, 2));
 }
@@ -140,11 +140,11 @@ TEST(Ply, SurvivesRandomDamage) {
   std::mt19937 random(1);
   for (int i = 0; i < 4000; ++i) {
     Bytes damaged = whole;
-    for (int flips = 0; flips < 3; ++flips) damaged[random() % damaged.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
+    for (int flips = 0; flips < 3; ++flips)
+      damaged[random() % damaged.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
     const Result<Scene> scene = decode(damaged);
     if (!scene) continue;
-    for (const std::uint32_t index : scene->meshes.at(0).indices)
-      ASSERT_LT(index, scene->meshes[0].vertices.size());
+    for (const std::uint32_t index : scene->meshes.at(0).indices) ASSERT_LT(index, scene->meshes[0].vertices.size());
   }
 }
 

@@ -31,8 +31,8 @@ bool contains(dvec3 a, dvec3 b, dvec3 c, dvec3 point, dvec3 normal) {
 }
 
 /// Whether the corner at `i` of what remains can be cut off: it bends outwards and no other corner lies inside.
-bool isEar(std::span<const glm::vec3> corners, const std::vector<std::uint32_t>& remaining,
-           std::size_t i, dvec3 normal) {
+bool isEar(std::span<const glm::vec3> corners, const std::vector<std::uint32_t>& remaining, std::size_t i,
+           dvec3 normal) {
   const std::size_t count = remaining.size();
   const dvec3 a(corners[remaining[(i + count - 1) % count]]);
   const dvec3 b(corners[remaining[i]]);

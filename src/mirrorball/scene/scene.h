@@ -16,8 +16,8 @@ enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
 
 /// A picture on a surface.
 struct Texture {
-  Image8 image;        ///< 4 channels
-  bool srgb = false;   ///< its colour channels are sRGB-encoded (base colour, emission)
+  Image8 image;       ///< 4 channels
+  bool srgb = false;  ///< its colour channels are sRGB-encoded (base colour, emission)
   Wrap wrap_s = Wrap::repeat;
   Wrap wrap_t = Wrap::repeat;
   bool nearest = false;  ///< magnified without interpolation

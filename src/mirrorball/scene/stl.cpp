@@ -67,16 +67,16 @@ Result<Mesh> decodeAscii(std::string_view text, const std::string& name) {
   for (std::string_view word = scanner.word(); !word.empty(); word = scanner.word()) {
     if (word == "facet" || word == "endsolid") {
       if (corner != 0)
-        return fail(ErrorCode::bad_file, name + ": line " + std::to_string(scanner.line()) +
-                                             ": the facet before it has not three corners");
+        return fail(ErrorCode::bad_file,
+                    name + ": line " + std::to_string(scanner.line()) + ": the facet before it has not three corners");
       ended = word == "endsolid";
     }
     if (word != "vertex") continue;
     for (int axis = 0; axis < 3; ++axis) {
       const std::optional<double> number = scanner.number();
       if (!number || std::abs(*number) > std::numeric_limits<float>::max())
-        return fail(ErrorCode::bad_file, name + ": line " + std::to_string(scanner.line()) +
-                                             ": a corner needs three finite numbers");
+        return fail(ErrorCode::bad_file,
+                    name + ": line " + std::to_string(scanner.line()) + ": a corner needs three finite numbers");
       // Through float, so that facets without area are found as they are stored.
       corners[corner][axis] = static_cast<float>(*number);
     }

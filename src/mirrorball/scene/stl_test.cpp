@@ -109,8 +109,7 @@ TEST(Stl, SurvivesRandomDamage) {
         damaged[random() % damaged.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
       const Result<Scene> scene = decodeStl(damaged, "part.stl");
       if (!scene) continue;
-      for (const std::uint32_t index : scene->meshes.at(0).indices)
-        ASSERT_LT(index, scene->meshes[0].vertices.size());
+      for (const std::uint32_t index : scene->meshes.at(0).indices) ASSERT_LT(index, scene->meshes[0].vertices.size());
     }
   }
 }

@@ -23,7 +23,7 @@ struct RoundRow {
 constexpr RoundRow roundRow(double radius, double height) { return {radius, height, 0.56 * radius}; }
 
 constexpr RoundRow kLid[] = {
-    roundRow(0, 3.15),  {0.8, 3.15, 0.45},  roundRow(0, 2.85),  // knob
+    roundRow(0, 3.15),  {0.8, 3.15, 0.45},   roundRow(0, 2.85),  // knob
     roundRow(0.2, 2.7), roundRow(0.4, 2.55), roundRow(1.3, 2.55), roundRow(1.3, 2.4),
 };
 
@@ -31,7 +31,7 @@ constexpr RoundRow kBody[] = {
     roundRow(1.4, 2.4),  roundRow(1.3375, 2.53125), roundRow(1.4375, 2.53125),  // rim
     roundRow(1.5, 2.4),  roundRow(1.75, 1.875),     roundRow(2, 1.35),          // upper body
     roundRow(2, 0.9),    roundRow(2, 0.45),         roundRow(1.5, 0.225),       // lower body
-    roundRow(1.5, 0.15), roundRow(1.5, 0.075),      roundRow(1.425, 0),         roundRow(0, 0),
+    roundRow(1.5, 0.15), roundRow(1.5, 0.075),      roundRow(1.425, 0),        roundRow(0, 0),
 };
 
 /// A row of control points around the handle or the spout, which are symmetric in z: from the inner point in the plane
@@ -45,14 +45,14 @@ struct TubeRow {
 };
 
 constexpr TubeRow kHandle[] = {
-    {-1.6, 2.025, -1.5, 2.25, 0.3},   {-2.3, 2.025, -2.5, 2.25, 0.3}, {-2.7, 2.025, -3.0, 2.25, 0.3},
-    {-2.7, 1.8, -3.0, 1.8, 0.3},      {-2.7, 1.575, -3.0, 1.35, 0.3}, {-2.5, 1.125, -2.65, 0.9375, 0.3},
+    {-1.6, 2.025, -1.5, 2.25, 0.3}, {-2.3, 2.025, -2.5, 2.25, 0.3}, {-2.7, 2.025, -3.0, 2.25, 0.3},
+    {-2.7, 1.8, -3.0, 1.8, 0.3},    {-2.7, 1.575, -3.0, 1.35, 0.3}, {-2.5, 1.125, -2.65, 0.9375, 0.3},
     {-2.0, 0.9, -1.9, 0.6, 0.3},
 };
 
 constexpr TubeRow kSpout[] = {
-    {1.7, 1.425, 1.7, 0.6, 0.66},      {2.6, 1.425, 3.1, 0.825, 0.66},    {2.3, 2.1, 2.4, 2.025, 0.25},
-    {2.7, 2.4, 3.3, 2.4, 0.25},        {2.8, 2.475, 3.525, 2.49375, 0.25}, {2.9, 2.475, 3.45, 2.5125, 0.15},
+    {1.7, 1.425, 1.7, 0.6, 0.66}, {2.6, 1.425, 3.1, 0.825, 0.66},     {2.3, 2.1, 2.4, 2.025, 0.25},
+    {2.7, 2.4, 3.3, 2.4, 0.25},   {2.8, 2.475, 3.525, 2.49375, 0.25}, {2.9, 2.475, 3.45, 2.5125, 0.15},
     {2.8, 2.4, 3.2, 2.4, 0.15},
 };
 
@@ -91,8 +91,7 @@ void addPatches(std::vector<BezierPatch>& patches, std::span<const Row> rows) {
     for (std::size_t left = 0; left + 3 < loops[top].size(); left += 3) {
       BezierPatch& patch = patches.emplace_back();
       for (std::size_t row = 0; row < 4; ++row)
-        for (std::size_t column = 0; column < 4; ++column)
-          patch[row][column] = loops[top + row][left + column];
+        for (std::size_t column = 0; column < 4; ++column) patch[row][column] = loops[top + row][left + column];
     }
   }
 }
@@ -160,8 +159,8 @@ Mesh teapotMesh(int divisions) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (int row = 0; row <= divisions; ++row)
       for (int column = 0; column <= divisions; ++column)
-        mesh.vertices.push_back(patchVertex(patch, static_cast<double>(column) / divisions,
-                                            static_cast<double>(row) / divisions));
+        mesh.vertices.push_back(
+            patchVertex(patch, static_cast<double>(column) / divisions, static_cast<double>(row) / divisions));
     addGridTriangles(mesh, first, divisions, divisions);
   }
   fitToUnitSphere(mesh);

@@ -1,0 +1,41 @@
+#include "mirrorball/image/halve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "formula/formula.h"
+
+namespace mirrorball {
+namespace {
+
+TEST(Halved, AConstantStaysForEveryValue) {
+  for (int value = 0; value < 256; ++value) {
+    const Image8 image(4, 4, 4, static_cast<std::uint8_t>(value));
+    for (const bool srgb : {false, true})
+      for (const std::uint8_t sample : halved(image, srgb).samples()) EXPECT_EQ(sample, value) << srgb;
+  }
+}
+
+TEST(Halved, ColoursAreAveragedAsLightAndTheRestAsNumbers) {
+  Image8 board(2, 2, 4);
+  for (const int corner : {0, 3}) std::fill_n(board.texel(corner % 2, corner / 2), 4, std::uint8_t{255});
+  const Image8 encoded = halved(board, true);
+  const Image8 numbers = halved(board, false);
+  EXPECT_EQ(encoded.texel(0, 0)[0], std::lround(formula::srgbFromLinear1(0.5f) * 255.0f));
+  EXPECT_EQ(encoded.texel(0, 0)[3], 128) << "alpha is never encoded";
+  EXPECT_EQ(numbers.texel(0, 0)[0], 128);
+}
+
+TEST(Halved, OddAndNarrowSidesRoundDown) {
+  const Image8 odd(7, 3, 4, 9);
+  EXPECT_EQ(halved(odd, false).width(), 3);
+  EXPECT_EQ(halved(odd, false).height(), 1);
+  const Image8 line(1, 5, 4, 9);
+  EXPECT_EQ(halved(line, true).width(), 1);
+  EXPECT_EQ(halved(line, true).height(), 2);
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -57,8 +57,7 @@ Result<void> writeFile(const std::filesystem::path& path, std::span<const std::u
   if (!file)
     return fail(ErrorCode::io,
                 name + ": cannot be written: " + reason() + "; check that the folder exists and is writable");
-  const bool written =
-      bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  const bool written = bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
   const bool closed = std::fclose(file.release()) == 0;
   if (written && closed && std::rename(temporary.c_str(), name.c_str()) == 0) return {};
 

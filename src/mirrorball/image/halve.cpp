@@ -33,8 +33,8 @@ const SrgbTables& tables() {
 }
 
 /// Writes one texel from the four at a, b, c, d.
-void averageTexel(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* c, const std::uint8_t* d,
-                  bool srgb, std::uint8_t* mean) {
+void averageTexel(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* c, const std::uint8_t* d, bool srgb,
+                  std::uint8_t* mean) {
   for (int channel = 0; channel < 4; ++channel) {
     if (srgb && channel < 3) {
       const SrgbTables& table = tables();

@@ -50,10 +50,11 @@ std::vector<MipLevels> makeMipLevels(const std::vector<Texture>& textures) {
 
 Result<gl::Texture> makeTexture(const Texture& texture, const MipLevels& levels) {
   const gl::Format format = texture.srgb ? gl::Format::srgb8_alpha8 : gl::Format::rgba8;
-  MIRRORBALL_TRY(
-      made, gl::Texture::make2d(format, texture.image.width(), texture.image.height(), gl::Texture::kAllLevels));
+  MIRRORBALL_TRY(made,
+                 gl::Texture::make2d(format, texture.image.width(), texture.image.height(), gl::Texture::kAllLevels));
   made.upload(texture.image);
-  for (std::size_t level = 0; level < levels.size(); ++level) made.upload(static_cast<int>(level) + 1, 0, levels[level]);
+  for (std::size_t level = 0; level < levels.size(); ++level)
+    made.upload(static_cast<int>(level) + 1, 0, levels[level]);
   made.setSampling({.filter = gl::Sampling::Filter::trilinear,
                     .magnify_nearest = texture.nearest,
                     .wrap_s = samplingWrap(texture.wrap_s),

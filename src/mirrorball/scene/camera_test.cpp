@@ -52,8 +52,7 @@ TEST(Camera, DefaultFramesTheModelInBothOrientations) {
       const float angle = glm::radians(static_cast<float>(step) / 2.0f);
       const glm::vec3 right = glm::normalize(glm::cross(camera.forward, glm::vec3(0, 1, 0)));
       const glm::vec3 up = glm::cross(right, camera.forward);
-      const glm::vec3 p =
-          ndc(camera, bounds.center + bounds.radius * (right * std::cos(angle) + up * std::sin(angle)));
+      const glm::vec3 p = ndc(camera, bounds.center + bounds.radius * (right * std::cos(angle) + up * std::sin(angle)));
       widest = std::max({widest, std::abs(p.x), std::abs(p.y)});
       EXPECT_LT(std::abs(p.z), 1.0f) << "cut by the near or far plane";
     }

@@ -10,43 +10,76 @@ namespace mirrorball {
 namespace {
 
 const std::array<Option<Material>, 21> kParameters{{
-    {{.name = "base_color", .value = "R,G,B", .unit = "linear light", .minimum = 0, .maximum = 1,
+    {{.name = "base_color",
+      .value = "R,G,B",
+      .unit = "linear light",
+      .minimum = 0,
+      .maximum = 1,
       .help = "diffuse albedo, or a metal's reflectance head-on; one number sets all three channels"},
      &Material::base_color},
     {{.name = "metallic", .minimum = 0, .maximum = 1, .help = "0 dielectric, 1 metal"}, &Material::metallic},
-    {{.name = "perceptual_roughness", .minimum = 0, .maximum = 1, .help = "0 mirror, 1 chalk; its square is GGX's alpha"},
+    {{.name = "perceptual_roughness",
+      .minimum = 0,
+      .maximum = 1,
+      .help = "0 mirror, 1 chalk; its square is GGX's alpha"},
      &Material::perceptual_roughness},
-    {{.name = "specular", .minimum = 0, .maximum = 1, .help = "strength of a dielectric's reflection; 0 leaves pure diffuse"},
+    {{.name = "specular",
+      .minimum = 0,
+      .maximum = 1,
+      .help = "strength of a dielectric's reflection; 0 leaves pure diffuse"},
      &Material::specular},
-    {{.name = "ior", .minimum = 0.1, .maximum = 10, .help = "index of refraction, inside over outside"}, &Material::ior},
+    {{.name = "ior", .minimum = 0.1, .maximum = 10, .help = "index of refraction, inside over outside"},
+     &Material::ior},
     {{.name = "dispersion", .minimum = 0, .maximum = 5, .help = "20 over Abbe's number: how far red and blue part"},
      &Material::dispersion},
-    {{.name = "transmission", .minimum = 0, .maximum = 1, .help = "share of the light not reflected that is refracted through"},
+    {{.name = "transmission",
+      .minimum = 0,
+      .maximum = 1,
+      .help = "share of the light not reflected that is refracted through"},
      &Material::transmission},
-    {{.name = "conductor_n", .value = "R,G,B", .minimum = 0, .maximum = 20,
+    {{.name = "conductor_n",
+      .value = "R,G,B",
+      .minimum = 0,
+      .maximum = 20,
       .help = "real part of a metal's complex index, per channel"},
      &Material::conductor_n},
-    {{.name = "conductor_k", .value = "R,G,B", .minimum = 0, .maximum = 20,
+    {{.name = "conductor_k",
+      .value = "R,G,B",
+      .minimum = 0,
+      .maximum = 20,
       .help = "imaginary part; 0,0,0 takes the metal's reflectance from base_color"},
      &Material::conductor_k},
-    {{.name = "emission", .value = "R,G,B", .unit = "radiance", .minimum = 0, .maximum = 1e6,
+    {{.name = "emission",
+      .value = "R,G,B",
+      .unit = "radiance",
+      .minimum = 0,
+      .maximum = 1e6,
       .help = "light that the surface gives off itself"},
      &Material::emission},
     {{.name = "opacity", .minimum = 0, .maximum = 1, .help = "1 solid; less lets what is behind shine through unbent"},
      &Material::opacity},
     {{.name = "fresnel", .choices = "exact|schlick|empirical", .help = "how reflection grows towards grazing angles"},
      choiceField<&Material::fresnel>},
-    {{.name = "fresnel_offset", .minimum = 0, .maximum = 1, .help = "of the empirical form offset + scale (1 + V·N)^power"},
+    {{.name = "fresnel_offset",
+      .minimum = 0,
+      .maximum = 1,
+      .help = "of the empirical form offset + scale (1 + V·N)^power"},
      &Material::fresnel_offset},
     {{.name = "fresnel_scale", .minimum = 0, .maximum = 10, .help = "of the empirical form"}, &Material::fresnel_scale},
-    {{.name = "fresnel_power", .minimum = 0.1, .maximum = 20, .help = "of the empirical form"}, &Material::fresnel_power},
+    {{.name = "fresnel_power", .minimum = 0.1, .maximum = 20, .help = "of the empirical form"},
+     &Material::fresnel_power},
     {{.name = "bump", .choices = "none|orange", .help = "height function that bends the normals"},
      choiceField<&Material::bump>},
     {{.name = "bump_height", .unit = "model units", .minimum = -1, .maximum = 1, .help = "depth of the bumps"},
      &Material::bump_height},
-    {{.name = "bump_frequency", .unit = "bumps a model unit", .minimum = 0.01, .maximum = 1000, .help = "how close they stand"},
+    {{.name = "bump_frequency",
+      .unit = "bumps a model unit",
+      .minimum = 0.01,
+      .maximum = 1000,
+      .help = "how close they stand"},
      &Material::bump_frequency},
-    {{.name = "normal_scale", .minimum = 0, .maximum = 10, .help = "strength of a normal map"}, &Material::normal_scale},
+    {{.name = "normal_scale", .minimum = 0, .maximum = 10, .help = "strength of a normal map"},
+     &Material::normal_scale},
     {{.name = "occlusion_strength", .minimum = 0, .maximum = 1, .help = "strength of an occlusion map"},
      &Material::occlusion_strength},
     {{.name = "double_sided", .help = "yes shows the back of the surface too"}, &Material::double_sided},
@@ -88,8 +121,8 @@ Material coloured(glm::vec3 color, float perceptual_roughness) {
 Material orange() {
   Material material = coloured({0.90f, 0.33f, 0.02f}, 0.32f);
   material.bump = BumpHeight::orange;
-  material.bump_height = 0.012f;
-  material.bump_frequency = 14.0f;
+  material.bump_height = 0.008f;
+  material.bump_frequency = 20.0f;
   return material;
 }
 
@@ -103,13 +136,25 @@ struct NamedMaterial {
 // from the usual tables (Schott's catalogue; Hale & Querry 1973; Peter 1923).
 constexpr std::array<NamedMaterial, 9> kMaterials{{
     {"mirror", [] { return metal(glm::vec3(1.0f), 0.0f); }},
-    {"chrome", [] { return conductor({3.107f, 3.181f, 2.323f}, {3.331f, 3.329f, 3.135f}); }},
-    {"gold", [] { return conductor({0.156f, 0.424f, 1.383f}, {3.602f, 2.472f, 1.916f}); }},
+    {"chrome",
+     [] {
+       return conductor({3.107f, 3.181f, 2.323f}, {3.331f, 3.329f, 3.135f});
+     }},
+    {"gold",
+     [] {
+       return conductor({0.156f, 0.424f, 1.383f}, {3.602f, 2.472f, 1.916f});
+     }},
     {"glass", [] { return clear(1.517f, 64.2f); }},
     {"water", [] { return clear(1.333f, 55.8f); }},
     {"diamond", [] { return clear(2.417f, 55.3f); }},
-    {"rough-metal", [] { return metal({0.56f, 0.57f, 0.58f}, 0.45f); }},
-    {"plastic", [] { return coloured({0.70f, 0.03f, 0.03f}, 0.15f); }},
+    {"rough-metal",
+     [] {
+       return metal({0.56f, 0.57f, 0.58f}, 0.45f);
+     }},
+    {"plastic",
+     [] {
+       return coloured({0.70f, 0.03f, 0.03f}, 0.15f);
+     }},
     {"orange", orange},
 }};
 
@@ -141,8 +186,8 @@ Result<void> setParameter(Material& material, std::string_view assignment) {
   for (const Option<Material>& parameter : kParameters) {
     if (parameter.text.name != key) continue;
     if (equals == std::string_view::npos)
-      return fail(ErrorCode::usage, "the material parameter " + std::string(key) + " needs a value: " +
-                                        std::string(key) + "=" + written(parameter, material));
+      return fail(ErrorCode::usage, "the material parameter " + std::string(key) +
+                                        " needs a value: " + std::string(key) + "=" + written(parameter, material));
     return assign(parameter, material, assignment.substr(equals + 1));
   }
   std::vector<std::string_view> names;

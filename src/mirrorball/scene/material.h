@@ -17,8 +17,8 @@ enum class AlphaMode { opaque, mask, blend };
 
 /// A texture slot of a material: which texture, which texture coordinates, and glTF's KHR_texture_transform.
 struct TextureSlot {
-  int texture = -1;   ///< index into Scene::textures; −1: none
-  int uv_set = 0;     ///< 0 or 1
+  int texture = -1;  ///< index into Scene::textures; −1: none
+  int uv_set = 0;    ///< 0 or 1
   glm::vec2 offset{0.0f};
   glm::vec2 scale{1.0f};
   float rotation_rad = 0.0f;  ///< counter-clockwise, as KHR_texture_transform says
@@ -29,26 +29,26 @@ struct TextureSlot {
 struct Material {
   std::string name;
 
-  glm::vec3 base_color{0.8f};        ///< linear: diffuse albedo, or a metal's reflectance head-on
+  glm::vec3 base_color{0.8f};  ///< linear: diffuse albedo, or a metal's reflectance head-on
   float opacity = 1.0f;
   float metallic = 0.0f;
   float perceptual_roughness = 0.5f;
-  float specular = 1.0f;             ///< strength of a dielectric's reflection; 0 leaves pure diffuse
-  float ior = 1.5f;                  ///< index of refraction at 588 nm, inside over outside
-  float dispersion = 0.0f;           ///< 20 / Abbe number (KHR_materials_dispersion)
-  float transmission = 0.0f;         ///< share of the light which is not reflected that is refracted through
-  glm::vec3 conductor_n{0.0f};       ///< complex index n + ik of a metal, per channel; all 0: from base_color
+  float specular = 1.0f;        ///< strength of a dielectric's reflection; 0 leaves pure diffuse
+  float ior = 1.5f;             ///< index of refraction at 588 nm, inside over outside
+  float dispersion = 0.0f;      ///< 20 / Abbe number (KHR_materials_dispersion)
+  float transmission = 0.0f;    ///< share of the light which is not reflected that is refracted through
+  glm::vec3 conductor_n{0.0f};  ///< complex index n + ik of a metal, per channel; all 0: from base_color
   glm::vec3 conductor_k{0.0f};
-  glm::vec3 emission{0.0f};          ///< radiance
+  glm::vec3 emission{0.0f};  ///< radiance
 
   FresnelModel fresnel = FresnelModel::exact;
-  float fresnel_offset = 0.0f;       ///< of the empirical form: offset + scale · (1 + V·N)^power
+  float fresnel_offset = 0.0f;  ///< of the empirical form: offset + scale · (1 + V·N)^power
   float fresnel_scale = 1.0f;
   float fresnel_power = 5.0f;
 
   BumpHeight bump = BumpHeight::none;
-  float bump_height = 0.01f;         ///< in model units
-  float bump_frequency = 12.0f;      ///< dimples a model unit
+  float bump_height = 0.01f;     ///< in model units
+  float bump_frequency = 12.0f;  ///< dimples a model unit
 
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
@@ -57,7 +57,7 @@ struct Material {
   TextureSlot base_color_texture;
   TextureSlot metallic_roughness_texture;  ///< roughness in G, metallic in B
   TextureSlot normal_texture;
-  TextureSlot occlusion_texture;           ///< in R
+  TextureSlot occlusion_texture;  ///< in R
   TextureSlot emission_texture;
   float normal_scale = 1.0f;
   float occlusion_strength = 1.0f;

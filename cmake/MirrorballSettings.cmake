@@ -32,5 +32,5 @@ if(MIRRORBALL_SANITIZE)
   add_compile_options(-fsanitize=${MIRRORBALL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${MIRRORBALL_SANITIZE})
   # GCC sees uninitialised values in its own <regex> and <functional> once the sanitizers have rewritten them.
-  add_compile_options(-Wno-maybe-uninitialized)
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()

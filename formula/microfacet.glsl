@@ -4,14 +4,13 @@ FN float alphaFromPerceptualRoughness(float perceptual_roughness) {
   return perceptual_roughness * perceptual_roughness;
 }
 
-// The mip level that stands for a roughness, `last` being the level of roughness 1: M r (2 − r), as Filament and
-// three.js do it. It gives the rough end, whose pictures hardly differ, fewer levels than the smooth one.
-FN float lodFromPerceptualRoughness(float perceptual_roughness, float last) {
-  return last * perceptual_roughness * (2.0f - perceptual_roughness);
+// The level of a plain mip chain whose texels are alpha radians wide, about half the width at half maximum of the lobe
+// around the mirror direction (1.3 alpha: tan θ = 0.64 alpha for the half vector, twice that for the ray). `last` is the
+// level of 4² texels a face, each ½ rad wide, beyond which a cube would show. A larger map has more levels and looks the
+// same.
+FN float lodOfLobe(float perceptual_roughness, float last) {
+  return clamp(last + 1.0f + 2.0f * log2(max(perceptual_roughness, 1e-4f)), 0.0f, last);
 }
-
-// Its inverse, 1 − √(1 − lod / M).
-FN float perceptualRoughnessFromLod(float lod, float last) { return 1.0f - sqrt(max(1.0f - lod / last, 0.0f)); }
 
 // Scale and bias of f0 in the light that a GGX surface reflects from a white environment: Brian Karis' fit ("Physically
 // based shading on mobile", 2014), good to about 0.02. At roughness 0 the two sum to 1.

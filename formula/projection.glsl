@@ -3,7 +3,7 @@
 // Pictures of each: docs/conventions.md.
 
 // Longitude runs along the row so that +Z stands in the middle and +X to the left of it:
-// u = atan2(x, −z) / 2π mod 1, v = acos(y) / π. Same directions as OpenEXR's LatLong, Mitsuba 3 and Filament.
+// u = atan2(x, −z) / 2π mod 1, v = acos(y) / π. Same directions as OpenEXR's LatLong and Mitsuba 3.
 FN vec2 equirectPosition(vec3 d) {
   // atan has no value at the poles, where every u names the same direction.
   float longitude = (d.x == 0.0f && d.z == 0.0f) ? kPi : atan(d.x, -d.z);

@@ -1,9 +1,13 @@
 // Where in a pixel or texel the samples lie.
 
-// The i-th point of the R2 sequence in [0, 1)² (Martin Roberts 2018): any number of points from the start covers the
-// square evenly, and the first is its centre. The steps are 1/g and 1/g², g the real root of x³ = x + 1.
-FN vec2 sampleOffset(int i) {
-  return fract(vec2(0.5f, 0.5f) + float(i) * vec2(0.754877666f, 0.569840291f));
+// The i-th of `count` points in [0, 1)² that cover the square evenly: the R2 sequence (Martin Roberts 2018), whose steps
+// are 1/g and 1/g² with g the real root of x³ = x + 1. Each point is followed by its mirror image, and an odd count has
+// one in the centre, so that their mean is the centre itself and no picture is shifted.
+FN vec2 sampleOffset(int i, int count) {
+  int in_pairs = i - count % 2;
+  if (in_pairs < 0) return vec2(0.5f, 0.5f);
+  vec2 p = fract(vec2(0.5f, 0.5f) + (float(in_pairs / 2) + 0.5f) * vec2(0.754877666f, 0.569840291f));
+  return in_pairs % 2 == 0 ? p : vec2(1.0f, 1.0f) - p;
 }
 
 // The mip level whose texels are about as large as what one sample of a pixel sees of a map: from the direction's change

@@ -53,7 +53,7 @@ FN vec3 specularReflectance(Surface s, float cosine) {
 // What is seen through one refracting surface: the environment in the direction of the bent ray, for each channel its
 // own where the glass disperses. `last` is the mip level of roughness 1.
 FN vec3 refractedLight(Surface s, vec3 ray, mat3 environment_from_world, CUBE_SAMPLER environment, float last) {
-  float lod = lodFromPerceptualRoughness(s.perceptual_roughness, last);
+  float lod = lodOfLobe(s.perceptual_roughness, last);
   vec3 ior = iorOfChannels(s.ior, s.dispersion);
   vec4 green = sampleLod(environment, environment_from_world * refractedDirection(ray, s.normal, ior.y), lod);
   if (s.dispersion == 0.0f) return vec3(green);

@@ -1,4 +1,6 @@
 // The environment behind everything.
+#include "sampling.glsl"
+
 in vec2 screen;
 
 uniform samplerCube environment;
@@ -7,7 +9,9 @@ uniform float environment_intensity;
 uniform mat4 world_from_clip;
 uniform vec3 camera_forward;
 uniform float orthographic;
-uniform float level;
+uniform float texels_per_radian;
+uniform float samples_per_pixel;
+uniform float least_level;
 
 out vec4 fragment;
 
@@ -15,5 +19,8 @@ void main() {
   vec4 near_point = world_from_clip * vec4(screen, -1.0, 1.0);
   vec4 far_point = world_from_clip * vec4(screen, 1.0, 1.0);
   vec3 ray = orthographic > 0.5 ? camera_forward : far_point.xyz / far_point.w - near_point.xyz / near_point.w;
-  fragment = vec4(sampleLod(environment, environment_from_world * ray, level).xyz * environment_intensity, 1.0);
+  vec3 d = normalize(ray);
+  float minified = footprintLod(dFdx(d), dFdy(d), texels_per_radian, samples_per_pixel);
+  vec3 light = sampleLod(environment, environment_from_world * d, max(least_level, minified)).xyz;
+  fragment = vec4(light * environment_intensity, 1.0);
 }

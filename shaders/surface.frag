@@ -157,7 +157,7 @@ vec3 reflectedLight(Surface s, vec3 ray) {
 #else
   vec3 d = reflect(ray, s.normal);
 #endif
-  float rough = lodFromPerceptualRoughness(s.perceptual_roughness, roughest_level);
+  float rough = lodOfLobe(s.perceptual_roughness, roughest_level);
   float minified = footprintLod(dFdx(d), dFdy(d), texels_per_radian, samples_per_pixel);
   return sampleLod(environment, environment_from_world * d, max(rough, minified)).xyz;
 #endif

@@ -35,6 +35,8 @@ void addOption(CLI::App& command, const OptionText& text, const std::string& def
       option->expected(0, 1)->default_str(std::string(text.implied));
     else
       option->expected(1);
+    // One value at a time, so that the model's name may follow an option.
+    option->allow_extra_args(false);
     option->multi_option_policy(may_repeat ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::TakeLast);
   }
   if (!text.group.empty()) option->group(std::string(text.group));

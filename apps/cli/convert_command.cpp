@@ -1,6 +1,7 @@
 #include "cli/convert_command.h"
 
 #include <array>
+#include <vector>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -38,17 +39,29 @@ const std::array<Option<ConvertOptions>, 7> kOptions{{
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &ConvertOptions::repair},
 }};
 
-/// Writes a map: one picture, or the six files of a cube whose layout is `faces`.
-Result<void> writeMap(const EnvironmentMap& map, CubeLayout layout, const ConvertOptions& options) {
-  ImageWriteOptions how{.half = options.half, .metadata = {}};
+/// The files that are written: one picture, or the six of a cube whose layout is `faces`.
+std::vector<std::string> outputPaths(const ConvertOptions& options, Projection to, CubeLayout layout) {
+  if (to != Projection::cube || layout != CubeLayout::faces) return {options.output};
+  std::vector<std::string> paths;
+  for (const std::string_view suffix : kFaceSuffixes)
+    paths.push_back(suffixed(options.output, "_" + std::string(suffix)));
+  return paths;
+}
+
+Result<void> writeMap(const EnvironmentMap& map, CubeLayout layout, bool half, const std::vector<std::string>& paths) {
+  ImageWriteOptions how{.half = half, .metadata = {}};
   how.metadata["mirrorball:projection"] = nameOf(map.projection());
-  if (map.projection() != Projection::cube) return writeImage(options.output, map.face(0), how);
-  how.metadata["mirrorball:layout"] = nameOf(layout);
-  if (layout != CubeLayout::faces) return writeImage(options.output, composeLayout(map, layout), how);
-  for (int face = 0; face < 6; ++face) {
-    const std::string suffix = "_" + std::string(kFaceSuffixes[static_cast<std::size_t>(face)]);
-    MIRRORBALL_TRY_VOID(writeImage(suffixed(options.output, suffix), map.face(face), how));
+  const bool is_cube = map.projection() == Projection::cube;
+  if (is_cube) how.metadata["mirrorball:layout"] = nameOf(layout);
+  if (paths.size() == 1) {
+    // Not one expression for both, which would copy the whole map.
+    MIRRORBALL_TRY_VOID(is_cube ? writeImage(paths[0], composeLayout(map, layout), how)
+                                : writeImage(paths[0], map.face(0), how));
+  } else {
+    for (std::size_t face = 0; face < paths.size(); ++face)
+      MIRRORBALL_TRY_VOID(writeImage(paths[face], map.face(static_cast<int>(face)), how));
   }
+  for (const std::string& path : paths) announce(path);
   return {};
 }
 
@@ -58,17 +71,19 @@ Result<void> convertFile(const std::string& input, const ConvertOptions& options
     return fail(ErrorCode::usage, "convert needs a projection: --to equirect|sphere|angular|cube");
   MIRRORBALL_TRY(to, projectionNamed(options.to));
   MIRRORBALL_TRY(layout, cubeLayoutNamed(options.layout));
+  MIRRORBALL_TRY_VOID(checkFolder(options.output));
   MIRRORBALL_TRY_VOID(checkWritable(options.output));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(input, options.output));
   EnvironmentLoadOptions how{.repair = options.repair};
   if (!options.from.empty()) {
     MIRRORBALL_TRY(hint, formHintNamed(options.from));
     how.from = hint;
   }
   MIRRORBALL_TRY(loaded, loadEnvironment(input, how));
+  const std::vector<std::string> outputs = outputPaths(options, to, layout);
+  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
   const int size = options.size > 0 ? options.size : loaded.environment.naturalSize(to);
   MIRRORBALL_TRY(map, convert(loaded.environment, to, size, progressBar("convert")));
-  return writeMap(map, layout, options);
+  return writeMap(map, layout, options.half, outputs);
 }
 
 }  // namespace

@@ -4,11 +4,21 @@
 
 namespace mirrorball::cli {
 
-Result<void> refuseOverwriting(const std::string& input, const std::string& output) {
+Result<void> refuseOverwriting(std::span<const std::string> inputs, std::span<const std::string> outputs) {
   std::error_code missing;
-  if (std::filesystem::equivalent(input, output, missing))
-    return fail(ErrorCode::usage, output + ": is the input itself; give -o another name");
+  for (const std::string& output : outputs)
+    for (const std::string& input : inputs)
+      if (std::filesystem::equivalent(input, output, missing))
+        return fail(ErrorCode::usage, output + ": is the input itself; give -o another name");
   return {};
+}
+
+Result<void> checkFolder(const std::string& output) {
+  if (output.empty()) return fail(ErrorCode::usage, "the output has no name: -o FILE");
+  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+  std::error_code status;
+  if (folder.empty() || std::filesystem::is_directory(folder, status)) return {};
+  return fail(ErrorCode::io, output + ": cannot be written; check that the folder exists");
 }
 
 std::string suffixed(const std::string& path, const std::string& suffix) {

@@ -1,15 +1,21 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "mirrorball/base/result.h"
 
 namespace mirrorball::cli {
 
-/// Refuses an output that would overwrite what is being read.
+/// Refuses outputs that would overwrite what is read.
 ///
 /// errors   usage
-Result<void> refuseOverwriting(const std::string& input, const std::string& output);
+Result<void> refuseOverwriting(std::span<const std::string> inputs, std::span<const std::string> outputs);
+
+/// Refuses an output whose folder is not there, before long work is begun for it.
+///
+/// errors   usage (no name at all); io
+Result<void> checkFolder(const std::string& output);
 
 /// "turn_007.png" of "turn.png": the name with a suffix before its extension.
 std::string suffixed(const std::string& path, const std::string& suffix);

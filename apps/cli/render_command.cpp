@@ -78,8 +78,8 @@ Result<Inputs> loadInputs(const RenderRequest& request, const EnvironmentLoadOpt
   auto environment = std::async(std::launch::async, [&]() -> Result<std::pair<LoadedEnvironment, PreparedEnvironment>> {
     MIRRORBALL_TRY(loaded,
                    clock.time("environment: read", [&] { return loadEnvironment(request.files.environment, how); }));
-    PreparedEnvironment prepared =
-        clock.time("environment: cube, mips, harmonics", [&] { return prepareEnvironment(loaded.environment); });
+    MIRRORBALL_TRY(prepared, clock.time("environment: cube, mips, harmonics",
+                                        [&] { return prepareEnvironment(loaded.environment); }));
     return std::pair(std::move(loaded), std::move(prepared));
   });
   context.emplace(clock.time("GL: start the driver", [] { return gl::Context::createHeadless(); }));
@@ -93,8 +93,8 @@ Result<Inputs> loadInputs(const RenderRequest& request, const EnvironmentLoadOpt
 }
 
 Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
-                         StageClock& clock) {
-  MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(settings); }));
+                         StageClock& clock, const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(settings, progress); }));
   if (storesLinearLight(output)) {
     const Image radiance = clock.time("frame: finish and read back", [&] { return renderer.radiance(); });
     return clock.time("picture: encode and write", [&] { return writeImage(output, radiance); });
@@ -103,19 +103,34 @@ Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, cons
   return clock.time("picture: encode and write", [&] { return writePicture(output, picture); });
 }
 
-/// The numbered pictures of a turntable.
-Result<void> renderTurntable(Renderer& renderer, FrameSettings settings, int frames, const std::string& output,
-                             StageClock& clock) {
-  const ProgressFunction progress = progressBar("turntable");
-  const float start_deg = settings.camera.azimuth_deg;
+/// The pictures that are written: one, or a turntable's with their numbers.
+std::vector<std::string> outputPaths(const RenderRequest& request) {
+  const std::string& output = request.files.output;
+  const int frames = request.options.frames;
+  if (frames == 0) return {output};
   const int digits = std::max(3, static_cast<int>(std::to_string(frames - 1).size()));
+  std::vector<std::string> paths;
   for (int frame = 0; frame < frames; ++frame) {
-    settings.camera.azimuth_deg = start_deg + 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
     std::string number = std::to_string(frame);
     number.insert(0, static_cast<std::size_t>(digits) - number.size(), '0');
-    MIRRORBALL_TRY_VOID(renderFrame(renderer, settings, suffixed(output, "_" + number), clock));
-    if (!progress(static_cast<std::size_t>(frame) + 1, static_cast<std::size_t>(frames)))
-      return fail(ErrorCode::interrupted, "interrupted after " + std::to_string(frame + 1) + " of " +
+    paths.push_back(suffixed(output, "_" + number));
+  }
+  return paths;
+}
+
+Result<void> renderTurntable(Renderer& renderer, FrameSettings settings, const std::vector<std::string>& paths,
+                             StageClock& clock) {
+  const ProgressFunction progress = progressBar("turntable");
+  const ProgressFunction untilInterrupted = [](std::size_t, std::size_t) { return !interrupted(); };
+  const float start_deg = settings.camera.azimuth_deg;
+  const std::size_t frames = paths.size();
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    settings.camera.azimuth_deg = start_deg + 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
+    const Result<void> drawn = renderFrame(renderer, settings, paths[frame], clock, untilInterrupted);
+    if (!drawn && drawn.error().code != ErrorCode::interrupted) return drawn;
+    const std::size_t whole = drawn ? frame + 1 : frame;
+    if (!drawn || !progress(whole, frames))
+      return fail(ErrorCode::interrupted, "interrupted after " + std::to_string(whole) + " of " +
                                               std::to_string(frames) + " pictures; those are whole");
   }
   return {};
@@ -123,12 +138,12 @@ Result<void> renderTurntable(Renderer& renderer, FrameSettings settings, int fra
 
 Result<void> checkOutput(const RenderRequest& request, const FrameSettings& settings) {
   const std::string& output = request.files.output;
+  MIRRORBALL_TRY_VOID(checkFolder(output));
   MIRRORBALL_TRY_VOID(checkWritable(output));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(request.files.environment, output));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(request.model, output));
   const std::string extension = extensionOf(output);
-  if (settings.background == BackgroundKind::transparent && (extension == "jpg" || extension == "jpeg"))
-    return fail(ErrorCode::usage, output + ": JPEG has no transparency; write .png or .exr");
+  const bool keeps_alpha = extension == "png" || extension == "exr";
+  if (settings.background == BackgroundKind::transparent && !keeps_alpha)
+    return fail(ErrorCode::usage, output + ": ." + extension + " has no transparency; write .png or .exr");
   return {};
 }
 
@@ -137,20 +152,27 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY(settings, frameSettings(request.options));
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
   MIRRORBALL_TRY(hint, hintFrom(request.files.from));
+  // A wrong name among the materials is told before anything is loaded.
+  Scene no_scene;
+  MIRRORBALL_TRY_VOID(applyMaterialOptions(request.options, no_scene));
 
   std::optional<Result<gl::Context>> context;
   MIRRORBALL_TRY(inputs, loadInputs(request, {.from = hint, .repair = request.files.repair}, clock, context));
+  const std::vector<std::string> outputs = outputPaths(request);
+  MIRRORBALL_TRY_VOID(refuseOverwriting(inputs.environment.files, outputs));
+  MIRRORBALL_TRY_VOID(refuseOverwriting(inputs.scene.files, outputs));
+  MIRRORBALL_TRY_VOID(refuseOverwriting(std::span(&request.model, 1), outputs));
   for (const std::string& warning : inputs.scene.warnings)
     std::fprintf(stderr, "mirrorball: note: %s\n", warning.c_str());
 
   MIRRORBALL_TRY(renderer, clock.time("GL: upload, compile", [&] {
     return Renderer::make(**context, inputs.scene, inputs.environment.environment, inputs.prepared);
   }));
-  const std::string& output = request.files.output;
   Result<void> drawn = request.options.frames > 0
-                           ? renderTurntable(renderer, settings, request.options.frames, output, clock)
-                           : renderFrame(renderer, settings, output, clock);
+                           ? renderTurntable(renderer, settings, outputs, clock)
+                           : renderFrame(renderer, settings, outputs.front(), clock, progressBar("samples"));
   if (request.files.timings) clock.print();
+  if (drawn) announce(outputs.size() == 1 ? outputs.front() : outputs.front() + " … " + outputs.back());
   return drawn;
 }
 

@@ -63,6 +63,11 @@ ProgressFunction progressBar(const std::string& what) {
   };
 }
 
+void announce(const std::string& path) {
+  clearProgress();
+  if (::isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "wrote %s\n", path.c_str());
+}
+
 void clearProgress() {
   if (bar_shown.exchange(false)) std::fputs("\r\033[K", stderr);
 }

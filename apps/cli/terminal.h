@@ -15,6 +15,9 @@ bool interrupted();
 /// A progress bar with the time left, on standard error if that is a terminal; else silent. Stops the work on Ctrl-C.
 ProgressFunction progressBar(const std::string& what);
 
+/// Says on standard error what was written, if that is a terminal.
+void announce(const std::string& path);
+
 /// Removes the bar, so that the next line starts clean.
 void clearProgress();
 

@@ -79,10 +79,7 @@ const Case kCases[] = {
 
     // microfacet
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(lodFromPerceptualRoughness, unit, kTight,
-           vec4(lodFromPerceptualRoughness(p.x, 1.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
-    PARITY(perceptualRoughnessFromLod, unit, kTight,
-           vec4(perceptualRoughnessFromLod(8.0f * p.x, 8.0f), 0.0f, 0.0f, 0.0f)),
+    PARITY(lodOfLobe, unit, kTranscendental, vec4(lodOfLobe(p.x, 1.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(environmentBrdf, unit, kTranscendental, vec4(environmentBrdf(p.x, p.y), 0.0f, 0.0f)),
     PARITY(phongExponent, unit, kTight, vec4(phongExponent(p.x), 0.0f, 0.0f, 0.0f)),
 
@@ -112,7 +109,7 @@ const Case kCases[] = {
     PARITY(insideDisc, unit, kExact, vec4(float(insideDisc(vec2(p))), 0.0f, 0.0f, 0.0f)),
 
     // sampling
-    PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x)), 0.0f, 0.0f)),
+    PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),
     PARITY(footprintLod, direction, kTight,
            vec4(footprintLod(vec3(p), vec3(q), 1.0f + 2048.0f * r.x, 1.0f + 16.0f * r.y), 0.0f, 0.0f, 0.0f)),
 

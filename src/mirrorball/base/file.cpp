@@ -36,7 +36,8 @@ Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest
                 name + ": has " + std::to_string(size) + " bytes; at most " + std::to_string(largest) + " are read");
 
   // A pipe or a device tells no size: then the file is read in pieces until it ends.
-  Bytes bytes(status ? 0 : static_cast<std::size_t>(size));
+  // One byte more than a file has tells its end without growing the memory.
+  Bytes bytes(status ? 0 : static_cast<std::size_t>(size) + 1);
   std::size_t filled = 0;
   while (true) {
     if (filled == bytes.size()) bytes.resize(filled + (std::size_t{1} << 16));
@@ -48,6 +49,13 @@ Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest
   if (std::ferror(file.get())) return fail(ErrorCode::io, name + ": reading failed: " + reason());
   bytes.resize(filled);
   return bytes;
+}
+
+Result<Bytes> readRegularFile(const std::filesystem::path& path) {
+  std::error_code status;
+  if (std::filesystem::exists(path, status) && !std::filesystem::is_regular_file(path, status))
+    return fail(ErrorCode::io, path.string() + ": is no regular file");
+  return readFile(path);
 }
 
 Result<void> writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {

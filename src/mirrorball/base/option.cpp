@@ -23,7 +23,7 @@ std::vector<std::string_view> choicesOf(const OptionText& text) {
 /// "--fov takes a number of degrees (1 … 170); it was given 'wide'"
 tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, std::string_view given) {
   std::string message = std::string(text.name) + " takes " + std::string(wants);
-  if (!text.unit.empty()) message += " in " + std::string(text.unit);
+  if (!text.unit.empty()) message += (text.most > 1 ? ", in " : " in ") + std::string(text.unit);
   if (const std::string range = rangeText(text); !range.empty()) message += " (" + range + ")";
   return fail(ErrorCode::usage, message + "; it was given '" + std::string(given) + "'");
 }
@@ -34,27 +34,33 @@ std::string wantedNumbers(const OptionText& text) {
   return std::to_string(text.fewest) + " to " + std::to_string(text.most) + " numbers with commas between";
 }
 
-}  // namespace
-
-Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view written) {
+/// The numbers between commas, if each is one and within the range.
+std::optional<std::vector<float>> numbersIn(const OptionText& text, std::string_view written) {
   std::vector<float> numbers;
   for (const std::string& part : split(written, ',')) {
     const auto number = parseNumber(part);
-    if (!number || *number < text.minimum || *number > text.maximum) return misused(text, wantedNumbers(text), written);
+    if (!number || *number < text.minimum || *number > text.maximum) return {};
     numbers.push_back(static_cast<float>(*number));
   }
-  const int count = static_cast<int>(numbers.size());
-  if (count < text.fewest || count > text.most) return misused(text, wantedNumbers(text), written);
   return numbers;
 }
 
+}  // namespace
+
+Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view written) {
+  const auto numbers = numbersIn(text, written);
+  const int count = numbers ? static_cast<int>(numbers->size()) : 0;
+  if (count < text.fewest || count > text.most) return misused(text, wantedNumbers(text), written);
+  return *numbers;
+}
+
 Result<glm::vec3> parseVector(const OptionText& text, std::string_view written) {
-  OptionText any_count = text;
-  any_count.fewest = 1;
-  any_count.most = 3;
-  MIRRORBALL_TRY(numbers, parseNumbers(any_count, written));
-  if (numbers.size() == 2) return misused(text, "one or three numbers with commas between", written);
-  return numbers.size() == 1 ? glm::vec3(numbers[0]) : glm::vec3(numbers[0], numbers[1], numbers[2]);
+  const auto numbers = numbersIn(text, written);
+  if (numbers && numbers->size() == 1) return glm::vec3((*numbers)[0]);
+  if (numbers && numbers->size() == 3) return glm::vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+  OptionText several = text;
+  several.most = 3;
+  return misused(several, "one or three numbers with commas between", written);
 }
 
 Result<int> parseInteger(const OptionText& text, std::string_view written) {
@@ -69,7 +75,9 @@ Result<int> parseChoice(const OptionText& text, std::string_view written) {
   const auto choices = choicesOf(text);
   for (std::size_t index = 0; index < choices.size(); ++index)
     if (choices[index] == written) return static_cast<int>(index);
-  return tl::unexpected<Error>(unknownName("value of " + std::string(text.name), written, choices));
+  Error error = unknownName("value", written, choices);
+  error.message = std::string(text.name) + ": " + error.message;
+  return tl::unexpected<Error>(error);
 }
 
 Result<bool> parseFlag(const OptionText& text, std::string_view written) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 namespace mirrorball {
 
@@ -12,10 +11,6 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
   const std::size_t pieces = (count + grain - 1) / grain;
   tbb::parallel_for(std::size_t{0}, pieces,
                     [&](std::size_t piece) { body(piece * grain, std::min(count, (piece + 1) * grain)); });
-}
-
-void parallelInvoke(const std::function<void()>& first, const std::function<void()>& second) {
-  tbb::parallel_invoke(first, second);
 }
 
 }  // namespace mirrorball

@@ -14,7 +14,4 @@ namespace mirrorball {
 void parallelFor(std::size_t count, std::size_t grain,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-/// Runs two independent tasks at the same time.
-void parallelInvoke(const std::function<void()>& first, const std::function<void()>& second);
-
 }  // namespace mirrorball

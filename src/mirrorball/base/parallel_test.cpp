@@ -1,6 +1,5 @@
 #include "mirrorball/base/parallel.h"
 
-#include <atomic>
 #include <numeric>
 #include <vector>
 
@@ -18,12 +17,6 @@ TEST(ParallelFor, VisitsEveryItemOnce) {
     EXPECT_EQ(std::accumulate(visits.begin(), visits.end(), std::size_t{0}), count);
     for (const int times : visits) EXPECT_EQ(times, 1);
   }
-}
-
-TEST(ParallelInvoke, RunsBoth) {
-  std::atomic<int> sum = 0;
-  parallelInvoke([&] { sum += 1; }, [&] { sum += 2; });
-  EXPECT_EQ(sum, 3);
 }
 
 }  // namespace

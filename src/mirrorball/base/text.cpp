@@ -55,7 +55,11 @@ std::string join(std::span<const std::string_view> words, std::string_view separ
 
 std::string formatNumber(double number) {
   char buffer[32];
-  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(number));
+  const auto short_number = static_cast<float>(number);
+  const bool is_plain = short_number == 0.0f || (std::abs(short_number) >= 1e-4f && std::abs(short_number) < 1e9f);
+  const auto [end, error] = is_plain
+                                ? std::to_chars(buffer, buffer + sizeof buffer, short_number, std::chars_format::fixed)
+                                : std::to_chars(buffer, buffer + sizeof buffer, short_number);
   return std::string(buffer, end);
 }
 

@@ -19,7 +19,7 @@ std::vector<std::string> split(std::string_view text, char separator);
 /// "a, b, c"
 std::string join(std::span<const std::string_view> words, std::string_view separator = ", ");
 
-/// The shortest text that reads back as the same float: "0.3", "1e+06".
+/// The shortest text that reads back as the same float: "0.3", "1000000", "1e-07".
 std::string formatNumber(double number);
 
 /// The word nearest to `text` by edit distance, if one is near enough to be a slip of the finger.

@@ -32,8 +32,7 @@ class FolderTest : public ::testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   const std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) / ("mirrorball_codec_" + std::to_string(::getpid()) + "_" +
-                                                     ::testing::UnitTest::GetInstance()->current_test_info()->name());
+      std::filesystem::path(::testing::TempDir()) / ("mirrorball_codec_" + std::to_string(::getpid()));
 };
 
 }  // namespace mirrorball::testing

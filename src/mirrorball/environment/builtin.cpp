@@ -81,6 +81,14 @@ glm::vec3 sunTransmittance(float elevation_rad, float turbidity) {
   return transmittance;
 }
 
+/// The sun's disc as a share of its radiance. Its edge is as soft as the texels of a map that is sampled from it, with
+/// the same flux as the sharp disc: a linear ramp over [r − w, r + w] has the area π (r² + w²/3).
+float sunDisc(float angle_rad, float radius_rad) {
+  const float soft_rad = 0.6f * radius_rad;
+  const float gain = radius_rad * radius_rad / (radius_rad * radius_rad + soft_rad * soft_rad / 3.0f);
+  return gain * glm::clamp((radius_rad + soft_rad - angle_rad) / (2.0f * soft_rad), 0.0f, 1.0f);
+}
+
 Environment skyEnvironment(const SkyParameters& parameters) {
   constexpr float kKcdPerUnit = 20.0f;
   // 133.8 klx outside the air from a disc of 0.533° across.
@@ -106,8 +114,7 @@ Environment skyEnvironment(const SkyParameters& parameters) {
       return glm::mix(horizon / kKcdPerUnit, ground, glm::smoothstep(0.0f, 0.06f, -d.y));
     }
     const glm::vec3 sky = formula::skyLuminance(d, sun, turbidity) / kKcdPerUnit;
-    const bool on_disc = glm::length(glm::cross(d, sun)) < kSunRadius_rad && glm::dot(d, sun) > 0.0f;
-    return on_disc ? sky + sun_radiance : sky;
+    return sky + sun_radiance * sunDisc(glm::length(d - sun), kSunRadius_rad);
   };
   return Environment(radiance, 1024);
 }
@@ -124,7 +131,9 @@ Result<SkyParameters> parseSky(std::string_view written) {
     if (found == kSkyParameters.end() || equals == std::string::npos) {
       std::vector<std::string_view> names;
       for (const auto& parameter : kSkyParameters) names.push_back(parameter.text.name);
-      return tl::unexpected<Error>(unknownName("parameter of sky", key, names));
+      if (found == kSkyParameters.end()) return tl::unexpected<Error>(unknownName("parameter of sky", key, names));
+      return fail(ErrorCode::usage,
+                  "the sky's " + key + " needs a value: sky:" + key + "=" + ::mirrorball::written(*found, parameters));
     }
     MIRRORBALL_TRY_VOID(assign(*found, parameters, assignment.substr(equals + 1)));
   }

@@ -1,5 +1,6 @@
 #include "mirrorball/environment/load.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -11,18 +12,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Refuses, counts or mends texels that are NaN or infinite, as the options say.
-Result<NonFinite> treatNonFinite(const std::string& name, Image& image, const EnvironmentLoadOptions& options) {
+/// Counts texels that are NaN or infinite, and refuses them unless the options say what to do.
+Result<NonFinite> checkNonFinite(const std::string& name, const Image& image, const EnvironmentLoadOptions& options) {
   const NonFinite bad = findNonFinite(image);
-  if (bad.count == 0 || options.keep_bad) return bad;
-  if (!options.repair)
-    return fail(ErrorCode::non_finite, name + ": " + std::to_string(bad.count) +
-                                           " texels are NaN or infinite, the first at (" + std::to_string(bad.first.x) +
-                                           ", " + std::to_string(bad.first.y) +
-                                           "); --repair replaces them by their neighbours");
-  if (auto repaired = repairNonFinite(image); !repaired)
-    return fail(repaired.error().code, name + ": " + repaired.error().message);
-  return bad;
+  if (bad.count == 0 || options.keep_bad || options.repair) return bad;
+  return fail(ErrorCode::non_finite, name + ": " + std::to_string(bad.count) +
+                                         " texels are NaN or infinite, the first at (" + std::to_string(bad.first.x) +
+                                         ", " + std::to_string(bad.first.y) +
+                                         "); --repair replaces them by their neighbours");
+}
+
+/// Mends the faces, so that nothing from beside a face in its picture gets in.
+Result<void> repairFaces(const std::string& name, EnvironmentMap& map) {
+  for (int face = 0; face < map.faces(); ++face)
+    if (auto repaired = repairNonFinite(map.face(face)); !repaired)
+      return fail(repaired.error().code, name + ": " + repaired.error().message);
+  return {};
+}
+
+/// Whatever a picture has beside its disc, no light comes from there.
+void clearBesideDisc(Projection projection, Image& image) {
+  if (covers(projection, {0.0f, 0.0f})) return;
+  const glm::vec2 extent(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (!covers(projection, (glm::vec2(x, y) + 0.5f) / extent))
+        std::fill_n(image.texel(x, y), image.channels(), 0.0f);
 }
 
 /// The six paths that a path to one face stands for; nothing when its name does not end in a face's suffix.
@@ -47,7 +62,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const std::array<fs
   for (int face = 0; face < 6; ++face) {
     const std::string path = paths[static_cast<std::size_t>(face)].string();
     MIRRORBALL_TRY(decoded, readImage(path));
-    MIRRORBALL_TRY(bad_here, treatNonFinite(path, decoded.image, options));
+    MIRRORBALL_TRY(bad_here, checkNonFinite(path, decoded.image, options));
     if (bad.count == 0) bad.first = bad_here.first;
     bad.count += bad_here.count;
     const int side = face == 0 ? decoded.image.height() : faces.at(0, 0).height();
@@ -61,9 +76,15 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const std::array<fs
     format = decoded.format;
   }
   const glm::ivec2 size(faces.at(0, 0).width());
-  return LoadedEnvironment{
-      Environment(EnvironmentMap(Projection::cube, std::move(faces))),        name, std::move(format),
-      Recognition{{Projection::cube, CubeLayout::faces}, std::move(told_by)}, size, bad};
+  EnvironmentMap cube(Projection::cube, std::move(faces));
+  if (options.repair) MIRRORBALL_TRY_VOID(repairFaces(name, cube));
+  return LoadedEnvironment{Environment(std::move(cube)),
+                           name,
+                           std::move(format),
+                           Recognition{{Projection::cube, CubeLayout::faces}, std::move(told_by)},
+                           size,
+                           bad,
+                           {paths.begin(), paths.end()}};
 }
 
 Result<EnvironmentMap> mapOfPicture(const std::string& name, Image image, const MapForm& form) {
@@ -77,9 +98,11 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, const Environment
   MIRRORBALL_TRY(decoded, readImage(name));
   const glm::ivec2 size(decoded.image.width(), decoded.image.height());
   MIRRORBALL_TRY(recognition, recognize(name, size.x, size.y, decoded.metadata, options.from));
-  MIRRORBALL_TRY(bad, treatNonFinite(name, decoded.image, options));
+  clearBesideDisc(recognition.form.projection, decoded.image);
+  MIRRORBALL_TRY(bad, checkNonFinite(name, decoded.image, options));
   MIRRORBALL_TRY(map, mapOfPicture(name, std::move(decoded.image), recognition.form));
-  return LoadedEnvironment{Environment(std::move(map)), name, decoded.format, recognition, size, bad};
+  if (options.repair) MIRRORBALL_TRY_VOID(repairFaces(name, map));
+  return LoadedEnvironment{Environment(std::move(map)), name, decoded.format, recognition, size, bad, {name}};
 }
 
 }  // namespace
@@ -87,13 +110,17 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, const Environment
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options) {
   std::error_code status;
   const bool exists = fs::exists(name_or_path, status);
-  if (!exists && isBuiltinEnvironment(name_or_path)) {
+  // A folder that happens to be called "studio" is no map.
+  if (isBuiltinEnvironment(name_or_path) && (!exists || fs::is_directory(name_or_path, status))) {
     MIRRORBALL_TRY(environment, builtinEnvironment(name_or_path));
     return LoadedEnvironment{std::move(environment), name_or_path, "built in", std::nullopt, {}, {}};
   }
   const auto paths = facePaths(name_or_path);
   const bool faces_named = options.from.layout == CubeLayout::faces;
-  const bool may_be_faces = faces_named || (!options.from.projection && !options.from.layout);
+  // A name that only happens to end like a face's stands for itself.
+  const bool has_siblings =
+      paths && std::ranges::count_if(*paths, [](const fs::path& path) { return fs::exists(path); }) > 1;
+  const bool may_be_faces = faces_named || (has_siblings && !options.from.projection && !options.from.layout);
   if (paths && may_be_faces)
     return loadFaces(name_or_path, *paths, options, faces_named ? "--from" : "its name, one of six faces");
   if (faces_named)

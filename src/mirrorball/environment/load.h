@@ -24,6 +24,7 @@ struct LoadedEnvironment {
   std::optional<Recognition> recognition;  ///< of a file
   glm::ivec2 file_size{0};                 ///< of the picture in the file (of one face where each has its own)
   NonFinite bad_texels;                    ///< as found, before any repair
+  std::vector<std::string> files = {};     ///< that were read
 };
 
 /// Loads a built-in by its name (builtin.h), else a file (.hdr .exr .png .jpg; LDR is read as sRGB). A name that ends in

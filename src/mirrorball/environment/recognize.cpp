@@ -28,6 +28,9 @@ Result<FormHint> hintOfMetadata(const Metadata& metadata) {
     hint.projection = named;
     if (const std::string layout = find("mirrorball:layout"); !layout.empty()) {
       MIRRORBALL_TRY(named_layout, cubeLayoutNamed(layout));
+      if (named_layout == CubeLayout::faces)
+        return fail(ErrorCode::bad_shape,
+                    "is one face of a cube; the names of all six must end in _px _nx _py _ny _pz _nz");
       hint.layout = named_layout;
     }
   } else if (find("envmap") == "latlong") {

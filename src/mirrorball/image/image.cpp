@@ -28,6 +28,19 @@ std::optional<glm::vec4> meanOfNeighbours(const Image& image, int x, int y) {
   return sum / static_cast<float>(count);
 }
 
+/// The texels that are not finite among the neighbours of some that are, each once.
+std::vector<glm::ivec2> holesBeside(const Image& image, const std::vector<std::pair<glm::ivec2, glm::vec4>>& mended) {
+  std::vector<glm::ivec2> holes;
+  for (const auto& [texel, mean] : mended)
+    for (int y = std::max(texel.y - 1, 0); y <= std::min(texel.y + 1, image.height() - 1); ++y)
+      for (int x = std::max(texel.x - 1, 0); x <= std::min(texel.x + 1, image.width() - 1); ++x)
+        if (!isFinite(image, x, y)) holes.push_back({x, y});
+  const auto byRow = [](glm::ivec2 a, glm::ivec2 b) { return a.y != b.y ? a.y < b.y : a.x < b.x; };
+  std::sort(holes.begin(), holes.end(), byRow);
+  holes.erase(std::unique(holes.begin(), holes.end()), holes.end());
+  return holes;
+}
+
 }  // namespace
 
 glm::vec3 rgbAt(const Image& image, int x, int y) {
@@ -59,19 +72,14 @@ Result<void> repairNonFinite(Image& image) {
     return fail(ErrorCode::non_finite, "no texel is finite, so none can be repaired");
 
   // Ring by ring from the edge of each hole: what one pass finds is written only after it, so that the order of
-  // the texels within a ring does not matter.
+  // the texels within a ring does not matter. Only neighbours of what was mended can be in the next ring.
   while (!holes.empty()) {
     std::vector<std::pair<glm::ivec2, glm::vec4>> ring;
-    std::vector<glm::ivec2> inner;
-    for (const glm::ivec2 hole : holes) {
-      if (const auto mean = meanOfNeighbours(image, hole.x, hole.y))
-        ring.emplace_back(hole, *mean);
-      else
-        inner.push_back(hole);
-    }
+    for (const glm::ivec2 hole : holes)
+      if (const auto mean = meanOfNeighbours(image, hole.x, hole.y)) ring.emplace_back(hole, *mean);
     for (const auto& [hole, mean] : ring)
       for (int channel = 0; channel < image.channels(); ++channel) image.texel(hole.x, hole.y)[channel] = mean[channel];
-    holes = std::move(inner);
+    holes = holesBeside(image, ring);
   }
   return {};
 }

@@ -39,13 +39,14 @@ IrradianceHarmonics irradianceOfChain(const ImageSet& chain) {
 
 }  // namespace
 
-PreparedEnvironment prepareEnvironment(const Environment& environment) {
+Result<PreparedEnvironment> prepareEnvironment(const Environment& environment) {
   PreparedEnvironment prepared;
-  const EnvironmentMap* map = environment.map();
-  // Only an interruption makes convert fail, and nobody is asked for one here.
-  prepared.chain = map && map->projection() == Projection::cube
-                       ? mipChain(*map)
-                       : mipChain(*convert(environment, Projection::cube, faceSide(environment)));
+  if (const EnvironmentMap* map = environment.map(); map && map->projection() == Projection::cube) {
+    prepared.chain = mipChain(*map);
+  } else {
+    MIRRORBALL_TRY(cube, convert(environment, Projection::cube, faceSide(environment)));
+    prepared.chain = mipChain(cube);
+  }
   prepared.irradiance = irradianceOfChain(prepared.chain);
   prepared.needs_floats = greatestSample(prepared.chain) > kLargestHalf;
   return prepared;

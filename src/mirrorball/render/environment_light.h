@@ -22,7 +22,7 @@ struct PreparedEnvironment {
 /// it is; anything else is resampled so that no detail is lost in the middle of a face, where texels are widest.
 ///
 /// errors   too_large
-PreparedEnvironment prepareEnvironment(const Environment& environment);
+Result<PreparedEnvironment> prepareEnvironment(const Environment& environment);
 
 /// The light of an environment on the GPU.
 class EnvironmentLight {

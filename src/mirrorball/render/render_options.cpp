@@ -18,10 +18,9 @@ const std::array<Option<RenderOptions>, 18> kOptions{{
      &RenderOptions::size},
     {{.name = "samples",
       .value = "N",
-      .unit = "a pixel",
       .minimum = 1,
       .maximum = 4096,
-      .help = "how many times each pixel is drawn, evenly spread over its area",
+      .help = "samples of each pixel, evenly spread over its area",
       .group = "Picture"},
      &RenderOptions::samples},
     {{.name = "frames",
@@ -101,7 +100,7 @@ const std::array<Option<RenderOptions>, 18> kOptions{{
     {{.name = "mapping",
       .choices = "reflection|normal|sphere",
       .help = "what looks the map up: the reflected ray, the surface normal, or the normal as texture coordinates of a "
-              "sphere map",
+              "sphere map, which is always sharp",
       .group = "Environment"},
      choiceField<&RenderOptions::mapping>},
     {{.name = "reflect-at",
@@ -116,11 +115,14 @@ const std::array<Option<RenderOptions>, 18> kOptions{{
       .group = "Environment"},
      &RenderOptions::lights},
 
-    {{.name = "material", .value = "NAME", .help = "gives every surface this material", .group = "Material"},
+    {{.name = "material",
+      .value = "NAME",
+      .help = "gives every surface this material: mirror chrome gold glass water diamond rough-metal plastic orange",
+      .group = "Material"},
      &RenderOptions::material},
     {{.name = "set",
       .value = "KEY=VALUE",
-      .help = "sets one parameter of every material; may be repeated",
+      .help = "sets one parameter of every material; may be repeated. `mirrorball reference` lists the parameters",
       .group = "Material"},
      &RenderOptions::set},
     {{.name = "fresnel",
@@ -131,8 +133,8 @@ const std::array<Option<RenderOptions>, 18> kOptions{{
 }};
 
 tl::unexpected<Error> misused(std::string_view option, std::string_view wants, std::string_view given) {
-  return fail(ErrorCode::usage,
-              std::string(option) + " takes " + std::string(wants) + "; it was given '" + std::string(given) + "'");
+  return fail(ErrorCode::usage, "--" + std::string(option) + " takes " + std::string(wants) + "; it was given '" +
+                                    std::string(given) + "'");
 }
 
 Result<glm::ivec2> parseSize(const std::string& text) {
@@ -169,7 +171,7 @@ Result<void> parseBackground(const std::string& text, FrameSettings& settings) {
     settings.background = BackgroundKind::color;
     if (const auto color = parseHexColor(text)) {
       settings.background_color = *color;
-    } else if (const auto numbers = parseVector({.name = "background", .minimum = 0, .maximum = 1e6}, text)) {
+    } else if (const auto numbers = parseVector({.name = "--background", .minimum = 0, .maximum = 1e6}, text)) {
       settings.background_color = *numbers;
     } else {
       return misused("background", "env, blur, transparent, #rrggbb or R,G,B", text);
@@ -179,7 +181,7 @@ Result<void> parseBackground(const std::string& text, FrameSettings& settings) {
 }
 
 Result<PointLight> parseLight(const std::string& text) {
-  MIRRORBALL_TRY(numbers, parseNumbers({.name = "light", .fewest = 6, .most = 6}, text));
+  MIRRORBALL_TRY(numbers, parseNumbers({.name = "--light", .fewest = 6, .most = 6}, text));
   return PointLight{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
 }
 
@@ -229,7 +231,7 @@ Result<FrameSettings> frameSettings(const RenderOptions& options) {
     settings.lights.push_back(light);
   }
   if (settings.lights.size() > kMostLights)
-    return fail(ErrorCode::usage, "light may be given " + std::to_string(kMostLights) + " times at most");
+    return fail(ErrorCode::usage, "--light may be given " + std::to_string(kMostLights) + " times at most");
   return settings;
 }
 

@@ -38,7 +38,7 @@ TEST(RenderOptions, SizesAreChecked) {
   EXPECT_EQ(frameSettings(options)->size, glm::ivec2(640, 480));
   for (const char* wrong : {"", "640", "640x", "0x480", "640x480x3", "640.5x480", "-1x5", "99999x1", "axb"}) {
     options.size = wrong;
-    EXPECT_THAT(errorOf(options), HasSubstr("size takes WIDTHxHEIGHT")) << wrong;
+    EXPECT_THAT(errorOf(options), HasSubstr("--size takes WIDTHxHEIGHT")) << wrong;
   }
 }
 
@@ -55,7 +55,7 @@ TEST(RenderOptions, BackgroundsAreParsed) {
   EXPECT_EQ(frameSettings(options)->background, BackgroundKind::transparent);
   for (const char* wrong : {"#ff80", "#gg8000", "red", "1,2"}) {
     options.background = wrong;
-    EXPECT_THAT(errorOf(options), HasSubstr("background takes env, blur")) << wrong;
+    EXPECT_THAT(errorOf(options), HasSubstr("--background takes env, blur")) << wrong;
   }
 }
 
@@ -64,7 +64,7 @@ TEST(RenderOptions, LightsAreParsedAndLimited) {
   options.lights = {"1,2,3,4,5,6"};
   EXPECT_EQ(frameSettings(options)->lights[0].color, glm::vec3(4, 5, 6));
   options.lights = {"1,2,3"};
-  EXPECT_THAT(errorOf(options), HasSubstr("light takes 6 numbers"));
+  EXPECT_THAT(errorOf(options), HasSubstr("--light takes 6 numbers"));
   options.lights.assign(9, "1,2,3,4,5,6");
   EXPECT_THAT(errorOf(options), HasSubstr("8 times at most"));
 }

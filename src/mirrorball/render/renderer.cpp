@@ -29,6 +29,21 @@ Camera shifted(Camera camera, glm::vec2 offset_px, glm::ivec2 size) {
   return camera;
 }
 
+/// How rough a mirror would blur the environment as `--background blur` does.
+constexpr float kBackgroundRoughness = 0.35f;
+
+/// The middle of the box around a mesh, in its own frame.
+glm::vec3 centerOf(const Mesh& mesh) {
+  if (mesh.vertices.empty()) return glm::vec3(0.0f);
+  glm::vec3 low = mesh.vertices.front().position;
+  glm::vec3 high = low;
+  for (const Vertex& vertex : mesh.vertices) {
+    low = glm::min(low, vertex.position);
+    high = glm::max(high, vertex.position);
+  }
+  return (low + high) / 2.0f;
+}
+
 }  // namespace
 
 struct Renderer::State {
@@ -96,7 +111,7 @@ Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, 
                                                    1}));
 }
 
-Result<void> Renderer::draw(const FrameSettings& settings) {
+Result<void> Renderer::draw(const FrameSettings& settings, const ProgressFunction& progress) {
   State& state = *state_;
   state.samples = settings.samples;
   MIRRORBALL_TRY_VOID(state.makeFramebuffers(settings));
@@ -110,9 +125,14 @@ Result<void> Renderer::draw(const FrameSettings& settings) {
   if (settings.mapping == Mapping::sphere) MIRRORBALL_TRY_VOID(state.makeSphereMap(frame));
 
   for (int index = 0; index < settings.samples; ++index) {
-    frame.camera = shifted(camera, formula::sampleOffset(index) - 0.5f, settings.size);
+    frame.camera = shifted(camera, formula::sampleOffset(index, settings.samples) - 0.5f, settings.size);
     MIRRORBALL_TRY_VOID(state.drawSample(frame, settings));
     if (settings.samples > 1) state.addSample(index);
+    if (!progress) continue;
+    // Else the driver would only take note of what is to be drawn.
+    glFinish();
+    if (!progress(static_cast<std::size_t>(index) + 1, static_cast<std::size_t>(settings.samples)))
+      return fail(ErrorCode::interrupted, "interrupted; the picture was not written");
   }
   return {};
 }
@@ -190,7 +210,9 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   background.set("world_from_clip", glm::inverse(frame.camera.clip_from_view * frame.camera.view_from_world));
   background.set("camera_forward", frame.camera.forward);
   background.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
-  background.set("level", blurred ? light.roughestLevel() * 0.6f : 0.0f);
+  background.set("texels_per_radian", light.texelsPerRadian());
+  background.set("samples_per_pixel", static_cast<float>(settings.samples));
+  background.set("least_level", blurred ? formula::lodOfLobe(kBackgroundRoughness, light.roughestLevel()) : 0.0f);
   screen.draw(3);
 }
 
@@ -222,7 +244,8 @@ Result<void> Renderer::State::drawBlended(const FrameUniforms& frame, const Fram
     if (materialOf(instance).alpha_mode == AlphaMode::blend) blended.push_back(&instance);
   if (blended.empty()) return {};
   const auto depth = [&](const Instance* instance) {
-    return glm::dot(glm::vec3(instance->world_from_object[3]) - frame.camera.position, frame.camera.forward);
+    const glm::vec4 center(centerOf(scene.meshes[std::size_t(instance->mesh)]), 1.0f);
+    return glm::dot(glm::vec3(instance->world_from_object * center) - frame.camera.position, frame.camera.forward);
   };
   std::stable_sort(blended.begin(), blended.end(),
                    [&](const Instance* a, const Instance* b) { return depth(a) > depth(b); });

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/context.h"
@@ -30,8 +31,10 @@ class Renderer {
 
   /// Draws a frame; the pictures below are then of it.
   ///
-  /// errors   too_large; no_gl (the driver cannot draw floats); unsupported (it does not compile a shader)
-  Result<void> draw(const FrameSettings& settings);
+  /// progress  is called after each sample of the pixels
+  /// errors    too_large; no_gl (the driver cannot draw floats); unsupported (it does not compile a shader);
+  ///           interrupted (when `progress` says so)
+  Result<void> draw(const FrameSettings& settings, const ProgressFunction& progress = {});
 
   /// Linear radiance: 4 channels, premultiplied alpha, row 0 at the top.
   Image radiance() const;

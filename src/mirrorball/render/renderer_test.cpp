@@ -27,7 +27,7 @@ struct Shot {
 class Studio {
  public:
   Studio(const gl::Context& context, Environment environment)
-      : context_(context), environment_(std::move(environment)), prepared_(prepareEnvironment(environment_)) {}
+      : context_(context), environment_(std::move(environment)), prepared_(*prepareEnvironment(environment_)) {}
 
   Image radiance(const Shot& shot) {
     Image image;

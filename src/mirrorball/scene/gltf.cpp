@@ -211,7 +211,9 @@ class SceneBuilder {
 
 Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
   MIRRORBALL_TRY(file, gltf::openFile(bytes, path));
-  return gltf::SceneBuilder(file).build();
+  MIRRORBALL_TRY(scene, gltf::SceneBuilder(file).build());
+  scene.files.insert(scene.files.end(), file.files.begin(), file.files.end());
+  return scene;
 }
 
 Result<Scene> loadGltf(const std::filesystem::path& path) {

@@ -14,7 +14,7 @@ namespace {
 
 // An accessor without a buffer view is all zeros and takes memory that no bytes of the file stand for: at most this many
 // elements of it are made.
-constexpr std::size_t kMostZeroElements = std::size_t{1} << 24;
+constexpr std::size_t kMostZeroElements = std::size_t{1} << 20;
 
 std::size_t componentSize(int component_type) {
   switch (component_type) {

@@ -128,6 +128,7 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
     if (buffer.uri) {
       MIRRORBALL_TRY(read, readUri(file, *buffer.uri, key + ".uri"));
       bytes = file.storage.emplace_back(std::move(read));
+      if (const auto path = fileOf(file, *buffer.uri)) file.files.push_back(path->string());
     } else if (i > 0 || binary.empty()) {
       // Only the first may be the binary chunk; another has its content in an extension that is not read.
       bytes = {};
@@ -154,6 +155,11 @@ Result<void> checkIndex(const File& file, int index, std::size_t count, const st
                                        std::to_string(count) + " " + things);
 }
 
+std::optional<std::filesystem::path> fileOf(const File& file, const std::string& uri) {
+  if (uri.starts_with("data:")) return {};
+  return file.folder / percentDecoded(uri);
+}
+
 Result<Bytes> readUri(const File& file, const std::string& uri, const std::string& key) {
   if (uri.starts_with("data:")) {
     constexpr std::string_view kMark = ";base64,";
@@ -166,7 +172,7 @@ Result<Bytes> readUri(const File& file, const std::string& uri, const std::strin
   if (uri.find("://") != std::string::npos)
     return fail(ErrorCode::unsupported, file.name + ": " + key + " '" + shown(uri) +
                                             "' lies in a network; fetch it and put it beside the model");
-  const std::filesystem::path path = file.folder / percentDecoded(uri);
+  const std::filesystem::path path = *fileOf(file, uri);
   std::error_code status;
   if (!std::filesystem::is_regular_file(path, status))
     return fail(ErrorCode::bad_file,

@@ -21,7 +21,8 @@ struct File {
   std::filesystem::path folder;
   Document document;
   std::vector<std::span<const std::uint8_t>> buffers;
-  std::vector<Bytes> storage;  ///< of the buffers that do not lie in the file itself
+  std::vector<Bytes> storage;      ///< of the buffers that do not lie in the file itself
+  std::vector<std::string> files;  ///< where those were read
 };
 
 /// Reads the container (.glb or .gltf, told by its first bytes), the JSON, and the buffers.
@@ -29,6 +30,9 @@ struct File {
 /// bytes    must live as long as the result, which points into them
 /// errors   bad_file; unsupported; io
 Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
+
+/// The file that a uri names; nothing for data in the uri itself.
+std::optional<std::filesystem::path> fileOf(const File& file, const std::string& uri);
 
 /// The bytes that a uri names: base64 data, or a file beside or below the model.
 ///

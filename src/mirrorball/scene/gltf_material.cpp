@@ -69,6 +69,7 @@ Result<std::span<const std::uint8_t>> Materials::encoded(int index) {
   const std::string key = quoted("images", std::size_t(index));
   if (!image.uri) return viewBytes(file_, image.buffer_view, key + ".bufferView");
   MIRRORBALL_TRY(bytes, readUri(file_, *image.uri, key + ".uri"));
+  if (const auto path = fileOf(file_, *image.uri)) scene_.files.push_back(path->string());
   return std::span<const std::uint8_t>(storage_[index] = std::move(bytes));
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "formula/formula.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball {
@@ -58,7 +59,9 @@ const std::array<Option<Material>, 21> kParameters{{
      &Material::emission},
     {{.name = "opacity", .minimum = 0, .maximum = 1, .help = "1 solid; less lets what is behind shine through unbent"},
      &Material::opacity},
-    {{.name = "fresnel", .choices = "exact|schlick|empirical", .help = "how reflection grows towards grazing angles"},
+    {{.name = "fresnel",
+      .choices = "exact|schlick|empirical",
+      .help = "how reflection grows towards grazing angles; metals know exact and Schlick's form only"},
      choiceField<&Material::fresnel>},
     {{.name = "fresnel_offset",
       .minimum = 0,
@@ -93,9 +96,9 @@ Material metal(glm::vec3 color, float perceptual_roughness) {
   return material;
 }
 
-/// A metal by its complex index at 650, 550 and 450 nm.
+/// A metal by its complex index at 650, 550 and 450 nm; its base colour is for the other forms of Fresnel's law.
 Material conductor(glm::vec3 n, glm::vec3 k) {
-  Material material = metal(glm::vec3(1.0f), 0.0f);
+  Material material = metal(formula::fresnelConductor(1.0f, n, k), 0.0f);
   material.conductor_n = n;
   material.conductor_k = k;
   return material;
@@ -188,7 +191,10 @@ Result<void> setParameter(Material& material, std::string_view assignment) {
     if (equals == std::string_view::npos)
       return fail(ErrorCode::usage, "the material parameter " + std::string(key) +
                                         " needs a value: " + std::string(key) + "=" + written(parameter, material));
-    return assign(parameter, material, assignment.substr(equals + 1));
+    MIRRORBALL_TRY_VOID(assign(parameter, material, assignment.substr(equals + 1)));
+    // Who asks for an opacity wants to look through.
+    if (material.opacity < 1.0f && material.alpha_mode == AlphaMode::opaque) material.alpha_mode = AlphaMode::blend;
+    return {};
   }
   std::vector<std::string_view> names;
   for (const auto& parameter : kParameters) names.push_back(parameter.text.name);

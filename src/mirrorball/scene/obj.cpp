@@ -132,16 +132,16 @@ class ByteStream : private std::streambuf, public std::istream {
 /// Reads a .mtl beside the model.
 class MaterialReader : public tinyobj::MaterialReader {
  public:
-  MaterialReader(std::filesystem::path folder, std::vector<std::string>& warnings)
-      : folder_(std::move(folder)), warnings_(warnings) {}
+  MaterialReader(std::filesystem::path folder, Scene& scene) : folder_(std::move(folder)), scene_(scene) {}
 
   bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
                   std::map<std::string, int>* indices, std::string*, std::string*) override {
-    const Result<Bytes> bytes = readFile(folder_ / name);
+    const Result<Bytes> bytes = readRegularFile(folder_ / name);
     if (!bytes) {
-      warnings_.push_back(bytes.error().message + "; its materials are left out");
+      scene_.warnings.push_back(bytes.error().message + "; its materials are left out");
       return false;
     }
+    scene_.files.push_back((folder_ / name).string());
     ByteStream stream(*bytes);
     std::string warning;
     std::string problem;
@@ -151,7 +151,7 @@ class MaterialReader : public tinyobj::MaterialReader {
 
  private:
   std::filesystem::path folder_;
-  std::vector<std::string>& warnings_;
+  Scene& scene_;
 };
 
 /// Refuses indices past the last element; positive ones may name elements that come later in the file.
@@ -260,7 +260,7 @@ Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesyst
   const std::filesystem::path folder = path.parent_path();
   Scene scene;
   Geometry geometry;
-  MaterialReader reader(folder, scene.warnings);
+  MaterialReader reader(folder, scene);
   ByteStream stream(bytes);
   try {
     tinyobj::LoadObjWithCallback(stream, callbacks(), &geometry, &reader);

@@ -28,12 +28,13 @@ class Pictures {
     std::replace(name.begin(), name.end(), '\\', '/');  // as programs on Windows write it
     const auto [found, is_new] = textures_.try_emplace({name, srgb}, -1);
     if (!is_new) return found->second;
-    Result<Bytes> bytes = readFile(folder_ / name);
+    Result<Bytes> bytes = readRegularFile(folder_ / name);
     if (!bytes) {
       scene_.warnings.push_back(bytes.error().message + "; the material goes without it");
       return -1;
     }
     pending_.push_back({(folder_ / name).string(), std::move(*bytes)});
+    scene_.files.push_back(pending_.back().first);
     scene_.textures.emplace_back().srgb = srgb;
     return found->second = static_cast<int>(scene_.textures.size()) - 1;
   }

@@ -42,6 +42,7 @@ struct Scene {
   std::vector<Material> materials;  ///< at least one where there is a mesh
   std::vector<Texture> textures;
   std::vector<std::string> warnings;  ///< what a file held that was left out, a line each
+  std::vector<std::string> files;     ///< that were read beside the model's own
 
   bool empty() const { return instances.empty(); }
 };

@@ -1,0 +1,61 @@
+#!/bin/sh
+# usage: docs/make_pictures.sh [DATA]
+#
+# Makes every picture of README.md and docs/*.md by the commands that are printed in them: each of their lines that
+# begins with "./mirrorball" and writes to docs/pictures/ is run as it stands, so that the text cannot say another
+# command than the one that made the picture.
+#
+#   DATA                  the folder with the real inputs, which the commands call $DATA;
+#                         else $MIRRORBALL_DATA, else ../shared/data beside the checkout
+#   MIRRORBALL_PROGRAM=…  runs another program than ./mirrorball
+#
+# Exit code 1 if a command fails, a picture is shown that no command makes or made and not shown, or one is larger than
+# 150 KB (all together: 2.5 MB).
+set -eu
+given=${1:-${MIRRORBALL_DATA:-}}
+if [ -n "$given" ]; then
+  given=$(cd -- "$given" && pwd -P) || exit 1
+fi
+cd -P -- "$(dirname -- "$0")/.."
+DATA=${given:-$(cd ../shared/data && pwd -P)}
+export DATA
+program=${MIRRORBALL_PROGRAM:-./mirrorball}
+largest_bytes=153600
+all_bytes=2621440
+
+exit_code=0
+complain() {
+  echo "make_pictures: $*" >&2
+  exit_code=1
+}
+
+# The arguments of each command, once. The commands are this repository's own text: the shell may read them.
+commands=$(sed -n 's|^\./mirrorball \(.* docs/pictures/.*\)$|\1|p' README.md docs/*.md | awk '!seen[$0]++')
+made=$(echo "$commands" | sed 's|.*-o docs/pictures/\([^ ]*\).*|\1|' | sort)
+shown=$(cat README.md docs/*.md | grep -o '[("][a-z/]*pictures/[A-Za-z0-9_]*\.[a-z]*' | sed 's|.*/||' | sort -u)
+
+for name in $(echo "$made" | uniq -d); do complain "two commands make $name"; done
+for name in $shown; do
+  echo "$made" | grep -qx "$name" || complain "no command makes $name"
+done
+
+mkdir -p docs/pictures
+while IFS= read -r arguments; do
+  echo "$program $arguments"
+  eval "\"\$program\" $arguments" </dev/null || complain "failed: $arguments"
+done <<END
+$commands
+END
+
+total=0
+for path in docs/pictures/*; do
+  name=${path##*/}
+  bytes=$(wc -c <"$path")
+  total=$((total + bytes))
+  echo "$made" | grep -qx "$name" || complain "no command makes $name any more; remove it"
+  echo "$shown" | grep -qx "$name" || complain "no page shows $name"
+  [ "$bytes" -le "$largest_bytes" ] || complain "$name has $bytes bytes, more than $largest_bytes"
+done
+[ "$total" -le "$all_bytes" ] || complain "the pictures have $total bytes, more than $all_bytes"
+echo "$(echo "$made" | wc -l) pictures, $((total / 1024)) KB"
+exit "$exit_code"

@@ -1,0 +1,188 @@
+// Environments that cannot be read: one clear line each, exit code 1, nothing written.
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "cli/cli_testing.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class BadMapTest : public CliTest {
+ protected:
+  /// Every command that reads a map refuses this one, in a line that begins with its name and says `what`.
+  void everyCommandRefuses(const std::string& name, const std::string& what = "") const {
+    for (const std::string& command : {"info " + name, "convert " + name + " --to cube --size 4 -o out.exr",
+                                       "render none --size 8x8 -o out.png -e " + name})
+      EXPECT_THAT(refuse(1, command), AllOf(StartsWith(name + ": "), HasSubstr(what))) << command;
+  }
+};
+
+const std::vector<std::string> kExtensions{"hdr", "exr", "png", "jpg"};
+
+TEST_F(BadMapTest, AFileThatIsNotThere) {
+  everyCommandRefuses("missing.hdr", "no such file");
+  everyCommandRefuses("folder/missing.hdr", "no such file");
+  everyCommandRefuses("stduio", "studio");
+}
+
+TEST_F(BadMapTest, AFolder) {
+  std::filesystem::create_directory(path("folder.hdr"));
+  everyCommandRefuses("folder.hdr", "is a folder");
+}
+
+TEST_F(BadMapTest, AnEmptyFile) {
+  for (const std::string& extension : kExtensions) {
+    write("empty." + extension, std::string());
+    everyCommandRefuses("empty." + extension, "is empty");
+  }
+}
+
+TEST_F(BadMapTest, AFileOfAnotherKind) {
+  for (const std::string& extension : kExtensions) {
+    write("wrong." + extension, std::string("These are no texels but words.\n"));
+    everyCommandRefuses("wrong." + extension, "is not an image that can be read");
+  }
+}
+
+TEST_F(BadMapTest, ATruncatedFile) {
+  for (const std::string& extension : kExtensions) {
+    const std::string name = "whole." + extension;
+    succeed("convert uv --to equirect --size 16 -o " + name);
+    const Bytes whole = bytes(name);
+    for (const std::size_t length : {whole.size() / 2, whole.size() - 5, std::size_t{20}}) {
+      write("cut." + extension, Bytes(whole.begin(), whole.begin() + std::ptrdiff_t(length)));
+      everyCommandRefuses("cut." + extension);
+    }
+    succeed("info " + name);
+  }
+}
+
+TEST_F(BadMapTest, APanoramaThatIsNot2To1) {
+  write("odd.exr", Image(40, 21, 3, 1.0f));
+  everyCommandRefuses("odd.exr", "is 40x21");
+  EXPECT_THAT(refuse(1, "info odd.exr --from equirect"), HasSubstr("2:1"));
+  EXPECT_THAT(refuse(1, "info odd.exr --from sphere"), HasSubstr("square"));
+  EXPECT_THAT(refuse(1, "info odd.exr --from cube"), HasSubstr("4:3"));
+}
+
+std::string hdrHeader(const std::string& size) {
+  return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + size + "\n" + std::string(16, '\2');
+}
+
+void putBigEndian(Bytes& bytes, std::size_t at, std::uint32_t number) {
+  for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::uint8_t>(number >> (24 - 8 * i));
+}
+
+/// A PNG with another size in its header: bytes 16 … 23, under the checksum of bytes 12 … 28.
+Bytes resizedPng(Bytes bytes, std::uint32_t width, std::uint32_t height) {
+  putBigEndian(bytes, 16, width);
+  putBigEndian(bytes, 20, height);
+  std::uint32_t crc = ~0u;  // bit by bit, as in PNG's annex D
+  for (std::size_t i = 12; i < 29; ++i) {
+    crc ^= bytes[i];
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1 ? 0xedb88320u : 0u);
+  }
+  putBigEndian(bytes, 29, ~crc);
+  return bytes;
+}
+
+/// An OpenEXR file with another data window, which begins at (0, 0).
+Bytes resizedExr(Bytes bytes, std::int32_t width, std::int32_t height) {
+  const std::string key("dataWindow\0box2i\0", 17);
+  const auto found = std::search(bytes.begin(), bytes.end(), key.begin(), key.end());
+  const std::int32_t window[4] = {0, 0, width - 1, height - 1};
+  std::memcpy(&*found + key.size() + 4, window, sizeof window);
+  return bytes;
+}
+
+TEST_F(BadMapTest, AnImageOf0Texels) {
+  write("zero.hdr", hdrHeader("-Y 0 +X 8"));
+  everyCommandRefuses("zero.hdr");
+  write("one.png", Image(2, 1, 3, 0.5f));
+  write("zero.png", resizedPng(bytes("one.png"), 0, 1));
+  everyCommandRefuses("zero.png");
+  write("one.exr", Image(2, 1, 3, 0.5f));
+  write("zero.exr", resizedExr(bytes("one.exr"), 0, 1));
+  everyCommandRefuses("zero.exr");
+}
+
+TEST_F(BadMapTest, AnImageOf2To31Texels) {
+  write("huge.hdr", hdrHeader("-Y 32768 +X 65536"));
+  everyCommandRefuses("huge.hdr", "65536x32768");
+  write("long.hdr", hdrHeader("-Y 1 +X 2147483648"));
+  everyCommandRefuses("long.hdr", "2147483648x1");
+  write("one.png", Image(2, 1, 3, 0.5f));
+  write("huge.png", resizedPng(bytes("one.png"), 65536, 32768));
+  everyCommandRefuses("huge.png", "65536x32768");
+  write("long.png", resizedPng(bytes("one.png"), 1u << 31, 1));
+  everyCommandRefuses("long.png");
+  write("one.exr", Image(2, 1, 3, 0.5f));
+  write("huge.exr", resizedExr(bytes("one.exr"), 65536, 32768));
+  everyCommandRefuses("huge.exr", "65536x32768");
+}
+
+TEST_F(BadMapTest, ManyTexelsThatTheFileDoesNotHold) {
+  // As many as are read at most, 2³⁰, from a few bytes: refused before memory is taken for them.
+  write("empty.hdr", hdrHeader("-Y 16384 +X 65536"));
+  everyCommandRefuses("empty.hdr", "truncated");
+}
+
+TEST_F(BadMapTest, SixFacesThatDoNotFitTogether) {
+  succeed("convert uv --to cube --layout faces --size 8 -o room.exr");
+  write("room_ny.exr", Image(9, 9, 3));
+  EXPECT_THAT(refuse(1, "info room_px.exr"), StartsWith("room_ny.exr: is 9x9"));
+  std::filesystem::remove(path("room_ny.exr"));
+  EXPECT_THAT(refuse(1, "info room_px.exr"), StartsWith("room_ny.exr: no such file"));
+}
+
+class BadTexelTest : public RenderCliTest {
+ protected:
+  void SetUp() override {
+    RenderCliTest::SetUp();
+    Image map(16, 8, 3, 2.0f);
+    map.texel(3, 1)[0] = std::numeric_limits<float>::quiet_NaN();
+    map.texel(5, 2)[2] = std::numeric_limits<float>::infinity();
+    map.texel(6, 7)[1] = -std::numeric_limits<float>::infinity();
+    write("bad.exr", map);
+  }
+};
+
+TEST_F(BadTexelTest, AreRefusedWithCountAndFirstPlace) {
+  for (const std::string command : {"convert bad.exr --to cube -o out.exr", "render none -e bad.exr -o out.png"})
+    EXPECT_THAT(refuse(1, command),
+                AllOf(StartsWith("bad.exr: 3 texels are NaN or infinite, the first at (3, 1)"), HasSubstr("--repair")));
+}
+
+TEST_F(BadTexelTest, AreRepairedFromTheirNeighbours) {
+  succeed("convert bad.exr --repair --to equirect -o good.exr");
+  const Image good = image("good.exr");
+  for (const float sample : good.samples()) EXPECT_NEAR(sample, 2.0f, 1e-5f);
+  succeed("render none -e bad.exr --repair --size 16x16 -o good.png");
+}
+
+TEST_F(BadTexelTest, AMapWithoutAGoodTexelCannotBeRepaired) {
+  write("bad.exr", Image(4, 2, 3, std::numeric_limits<float>::quiet_NaN()));
+  EXPECT_THAT(refuse(1, "convert bad.exr --repair --to cube -o out.exr"), StartsWith("bad.exr: "));
+  succeed("info bad.exr");
+}
+
+TEST_F(BadTexelTest, AreToldByTheFaceThatHasThem) {
+  succeed("convert white --to cube --layout faces --size 4 -o room.exr");
+  Image face(4, 4, 3, 1.0f);
+  face.texel(2, 3)[0] = std::numeric_limits<float>::quiet_NaN();
+  write("room_py.exr", face);
+  EXPECT_THAT(refuse(1, "convert room_px.exr --to equirect -o out.exr"),
+              StartsWith("room_py.exr: 1 texels are NaN or infinite, the first at (2, 3)"));
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

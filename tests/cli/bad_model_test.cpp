@@ -1,0 +1,152 @@
+// Models that cannot be read: one clear line each, exit code 1, nothing written.
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "cli/cli_testing.h"
+#include "mirrorball/scene/gltf_testing.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A triangle in a buffer file of its own, with a texture in a file of its own; any of its parts may be replaced.
+struct TriangleGltf {
+  std::string buffers = R"([{"byteLength": 60, "uri": "triangle.bin"}])";
+  std::string views = R"([{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}])";
+  std::string positions = R"({"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"})";
+  std::string node = R"({"mesh": 0})";
+  std::string textures = R"([{"source": 0}])";
+  std::string images = R"([{"uri": "color.png"}])";
+
+  std::string text() const {
+    return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [)" + node +
+           R"(], "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
+           "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}], "accessors": [)" +
+           positions + R"(, {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}], "bufferViews": )" +
+           views + R"(, "buffers": )" + buffers + R"(, "textures": )" + textures + R"(, "images": )" + images + "}";
+  }
+};
+
+class BadModelTest : public RenderCliTest {
+ protected:
+  void SetUp() override {
+    RenderCliTest::SetUp();
+    const std::vector<float> numbers{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1};
+    Bytes buffer(numbers.size() * sizeof(float));
+    std::memcpy(buffer.data(), numbers.data(), buffer.size());
+    write("triangle.bin", buffer);
+    write("color.png", Image(4, 4, 3, 0.5f));
+  }
+
+  /// `render` refuses a model file, in a line that begins with its name and says `what`.
+  void refuseModel(const std::string& name, const std::string& what = "") const {
+    EXPECT_THAT(refuse(1, "render " + name + " -e white --size 8x8 -o out.png"),
+                AllOf(StartsWith(name + ": "), HasSubstr(what)));
+  }
+
+  void refuseTriangle(const TriangleGltf& gltf, const std::string& what) const {
+    write("triangle.gltf", gltf.text());
+    refuseModel("triangle.gltf", what);
+  }
+};
+
+const std::vector<std::string> kExtensions{"glb", "gltf", "obj", "ply", "stl"};
+
+TEST_F(BadModelTest, TheWholeTriangleIsDrawn) {
+  write("triangle.gltf", TriangleGltf{}.text());
+  succeed("render triangle.gltf -e white --size 8x8 -o out.png");
+}
+
+TEST_F(BadModelTest, AFileThatIsNotThere) {
+  for (const std::string& extension : kExtensions) refuseModel("missing." + extension, "no such file");
+  EXPECT_THAT(refuse(1, "render spheer -e white -o out.png"), AllOf(HasSubstr("spheer"), HasSubstr("sphere, torus")));
+}
+
+TEST_F(BadModelTest, AnEmptyFileOrOneOfAnotherKind) {
+  for (const std::string& extension : kExtensions) {
+    write("empty." + extension, std::string());
+    refuseModel("empty." + extension);
+    write("words." + extension, std::string("These are no triangles but words, and quite a few of them, so that even "
+                                            "an STL file's 80 bytes of header are there.\n"));
+    refuseModel("words." + extension);
+  }
+  write("model.fbx", std::string("Kaydara"));
+  refuseModel("model.fbx", ".glb .gltf .obj .ply .stl");
+  std::filesystem::create_directory(path("folder.obj"));
+  refuseModel("folder.obj", "is a folder");
+}
+
+TEST_F(BadModelTest, ATruncatedFile) {
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+  const Bytes whole = maker.glb("{\"attributes\":{\"POSITION\":0}}");
+  write("whole.glb", whole);
+  succeed("render whole.glb -e white --size 8x8 -o whole.png");
+  for (const std::size_t length : {std::size_t{3}, std::size_t{15}, whole.size() / 2, whole.size() - 5}) {
+    write("cut.glb", Bytes(whole.begin(), whole.begin() + std::ptrdiff_t(length)));
+    refuseModel("cut.glb");
+  }
+  const std::string gltf = TriangleGltf{}.text();
+  write("cut.gltf", gltf.substr(0, gltf.size() / 2));
+  refuseModel("cut.gltf");
+  write("cut.ply", std::string("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+                               "float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n"));
+  refuseModel("cut.ply");
+  write("cut.stl", std::string("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"));
+  refuseModel("cut.stl");
+}
+
+TEST_F(BadModelTest, ABufferThatIsMissingOrTooShort) {
+  refuseTriangle({.buffers = R"([{"byteLength": 60, "uri": "none.bin"}])"}, "none.bin");
+  write("short.bin", std::string(20, '\0'));
+  refuseTriangle({.buffers = R"([{"byteLength": 60, "uri": "short.bin"}])"}, "short.bin");
+  refuseTriangle({.buffers = "[]"}, "buffers");
+}
+
+TEST_F(BadModelTest, NumbersThatReachBeyondTheirBuffer) {
+  const std::string second = R"({"buffer": 0, "byteOffset": 36, "byteLength": 24})";
+  refuseTriangle({.views = R"([{"buffer": 3, "byteLength": 36}, )" + second + "]"}, "bufferViews[0]");
+  refuseTriangle({.views = R"([{"buffer": 0, "byteOffset": 40, "byteLength": 36}, )" + second + "]"}, "bufferViews[0]");
+  refuseTriangle({.positions = R"({"bufferView": 0, "componentType": 5126, "count": 3000, "type": "VEC3"})"},
+                 "accessors[0]");
+  refuseTriangle({.positions = R"({"bufferView": 9, "componentType": 5126, "count": 3, "type": "VEC3"})"},
+                 "accessors[0]");
+  refuseTriangle({.node = R"({"mesh": 7})"}, "nodes[0]");
+}
+
+TEST_F(BadModelTest, ATextureThatIsMissingOutOfRangeOrNoPicture) {
+  refuseTriangle({.images = R"([{"uri": "none.png"}])"}, "none.png");
+  write("words.png", std::string("no picture"));
+  refuseTriangle({.images = R"([{"uri": "words.png"}])"}, "images[0]");
+  write("empty.png", std::string());
+  refuseTriangle({.images = R"([{"uri": "empty.png"}])"}, "images[0]");
+  refuseTriangle({.textures = R"([{"source": 9}])"}, "textures[0]");
+  refuseTriangle({.textures = "[]"}, "baseColorTexture");
+}
+
+TEST_F(BadModelTest, AnIndexBeyondTheVertices) {
+  write("model.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"));
+  refuseModel("model.obj", "vertex 9");
+  write("model.ply",
+        std::string(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n"));
+  refuseModel("model.ply");
+}
+
+// A model is worth showing without its materials: that is a note, and the picture is there.
+TEST_F(BadModelTest, AnObjWithoutItsMaterialsIsDrawnWithANote) {
+  write("model.obj", std::string("mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  const Outcome outcome = run("render model.obj -e white --size 8x8 -o out.png");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, AllOf(StartsWith("mirrorball: note: "), HasSubstr("none.mtl")));
+  EXPECT_EQ(image("out.png").width(), 8);
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

@@ -1,0 +1,139 @@
+// Wrong usage: one clear line each, which names the option as it is typed and says what is right; exit code 2.
+
+#include <string>
+#include <vector>
+
+#include "cli/cli_testing.h"
+#include "mirrorball/render/render_options.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Adds `words` to the command line of a small picture, which must be refused; returns the line.
+class BadOptionTest : public RenderCliTest {
+ protected:
+  std::string refuseRender(const std::string& words) const {
+    return refuse(2, "render none -e white --size 8x8 -o out.png " + words);
+  }
+  std::string refuseConvert(const std::string& words) const {
+    return refuse(2, "convert white --to cube --size 4 -o out.exr " + words);
+  }
+};
+
+TEST_F(BadOptionTest, AnUnknownOptionSuggestsTheNearest) {
+  EXPECT_THAT(refuseRender("--siez 4x4"), AllOf(HasSubstr("--siez"), HasSubstr("did you mean --size?")));
+  EXPECT_THAT(refuseRender("--envrotation=3"), AllOf(HasSubstr("--envrotation"), HasSubstr("--env-rotation")));
+  EXPECT_THAT(refuseRender("--siz 4x4"), HasSubstr("--size")) << "an option is not abbreviated";
+  EXPECT_THAT(refuseRender("--zzzzzzzz"), AllOf(HasSubstr("--zzzzzzzz"), HasSubstr("--help")));
+  EXPECT_THAT(refuseConvert("--lay-out faces"), HasSubstr("--layout"));
+  EXPECT_THAT(refuse(2, "info white --dirction 1,0,0"), HasSubstr("--direction"));
+  EXPECT_THAT(refuseRender("-x"), HasSubstr("-x"));
+}
+
+TEST_F(BadOptionTest, AnUnknownCommandSuggestsTheRightOnes) {
+  EXPECT_THAT(refuse(2, "rendr"), AllOf(HasSubstr("rendr"), HasSubstr("render")));
+  EXPECT_THAT(refuse(2, "--verison"), AllOf(HasSubstr("--verison"), HasSubstr("--version")));
+  EXPECT_THAT(refuse(2, std::vector<std::string>{}), AllOf(HasSubstr("render"), HasSubstr("--help")));
+}
+
+TEST_F(BadOptionTest, TooManyArgumentsOrTooFew) {
+  EXPECT_THAT(refuse(2, "render none sphere -e white -o out.png"), HasSubstr("'sphere'"));
+  EXPECT_THAT(refuse(2, "reference all"), HasSubstr("'all'"));
+  EXPECT_THAT(refuse(2, "info"), HasSubstr("FILE"));
+  EXPECT_THAT(refuse(2, "convert --to cube -o out.exr"), HasSubstr("IN"));
+  EXPECT_THAT(refuse(2, "convert white -o out.exr"), AllOf(HasSubstr("--to"), HasSubstr("equirect|sphere")));
+  EXPECT_THAT(refuse(2, "convert white --to cube"), HasSubstr("-o"));
+  EXPECT_THAT(refuseRender("--env-rotation"), HasSubstr("--env-rotation"));
+}
+
+TEST_F(BadOptionTest, AWrongNameListsTheRightOnes) {
+  const std::string material = refuseRender("--material glas");
+  EXPECT_THAT(material, AllOf(HasSubstr("'glas'"), HasSubstr("did you mean 'glass'?")));
+  for (const std::string_view name : materialNames()) EXPECT_THAT(material, HasSubstr(name));
+  const std::string parameter = refuseRender("--set metalic=1");
+  EXPECT_THAT(parameter, AllOf(HasSubstr("'metalic'"), HasSubstr("did you mean 'metallic'?")));
+  for (const Option<Material>& right : materialParameters()) EXPECT_THAT(parameter, HasSubstr(right.text.name));
+  EXPECT_THAT(refuseRender("--set bump=orang"), AllOf(HasSubstr("'orang'"), HasSubstr("none, orange")));
+  EXPECT_THAT(refuseConvert("--to sphre"), AllOf(HasSubstr("'sphere'"), HasSubstr("equirect, sphere, angular, cube")));
+  EXPECT_THAT(refuseConvert("--layout cross"), HasSubstr("faces, hcross, vcross, hstrip, vstrip, 3x2"));
+  EXPECT_THAT(refuseConvert("--from ball"), HasSubstr("equirect, sphere, angular, cube, faces, hcross"));
+}
+
+// The sentence names the option once, and reads as one.
+TEST_F(BadOptionTest, AWrongChoiceListsTheRightOnes) {
+  EXPECT_THAT(refuseRender("--tone-map agxx"), AllOf(HasSubstr("'agxx'"), HasSubstr("did you mean 'agx'?"),
+                                                     HasSubstr("agx, aces, neutral, reinhard, linear")));
+  for (const std::string words : {"--tone-map agxx", "--mapping cube", "--reflect-at pixel", "--fresnel no"})
+    EXPECT_THAT(refuseRender(words), AllOf(HasSubstr(words.substr(2, words.find(' ') - 2)), Not(HasSubstr("--no "))));
+}
+
+TEST_F(BadOptionTest, AWrongNumberIsToldWithWhatIsRight) {
+  struct Case {
+    const char* words;
+    const char* right;
+  };
+  for (const Case& wrong : {Case{"--size 0x10", "WIDTHxHEIGHT"},
+                            Case{"--size 10", "WIDTHxHEIGHT"},
+                            Case{"--size 20000x10", "16384"},
+                            Case{"--size -4x4", "WIDTHxHEIGHT"},
+                            Case{"--samples 0", "1 … 4096"},
+                            Case{"--samples 1.5", "whole number"},
+                            Case{"--fov 0", "1 … 170"},
+                            Case{"--fov nan", "1 … 170"},
+                            Case{"--fov inf", "1 … 170"},
+                            Case{"--fov 35deg", "1 … 170"},
+                            Case{"--camera 1", "2 to 3 numbers"},
+                            Case{"--camera 1,2,3,4", "2 to 3 numbers"},
+                            Case{"--camera 1,100", "-90 to 90"},
+                            Case{"--camera 1,2,0", "above 0"},
+                            Case{"--target 1,2", "3 numbers"},
+                            Case{"--orthographic 0", "0.001"},
+                            Case{"--exposure 1000", "-30 … 30"},
+                            Case{"--env-intensity -1", "0 …"},
+                            Case{"--background green", "#rrggbb"},
+                            Case{"--background #12345", "#rrggbb"},
+                            Case{"--background 1,-1,0", "#rrggbb"},
+                            Case{"--light 1,2,3", "6 numbers"},
+                            Case{"--light 1,2,3,nan,1,1", "6 numbers"},
+                            Case{"--frames -1", "whole number"},
+                            Case{"--frames 2.5", "whole"}}) {
+    const std::string words = wrong.words;
+    const std::string option = words.substr(0, words.find(' '));
+    const std::string value = words.substr(words.find(' ') + 1);
+    EXPECT_THAT(refuseRender(words), AllOf(HasSubstr(option + " "), HasSubstr(wrong.right))) << words;
+  }
+  for (const std::string size : {"-3", "40000", "1.5", "wide"})
+    EXPECT_THAT(refuseConvert("--size " + size), AllOf(HasSubstr("--size "), HasSubstr("0 … 32768")));
+  for (const std::string direction : {"0,0,0", "1,2", "a,b,c", "1,2,nan"})
+    EXPECT_THAT(refuse(2, "info white --direction " + direction), HasSubstr("--direction "));
+}
+
+TEST_F(BadOptionTest, AWrongParameterIsToldWithItsRange) {
+  EXPECT_THAT(refuseRender("--set metallic=2"), AllOf(HasSubstr("metallic"), HasSubstr("0 … 1"), HasSubstr("'2'")));
+  EXPECT_THAT(refuseRender("--set metallic"), HasSubstr("metallic=0"));
+  EXPECT_THAT(refuseRender("--set metallic="), HasSubstr("metallic"));
+  EXPECT_THAT(refuseRender("--set base_color=1,2"), HasSubstr("base_color"));
+  EXPECT_THAT(refuseRender("--set double_sided=maybe"), HasSubstr("yes or no"));
+}
+
+TEST_F(BadOptionTest, AWrongParameterOfTheSkyIsToldToo) {
+  const auto refuseSky = [&](const std::string& sky) { return refuse(2, "info sky:" + sky); };
+  EXPECT_THAT(refuseSky("elevatoin=3"), AllOf(HasSubstr("'elevation'"), HasSubstr("turbidity")));
+  EXPECT_THAT(refuseSky("elevation=100"), AllOf(HasSubstr("elevation"), HasSubstr("0 … 90")));
+  EXPECT_THAT(refuseSky("elevation"), AllOf(HasSubstr("elevation="), Not(HasSubstr("did you mean"))));
+  EXPECT_THAT(refuse(2, "info white:elevation=3"), HasSubstr("takes no parameters"));
+}
+
+TEST_F(BadOptionTest, ALightMayBeRepeatedEightTimes) {
+  std::string words;
+  for (int light = 0; light < 8; ++light) words += " --light 0,0,5,1,1,1";
+  succeed("render none -e white --size 8x8 -o eight.png" + words);
+  EXPECT_THAT(refuseRender(words + " --light 0,0,5,1,1,1"), AllOf(HasSubstr("--light"), HasSubstr("8 times")));
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

@@ -1,0 +1,107 @@
+// The camera's options: where it stands, how it looks, and how the environment is turned about it.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cli/cli_testing.h"
+#include "cli/measure.h"
+
+namespace mirrorball::testing {
+namespace {
+
+/// A cube that shows, by --mapping normal, in each side the face of `uv` that this side looks at.
+class CameraCliTest : public RenderCliTest {
+ protected:
+  void SetUp() override {
+    RenderCliTest::SetUp();
+    if (!IsSkipped()) succeed("convert uv --to cube --size 64 -o uv.exr");
+  }
+
+  /// Draws a picture of 64 × 64 pixels.
+  Image draw(const std::string& options) const {
+    succeed("render " + options + " -e uv.exr --size 64x64 -o picture.exr");
+    return image("picture.exr");
+  }
+};
+
+constexpr const char* kMarkedCube = "cube --material mirror --mapping normal --orthographic 1 ";
+
+TEST_F(CameraCliTest, AzimuthAndElevationSayWhereItStands) {
+  EXPECT_EQ(uvFaceAt(draw(std::string(kMarkedCube) + "--camera 0,0"), {0.5f, 0.5f}), "+Z");
+  EXPECT_EQ(uvFaceAt(draw(std::string(kMarkedCube) + "--camera 90,0"), {0.5f, 0.5f}), "+X");
+  EXPECT_EQ(uvFaceAt(draw(std::string(kMarkedCube) + "--camera 180,0"), {0.5f, 0.5f}), "-Z");
+  EXPECT_EQ(uvFaceAt(draw(std::string(kMarkedCube) + "--camera -90,0"), {0.5f, 0.5f}), "-X");
+  EXPECT_EQ(uvFaceAt(draw(std::string(kMarkedCube) + "--camera 0,90"), {0.5f, 0.5f}), "+Y");
+  EXPECT_EQ(uvFaceAt(draw(std::string(kMarkedCube) + "--camera 123,-90"), {0.5f, 0.5f}), "-Y");
+}
+
+TEST_F(CameraCliTest, EnvRotationTurnsPlusZTowardsPlusX) {
+  EXPECT_EQ(uvFaceAt(draw("none --camera 270,0 --env-rotation 90"), {0.5f, 0.5f}), "+Z") << "looking along +X";
+  EXPECT_EQ(uvFaceAt(draw("none --camera 90,0 --env-rotation 90"), {0.5f, 0.5f}), "-Z") << "looking along -X";
+  EXPECT_EQ(uvFaceAt(draw("none --camera 0,-90 --env-rotation 90"), {0.5f, 0.5f}), "+Y") << "looking along +Y";
+  EXPECT_EQ(uvFaceAt(draw(std::string(kMarkedCube) + "--camera 90,0 --env-rotation 90"), {0.5f, 0.5f}), "+Z")
+      << "the model's +X side is turned with the background";
+}
+
+TEST_F(CameraCliTest, AParallelProjectionSeesOneDirectionBehindEverything) {
+  const Image picture = draw("none --camera 180,0 --orthographic 3");
+  for (int channel = 0; channel < 3; ++channel)
+    EXPECT_EQ(rgbAt(picture, 0, 0)[channel], rgbAt(picture, 63, 63)[channel]);
+  EXPECT_EQ(uvFaceAt(picture, {0.0f, 0.0f}), "+Z");
+}
+
+TEST_F(CameraCliTest, AnOrthographicHeightOf2InscribesASphere) {
+  const Image picture = draw("sphere --camera 40,20 --orthographic 2 --background transparent --samples 16");
+  for (const glm::ivec2 edge : {glm::ivec2(32, 0), glm::ivec2(0, 32), glm::ivec2(63, 32), glm::ivec2(32, 63)})
+    EXPECT_GT(rgbaAt(picture, edge.x, edge.y).w, 0.8f) << "the sphere touches the picture's edge";
+  // The corner of the inscribed square: 45° along the circle, 9.4 pixels from the corner.
+  EXPECT_EQ(rgbaAt(picture, 8, 8).w, 0.0f);
+  EXPECT_EQ(rgbaAt(picture, 11, 11).w, 1.0f);
+}
+
+TEST_F(CameraCliTest, TheDefaultDistanceFramesTheModel) {
+  for (const char* size : {"64x64", "96x48", "48x96"}) {
+    succeed("render sphere -e uv.exr --background transparent -o framed.exr --size " + std::string(size));
+    const Image picture = image("framed.exr");
+    int covered = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const bool on_edge = x == 0 || y == 0 || x == picture.width() - 1 || y == picture.height() - 1;
+        const float alpha = rgbaAt(picture, x, y).w;
+        covered += alpha > 0.5f;
+        EXPECT_TRUE(alpha == 0.0f || !on_edge) << size << " at " << x << ", " << y;
+      }
+    const int narrower = std::min(picture.width(), picture.height());
+    // A disc that fills the narrower side covers π/4 of its square.
+    EXPECT_GT(covered, 0.78f * 0.8f * static_cast<float>(narrower * narrower)) << size;
+  }
+}
+
+TEST_F(CameraCliTest, DistanceFieldOfViewAndTargetMoveTheModelInThePicture) {
+  const auto coverage = [&](const std::string& options) {
+    const Image picture = draw("sphere --background transparent --camera " + options);
+    double sum = 0.0;
+    double sum_x = 0.0;
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        sum += double(rgbaAt(picture, x, y).w);
+        sum_x += double(rgbaAt(picture, x, y).w) * (x + 0.5) / 64.0;
+      }
+    return glm::dvec2(sum / (64.0 * 64.0), sum_x / sum);
+  };
+  // A ball of radius 1 at distance d shows a disc of radius tan(asin(1/d)), in a half height of tan(fov/2).
+  const double pi = 3.14159265358979;
+  const auto expected = [&](double distance, double fov_deg) {
+    const double radius = std::tan(std::asin(1.0 / distance)) / std::tan(fov_deg * pi / 360.0);
+    return pi * radius * radius / 4.0;
+  };
+  EXPECT_NEAR(coverage("0,0,4").x, expected(4.0, 35.0), 0.01);
+  EXPECT_NEAR(coverage("0,0,8").x, expected(8.0, 35.0), 0.01);
+  EXPECT_NEAR(coverage("0,0,4 --fov 60").x, expected(4.0, 60.0), 0.01);
+  EXPECT_NEAR(coverage("0,0,8").y, 0.5, 0.01);
+  EXPECT_LT(coverage("0,0,8 --target 0.5,0,0").y, 0.45) << "a camera on +Z that aims right of the model has it left";
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

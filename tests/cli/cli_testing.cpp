@@ -1,0 +1,130 @@
+#include "cli/cli_testing.h"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include <unistd.h>
+
+#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/environment_testing.h"
+#include "mirrorball/gl/context.h"
+#include "test_data.h"
+
+namespace mirrorball::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The value of a Result that a test cannot go on without.
+template <typename Value>
+Value need(Result<Value> result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return std::move(*result);
+}
+
+void need(const Result<void>& result) {
+  if (!result) throw std::runtime_error(result.error().message);
+}
+
+}  // namespace
+
+Arguments::Arguments(const std::string& line) {
+  std::istringstream stream(line);
+  words.assign(std::istream_iterator<std::string>(stream), {});
+}
+
+std::string Arguments::text() const {
+  std::string line = "mirrorball";
+  for (const std::string& word : words) {
+    const bool plain = !word.empty() && word.find_first_of(" \"#;*'") == std::string::npos;
+    line += plain ? " " + word : " '" + word + "'";
+  }
+  return line;
+}
+
+CliTest::CliTest()
+    : folder_(fs::path(::testing::TempDir()) / ("mirrorball_cli_" + std::to_string(::getpid()) + "_" +
+                                                ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+  fs::create_directories(folder_);
+}
+
+CliTest::~CliTest() { fs::remove_all(folder_); }
+
+Outcome CliTest::run(const Arguments& arguments, Start how) const {
+  how.arguments = arguments.words;
+  how.folder = folder_;
+  return Program(how).wait();
+}
+
+std::string CliTest::succeed(const Arguments& arguments, Start how) const {
+  const Outcome outcome = run(arguments, std::move(how));
+  EXPECT_EQ(outcome.exit_code, 0) << arguments.text() << "\nended by signal " << outcome.signal;
+  EXPECT_EQ(outcome.err, "") << arguments.text();
+  return outcome.out;
+}
+
+std::string CliTest::refuse(int exit_code, const Arguments& arguments, Start how) const {
+  const std::map<std::string, Bytes> before = snapshot();
+  const Outcome outcome = run(arguments, std::move(how));
+  EXPECT_EQ(outcome.exit_code, exit_code) << arguments.text() << "\nended by signal " << outcome.signal << "\n"
+                                          << outcome.err;
+  EXPECT_EQ(outcome.out, "") << arguments.text();
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments.text() << "\n" << outcome.err;
+  EXPECT_TRUE(outcome.err.starts_with("mirrorball: ")) << arguments.text() << "\n" << outcome.err;
+  EXPECT_TRUE(snapshot() == before) << arguments.text()
+                                    << "\nleft other files than there were: " << ::testing::PrintToString(files());
+  const std::size_t begin = std::min(std::string("mirrorball: ").size(), outcome.err.size());
+  return outcome.err.substr(begin, outcome.err.find('\n') - begin);
+}
+
+std::vector<std::string> CliTest::files() const {
+  std::vector<std::string> names;
+  for (const auto& [name, bytes] : snapshot()) names.push_back(name);
+  return names;
+}
+
+std::map<std::string, Bytes> CliTest::snapshot() const {
+  std::map<std::string, Bytes> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_)) {
+    const std::string name = entry.path().lexically_relative(folder_).generic_string();
+    files[entry.is_directory() ? name + "/" : name] = entry.is_regular_file() ? bytes(name) : Bytes{};
+  }
+  return files;
+}
+
+Bytes CliTest::bytes(const std::string& name) const { return need(readFile(path(name))); }
+
+Image CliTest::image(const std::string& name) const { return need(readImage(path(name))).image; }
+
+LoadedEnvironment CliTest::environment(const std::string& name) const {
+  return need(loadEnvironment(path(name).string()));
+}
+
+void CliTest::write(const std::string& name, const Image& image, const Metadata& metadata) const {
+  need(writeImage(path(name), image, {.half = false, .metadata = metadata}));
+}
+
+void CliTest::write(const std::string& name, const std::string& text) const {
+  write(name, Bytes(text.begin(), text.end()));
+}
+
+void CliTest::write(const std::string& name, const Bytes& bytes) const { need(writeFile(path(name), bytes)); }
+
+bool CliTest::share(const char* name) const {
+  const auto original = sharedData(name);
+  if (original) fs::create_symlink(fs::absolute(*original), path(name));
+  return original.has_value();
+}
+
+void RenderCliTest::SetUp() {
+  if (const auto context = gl::Context::createHeadless(); !context) GTEST_SKIP() << context.error().message;
+}
+
+Image smoothPanorama() {
+  const Environment smooth(smoothRadiance, 32);
+  return need(convert(smooth, Projection::equirect, 32)).face(0);
+}
+
+}  // namespace mirrorball::testing

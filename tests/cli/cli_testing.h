@@ -1,0 +1,78 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/codec/codec.h"
+#include "mirrorball/environment/load.h"
+
+namespace mirrorball::testing {
+
+/// The words of a command line; where one has spaces or is empty itself, the list is written out.
+struct Arguments {
+  std::vector<std::string> words;
+
+  Arguments(const char* line) : Arguments(std::string(line)) {}
+  Arguments(const std::string& line);
+  Arguments(std::vector<std::string> list) : words(std::move(list)) {}
+
+  /// For messages: what a user would have typed.
+  std::string text() const;
+};
+
+/// A fresh folder, in which the program runs and in which its files have plain names; it goes away with the test.
+class CliTest : public ::testing::Test {
+ protected:
+  CliTest();
+  ~CliTest() override;
+
+  /// Runs the program to its end. `how` may set all but the arguments and the folder.
+  Outcome run(const Arguments& arguments, Start how = {}) const;
+
+  /// Runs the program, which must succeed and complain about nothing; returns what it printed.
+  std::string succeed(const Arguments& arguments, Start how = {}) const;
+
+  /// Runs the program, which must refuse: with `exit_code`, one line on stderr, nothing on stdout, and no file made,
+  /// changed or removed. Returns the line, after "mirrorball: ".
+  std::string refuse(int exit_code, const Arguments& arguments, Start how = {}) const;
+
+  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+
+  /// The names of the files that are there, in the alphabet's order.
+  std::vector<std::string> files() const;
+
+  Bytes bytes(const std::string& name) const;
+  Image image(const std::string& name) const;
+  LoadedEnvironment environment(const std::string& name) const;
+
+  void write(const std::string& name, const Image& image, const Metadata& metadata = {}) const;
+  void write(const std::string& name, const std::string& text) const;
+  void write(const std::string& name, const Bytes& bytes) const;
+
+  /// Makes a file of the shared data folder known under its own name; false where it is absent.
+  bool share(const char* name) const;
+
+ private:
+  /// Each file's name and bytes.
+  std::map<std::string, Bytes> snapshot() const;
+
+  const std::filesystem::path folder_;
+};
+
+/// The same for what needs an OpenGL driver: skipped where there is none.
+class RenderCliTest : public CliTest {
+ protected:
+  void SetUp() override;
+};
+
+/// A map of 64 × 32 texels that no two directions share a radiance in, all between 0.1 and 2.
+Image smoothPanorama();
+
+}  // namespace mirrorball::testing

@@ -1,0 +1,87 @@
+// Ctrl-C in the middle of long work.
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/cli_testing.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class InterruptTest : public CliTest {
+ protected:
+  static void expectInterrupted(const Outcome& outcome) {
+    EXPECT_EQ(outcome.exit_code, 1) << "ended by signal " << outcome.signal;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(outcome.err.starts_with("mirrorball: interrupted")) << outcome.err;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+  }
+};
+
+// On one core each conversion takes more than a second; they are interrupted after a tenth of one.
+TEST_F(InterruptTest, AConversionLeavesNothing) {
+  for (const std::string form : {"equirect --size 2048", "cube --size 1024", "cube --size 1024 --layout faces"}) {
+    Program program(
+        {.arguments = Arguments("convert sky -o out.exr --to " + form).words, .folder = path(""), .cores = 1});
+    program.waitUntilItCatchesInterrupts();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    ASSERT_TRUE(program.running()) << "it was done before it could be interrupted";
+    program.interrupt();
+    expectInterrupted(program.wait());
+    EXPECT_THAT(files(), ElementsAre()) << form;
+  }
+}
+
+TEST_F(InterruptTest, AConversionLeavesWhatWasThere) {
+  write("out.exr", std::string("the old file"));
+  Program program({.arguments = Arguments("convert sky --size 2048 --to equirect -o out.exr").words,
+                   .folder = path(""),
+                   .cores = 1});
+  program.waitUntilItCatchesInterrupts();
+  program.interrupt();
+  expectInterrupted(program.wait());
+  EXPECT_THAT(files(), ElementsAre("out.exr"));
+  EXPECT_EQ(bytes("out.exr").size(), std::string("the old file").size());
+}
+
+using InterruptRenderTest = RenderCliTest;
+
+TEST_F(InterruptRenderTest, ATurntableLeavesWholePictures) {
+  Program program({.arguments = Arguments("render none -e white --size 64x64 --frames 100000 -o turn.png").words,
+                   .folder = path("")});
+  while (program.running() && !std::filesystem::exists(path("turn_00001.png")))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  program.interrupt();
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 1) << "ended by signal " << outcome.signal;
+  const std::vector<std::string> left = files();
+  EXPECT_GE(left.size(), 2u);
+  EXPECT_EQ(outcome.err,
+            "mirrorball: interrupted after " + std::to_string(left.size()) + " of 100000 pictures; those are whole\n");
+  for (const std::string& name : left) {
+    EXPECT_THAT(name, Not(HasSubstr(".part")));
+    EXPECT_EQ(image(name).width(), 64) << name;
+  }
+}
+
+TEST_F(InterruptRenderTest, ATurntableShowsItsProgressOnATerminalAndClearsIt) {
+  // The bar appears after half a second.
+  const std::string line = "render none -e white --size 64x64 --frames 100000 -o turn.png";
+  Program program({.arguments = Arguments(line).words, .folder = path(""), .on_terminal = true});
+  program.waitUntilItCatchesInterrupts();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  program.interrupt();
+  const std::string shown = program.wait().err;
+  EXPECT_THAT(shown, ContainsRegex("turntable \\[#*\\.*\\] [0-9]+/100000, [0-9]+ s left"));
+  EXPECT_THAT(shown, HasSubstr("\r\033[Kmirrorball: interrupted after "));
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

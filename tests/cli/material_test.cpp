@@ -1,0 +1,90 @@
+// Materials by name, and their parameters.
+
+#include "mirrorball/scene/material.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cli/cli_testing.h"
+#include "cli/measure.h"
+
+namespace mirrorball::testing {
+namespace {
+
+class MaterialCliTest : public RenderCliTest {
+ protected:
+  void SetUp() override {
+    RenderCliTest::SetUp();
+    if (!IsSkipped()) succeed("convert studio --to equirect --size 64 -o studio.exr");
+  }
+
+  /// Draws 48 × 48 pixels in the studio, nothing behind the model.
+  Image draw(const std::string& options) const {
+    succeed("render " + options + " -e studio.exr --size 48x48 --background transparent -o picture.exr");
+    return image("picture.exr");
+  }
+};
+
+TEST_F(MaterialCliTest, EveryMaterialLooksLikeNoOther) {
+  std::map<std::string, Image> pictures;
+  for (const std::string_view name : materialNames()) {
+    const Image picture = draw("sphere --material " + std::string(name));
+    EXPECT_GT(contentsOf(picture).texels, 1000) << name;
+    EXPECT_GT(contentsOf(picture).mean, 0.05) << name;
+    for (const auto& [other, its_picture] : pictures)
+      EXPECT_GT(meanDifference(picture, its_picture), 1e-3) << name << " and " << other;
+    pictures[std::string(name)] = picture;
+  }
+  EXPECT_EQ(pictures.size(), 9u);
+}
+
+TEST_F(MaterialCliTest, SetTakesEveryParameterOfTheTable) {
+  const Material defaults;
+  std::vector<std::string> line{"render", "sphere", "-e", "studio.exr", "--size", "48x48", "-o", "set.exr"};
+  for (const Option<Material>& parameter : materialParameters()) {
+    line.push_back("--set");
+    line.push_back(std::string(parameter.text.name) + "=" + written(parameter, defaults));
+  }
+  succeed(line);
+  succeed("render sphere -e studio.exr --size 48x48 -o plain.exr");
+  EXPECT_TRUE(bytes("set.exr") == bytes("plain.exr")) << "every parameter was set to what it is anyway";
+}
+
+TEST_F(MaterialCliTest, EveryParameterThatASphereHasChangesThePicture) {
+  struct Change {
+    const char* base;
+    const char* assignment;
+  };
+  std::map<std::string, Image> bases;
+  for (const Change& change :
+       {Change{"", "base_color=0.1,0.5,0.9"}, Change{"", "metallic=1"}, Change{"", "perceptual_roughness=0"},
+        Change{"", "specular=0"}, Change{"", "ior=2.4"}, Change{"--material glass", "dispersion=3"},
+        Change{"", "transmission=1"}, Change{"--material gold", "conductor_n=2"},
+        Change{"--material gold", "conductor_k=1,2,3"}, Change{"", "emission=0.5,0.25,0"},
+        Change{"--material water", "fresnel=empirical"},
+        Change{"--material water --fresnel empirical", "fresnel_offset=0.3"},
+        Change{"--material water --fresnel empirical", "fresnel_scale=0.5"},
+        Change{"--material water --fresnel empirical", "fresnel_power=2"}, Change{"", "bump=orange"},
+        Change{"--material orange", "bump_height=0.02"}, Change{"--material orange", "bump_frequency=8"}}) {
+    const std::string base = std::string("sphere ") + change.base;
+    if (!bases.contains(base)) bases[base] = draw(base);
+    EXPECT_GT(meanDifference(draw(base + " --set " + change.assignment), bases[base]), 3e-4)
+        << change.base << " with " << change.assignment;
+  }
+}
+
+TEST_F(MaterialCliTest, ALaterSetWinsAndOneNumberSetsThreeChannels) {
+  draw("sphere --set metallic=1 --set base_color=0.2 --set base_color=0.5");
+  const Bytes last = bytes("picture.exr");
+  draw("sphere --set metallic=1 --set base_color=0.5,0.5,0.5");
+  EXPECT_TRUE(bytes("picture.exr") == last);
+}
+
+TEST_F(MaterialCliTest, OpacityIsTheCoverage) {
+  const Image picture = draw("sphere --set opacity=0.25");
+  EXPECT_NEAR(rgbaAt(picture, 24, 24).w, 0.25f, 1e-3f);
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

@@ -1,0 +1,79 @@
+// Models by name and from files of every format.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/cli_testing.h"
+#include "cli/measure.h"
+#include "mirrorball/scene/gltf_testing.h"
+#include "mirrorball/scene/load_model.h"
+
+namespace mirrorball::testing {
+namespace {
+
+class ModelCliTest : public RenderCliTest {
+ protected:
+  void SetUp() override {
+    RenderCliTest::SetUp();
+    write("smooth.exr", smoothPanorama());
+  }
+
+  /// Draws 64 × 64 pixels, nothing behind the model.
+  Image draw(const std::string& options) const {
+    succeed("render " + options + " -e smooth.exr --size 64x64 --background transparent -o picture.exr");
+    return image("picture.exr");
+  }
+};
+
+TEST_F(ModelCliTest, EveryBuiltInModelIsSeen) {
+  for (const std::string_view model : builtinModelNames()) {
+    const Contents contents = contentsOf(draw(std::string(model)));
+    if (model == "none") {
+      EXPECT_EQ(contents.texels, 0);
+      continue;
+    }
+    // The plane is seen from 15° above its own, and shows the least.
+    EXPECT_GT(contents.texels, model == "plane" ? 250 : 700) << model;
+    EXPECT_GT(contents.mean, 0.1) << model;
+  }
+}
+
+// The same square, x and y from −1 to 1, in every format; its sides are told apart by what they reflect.
+TEST_F(ModelCliTest, EveryFormatShowsTheSameSquare) {
+  write("square.obj", std::string("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"));
+  write("square.ply",
+        std::string("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                    "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                    "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n4 0 1 2 3\n"));
+  write("square.stl", std::string("solid square\n"
+                                  "facet normal 0 0 1\nouter loop\nvertex -1 -1 0\nvertex 1 -1 0\nvertex 1 1 0\n"
+                                  "endloop\nendfacet\n"
+                                  "facet normal 0 0 1\nouter loop\nvertex -1 -1 0\nvertex 1 1 0\nvertex -1 1 0\n"
+                                  "endloop\nendfacet\nendsolid square\n"));
+  GltfMaker maker;
+  maker.accessor(std::vector<float>{-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, "VEC3");
+  maker.accessor(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}, "SCALAR");
+  const std::string primitive = "{\"attributes\":{\"POSITION\":0},\"indices\":1}";
+  write("square.gltf", maker.gltf(primitive));
+  write("square.glb", maker.glb(primitive));
+
+  const std::string view = " --material mirror --camera 25,10";
+  const Image wanted = draw("square.obj" + view);
+  EXPECT_GT(contentsOf(wanted).texels, 1000);
+  for (const std::string extension : {"ply", "stl", "gltf", "glb"})
+    EXPECT_LT(greatestDifference(draw("square." + extension + view), wanted), 1e-3) << extension;
+}
+
+TEST_F(ModelCliTest, RealModelsAreSeen) {
+  for (const char* name : {"Duck.glb", "lucy.glb", "FlightHelmet"})
+    if (!share(name)) GTEST_SKIP() << name << " is not there";
+  for (const std::string model : {"Duck.glb", "lucy.glb", "FlightHelmet/FlightHelmet.gltf"}) {
+    const Contents contents = contentsOf(draw(model));
+    EXPECT_GT(contents.texels, 300) << model;
+    EXPECT_GT(contents.mean, 0.02) << model;
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

@@ -1,0 +1,139 @@
+// The files that come out: formats, alpha, turntables, and the same bytes every time.
+
+#include <functional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "cli/cli_testing.h"
+#include "cli/measure.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::ElementsAre;
+
+class OutputTest : public RenderCliTest {
+ protected:
+  void SetUp() override {
+    RenderCliTest::SetUp();
+    if (!IsSkipped()) write("smooth.exr", smoothPanorama());
+  }
+};
+
+TEST_F(OutputTest, RenderAloneDrawsTheShowcase) {
+  succeed("render");
+  EXPECT_THAT(files(), ElementsAre("mirrorball.png", "smooth.exr"));
+  const Image picture = image("mirrorball.png");
+  EXPECT_EQ(picture.width(), 1280);
+  EXPECT_EQ(picture.height(), 720);
+  succeed("render showcase -e studio -o told.png --camera 30,15 --size 1280x720");
+  EXPECT_TRUE(bytes("told.png") == bytes("mirrorball.png"));
+}
+
+TEST_F(OutputTest, EveryFormatShowsTheSame) {
+  const std::string shot = "render sphere --material gold -e smooth.exr --size 64x48 -o ";
+  for (const char* file : {"a.exr", "a.hdr", "a.png", "a.jpg", "a.jpeg", "B.PNG"}) {
+    succeed(shot + file);
+    EXPECT_EQ(image(file).width(), 64) << file;
+    EXPECT_EQ(image(file).height(), 48) << file;
+  }
+  EXPECT_TRUE(bytes("a.jpg") == bytes("a.jpeg"));
+  EXPECT_TRUE(bytes("a.png") == bytes("B.PNG"));
+  // RGBE keeps 8 bits of the greatest channel; this light is at most 2.
+  const Image radiance = image("a.exr");
+  const Image rgbe = image("a.hdr");
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 64; ++x) EXPECT_LT(glm::length(rgbAt(rgbe, x, y) - rgbAt(radiance, x, y)), 2.0f / 256.0f);
+  // JPEG is lossy: 35 dB is what its usual quality leaves of a picture with edges.
+  EXPECT_GT(psnrOnDisplay(image("a.jpg"), image("a.png"), [](int, int) { return true; }), 35.0);
+}
+
+// EXR holds light times coverage, PNG the colour itself beside its coverage: at an edge the same as in the middle.
+TEST_F(OutputTest, AlphaIsPremultipliedInExrAndStraightInPng) {
+  const std::string shot = "render sphere --material mirror -e white --size 64x64 --background transparent -o ";
+  succeed(shot + "a.exr");
+  succeed(shot + "a.png");
+  const Image premultiplied = image("a.exr");
+  const Image straight = image("a.png");
+  ASSERT_EQ(premultiplied.channels(), 4);
+  ASSERT_EQ(straight.channels(), 4);
+  int partial = 0;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const glm::vec4 light = rgbaAt(premultiplied, x, y);
+      const glm::vec4 color = rgbaAt(straight, x, y);
+      EXPECT_NEAR(light.x, light.w, 1e-3f) << "radiance 1 times alpha";
+      EXPECT_NEAR(color.w, light.w, 0.5f / 255.0f + 1e-4f);
+      if (light.w <= 0.0f || light.w >= 1.0f) continue;
+      ++partial;
+      EXPECT_EQ(color.x, rgbaAt(straight, 32, 32).x) << "the colour of the middle";
+    }
+  EXPECT_GT(partial, 50);
+}
+
+TEST_F(OutputTest, AnOpaquePictureHasAlpha1) {
+  succeed("render sphere -e white --size 16x16 -o a.png");
+  succeed("render sphere -e white --size 16x16 -o a.exr");
+  for (const char* file : {"a.png", "a.exr"})
+    for (int x = 0; x < 16; ++x) EXPECT_EQ(rgbaAt(image(file), x, 0).w, 1.0f) << file;
+}
+
+TEST_F(OutputTest, ATurntableIsNumberedPicturesOnceRound) {
+  const std::string shot = "render cube --material mirror -e smooth.exr --size 32x32 --camera 10,20";
+  succeed(shot + " --frames 4 -o turn.png");
+  EXPECT_THAT(files(), ElementsAre("smooth.exr", "turn_000.png", "turn_001.png", "turn_002.png", "turn_003.png"));
+  for (const auto& [frame, azimuth] : {std::pair{"0", "10"}, {"1", "100"}, {"2", "190"}, {"3", "280"}}) {
+    succeed("render cube --material mirror -e smooth.exr --size 32x32 -o still.png --camera " + std::string(azimuth) +
+            ",20");
+    EXPECT_TRUE(bytes("still.png") == bytes(std::string("turn_00") + frame + ".png")) << "frame " << frame;
+  }
+}
+
+TEST_F(OutputTest, AnOutputThatWasThereIsReplaced) {
+  write("out.exr", std::string("something else"));
+  succeed("convert smooth.exr --to sphere --size 16 -o out.exr");
+  EXPECT_EQ(image("out.exr").width(), 16);
+  std::filesystem::create_directory(path("folder"));
+  succeed("convert smooth.exr --to sphere --size 16 -o folder/out.exr");
+  EXPECT_THAT(files(), ElementsAre("folder/", "folder/out.exr", "out.exr", "smooth.exr"));
+}
+
+TEST_F(OutputTest, ConvertKeepsTheInputsDetailUnlessToldASize) {
+  succeed("convert smooth.exr --to cube --layout hstrip -o strip.exr");
+  EXPECT_EQ(image("strip.exr").height(), 16) << "half of a panorama's height";
+  succeed("convert smooth.exr --to sphere -o ball.exr");
+  EXPECT_EQ(image("ball.exr").height(), 32);
+  succeed("convert smooth.exr --to cube --layout hstrip --size 10 -o strip.exr");
+  EXPECT_EQ(image("strip.exr").height(), 10);
+}
+
+/// Expects the same bytes from two runs, and from one core and from all.
+void expectTheSameAgain(const std::function<void(const std::string& output, Start how)>& make,
+                        const std::function<Bytes(const std::string&)>& bytes) {
+  make("all", {});
+  make("again", {});
+  make("one", {.cores = 1});
+  EXPECT_TRUE(bytes("all") == bytes("again")) << "another run gives another file";
+  EXPECT_TRUE(bytes("all") == bytes("one")) << "one core gives another file";
+}
+
+TEST_F(OutputTest, EveryRunGivesTheSameBytes) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "there is one core only";
+  const std::vector<std::pair<std::string, std::string>> commands{
+      {"convert sky:elevation=10 --to sphere --size 64", ".exr"},
+      {"convert smooth.exr --to sphere --size 128", ".hdr"},
+      {"convert smooth.exr --to angular --size 128", ".png"},
+      {"render showcase -e smooth.exr --size 96x64", ".png"},
+      {"render showcase -e sky --size 96x64", ".exr"}};
+  for (const auto& [command, extension] : commands) {
+    SCOPED_TRACE(command);
+    expectTheSameAgain(
+        [&](const std::string& output, Start how) { succeed(command + " -o " + output + extension, std::move(how)); },
+        [&](const std::string& output) { return bytes(output + extension); });
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

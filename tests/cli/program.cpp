@@ -1,0 +1,146 @@
+#include "cli/program.h"
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mirrorball::testing {
+namespace {
+
+constexpr unsigned kLongestRun_s = 120;
+
+/// Pointers to the texts, ended by a null pointer, as execve takes them.
+std::vector<char*> pointersTo(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+std::vector<std::string> environmentWith(const std::map<std::string, std::string>& added) {
+  std::vector<std::string> all;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string text = *variable;
+    if (!added.contains(text.substr(0, text.find('=')))) all.push_back(text);
+  }
+  for (const auto& [name, value] : added) all.push_back(name + "=" + value);
+  return all;
+}
+
+/// Leaves the calling process the first `count` of its cores.
+void keepCores(int count) {
+  cpu_set_t allowed;
+  sched_getaffinity(0, sizeof allowed, &allowed);
+  for (int core = 0; core < CPU_SETSIZE; ++core) {
+    if (!CPU_ISSET(core, &allowed)) continue;
+    if (count == 0) CPU_CLR(core, &allowed);
+    if (count > 0) --count;
+  }
+  sched_setaffinity(0, sizeof allowed, &allowed);
+}
+
+/// As on a full disk, a write beyond the limit is an error; without this it would be a signal.
+void limitFiles(std::uintmax_t largest) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{largest, largest};
+  setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+/// Both ends of a new pseudo terminal, ours first.
+std::pair<File, File> openTerminal() {
+  const int ours = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (ours < 0 || ::grantpt(ours) != 0 || ::unlockpt(ours) != 0) throw std::runtime_error("no pseudo terminal");
+  return {File(::fdopen(ours, "r")), File(std::fopen(::ptsname(ours), "w"))};
+}
+
+bool catchesInterrupts(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+  return false;
+}
+
+}  // namespace
+
+Program::Program(const Start& start) : out_(std::tmpfile()), err_(std::tmpfile()) {
+  if (start.on_terminal) std::tie(terminal_, err_) = openTerminal();
+  // All memory is taken before the fork: a child of a process with threads may only make system calls.
+  std::vector<std::string> arguments{MIRRORBALL_PROGRAM};
+  arguments.insert(arguments.end(), start.arguments.begin(), start.arguments.end());
+  std::vector<std::string> variables = environmentWith(start.environment);
+  const std::vector<char*> argument_pointers = pointersTo(arguments);
+  const std::vector<char*> variable_pointers = pointersTo(variables);
+  const std::string folder = start.folder.string();
+
+  process_ = ::fork();
+  if (process_ < 0) throw std::runtime_error("fork failed");
+  if (process_ > 0) return;
+  ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
+  ::dup2(::fileno(out_.get()), STDOUT_FILENO);
+  ::dup2(::fileno(err_.get()), STDERR_FILENO);
+  if (start.cores > 0) keepCores(start.cores);
+  if (start.largest_file > 0) limitFiles(start.largest_file);
+  ::alarm(kLongestRun_s);
+  if (::chdir(folder.c_str()) == 0) ::execve(argument_pointers[0], argument_pointers.data(), variable_pointers.data());
+  ::_exit(127);
+}
+
+Program::~Program() {
+  if (process_ < 0) return;
+  ::kill(process_, SIGKILL);
+  ::waitpid(process_, nullptr, 0);
+}
+
+void Program::waitUntilItCatchesInterrupts() const {
+  while (running() && !catchesInterrupts(process_)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+void Program::interrupt() const { ::kill(process_, SIGINT); }
+
+bool Program::running() const {
+  siginfo_t state{};
+  ::waitid(P_PID, static_cast<id_t>(process_), &state, WEXITED | WNOHANG | WNOWAIT);
+  return state.si_pid == 0;
+}
+
+Outcome Program::wait() {
+  const std::string shown = terminal_ ? shownOnTerminal() : "";
+  int status = 0;
+  ::waitpid(process_, &status, 0);
+  process_ = -1;
+  Outcome outcome;
+  if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
+  outcome.out = contents(out_);
+  outcome.err = terminal_ ? shown : contents(err_);
+  return outcome;
+}
+
+std::string Program::shownOnTerminal() {
+  err_.reset();  // so that the program's is the last hold on its end, and reading ends when it does
+  std::string text;
+  char piece[4096];
+  ssize_t count = 0;
+  while ((count = ::read(::fileno(terminal_.get()), piece, sizeof piece)) > 0) text.append(piece, std::size_t(count));
+  return text;
+}
+
+std::string Program::contents(const File& file) {
+  std::rewind(file.get());
+  std::string text;
+  char piece[4096];
+  while (const std::size_t count = std::fread(piece, 1, sizeof piece, file.get())) text.append(piece, count);
+  return text;
+}
+
+}  // namespace mirrorball::testing

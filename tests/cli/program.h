@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace mirrorball::testing {
+
+/// How the program is started.
+struct Start {
+  std::vector<std::string> arguments = {};
+  std::filesystem::path folder = {};                    ///< that it works in
+  std::map<std::string, std::string> environment = {};  ///< variables beside this process's own
+  int cores = 0;                                        ///< that it may use; 0 leaves it all
+  std::uintmax_t largest_file = 0;                      ///< [bytes] that it can write before its disk is full; 0: any
+  bool on_terminal = false;                             ///< what it complains about goes to a (pseudo) terminal
+};
+
+/// What the program said, and how it ended.
+struct Outcome {
+  int exit_code = -1;  ///< −1 where a signal ended it
+  int signal = 0;
+  std::string out;
+  std::string err;
+};
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/// The program itself, as it was built, in a process of its own; no shell between. Its input is empty. It is ended when
+/// it runs for longer than two minutes, or when its owner goes away.
+class Program {
+ public:
+  explicit Program(const Start& start);
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program();
+
+  /// Returns when the program would catch Ctrl-C, as Linux tells in /proc, or has ended.
+  void waitUntilItCatchesInterrupts() const;
+
+  /// What Ctrl-C does.
+  void interrupt() const;
+
+  bool running() const;
+
+  /// Waits until it has ended.
+  Outcome wait();
+
+ private:
+  static std::string contents(const File& file);
+  std::string shownOnTerminal();
+
+  // Files without a name: unlike a pipe they never fill up.
+  File out_;
+  File err_;
+  File terminal_;  ///< our end of it, when there is one
+  pid_t process_ = -1;
+};
+
+}  // namespace mirrorball::testing

@@ -1,0 +1,77 @@
+// How the program tells what form a map has: --from, else the file's metadata, else its shape.
+
+#include <string>
+
+#include "cli/cli_testing.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+class RecognitionTest : public CliTest {
+ protected:
+  /// What info says of a file's form.
+  std::string formOf(const std::string& arguments) const {
+    const std::string said = succeed("info " + arguments);
+    const std::size_t begin = said.find("projection");
+    if (begin == std::string::npos) return said;
+    const std::size_t end = said.find('\n', begin);
+    return said.substr(said.find_first_not_of(' ', begin + 10), end - said.find_first_not_of(' ', begin + 10));
+  }
+};
+
+TEST_F(RecognitionTest, EveryFileSaysItself) {
+  for (const std::string extension : {"exr", "hdr", "png", "jpg"}) {
+    succeed("convert uv --to angular --size 16 -o probe." + extension);
+    EXPECT_EQ(formOf("probe." + extension), "angular (told by the file's metadata)");
+    succeed("convert uv --to cube --layout vstrip --size 8 -o strip." + extension);
+    EXPECT_EQ(formOf("strip." + extension), "cube, vstrip (told by the file's metadata)");
+  }
+}
+
+TEST_F(RecognitionTest, AFileThatSaysNothingIsToldByItsShape) {
+  struct Shape {
+    glm::ivec2 size;
+    const char* form;
+  };
+  for (const Shape& shape :
+       {Shape{{16, 8}, "equirect (told by its shape, 2:1)"}, Shape{{16, 16}, "sphere (told by its shape, 1:1)"},
+        Shape{{16, 12}, "cube, hcross (told by its shape, 4:3)"},
+        Shape{{12, 16}, "cube, vcross (told by its shape, 3:4)"},
+        Shape{{24, 4}, "cube, hstrip (told by its shape, 6:1)"},
+        Shape{{4, 24}, "cube, vstrip (told by its shape, 1:6)"},
+        Shape{{12, 8}, "cube, 3x2 (told by its shape, 3:2)"}}) {
+    write("map.exr", Image(shape.size.x, shape.size.y, 3, 1.0f));
+    EXPECT_EQ(formOf("map.exr"), shape.form);
+  }
+}
+
+TEST_F(RecognitionTest, FromOverridesWhatTheFileSays) {
+  succeed("convert uv --to angular --size 32 -o probe.exr");
+  EXPECT_EQ(formOf("probe.exr --from sphere"), "sphere (told by --from)");
+  succeed("convert probe.exr --to equirect --size 16 -o by_metadata.exr");
+  succeed("convert probe.exr --to equirect --size 16 -o by_name.exr --from angular");
+  succeed("convert probe.exr --to equirect --size 16 -o as_sphere.exr --from sphere");
+  EXPECT_TRUE(bytes("by_metadata.exr") == bytes("by_name.exr"));
+  EXPECT_FALSE(bytes("by_metadata.exr") == bytes("as_sphere.exr"));
+}
+
+TEST_F(RecognitionTest, FromNamesACubesLayoutToo) {
+  write("map.exr", Image(24, 4, 3, 1.0f));
+  EXPECT_EQ(formOf("map.exr --from cube"), "cube, hstrip (told by --from)");
+  EXPECT_EQ(formOf("map.exr --from hstrip"), "cube, hstrip (told by --from)");
+  EXPECT_THAT(refuse(1, "info map.exr --from vcross"), HasSubstr("map.exr: is 24x4"));
+  EXPECT_THAT(refuse(1, "info map.exr --from equirect"), HasSubstr("2:1"));
+}
+
+TEST_F(RecognitionTest, OneOfSixFacesStandsForTheCube) {
+  succeed("convert uv --to cube --layout faces --size 8 -o room.png");
+  EXPECT_EQ(formOf("room_ny.png"), "cube, faces (told by its name, one of six faces)");
+  EXPECT_EQ(formOf("room_ny.png --from faces"), "cube, faces (told by --from)");
+  std::filesystem::remove(path("room_nz.png"));
+  EXPECT_THAT(refuse(1, "info room_ny.png"), HasSubstr("room_nz.png: no such file"));
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

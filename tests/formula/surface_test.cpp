@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "formula/formula.h"
+
+namespace mirrorball::formula {
+namespace {
+
+/// A point of the unit sphere, away from its poles.
+vec3 spherePoint(float u, float v) { return {std::sin(v) * std::cos(u), std::cos(v), std::sin(v) * std::sin(u)}; }
+
+/// A height over the parameters, with slopes of both signs.
+float waves(float u, float v) { return 0.01f * std::sin(5.0f * u) * std::cos(4.0f * v); }
+
+/// The normal of the displaced sphere by central differences, pointing outwards.
+vec3 displacedNormal(float u, float v) {
+  constexpr float kStep = 1e-3f;
+  const auto point = [](float a, float b) { return spherePoint(a, b) * (1.0f + waves(a, b)); };
+  const vec3 across = point(u + kStep, v) - point(u - kStep, v);
+  const vec3 down = point(u, v + kStep) - point(u, v - kStep);
+  const vec3 normal = normalize(cross(across, down));
+  return dot(normal, spherePoint(u, v)) > 0.0f ? normal : -normal;
+}
+
+/// The cosine between the true normal and that of `bend`, at its worst.
+template <typename Bend>
+float worstCosine(const Bend& bend) {
+  float worst = 1.0f;
+  for (float u = 0.0f; u < 6.2f; u += 0.21f)
+    for (float v = 0.5f; v < 2.6f; v += 0.17f) {
+      const vec3 n = spherePoint(u, v);
+      const vec3 p_u(-std::sin(v) * std::sin(u), 0.0f, std::sin(v) * std::cos(u));
+      const vec3 p_v(std::cos(v) * std::cos(u), -std::sin(v), std::cos(v) * std::sin(u));
+      const float d_u = 0.05f * std::cos(5.0f * u) * std::cos(4.0f * v);
+      const float d_v = -0.04f * std::sin(5.0f * u) * std::sin(4.0f * v);
+      // p_u × p_v points inwards here: with the outward normal the frame is left-handed and v runs the other way.
+      worst = std::min(worst, dot(bend(-p_v, p_u, n, -d_v, d_u), displacedNormal(u, v)));
+    }
+  return worst;
+}
+
+// p + d n is followed to first order in d: with d = 0.01 and a curvature of 1 the normal is off by about 0.01 · slope.
+TEST(Tangent, PerturbedNormalIsTheDisplacedSurfaces) {
+  const float worst = worstCosine(
+      [](vec3 p_u, vec3 p_v, vec3 n, float d_u, float d_v) { return perturbedNormal(p_u, p_v, n, d_u, d_v); });
+  EXPECT_GT(worst, std::cos(0.002f));
+}
+
+TEST(Tangent, TheSlidesSignsBendTheOtherWay) {
+  const float worst = worstCosine([](vec3 p_u, vec3 p_v, vec3 n, float d_u, float d_v) {
+    return normalize(cross(p_u, p_v) - d_u * cross(n, p_v) + d_v * cross(n, p_u));
+  });
+  EXPECT_LT(worst, std::cos(0.05f));
+}
+
+TEST(Tangent, AnyTangentIsUnitAndOrthogonal) {
+  for (int i = 0; i < 500; ++i) {
+    const float y = 1.0f - 2.0f * (static_cast<float>(i) + 0.5f) / 500.0f;
+    const float angle = 2.39996f * static_cast<float>(i);
+    const vec3 n(std::sqrt(1.0f - y * y) * std::cos(angle), std::sqrt(1.0f - y * y) * std::sin(angle), y);
+    EXPECT_NEAR(dot(anyTangent(n), n), 0.0f, 1e-6f);
+    EXPECT_NEAR(length(anyTangent(n)), 1.0f, 1e-6f);
+  }
+  EXPECT_EQ(anyTangent(vec3(0, 0, -1)), vec3(1, 0, 0));
+}
+
+TEST(Tangent, AFlatNormalMapLeavesTheNormal) {
+  const vec3 n = normalFromMap(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(0.5f, 0.5f, 1.0f), 1.0f);
+  EXPECT_EQ(n, vec3(0, 0, 1));
+  const vec3 bent = normalFromMap(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(1.0f, 0.5f, 0.5f), 1.0f);
+  EXPECT_NEAR(bent.x, 1.0f, 1e-6f) << "red points along the tangent";
+}
+
+TEST(Height, TheGradientIsTheHeightsOwn) {
+  constexpr float kStep = 1e-3f;
+  int felt = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const vec3 p = gridRandom(ivec3(i, 7, -3)) * 20.0f - 10.0f;
+    const vec4 here = orangeHeight(p);
+    for (int axis = 0; axis < 3; ++axis) {
+      vec3 step(0.0f);
+      step[axis] = kStep;
+      const float slope = (orangeHeight(p + step).w - orangeHeight(p - step).w) / (2.0f * kStep);
+      // The third derivative is at most about 100: a step of 10⁻³ leaves 2e-5, rounding of heights near 1 leaves 1e-4.
+      EXPECT_NEAR(here[axis], slope, 2e-3f);
+    }
+    if (here.w < 0.0f) ++felt;
+  }
+  EXPECT_GT(felt, 500) << "pits of half a cell's radius fill half the space";
+}
+
+}  // namespace
+}  // namespace mirrorball::formula

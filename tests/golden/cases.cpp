@@ -1,0 +1,111 @@
+#include "golden/cases.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <string_view>
+
+namespace mirrorball::golden {
+namespace {
+
+// The golden pictures are Mesa 22.3's llvmpipe's. Its threads, the width of its vectors and the way through Vulkan
+// (zink on lavapipe) do not change a bit of them. Two drivers that share no rasteriser and no texture filter with it
+// were measured too: Mesa's softpipe, and Chromium's SwiftShader (through zink), which is the harshest that can be met,
+// since it puts vertices on a grid of 1/16 pixel where llvmpipe and GPUs have 1/256. The greater difference of the two
+// stands at each tolerance, as maximum / mean. No GPU was at hand.
+//
+// The mean allowed lies between that and what the least errors make, which are found by their mean; so are 2 % of
+// exposure, in every case. The maximum is for holes and stray pixels.
+
+const Tolerance kOnTheCpu{1, 0.02, "made on the CPU: another compiler's rounding may turn a texel to the next code"};
+
+// 44 / 0.27 (softpipe, on a column of pixels along a cube's edge; SwiftShader 1 / 0.01)
+const Tolerance kFiltered{60, 0.4, "no outline; drivers weigh the texels on both sides of a cube's edge differently"};
+
+// 45 / 0.19. One of 16 samples that sees a lamp of radiance 9 instead of a wall of 0.1 turns code 89 to about 210.
+const Tolerance kOutlined{120, 0.25, "at an outline, one of a pixel's 16 samples may see a lamp instead of a wall"};
+
+// 65 / 0.26
+const Tolerance kFinelyOutlined{120, 0.4, "the same, on thin parts that are nearly all outline"};
+
+// 44 / 0.48
+const Tolerance kBumpy{60, 0.65, "pores smaller than a pixel, whose slopes follow the last bits of the position"};
+
+// 64 / 0.67
+const Tolerance kFinelyLined{80, 1.0, "lines and letters smaller than a pixel, mirrored in a curved surface"};
+
+constexpr auto kCases = std::to_array<Case>({
+    {"showcase", "render --camera 30,15,2.9 --size 160x120", &kFinelyOutlined, "--exposure 0.0286"},  // 2 %
+
+    // Every material, on a shape that shows it.
+    {"mirror", "render sphere --material mirror --size 96x96", &kOutlined, "--env-rotation 0.5"},
+    {"chrome", "render torus --material chrome --camera 30,40,3 --size 120x90", &kOutlined,
+     "--set conductor_k=3.2,3.2,3.0"},
+    {"gold", "render teapot --material gold --background transparent --camera 30,20,2.3 --size 144x96",
+     &kFinelyOutlined, "--set conductor_n=0.2,0.5,1.4"},
+    {"glass", "render sphere --material glass --size 96x96", &kOutlined, "--set ior=1.53"},
+    {"water", "render knot --material water --background #336699 --size 96x96", &kOutlined, "--set ior=1.36"},
+    {"diamond", "render torus --material diamond --camera 30,40,3 --size 120x90", &kOutlined, "--set ior=2.46"},
+    {"rough_metal", "render knot --material rough-metal --size 96x96", &kOutlined, "--set perceptual_roughness=0.47"},
+    {"plastic", "render teapot --material plastic --camera 30,20,2.3 --size 144x96", &kOutlined,
+     "--set base_color=0.68,0.03,0.03"},
+    {"orange", "render sphere --material orange --size 96x96", &kBumpy, "--set bump_height=0.0065"},
+
+    // Which way round the environment is, looking at its faces from inside.
+    {"uv_along_minus_z", "render none -e uv --camera 0,0 --fov 100 --size 96x72", &kFiltered, "--fov 100.1"},
+    {"uv_along_plus_z", "render none -e uv --camera 180,0 --fov 100 --size 96x72", &kFiltered, "--fov 100.1"},
+    {"uv_along_minus_y", "render none -e uv --camera 180,90 --fov 100 --size 96x72", &kFiltered, "--fov 100.1"},
+
+    // Cameras, and the forms of looking a map up.
+    {"orthographic", "render sphere -e uv --material mirror --orthographic 2 --camera 0,0 --size 96x96", &kFinelyLined,
+     "--orthographic 2.005"},
+    {"mapping_normal",
+     "render teapot -e uv --material mirror --mapping normal --background blur --camera 30,20,2.3 --size 144x96",
+     &kFinelyLined, "--env-rotation 0.2"},
+    {"mapping_sphere", "render teapot -e uv --material mirror --mapping sphere --camera 30,20,2.3 --size 144x96",
+     &kFinelyLined, "--env-rotation 0.2"},
+    {"reflect_at_vertex",
+     "render cube -e uv --material mirror --reflect-at vertex --background 0.2,0.2,0.2 "
+     "--camera 130,25,3.1 --size 96x72",
+     &kFinelyLined, "--reflect-at fragment"},
+
+    // The rest of what has a code of its own.
+    {"fresnel_empirical",
+     "render sphere --material plastic --fresnel empirical --set fresnel_offset=0.1 --set fresnel_scale=0.9 "
+     "--set fresnel_power=2 --size 96x96",
+     &kOutlined, "--set fresnel_power=2.1"},
+    {"sky", "render sphere -e sky:elevation=30 --env-rotation 40 --material mirror --tone-map aces --size 96x96",
+     &kOutlined, "-e sky:elevation=30,turbidity=3.1"},
+    {"light",
+     "render sphere --material plastic --set perceptual_roughness=0.3 --env-intensity 0.1 "
+     "--light 3,4,3,0.8,0.7,0.6 --light -3,1,2,0.1,0.3,0.6 --camera 20,15 --size 96x96",
+     &kOutlined, "--light 3,4,3,0.02,0.02,0.02"},
+
+    // The projections. What would be wrong with one is done to the golden picture itself, in comparison_test.cpp.
+    {"convert_equirect", "convert uv --to equirect --size 80", &kOnTheCpu, ""},
+    {"convert_sphere", "convert uv --to sphere --size 96", &kOnTheCpu, ""},
+    {"convert_angular", "convert uv --to angular --size 96", &kOnTheCpu, ""},
+    {"convert_cross", "convert uv --to cube --size 40", &kOnTheCpu, ""},
+});
+
+}  // namespace
+
+std::span<const Case> cases() { return kCases; }
+
+const Case& caseNamed(const std::string& name) {
+  const auto* const found =
+      std::find_if(kCases.begin(), kCases.end(), [&](const Case& known) { return known.name == name; });
+  assert(found != kCases.end());
+  return *found;
+}
+
+std::string commandOf(const Case& golden_case, const std::string& more) {
+  std::string command = golden_case.command;
+  // So that one sample on the other side of an edge changes a pixel by a 16th of the contrast.
+  if (needsGl(golden_case)) command += " --samples 16";
+  return more.empty() ? command : command + " " + more;
+}
+
+bool needsGl(const Case& golden_case) { return std::string_view(golden_case.command).starts_with("render"); }
+
+}  // namespace mirrorball::golden

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <ostream>
+#include <span>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace mirrorball::golden {
+
+/// How far a picture may be from the golden one, in codes of an 8-bit picture, and why no less.
+struct Tolerance {
+  double maximum;  ///< of one pixel
+  double mean;     ///< over all pixels
+  const char* reason;
+};
+
+/// A picture that the program must make again.
+struct Case {
+  const char* name;            ///< of pictures/NAME.png and of the test
+  const char* command;         ///< what follows `mirrorball`, without -o; single spaces between the words
+  const Tolerance* tolerance;  ///< one of a few, each with its reason, in cases.cpp
+  const char* least_error;     ///< words that, added to the command, make the smallest mistake that the case must find
+};
+
+/// The table of them, each with built-in inputs only, so that it runs everywhere.
+std::span<const Case> cases();
+
+/// The case of that name, which must be in the table.
+const Case& caseNamed(const std::string& name);
+
+/// The whole command of a case, with more words at its end: of an option given twice the last one counts.
+std::string commandOf(const Case& golden_case, const std::string& more = {});
+
+/// Whether the command draws with OpenGL. A conversion does not.
+bool needsGl(const Case& golden_case);
+
+/// How GoogleTest shows it.
+inline void PrintTo(const Case& golden_case, std::ostream* out) { *out << "mirrorball " << commandOf(golden_case); }
+
+/// Names the instances of a test that runs with each case.
+inline std::string caseName(const ::testing::TestParamInfo<Case>& info) { return info.param.name; }
+
+}  // namespace mirrorball::golden

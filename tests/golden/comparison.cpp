@@ -1,0 +1,115 @@
+#include "golden/comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "mirrorball/base/text.h"
+
+namespace mirrorball::golden {
+namespace {
+
+constexpr int kGap_px = 4;
+constexpr std::uint8_t kGrey = 128;
+constexpr float kMagnification = 8.0f;
+
+bool haveSameSize(const Image8& a, const Image8& b) { return a.width() == b.width() && a.height() == b.height(); }
+
+/// Colour times coverage, and coverage, in codes.
+glm::vec4 premultiplied(const std::uint8_t* texel) {
+  const float alpha = texel[3];
+  return glm::vec4(glm::vec3(texel[0], texel[1], texel[2]) * (alpha / 255.0f), alpha);
+}
+
+glm::vec4 differenceAt(const Image8& golden, const Image8& now, int x, int y) {
+  return glm::abs(premultiplied(now.texel(x, y)) - premultiplied(golden.texel(x, y)));
+}
+
+void setTexel(Image8& picture, int x, int y, glm::vec3 codes) {
+  const glm::vec3 rounded = glm::round(glm::clamp(codes, 0.0f, 255.0f));
+  for (int channel = 0; channel < 3; ++channel)
+    picture.texel(x, y)[channel] = static_cast<std::uint8_t>(rounded[channel]);
+}
+
+Image8 onGrey(const Image8& picture) {
+  Image8 panel(picture.width(), picture.height(), 3);
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      const glm::vec4 codes = premultiplied(picture.texel(x, y));
+      setTexel(panel, x, y, glm::vec3(codes) + (1.0f - codes.w / 255.0f) * float(kGrey));
+    }
+  }
+  return panel;
+}
+
+/// A difference of coverage shows in all three channels.
+Image8 magnifiedDifference(const Image8& golden, const Image8& now) {
+  Image8 panel(golden.width(), golden.height(), 3);
+  for (int y = 0; y < golden.height(); ++y) {
+    for (int x = 0; x < golden.width(); ++x) {
+      const glm::vec4 codes = differenceAt(golden, now, x, y);
+      setTexel(panel, x, y, kMagnification * glm::max(glm::vec3(codes), glm::vec3(codes.w)));
+    }
+  }
+  return panel;
+}
+
+Image8 sideBySide(std::span<const Image8> panels) {
+  int width = -kGap_px;
+  int height = 0;
+  for (const Image8& panel : panels) {
+    width += kGap_px + panel.width();
+    height = std::max(height, panel.height());
+  }
+  Image8 sheet(width, height, 3, kGrey);
+  int left = 0;
+  for (const Image8& panel : panels) {
+    for (int y = 0; y < panel.height(); ++y) std::ranges::copy(panel.row(y), sheet.texel(left, y));
+    left += panel.width() + kGap_px;
+  }
+  return sheet;
+}
+
+}  // namespace
+
+std::string textOf(const Difference& difference) {
+  return formatNumber(difference.maximum) + " at (" + std::to_string(difference.worst.x) + ", " +
+         std::to_string(difference.worst.y) + "), " + formatNumber(difference.mean) + " in the mean";
+}
+
+Difference differenceOf(const Image8& golden, const Image8& now) {
+  assert(haveSameSize(golden, now) && golden.channels() == 4 && now.channels() == 4);
+  Difference difference;
+  double sum = 0.0;
+  for (int y = 0; y < golden.height(); ++y) {
+    for (int x = 0; x < golden.width(); ++x) {
+      const glm::vec4 channels = differenceAt(golden, now, x, y);
+      const double pixel = std::max({channels.x, channels.y, channels.z, channels.w});
+      sum += pixel;
+      if (pixel <= difference.maximum) continue;
+      difference.maximum = pixel;
+      difference.worst = {x, y};
+    }
+  }
+  difference.mean = sum / static_cast<double>(golden.texelCount());
+  return difference;
+}
+
+bool isWithin(const Difference& difference, const Tolerance& tolerance) {
+  return difference.maximum <= tolerance.maximum && difference.mean <= tolerance.mean;
+}
+
+Image8 contactSheet(const Image8& golden, const Image8& now) {
+  std::vector<Image8> panels{onGrey(golden), onGrey(now)};
+  if (haveSameSize(golden, now)) panels.push_back(magnifiedDifference(golden, now));
+  return sideBySide(panels);
+}
+
+}  // namespace mirrorball::golden

@@ -1,0 +1,46 @@
+#include "golden/made_picture.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+#include "mirrorball/base/text.h"
+
+namespace mirrorball::golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that nobody else has, removed with all that is in it.
+class FreshFolder {
+ public:
+  FreshFolder() {
+    std::string name = ::testing::TempDir() + "mirrorball_golden_XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": no folder can be made here");
+    path_ = name;
+  }
+  FreshFolder(const FreshFolder&) = delete;
+  FreshFolder& operator=(const FreshFolder&) = delete;
+  ~FreshFolder() { fs::remove_all(path_); }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+Result<Bytes> pictureMadeBy(const std::string& command) {
+  const FreshFolder folder;
+  const testing::Outcome outcome =
+      testing::Program({.arguments = split(command + " -o picture.png", ' '), .folder = folder.path()}).wait();
+  if (outcome.exit_code != 0)
+    return fail(ErrorCode::io, "mirrorball " + command + ": ended with exit code " + std::to_string(outcome.exit_code) +
+                                   ", signal " + std::to_string(outcome.signal) + ": " + outcome.err);
+  return readFile(folder.path() / "picture.png");
+}
+
+}  // namespace mirrorball::golden

@@ -13,8 +13,10 @@ namespace {
 TEST(Halved, AConstantStaysForEveryValue) {
   for (int value = 0; value < 256; ++value) {
     const Image8 image(4, 4, 4, static_cast<std::uint8_t>(value));
-    for (const bool srgb : {false, true})
-      for (const std::uint8_t sample : halved(image, srgb).samples()) EXPECT_EQ(sample, value) << srgb;
+    for (const bool srgb : {false, true}) {
+      const Image8 half = halved(image, srgb);
+      for (const std::uint8_t sample : half.samples()) EXPECT_EQ(sample, value) << srgb;
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "mirrorball/codec/byte_order.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball {
@@ -37,11 +38,7 @@ class HeaderWalker {
                                          "; the file is truncated or damaged");
   }
 
-  /// Little-endian, as everything in the format.
-  std::uint32_t numberAt(std::size_t at) const {
-    return bytes_[at] | std::uint32_t{bytes_[at + 1]} << 8 | std::uint32_t{bytes_[at + 2]} << 16 |
-           std::uint32_t{bytes_[at + 3]} << 24;
-  }
+  std::uint32_t numberAt(std::size_t at) const { return littleU32(bytes_.data() + at); }
   long long signedAt(std::size_t at) const { return static_cast<std::int32_t>(numberAt(at)); }
 
   /// A text with a zero behind it.

@@ -43,6 +43,14 @@ class ImageSet {
   std::vector<Image> images_;
 };
 
+/// Calls `visit(image)` for every image of a set, level by level.
+template <typename Set, typename Visit>
+void forEachImage(Set& images, const Visit& visit) {
+  for (int level = 0; level < images.levels(); ++level)
+    for (int layer = 0; layer < images.layers(); ++layer)
+      for (int face = 0; face < images.faces(); ++face) visit(images.at(level, face, layer));
+}
+
 /// The side of a mip level whose level 0 has `side` texels: halved and rounded down, at least 1.
 inline int levelSide(int side, int level) { return std::max(side >> level, 1); }
 

@@ -50,7 +50,7 @@ Result<KtxKeyValues> readKtxKeyValues(std::span<const std::uint8_t> bytes, std::
 Bytes ktxKeyValues(const Metadata& metadata) {
   Metadata entries = metadata;  // a map: sorted by key
   entries["KTXorientation"] = "rd";
-  entries["KTXwriter"] = "mirrorball " MIRRORBALL_VERSION;
+  entries["KTXwriter"] = "mirrorball";
   LittleEndianWriter writer;
   for (const auto& [key, value] : entries) {
     writer.u32(static_cast<std::uint32_t>(key.size() + 1 + value.size() + 1));

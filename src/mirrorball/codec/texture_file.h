@@ -22,7 +22,7 @@ enum class TexelFormat {
 struct TextureWriteOptions {
   TexelFormat format = TexelFormat::half;
   int zstandard_level = 0;  ///< KTX2: 0 stores texels as they are, 1 (fast) to 22 (small) compresses each level
-  Metadata metadata;        ///< KTX2 keeps it, DDS has no place for it
+  Metadata metadata = {};   ///< KTX2 keeps it, DDS has no place for it
 };
 
 /// The images of a texture as they come from a file.

@@ -33,7 +33,9 @@ if(MIRRORBALL_SANITIZE)
   add_compile_options(-fsanitize=${MIRRORBALL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${MIRRORBALL_SANITIZE})
   # GCC sees uninitialised values in its own <regex> and <functional> once the sanitizers have rewritten them.
-  add_compile_options(-Wno-maybe-uninitialized)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    add_compile_options(-Wno-maybe-uninitialized)
+  endif()
 endif()
 if(MIRRORBALL_FUZZ)
   # Counts which branches an input takes; the harnesses in fuzz/ link the fuzzer itself.

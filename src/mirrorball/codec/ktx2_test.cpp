@@ -241,6 +241,11 @@ TEST(Ktx2, UnsoundZstandardIsNamed) {
   putU32(lying, 32, 2);
   putU32(lying, 96, 2 * littleU32(file.data() + 96));
   EXPECT_THAT(errorOf(lying).message, HasSubstr("unpacks to 2048 bytes instead of 4096"));
+  // Nothing at all, at a place that is nowhere (found by the fuzzer).
+  Bytes empty = file;
+  putU32(empty, 84, 0xffffffffu);
+  putU32(empty, 88, 0);
+  EXPECT_THAT(errorOf(empty).message, HasSubstr("level 0 says it has 0 bytes from byte 18446744"));
   // More than any Zstandard data of its length unpacks to: refused before the memory is taken.
   Bytes bomb = file;
   putU32(bomb, 20, 1u << 15);

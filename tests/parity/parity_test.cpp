@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
@@ -170,7 +171,8 @@ TEST(Parity, EveryFormulaHasACase) {
 
 /// Whether glslang, the reference compiler, takes a shader.
 void expectGlslangTakes(gl::Api api, const gl::ShaderSource& source, const fs::path& name) {
-  const fs::path path = fs::path(::testing::TempDir()) / name;
+  // CTest runs the cases of this program at the same time, each in a process of its own.
+  const fs::path path = fs::path(::testing::TempDir()) / (std::to_string(::getpid()) + "_" + name.string());
   const auto bytes = std::span(reinterpret_cast<const std::uint8_t*>(source.text.data()), source.text.size());
   const auto written = writeFile(path, bytes);
   ASSERT_TRUE(written) << written.error().message;

@@ -7,7 +7,7 @@
 
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/dds_layout.h"
-#include "mirrorball/codec/dxgi_format.h"
+#include "mirrorball/codec/format_numbers.h"
 #include "mirrorball/codec/little_endian_writer.h"
 #include "mirrorball/codec/stored_format.h"
 #include "mirrorball/codec/texture_shape.h"
@@ -26,10 +26,7 @@ struct Header {
   std::size_t size = 0;           ///< bytes: the texels begin here
 };
 
-tl::unexpected<Error> unsupported(const std::string& name, const std::string& what) {
-  return fail(ErrorCode::unsupported,
-              name + ": holds " + what + ", which is not read; store it as R16G16B16A16_FLOAT, for example");
-}
+constexpr const char* kInstead = "R16G16B16A16_FLOAT";
 
 /// Formats from before DX10 that have a code instead of masks: D3DFORMAT's numbers.
 std::optional<StoredFormat> formatOfCode(std::uint32_t code) {
@@ -84,7 +81,7 @@ Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format, const st
   const std::uint32_t code = littleU32(pixel_format + 8);
   if (flags & kPixelFourLetters) {
     const auto format = formatOfCode(code);
-    if (!format) return unsupported(name, nameOfCode(code));
+    if (!format) return unsupportedTexture(name, nameOfCode(code), kInstead);
     return *format;
   }
   const std::uint32_t bits = littleU32(pixel_format + 12);
@@ -95,14 +92,16 @@ Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format, const st
     for (const MaskRow& row : kMaskRows)
       if (row.bits == bits && row.red == mask(0) && row.green == mask(1) && row.blue == mask(2) && row.alpha == alpha)
         return row.format;
-  return unsupported(name, "a pixel format of " + std::to_string(bits) + " bits with masks of its own");
+  return unsupportedTexture(name, "a pixel format of " + std::to_string(bits) + " bits with masks of its own",
+                            kInstead);
 }
 
 Result<void> readDx10Header(const std::uint8_t* dx10, Header& header, const std::string& name) {
-  const auto format = storedFormatOfDxgi(littleU32(dx10));
-  if (!format) return unsupported(name, dxgiFormatName(littleU32(dx10)));
+  const auto format = formatOfDxgi(littleU32(dx10));
+  if (!format) return unsupportedTexture(name, nameOfDxgi(littleU32(dx10)), kInstead);
   header.format = *format;
-  if (littleU32(dx10 + 4) != kTexture2d) return unsupported(name, "a texture that is not two-dimensional");
+  if (littleU32(dx10 + 4) != kTexture2d)
+    return unsupportedTexture(name, "a texture that is not two-dimensional", kInstead);
   if (littleU32(dx10 + 8) & kMiscCube) header.shape.faces = 6;
   header.shape.layers = littleU32(dx10 + 12);
   return {};
@@ -122,7 +121,7 @@ Result<Header> readHeader(Span bytes, const std::string& name) {
   header.shape.width = u32(16);
   header.shape.levels = std::max(u32(28), 1u);
   const std::uint32_t caps2 = u32(112);
-  if (caps2 & kCaps2Volume) return unsupported(name, "a three-dimensional texture");
+  if (caps2 & kCaps2Volume) return unsupportedTexture(name, "a three-dimensional texture", kInstead);
   const bool is_dx10 = (u32(80) & kPixelFourLetters) && u32(84) == kDx10;
   if (is_dx10) {
     header.size += kDx10HeaderSize;
@@ -135,7 +134,8 @@ Result<Header> readHeader(Span bytes, const std::string& name) {
     header.format = format;
     header.encoding_assumed = format.type == SampleType::srgb8;
     if (caps2 & kCaps2Cube) {
-      if ((caps2 & kCaps2AllFaces) != kCaps2AllFaces) return unsupported(name, "a cube with fewer than six faces");
+      if ((caps2 & kCaps2AllFaces) != kCaps2AllFaces)
+        return unsupportedTexture(name, "a cube with fewer than six faces", kInstead);
       header.shape.faces = 6;
     }
   }
@@ -186,7 +186,7 @@ Bytes encodeHeader(const TextureShape& shape, TexelFormat format, bool has_alpha
   writer.u32(kCapsTexture | (is_complex ? kCapsComplex : 0) | (has_mips ? kCapsMips : 0));
   writer.u32(is_cube ? kCaps2Cube | kCaps2AllFaces : 0);
   writer.zeros(3 * 4);
-  writer.u32(dxgiFormat(format));
+  writer.u32(dxgiNumber(format));
   writer.u32(kTexture2d);
   writer.u32(is_cube ? kMiscCube : 0);
   writer.u32(shape.layers);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/format_numbers.h"
 #include "mirrorball/codec/ktx_key_values.h"
 #include "mirrorball/codec/stored_format.h"
 #include "mirrorball/codec/texture_shape.h"
@@ -58,32 +59,12 @@ constexpr std::uint32_t kSrgbInternalFormats[] = {
     0x8c47,  // GL_SLUMINANCE8
 };
 
-struct BlockFormats {
-  std::uint32_t first;
-  std::uint32_t last;
-  const char* name;
-};
-constexpr BlockFormats kBlockFormats[] = {
-    {0x83f0, 0x83f3, "BC1 to BC3 (S3TC)"},
-    {0x8c4c, 0x8c4f, "BC1 to BC3 (S3TC)"},
-    {0x8dbb, 0x8dbe, "BC4 or BC5 (RGTC)"},
-    {0x8e8c, 0x8e8d, "BC7 (BPTC)"},
-    {0x8e8e, 0x8e8f, "BC6H (BPTC)"},
-    {0x8d64, 0x8d64, "ETC1"},
-    {0x9270, 0x9279, "ETC2"},
-    {0x8c00, 0x8c03, "PVRTC"},
-    {0x93b0, 0x93dd, "ASTC"},
-};
+constexpr const char* kInstead = "GL_RGBA16F";
 
 std::string hex(std::uint32_t number) {
   std::string digits;
   for (; number > 0; number /= 16) digits.insert(digits.begin(), "0123456789abcdef"[number % 16]);
   return "0x" + (digits.empty() ? "0" : digits);
-}
-
-tl::unexpected<Error> unsupported(const std::string& name, const std::string& what) {
-  return fail(ErrorCode::unsupported,
-              name + ": holds " + what + ", which is not read; store it as GL_RGBA16F, for example");
 }
 
 std::optional<SampleType> sampleType(std::uint32_t gl_type, std::uint32_t gl_internal_format) {
@@ -111,16 +92,16 @@ std::optional<SampleType> sampleType(std::uint32_t gl_type, std::uint32_t gl_int
 /// The format that glType and glFormat describe; glInternalFormat tells sRGB and names block compression.
 Result<StoredFormat> texelFormat(std::uint32_t gl_type, std::uint32_t gl_format, std::uint32_t gl_internal_format,
                                  const std::string& name) {
-  for (const BlockFormats& block : kBlockFormats)
-    if (gl_internal_format >= block.first && gl_internal_format <= block.last)
-      return unsupported(name, std::string(block.name) + " block compression");
+  if (const auto blocks = blockCompressionOfGl(gl_internal_format)) return unsupportedTexture(name, *blocks, kInstead);
   const auto* row = std::find_if(std::begin(kGlFormats), std::end(kGlFormats),
                                  [&](const GlFormat& known) { return known.number == gl_format; });
   const auto type = sampleType(gl_type, gl_internal_format);
   const bool packed = type == SampleType::b10g11r11 || type == SampleType::e5b9g9r9;
   if (!type || row == std::end(kGlFormats) || (packed && row->channels != 3))
-    return unsupported(name, "texels of glType " + hex(gl_type) + ", glFormat " + hex(gl_format) +
-                                 ", glInternalFormat " + hex(gl_internal_format));
+    return unsupportedTexture(name,
+                              "texels of glType " + hex(gl_type) + ", glFormat " + hex(gl_format) +
+                                  ", glInternalFormat " + hex(gl_internal_format),
+                              kInstead);
   return StoredFormat{*type, row->channels, row->blue_first};
 }
 
@@ -136,8 +117,8 @@ class Reader {
     if (u32(12) != 0x04030201)
       return fail(ErrorCode::bad_file, name_ + ": has no byte order mark at byte 12; the file is damaged");
     TextureShape shape{u32(36), u32(40), std::max(u32(56), 1u), std::max(u32(48), 1u), u32(52)};
-    if (u32(44) > 1) return unsupported(name_, "a three-dimensional texture");
-    if (shape.height == 0 && shape.width > 0) return unsupported(name_, "a one-dimensional texture");
+    if (u32(44) > 1) return unsupportedTexture(name_, "a three-dimensional texture", kInstead);
+    if (shape.height == 0 && shape.width > 0) return unsupportedTexture(name_, "a one-dimensional texture", kInstead);
     MIRRORBALL_TRY_VOID(checkTextureShape(shape, name_));
     MIRRORBALL_TRY(format, texelFormat(u32(16), u32(24), u32(28), name_));
 

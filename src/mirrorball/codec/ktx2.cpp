@@ -10,11 +10,11 @@
 
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/data_format_descriptor.h"
+#include "mirrorball/codec/format_numbers.h"
 #include "mirrorball/codec/ktx2_layout.h"
 #include "mirrorball/codec/ktx_key_values.h"
 #include "mirrorball/codec/stored_format.h"
 #include "mirrorball/codec/texture_shape.h"
-#include "mirrorball/codec/vulkan_format.h"
 
 namespace mirrorball {
 namespace {
@@ -46,10 +46,7 @@ struct Header {
   std::vector<Level> levels;
 };
 
-tl::unexpected<Error> unsupported(const std::string& name, const std::string& what) {
-  return fail(ErrorCode::unsupported,
-              name + ": holds " + what + ", which is not read; store it as r16g16b16a16 sfloat, for example");
-}
+constexpr const char* kInstead = "r16g16b16a16 sfloat";
 
 Result<Header> readHeader(Span bytes, const std::string& name) {
   if (bytes.size() < kKtx2HeaderSize)
@@ -69,8 +66,9 @@ Result<Header> readHeader(Span bytes, const std::string& name) {
   header.descriptor = {u32(48), u32(52), "the data format descriptor"};
   header.key_values = {u32(56), u32(60), "the key/value data"};
   header.global_data = {u64(64), u64(72), "the supercompression global data"};
-  if (header.depth > 0) return unsupported(name, "a three-dimensional texture");
-  if (header.shape.height == 0 && header.shape.width > 0) return unsupported(name, "a one-dimensional texture");
+  if (header.depth > 0) return unsupportedTexture(name, "a three-dimensional texture", kInstead);
+  if (header.shape.height == 0 && header.shape.width > 0)
+    return unsupportedTexture(name, "a one-dimensional texture", kInstead);
   MIRRORBALL_TRY_VOID(checkTextureShape(header.shape, name));
 
   const std::size_t index_end = kKtx2HeaderSize + header.shape.levels * kKtx2LevelSize;
@@ -110,14 +108,15 @@ Result<StoredFormat> texelFormat(const Header& header, const DescribedColor& col
   constexpr int kModelEtc1s = 163;
   constexpr int kModelUastc = 166;
   if (header.scheme == 1 || (header.vk_format == 0 && (color.model == kModelEtc1s || color.model == kModelUastc)))
-    return unsupported(name, "Basis Universal block compression");
-  auto format = storedFormatOfVulkan(header.vk_format);
-  if (!format) return unsupported(name, vulkanFormatName(header.vk_format));
+    return unsupportedTexture(name, "Basis Universal block compression", kInstead);
+  auto format = formatOfVulkan(header.vk_format);
+  if (!format) return unsupportedTexture(name, nameOfVulkan(header.vk_format), kInstead);
   if (header.scheme != kKtx2Plain && header.scheme != kKtx2Zstandard)
-    return unsupported(name, "supercompression scheme " + std::to_string(header.scheme));
+    return unsupportedTexture(name, "supercompression scheme " + std::to_string(header.scheme), kInstead);
   // Some writers say "unorm" and mean sRGB; the descriptor tells.
   if (color.srgb && format->type == SampleType::unorm8) format->type = SampleType::srgb8;
-  if (color.srgb && format->type != SampleType::srgb8) return unsupported(name, nameOf(*format) + " encoded as sRGB");
+  if (color.srgb && format->type != SampleType::srgb8)
+    return unsupportedTexture(name, nameOf(*format) + " encoded as sRGB", kInstead);
   return *format;
 }
 

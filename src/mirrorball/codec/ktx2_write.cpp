@@ -6,13 +6,13 @@
 #include <zstd.h>
 
 #include "mirrorball/codec/data_format_descriptor.h"
+#include "mirrorball/codec/format_numbers.h"
 #include "mirrorball/codec/ktx2.h"
 #include "mirrorball/codec/ktx2_layout.h"
 #include "mirrorball/codec/ktx_key_values.h"
 #include "mirrorball/codec/little_endian_writer.h"
 #include "mirrorball/codec/stored_format.h"
 #include "mirrorball/codec/texture_shape.h"
-#include "mirrorball/codec/vulkan_format.h"
 
 namespace mirrorball {
 namespace {
@@ -32,7 +32,7 @@ Bytes header(const TextureShape& shape, bool is_array, const TextureWriteOptions
   const std::size_t descriptor_at = kKtx2HeaderSize + levels.size() * kKtx2LevelSize;
   LittleEndianWriter writer;
   writer.append(kKtx2Identifier);
-  writer.u32(vulkanFormat(options.format));
+  writer.u32(vulkanNumber(options.format));
   writer.u32(static_cast<std::uint32_t>(wordSize(storedFormat(options.format))));
   writer.u32(shape.width);
   writer.u32(shape.height);

@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <span>
+#include <string>
+#include <string_view>
 
 #include "mirrorball/base/result.h"
 

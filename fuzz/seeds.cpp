@@ -1,6 +1,7 @@
 // usage: fuzz_seeds FOLDER
 //
-// Writes the seeds of each decoder's corpus to FOLDER/DECODER/seed_NAME: the smallest files that reach each of its ways.
+// Writes the seeds of each decoder's corpus to FOLDER/DECODER/seed_NAME: the smallest files that reach each of its
+// ways.
 
 #include <cstdio>
 #include <filesystem>

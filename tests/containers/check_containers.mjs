@@ -16,11 +16,13 @@ import { ZSTDDecoder } from 'three/addons/libs/zstddec.module.js';
 
 const formats = {
   half: { vk: ktx.VK_FORMAT_R16G16B16A16_SFLOAT, type: HalfFloatType, format: RGBAFormat, word: 2, size: 8,
-    bits: [16, 16, 16, 16], decode: (view, at) => [0, 2, 4, 6].map((i) => DataUtils.fromHalfFloat(view.getUint16(at + i, true))) },
+    bits: [16, 16, 16, 16],
+    decode: (view, at) => [0, 2, 4, 6].map((i) => DataUtils.fromHalfFloat(view.getUint16(at + i, true))) },
   float32: { vk: ktx.VK_FORMAT_R32G32B32A32_SFLOAT, type: FloatType, format: RGBAFormat, word: 4, size: 16,
-    bits: [32, 32, 32, 32], decode: (view, at) => [0, 4, 8, 12].map((i) => view.getFloat32(at + i, true)) },
-  b10g11r11: { vk: ktx.VK_FORMAT_B10G11R11_UFLOAT_PACK32, type: UnsignedInt101111Type, format: RGBFormat, word: 4, size: 4,
-    bits: [11, 11, 10], decode: (view, at) => decodePacked(view.getUint32(at, true)) },
+    bits: [32, 32, 32, 32],
+    decode: (view, at) => [0, 4, 8, 12].map((i) => view.getFloat32(at + i, true)) },
+  b10g11r11: { vk: ktx.VK_FORMAT_B10G11R11_UFLOAT_PACK32, type: UnsignedInt101111Type, format: RGBFormat, word: 4,
+    size: 4, bits: [11, 11, 10], decode: (view, at) => decodePacked(view.getUint32(at, true)) },
   e5b9g9r9: { vk: ktx.VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, type: UnsignedInt5999Type, format: RGBFormat, word: 4, size: 4,
     bits: [9, 5, 9, 5, 9, 5], decode: (view, at) => decodeShared(view.getUint32(at, true)) },
 };
@@ -63,7 +65,8 @@ async function checkKtx2(file, bytes) {
   const { name } = file;
   expectEqual(texture.vkFormat, vk, `${name}, vkFormat`);
   expectEqual(texture.typeSize, word, `${name}, typeSize`);
-  expectEqual([texture.pixelWidth, texture.pixelHeight, texture.pixelDepth], [file.width, file.height, 0], `${name}, size`);
+  const { pixelWidth, pixelHeight, pixelDepth } = texture;
+  expectEqual([pixelWidth, pixelHeight, pixelDepth], [file.width, file.height, 0], `${name}, size`);
   expectEqual(texture.layerCount, file.layers > 1 ? file.layers : 0, `${name}, layerCount`);
   expectEqual(texture.faceCount, file.faces, `${name}, faceCount`);
   expectEqual(texture.levels.length, file.levels, `${name}, levels`);

@@ -32,8 +32,9 @@ struct DecodedImageSet {
   std::string format;  ///< as `info` shows it: "KTX2, r16g16b16a16 sfloat, Zstandard"
 };
 
-/// Reads .ktx2 .ktx .dds by their first bytes: two-dimensional textures and cubes, their mip levels and arrays, in 8- and
-/// 16-bit unorm, sRGB, half, float, b10g11r11 and e5b9g9r9. One channel stays one (grey), two become red and green.
+/// Reads .ktx2 .ktx .dds by their first bytes: two-dimensional textures and cubes, their mip levels and arrays, in
+/// 8- and 16-bit unorm, sRGB, half, float, b10g11r11 and e5b9g9r9. One channel stays one (grey), two become red and
+/// green.
 /// sRGB formats, and 8-bit DDS files from before DX10, are decoded to linear light; unorm is taken as it stands.
 /// A picture stored bottom up or right to left (KTXorientation) is turned; the faces of a cube are left as a GPU
 /// would see them. Primaries that a KTX2 file names are converted to Rec.709.
@@ -48,14 +49,14 @@ Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes, cons
 /// Whether the bytes begin as one of the files that decodeImageSet takes.
 bool isImageSet(std::span<const std::uint8_t> bytes);
 
-/// Writes a texture by the name's extension, .ktx2 or .dds. Values are rounded to the nearest that the format has, never
-/// clipped.
+/// Writes a texture by the name's extension, .ktx2 or .dds. Values are rounded to the nearest that the format has,
+/// never clipped.
 ///
 /// images   1, 3 or 4 channels, the same in all; each level half the size of the one before, rounded down; 1 face, or
 ///          6 square ones
 /// errors   usage (an unknown extension, a Zstandard level for DDS, metadata that cannot be stored); bad_shape; io;
-///          out_of_range (the first texel that does not fit the format is named; of compressed levels the smallest first);
-///          too_large
+///          out_of_range (the first texel that does not fit the format is named; where levels are compressed, the
+///          first of the smallest level that has one); too_large
 /// cost     what writing the bytes costs: texels are converted on all cores on their way into the file
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
                            const TextureWriteOptions& options = {});

@@ -2,6 +2,7 @@
 
 option(MIRRORBALL_TESTS "Build the tests" ON)
 option(MIRRORBALL_BENCH "Build the benchmarks" ON)
+option(MIRRORBALL_FUZZ "Build the fuzzers (clang with libFuzzer)" OFF)
 option(MIRRORBALL_WARNINGS_AS_ERRORS "Stop at the first compiler warning" OFF)
 set(MIRRORBALL_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
 
@@ -32,5 +33,11 @@ if(MIRRORBALL_SANITIZE)
   add_compile_options(-fsanitize=${MIRRORBALL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${MIRRORBALL_SANITIZE})
   # GCC sees uninitialised values in its own <regex> and <functional> once the sanitizers have rewritten them.
-  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    add_compile_options(-Wno-maybe-uninitialized)
+  endif()
+endif()
+if(MIRRORBALL_FUZZ)
+  # Counts which branches an input takes; the harnesses in fuzz/ link the fuzzer itself.
+  add_compile_options(-fsanitize=fuzzer-no-link)
 endif()

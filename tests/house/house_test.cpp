@@ -61,7 +61,7 @@ std::vector<SourceFile> readTree() {
   const fs::path root = MIRRORBALL_SOURCE_DIR;
   const std::set<std::string> extensions = {".h", ".cpp", ".glsl", ".vert", ".frag", ".cmake", ".sh"};
   std::vector<SourceFile> files;
-  for (const char* folder : {"apps", "src", "formula", "shaders", "cmake", "tests", "bench", "examples"}) {
+  for (const char* folder : {"apps", "src", "formula", "shaders", "cmake", "tests", "bench", "fuzz", "examples"}) {
     if (!fs::exists(root / folder)) continue;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
       if (!entry.is_regular_file()) continue;

@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <utility>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace mirrorball {
@@ -58,20 +60,58 @@ Result<Bytes> readRegularFile(const std::filesystem::path& path) {
   return readFile(path);
 }
 
-Result<void> writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+FileWriter::FileWriter(std::string name, std::string temporary, int descriptor)
+    : name_(std::move(name)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+
+FileWriter::FileWriter(FileWriter&& other) noexcept
+    : name_(std::move(other.name_)),
+      temporary_(std::move(other.temporary_)),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+FileWriter::~FileWriter() {
+  if (descriptor_ < 0) return;
+  ::close(descriptor_);
+  std::remove(temporary_.c_str());
+}
+
+Result<FileWriter> FileWriter::create(const std::filesystem::path& path) {
   const std::string name = path.string();
   const std::string temporary = name + ".part" + std::to_string(::getpid());
-  FileHandle file(std::fopen(temporary.c_str(), "wb"));
-  if (!file)
+  constexpr mode_t kReadAndWrite = 0666;  // less what the user's umask takes away
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kReadAndWrite);
+  if (descriptor < 0)
     return fail(ErrorCode::io,
                 name + ": cannot be written: " + reason() + "; check that the folder exists and is writable");
-  const bool written = bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-  const bool closed = std::fclose(file.release()) == 0;
-  if (written && closed && std::rename(temporary.c_str(), name.c_str()) == 0) return {};
+  return FileWriter(name, temporary, descriptor);
+}
 
-  const std::string why = reason();
-  std::remove(temporary.c_str());
-  return fail(ErrorCode::io, name + ": cannot be written: " + why);
+tl::unexpected<Error> FileWriter::failed(int error_number) const {
+  return fail(ErrorCode::io, name_ + ": cannot be written: " + std::strerror(error_number));
+}
+
+Result<void> FileWriter::writeAt(std::uint64_t offset, std::span<const std::uint8_t> bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t count = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return failed(count < 0 ? errno : ENOSPC);
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+    offset += static_cast<std::uint64_t>(count);
+  }
+  return {};
+}
+
+Result<void> FileWriter::commit() {
+  const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
+  if (closed && std::rename(temporary_.c_str(), name_.c_str()) == 0) return {};
+  const int error_number = errno;
+  std::remove(temporary_.c_str());
+  return failed(error_number);
+}
+
+Result<void> writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(writer, FileWriter::create(path));
+  MIRRORBALL_TRY_VOID(writer.writeAt(0, bytes));
+  return writer.commit();
 }
 
 std::string extensionOf(const std::filesystem::path& path) {

@@ -21,7 +21,38 @@ Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest
 /// The same for a file that another file names: a device or a pipe is refused, since it may never end.
 Result<Bytes> readRegularFile(const std::filesystem::path& path);
 
-/// Writes a file so that it is either wholly there or not at all: to a temporary name beside it, then renamed.
+/// A file that is either wholly there or not at all: written under a temporary name beside its own, then renamed.
+/// Without commit() the temporary file goes away and what had the name stays.
+class FileWriter {
+ public:
+  /// errors   io (no such folder, no permission)
+  static Result<FileWriter> create(const std::filesystem::path& path);
+
+  FileWriter(FileWriter&& other) noexcept;
+  FileWriter& operator=(FileWriter&&) = delete;
+  ~FileWriter();
+
+  /// Writes bytes at a place counted from the file's beginning, in any order; what is never written reads as 0.
+  /// Several threads may write different places at the same time.
+  ///
+  /// errors   io (disk full)
+  Result<void> writeAt(std::uint64_t offset, std::span<const std::uint8_t> bytes) const;
+
+  /// Gives the file its name. Nothing can be written any more.
+  ///
+  /// errors   io (the name is a folder's, disk full)
+  Result<void> commit();
+
+ private:
+  FileWriter(std::string name, std::string temporary, int descriptor);
+  tl::unexpected<Error> failed(int error_number) const;
+
+  std::string name_;
+  std::string temporary_;
+  int descriptor_ = -1;  // -1 once it is closed or moved away
+};
+
+/// Writes a whole file with a FileWriter.
 ///
 /// errors   io (no such folder, no permission, disk full); the temporary file is removed
 Result<void> writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);

@@ -49,6 +49,40 @@ TEST_F(FileTest, UnwritablePlaceLeavesNothing) {
   EXPECT_EQ(fileCount(), 1u) << "the temporary file stayed";
 }
 
+TEST_F(FileTest, PiecesAreWrittenInAnyOrder) {
+  auto writer = FileWriter::create(folder_ / "a");
+  ASSERT_TRUE(writer);
+  ASSERT_TRUE(writer->writeAt(4, Bytes{5, 6}));
+  ASSERT_TRUE(writer->writeAt(0, Bytes{1, 2}));
+  EXPECT_FALSE(fs::exists(folder_ / "a")) << "the name is there before the file is whole";
+  ASSERT_TRUE(writer->commit());
+  EXPECT_EQ(*readFile(folder_ / "a"), (Bytes{1, 2, 0, 0, 5, 6}));
+  EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(FileTest, WithoutCommitTheOldFileStays) {
+  ASSERT_TRUE(writeFile(folder_ / "a", Bytes{1}));
+  {
+    auto writer = FileWriter::create(folder_ / "a");
+    ASSERT_TRUE(writer);
+    const FileWriter moved = std::move(*writer);
+    ASSERT_TRUE(moved.writeAt(0, Bytes{2}));
+  }
+  EXPECT_EQ(*readFile(folder_ / "a"), Bytes{1});
+  EXPECT_EQ(fileCount(), 1u) << "the temporary file stayed";
+}
+
+TEST_F(FileTest, AFullDiskIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  // The temporary name is a link to the device that is always full.
+  fs::create_symlink("/dev/full", (folder_ / "a").string() + ".part" + std::to_string(::getpid()));
+  const auto result = writeFile(folder_ / "a", Bytes(10));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::io);
+  EXPECT_THAT(result.error().message, HasSubstr("No space"));
+  EXPECT_EQ(fileCount(), 0u) << "the temporary file stayed";
+}
+
 TEST(ExtensionOf, IsLowerCaseWithoutDot) {
   EXPECT_EQ(extensionOf("a/Photo.HDR"), "hdr");
   EXPECT_EQ(extensionOf("a.b/photo"), "");

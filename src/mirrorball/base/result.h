@@ -9,16 +9,17 @@ namespace mirrorball {
 
 /// What kind of failure an Error is, for callers that treat kinds differently.
 enum class ErrorCode {
-  usage,        ///< an option or argument is wrong: the command line exits with 2
-  not_found,    ///< a file or a built-in name does not exist
-  io,           ///< reading or writing failed
-  bad_file,     ///< the bytes are not what the format says
-  bad_shape,    ///< right format, wrong dimensions for what was asked
-  non_finite,   ///< NaN or infinity where light is expected
-  too_large,    ///< more texels than the program takes
-  unsupported,  ///< a valid file that uses a feature which this program lacks
-  no_gl,        ///< no OpenGL driver, or one too old
-  interrupted,  ///< the user pressed Ctrl-C
+  usage,         ///< an option or argument is wrong: the command line exits with 2
+  not_found,     ///< a file or a built-in name does not exist
+  io,            ///< reading or writing failed
+  bad_file,      ///< the bytes are not what the format says
+  bad_shape,     ///< right format, wrong dimensions for what was asked
+  non_finite,    ///< NaN or infinity where light is expected
+  out_of_range,  ///< a value that the format asked for cannot hold
+  too_large,     ///< more texels than the program takes
+  unsupported,   ///< a valid file that uses a feature which this program lacks
+  no_gl,         ///< no OpenGL driver, or one too old
+  interrupted,   ///< the user pressed Ctrl-C
 };
 
 /// A failure as the user reads it: one line that names the file or option, what is wrong, and what to do.

@@ -63,6 +63,15 @@ std::string formatNumber(double number) {
   return std::string(buffer, end);
 }
 
+std::string printable(std::string_view text) {
+  constexpr char kDelete = 0x7f;
+  std::string clean(text);
+  std::replace_if(
+      clean.begin(), clean.end(),
+      [](char letter) { return (static_cast<unsigned char>(letter) < ' ') || letter == kDelete; }, '?');
+  return clean;
+}
+
 std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words) {
   std::optional<std::string_view> nearest;
   // Two letters swapped count as two edits.

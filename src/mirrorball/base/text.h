@@ -22,6 +22,9 @@ std::string join(std::span<const std::string_view> words, std::string_view separ
 /// The shortest text that reads back as the same float: "0.3", "1000000", "1e-07".
 std::string formatNumber(double number);
 
+/// A foreign file's text as it may stand in a message: one line, with '?' for every control character.
+std::string printable(std::string_view text);
+
 /// The word nearest to `text` by edit distance, if one is near enough to be a slip of the finger.
 std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words);
 

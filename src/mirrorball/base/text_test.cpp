@@ -28,6 +28,11 @@ TEST(FormatNumber, ReadsBackAsTheSameFloat) {
     EXPECT_EQ(static_cast<float>(*parseNumber(formatNumber(number))), number);
 }
 
+TEST(Printable, LeavesNoControlCharacter) {
+  EXPECT_EQ(printable("R\nG\x1b[31m\x7f"), "R?G?[31m?");
+  EXPECT_EQ(printable("grün"), "grün");
+}
+
 TEST(UnknownName, SuggestsTheNearestAndListsAll) {
   constexpr std::array<std::string_view, 3> kNames{"mirror", "chrome", "gold"};
   EXPECT_EQ(nearestWord("miror", kNames), "mirror");

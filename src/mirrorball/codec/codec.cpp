@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <new>
 #include <string_view>
 
 #include "mirrorball/codec/exr.h"
@@ -11,6 +10,7 @@
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/png.h"
 #include "mirrorball/codec/srgb.h"
+#include "mirrorball/codec/within_memory.h"
 
 namespace mirrorball {
 namespace {
@@ -34,16 +34,6 @@ Result<Format> formatOf(const std::filesystem::path& path) {
   return fail(ErrorCode::usage, path.string() +
                                     ": its extension names no format that is written; use .exr or .hdr "
                                     "for linear light, .png or .jpg for pictures");
-}
-
-/// Runs one of the codecs, the only places that take memory for as many texels as a file says.
-template <typename Value, typename Work>
-Result<Value> withinMemory(const std::string& name, const Work& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::too_large, name + ": not enough memory for so many texels");
-  }
 }
 
 /// The error for bytes that no codec takes.

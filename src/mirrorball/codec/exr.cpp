@@ -25,6 +25,7 @@
 #include <half.h>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/exr_sizes.h"
 #include "mirrorball/codec/exr_stream.h"
 #include "mirrorball/codec/metadata.h"
@@ -85,8 +86,9 @@ std::string listChannels(const Imf::MultiPartInputFile& file) {
 Result<Selection> select(const Imf::MultiPartInputFile& file, const std::string& name) {
   for (int part = 0; part < file.parts(); ++part)
     if (auto selection = selectInPart(file.header(part), part)) return std::move(*selection);
-  return fail(ErrorCode::unsupported, name + ": has no colour that can be read (its channels: " + listChannels(file) +
-                                          "); R G B, Y, or Y RY BY are needed, and no deep data");
+  return fail(ErrorCode::unsupported,
+              name + ": has no colour that can be read (its channels: " + printable(listChannels(file)) +
+                  "); R G B, Y, or Y RY BY are needed, and no deep data");
 }
 
 Image imageFor(const Imath::Box2i& window, int channels) {
@@ -217,11 +219,7 @@ Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const std::stri
 }
 
 /// One line of an exception's text.
-std::string reasonOf(const std::exception& exception) {
-  std::string text = exception.what();
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
+std::string reasonOf(const std::exception& exception) { return printable(exception.what()); }
 
 half halfOf(float value) {
   if (std::isfinite(value)) value = std::clamp(value, -float{HALF_MAX}, float{HALF_MAX});

@@ -1,8 +1,10 @@
 #include "mirrorball/codec/exr_sizes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
+#include "mirrorball/codec/byte_order.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball {
@@ -15,6 +17,39 @@ constexpr std::size_t kMostTexelsPerByte = 1 << 14;
 
 /// In the version field, behind the magic number: the file has several parts.
 constexpr std::uint32_t kMultiPart = 0x1000;
+
+/// Attribute types that OpenEXR reads without a look at the stated size: were another size believed here, the two would
+/// read different headers from there on.
+struct FixedSize {
+  std::string_view type;
+  std::size_t size;
+};
+constexpr FixedSize kFixedSizes[] = {
+    {"box2f", 16},
+    {"box2i", 16},
+    {"chromaticities", 32},
+    {"compression", 1},
+    {"deepImageState", 1},
+    {"double", 8},
+    {"envmap", 1},
+    {"float", 4},
+    {"int", 4},
+    {"keycode", 28},
+    {"lineOrder", 1},
+    {"m33d", 72},
+    {"m33f", 36},
+    {"m44d", 128},
+    {"m44f", 64},
+    {"rational", 8},
+    {"tiledesc", 9},
+    {"timecode", 8},
+    {"v2d", 16},
+    {"v2f", 8},
+    {"v2i", 8},
+    {"v3d", 24},
+    {"v3f", 12},
+    {"v3i", 12},
+};
 
 class HeaderWalker {
  public:
@@ -37,11 +72,7 @@ class HeaderWalker {
                                          "; the file is truncated or damaged");
   }
 
-  /// Little-endian, as everything in the format.
-  std::uint32_t numberAt(std::size_t at) const {
-    return bytes_[at] | std::uint32_t{bytes_[at + 1]} << 8 | std::uint32_t{bytes_[at + 2]} << 16 |
-           std::uint32_t{bytes_[at + 3]} << 24;
-  }
+  std::uint32_t numberAt(std::size_t at) const { return littleU32(bytes_.data() + at); }
   long long signedAt(std::size_t at) const { return static_cast<std::int32_t>(numberAt(at)); }
 
   /// A text with a zero behind it.
@@ -68,9 +99,35 @@ class HeaderWalker {
         return fail(ErrorCode::bad_file, name_ + ": the header's attribute at byte " + std::to_string(at_ - 4) +
                                              " says it has " + std::to_string(size) +
                                              " bytes, more than the file; it is truncated or damaged");
+      if (!isRightSize(type, size))
+        return fail(ErrorCode::bad_file, name_ + ": the header's attribute at byte " + std::to_string(at_ - 4) +
+                                             " says it has " + std::to_string(size) +
+                                             " bytes, which its type does not have; the file is damaged");
       MIRRORBALL_TRY_VOID(checkAttribute(attribute, type, size));
       at_ += size;
     }
+  }
+
+  /// Whether an attribute's value, which lies within the file, ends where its size says.
+  bool isRightSize(std::string_view type, std::size_t size) const {
+    if (type == "chlist") return isChannelList(bytes_.subspan(at_, size));
+    if (type == "preview")
+      return size >= 8 && std::uint64_t{numberAt(at_)} * numberAt(at_ + 4) == (size - 8) / 4 && size % 4 == 0;
+    const auto* fixed = std::find_if(std::begin(kFixedSizes), std::end(kFixedSizes),
+                                     [&](const FixedSize& known) { return known.type == type; });
+    return fixed == std::end(kFixedSizes) || fixed->size == size;
+  }
+
+  /// Names, each with 16 bytes behind it, then an empty name.
+  static bool isChannelList(std::span<const std::uint8_t> list) {
+    constexpr std::size_t kBytesBehindName = 16;
+    while (!list.empty()) {
+      const auto length = static_cast<std::size_t>(std::find(list.begin(), list.end(), 0) - list.begin());
+      if (length == 0) return list.size() == 1;
+      if (list.size() - length < 1 + kBytesBehindName) return false;
+      list = list.subspan(length + 1 + kBytesBehindName);
+    }
+    return false;
   }
 
   Result<void> checkAttribute(std::string_view attribute, std::string_view type, std::size_t size) {

@@ -326,6 +326,11 @@ TEST(Exr, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
   Bytes attribute = bytes;
   attribute[8 + std::string("channels.chlist.").size() + 3] = 0x7f;  // of the first attribute's size
   EXPECT_THAT(failureOf(attribute).message, HasSubstr("attribute at byte 24"));
+
+  // OpenEXR reads a list of channels to its end, whatever its size (found by the fuzzer).
+  Bytes list = bytes;
+  list[8 + std::string("channels.chlist.").size()] -= 3;
+  EXPECT_THAT(failureOf(list).message, HasSubstr("which its type does not have"));
 }
 
 TEST(Exr, RealFileWithDwab) {

@@ -106,8 +106,6 @@ GLenum imageTarget(bool is_cube, int face) {
   return is_cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : GL_TEXTURE_2D;
 }
 
-int levelSide(int side, int level) { return std::max(1, side >> level); }
-
 int allLevels(int longest_side) {
   int levels = 1;
   while (longest_side >> levels > 0) ++levels;

@@ -1,0 +1,186 @@
+// usage: fuzz_seeds FOLDER
+//
+// Writes the seeds of each decoder's corpus to FOLDER/DECODER/seed_NAME: the smallest files that reach each of its
+// ways.
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include <ImfHeader.h>
+#include <ImfRgbaFile.h>
+#include <ImfTiledRgbaFile.h>
+
+#include "mirrorball/codec/codec_testing.h"
+#include "mirrorball/codec/exr.h"
+#include "mirrorball/codec/exr_stream.h"
+#include "mirrorball/codec/hdr.h"
+#include "mirrorball/codec/jpeg.h"
+#include "mirrorball/codec/png.h"
+#include "mirrorball/codec/srgb.h"
+#include "mirrorball/codec/texture_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::bytesOf;
+using testing::bytesOfTexture;
+using testing::gradient;
+using testing::textureOf;
+
+/// Where the corpus stands, and whether all went well.
+struct Corpus {
+  std::filesystem::path folder;
+  bool failed = false;
+
+  void add(const std::string& decoder, const std::string& seed, const Bytes& bytes) {
+    std::filesystem::create_directories(folder / decoder);
+    const auto written = writeFile(folder / decoder / ("seed_" + seed), bytes);
+    if (written) return;
+    std::fprintf(stderr, "%s\n", written.error().message.c_str());
+    failed = true;
+  }
+};
+
+void addTextures(Corpus& corpus) {
+  const ImageSet cube = textureOf(2, 6, 1, 3, 2, 2);
+  corpus.add("ktx2", "half_cube", bytesOfTexture(writeKtx2, cube));
+  corpus.add("ktx2", "zstandard", bytesOfTexture(writeKtx2, cube, {.zstandard_level = 3}));
+  corpus.add("ktx2", "float_array",
+             bytesOfTexture(writeKtx2, textureOf(1, 1, 2, 4, 3, 2), {.format = TexelFormat::float32}));
+  corpus.add("ktx2", "shared_exponent",
+             bytesOfTexture(writeKtx2, textureOf(3, 1, 1, 3, 4, 3),
+                            {.format = TexelFormat::e5b9g9r9, .metadata = {{"envmap", "latlong"}}}));
+  corpus.add("dds", "half_cube", bytesOfTexture(writeDds, cube));
+  corpus.add("dds", "packed_array",
+             bytesOfTexture(writeDds, textureOf(2, 1, 3, 3, 4, 3), {.format = TexelFormat::b10g11r11}));
+  const testing::OldDds masks{
+      .width = 3, .height = 2, .flags = 0x41, .bits = 32, .masks = {0xff0000, 0xff00, 0xff, 0xff000000}};
+  corpus.add("dds", "masks", testing::oldDds(masks, Bytes(24, 99)));
+  corpus.add("dds", "half_code", testing::oldDds({.flags = 4, .code = 113}, Bytes(8, 60)));
+
+  for (const bool big_endian : {false, true}) {
+    Bytes file = testing::ktx1Header({.width = 2, .height = 2, .faces = 6, .levels = 2, .big_endian = big_endian});
+    for (const std::uint32_t size : {64u, 16u}) {
+      testing::appendU32(file, size, big_endian);
+      file.insert(file.end(), 6 * size, std::uint8_t{0x3f});
+    }
+    corpus.add("ktx1", big_endian ? "big_endian_cube" : "little_endian_cube", file);
+  }
+  Bytes rgb8 = testing::ktx1Header({.type = 0x1401,
+                                    .type_size = 1,
+                                    .format = 0x1907,
+                                    .internal_format = 0x8c41,
+                                    .width = 3,
+                                    .height = 2,
+                                    .layers = 2});
+  testing::appendU32(rgb8, 48, false);
+  rgb8.insert(rgb8.end(), 48, std::uint8_t{128});
+  corpus.add("ktx1", "srgb_array", rgb8);
+}
+
+template <typename File, typename... Arguments>
+Bytes exr(Imf::Compression compression, Arguments... arguments) {
+  Imf::Header header(12, 10);
+  header.compression() = compression;
+  const std::vector<Imf::Rgba> texels(12 * 10, Imf::Rgba(0.5f, 0.25f, 2.0f, 1.0f));
+  ExrOutput stream("seed.exr");
+  {
+    File file(stream, header, arguments...);
+    file.setFrameBuffer(texels.data(), 1, 12);
+    if constexpr (std::is_same_v<File, Imf::TiledRgbaOutputFile>)
+      file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+    else
+      file.writePixels(10);
+  }
+  return stream.takeBytes();
+}
+
+void addImages(Corpus& corpus) {
+  corpus.add("hdr", "new_rle", encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}}));
+  Bytes old = bytesOf("#?RGBE\nEXPOSURE=2\nPRIMARIES=.7 .3 .2 .7 .1 .1 .3 .3\n\n+X 9 -Y 2\n");
+  for (int column = 0; column < 9; ++column) old.insert(old.end(), {9, 8, 7, 130, 1, 1, 1, 1});
+  corpus.add("hdr", "old_rle", old);
+  Bytes flat = bytesOf("#?RADIANCE\nFORMAT=32-bit_rle_xyze\nCOLORCORR=1 2 3\n\n-Y 1 +X 3\n");
+  flat.insert(flat.end(), {9, 8, 7, 130, 1, 2, 3, 128, 0, 0, 0, 0});
+  corpus.add("hdr", "flat_xyze", flat);
+
+  const Imf::Compression compressions[] = {Imf::NO_COMPRESSION,   Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
+                                           Imf::ZIP_COMPRESSION,  Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION,
+                                           Imf::B44A_COMPRESSION, Imf::DWAA_COMPRESSION};
+  for (const Imf::Compression compression : compressions)
+    corpus.add("exr", "scan_lines_" + std::to_string(compression),
+               exr<Imf::RgbaOutputFile>(compression, Imf::WRITE_RGBA));
+  corpus.add("exr", "chroma", exr<Imf::RgbaOutputFile>(Imf::ZIP_COMPRESSION, Imf::WRITE_YC));
+  corpus.add("exr", "tiles", exr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8, Imf::ONE_LEVEL));
+
+  for (const int channels : {1, 3, 4}) {
+    const Image8 picture = pictureFromLinear(gradient(9, 7, channels), channels);
+    corpus.add("png", std::to_string(channels) + "_channels", *encodePng(picture, {{"envmap", "cube"}}, "seed"));
+    if (channels < 4)
+      corpus.add("jpeg", std::to_string(channels) + "_channels", *encodeJpeg(picture, {{"envmap", "cube"}}, "seed"));
+  }
+}
+
+/// One triangle, with all that a format has to say about it.
+void addModels(Corpus& corpus) {
+  corpus.add("obj", "triangle",
+             bytesOf("mtllib none.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n"
+                     "f -3//1 -2//1 -1//1\n"));
+  corpus.add("ply", "ascii",
+             bytesOf("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                     "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
+                     "property list uchar int vertex_indices\nend_header\n"
+                     "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n"));
+  Bytes binary = bytesOf(
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n");
+  const std::initializer_list<float> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  for (const float value : corners) testing::appendU32(binary, std::bit_cast<std::uint32_t>(value), false);
+  binary.insert(binary.end(), {3, 0, 1, 2});
+  corpus.add("ply", "binary", binary);
+
+  corpus.add("stl", "text",
+             bytesOf("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                     "endfacet\nendsolid a\n"));
+  Bytes stl(80, 0);
+  testing::appendU32(stl, 1, false);
+  for (int i = 0; i < 3; ++i) testing::appendU32(stl, 0, false);
+  for (const float value : corners) testing::appendU32(stl, std::bit_cast<std::uint32_t>(value), false);
+  stl.insert(stl.end(), {0, 0});
+  corpus.add("stl", "binary", stl);
+
+  const std::string json =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[1,2,3]}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],)"
+      R"("materials":[{"pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1],"metallicFactor":0.5},)"
+      R"("extensions":{"KHR_materials_ior":{"ior":1.4}}}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":)"
+      R"("data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+  corpus.add("gltf", "triangle", bytesOf(json));
+  // The same as .glb: a header, and one chunk of JSON padded with spaces.
+  std::string padded = json;
+  padded.resize((json.size() + 3) / 4 * 4, ' ');
+  Bytes glb = bytesOf("glTF");
+  for (const std::uint32_t number :
+       {2u, static_cast<std::uint32_t>(20 + padded.size()), static_cast<std::uint32_t>(padded.size()), 0x4e4f534au})
+    testing::appendU32(glb, number, false);
+  glb.insert(glb.end(), padded.begin(), padded.end());
+  corpus.add("gltf", "binary", glb);
+}
+
+}  // namespace
+}  // namespace mirrorball
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::fprintf(stderr, "usage: %s FOLDER\n", arguments[0]);
+    return 2;
+  }
+  mirrorball::Corpus corpus{arguments[1]};
+  mirrorball::addTextures(corpus);
+  mirrorball::addImages(corpus);
+  mirrorball::addModels(corpus);
+  return corpus.failed ? 1 : 0;
+}

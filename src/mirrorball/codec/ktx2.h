@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "mirrorball/codec/texel_stream.h"
+#include "mirrorball/codec/texture_file.h"
+
+namespace mirrorball {
+
+/// Whether the bytes begin as a KTX 2 file does.
+bool isKtx2(std::span<const std::uint8_t> bytes);
+
+/// Decodes a KTX 2 file: uncompressed formats, as they are or under Zstandard.
+///
+/// errors   as decodeImageSet
+/// from     KTX 2.0 specification (Khronos, 2020)
+Result<DecodedImageSet> decodeKtx2(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Writes a KTX 2 file: levels smallest first, each at a multiple of its texel's size and of 4; orientation "rd".
+///
+/// images   checked for shape already
+/// errors   out_of_range; what `write` returns; too_large (memory for a level that is compressed)
+Result<void> writeKtx2(const ImageSet& images, const TextureWriteOptions& options, const std::string& name,
+                       const WriteAt& write);
+
+}  // namespace mirrorball

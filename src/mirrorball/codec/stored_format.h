@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "mirrorball/codec/texture_file.h"
+#include "mirrorball/image/image.h"
+
+namespace mirrorball {
+
+/// How a sample, or a texel where samples share a word, stands in a texture file. All but the first two keep light.
+enum class SampleType { srgb8, unorm8, unorm16, half, float32, b10g11r11, e5b9g9r9 };
+
+/// How a texel stands in a texture file: little-endian samples in the order of their names.
+struct StoredFormat {
+  SampleType type = SampleType::half;
+  int channels = 4;             ///< 1 to 4; 3 for the packed types
+  bool blue_first = false;      ///< b g r a instead of r g b a
+  bool ignores_fourth = false;  ///< b8g8r8x8: what the fourth channel holds means nothing
+
+  friend bool operator==(const StoredFormat&, const StoredFormat&) = default;
+};
+
+/// The format that one of the writer's options stands for.
+StoredFormat storedFormat(TexelFormat format);
+
+/// "r16g16b16a16 sfloat": Vulkan's name in lower case.
+std::string nameOf(const StoredFormat& format);
+
+/// Bytes of one texel.
+std::size_t texelSize(const StoredFormat& format);
+
+/// Bytes of one number whose byte order matters: 1, 2 or 4.
+std::size_t wordSize(const StoredFormat& format);
+
+/// How many channels the decoded image has: two become three with no blue, for two would be grey and alpha.
+int imageChannels(const StoredFormat& format);
+
+/// Decodes texels to linear light.
+///
+/// bytes    width · height texels in rows of `row_pitch` bytes, little-endian
+/// returns  imageChannels(format) channels
+/// cost     on all cores, at the speed of memory for half and float
+Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, int width, int height);
+
+/// Encodes texels. What does not fit the format leaves unspecified bytes.
+///
+/// samples  1 (grey), 3 or 4 channels a texel; alpha is 1 where the format has it and the samples do not, and is
+///          dropped where it is the other way round
+/// bytes    texelSize bytes a texel
+/// returns  whether every value fits: finite ones within the format's range, infinity and NaN only where it has them
+bool packTexels(TexelFormat format, std::span<const float> samples, int channels, std::span<std::uint8_t> bytes);
+
+/// "half floats hold −65504 to 65504": for the message where a value does not fit.
+std::string rangeOf(TexelFormat format);
+
+}  // namespace mirrorball

@@ -1,0 +1,94 @@
+#include "mirrorball/codec/texture_file.h"
+
+#include "mirrorball/codec/dds.h"
+#include "mirrorball/codec/ktx1.h"
+#include "mirrorball/codec/ktx2.h"
+#include "mirrorball/codec/metadata.h"
+#include "mirrorball/codec/texture_shape.h"
+#include "mirrorball/codec/within_memory.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr int kHighestZstandardLevel = 22;
+
+Result<DecodedImageSet> decodeByMagic(std::span<const std::uint8_t> bytes, const std::string& name) {
+  if (isKtx2(bytes)) return decodeKtx2(bytes, name);
+  if (isKtx1(bytes)) return decodeKtx1(bytes, name);
+  if (isDds(bytes)) return decodeDds(bytes, name);
+  return fail(ErrorCode::bad_file, name + ": does not begin as a KTX2, KTX or DDS texture does");
+}
+
+std::string sizeText(const Image& image) {
+  return std::to_string(image.width()) + "x" + std::to_string(image.height()) + " with " +
+         std::to_string(image.channels()) + " channels";
+}
+
+/// All images have the size that their level makes them, and the channels of the first.
+Result<void> checkShape(const ImageSet& images, const std::string& name) {
+  if (images.empty() || images.at(0, 0).empty())
+    return fail(ErrorCode::bad_shape, name + ": a texture of no texels cannot be written");
+  const Image& first = images.at(0, 0);
+  if (first.channels() == 2)
+    return fail(ErrorCode::bad_shape, name + ": a texture of 2 channels cannot be written; give it 1, 3 or 4");
+  auto shape = checkTextureShape(shapeOf(images), name);
+  if (!shape) return fail(ErrorCode::bad_shape, std::move(shape.error().message));
+  for (int level = 0; level < images.levels(); ++level)
+    for (int layer = 0; layer < images.layers(); ++layer)
+      for (int face = 0; face < images.faces(); ++face) {
+        const Image& image = images.at(level, face, layer);
+        if (image.width() == levelSide(first.width(), level) && image.height() == levelSide(first.height(), level) &&
+            image.channels() == first.channels())
+          continue;
+        return fail(ErrorCode::bad_shape, name + ": " + placeName(images, level, layer, face) + " is " +
+                                              sizeText(image) + ", which does not go with level 0 of " +
+                                              sizeText(first));
+      }
+  return {};
+}
+
+}  // namespace
+
+Result<DecodedImageSet> readImageSet(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  return withinMemory<DecodedImageSet>(name, [&]() -> Result<DecodedImageSet> {
+    MIRRORBALL_TRY(bytes, readFile(path));
+    return decodeByMagic(bytes, name);
+  });
+}
+
+Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes, const std::string& name) {
+  return withinMemory<DecodedImageSet>(name, [&] { return decodeByMagic(bytes, name); });
+}
+
+bool isImageSet(std::span<const std::uint8_t> bytes) { return isKtx2(bytes) || isKtx1(bytes) || isDds(bytes); }
+
+Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
+                           const TextureWriteOptions& options) {
+  const std::string name = path.string();
+  if (!isTexturePath(path))
+    return fail(ErrorCode::usage, name + ": its extension names no texture file that is written; use .ktx2 or .dds");
+  const bool is_dds = extensionOf(path) == "dds";
+  if (options.zstandard_level < 0 || options.zstandard_level > kHighestZstandardLevel)
+    return fail(ErrorCode::usage, name + ": there is no Zstandard level " + std::to_string(options.zstandard_level) +
+                                      "; use 0 (none) to " + std::to_string(kHighestZstandardLevel));
+  if (is_dds && options.zstandard_level > 0)
+    return fail(ErrorCode::usage, name + ": DDS has no Zstandard compression; use .ktx2");
+  MIRRORBALL_TRY_VOID(checkShape(images, name));
+  MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
+  return withinMemory<void>(name, [&]() -> Result<void> {
+    MIRRORBALL_TRY(writer, FileWriter::create(path));
+    const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) {
+      return writer.writeAt(offset, bytes);
+    };
+    MIRRORBALL_TRY_VOID(is_dds ? writeDds(images, options, name, write) : writeKtx2(images, options, name, write));
+    return writer.commit();
+  });
+}
+
+bool isTexturePath(const std::filesystem::path& path) {
+  const std::string extension = extensionOf(path);
+  return extension == "ktx2" || extension == "dds";
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/codec/codec.h"
+#include "mirrorball/image/image_set.h"
+
+namespace mirrorball {
+
+/// How texels stand in a texture file that is written. All hold linear light.
+enum class TexelFormat {
+  half,       ///< r16g16b16a16 sfloat, 8 bytes: ±65504
+  float32,    ///< r32g32b32a32 sfloat, 16 bytes
+  b10g11r11,  ///< b10g11r11 ufloat, 4 bytes: 6 bits of mantissa (blue 5), 0 to 65024 (blue 64512), no alpha
+  e5b9g9r9,   ///< e5b9g9r9 ufloat, 4 bytes: 9 bits of mantissa under a common exponent, 0 to 65408, no alpha
+};
+
+struct TextureWriteOptions {
+  TexelFormat format = TexelFormat::half;
+  int zstandard_level = 0;  ///< KTX2: 0 stores texels as they are, 1 (fast) to 22 (small) compresses each level
+  Metadata metadata = {};   ///< KTX2 keeps it, DDS has no place for it
+};
+
+/// The images of a texture as they come from a file.
+struct DecodedImageSet {
+  ImageSet images;  ///< linear light, Rec.709; 1, 3 or 4 channels; row 0 on top
+  Metadata metadata;
+  std::string format;  ///< as `info` shows it: "KTX2, r16g16b16a16 sfloat, Zstandard"
+};
+
+/// Reads .ktx2 .ktx .dds by their first bytes: two-dimensional textures and cubes, their mip levels and arrays, in
+/// 8- and 16-bit unorm, sRGB, half, float, b10g11r11 and e5b9g9r9. One channel stays one (grey), two become red and
+/// green.
+/// sRGB formats, and 8-bit DDS files from before DX10, are decoded to linear light; unorm is taken as it stands.
+/// A picture stored bottom up or right to left (KTXorientation) is turned; the faces of a cube are left as a GPU
+/// would see them. Primaries that a KTX2 file names are converted to Rec.709.
+///
+/// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported (block compression: the
+///          format is named; one- and three-dimensional textures)
+Result<DecodedImageSet> readImageSet(const std::filesystem::path& path);
+
+/// The same from memory. `name` is for messages.
+Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Whether the bytes begin as one of the files that decodeImageSet takes.
+bool isImageSet(std::span<const std::uint8_t> bytes);
+
+/// Writes a texture by the name's extension, .ktx2 or .dds. Values are rounded to the nearest that the format has,
+/// never clipped.
+///
+/// images   1, 3 or 4 channels, the same in all; each level half the size of the one before, rounded down; 1 face, or
+///          6 square ones
+/// errors   usage (an unknown extension, a Zstandard level for DDS, metadata that cannot be stored); bad_shape; io;
+///          out_of_range (the first texel that does not fit the format is named; where levels are compressed, the
+///          first of the smallest level that has one); too_large
+/// cost     what writing the bytes costs: texels are converted on all cores on their way into the file
+Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
+                           const TextureWriteOptions& options = {});
+
+/// Whether the extension names a texture file that writeImageSet takes.
+bool isTexturePath(const std::filesystem::path& path);
+
+}  // namespace mirrorball

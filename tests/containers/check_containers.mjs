@@ -1,0 +1,139 @@
+// usage: node check_containers.mjs FOLDER
+//
+// Reads the texture files that FOLDER/files.json lists with readers that others have written, and compares headers and
+// every texel. Exit code 1, and one line a fault, where something differs.
+
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { isDeepStrictEqual } from 'node:util';
+
+import * as ktx from 'ktx-parse';
+import parseDds from 'parse-dds';
+import { DataUtils, FloatType, HalfFloatType, LinearSRGBColorSpace, RGBAFormat, RGBFormat, UnsignedInt101111Type,
+  UnsignedInt5999Type } from 'three';
+import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
+import { ZSTDDecoder } from 'three/addons/libs/zstddec.module.js';
+
+const formats = {
+  half: { vk: ktx.VK_FORMAT_R16G16B16A16_SFLOAT, type: HalfFloatType, format: RGBAFormat, word: 2, size: 8,
+    bits: [16, 16, 16, 16],
+    decode: (view, at) => [0, 2, 4, 6].map((i) => DataUtils.fromHalfFloat(view.getUint16(at + i, true))) },
+  float32: { vk: ktx.VK_FORMAT_R32G32B32A32_SFLOAT, type: FloatType, format: RGBAFormat, word: 4, size: 16,
+    bits: [32, 32, 32, 32],
+    decode: (view, at) => [0, 4, 8, 12].map((i) => view.getFloat32(at + i, true)) },
+  b10g11r11: { vk: ktx.VK_FORMAT_B10G11R11_UFLOAT_PACK32, type: UnsignedInt101111Type, format: RGBFormat, word: 4,
+    size: 4, bits: [11, 11, 10], decode: (view, at) => decodePacked(view.getUint32(at, true)) },
+  e5b9g9r9: { vk: ktx.VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, type: UnsignedInt5999Type, format: RGBFormat, word: 4, size: 4,
+    bits: [9, 5, 9, 5, 9, 5], decode: (view, at) => decodeShared(view.getUint32(at, true)) },
+};
+
+/// VK_FORMAT_B10G11R11_UFLOAT_PACK32: exponents of 5 bits with bias 15, above mantissas of 6, 6 and 5 bits. The test's
+/// values are normal.
+function decodePacked(bits) {
+  const value = (code, mantissaBits) =>
+    code === 0 ? 0 : (1 + (code % 2 ** mantissaBits) / 2 ** mantissaBits) * 2 ** ((code >> mantissaBits) - 15);
+  return [value(bits & 0x7ff, 6), value((bits >>> 11) & 0x7ff, 6), value(bits >>> 22, 5), 1];
+}
+
+function decodeShared(bits) {
+  const unit = 2 ** ((bits >>> 27) - 24);
+  return [(bits & 0x1ff) * unit, ((bits >>> 9) & 0x1ff) * unit, ((bits >>> 18) & 0x1ff) * unit, 1];
+}
+
+let faults = 0;
+function expectEqual(found, expected, what) {
+  if (isDeepStrictEqual(found, expected)) return;
+  faults += 1;
+  console.error(`${what}: found ${JSON.stringify(found)}, expected ${JSON.stringify(expected)}`);
+}
+
+/// Compares texels one behind the other with the part of the list that begins at texel `first`; returns its end.
+function checkTexels(bytes, count, file, first, what) {
+  const { decode, size } = formats[file.format];
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  expectEqual(bytes.byteLength, count * size, `${what}, bytes`);
+  for (let i = 0; i < count && (i + 1) * size <= bytes.byteLength; ++i)
+    expectEqual(decode(view, i * size), file.texels.slice(4 * (first + i), 4 * (first + i + 1)), `${what}, texel ${i}`);
+  return first + count;
+}
+
+const levelTexels = (file, level) => Math.max(1, file.width >> level) * Math.max(1, file.height >> level);
+
+async function checkKtx2(file, bytes) {
+  const { vk, word, size, bits, type, format } = formats[file.format];
+  const texture = ktx.read(bytes);
+  const { name } = file;
+  expectEqual(texture.vkFormat, vk, `${name}, vkFormat`);
+  expectEqual(texture.typeSize, word, `${name}, typeSize`);
+  const { pixelWidth, pixelHeight, pixelDepth } = texture;
+  expectEqual([pixelWidth, pixelHeight, pixelDepth], [file.width, file.height, 0], `${name}, size`);
+  expectEqual(texture.layerCount, file.layers > 1 ? file.layers : 0, `${name}, layerCount`);
+  expectEqual(texture.faceCount, file.faces, `${name}, faceCount`);
+  expectEqual(texture.levels.length, file.levels, `${name}, levels`);
+  const scheme = file.zstandard ? ktx.KHR_SUPERCOMPRESSION_ZSTD : ktx.KHR_SUPERCOMPRESSION_NONE;
+  expectEqual(texture.supercompressionScheme, scheme, `${name}, supercompressionScheme`);
+
+  const [descriptor] = texture.dataFormatDescriptor;
+  expectEqual(descriptor.colorModel, ktx.KHR_DF_MODEL_RGBSDA, `${name}, colour model`);
+  expectEqual(descriptor.colorPrimaries, ktx.KHR_DF_PRIMARIES_BT709, `${name}, primaries`);
+  expectEqual(descriptor.transferFunction, ktx.KHR_DF_TRANSFER_LINEAR, `${name}, transfer function`);
+  expectEqual([...descriptor.bytesPlane], [size, 0, 0, 0, 0, 0, 0, 0], `${name}, bytesPlane`);
+  expectEqual(descriptor.samples.map((sample) => sample.bitLength + 1), bits, `${name}, bits of the samples`);
+
+  // ktx-parse leaves the values of keys that it does not know as bytes.
+  const { envmap, ...known } = texture.keyValue;
+  expectEqual(known, { KTXorientation: 'rd', KTXwriter: 'mirrorball' }, `${name}, key/value data`);
+  expectEqual(new TextDecoder().decode(envmap), 'cube\0', `${name}, envmap`);
+
+  const zstd = new ZSTDDecoder();
+  await zstd.init();
+  let first = 0;
+  texture.levels.forEach((level, i) => {
+    const data = file.zstandard ? zstd.decode(level.levelData, level.uncompressedByteLength) : level.levelData;
+    const count = levelTexels(file, i) * file.layers * file.faces;
+    expectEqual(level.uncompressedByteLength, count * size, `${name}, uncompressedByteLength of level ${i}`);
+    first = checkTexels(data, count, file, first, `${name}, level ${i}`);
+  });
+
+  // three.js makes no cubes and arrays of uncompressed files.
+  if (file.faces > 1 || file.layers > 1) return;
+  const loader = new KTX2Loader();
+  loader.workerConfig = {};  // what it asks a renderer for: compressed formats only
+  const copy = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+  const loaded = await new Promise((resolve, reject) => loader.parse(copy, resolve, reject));
+  expectEqual([loaded.type, loaded.format], [type, format], `${name}, three.js' type and format`);
+  expectEqual(loaded.colorSpace, LinearSRGBColorSpace, `${name}, three.js' colour space`);
+  expectEqual(loaded.mipmaps.length, file.levels, `${name}, three.js' mipmaps`);
+  first = 0;
+  loaded.mipmaps.forEach(({ data, width, height }, i) => {
+    const level = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+    first = checkTexels(level, width * height, file, first, `${name}, three.js' level ${i}`);
+  });
+}
+
+function checkDds(file, bytes) {
+  const copy = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+  const texture = parseDds(copy);
+  expectEqual(texture.format, 'rgba32f', `${file.name}, format`);
+  expectEqual(texture.cubemap, true, `${file.name}, cube`);
+  expectEqual(texture.shape, [file.width, file.height], `${file.name}, size`);
+  expectEqual(texture.images.length, file.faces * file.levels, `${file.name}, images`);
+  // The list goes by level and face, the file by face and level.
+  let first = 0;
+  for (let level = 0; level < file.levels; ++level)
+    for (let face = 0; face < file.faces; ++face) {
+      const image = texture.images[face * file.levels + level];
+      first = checkTexels(new Uint8Array(copy, image.offset, image.length), levelTexels(file, level), file, first,
+        `${file.name}, face ${face}, level ${level}`);
+    }
+}
+
+const folder = process.argv[2];
+const files = JSON.parse(readFileSync(join(folder, 'files.json'), 'utf8'));
+for (const file of files) {
+  const bytes = readFileSync(join(folder, file.name));
+  if (file.name.endsWith('.dds')) checkDds(file, bytes);
+  else await checkKtx2(file, bytes);
+}
+console.log(`${files.length} files, ${faults} faults`);
+process.exit(faults > 0 || files.length === 0 ? 1 : 0);

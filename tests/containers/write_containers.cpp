@@ -1,0 +1,94 @@
+// usage: write_containers FOLDER
+//
+// Writes textures of every format, and files.json, which says what must be found in them.
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "mirrorball/codec/texture_file.h"
+#include "mirrorball/codec/texture_testing.h"
+
+namespace {
+
+using namespace mirrorball;
+
+struct File {
+  std::string name;
+  const char* format;
+  ImageSet images;
+  TextureWriteOptions options;
+};
+
+/// Every texel as red, green, blue and alpha, by level, layer, face and row.
+std::string texelList(const ImageSet& images) {
+  std::string list;
+  forEachImage(images, [&](const Image& image) {
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const glm::vec4 texel = rgbaAt(image, x, y);
+        for (int c = 0; c < 4; ++c) list += (list.empty() ? "" : ",") + std::to_string(texel[c]);
+      }
+  });
+  return list;
+}
+
+std::string describe(const File& file) {
+  const auto number = [](const char* key, int value) {
+    return std::string(",\"") + key + "\":" + std::to_string(value);
+  };
+  const ImageSet& images = file.images;
+  return "{\"name\":\"" + file.name + "\",\"format\":\"" + file.format + "\"" +
+         number("width", images.at(0, 0).width()) + number("height", images.at(0, 0).height()) +
+         number("levels", images.levels()) + number("layers", images.layers()) + number("faces", images.faces()) +
+         number("zstandard", file.options.zstandard_level) + ",\"texels\":[" + texelList(images) + "]}";
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::fprintf(stderr, "usage: %s FOLDER\n", arguments[0]);
+    return 2;
+  }
+  constexpr struct {
+    TexelFormat format;
+    const char* name;
+  } kFormats[] = {{TexelFormat::half, "half"},
+                  {TexelFormat::float32, "float32"},
+                  {TexelFormat::b10g11r11, "b10g11r11"},
+                  {TexelFormat::e5b9g9r9, "e5b9g9r9"}};
+  std::vector<File> files;
+  const auto add = [&](const std::string& name, const char* format, const ImageSet& images,
+                       const TextureWriteOptions& options) {
+    files.push_back({name, format, images, options});
+  };
+  for (const auto& [format, format_name] : kFormats) {
+    const std::string name = format_name;
+    const TextureWriteOptions plain{.format = format, .metadata = {{"envmap", "cube"}}};
+    TextureWriteOptions packed = plain;
+    packed.zstandard_level = 5;
+    const ImageSet cube = mirrorball::testing::textureOf(3, 6, 1, 3, 4, 4);
+    add(name + "_cube.ktx2", format_name, cube, plain);
+    add(name + "_cube_zstandard.ktx2", format_name, cube, packed);
+    add(name + "_cube_array.ktx2", format_name, mirrorball::testing::textureOf(2, 6, 3, 3, 5, 5), plain);
+    add(name + "_picture.ktx2", format_name, mirrorball::testing::textureOf(1, 1, 1, 3, 7, 3), plain);
+    add(name + "_picture_zstandard.ktx2", format_name, mirrorball::testing::textureOf(3, 1, 1, 3, 7, 5), packed);
+  }
+  // parse-dds reads cubes of this format with all levels.
+  add("float32_cube.dds", "float32", mirrorball::testing::textureOf(4, 6, 1, 4, 8, 8),
+      {.format = TexelFormat::float32});
+
+  const std::filesystem::path folder = arguments[1];
+  std::string list;
+  for (const File& file : files) {
+    const auto written = writeImageSet(folder / file.name, file.images, file.options);
+    if (!written) {
+      std::fprintf(stderr, "%s\n", written.error().message.c_str());
+      return 1;
+    }
+    list += (list.empty() ? "[" : ",\n") + describe(file);
+  }
+  list += "]\n";
+  return writeFile(folder / "files.json", mirrorball::testing::bytesOf(list)) ? 0 : 1;
+}

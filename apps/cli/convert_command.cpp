@@ -5,6 +5,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/map_files.h"
 #include "cli/terminal.h"
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/environment/convert.h"
@@ -38,20 +39,6 @@ const std::array<Option<ConvertOptions>, 7> kOptions{{
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &ConvertOptions::repair},
 }};
 
-/// Writes a map: one picture, or the six files of a cube whose layout is `faces`.
-Result<void> writeMap(const EnvironmentMap& map, CubeLayout layout, const ConvertOptions& options) {
-  ImageWriteOptions how{.half = options.half, .metadata = {}};
-  how.metadata["mirrorball:projection"] = nameOf(map.projection());
-  if (map.projection() != Projection::cube) return writeImage(options.output, map.face(0), how);
-  how.metadata["mirrorball:layout"] = nameOf(layout);
-  if (layout != CubeLayout::faces) return writeImage(options.output, composeLayout(map, layout), how);
-  for (int face = 0; face < 6; ++face) {
-    const std::string suffix = "_" + std::string(kFaceSuffixes[static_cast<std::size_t>(face)]);
-    MIRRORBALL_TRY_VOID(writeImage(suffixed(options.output, suffix), map.face(face), how));
-  }
-  return {};
-}
-
 Result<void> convertFile(const std::string& input, const ConvertOptions& options) {
   if (options.output.empty()) return fail(ErrorCode::usage, "convert needs an output: -o FILE");
   if (options.to.empty())
@@ -68,7 +55,7 @@ Result<void> convertFile(const std::string& input, const ConvertOptions& options
   MIRRORBALL_TRY(loaded, loadEnvironment(input, how));
   const int size = options.size > 0 ? options.size : loaded.environment.naturalSize(to);
   MIRRORBALL_TRY(map, convert(loaded.environment, to, size, progressBar("convert")));
-  return writeMap(map, layout, options);
+  return writeMap(map, layout, options.half, options.output);
 }
 
 }  // namespace

@@ -1,0 +1,183 @@
+#include "mirrorball/photo/merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+namespace {
+
+using CodesOfAll = std::vector<const Image8*>;
+
+/// What the photographs say about one channel of one pixel.
+struct Evidence {
+  double weighted = 0.0;
+  double weights = 0.0;
+
+  void add(double light, double trust, double exposure) {
+    weighted += trust * exposure * light;
+    weights += trust * exposure * exposure;
+  }
+};
+
+double trustIn(int code) { return code >= kFirstClippedCode ? 0.0 : trustInCode(code); }
+
+std::string sizeText(const Photograph& photograph) {
+  return std::to_string(photograph.width()) + "x" + std::to_string(photograph.height());
+}
+
+Result<void> checkSeries(std::span<const Photograph> photographs) {
+  const Photograph& first = photographs.front();
+  for (const Photograph& photograph : photographs) {
+    if (photograph.width() != first.width() || photograph.height() != first.height())
+      return fail(ErrorCode::bad_shape, photograph.name + ": is " + sizeText(photograph) + ", but " + first.name +
+                                            " is " + sizeText(first) + "; a series has one size");
+    if (photographs.size() > 1 && !photograph.light.empty())
+      return fail(ErrorCode::usage, photograph.name + ": is linear light already; give it alone, not in a series");
+  }
+  return {};
+}
+
+Result<std::vector<double>> exposuresOf(std::span<const Photograph> photographs, const MergeOptions& options) {
+  if (photographs.size() == 1) return std::vector<double>{1.0};
+  std::vector<double> exposures = options.exposures;
+  if (exposures.empty()) {
+    MIRRORBALL_TRY(read, exposuresFromExif(photographs));
+    exposures = std::move(read);
+  }
+  if (exposures.size() != photographs.size())
+    return fail(ErrorCode::usage, std::to_string(exposures.size()) + " exposures are given for " +
+                                      std::to_string(photographs.size()) + " photographs; give one each");
+  const auto [least, greatest] = std::ranges::minmax(exposures);
+  if (greatest / least < 1.05)
+    return fail(ErrorCode::usage, "all photographs have the exposure " + formatNumber(least) +
+                                      " s; a series has different ones, so give one photograph, or the right "
+                                      "exposures with --exposures");
+  return exposures;
+}
+
+/// The one with the middle exposure.
+std::size_t referenceOf(std::span<const double> exposures) {
+  std::vector<std::size_t> order(exposures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return exposures[i]; });
+  return order[(order.size() - 1) / 2];
+}
+
+std::string nameOf(ResponseKind kind) {
+  return kind == ResponseKind::srgb    ? "assumed sRGB"
+         : kind == ResponseKind::gamma ? "assumed gamma 2.2"
+                                       : "assumed linear";
+}
+
+/// The light of a row's pixels; counts those that all photographs clip or leave black.
+struct RowCounts {
+  std::size_t clipped = 0;
+  std::size_t black = 0;
+};
+
+RowCounts mergeRow(const CodesOfAll& codes, std::span<const double> exposures, const Response& response, int y,
+                   Image& light) {
+  const std::size_t shortest = std::size_t(std::ranges::min_element(exposures) - exposures.begin());
+  const std::size_t longest = std::size_t(std::ranges::max_element(exposures) - exposures.begin());
+  RowCounts counts;
+  for (int x = 0; x < light.width(); ++x) {
+    bool clipped = false;
+    bool black = false;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto lightOf = [&](std::size_t p) { return double(response.light[c][codes[p]->texel(x, y)[c]]); };
+      Evidence evidence;
+      for (std::size_t p = 0; p < codes.size(); ++p)
+        evidence.add(lightOf(p), trustIn(codes[p]->texel(x, y)[c]), exposures[p]);
+      const bool too_bright = codes[shortest]->texel(x, y)[c] >= kFirstClippedCode;
+      const bool too_dark = codes[longest]->texel(x, y)[c] == 0;
+      clipped |= too_bright;
+      black |= too_dark;
+      double value = evidence.weights > 0.0 ? evidence.weighted / evidence.weights : 0.0;
+      if (too_bright) value = lightOf(shortest) / exposures[shortest];
+      if (too_dark) value = lightOf(longest) / exposures[longest];
+      light.texel(x, y)[c] = static_cast<float>(value);
+    }
+    counts.clipped += clipped;
+    counts.black += black;
+  }
+  return counts;
+}
+
+void mergeCodes(const CodesOfAll& codes, std::span<const double> exposures, const Response& response,
+                MergedPhotographs& merged) {
+  merged.light = Image(codes.front()->width(), codes.front()->height(), 3);
+  const std::size_t rows = std::size_t(merged.light.height());
+  std::vector<RowCounts> counts(rows);
+  parallelFor(rows, 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y)
+      counts[y] = mergeRow(codes, exposures, response, static_cast<int>(y), merged.light);
+  });
+  for (const RowCounts& row : counts) {
+    merged.clipped += row.clipped;
+    merged.black += row.black;
+  }
+}
+
+/// How many stops each photograph lies off what the others say of the same places: the median.
+std::vector<double> contradictions(const CodesOfAll& codes, std::span<const double> exposures,
+                                   const Response& response) {
+  std::vector<std::vector<double>> stops(codes.size());
+  forEachSmoothPlace(codes, [&](std::span<const std::array<double, 3>> mean) {
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t p = 0; p < mean.size(); ++p) {
+        const auto codeOf = [&](std::size_t i) { return static_cast<int>(std::lround(mean[i][c])); };
+        const auto lightOf = [&](std::size_t i) { return double(response.light[c][std::size_t(codeOf(i))]); };
+        // A code that is hardly trusted neither contradicts nor is contradicted.
+        constexpr double kLeastTrust = 0.1;
+        Evidence others;
+        for (std::size_t other = 0; other < mean.size(); ++other)
+          if (const double trust = trustIn(codeOf(other)); other != p && trust > kLeastTrust)
+            others.add(lightOf(other), trust, exposures[other]);
+        if (trustIn(codeOf(p)) < kLeastTrust || others.weights == 0.0) continue;
+        stops[p].push_back(std::log2(lightOf(p) / exposures[p] * others.weights / others.weighted));
+      }
+  });
+  std::vector<double> medians;
+  for (auto& of_one : stops) {
+    const auto middle = of_one.begin() + std::ptrdiff_t(of_one.size() / 2);
+    std::nth_element(of_one.begin(), middle, of_one.end());
+    medians.push_back(of_one.empty() ? 0.0 : *middle);
+  }
+  return medians;
+}
+
+}  // namespace
+
+Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photographs, const MergeOptions& options) {
+  MIRRORBALL_TRY_VOID(checkSeries(photographs));
+  MergedPhotographs merged;
+  if (!photographs.front().light.empty()) {
+    merged.light = photographs.front().light;
+    merged.contradicts_stops = {0.0};
+    merged.response = "linear light";
+    return merged;
+  }
+  MIRRORBALL_TRY(exposures, exposuresOf(photographs, options));
+  merged.reference = referenceOf(exposures);
+  const double reference = exposures[merged.reference];
+  for (double& exposure : exposures) exposure /= reference;
+
+  CodesOfAll codes;
+  for (const Photograph& photograph : photographs) codes.push_back(&photograph.codes);
+  Response response = assumedResponse(options.response.value_or(ResponseKind::srgb));
+  merged.response = nameOf(options.response.value_or(ResponseKind::srgb));
+  if (photographs.size() > 1 && !options.response) {
+    MIRRORBALL_TRY(recovered, recoverResponse(codes, exposures));
+    response = recovered;
+    merged.response = "recovered";
+  }
+  mergeCodes(codes, exposures, response, merged);
+  merged.contradicts_stops = contradictions(codes, exposures, response);
+  return merged;
+}
+
+}  // namespace mirrorball

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 
 #include <glm/gtc/constants.hpp>
 
@@ -67,13 +68,14 @@ struct Fit {
 /// Fits a candidate to the edges around it. `pixel` is the size of the picture's texels.
 Fit fitCandidate(const PlanePicture& picture, const Circle& candidate, double pixel) {
   constexpr int kRays = 180;
-  constexpr double kWeakest = 0.008;  // change of brightness a texel
+  constexpr double kWeakest = 0.005;  // change of brightness a texel
   const double reach = std::max(3.0 * pixel, 0.12 * candidate.radius_px);
   const double tolerance = std::max(1.2 * pixel, 0.012 * candidate.radius_px);
   const double blur = std::max(0.8 * pixel, 0.006 * candidate.radius_px);
   const auto edges = edgesAcross(picture, candidate, kRays, reach, blur, kWeakest / pixel);
   Fit fit;
-  fit.circle = refineCircle(edges, mostSupported(edges, candidate, kRays, reach, tolerance), 2.0 * tolerance);
+  fit.circle =
+      refineCircle(edges, mostSupported(edges, candidate, kRays, reach, tolerance), 2.0 * tolerance, tolerance);
   // Along the fitted circle again: an edge counts only where it runs across the fitted circle's own radii.
   const auto across = edgesAcross(picture, fit.circle, kRays, 3.5 * tolerance, blur, kWeakest / pixel);
   fit.support = supportOf(picture, fit.circle, across, kRays, tolerance);
@@ -94,6 +96,11 @@ std::optional<Fit> bestCandidate(const PlanePicture& picture, int width, int hei
     for (std::size_t i = begin; i < end; ++i)
       fits[i] = fitCandidate(picture, {candidates[i].center_px * pixel, candidates[i].radius_px * pixel}, pixel);
   });
+    for (std::size_t i = 0; i < fits.size(); ++i)
+      std::printf("cand (%.1f %.1f) %.1f -> (%.1f %.1f) %.1f share %.2f rms %.2f beyond %.2f\n",
+                  candidates[i].center_px.x * pixel, candidates[i].center_px.y * pixel, candidates[i].radius_px * pixel,
+                  fits[i].circle.center_px.x, fits[i].circle.center_px.y, fits[i].circle.radius_px,
+                  fits[i].support.share, fits[i].support.rms_px, fits[i].beyond_chance);
   std::optional<Fit> best;
   for (const Fit& fit : fits)
     if (fit.support.visible > 0.4 && (!best || fit.beyond_chance > best->beyond_chance)) best = fit;
@@ -107,12 +114,14 @@ Fit refined(const PlanePicture& picture, Circle circle, double within_px) {
   Fit fit;
   std::vector<EdgePoint> edges;
   // A rim is as sharp as the lens: in large pictures it spreads over several pixels.
-  const double blur = std::clamp(circle.radius_px / 400.0, 1.0, 3.0);
+  const double blur = std::clamp(circle.radius_px / 400.0, 0.7, 3.0);
   for (const double reach : {within_px, std::max(within_px / 3.0, 3.0 * blur), 3.0 * blur}) {
     edges = edgesAcross(picture, circle, kRays, reach, blur, kWeakest / blur);
     if (reach == within_px) circle = mostSupported(edges, circle, kRays, reach, 1.5 * blur);
-    circle = refineCircle(edges, circle, std::min(reach, 3.0 * blur));
+    circle = refineCircle(edges, circle, std::min(reach, 4.0 * blur), 1.2 * blur);
   }
+  edges = correctedByFlanks(edges, circle, 1.2 * blur);
+  circle = refineCircle(edges, circle, 2.0 * blur, 1.2 * blur);
   fit.circle = circle;
   fit.support = supportOf(picture, circle, edges, kRays, 1.5 * blur);
   return fit;

@@ -82,7 +82,6 @@ TEST(FindBall, EveryBuiltinEnvironmentThroughJpeg) {
     SCOPED_TRACE(name);
     BallScene scene;
     scene.environment = builtin(name);
-    scene.falloff = 0.3;
     Image photograph = scene.photograph();
     testing::addNoise(photograph, 0.01f, 0.003f);
     expectFound(scene, throughJpeg(photograph));

@@ -23,7 +23,7 @@ struct BallScene {
   RadianceFunction environment;  ///< seen in the ball
   RadianceFunction background;   ///< seen beside it; none: the environment
   double turn_deg = 0.0;         ///< camera and ball's axis turned about the vertical, 90: from +X
-  double falloff = 0.0;          ///< how much darker the ball's reflection becomes at its rim, as a real ball's does
+  double reflectance = 0.75;     ///< 1 would make the rim invisible: there the ball shows what stands right behind it
   /// Things that stand before everything: their light, or nothing.
   std::function<std::optional<glm::vec3>(glm::dvec2 position_px)> foreground;
   int rays_per_side = 3;
@@ -38,8 +38,6 @@ struct BallScene {
     const double discriminant = b * b - glm::dot(center, center) + 1.0;
     if (discriminant < 0.0) return background ? background(glm::vec3(ray)) : environment(world(ray));
     const glm::dvec3 normal = (b - std::sqrt(discriminant)) * ray - center;
-    const double facing = -glm::dot(ray, normal);
-    const double reflectance = 1.0 - falloff * std::pow(1.0 - facing, 3.0);
     return static_cast<float>(reflectance) * environment(world(glm::reflect(ray, normal)));
   }
 

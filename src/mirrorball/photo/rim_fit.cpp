@@ -1,7 +1,8 @@
 #include "mirrorball/photo/rim_fit.h"
 
 #include <algorithm>
-#include <array>
+#include <limits>
+#include <map>
 #include <random>
 
 #include <glm/gtc/constants.hpp>
@@ -34,7 +35,14 @@ std::vector<double> slopeKernel(double blur_px, double step_px) {
   return kernel;
 }
 
-/// The edges of one radius, the strongest first.
+/// Where a slope falls below a bound outwards of its peak; NaN when it rises again before.
+double fallingBelow(const std::vector<double>& slope, std::size_t peak, double bound) {
+  for (std::size_t i = peak + 1; i < slope.size() && slope[i] <= slope[i - 1]; ++i)
+    if (slope[i] < bound) return double(i) - (bound - slope[i]) / (slope[i - 1] - slope[i]);
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The edges of one radius, the strongest first; lengths in samples.
 std::vector<EdgePoint> edgesOnRay(const std::vector<double>& profile, const std::vector<double>& kernel) {
   const int half = static_cast<int>(kernel.size()) / 2;
   std::vector<double> slope(profile.size(), 0.0);
@@ -47,10 +55,28 @@ std::vector<EdgePoint> edgesOnRay(const std::vector<double>& profile, const std:
     if (slope[i] <= slope[i - 1] || slope[i] < slope[i + 1]) continue;
     const double bend = slope[i - 1] - 2.0 * slope[i] + slope[i + 1];
     const double offset = bend < 0.0 ? 0.5 * (slope[i - 1] - slope[i + 1]) / bend : 0.0;
-    peaks.push_back({{double(i) + offset, 0.0}, 0, slope[i]});
+    EdgePoint peak{{double(i) + offset, 0.0}, 0, slope[i], {}, {}};
+    peak.to_half_px = fallingBelow(slope, i, 0.5 * slope[i]) - peak.plane_px.x;
+    peak.to_quarter_px = fallingBelow(slope, i, 0.25 * slope[i]) - peak.plane_px.x;
+    peaks.push_back(peak);
   }
   std::ranges::stable_sort(peaks, std::greater{}, &EdgePoint::strength);
   return peaks;
+}
+
+/// Whether the picture's gradient at a position points along a unit direction, within 26°: what merely happens to
+/// change along a radius mostly does not.
+bool runsAcross(const PlanePicture& picture, glm::dvec2 position, glm::dvec2 along, double step_px) {
+  constexpr double kCosine = 0.9;
+  const glm::dvec2 sideways(-along.y, along.x);
+  // The mean of three places across and along gives each component the same smoothing.
+  double radial = 0.0, tangential = 0.0;
+  for (const double shift : {-step_px, 0.0, step_px}) {
+    const glm::dvec2 a = position + shift * sideways, b = position + shift * along;
+    radial += picture.at(a + step_px * along) - picture.at(a - step_px * along);
+    tangential += picture.at(b + step_px * sideways) - picture.at(b - step_px * sideways);
+  }
+  return std::abs(radial) >= kCosine * std::hypot(radial, tangential);
 }
 
 }  // namespace
@@ -75,7 +101,7 @@ bool PlanePicture::contains(glm::dvec2 plane_px, double margin_px) const {
 
 std::vector<EdgePoint> edgesAcross(const PlanePicture& picture, const Circle& circle, int rays, double reach_px,
                                    double blur_px, double weakest) {
-  constexpr std::size_t kMostOnRay = 3;
+  constexpr std::size_t kMostOnRay = 4;
   const double step = std::max(0.25, blur_px / 4.0);
   const std::vector<double> kernel = slopeKernel(blur_px, step);
   const double reach = reach_px + 3.0 * blur_px;
@@ -102,8 +128,8 @@ std::vector<EdgePoint> edgesAcross(const PlanePicture& picture, const Circle& ci
       const double radius = circle.radius_px + (peak.plane_px.x - samples / 2) * step;
       const glm::dvec2 position = circle.center_px + radius * outwards;
       if (peak.strength >= weakest && std::abs(radius - circle.radius_px) <= reach_px &&
-          picture.contains(position, 2.0 * blur_px))
-        edges.push_back({position, ray, peak.strength});
+          picture.contains(position, 2.0 * blur_px) && runsAcross(picture, position, outwards, 1.5 * blur_px))
+        edges.push_back({position, ray, peak.strength, peak.to_half_px * step, peak.to_quarter_px * step});
     }
   }
   return edges;
@@ -209,17 +235,39 @@ Circle mostSupported(std::span<const EdgePoint> edges, const Circle& start, int 
   return best;
 }
 
-Circle refineCircle(std::span<const EdgePoint> edges, Circle circle, double tolerance_px) {
+std::vector<EdgePoint> correctedByFlanks(std::span<const EdgePoint> edges, const Circle& circle, double tolerance_px) {
+  // A Gaussian falls to a half at 1.177 σ and to a quarter at 1.665 σ.
+  constexpr double kHalf = 1.17741, kQuarter = 1.66511;
+  std::vector<double> widths;
+  for (const EdgePoint& edge : edges)
+    if (std::abs(distanceTo(circle, edge.plane_px)) < tolerance_px && std::isfinite(edge.to_quarter_px))
+      widths.push_back((edge.to_quarter_px - edge.to_half_px) / (kQuarter - kHalf));
+  std::vector<EdgePoint> corrected(edges.begin(), edges.end());
+  if (widths.empty()) return corrected;
+  const auto middle = widths.begin() + std::ptrdiff_t(widths.size() / 2);
+  std::ranges::nth_element(widths, middle);
+  for (EdgePoint& edge : corrected)
+    if (std::isfinite(edge.to_half_px))
+      edge.plane_px += (edge.to_half_px - kHalf * *middle) * glm::normalize(edge.plane_px - circle.center_px);
+  return corrected;
+}
+
+Circle refineCircle(std::span<const EdgePoint> edges, Circle circle, double first_px, double last_px) {
   constexpr int kRounds = 12;
   for (int round = 0; round < kRounds; ++round) {
-    // From the whole tolerance down to a third of it.
-    const double tolerance = tolerance_px * (1.0 - double(round) / (kRounds - 1) * 2.0 / 3.0);
+    const double tolerance = first_px * std::pow(last_px / first_px, double(round) / (kRounds - 1));
+    std::map<int, glm::dvec2> outermost;  // of each radius
+    for (const EdgePoint& edge : edges) {
+      if (std::abs(distanceTo(circle, edge.plane_px)) >= tolerance) continue;
+      const auto [entry, is_first] = outermost.try_emplace(edge.ray, edge.plane_px);
+      if (!is_first && distanceTo(circle, edge.plane_px) > distanceTo(circle, entry->second))
+        entry->second = edge.plane_px;
+    }
     std::vector<glm::dvec2> points;
     std::vector<double> weights;
-    for (const EdgePoint& edge : edges) {
-      const double share = distanceTo(circle, edge.plane_px) / tolerance;
-      if (std::abs(share) >= 1.0) continue;
-      points.push_back(edge.plane_px);
+    for (const auto& [ray, point] : outermost) {
+      const double share = distanceTo(circle, point) / tolerance;
+      points.push_back(point);
       weights.push_back((1.0 - share * share) * (1.0 - share * share));
     }
     const auto fitted = fitCircle(points, weights);

@@ -29,8 +29,10 @@ class PlanePicture {
 /// A place on a radius of a rim where the brightness changes most.
 struct EdgePoint {
   glm::dvec2 plane_px;
-  int ray = 0;            ///< which radius it lies on
-  double strength = 0.0;  ///< the change of brightness a pixel
+  int ray = 0;                 ///< which radius it lies on
+  double strength = 0.0;       ///< the change of brightness a pixel
+  double to_half_px = 0.0;     ///< how far outwards that change has fallen to a half; NaN: another edge comes first
+  double to_quarter_px = 0.0;  ///< and to a quarter
 };
 
 /// Looks along the radii of a circle for edges that run across them.
@@ -39,7 +41,7 @@ struct EdgePoint {
 /// reach_px   how far inside and outside the circle
 /// blur_px    width of the Gaussian whose derivative finds the edges
 /// weakest    the least change of brightness a pixel
-/// returns    at most three a radius, the strongest; found between samples by a parabola
+/// returns    at most four a radius, the strongest; found between samples by a parabola
 std::vector<EdgePoint> edgesAcross(const PlanePicture& picture, const Circle& circle, int rays, double reach_px,
                                    double blur_px, double weakest);
 
@@ -65,7 +67,14 @@ RimSupport supportOf(const PlanePicture& picture, const Circle& circle, std::spa
 Circle mostSupported(std::span<const EdgePoint> edges, const Circle& start, int rays, double reach_px,
                      double tolerance_px);
 
-/// Least squares over the edges near a circle, repeated with Tukey's weights while the tolerance shrinks.
-Circle refineCircle(std::span<const EdgePoint> edges, Circle circle, double tolerance_px);
+/// Moves edges to where their outer flanks say that they are. The lines just inside a mirror ball's rim melt together
+/// with it in the picture and draw the peak inwards, but hardly change its outer flank. There the peak is a Gaussian
+/// whose width, that of the picture's own blur, is the median over the edges near the circle.
+std::vector<EdgePoint> correctedByFlanks(std::span<const EdgePoint> edges, const Circle& circle, double tolerance_px);
+
+/// Least squares with Tukey's weights over the edges near a circle, repeated while the tolerance shrinks. Of each radius
+/// the outermost edge within the tolerance counts: just inside a mirror ball's rim its surroundings are squeezed into
+/// lines that run along the rim, outside of it nothing does.
+Circle refineCircle(std::span<const EdgePoint> edges, Circle circle, double first_px, double last_px);
 
 }  // namespace mirrorball

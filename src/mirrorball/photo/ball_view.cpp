@@ -4,30 +4,9 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "formula/formula.h"
+
 namespace mirrorball {
-namespace {
-
-/// On a ball seen from `1 / inverse_distance` radii, the light from the angle θ off the way to the camera is reflected
-/// where the normal stands α off it. The ray to the camera leaves the ball at β = atan2(sin α, distance − cos α) on the
-/// other side, and the normal halves the angle: θ − α = α + β. Solved by Newton's method, which converges from α = θ/2
-/// since θ(α) = 2α + β grows and is bent one way only.
-double normalAngle(double theta, double inverse_distance) {
-  const double k = inverse_distance;
-  const double largest = std::acos(k);
-  double alpha = std::min(theta / 2.0, largest);
-  for (int step = 0; step < 20; ++step) {
-    const double c = std::cos(alpha);
-    const double beta = std::atan2(k * std::sin(alpha), 1.0 - k * c);
-    const double slope = 2.0 + k * (c - k) / (1.0 - 2.0 * k * c + k * k);
-    const double change = (theta - 2.0 * alpha - beta) / slope;
-    alpha = std::clamp(alpha + change, 0.0, largest);
-    if (std::abs(change) < 1e-12) break;
-  }
-  return alpha;
-}
-
-}  // namespace
-
 BallView::BallView(const Lens& lens, const Circle& rim) : lens_(lens), rim_(rim) {
   if (lens.isOrthographic()) return;
   // The rim's nearest and farthest points from the picture's middle give the cone's axis and half-angle.
@@ -45,44 +24,45 @@ double BallView::fromRim_px(glm::dvec2 position_px) const {
   return rim_.radius_px - glm::distance(lens_.planeFromPicture(position_px), rim_.center_px);
 }
 
-std::optional<SeenAt> BallView::seenAt(glm::dvec3 direction) const {
-  const double along = -glm::dot(direction, axis_);
-  const glm::dvec3 across = direction + along * axis_;
-  const double sine = glm::length(across);
-  const double theta = std::atan2(sine, along);
-  if (theta >= glm::pi<double>() - blindHalfAngle_rad()) return {};
-  const double alpha = normalAngle(theta, sine_of_rim_);
-  const glm::dvec3 sideways = sine > 0.0 ? across / sine : glm::dvec3(0.0);
-  const glm::dvec3 normal = std::sin(alpha) * sideways - std::cos(alpha) * axis_;
-  const glm::dvec2 position = lens_.isOrthographic() ? rim_.center_px + rim_.radius_px * glm::dvec2(normal.x, -normal.y)
-                                                     : lens_.pictureOf(axis_ + sine_of_rim_ * normal);
-  return SeenAt{position, std::cos(theta - alpha), fromRim_px(position)};
+glm::dmat3 BallView::worldFromBall() const {
+  const glm::dvec3 any = std::abs(axis_.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+  const glm::dvec3 x = glm::normalize(glm::cross(axis_, any));
+  return {x, glm::cross(x, axis_), -axis_};
 }
 
-glm::dvec3 BallView::normalAt(glm::dvec2 position_px) const {
-  if (lens_.isOrthographic()) {
-    const glm::dvec2 p = (position_px - rim_.center_px) / rim_.radius_px;
-    return {p.x, -p.y, std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p)))};
-  }
-  // In units of the distance: the near one of the two points where the ray meets the sphere.
-  const glm::dvec3 ray = lens_.rayThrough(position_px);
-  const double along = glm::dot(ray, axis_);
-  const double square = along * along - 1.0 + sine_of_rim_ * sine_of_rim_;
-  const double t = along - std::sqrt(std::max(0.0, square));
-  return glm::normalize(t * ray - axis_);
+std::optional<SeenAt> BallView::seenAt(glm::dvec3 direction) const {
+  const glm::dmat3 world_from_ball = worldFromBall();
+  const auto k = static_cast<float>(sine_of_rim_);
+  const glm::vec3 of_ball(glm::transpose(world_from_ball) * direction);
+  if (!formula::mirrorBallCovers(of_ball, k)) return {};
+  const glm::dvec2 uv(formula::mirrorBallPosition(of_ball, k));
+  const glm::dvec2 on_disc(2.0 * uv.x - 1.0, 1.0 - 2.0 * uv.y);
+  // cos β of mirror_ball.glsl, from the distance from the disc's middle.
+  const double inside = std::max(0.0, 1.0 - glm::dot(on_disc, on_disc));
+  const double square = sine_of_rim_ * sine_of_rim_;
+  const double facing = std::sqrt((1.0 - square) * inside / (1.0 - square * inside));
+  const glm::dvec2 position =
+      lens_.isOrthographic()
+          ? rim_.center_px + rim_.radius_px * glm::dvec2(on_disc.x, -on_disc.y)
+          : lens_.pictureOf(world_from_ball * glm::dvec3(std::tan(blindHalfAngle_rad()) * on_disc, -1.0));
+  return SeenAt{position, facing, fromRim_px(position)};
 }
 
 std::optional<glm::dvec3> BallView::directionAt(glm::dvec2 position_px) const {
   if (fromRim_px(position_px) < 0.0) return {};
-  const glm::dvec3 ray = lens_.isOrthographic() ? axis_ : lens_.rayThrough(position_px);
-  const glm::dvec3 normal = normalAt(position_px);
-  return glm::normalize(ray - 2.0 * glm::dot(ray, normal) * normal);
+  const glm::dmat3 world_from_ball = worldFromBall();
+  glm::dvec2 on_disc = (position_px - rim_.center_px) / rim_.radius_px * glm::dvec2(1.0, -1.0);
+  if (!lens_.isOrthographic()) {
+    const glm::dvec3 ray = glm::transpose(world_from_ball) * lens_.rayThrough(position_px);
+    on_disc = glm::dvec2(ray) / (-ray.z * std::tan(blindHalfAngle_rad()));
+  }
+  const glm::vec2 uv((1.0 + on_disc.x) / 2.0, (1.0 - on_disc.y) / 2.0);
+  return world_from_ball * glm::dvec3(formula::mirrorBallDirection(uv, static_cast<float>(sine_of_rim_)));
 }
 
 double BallView::unseenHalfAngle_rad(double margin_px) const {
   // By bisection on the circle of directions through the axis: what is seen moves inwards as the angle grows.
-  const glm::dvec3 sideways = glm::normalize(std::abs(axis_.y) < 0.9 ? glm::cross(axis_, glm::dvec3(0.0, 1.0, 0.0))
-                                                                     : glm::dvec3(1.0, 0.0, 0.0));
+  const glm::dvec3 sideways = worldFromBall()[0];
   double low = blindHalfAngle_rad();
   double high = glm::pi<double>();
   for (int step = 0; step < 50; ++step) {

@@ -51,7 +51,8 @@ class BallView {
   std::vector<glm::dvec2> outline(int count) const;
 
  private:
-  glm::dvec3 normalAt(glm::dvec2 position_px) const;
+  /// The axes of mirror_ball.glsl, where the camera stands on +Z: any roll will do, since the ball is round.
+  glm::dmat3 worldFromBall() const;
 
   Lens lens_;
   Circle rim_;

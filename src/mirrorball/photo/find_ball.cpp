@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 
 #include <glm/gtc/constants.hpp>
 
@@ -16,7 +14,7 @@ namespace mirrorball {
 namespace {
 
 constexpr int kCoarseSide = 320;
-constexpr double kLeastShare = 0.4;  // of the rim, beyond chance
+constexpr double kLeastShare = 0.4;
 
 /// Brightness as the eye grades it, in any exposure: the median becomes a middle grey, lights above it are compressed,
 /// so that a lamp's edge is no stronger than a hundred times the rim's.
@@ -62,7 +60,7 @@ Image planeImage(const PlanePicture& picture, int width, int height, double scal
 struct Fit {
   Circle circle;
   RimSupport support;
-  double beyond_chance = 0.0;  ///< share less what circles a little larger and smaller have
+  double sureness = 0.0;  ///< 0 … 1: share, less what circles a little larger and smaller have, less for small circles
 };
 
 /// Fits a candidate to the edges around it. `pixel` is the size of the picture's texels.
@@ -84,7 +82,9 @@ Fit fitCandidate(const PlanePicture& picture, const Circle& candidate, double pi
     const Circle beside{fit.circle.center_px, fit.circle.radius_px + side * tolerance};
     chance += 0.5 * supportOf(picture, beside, across, kRays, tolerance).share;
   }
-  fit.beyond_chance = fit.support.share - 0.5 * chance;
+  // The fewer texels a circle has, the more easily chance makes one: 10 texels of radius count half, 30 nearly wholly.
+  const double size = 1.0 - std::exp(-candidate.radius_px / pixel / 15.0);
+  fit.sureness = size * (fit.support.share - 0.5 * chance);
   return fit;
 }
 
@@ -96,14 +96,9 @@ std::optional<Fit> bestCandidate(const PlanePicture& picture, int width, int hei
     for (std::size_t i = begin; i < end; ++i)
       fits[i] = fitCandidate(picture, {candidates[i].center_px * pixel, candidates[i].radius_px * pixel}, pixel);
   });
-    for (std::size_t i = 0; i < fits.size(); ++i)
-      std::printf("cand (%.1f %.1f) %.1f -> (%.1f %.1f) %.1f share %.2f rms %.2f beyond %.2f\n",
-                  candidates[i].center_px.x * pixel, candidates[i].center_px.y * pixel, candidates[i].radius_px * pixel,
-                  fits[i].circle.center_px.x, fits[i].circle.center_px.y, fits[i].circle.radius_px,
-                  fits[i].support.share, fits[i].support.rms_px, fits[i].beyond_chance);
   std::optional<Fit> best;
   for (const Fit& fit : fits)
-    if (fit.support.visible > 0.4 && (!best || fit.beyond_chance > best->beyond_chance)) best = fit;
+    if (fit.support.visible > 0.4 && (!best || fit.sureness > best->sureness)) best = fit;
   return best;
 }
 
@@ -176,7 +171,7 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective, c
   const Image coarse = shrunk(grey, factor);
   Lens lens{middle, perspective.focal_px};
   const auto found = bestCandidate(PlanePicture(coarse, lens, factor), coarse.width(), coarse.height(), factor);
-  if (!found || found->beyond_chance < kLeastShare)
+  if (!found || found->sureness < kLeastShare)
     return fail(ErrorCode::bad_shape,
                 name + ": no ball's rim is found" +
                     (found ? " (the best circle has an edge along only " + percent(found->support.share) +

@@ -150,6 +150,45 @@ std::vector<double> contradictions(const CodesOfAll& codes, std::span<const doub
   return medians;
 }
 
+double greatest(const std::vector<double>& stops) {
+  double result = 0.0;
+  for (const double stop : stops) result = std::max(result, std::abs(stop));
+  return result;
+}
+
+/// The response that the options ask for.
+Result<Response> responseOf(const CodesOfAll& codes, std::span<const double> exposures, const MergeOptions& options) {
+  if (codes.size() > 1 && !options.response) return recoverResponse(codes, exposures);
+  return assumedResponse(options.response.value_or(ResponseKind::srgb));
+}
+
+/// How far each photograph lies off the others. One that is wrong makes its neighbours look wrong too, and bends the
+/// recovered response: so where there is a contradiction, each is left out in turn, and the one without which the rest
+/// agree best is held against that rest.
+std::vector<double> namedContradictions(const CodesOfAll& codes, const std::vector<double>& exposures,
+                                        const Response& response, const MergeOptions& options) {
+  std::vector<double> stops = contradictions(codes, exposures, response);
+  // Of two, neither is the odd one out; and for any two exposures some response makes them agree.
+  const std::size_t fewest = options.response ? 3 : 4;
+  if (greatest(stops) < kContradiction_stops / 2.0 || codes.size() < fewest) return stops;
+  double least = greatest(stops);
+  for (std::size_t odd = 0; odd < codes.size(); ++odd) {
+    CodesOfAll rest = codes;
+    std::vector<double> rest_exposures = exposures;
+    rest.erase(rest.begin() + std::ptrdiff_t(odd));
+    rest_exposures.erase(rest_exposures.begin() + std::ptrdiff_t(odd));
+    const auto of_rest = responseOf(rest, rest_exposures, options);
+    if (!of_rest) continue;
+    const std::vector<double> rest_stops = contradictions(rest, rest_exposures, *of_rest);
+    if (greatest(rest_stops) >= least) continue;
+    least = greatest(rest_stops);
+    const double off = contradictions(codes, exposures, *of_rest)[odd];
+    stops = rest_stops;
+    stops.insert(stops.begin() + std::ptrdiff_t(odd), off);
+  }
+  return stops;
+}
+
 }  // namespace
 
 Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photographs, const MergeOptions& options) {
@@ -168,15 +207,11 @@ Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photograp
 
   CodesOfAll codes;
   for (const Photograph& photograph : photographs) codes.push_back(&photograph.codes);
-  Response response = assumedResponse(options.response.value_or(ResponseKind::srgb));
-  merged.response = nameOf(options.response.value_or(ResponseKind::srgb));
-  if (photographs.size() > 1 && !options.response) {
-    MIRRORBALL_TRY(recovered, recoverResponse(codes, exposures));
-    response = recovered;
-    merged.response = "recovered";
-  }
+  MIRRORBALL_TRY(response, responseOf(codes, exposures, options));
+  const bool is_recovered = photographs.size() > 1 && !options.response;
+  merged.response = is_recovered ? "recovered" : nameOf(options.response.value_or(ResponseKind::srgb));
   mergeCodes(codes, exposures, response, merged);
-  merged.contradicts_stops = contradictions(codes, exposures, response);
+  merged.contradicts_stops = namedContradictions(codes, exposures, response, options);
   return merged;
 }
 

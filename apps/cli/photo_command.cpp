@@ -145,7 +145,9 @@ struct Side {
 void note(const std::string& text) { std::fprintf(stderr, "mirrorball: note: %s\n", text.c_str()); }
 
 /// Reads and merges a series, and says what there is to say about it.
-Result<Image> readLight(const Side& side, const PhotoOptions& options, Exif& exif) {
+///
+/// curve    the camera's response once a series has shown it: used for later single photographs, set by a series
+Result<Image> readLight(const Side& side, const PhotoOptions& options, Exif& exif, std::optional<Response>& curve) {
   std::vector<Photograph> photographs;
   for (const std::string& file : side.files) {
     MIRRORBALL_TRY(photograph, readPhotograph(file));
@@ -155,7 +157,9 @@ Result<Image> readLight(const Side& side, const PhotoOptions& options, Exif& exi
   MIRRORBALL_TRY(exposures, parseExposures(side.exposures));
   how.exposures = std::move(exposures);
   if (options.response > 0) how.response = static_cast<ResponseKind>(options.response - 1);
+  if (photographs.size() == 1 && !how.response) how.known = curve;
   MIRRORBALL_TRY(merged, mergePhotographs(photographs, how));
+  if (merged.curve) curve = merged.curve;
   exif = photographs[merged.reference].exif;
   if (photographs.size() > 1)
     std::printf("light      %zu photographs merged as aligned, response %s, scale of %s\n", photographs.size(),
@@ -168,15 +172,20 @@ Result<Image> readLight(const Side& side, const PhotoOptions& options, Exif& exi
   if (merged.black > 0) std::printf("black      %zu pixels even in the longest exposure\n", merged.black);
   for (std::size_t i = 0; i < photographs.size(); ++i)
     if (const double stops = merged.contradicts_stops[i]; std::abs(stops) > kContradiction_stops)
-      note(photographs[i].name + " contradicts the others: it is " +
-           formatNumber(std::round(std::abs(stops) * 10) / 10) + (stops > 0 ? " stops brighter" : " stops darker") +
-           " than its exposure says; is the exposure right, and did nothing move?");
+      note(photographs[i].name + " contradicts the others by " + formatNumber(std::round(std::abs(stops) * 10) / 10) +
+           " stops: it is too " + (stops > 0 ? "bright" : "dark") +
+           " for its exposure; is that right, and did nothing move?");
   return std::move(merged.light);
 }
 
 Result<Perspective> perspectiveOf(const PhotoOptions& options, const Exif& exif, const Image& light) {
   if (options.distance > 0.0f && options.fov_deg > 0.0f)
     return fail(ErrorCode::usage, "--distance and --fov say the same: give one, the other follows from the rim");
+  if (options.distance > 0.0f && options.distance <= 1.0f)
+    return fail(ErrorCode::usage,
+                "--distance is from the camera to the ball's centre in radii of the ball, so more than "
+                "1; it was given " +
+                    formatNumber(double(options.distance)));
   if (options.distance > 0.0f) return Perspective{.distance = double(options.distance), .focal_px = 0.0};
   if (options.fov_deg > 0.0f)
     return Perspective{.distance = 0.0, .focal_px = focalLengthFromFov(double(options.fov_deg), light.height())};
@@ -185,8 +194,8 @@ Result<Perspective> perspectiveOf(const PhotoOptions& options, const Exif& exif,
 
 void printBall(const FoundBall& ball, const Image& light, bool is_given) {
   const BallView& view = ball.view;
-  const glm::dvec2 center = view.lens().pictureFromPlane(view.rim().center_px);
-  std::printf("ball       centre (%.2f, %.2f), radius %.2f px", center.x, center.y, view.rim().radius_px);
+  const Circle circle = circleInPicture(view);
+  std::printf("ball       circle %.2f,%.2f,%.2f px", circle.center_px.x, circle.center_px.y, circle.radius_px);
   if (is_given)
     std::printf(", as given\n");
   else
@@ -212,9 +221,9 @@ void printBlindCone(const BallView& view) {
       glm::degrees(blind), capSolidAngle(blind), rimMargin_px(view), glm::degrees(unseen), capSolidAngle(unseen));
 }
 
-Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options) {
+Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, std::optional<Response>& curve) {
   Exif exif;
-  MIRRORBALL_TRY(light, readLight(side, options, exif));
+  MIRRORBALL_TRY(light, readLight(side, options, exif, curve));
   MIRRORBALL_TRY(perspective, perspectiveOf(options, exif, light));
   const bool is_given = !side.circle.empty();
   const auto findOrTake = [&]() -> Result<FoundBall> {
@@ -245,14 +254,15 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
   MIRRORBALL_TRY(layout, cubeLayoutNamed(options.layout));
   MIRRORBALL_TRY_VOID(checkFiles(inputs, options));
   std::vector<BallPhotograph> sides;
-  MIRRORBALL_TRY(first, readSide({inputs, options.circle, options.exposures, 0.0, options.debug}, options));
+  std::optional<Response> curve;
+  MIRRORBALL_TRY(first, readSide({inputs, options.circle, options.exposures, 0.0, options.debug}, options, curve));
   sides.push_back(std::move(first));
   if (!options.second.empty()) {
     const std::string& exposures = options.second_exposures.empty() ? options.exposures : options.second_exposures;
     const std::string debug = options.debug.empty() ? "" : suffixed(options.debug, "_second");
     MIRRORBALL_TRY(
         second, readSide({options.second, options.second_circle, exposures, double(options.second_rotation_deg), debug},
-                         options));
+                         options, curve));
     sides.push_back(std::move(second));
   }
   MIRRORBALL_TRY(unwrapped, unwrapBall(std::move(sides)));

@@ -122,29 +122,25 @@ Fit refined(const PlanePicture& picture, Circle circle, double within_px) {
   return fit;
 }
 
-/// The focal length with which a rim at these positions belongs to a ball at that distance: the rim's half-angle is
-/// asin(1 / distance). A fixed point, since the half-angle's tangent is nearly inverse to the focal length.
-double focalForDistance(const std::vector<glm::dvec2>& rim, glm::dvec2 middle_px, double distance, double start_px) {
-  const std::vector<double> weights(rim.size(), 1.0);
-  const double wanted = std::tan(std::asin(1.0 / distance));
-  double focal = start_px;
-  for (int step = 0; step < 60; ++step) {
-    const Lens lens{middle_px, focal};
-    std::vector<glm::dvec2> plane;
-    for (const glm::dvec2 position : rim) plane.push_back(lens.planeFromPicture(position));
-    const auto circle = fitCircle(plane, weights);
-    if (!circle) break;
-    const double ratio = std::tan(BallView(lens, *circle).blindHalfAngle_rad()) / wanted;
-    focal *= ratio;
-    if (std::abs(ratio - 1.0) < 1e-10) break;
-  }
-  return focal;
-}
-
+/// The circle of the lens' plane that fits these positions of the picture best.
 Circle planeCircle(const Lens& lens, const std::vector<glm::dvec2>& rim, const Circle& otherwise) {
   std::vector<glm::dvec2> plane;
   for (const glm::dvec2 position : rim) plane.push_back(lens.planeFromPicture(position));
   return fitCircle(plane, std::vector<double>(plane.size(), 1.0)).value_or(otherwise);
+}
+
+/// The focal length with which a rim at these positions belongs to a ball at that distance: the rim's half-angle is
+/// asin(1 / distance). A fixed point, since the half-angle's tangent is nearly inverse to the focal length.
+double focalForDistance(const std::vector<glm::dvec2>& rim, glm::dvec2 middle_px, double distance, double start_px) {
+  const double wanted = std::tan(std::asin(1.0 / distance));
+  double focal = start_px;
+  for (int step = 0; step < 60; ++step) {
+    const Lens lens{middle_px, focal};
+    const double ratio = std::tan(BallView(lens, planeCircle(lens, rim, {})).blindHalfAngle_rad()) / wanted;
+    focal *= ratio;
+    if (std::abs(ratio - 1.0) < 1e-10) break;
+  }
+  return focal;
 }
 
 Lens lensFor(const Perspective& perspective, glm::dvec2 middle_px, const BallView& seen, double start_px) {
@@ -162,6 +158,10 @@ std::string percent(double share) { return std::to_string(std::lround(100.0 * sh
 }  // namespace
 
 double focalLengthFromFov(double fov_deg, int height) { return height / 2.0 / std::tan(glm::radians(fov_deg) / 2.0); }
+
+Circle circleInPicture(const BallView& view) {
+  return planeCircle(Lens{view.lens().middle_px, 0.0}, view.outline(64), view.rim());
+}
 
 Result<FoundBall> findBall(const Image& light, const Perspective& perspective, const std::string& name) {
   const std::string advice = "; give it with --circle x,y,r in pixels";

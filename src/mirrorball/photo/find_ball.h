@@ -42,6 +42,9 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective, c
 /// errors   usage: the circle has no radius, or lies wholly beside the picture
 Result<FoundBall> ballOfCircle(const Circle& circle, glm::ivec2 size, const Perspective& perspective);
 
+/// The circle that fits a ball's outline in the photograph best: what ballOfCircle takes.
+Circle circleInPicture(const BallView& view);
+
 /// The focal length in pixels of a photograph of that height with that vertical field of view.
 double focalLengthFromFov(double fov_deg, int height);
 

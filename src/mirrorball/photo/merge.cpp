@@ -122,32 +122,36 @@ void mergeCodes(const CodesOfAll& codes, std::span<const double> exposures, cons
   }
 }
 
-/// How many stops each photograph lies off what the others say of the same places: the median.
+/// How many stops each photograph is brighter than its exposure says, against the one that it agrees with best: the
+/// median over the places that both show. One that is wrong agrees with none, and all others with one another.
 std::vector<double> contradictions(const CodesOfAll& codes, std::span<const double> exposures,
                                    const Response& response) {
-  std::vector<std::vector<double>> stops(codes.size());
+  const std::size_t count = codes.size();
+  std::vector<std::vector<double>> stops(count * count);
   forEachSmoothPlace(codes, [&](std::span<const std::array<double, 3>> mean) {
+    constexpr double kLeastTrust = 0.1;
     for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t p = 0; p < mean.size(); ++p) {
-        const auto codeOf = [&](std::size_t i) { return static_cast<int>(std::lround(mean[i][c])); };
-        const auto lightOf = [&](std::size_t i) { return double(response.light[c][std::size_t(codeOf(i))]); };
-        // A code that is hardly trusted neither contradicts nor is contradicted.
-        constexpr double kLeastTrust = 0.1;
-        Evidence others;
-        for (std::size_t other = 0; other < mean.size(); ++other)
-          if (const double trust = trustIn(codeOf(other)); other != p && trust > kLeastTrust)
-            others.add(lightOf(other), trust, exposures[other]);
-        if (trustIn(codeOf(p)) < kLeastTrust || others.weights == 0.0) continue;
-        stops[p].push_back(std::log2(lightOf(p) / exposures[p] * others.weights / others.weighted));
-      }
+      for (std::size_t p = 0; p < count; ++p)
+        for (std::size_t other = 0; other < p; ++other) {
+          const auto code = [&](std::size_t i) { return static_cast<int>(std::lround(mean[i][c])); };
+          if (std::min(trustIn(code(p)), trustIn(code(other))) < kLeastTrust) continue;
+          const auto light = [&](std::size_t i) { return response.light[c][std::size_t(code(i))] / exposures[i]; };
+          stops[p * count + other].push_back(std::log2(light(p) / light(other)));
+        }
   });
-  std::vector<double> medians;
-  for (auto& of_one : stops) {
-    const auto middle = of_one.begin() + std::ptrdiff_t(of_one.size() / 2);
-    std::nth_element(of_one.begin(), middle, of_one.end());
-    medians.push_back(of_one.empty() ? 0.0 : *middle);
-  }
-  return medians;
+  std::vector<double> least(count, 1e9);
+  for (std::size_t p = 0; p < count; ++p)
+    for (std::size_t other = 0; other < p; ++other) {
+      std::vector<double>& of_pair = stops[p * count + other];
+      if (of_pair.empty()) continue;
+      const auto middle = of_pair.begin() + std::ptrdiff_t(of_pair.size() / 2);
+      std::ranges::nth_element(of_pair, middle);
+      if (std::abs(*middle) < std::abs(least[p])) least[p] = *middle;
+      if (std::abs(*middle) < std::abs(least[other])) least[other] = -*middle;
+    }
+  // Those that share no place with any other contradict none.
+  std::ranges::replace(least, 1e9, 0.0);
+  return least;
 }
 
 double greatest(const std::vector<double>& stops) {
@@ -158,6 +162,7 @@ double greatest(const std::vector<double>& stops) {
 
 /// The response that the options ask for.
 Result<Response> responseOf(const CodesOfAll& codes, std::span<const double> exposures, const MergeOptions& options) {
+  if (options.known) return *options.known;
   if (codes.size() > 1 && !options.response) return recoverResponse(codes, exposures);
   return assumedResponse(options.response.value_or(ResponseKind::srgb));
 }
@@ -169,7 +174,7 @@ std::vector<double> namedContradictions(const CodesOfAll& codes, const std::vect
                                         const Response& response, const MergeOptions& options) {
   std::vector<double> stops = contradictions(codes, exposures, response);
   // Of two, neither is the odd one out; and for any two exposures some response makes them agree.
-  const std::size_t fewest = options.response ? 3 : 4;
+  const std::size_t fewest = options.response || options.known ? 3 : 4;
   if (greatest(stops) < kContradiction_stops / 2.0 || codes.size() < fewest) return stops;
   double least = greatest(stops);
   for (std::size_t odd = 0; odd < codes.size(); ++odd) {
@@ -208,8 +213,12 @@ Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photograp
   CodesOfAll codes;
   for (const Photograph& photograph : photographs) codes.push_back(&photograph.codes);
   MIRRORBALL_TRY(response, responseOf(codes, exposures, options));
-  const bool is_recovered = photographs.size() > 1 && !options.response;
-  merged.response = is_recovered ? "recovered" : nameOf(options.response.value_or(ResponseKind::srgb));
+  merged.response = nameOf(options.response.value_or(ResponseKind::srgb));
+  if (options.known) merged.response = "the first side's";
+  if (!options.known && !options.response && photographs.size() > 1) {
+    merged.response = "recovered";
+    merged.curve = response;
+  }
   mergeCodes(codes, exposures, response, merged);
   merged.contradicts_stops = namedContradictions(codes, exposures, response, options);
   return merged;

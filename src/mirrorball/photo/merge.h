@@ -14,6 +14,7 @@ namespace mirrorball {
 struct MergeOptions {
   std::vector<double> exposures;         ///< one a photograph, > 0; empty: from EXIF
   std::optional<ResponseKind> response;  ///< to assume; nothing: recovered from a series, sRGB of a single photograph
+  std::optional<Response> known = {};    ///< the camera's curve, recovered before; used instead of `response`
 };
 
 /// The light of a series.
@@ -22,8 +23,9 @@ struct MergedPhotographs {
   std::size_t reference = 0;              ///< index of the photograph with the middle exposure
   std::size_t clipped = 0;                ///< pixels with a channel that even the shortest exposure clips
   std::size_t black = 0;                  ///< pixels with a channel that is black even in the longest
-  std::vector<double> contradicts_stops;  ///< of each photograph, how far it lies off what the others say
-  std::string response;                   ///< "recovered", "assumed sRGB", …, "linear light"
+  std::vector<double> contradicts_stops;  ///< of each photograph, how far it is off the one it agrees with best
+  std::optional<Response> curve;          ///< of a camera whose response was recovered
+  std::string response;                   ///< "recovered", "the first side's", "assumed sRGB", …, "linear light"
 };
 
 /// Beyond this a photograph contradicts the others: its exposure is wrong, or its scene is another.

@@ -194,6 +194,22 @@ std::vector<double> namedContradictions(const CodesOfAll& codes, const std::vect
   return stops;
 }
 
+/// As namedContradictions; but where few shades are in the scene, a recovered response may bend so far that it agrees
+/// with a wrong exposure. So what disagrees by more than a stop under sRGB counts too, as long as the others agree: then
+/// it is not the camera's curve that is unlike sRGB's.
+std::vector<double> allContradictions(const CodesOfAll& codes, const std::vector<double>& exposures,
+                                      const Response& response, const MergeOptions& options) {
+  const std::vector<double> stops = namedContradictions(codes, exposures, response, options);
+  const bool is_recovered = codes.size() > 2 && !options.response && !options.known;
+  if (!is_recovered || greatest(stops) > kContradiction_stops) return stops;
+  MergeOptions assumed = options;
+  assumed.response = ResponseKind::srgb;
+  const auto by_srgb = namedContradictions(codes, exposures, assumedResponse(ResponseKind::srgb), assumed);
+  const auto contradicts = [](double stop) { return std::abs(stop) > kContradiction_stops; };
+  const bool is_one = std::ranges::count_if(by_srgb, contradicts) == 1;
+  return is_one && greatest(by_srgb) > 2.0 * kContradiction_stops ? by_srgb : stops;
+}
+
 }  // namespace
 
 Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photographs, const MergeOptions& options) {
@@ -220,7 +236,7 @@ Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photograp
     merged.curve = response;
   }
   mergeCodes(codes, exposures, response, merged);
-  merged.contradicts_stops = namedContradictions(codes, exposures, response, options);
+  merged.contradicts_stops = allContradictions(codes, exposures, response, options);
   return merged;
 }
 

@@ -172,6 +172,21 @@ TEST(Merge, OneThatContradictsTheOthersIsNamed) {
     }
 }
 
+TEST(Merge, OneIsNamedWhereTheResponseCouldBendToIt) {
+  // Two shades only: some curve agrees with any exposures.
+  Image light(100, 100, 3, 0.05f);
+  for (int y = 0; y < 50; ++y) std::fill_n(light.row(y).data(), 300, 2.0f);
+  const std::vector<double> taken{1.0 / 64, 1.0 / 8, 1.0}, said{1.0 / 64, 1.0 / 2, 1.0};
+  const auto merged = mergePhotographs(seriesOf(light, taken, srgb), {.exposures = said, .response = {}});
+  ASSERT_TRUE(merged);
+  EXPECT_NEAR(merged->contradicts_stops[1], -2.0, 0.3);
+  // A camera unlike sRGB contradicts nothing.
+  const auto linear = [](double l) { return l; };
+  const auto right = mergePhotographs(seriesOf(rampOfLight(1e-2, 100.0), kExposures, linear),
+                                      {.exposures = kExposures, .response = {}});
+  EXPECT_THAT(right->contradicts_stops, Each(::testing::DoubleNear(0.0, kContradiction_stops)));
+}
+
 TEST(Merge, OnePhotographNeedsNoTime) {
   const auto merged = mergePhotographs(seriesOf(Image(8, 8, 3, 0.3f), {1.0}, srgb), {});
   ASSERT_TRUE(merged);

@@ -71,21 +71,29 @@ void addSample(const Sample& sample, NormalEquations& equations) {
   }
 }
 
-/// Adds λ Σ w² g″², and g(128) = 0.
+/// ln light of a code by sRGB, whose slope near black is kept finite.
+double srgbLogarithm(int code) {
+  return std::log(double(formula::linearFromSrgb1((static_cast<float>(code) + 0.5f) / 255.5f)));
+}
+
+/// Adds λ Σ w² (g − s)″² with sRGB's s, and g(128) = s(128).
 void addSmoothness(double strength, NormalEquations& equations) {
   constexpr std::array<double, 3> kSecondDifference{1.0, -2.0, 1.0};
   for (int code = 1; code + 1 < kCodes; ++code) {
     const double w = strength * std::pow(trustInCode(code), 2.0);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        equations.at(code - 1 + i, code - 1 + j) +=
-            w * kSecondDifference[std::size_t(i)] * kSecondDifference[std::size_t(j)];
+    const double bend = srgbLogarithm(code - 1) - 2.0 * srgbLogarithm(code) + srgbLogarithm(code + 1);
+    for (int i = 0; i < 3; ++i) {
+      const double share = w * kSecondDifference[std::size_t(i)];
+      equations.right(code - 1 + i) += share * bend;
+      for (int j = 0; j < 3; ++j) equations.at(code - 1 + i, code - 1 + j) += share * kSecondDifference[std::size_t(j)];
+    }
   }
   equations.at(kGreyCode, kGreyCode) += 1e3 * strength;
+  equations.right(kGreyCode) += 1e3 * strength * srgbLogarithm(kGreyCode);
 }
 
 /// g = ln light of every code, from samples of which no code is too often.
-std::vector<double> solveChannel(const std::vector<Sample>& samples) {
+std::vector<double> solveCurve(const std::vector<Sample>& samples) {
   // Dark backgrounds would outvote all else: of each code in the first photograph that shows it, the first few count.
   constexpr int kMostOfOneCode = 60;
   std::array<int, kCodes> taken{};
@@ -159,7 +167,7 @@ void forEachSmoothPlace(std::span<const Image8* const> codes,
 }
 
 Result<Response> recoverResponse(std::span<const Image8* const> codes, std::span<const double> exposures) {
-  std::array<std::vector<Sample>, 3> samples;
+  std::vector<Sample> samples;
   forEachSmoothPlace(codes, [&](std::span<const std::array<double, 3>> mean) {
     for (std::size_t c = 0; c < 3; ++c) {
       Sample sample;
@@ -169,19 +177,17 @@ Result<Response> recoverResponse(std::span<const Image8* const> codes, std::span
         sample.codes.push_back(code);
         sample.log_exposures.push_back(std::log(exposures[p]));
       }
-      if (sample.codes.size() >= 2) samples[c].push_back(std::move(sample));
+      if (sample.codes.size() >= 2) samples.push_back(std::move(sample));
     }
   });
   constexpr std::size_t kFewest = 100;
+  if (samples.size() < kFewest)
+    return fail(ErrorCode::bad_shape, "only " + std::to_string(samples.size()) +
+                                          " places are neither black nor clipped in two of the photographs, too few to "
+                                          "recover the camera's response; take them closer together, or give "
+                                          "--response srgb");
   Response response;
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (samples[c].size() < kFewest)
-      return fail(ErrorCode::bad_shape,
-                  "only " + std::to_string(samples[c].size()) +
-                      " places are neither black nor clipped in two of the photographs, too few to recover the "
-                      "camera's response; take them closer together, or give --response srgb");
-    response.light[c] = lightFromLogarithm(solveChannel(samples[c]));
-  }
+  response.light.fill(lightFromLogarithm(solveCurve(samples)));
   return response;
 }
 

@@ -24,15 +24,16 @@ Response assumedResponse(ResponseKind kind);
 /// Recovers the response from photographs of one unmoving scene with different exposures.
 ///
 /// Debevec & Malik's least squares for ln light of each code: every sample says that two codes differ by the ratio of
-/// their exposures, and a smooth curve is wanted where samples are few. It was preferred to Robertson's iteration since
-/// it is one linear system with one answer, gives a usable curve even from two exposures, and does not depend on where
-/// the iteration starts. A sample's own light is eliminated from the system beforehand, so that thousands of samples
-/// cost no more than the 256 unknowns.
+/// their exposures, and where samples are few, the curve is to deviate smoothly from sRGB's. It was preferred to
+/// Robertson's iteration since it is one linear system with one answer, gives a usable curve even from two exposures,
+/// and does not depend on where the iteration starts. Other than theirs, which was made for film, it recovers one curve
+/// for the three channels, as cameras have: three that differ where samples are few would tint the light. A sample's
+/// own light is eliminated from the system beforehand, so that thousands of samples cost no more than the 256 unknowns.
 ///
 /// codes      RGB(A) pictures of one size, at least two
 /// exposures  one each, > 0, not all the same
 /// errors     bad_shape: hardly any place is neither black nor clipped in two of the photographs
-/// cost       one pass over a grid of at most 40 000 places, three systems of 256 unknowns
+/// cost       one pass over a grid of at most 40 000 places, one system of 256 unknowns
 /// from       Debevec & Malik 1997, "Recovering high dynamic range radiance maps from photographs", eq. 3
 Result<Response> recoverResponse(std::span<const Image8* const> codes, std::span<const double> exposures);
 

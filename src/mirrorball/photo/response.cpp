@@ -104,8 +104,8 @@ std::vector<double> solveCurve(const std::vector<Sample>& samples) {
     addSample(sample, equations);
     ++count;
   }
-  // As strong as the data: one sample a code weighs about what one bend does.
-  constexpr double kSmoothness = 20.0;
+  // Stiff: cameras' curves bend from sRGB's over tens of codes, and a scene of few shades says nothing between them.
+  constexpr double kSmoothness = 300.0;
   addSmoothness(kSmoothness * std::max(1.0, double(count) / kCodes), equations);
   return equations.solve();
 }

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cassert>
 
+#include "formula/formula.h"
 #include "mirrorball/image/filter.h"
 
 namespace mirrorball {
 
 EnvironmentMap::EnvironmentMap(Projection projection, ImageSet images)
-    : projection_(projection), images_(std::move(images)) {
+    : projection_(projection), has_disc_(hasDisc(projection)), images_(std::move(images)) {
   assert(images_.levels() == 1 && images_.faces() == faceCount(projection));
   [[maybe_unused]] const glm::ivec2 wanted = imageSize(projection, size());
   for (int index = 0; index < faces(); ++index)
@@ -77,8 +78,10 @@ glm::vec4 EnvironmentMap::fetchFolded(int x, int y) const {
 glm::vec4 EnvironmentMap::fetchCovered(int face_index, int x, int y) const {
   const Image& image = face(face_index);
   if (x < 0 || y < 0 || x >= image.width() || y >= image.height()) return glm::vec4(0.0f);
-  const glm::vec2 center(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-  if (!covers(projection_, center / glm::vec2(image.width(), image.height()))) return glm::vec4(0.0f);
+  if (has_disc_) {
+    const glm::vec2 center(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+    if (!formula::insideDisc(center / static_cast<float>(image.width()))) return glm::vec4(0.0f);
+  }
   return glm::vec4(rgbAt(image, x, y), 1.0f);
 }
 

@@ -36,6 +36,7 @@ class EnvironmentMap {
   glm::vec4 fetchTowards(int face, int x, int y) const;
 
   Projection projection_ = Projection::equirect;
+  bool has_disc_ = false;
   ImageSet images_;
 };
 

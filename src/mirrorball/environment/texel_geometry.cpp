@@ -24,9 +24,6 @@ double byCorners(const Rectangle& r, Corner&& corner) {
   return corner(r.high.x, r.high.y) - corner(r.high.x, r.low.y) - corner(r.low.x, r.high.y) + corner(r.low.x, r.low.y);
 }
 
-/// formula::cubeCornerSolidAngle in double.
-double cubeCorner(double x, double y) { return std::atan2(x * y, std::sqrt(x * x + y * y + 1.0)); }
-
 // On an octahedron's face lines of constant x and of constant y are great circles, so that a texel is a spherical
 // polygon: its solid angle is the sum of its inner angles less (n − 2) π (Girard). In the quadrant x, y ≥ 0 of the front
 // half the point is p = (x, y, 1 − x − y), the planes of the two lines have the normals N = (x − 1, x, x) and
@@ -125,9 +122,10 @@ double solidAngle(Projection projection, const Rectangle& uv) {
     case Projection::paraboloid:
       return onDisc(centred, [](double square) { return 2.0 / (1.0 + square); });
     case Projection::cube:
-      return byCorners(centred, cubeCorner);
+      return byCorners(centred, cubeCornerSolidAngle);
     case Projection::eac:
-      return byCorners({glm::tan(centred.low * (kPi / 4.0)), glm::tan(centred.high * (kPi / 4.0))}, cubeCorner);
+      return byCorners({glm::tan(centred.low * (kPi / 4.0)), glm::tan(centred.high * (kPi / 4.0))},
+                       cubeCornerSolidAngle);
     case Projection::octahedral:
       return byCorners(centred, octahedralCorner);
     case Projection::hemioctahedral:
@@ -139,6 +137,8 @@ double solidAngle(Projection projection, const Rectangle& uv) {
 }
 
 }  // namespace
+
+double cubeCornerSolidAngle(double x, double y) { return std::atan2(x * y, std::sqrt(x * x + y * y + 1.0)); }
 
 float texelSolidAngle(Projection projection, glm::ivec2 size, glm::ivec2 texel) {
   const glm::dvec2 low = glm::dvec2(texel) / glm::dvec2(size);

@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/map_files.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/load.h"
@@ -20,7 +21,11 @@ const std::array<Option<ConvertOptions>, 7> kOptions{{
       .help = ".exr .hdr (linear radiance), .png .jpg (sRGB, clipped to [0, 1])",
       .letter = "o"},
      &ConvertOptions::output},
-    {{.name = "to", .value = "PROJECTION", .help = "equirect, sphere, angular or cube"}, &ConvertOptions::to},
+    {{.name = "to",
+      .value = "PROJECTION",
+      .help = "equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, equal-area or eac; "
+              "ball:distance=20 says how many ball radii the camera stands from the ball"},
+     &ConvertOptions::to},
     {{.name = "from",
       .value = "FORM",
       .help = "the input's form, where it is not recognised: a projection, or a cube's "
@@ -33,7 +38,8 @@ const std::array<Option<ConvertOptions>, 7> kOptions{{
       .unit = "texels",
       .minimum = 0,
       .maximum = 32768,
-      .help = "a cube face's side, a disc's diameter or a panorama's height; 0 keeps the input's detail"},
+      .help =
+          "a cube face's side, a disc's diameter, a square's side or a panorama's height; 0 keeps the input's detail"},
      &ConvertOptions::size},
     {{.name = "half", .help = "16-bit instead of 32-bit floats in .exr"}, &ConvertOptions::half},
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &ConvertOptions::repair},
@@ -42,7 +48,7 @@ const std::array<Option<ConvertOptions>, 7> kOptions{{
 Result<void> convertFile(const std::string& input, const ConvertOptions& options) {
   if (options.output.empty()) return fail(ErrorCode::usage, "convert needs an output: -o FILE");
   if (options.to.empty())
-    return fail(ErrorCode::usage, "convert needs a projection: --to equirect|sphere|angular|cube");
+    return fail(ErrorCode::usage, "convert needs a projection: --to " + join(projectionNames(), "|"));
   MIRRORBALL_TRY(to, projectionNamed(options.to));
   MIRRORBALL_TRY(layout, cubeLayoutNamed(options.layout));
   MIRRORBALL_TRY_VOID(checkWritable(options.output));

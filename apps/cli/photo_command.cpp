@@ -31,7 +31,12 @@ const std::array<Option<PhotoOptions>, 15> kOptions{{
       .letter = "o",
       .group = "Output"},
      &PhotoOptions::output},
-    {{.name = "to", .value = "PROJECTION", .help = "equirect, sphere, angular or cube", .group = "Output"},
+    {{.name = "to",
+      .value = "PROJECTION",
+      .help =
+          "any projection of convert: equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, "
+          "equal-area or eac",
+      .group = "Output"},
      &PhotoOptions::to},
     {{.name = "layout",
       .value = "LAYOUT",

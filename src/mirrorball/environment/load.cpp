@@ -42,12 +42,14 @@ std::optional<std::array<fs::path, 6>> facePaths(const fs::path& path) {
 Result<LoadedEnvironment> loadFaces(const std::string& name, const std::array<fs::path, 6>& paths,
                                     const EnvironmentLoadOptions& options, std::string told_by) {
   ImageSet faces(1, 6);
+  Projection projection = Projection::cube;
   std::string format;
   NonFinite bad;
   for (int face = 0; face < 6; ++face) {
     const std::string path = paths[static_cast<std::size_t>(face)].string();
     MIRRORBALL_TRY(decoded, readImage(path));
     MIRRORBALL_TRY(bad_here, treatNonFinite(path, decoded.image, options));
+    if (face == 0) projection = projectionOfFaces(decoded.metadata, options.from);
     if (bad.count == 0) bad.first = bad_here.first;
     bad.count += bad_here.count;
     const int side = face == 0 ? decoded.image.height() : faces.at(0, 0).height();
@@ -61,16 +63,8 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const std::array<fs
     format = decoded.format;
   }
   const glm::ivec2 size(faces.at(0, 0).width());
-  return LoadedEnvironment{
-      Environment(EnvironmentMap(Projection::cube, std::move(faces))),        name, std::move(format),
-      Recognition{{Projection::cube, CubeLayout::faces}, std::move(told_by)}, size, bad};
-}
-
-Result<EnvironmentMap> mapOfPicture(const std::string& name, Image image, const MapForm& form) {
-  if (form.projection != Projection::cube) return EnvironmentMap(form.projection, ImageSet(std::move(image)));
-  auto cube = splitLayout(image, form.layout);
-  if (!cube) return fail(cube.error().code, name + ": " + cube.error().message);
-  return cube;
+  return LoadedEnvironment{Environment(EnvironmentMap(projection, std::move(faces))),        name, std::move(format),
+                           Recognition{{projection, CubeLayout::faces}, std::move(told_by)}, size, bad};
 }
 
 Result<LoadedEnvironment> loadPicture(const std::string& name, const EnvironmentLoadOptions& options) {
@@ -78,8 +72,9 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, const Environment
   const glm::ivec2 size(decoded.image.width(), decoded.image.height());
   MIRRORBALL_TRY(recognition, recognize(name, size.x, size.y, decoded.metadata, options.from));
   MIRRORBALL_TRY(bad, treatNonFinite(name, decoded.image, options));
-  MIRRORBALL_TRY(map, mapOfPicture(name, std::move(decoded.image), recognition.form));
-  return LoadedEnvironment{Environment(std::move(map)), name, decoded.format, recognition, size, bad};
+  auto map = mapOfPicture(std::move(decoded.image), recognition.form);
+  if (!map) return fail(map.error().code, name + ": " + map.error().message);
+  return LoadedEnvironment{Environment(std::move(*map)), name, decoded.format, recognition, size, bad};
 }
 
 }  // namespace
@@ -93,9 +88,11 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
   }
   const auto paths = facePaths(name_or_path);
   const bool faces_named = options.from.layout == CubeLayout::faces;
-  const bool may_be_faces = faces_named || (!options.from.projection && !options.from.layout);
+  const bool is_cube = !options.from.projection || faceCount(*options.from.projection) == 6;
+  const bool may_be_faces = faces_named || (is_cube && !options.from.layout);
   if (paths && may_be_faces)
-    return loadFaces(name_or_path, *paths, options, faces_named ? "--from" : "its name, one of six faces");
+    return loadFaces(name_or_path, *paths, options,
+                     faces_named || options.from.projection ? "--from" : "its name, one of six faces");
   if (faces_named)
     return fail(ErrorCode::usage,
                 name_or_path + ": name one of the six faces, whose names end in _px _nx _py _ny _pz _nz");

@@ -102,8 +102,7 @@ const std::array<Option<PhotoOptions>, 15> kOptions{{
       .unit = "degrees",
       .minimum = -360,
       .maximum = 360,
-      .help = "how far the camera was carried around the ball for it, to its right seen from the ball being positive: "
-              "90 stands over +X",
+      .help = "how far the camera was carried to the right around the ball, about the vertical: at 90 it stood over +X",
       .group = "Second side"},
      &PhotoOptions::second_rotation_deg},
     {{.name = "second-circle",

@@ -1,7 +1,6 @@
 #include "mirrorball/photo/find_ball.h"
 
 #include <algorithm>
-#include <array>
 
 #include <glm/gtc/constants.hpp>
 

@@ -1,7 +1,7 @@
 #include "mirrorball/photo/find_ball.h"
 
 #include <algorithm>
-#include <array>
+#include <string_view>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

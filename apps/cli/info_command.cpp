@@ -41,6 +41,12 @@ void printFile(const LoadedEnvironment& loaded) {
     std::printf("  size         %dx%d\n", loaded.file_size.x, loaded.file_size.y);
     std::printf("  projection   %s (told by %s)\n", textOf(loaded.recognition->form).c_str(),
                 loaded.recognition->told_by.c_str());
+    const float covered = coveredSolidAngle(loaded.recognition->form.projection) / (2.0f * formula::kTwoPi);
+    if (covered < 1.0f)
+      std::printf("  covers       %.5g %% of the sphere: none of %s\n", 100.0 * double(covered),
+                  loaded.recognition->form.projection == Projection::ball
+                      ? "the cone that the ball hides behind it, around -Z"
+                      : "the half with z < 0");
   } else {
     std::printf("  projection   none: a function of the direction\n");
   }

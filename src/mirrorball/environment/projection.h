@@ -97,13 +97,14 @@ float coveredSolidAngle(Projection projection);
 bool hasDisc(Projection projection);
 
 /// The solid angle [sr] of texel (x, y) of an image of width × height texels; 0 when its centre is beside the disc.
-/// Exact to 1e-5, but to 1e-3 beside a photographed ball's rim and to 5e-2 on it. A disc's rim texels count wholly.
+/// Exact to single precision, but on a photographed ball's rim to 5e-2 and beside it to 4e-3:
+/// the density has a pole there. A disc's rim texels count wholly.
 ///
 /// cost     up to 0.3 µs, in double: a texel's is a small difference of large angles
 float texelSolidAngle(Projection projection, glm::ivec2 size, glm::ivec2 texel);
 
 /// formula::cubeCornerSolidAngle in double: the solid angle between a cube face's centre and the point (x, y) of its
-/// plane, both in [−1, 1]. In float the difference of four leaves a texel of a 1024² face with an error of 1 %.
+/// plane, both in [−1, 1]. In float the difference of four leaves texels of a 1024² face with errors of up to 15 %.
 double cubeCornerSolidAngle(double x, double y);
 
 /// How many images a map has: 6 for a cube, 2 for a paraboloid map, else 1.

@@ -16,7 +16,7 @@ const Environment& panorama() {
 
 /// Texels written a second, for a target of that projection and size.
 void convertPanorama(benchmark::State& state) {
-  const auto to = static_cast<Projection>(state.range(0));
+  const auto to = static_cast<Projection::Kind>(state.range(0));
   const int size = static_cast<int>(state.range(1));
   for (auto _ : state) benchmark::DoNotOptimize(*convert(panorama(), to, size));
   const glm::ivec2 extent = imageSize(to, size);

@@ -6,7 +6,9 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/map_files.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/load.h"
@@ -20,7 +22,11 @@ const std::array<Option<ConvertOptions>, 7> kOptions{{
       .help = ".exr .hdr (linear radiance), .png .jpg (sRGB, clipped to [0, 1])",
       .letter = "o"},
      &ConvertOptions::output},
-    {{.name = "to", .value = "PROJECTION", .help = "equirect, sphere, angular or cube"}, &ConvertOptions::to},
+    {{.name = "to",
+      .value = "PROJECTION",
+      .help = "equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, equal-area or eac; "
+              "ball:distance=20 says how many ball radii the camera stands from the ball"},
+     &ConvertOptions::to},
     {{.name = "from",
       .value = "FORM",
       .help = "the input's form, where it is not recognised: a projection, or a cube's "
@@ -33,42 +39,17 @@ const std::array<Option<ConvertOptions>, 7> kOptions{{
       .unit = "texels",
       .minimum = 0,
       .maximum = 32768,
-      .help = "a cube face's side, a disc's diameter or a panorama's height; 0 keeps the input's detail"},
+      .help =
+          "a cube face's side, a disc's diameter, a square's side or a panorama's height; 0 keeps the input's detail"},
      &ConvertOptions::size},
     {{.name = "half", .help = "16-bit instead of 32-bit floats in .exr"}, &ConvertOptions::half},
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &ConvertOptions::repair},
 }};
 
-/// The files that are written: one picture, or the six of a cube whose layout is `faces`.
-std::vector<std::string> outputPaths(const ConvertOptions& options, Projection to, CubeLayout layout) {
-  if (to != Projection::cube || layout != CubeLayout::faces) return {options.output};
-  std::vector<std::string> paths;
-  for (const std::string_view suffix : kFaceSuffixes)
-    paths.push_back(suffixed(options.output, "_" + std::string(suffix)));
-  return paths;
-}
-
-Result<void> writeMap(const EnvironmentMap& map, CubeLayout layout, bool half, const std::vector<std::string>& paths) {
-  ImageWriteOptions how{.half = half, .metadata = {}};
-  how.metadata["mirrorball:projection"] = nameOf(map.projection());
-  const bool is_cube = map.projection() == Projection::cube;
-  if (is_cube) how.metadata["mirrorball:layout"] = nameOf(layout);
-  if (paths.size() == 1) {
-    // Not one expression for both, which would copy the whole map.
-    MIRRORBALL_TRY_VOID(is_cube ? writeImage(paths[0], composeLayout(map, layout), how)
-                                : writeImage(paths[0], map.face(0), how));
-  } else {
-    for (std::size_t face = 0; face < paths.size(); ++face)
-      MIRRORBALL_TRY_VOID(writeImage(paths[face], map.face(static_cast<int>(face)), how));
-  }
-  for (const std::string& path : paths) announce(path);
-  return {};
-}
-
 Result<void> convertFile(const std::string& input, const ConvertOptions& options) {
   if (options.output.empty()) return fail(ErrorCode::usage, "convert needs an output: -o FILE");
   if (options.to.empty())
-    return fail(ErrorCode::usage, "convert needs a projection: --to equirect|sphere|angular|cube");
+    return fail(ErrorCode::usage, "convert needs a projection: --to " + join(projectionNames(), "|"));
   MIRRORBALL_TRY(to, projectionNamed(options.to));
   MIRRORBALL_TRY(layout, cubeLayoutNamed(options.layout));
   MIRRORBALL_TRY_VOID(checkFolder(options.output));
@@ -79,11 +60,10 @@ Result<void> convertFile(const std::string& input, const ConvertOptions& options
     how.from = hint;
   }
   MIRRORBALL_TRY(loaded, loadEnvironment(input, how));
-  const std::vector<std::string> outputs = outputPaths(options, to, layout);
-  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
+  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, mapPaths(options.output, to, layout)));
   const int size = options.size > 0 ? options.size : loaded.environment.naturalSize(to);
   MIRRORBALL_TRY(map, convert(loaded.environment, to, size, progressBar("convert")));
-  return writeMap(map, layout, options.half, outputs);
+  return writeMap(map, layout, options.half, options.output);
 }
 
 }  // namespace

@@ -41,6 +41,12 @@ void printFile(const LoadedEnvironment& loaded) {
     std::printf("  size         %dx%d\n", loaded.file_size.x, loaded.file_size.y);
     std::printf("  projection   %s (told by %s)\n", textOf(loaded.recognition->form).c_str(),
                 loaded.recognition->told_by.c_str());
+    const float covered = coveredSolidAngle(loaded.recognition->form.projection) / (2.0f * formula::kTwoPi);
+    if (covered < 1.0f)
+      std::printf("  covers       %.5g %% of the sphere: none of %s\n", 100.0 * double(covered),
+                  loaded.recognition->form.projection == Projection::ball
+                      ? "the cone that the ball hides behind it, around -Z"
+                      : "the half with z < 0");
   } else {
     std::printf("  projection   none: a function of the direction\n");
   }
@@ -58,16 +64,31 @@ void printStatistics(const RadianceStatistics& statistics) {
               text(statistics.brightest_direction).c_str());
 }
 
+/// What the two numbers are, after the image that they lie in: "face -X, (s, t)", "front, (u, v)", "(u, v)".
+std::string coordinateText(Projection projection, int face) {
+  switch (faceCount(projection)) {
+    case 6:
+      return std::string("face ") + kFaceNames[static_cast<std::size_t>(face)] + ", (s, t)";
+    case 2:
+      return face == 0 ? "front, (u, v)" : "back, (u, v)";
+    default:
+      return projection == Projection::sphere ? "(s, t)" : "(u, v)";
+  }
+}
+
 void printPosition(const Environment& environment, Projection projection, glm::vec3 direction) {
+  const std::string name(nameOf(projection));
+  if (!covers(projection, direction)) {
+    std::printf("  %-12s not in the map\n", name.c_str());
+    return;
+  }
   const glm::ivec2 size = imageSize(projection, environment.naturalSize(projection));
   const MapPosition place = positionOf(projection, direction);
   const glm::ivec2 texel = glm::min(glm::ivec2(place.uv * glm::vec2(size)), size - 1);
-  const bool is_cube = projection == Projection::cube;
   // OpenGL's t of a sphere map grows upwards, a cube's and an image's v downwards.
   const bool t_up = projection == Projection::sphere;
-  std::printf("  %-12s %s%s%s = (%.4f, %.4f), texel (%d, %d) of %dx%d\n", std::string(nameOf(projection)).c_str(),
-              is_cube ? "face " : "", is_cube ? kFaceNames[static_cast<std::size_t>(place.face)] : "",
-              is_cube ? ", (s, t)" : (t_up ? "(s, t)" : "(u, v)"), double(place.uv.x),
+  std::printf("  %-12s %s = (%.4f, %.4f), texel (%d, %d) of %dx%d\n", name.c_str(),
+              coordinateText(projection, place.face).c_str(), double(place.uv.x),
               double(t_up ? 1.0f - place.uv.y : place.uv.y), texel.x, texel.y, size.x, size.y);
 }
 
@@ -77,7 +98,9 @@ Result<void> printDirection(const Environment& environment, const std::vector<fl
     return fail(ErrorCode::usage, "--direction takes a vector that has a length; it was given " + text(given));
   const glm::vec3 direction = glm::normalize(given);
   std::printf("direction %s, unit %s\n", text(given).c_str(), text(direction).c_str());
-  for (const Projection projection : {Projection::cube, Projection::equirect, Projection::sphere, Projection::angular})
+  for (const Projection projection : {Projection::cube, Projection::equirect, Projection::sphere, Projection::angular,
+                                      Projection::ball, Projection::paraboloid, Projection::octahedral,
+                                      Projection::hemioctahedral, Projection::equal_area, Projection::eac})
     printPosition(environment, projection, direction);
   std::printf("  radiance     %s\n", text(environment.radiance(direction)).c_str());
   return {};

@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   const std::vector<std::pair<const char*, Action>> commands{{"render", addRenderCommand(program)},
                                                              {"convert", addConvertCommand(program)},
                                                              {"info", addInfoCommand(program)},
+                                                             {"photo", addPhotoCommand(program)},
                                                              {"reference", addReferenceCommand(program)}};
   for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
     command->allow_extras();

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/convert_command.h"
 #include "cli/info_command.h"
+#include "cli/photo_command.h"
 #include "cli/render_command.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/render/render_options.h"
@@ -51,6 +52,9 @@ Result<void> printReference() {
   printRows(convertOptions(), "--");
   printHeading("mirrorball info FILE", "FILE is a map or a built-in environment.");
   printRows(infoOptions(), "--");
+  printHeading("mirrorball photo PHOTO…",
+               "PHOTO is a photograph of a mirror ball (.jpg .png .hdr .exr), or several of one exposure series.");
+  printRows(photoOptions(), "--");
   printHeading("Material parameters", "For `--set key=value`.");
   printRows(materialParameters(), "");
   printHeading("Parameters of the sky", "For `sky:key=value,key=value`.");

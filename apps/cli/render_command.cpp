@@ -34,8 +34,8 @@ const std::array<Option<RenderFiles>, 5> kFileOptions{{
      &RenderFiles::output},
     {{.name = "from",
       .value = "FORM",
-      .help = "the environment's form, where it is not recognised: equirect, sphere, "
-              "angular, cube, or a cube's layout",
+      .help = "the environment's form, where it is not recognised: a projection (see convert --to), "
+              "or a cube's layout",
       .group = "Files"},
      &RenderFiles::from},
     {{.name = "repair",

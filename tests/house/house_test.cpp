@@ -33,6 +33,7 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"metric", {"image"}},
     {"codec", {"image"}},
     {"environment", {"codec"}},
+    {"photo", {"environment"}},
     {"bake", {"environment"}},
     {"surface", {"image"}},
     {"scene", {"codec", "surface"}},

@@ -65,6 +65,14 @@ const Case kCases[] = {
     PARITY(cubeRectangleSolidAngle, unit, kTranscendental,
            vec4(cubeRectangleSolidAngle(p.x - 1.0f, p.y - 1.0f, p.z, p.w), 0.0f, 0.0f, 0.0f)),
 
+    // equiangular_cube
+    PARITY(equiangular, unit, kTranscendental, vec4(equiangular(2.0f * p.x - 1.0f), 0.0f, 0.0f, 0.0f)),
+    PARITY(equiangularCubeCoordinates, direction, kTranscendental,
+           vec4(equiangularCubeCoordinates(cubeFace(vec3(p)), vec3(p)), 0.0f, 0.0f)),
+    PARITY(equiangularCubePoint, unit, kTranscendental, vec4(equiangularCubePoint(int(5.9375f * r.x), vec2(p)), 0.0f)),
+    PARITY(equiangularCubeDirection, unit, kTranscendental,
+           vec4(equiangularCubeDirection(int(5.9375f * r.x), vec2(p)), 0.0f)),
+
     // harmonics
     PARITY(harmonic, direction, kTight, vec4(harmonic(int(8.9375f * r.x), vec3(p)), 0.0f, 0.0f, 0.0f)),
     PARITY(cosineLobeBand, unit, kTight, vec4(cosineLobeBand(int(2.9375f * r.x)), 0.0f, 0.0f, 0.0f)),
@@ -83,6 +91,24 @@ const Case kCases[] = {
     PARITY(environmentBrdf, unit, kTranscendental, vec4(environmentBrdf(p.x, p.y), 0.0f, 0.0f)),
     PARITY(phongExponent, unit, kTight, vec4(phongExponent(p.x), 0.0f, 0.0f, 0.0f)),
 
+    // mirror_ball
+    // Newton's steps forgive their own rounding; k up to 0.97.
+    PARITY(mirrorBallPosition, direction, kTight, vec4(mirrorBallPosition(vec3(p), 0.96875f * r.x), 0.0f, 0.0f)),
+    PARITY(mirrorBallDirection, unit, kTight, vec4(mirrorBallDirection(vec2(p), 0.96875f * r.x), 0.0f)),
+    PARITY(mirrorBallCovers, direction, kExact, vec4(float(mirrorBallCovers(vec3(p), r.x)), 0.0f, 0.0f, 0.0f)),
+    PARITY(mirrorBallBlindSolidAngle, unit, kTight, vec4(mirrorBallBlindSolidAngle(p.x), 0.0f, 0.0f, 0.0f)),
+
+    // octahedral
+    PARITY(octahedralSide, direction, kExact, vec4(octahedralSide(vec2(p)), 0.0f, 0.0f)),
+    PARITY(octahedralFolded, direction, kExact, vec4(octahedralFolded(vec2(p)), 0.0f, 0.0f)),
+    PARITY(octahedralPosition, direction, kTight, vec4(octahedralPosition(vec3(p)), 0.0f, 0.0f)),
+    PARITY(octahedralPoint, unit, kTight, vec4(octahedralPoint(vec2(p)), 0.0f)),
+    PARITY(octahedralDirection, unit, kTight, vec4(octahedralDirection(vec2(p)), 0.0f)),
+    PARITY(hemioctahedralPosition, direction, kTight, vec4(hemioctahedralPosition(vec3(p)), 0.0f, 0.0f)),
+    PARITY(hemioctahedralDirection, unit, kTight, vec4(hemioctahedralDirection(vec2(p)), 0.0f)),
+    PARITY(equalAreaPosition, direction, kTranscendental, vec4(equalAreaPosition(vec3(p)), 0.0f, 0.0f)),
+    PARITY(equalAreaDirection, unit, kTranscendental, vec4(equalAreaDirection(vec2(p)), 0.0f)),
+
     // optics
     PARITY(
         refractedDirection, direction, kTight,
@@ -95,6 +121,12 @@ const Case kCases[] = {
     PARITY(fresnelEmpirical, unit, kTranscendental,
            vec4(fresnelEmpirical(p.x, p.y, p.z, 1.0f + 5.0f * p.w), 0.0f, 0.0f, 0.0f)),
     PARITY(iorOfChannels, unit, kTight, vec4(iorOfChannels(1.0f + 1.5f * p.x, p.y), 0.0f)),
+
+    // paraboloid
+    PARITY(paraboloidFace, direction, kExact, vec4(float(paraboloidFace(vec3(p))), 0.0f, 0.0f, 0.0f)),
+    PARITY(paraboloidPosition, direction, kTight,
+           vec4(paraboloidPosition(paraboloidFace(vec3(p)), vec3(p)), 0.0f, 0.0f)),
+    PARITY(paraboloidDirection, unit, kTight, vec4(paraboloidDirection(int(1.9375f * r.x), vec2(p)), 0.0f)),
 
     // projection
     // u as a point of the circle: next to u = 0 the last bit decides between 0 and 1.

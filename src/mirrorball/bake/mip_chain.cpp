@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "formula/formula.h"
 #include "mirrorball/base/parallel.h"
 
 namespace mirrorball {
@@ -31,18 +30,17 @@ Overlap overlapOf(int target, int target_side, int source_side) {
 /// The solid angle of each texel of a face, row by row: differences of the corners' angles, each taken once.
 std::vector<float> solidAngles(int side) {
   const auto columns = std::size_t(side);
-  std::vector<float> corners((columns + 1) * (columns + 1));
+  std::vector<double> corners((columns + 1) * (columns + 1));
   for (int y = 0; y <= side; ++y)
     for (int x = 0; x <= side; ++x)
       corners[std::size_t(y) * (columns + 1) + std::size_t(x)] =
-          formula::cubeCornerSolidAngle(2.0f * static_cast<float>(x) / static_cast<float>(side) - 1.0f,
-                                        2.0f * static_cast<float>(y) / static_cast<float>(side) - 1.0f);
+          cubeCornerSolidAngle(2.0 * x / side - 1.0, 2.0 * y / side - 1.0);
   std::vector<float> angles(columns * columns);
   for (std::size_t y = 0; y < columns; ++y)
     for (std::size_t x = 0; x < columns; ++x) {
-      const float* upper = &corners[y * (columns + 1) + x];
-      const float* lower = upper + columns + 1;
-      angles[y * columns + x] = upper[0] - upper[1] - lower[0] + lower[1];
+      const double* upper = &corners[y * (columns + 1) + x];
+      const double* lower = upper + columns + 1;
+      angles[y * columns + x] = static_cast<float>(upper[0] - upper[1] - lower[0] + lower[1]);
     }
   return angles;
 }

@@ -11,9 +11,10 @@
 namespace mirrorball {
 
 /// Texts that travel with an image: key → value. The keys that this program writes and reads:
-///   "mirrorball:projection"  equirect | sphere | angular | cube
-///   "mirrorball:layout"      the layout of a cube's faces
-///   "envmap"                 OpenEXR's own attribute, read as "latlong" or "cube"
+///   "mirrorball:projection"     equirect | sphere | angular | cube | …: environment/projection.h
+///   "mirrorball:layout"         the layout of a cube's faces
+///   "mirrorball:ball_distance"  of a photographed ball: ball radii from its centre to the camera
+///   "envmap"                    OpenEXR's own attribute, read as "latlong" or "cube"
 using Metadata = std::map<std::string, std::string>;
 
 /// An image as it comes from a file.

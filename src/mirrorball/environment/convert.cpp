@@ -50,9 +50,8 @@ void fillRow(const Environment& source, Projection to, int face, Image& image, i
 Result<EnvironmentMap> convert(const Environment& source, Projection to, int size, const ProgressFunction& progress) {
   const glm::ivec2 extent = imageSize(to, size);
   MIRRORBALL_TRY_VOID(checkDimensions("the converted map", extent.x, extent.y));
-  const bool is_disc = to == Projection::sphere || to == Projection::angular;
   ImageSet images(1, faceCount(to));
-  for (int face = 0; face < images.faces(); ++face) images.at(0, face) = Image(extent.x, extent.y, is_disc ? 4 : 3);
+  for (int face = 0; face < images.faces(); ++face) images.at(0, face) = Image(extent.x, extent.y, hasDisc(to) ? 4 : 3);
 
   const int points = pointsPerSide(source, to, size);
   const std::size_t rows = std::size_t(images.faces()) * std::size_t(extent.y);

@@ -76,7 +76,7 @@ std::optional<CubeLayout> layoutOfShape(int width, int height) {
 }
 
 Image composeLayout(const EnvironmentMap& cube, CubeLayout layout) {
-  assert(cube.projection() == Projection::cube && layout != CubeLayout::faces);
+  assert(cube.faces() == 6 && layout != CubeLayout::faces);
   const LayoutTable& table = tableOf(layout);
   const int side = cube.size();
   Image picture(table.cells.x * side, table.cells.y * side, cube.face(0).channels());
@@ -87,7 +87,7 @@ Image composeLayout(const EnvironmentMap& cube, CubeLayout layout) {
   return picture;
 }
 
-Result<EnvironmentMap> splitLayout(const Image& picture, CubeLayout layout) {
+Result<EnvironmentMap> splitLayout(const Image& picture, CubeLayout layout, Projection projection) {
   const LayoutTable& table = tableOf(layout);
   const int side = picture.width() / table.cells.x;
   if (side == 0 || picture.width() != side * table.cells.x || picture.height() != side * table.cells.y)
@@ -102,7 +102,7 @@ Result<EnvironmentMap> splitLayout(const Image& picture, CubeLayout layout) {
       std::copy_n(picture.texel(from.x, from.y), picture.channels(), image.texel(to.x, to.y));
     });
   }
-  return EnvironmentMap(Projection::cube, std::move(faces));
+  return EnvironmentMap(projection, std::move(faces));
 }
 
 }  // namespace mirrorball

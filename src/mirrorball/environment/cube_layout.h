@@ -29,14 +29,15 @@ std::optional<CubeLayout> layoutOfShape(int width, int height);
 
 /// The six faces of a cube as one picture. Cells without a face are black.
 ///
-/// cube     a map of projection cube
+/// cube     a map of projection cube or eac
 /// layout   any but `faces`
 Image composeLayout(const EnvironmentMap& cube, CubeLayout layout);
 
 /// The cube in one picture.
 ///
-/// errors   bad_shape: the picture's sides are not in the layout's proportion
-Result<EnvironmentMap> splitLayout(const Image& picture, CubeLayout layout);
+/// projection   cube or eac
+/// errors       bad_shape: the picture's sides are not in the layout's proportion
+Result<EnvironmentMap> splitLayout(const Image& picture, CubeLayout layout, Projection projection = Projection::cube);
 
 /// What the six files of a cube are called: "px" of "room_px.hdr", in the order of the faces.
 inline constexpr std::array<std::string_view, 6> kFaceSuffixes{"px", "nx", "py", "ny", "pz", "nz"};

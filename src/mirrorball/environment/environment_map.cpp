@@ -9,7 +9,7 @@
 namespace mirrorball {
 
 EnvironmentMap::EnvironmentMap(Projection projection, ImageSet images)
-    : projection_(projection), images_(std::move(images)) {
+    : projection_(projection), has_disc_(hasDisc(projection)), images_(std::move(images)) {
   assert(images_.levels() == 1 && images_.faces() == faceCount(projection));
   [[maybe_unused]] const glm::ivec2 wanted = imageSize(projection, size());
   for (int index = 0; index < faces(); ++index)
@@ -17,19 +17,36 @@ EnvironmentMap::EnvironmentMap(Projection projection, ImageSet images)
 }
 
 glm::vec3 EnvironmentMap::radiance(glm::vec3 direction) const {
+  if (projection_ == Projection::hemioctahedral && direction.z < 0.0f) return glm::vec3(0.0f);
   const MapPosition place = positionOf(projection_, direction);
   const Image& image = face(place.face);
-  const glm::vec2 position = place.uv * glm::vec2(image.width(), image.height());
+  const glm::vec2 extent(image.width(), image.height());
+  glm::vec2 position = place.uv * extent;
+  const auto fetch_texel = [&](int x, int y) { return fetch(place.face, x, y); };
+  glm::vec4 light = bilinear(position, fetch_texel);
+  // On a rim all four neighbours may lie beside the disc: then the position moves inwards until one does not.
+  while (light.w == 0.0f) {
+    position += glm::normalize(extent / 2.0f - position) * 0.5f;
+    light = bilinear(position, fetch_texel);
+  }
+  return glm::vec3(light);
+}
+
+/// A texel for `bilinear`: one that may lie beyond an edge or beside a disc.
+glm::vec4 EnvironmentMap::fetch(int face_index, int x, int y) const {
   switch (projection_) {
     case Projection::equirect:
-      return glm::vec3(bilinear(position, [&](int x, int y) { return fetchEquirect(x, y); }));
+      return fetchEquirect(x, y);
+    case Projection::octahedral:
+    case Projection::equal_area:
+      return fetchFolded(x, y);
     case Projection::cube:
-      return glm::vec3(bilinear(position, [&](int x, int y) { return fetchCube(place.face, x, y); }));
-    case Projection::sphere:
-    case Projection::angular:
-      return radianceOfDisc(position);
+    case Projection::eac:
+    case Projection::paraboloid:
+      return fetchTowards(face_index, x, y);
+    default:
+      return fetchCovered(face_index, x, y);
   }
-  return {};
 }
 
 /// Left and right edges meet; beyond a pole the row continues on the opposite meridian.
@@ -43,35 +60,41 @@ glm::vec4 EnvironmentMap::fetchEquirect(int x, int y) const {
   return glm::vec4(rgbAt(image, x, y), 1.0f);
 }
 
-/// A texel whose centre lies beside the disc has no weight.
-glm::vec4 EnvironmentMap::fetchDisc(int x, int y) const {
-  const Image& image = face(0);
-  const glm::vec2 center(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-  if (!formula::insideDisc(center / static_cast<float>(image.width()))) return glm::vec4(0.0f);
+/// Each edge of an unfolded octahedron is sewn to itself, turned about its middle; the corners are one point.
+glm::vec4 EnvironmentMap::fetchFolded(int x, int y) const {
+  const int side = size();
+  if (x < 0 || x >= side) {
+    x = x < 0 ? -1 - x : 2 * side - 1 - x;
+    y = side - 1 - y;
+  }
+  if (y < 0 || y >= side) {
+    y = y < 0 ? -1 - y : 2 * side - 1 - y;
+    x = side - 1 - x;
+  }
+  return glm::vec4(rgbAt(face(0), x, y), 1.0f);
+}
+
+/// A texel outside the image, or whose centre lies beside the disc, has no weight.
+glm::vec4 EnvironmentMap::fetchCovered(int face_index, int x, int y) const {
+  const Image& image = face(face_index);
+  if (x < 0 || y < 0 || x >= image.width() || y >= image.height()) return glm::vec4(0.0f);
+  if (has_disc_) {
+    const glm::vec2 center(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+    if (!formula::insideDisc(center / static_cast<float>(image.width()))) return glm::vec4(0.0f);
+  }
   return glm::vec4(rgbAt(image, x, y), 1.0f);
 }
 
-/// On the rim all four neighbours may lie beside the disc: then the position moves inwards until one does not.
-glm::vec3 EnvironmentMap::radianceOfDisc(glm::vec2 position) const {
-  const glm::vec2 middle(static_cast<float>(size()) / 2.0f);
-  const glm::vec2 inwards = glm::normalize(middle - position);
-  while (true) {
-    const glm::vec4 light = bilinear(position, [&](int x, int y) { return fetchDisc(x, y); });
-    if (light.w > 0.0f) return glm::vec3(light);
-    position += inwards * 0.5f;
-  }
-}
-
-/// Beyond an edge the face's plane is continued, and the texel that lies in that direction on the neighbour is taken.
-glm::vec4 EnvironmentMap::fetchCube(int face_index, int x, int y) const {
-  const int side = size();
-  if (x >= 0 && y >= 0 && x < side && y < side) return glm::vec4(rgbAt(face(face_index), x, y), 1.0f);
+/// Beyond its edge an image is continued by the projection's own formula, and another image answers for what lies in
+/// that direction, from its own texels.
+glm::vec4 EnvironmentMap::fetchTowards(int face_index, int x, int y) const {
+  const glm::vec4 own = fetchCovered(face_index, x, y);
+  if (own.w > 0.0f) return own;
+  const auto side = static_cast<float>(size());
   const glm::vec2 center(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-  const glm::vec3 beyond = formula::cubePoint(face_index, center / static_cast<float>(side));
-  const MapPosition place = positionOf(Projection::cube, beyond);
-  const glm::ivec2 texel =
-      glm::clamp(glm::ivec2(glm::floor(place.uv * static_cast<float>(side))), glm::ivec2(0), glm::ivec2(side - 1));
-  return glm::vec4(rgbAt(face(place.face), texel.x, texel.y), 1.0f);
+  const MapPosition place = positionOf(projection_, directionAt(projection_, {face_index, center / side}));
+  const glm::vec4 light = bilinear(place.uv * side, [&](int i, int j) { return fetchCovered(place.face, i, j); });
+  return glm::vec4(glm::vec3(light), light.w > 0.0f ? 1.0f : 0.0f);
 }
 
 }  // namespace mirrorball

@@ -7,7 +7,8 @@
 
 namespace mirrorball {
 
-/// Light from every direction, held in images: one, or a cube's six faces in the order +X −X +Y −Y +Z −Z.
+/// Light from every direction, held in images: one, a cube's six faces in the order +X −X +Y −Y +Z −Z, or the front and
+/// the back of a paraboloid map.
 class EnvironmentMap {
  public:
   EnvironmentMap() = default;
@@ -19,20 +20,23 @@ class EnvironmentMap {
   Image& face(int index) { return images_.at(0, index); }
   int faces() const { return images_.faces(); }
 
-  /// A face's side, a disc's diameter, a panorama's height.
+  /// A face's side, a disc's diameter, a square's side, a panorama's height.
   int size() const { return face(0).height(); }
 
-  /// The radiance that arrives from `direction` (unit), interpolated bilinearly across every seam, pole and cube edge;
-  /// nothing from beside a disc is mixed in.
+  /// The radiance that arrives from `direction` (unit), interpolated bilinearly across every seam, pole, fold and cube
+  /// edge; nothing from beside a disc is mixed in. From a direction that the map does not cover: behind a photographed
+  /// ball that of the rim's nearest point, in the other half of a hemioctahedral map none.
   glm::vec3 radiance(glm::vec3 direction) const;
 
  private:
+  glm::vec4 fetch(int face, int x, int y) const;
   glm::vec4 fetchEquirect(int x, int y) const;
-  glm::vec4 fetchDisc(int x, int y) const;
-  glm::vec4 fetchCube(int face, int x, int y) const;
-  glm::vec3 radianceOfDisc(glm::vec2 position) const;
+  glm::vec4 fetchFolded(int x, int y) const;
+  glm::vec4 fetchCovered(int face, int x, int y) const;
+  glm::vec4 fetchTowards(int face, int x, int y) const;
 
   Projection projection_ = Projection::equirect;
+  bool has_disc_ = false;
   ImageSet images_;
 };
 

@@ -12,14 +12,14 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::array kAll{Projection::equirect, Projection::sphere, Projection::angular, Projection::cube};
+using testing::kEveryProjection;
 
 EnvironmentMap smoothMap(Projection projection, int size) {
   return *convert(Environment(testing::smoothRadiance, 256), projection, size);
 }
 
 TEST(EnvironmentMap, TexelCentresAnswerWithTheTexelItself) {
-  for (const Projection projection : kAll) {
+  for (const Projection projection : kEveryProjection) {
     const EnvironmentMap map = smoothMap(projection, 16);
     const glm::ivec2 size(map.face(0).width(), map.size());
     for (int face = 0; face < map.faces(); ++face)
@@ -42,7 +42,8 @@ TEST(EnvironmentMap, DoesNotJumpAcrossSeams) {
                                             {{0, 1, 0}, {0, 0, 1}},
                                             {{1, 0, 0}, {0, std::sqrt(0.5f), std::sqrt(0.5f)}},
                                             {{std::sqrt(0.5f), std::sqrt(0.5f), 0}, {0, 0, 1}}}};
-  for (const Projection projection : {Projection::equirect, Projection::angular, Projection::cube}) {
+  for (const Projection projection : kEveryProjection) {
+    if (projection == Projection::sphere || projection == Projection::ball) continue;  // its rim is no seam but a limit
     const EnvironmentMap map = smoothMap(projection, 32);
     float largest = 0.0f;
     for (const glm::mat2x3& circle : circles) {
@@ -51,10 +52,12 @@ TEST(EnvironmentMap, DoesNotJumpAcrossSeams) {
       for (int step = 1; step <= kSteps; ++step) {
         const float angle = 6.2831853f * static_cast<float>(step) / kSteps;
         const glm::vec3 here = map.radiance(circle * glm::vec2(std::cos(angle), std::sin(angle)));
-        // Straight behind, every point of an angular map's rim is the same direction, but texels are not.
-        const bool is_rim =
-            projection == Projection::angular && (circle * glm::vec2(std::cos(angle), std::sin(angle))).z < -0.995f;
-        if (!is_rim) largest = std::max(largest, glm::length(here - before));
+        // Straight behind, every point of an angular map's rim is the same direction, but texels are not; and where a
+        // map of one half ends the light does too.
+        const float z = (circle * glm::vec2(std::cos(angle), std::sin(angle))).z;
+        const bool is_end = (projection == Projection::angular && z < -0.995f) ||
+                            (projection == Projection::hemioctahedral && z < 0.001f);
+        if (!is_end) largest = std::max(largest, glm::length(here - before));
         before = here;
       }
     }
@@ -63,20 +66,40 @@ TEST(EnvironmentMap, DoesNotJumpAcrossSeams) {
 }
 
 TEST(EnvironmentMap, NothingFromBesideADiscIsMixedIn) {
-  for (const Projection projection : {Projection::sphere, Projection::angular}) {
-    Image image(16, 16, 4);
-    for (int y = 0; y < 16; ++y)
-      for (int x = 0; x < 16; ++x) {
-        const bool inside = covers(projection, (glm::vec2(x, y) + 0.5f) / 16.0f);
-        std::fill_n(image.texel(x, y), 4, inside ? 1.0f : -100.0f);
-      }
-    const EnvironmentMap map(projection, ImageSet(std::move(image)));
-    for (int i = 0; i < 5000; ++i) {
-      const float z = 1.0f - 2.0f * static_cast<float>(i) / 4999.0f;
-      const float angle = 2.39996f * static_cast<float>(i);
-      const float radius = std::sqrt(std::max(0.0f, 1.0f - z * z));
-      EXPECT_NEAR(map.radiance({radius * std::cos(angle), radius * std::sin(angle), z}).x, 1.0f, 1e-5f);
+  for (const Projection projection : kEveryProjection) {
+    if (!hasDisc(projection)) continue;
+    ImageSet images(1, faceCount(projection));
+    for (int face = 0; face < images.faces(); ++face) {
+      Image& image = images.at(0, face) = Image(16, 16, 4);
+      for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+          const bool inside = covers(projection, (glm::vec2(x, y) + 0.5f) / 16.0f);
+          std::fill_n(image.texel(x, y), 4, inside ? 1.0f : -100.0f);
+        }
     }
+    const EnvironmentMap map(projection, std::move(images));
+    for (const glm::vec3 direction : testing::manyDirections(5000))
+      EXPECT_NEAR(map.radiance(direction).x, 1.0f, 1e-5f) << textOf(projection);
+    EXPECT_NEAR(map.radiance({0, 0, -1}).x, 1.0f, 1e-5f) << textOf(projection);
+  }
+}
+
+TEST(EnvironmentMap, AHalfHasNoLightInTheOther) {
+  const EnvironmentMap half(Projection::hemioctahedral, ImageSet(Image(8, 8, 3, 1.0f)));
+  for (const glm::vec3 direction : testing::manyDirections(5000))
+    EXPECT_NEAR(half.radiance(direction).x, direction.z >= 0.0f ? 1.0f : 0.0f, 1e-6f);
+}
+
+// A spot at every edge and corner is seen from both sides of it: an edge sewn to the wrong one would show another.
+TEST(EnvironmentMap, SeesTheTexelBeyondAFold) {
+  for (const Projection projection : {Projection::octahedral, Projection::equal_area}) {
+    Image image(16, 16, 3, 0.0f);
+    std::fill_n(image.texel(3, 0), 3, 1.0f);
+    const EnvironmentMap map(projection, ImageSet(std::move(image)));
+    // The edge's other half runs the other way: column 12 of the row beyond it is this texel.
+    EXPECT_NEAR(map.radiance(directionAt(projection, {0, {3.5f / 16.0f, 0.0f}})).x, 0.5f, 1e-4f);
+    EXPECT_NEAR(map.radiance(directionAt(projection, {0, {12.5f / 16.0f, 0.0f}})).x, 0.5f, 1e-4f);
+    EXPECT_NEAR(map.radiance(directionAt(projection, {0, {12.5f / 16.0f, 1.0f}})).x, 0.0f, 1e-4f);
   }
 }
 

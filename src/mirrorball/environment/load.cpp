@@ -32,7 +32,7 @@ Result<void> repairFaces(const std::string& name, EnvironmentMap& map) {
 
 /// Whatever a picture has beside its disc, no light comes from there.
 void clearBesideDisc(Projection projection, Image& image) {
-  if (covers(projection, {0.0f, 0.0f})) return;
+  if (!hasDisc(projection)) return;
   const glm::vec2 extent(image.width(), image.height());
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
@@ -57,12 +57,14 @@ std::optional<std::array<fs::path, 6>> facePaths(const fs::path& path) {
 Result<LoadedEnvironment> loadFaces(const std::string& name, const std::array<fs::path, 6>& paths,
                                     const EnvironmentLoadOptions& options, std::string told_by) {
   ImageSet faces(1, 6);
+  Projection projection = Projection::cube;
   std::string format;
   NonFinite bad;
   for (int face = 0; face < 6; ++face) {
     const std::string path = paths[static_cast<std::size_t>(face)].string();
     MIRRORBALL_TRY(decoded, readImage(path));
     MIRRORBALL_TRY(bad_here, checkNonFinite(path, decoded.image, options));
+    if (face == 0) projection = projectionOfFaces(decoded.metadata, options.from);
     if (bad.count == 0) bad.first = bad_here.first;
     bad.count += bad_here.count;
     const int side = face == 0 ? decoded.image.height() : faces.at(0, 0).height();
@@ -76,33 +78,27 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const std::array<fs
     format = decoded.format;
   }
   const glm::ivec2 size(faces.at(0, 0).width());
-  EnvironmentMap cube(Projection::cube, std::move(faces));
+  EnvironmentMap cube(projection, std::move(faces));
   if (options.repair) MIRRORBALL_TRY_VOID(repairFaces(name, cube));
   return LoadedEnvironment{Environment(std::move(cube)),
                            name,
                            std::move(format),
-                           Recognition{{Projection::cube, CubeLayout::faces}, std::move(told_by)},
+                           Recognition{{projection, CubeLayout::faces}, std::move(told_by)},
                            size,
                            bad,
                            {paths.begin(), paths.end()}};
-}
-
-Result<EnvironmentMap> mapOfPicture(const std::string& name, Image image, const MapForm& form) {
-  if (form.projection != Projection::cube) return EnvironmentMap(form.projection, ImageSet(std::move(image)));
-  auto cube = splitLayout(image, form.layout);
-  if (!cube) return fail(cube.error().code, name + ": " + cube.error().message);
-  return cube;
 }
 
 Result<LoadedEnvironment> loadPicture(const std::string& name, const EnvironmentLoadOptions& options) {
   MIRRORBALL_TRY(decoded, readImage(name));
   const glm::ivec2 size(decoded.image.width(), decoded.image.height());
   MIRRORBALL_TRY(recognition, recognize(name, size.x, size.y, decoded.metadata, options.from));
-  clearBesideDisc(recognition.form.projection, decoded.image);
+  if (faceCount(recognition.form.projection) == 1) clearBesideDisc(recognition.form.projection, decoded.image);
   MIRRORBALL_TRY(bad, checkNonFinite(name, decoded.image, options));
-  MIRRORBALL_TRY(map, mapOfPicture(name, std::move(decoded.image), recognition.form));
-  if (options.repair) MIRRORBALL_TRY_VOID(repairFaces(name, map));
-  return LoadedEnvironment{Environment(std::move(map)), name, decoded.format, recognition, size, bad, {name}};
+  auto map = mapOfPicture(std::move(decoded.image), recognition.form);
+  if (!map) return fail(map.error().code, name + ": " + map.error().message);
+  if (options.repair) MIRRORBALL_TRY_VOID(repairFaces(name, *map));
+  return LoadedEnvironment{Environment(std::move(*map)), name, decoded.format, recognition, size, bad, {name}};
 }
 
 }  // namespace
@@ -120,9 +116,11 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
   // A name that only happens to end like a face's stands for itself.
   const bool has_siblings =
       paths && std::ranges::count_if(*paths, [](const fs::path& path) { return fs::exists(path); }) > 1;
-  const bool may_be_faces = faces_named || (has_siblings && !options.from.projection && !options.from.layout);
+  const bool is_cube = !options.from.projection || faceCount(*options.from.projection) == 6;
+  const bool may_be_faces = faces_named || (has_siblings && is_cube && !options.from.layout);
   if (paths && may_be_faces)
-    return loadFaces(name_or_path, *paths, options, faces_named ? "--from" : "its name, one of six faces");
+    return loadFaces(name_or_path, *paths, options,
+                     faces_named || options.from.projection ? "--from" : "its name, one of six faces");
   if (faces_named)
     return fail(ErrorCode::usage,
                 name_or_path + ": name one of the six faces, whose names end in _px _nx _py _ny _pz _nz");

@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/environment_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -47,6 +49,33 @@ TEST_F(LoadTest, SixFacesAreOneCube) {
   fs::remove(path("a_ny.exr"));
   EXPECT_THAT(loadEnvironment(path("a_px.exr")).error().message, HasSubstr("a_ny.exr: no such file"));
   EXPECT_EQ(loadEnvironment(path("b.exr"), {.from = *formHintNamed("faces")}).error().code, ErrorCode::usage);
+}
+
+TEST_F(LoadTest, EveryProjectionIsReadBackFromItsFile) {
+  for (const Projection projection : testing::kEveryProjection) {
+    const EnvironmentMap map = *convert(Environment(testing::smoothRadiance, 64), projection, 32);
+    const MapForm form{projection, CubeLayout::hcross};
+    ASSERT_TRUE(writeImage(path("map.exr"), pictureOf(map, form), {.metadata = metadataOf(form)}));
+    const auto loaded = loadEnvironment(path("map.exr"));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded->environment.map()->projection(), projection);
+    for (const glm::vec3 direction : testing::manyDirections(200))
+      EXPECT_EQ(loaded->environment.radiance(direction), map.radiance(direction)) << textOf(form);
+  }
+}
+
+// As pictures the faces of both kinds of cube look alike: the files say which they are, or --from does.
+TEST_F(LoadTest, SixFacesMayBeAnEquiangularCube) {
+  for (const char* suffix : {"px", "nx", "py", "ny", "pz", "nz"}) {
+    const Metadata metadata = metadataOf({Projection::eac, CubeLayout::faces});
+    ASSERT_TRUE(writeImage(path(std::string("told_") + suffix + ".exr"), Image(4, 4, 3), {.metadata = metadata}));
+    ASSERT_TRUE(writeImage(path(std::string("mute_") + suffix + ".exr"), Image(4, 4, 3)));
+  }
+  EXPECT_EQ(textOf(loadEnvironment(path("told_px.exr"))->recognition->form), "eac, faces");
+  EXPECT_EQ(textOf(loadEnvironment(path("mute_px.exr"))->recognition->form), "cube, faces");
+  const auto named = loadEnvironment(path("mute_px.exr"), {.from = *formHintNamed("eac")});
+  EXPECT_EQ(textOf(named->recognition->form), "eac, faces");
+  EXPECT_EQ(named->recognition->told_by, "--from");
 }
 
 TEST_F(LoadTest, BadTexelsAreRefusedCountedOrRepaired) {

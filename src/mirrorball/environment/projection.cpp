@@ -10,27 +10,49 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"equirect", "sphere", "angular", "cube"};
+constexpr std::array<std::string_view, 10> kNames{"equirect",   "sphere",     "angular",        "cube",       "ball",
+                                                  "paraboloid", "octahedral", "hemioctahedral", "equal-area", "eac"};
+
+constexpr std::string_view kBallParameter = "distance=";
 
 /// The image's v grows downwards, OpenGL's t of a sphere map upwards.
 glm::vec2 flipped(glm::vec2 st) { return {st.x, 1.0f - st.y}; }
 
-/// d(ω)/d(area) of the angular map at radius r of the unit disc: θ = π r, dω = sin θ dθ dφ, dA = r dr dφ.
-float angularDensity(float radius) {
-  const float angle = formula::kPi * radius;
-  return radius < 1e-4f ? formula::kPi * formula::kPi : formula::kPi * std::sin(angle) / radius;
-}
+/// The k of formula/mirror_ball.glsl.
+float nearness(Projection projection) { return 1.0f / projection.ball_distance; }
 
 }  // namespace
 
 std::span<const std::string_view> projectionNames() { return kNames; }
 
-std::string_view nameOf(Projection projection) { return kNames[static_cast<std::size_t>(projection)]; }
+std::string_view nameOf(Projection projection) { return kNames[static_cast<std::size_t>(projection.kind)]; }
+
+std::string textOf(Projection projection) {
+  std::string text(nameOf(projection));
+  if (projection == Projection::ball)
+    text += ":" + std::string(kBallParameter) + formatNumber(double(projection.ball_distance));
+  return text;
+}
+
+Result<Projection> ballAtDistance(std::string_view written) {
+  const auto distance = parseNumber(written);
+  if (!distance || *distance < double(Projection::kLeastBallDistance))
+    return fail(ErrorCode::usage, "the distance of a ball's camera is '" + std::string(written) +
+                                      "'; it takes a number of ball radii, at least " +
+                                      formatNumber(double(Projection::kLeastBallDistance)));
+  return Projection::ballFrom(static_cast<float>(*distance));
+}
 
 Result<Projection> projectionNamed(std::string_view name) {
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  const std::size_t colon = name.find(':');
+  const auto found = std::find(kNames.begin(), kNames.end(), name.substr(0, colon));
   if (found == kNames.end()) return tl::unexpected<Error>(unknownName("projection", name, kNames));
-  return static_cast<Projection>(found - kNames.begin());
+  const auto kind = static_cast<Projection::Kind>(found - kNames.begin());
+  if (colon == std::string_view::npos) return kind;
+  const std::string_view parameter = name.substr(colon + 1);
+  if (kind != Projection::ball || !parameter.starts_with(kBallParameter))
+    return fail(ErrorCode::usage, "'" + std::string(name) + "': only a ball takes a parameter, as in ball:distance=20");
+  return ballAtDistance(parameter.substr(kBallParameter.size()));
 }
 
 MapPosition positionOf(Projection projection, glm::vec3 direction) {
@@ -44,6 +66,22 @@ MapPosition positionOf(Projection projection, glm::vec3 direction) {
     case Projection::cube: {
       const int face = formula::cubeFace(direction);
       return {face, formula::cubeCoordinates(face, direction)};
+    }
+    case Projection::ball:
+      return {0, formula::mirrorBallPosition(direction, nearness(projection))};
+    case Projection::paraboloid: {
+      const int face = formula::paraboloidFace(direction);
+      return {face, formula::paraboloidPosition(face, direction)};
+    }
+    case Projection::octahedral:
+      return {0, formula::octahedralPosition(direction)};
+    case Projection::hemioctahedral:
+      return {0, formula::hemioctahedralPosition(direction)};
+    case Projection::equal_area:
+      return {0, formula::equalAreaPosition(direction)};
+    case Projection::eac: {
+      const int face = formula::cubeFace(direction);
+      return {face, formula::equiangularCubeCoordinates(face, direction)};
     }
   }
   return {};
@@ -59,60 +97,66 @@ glm::vec3 directionAt(Projection projection, MapPosition position) {
       return formula::angularDirection(position.uv);
     case Projection::cube:
       return formula::cubeDirection(position.face, position.uv);
+    case Projection::ball:
+      return formula::mirrorBallDirection(position.uv, nearness(projection));
+    case Projection::paraboloid:
+      return formula::paraboloidDirection(position.face, position.uv);
+    case Projection::octahedral:
+      return formula::octahedralDirection(position.uv);
+    case Projection::hemioctahedral:
+      return formula::hemioctahedralDirection(position.uv);
+    case Projection::equal_area:
+      return formula::equalAreaDirection(position.uv);
+    case Projection::eac:
+      return formula::equiangularCubeDirection(position.face, position.uv);
   }
   return {};
 }
 
-bool covers(Projection projection, glm::vec2 uv) {
-  const bool is_disc = projection == Projection::sphere || projection == Projection::angular;
-  return !is_disc || formula::insideDisc(uv);
+bool covers(Projection projection, glm::vec2 uv) { return !hasDisc(projection) || formula::insideDisc(uv); }
+
+bool covers(Projection projection, glm::vec3 direction) {
+  if (projection == Projection::ball) return formula::mirrorBallCovers(direction, nearness(projection));
+  return projection != Projection::hemioctahedral || direction.z >= 0.0f;
 }
 
-float texelSolidAngle(Projection projection, glm::ivec2 size, glm::ivec2 texel) {
-  const glm::vec2 extent(size);
-  const glm::vec2 low = glm::vec2(texel) / extent;
-  const glm::vec2 high = glm::vec2(texel + 1) / extent;
-  const glm::vec2 center = (low + high) / 2.0f;
-  if (!covers(projection, center)) return 0.0f;
-  const float disc_area = 4.0f / (extent.x * extent.y);  // of one texel, on the unit disc
+float coveredSolidAngle(Projection projection) {
+  const float sphere = 2.0f * formula::kTwoPi;
+  if (projection == Projection::ball) return sphere - formula::mirrorBallBlindSolidAngle(nearness(projection));
+  return projection == Projection::hemioctahedral ? formula::kTwoPi : sphere;
+}
+
+bool hasDisc(Projection projection) {
   switch (projection) {
-    case Projection::equirect:
-      return formula::equirectTexelSolidAngle(low.y, high.y, extent.x);
     case Projection::sphere:
-      return 4.0f * disc_area;  // dω = 4 dA, see formula/sphere_map.glsl
     case Projection::angular:
-      return disc_area * angularDensity(2.0f * glm::length(center - 0.5f));
-    case Projection::cube:
-      return formula::cubeRectangleSolidAngle(2.0f * low.x - 1.0f, 2.0f * low.y - 1.0f, 2.0f * high.x - 1.0f,
-                                              2.0f * high.y - 1.0f);
+    case Projection::ball:
+    case Projection::paraboloid:
+      return true;
+    default:
+      return false;
   }
-  return 0.0f;
 }
 
-int faceCount(Projection projection) { return projection == Projection::cube ? 6 : 1; }
+int faceCount(Projection projection) {
+  switch (projection) {
+    case Projection::cube:
+    case Projection::eac:
+      return 6;
+    case Projection::paraboloid:
+      return 2;
+    default:
+      return 1;
+  }
+}
 
 glm::ivec2 imageSize(Projection projection, int size) {
   return {projection == Projection::equirect ? 2 * size : size, size};
 }
 
 int equivalentSize(Projection from, int size, Projection to) {
-  const int panorama_height = from == Projection::cube ? 2 * size : size;
-  return to == Projection::cube ? std::max(panorama_height / 2, 1) : panorama_height;
-}
-
-float texelDensity(Projection projection, int size) {
-  const auto texels = static_cast<float>(size);
-  switch (projection) {
-    case Projection::equirect:
-      return texels / formula::kPi;
-    case Projection::sphere:
-      return texels / 4.0f;  // the reflected ray turns twice as fast as the normal, of which the disc shows 2 rad
-    case Projection::angular:
-      return texels / formula::kTwoPi;
-    case Projection::cube:
-      return texels / 2.0f;
-  }
-  return texels;
+  const int panorama_height = faceCount(from) == 6 ? 2 * size : size;
+  return faceCount(to) == 6 ? std::max(panorama_height / 2, 1) : panorama_height;
 }
 
 }  // namespace mirrorball

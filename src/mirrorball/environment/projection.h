@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <glm/glm.hpp>
@@ -9,44 +10,132 @@
 
 namespace mirrorball {
 
-/// The ways to lay the sphere of directions onto images; docs/conventions.md shows each.
-enum class Projection { equirect, sphere, angular, cube };
+/// A way to lay the sphere of directions onto images; docs/conventions.md shows each. A value: one of the kinds, and for
+/// a photographed ball how far the camera stood. `Projection::cube` and the like stand for themselves in comparisons,
+/// in `switch` and as arguments.
+struct Projection {
+  enum Kind {
+    equirect,        ///< panorama
+    sphere,          ///< mirror ball seen from infinitely far: OpenGL's sphere map
+    angular,         ///< light probe
+    cube,            ///< OpenGL's six faces
+    ball,            ///< mirror ball photographed from a finite distance
+    paraboloid,      ///< two discs: front (+Z) and back (−Z)
+    octahedral,      ///< the sphere unfolded into a square
+    hemioctahedral,  ///< the half z ≥ 0 on a square
+    equal_area,      ///< pbrt-v4's square, all texels of one solid angle
+    eac,             ///< equi-angular cube
+  };
 
-/// "equirect", "sphere", "angular", "cube": the enumeration's order.
+  /// Ball radii between the camera and the ball's centre where nothing else is said: a ball of 10 cm from 1 m.
+  static constexpr float kUsualBallDistance = 20.0f;
+  /// Closer than this a float no longer tells the directions beside the camera apart.
+  static constexpr float kLeastBallDistance = 1.01f;
+
+  constexpr Projection() = default;
+  constexpr Projection(Kind its_kind) : kind(its_kind) {}
+  /// distance  of the camera from the ball's centre, in ball radii, at least kLeastBallDistance; infinite: a sphere map
+  static constexpr Projection ballFrom(float distance) {
+    Projection projection(ball);
+    projection.ball_distance = distance;
+    return projection;
+  }
+  constexpr operator Kind() const { return kind; }
+
+  friend constexpr bool operator==(const Projection& a, const Projection& b) {
+    return a.kind == b.kind && (a.kind != ball || a.ball_distance == b.ball_distance);
+  }
+  friend constexpr bool operator==(const Projection& projection, Kind kind) { return projection.kind == kind; }
+
+  Kind kind = equirect;
+  float ball_distance = kUsualBallDistance;  ///< of a ball only
+};
+
+/// "equirect", "sphere", "angular", "cube", "ball", "paraboloid", "octahedral", "hemioctahedral", "equal-area", "eac":
+/// the order of the kinds.
 std::span<const std::string_view> projectionNames();
 std::string_view nameOf(Projection projection);
-/// errors   usage: lists the names
+
+/// The name, and a ball's distance: "ball:distance=20". projectionNamed reads it back.
+std::string textOf(Projection projection);
+
+/// The projection of a name; a ball's may be followed by ":distance=D", D in ball radii.
+///
+/// errors   usage: lists the names; a distance that is no number or too small
 Result<Projection> projectionNamed(std::string_view name);
 
-/// A place in a map: the face (0 but for cubes) and the position (u, v) in it, both in [0, 1], v down from the top row.
+/// A ball at that distance, written as a number of ball radii.
+///
+/// errors   usage
+Result<Projection> ballAtDistance(std::string_view written);
+
+/// A place in a map: the image (0 but for the faces of a cube, and 1 for the back of a paraboloid map) and the position
+/// (u, v) in it, both in [0, 1], v down from the top row.
 struct MapPosition {
   int face = 0;
   glm::vec2 uv{0.0f};
 };
 
-/// Where a direction (unit) is found.
+/// Where a direction (unit) is found; of a direction that the map does not cover, a place on the edge that is near it.
 MapPosition positionOf(Projection projection, glm::vec3 direction);
 
-/// The unit direction at a position. On a disc (sphere, angular) only positions with `covers` have one.
+/// The unit direction at a position. On a disc (see hasDisc) only positions with `covers` have one, but a paraboloid map
+/// continues into its other half; a cube's face continues a little beyond its edges.
 glm::vec3 directionAt(Projection projection, MapPosition position);
 
 /// Whether there is light at the position: false in the corners beside a disc.
 bool covers(Projection projection, glm::vec2 uv);
 
-/// The solid angle [sr] of texel (x, y) of a face of width × height texels; 0 when its centre is beside the disc.
+/// Whether a direction (unit) has a place in the map: not behind a photographed ball, and not with z < 0 in a
+/// hemioctahedral map.
+bool covers(Projection projection, glm::vec3 direction);
+
+/// The solid angle [sr] of all directions that it covers: 4π but for those two.
+float coveredSolidAngle(Projection projection);
+
+/// Whether the light of each image fills a disc that touches its four sides, rather than all of it.
+bool hasDisc(Projection projection);
+
+/// The solid angle [sr] of texel (x, y) of an image of width × height texels; 0 when its centre is beside the disc.
+/// Exact to single precision, but on a photographed ball's rim to 5e-2 and beside it to 4e-3:
+/// the density has a pole there. A disc's rim texels count wholly.
+///
+/// cost     up to 0.3 µs, in double: a texel's is a small difference of large angles
 float texelSolidAngle(Projection projection, glm::ivec2 size, glm::ivec2 texel);
 
-/// How many images a map has: 6 for a cube, else 1.
+/// formula::cubeCornerSolidAngle in double: the solid angle between a cube face's centre and the point (x, y) of its
+/// plane, both in [−1, 1]. In float the difference of four leaves texels of a 1024² face with errors of up to 15 %.
+double cubeCornerSolidAngle(double x, double y);
+
+/// How many images a map has: 6 for a cube, 2 for a paraboloid map, else 1.
 int faceCount(Projection projection);
 
-/// The size of each image, from the one number that --size is: a face's side, a disc's diameter, a panorama's height.
+/// The size of each image, from the one number that --size is: a face's side, a disc's diameter, a square's side, a
+/// panorama's height.
 glm::ivec2 imageSize(Projection projection, int size);
 
 /// The one number back from a map's image, and between projections of about equal detail: a panorama of height h goes
-/// with faces of h / 2 and discs of h.
+/// with cube faces of h / 2 and with discs and squares of h.
 int equivalentSize(Projection from, int size, Projection to);
 
-/// Texels a radian in the middle of an image of that size; of a cube, in the middle of a face, where it is least.
+/// Texels a radian in the middle of an image of that size; of a cube, in the middle of a face, where it is least. Of an
+/// equal-area map the mean over all directions.
 float texelDensity(Projection projection, int size);
+
+/// Texels a radian around a position, along the two orthogonal directions on the sphere in which they lie closest and
+/// farthest: the reciprocals of the singular values of d(direction)/d(texel). 1 / (greater · lesser) is a texel's solid
+/// angle.
+struct TexelDensity {
+  float greater;
+  float lesser;
+};
+
+/// The density at a position, from differences of directionAt over ± 1/1024 of the image's sides: good to 1e-3, and
+/// across a fold the mean of both sides. Within 1/512 of an edge, a pole or a rim, where it may be infinite, that at
+/// 1/512 from it.
+///
+/// size     as for imageSize
+/// cost     four times directionAt, about 0.2 µs
+TexelDensity texelDensityAt(Projection projection, int size, MapPosition position);
 
 }  // namespace mirrorball

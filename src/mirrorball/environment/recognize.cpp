@@ -8,6 +8,10 @@
 namespace mirrorball {
 namespace {
 
+constexpr const char* kProjectionKey = "mirrorball:projection";
+constexpr const char* kLayoutKey = "mirrorball:layout";
+constexpr const char* kBallDistanceKey = "mirrorball:ball_distance";
+
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 /// "4:3" of a layout.
@@ -23,10 +27,14 @@ Result<FormHint> hintOfMetadata(const Metadata& metadata) {
     return entry == metadata.end() ? std::string() : entry->second;
   };
   FormHint hint;
-  if (const std::string projection = find("mirrorball:projection"); !projection.empty()) {
+  if (const std::string projection = find(kProjectionKey); !projection.empty()) {
     MIRRORBALL_TRY(named, projectionNamed(projection));
     hint.projection = named;
-    if (const std::string layout = find("mirrorball:layout"); !layout.empty()) {
+    if (const std::string distance = find(kBallDistanceKey); named == Projection::ball && !distance.empty()) {
+      MIRRORBALL_TRY(ball, ballAtDistance(distance));
+      hint.projection = ball;
+    }
+    if (const std::string layout = find(kLayoutKey); !layout.empty()) {
       MIRRORBALL_TRY(named_layout, cubeLayoutNamed(layout));
       if (named_layout == CubeLayout::faces)
         return fail(ErrorCode::bad_shape,
@@ -46,14 +54,14 @@ Result<FormHint> hintOfMetadata(const Metadata& metadata) {
 /// The form that a hint and the shape give together; the hint names a projection or a layout.
 Result<MapForm> formOfHint(const FormHint& hint, int width, int height) {
   MapForm form;
-  form.projection = hint.layout ? Projection::cube : *hint.projection;
-  if (form.projection == Projection::equirect && width != 2 * height)
-    return fail(ErrorCode::bad_shape, "is " + sizeText(width, height) + ", and a panorama is 2:1; crop or scale it");
-  const bool is_disc = form.projection == Projection::sphere || form.projection == Projection::angular;
-  if (is_disc && width != height)
-    return fail(ErrorCode::bad_shape, "is " + sizeText(width, height) + ", and a " +
-                                          std::string(nameOf(form.projection)) + " map is square; crop it to the disc");
-  if (form.projection != Projection::cube) return form;
+  form.projection = hint.projection.value_or(Projection::cube);
+  if (faceCount(form.projection) != 6) {
+    const bool is_double = form.projection == Projection::equirect || form.projection == Projection::paraboloid;
+    if (width == (is_double ? 2 : 1) * height) return form;
+    return fail(ErrorCode::bad_shape, "is " + sizeText(width, height) + ", and a map of projection " +
+                                          std::string(nameOf(form.projection)) +
+                                          (is_double ? " is 2:1; crop or scale it" : " is square; crop it"));
+  }
 
   const auto layout = hint.layout ? hint.layout : layoutOfShape(width, height);
   if (!layout)
@@ -80,18 +88,30 @@ Result<Recognition> recognizeShape(int width, int height) {
 
 }  // namespace
 
-std::string textOf(const MapForm& form) {
-  std::string text(nameOf(form.projection));
-  if (form.projection == Projection::cube) text += ", " + std::string(nameOf(form.layout));
-  return text;
-}
-
 Result<FormHint> formHintNamed(std::string_view name) {
-  if (const auto projection = projectionNamed(name)) return FormHint{*projection, std::nullopt};
-  if (const auto layout = cubeLayoutNamed(name)) return FormHint{Projection::cube, *layout};
+  const auto projection = projectionNamed(name);
+  if (projection) return FormHint{*projection, std::nullopt};
+  if (name.find(':') != std::string_view::npos) return tl::unexpected<Error>(projection.error());
+  if (const auto layout = cubeLayoutNamed(name)) return FormHint{std::nullopt, *layout};
   std::vector<std::string_view> all(projectionNames().begin(), projectionNames().end());
   all.insert(all.end(), cubeLayoutNames().begin(), cubeLayoutNames().end());
   return tl::unexpected<Error>(unknownName("projection or cube layout", name, all));
+}
+
+Metadata metadataOf(const MapForm& form) {
+  Metadata metadata;
+  metadata[kProjectionKey] = nameOf(form.projection);
+  if (faceCount(form.projection) == 6) metadata[kLayoutKey] = nameOf(form.layout);
+  if (form.projection == Projection::ball)
+    metadata[kBallDistanceKey] = formatNumber(double(form.projection.ball_distance));
+  return metadata;
+}
+
+Projection projectionOfFaces(const Metadata& metadata, const FormHint& hint) {
+  if (hint.projection) return *hint.projection;
+  const auto stated = metadata.find(kProjectionKey);
+  const bool is_eac = stated != metadata.end() && stated->second == nameOf(Projection::eac);
+  return is_eac ? Projection::eac : Projection::cube;
 }
 
 Result<Recognition> recognize(const std::string& name, int width, int height, const Metadata& metadata,

@@ -4,21 +4,12 @@
 #include <string>
 
 #include "mirrorball/codec/codec.h"
-#include "mirrorball/environment/cube_layout.h"
-#include "mirrorball/environment/projection.h"
+#include "mirrorball/environment/picture.h"
 
 namespace mirrorball {
 
-/// The form of a map.
-struct MapForm {
-  Projection projection = Projection::equirect;
-  CubeLayout layout = CubeLayout::hcross;  ///< of a cube only
-};
-
-/// A map's form as text: "equirect", "cube, hcross".
-std::string textOf(const MapForm& form);
-
-/// What --from names: a projection ("cube": the layout by the picture's shape) or a cube layout ("hcross", "faces").
+/// What --from names: a projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube
+/// layout ("hcross", "faces").
 ///
 /// errors   usage: lists all names
 struct FormHint {
@@ -33,8 +24,15 @@ struct Recognition {
   std::string told_by;  ///< "--from", "the file's metadata", "its shape, 2:1"
 };
 
+/// What a file says of its form, for `recognize` to read back: "mirrorball:projection", a cube's "mirrorball:layout" and
+/// a ball's "mirrorball:ball_distance".
+Metadata metadataOf(const MapForm& form);
+
+/// Of six files with a face each: eac where the hint or a face's metadata says so, else cube.
+Projection projectionOfFaces(const Metadata& metadata, const FormHint& hint);
+
 /// Tells a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1 sphere
-/// map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles).
+/// map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles). All other forms have to be named.
 ///
 /// name     the file, for messages
 /// errors   bad_shape: the shape fits no form, or not the one that was named

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/environment/environment_testing.h"
+
 namespace mirrorball {
 namespace {
 
@@ -46,10 +48,37 @@ TEST(Recognize, TheHintComesBeforeAll) {
   EXPECT_THAT(recognize("a.hdr", 100, 60, {}, *formHintNamed("vcross")).error().message, HasSubstr("3:4"));
 }
 
+// What convert writes is read back: 1:1 and 2:1 pictures of other projections are told by the file alone.
+TEST(Recognize, EveryFormIsReadBackFromItsMetadata) {
+  for (const Projection projection : testing::kEveryProjection)
+    for (const CubeLayout layout : {CubeLayout::hcross, CubeLayout::vcross}) {
+      const MapForm form{projection, layout};
+      const bool is_cube = faceCount(projection) == 6;
+      const glm::ivec2 cells = is_cube ? cellsOf(layout) : glm::ivec2(faceCount(projection), 1);
+      const glm::ivec2 size = imageSize(projection, 8) * cells;
+      const auto read = recognize("a.exr", size.x, size.y, metadataOf(form));
+      ASSERT_TRUE(read) << read.error().message;
+      EXPECT_EQ(textOf(read->form), textOf(form));
+    }
+  EXPECT_EQ(textOf(recognize("a.exr", 8, 8, {{"mirrorball:projection", "ball"}})->form), "ball:distance=20");
+  const Metadata wrong{{"mirrorball:projection", "ball"}, {"mirrorball:ball_distance", "0.5"}};
+  EXPECT_THAT(recognize("a.exr", 8, 8, wrong).error().message, HasSubstr("a.exr: the distance of a ball's camera"));
+}
+
+TEST(Recognize, TheHintMayNameABallsDistance) {
+  EXPECT_EQ(textOf(recognize("a.jpg", 64, 64, {}, *formHintNamed("ball:distance=7.5"))->form), "ball:distance=7.5");
+  EXPECT_EQ(textOf(recognize("a.hdr", 48, 32, {}, *formHintNamed("eac"))->form), "eac, 3x2");
+  EXPECT_THAT(formHintNamed("ball:distance=0").error().message, HasSubstr("at least 1.01"));
+  EXPECT_THAT(recognize("a.hdr", 64, 64, {}, *formHintNamed("paraboloid")).error().message, HasSubstr("2:1"));
+  EXPECT_THAT(recognize("a.hdr", 64, 32, {}, *formHintNamed("octahedral")).error().message, HasSubstr("square"));
+}
+
 TEST(Recognize, UnknownNamesListAll) {
   const auto hint = formHintNamed("panorama");
   ASSERT_FALSE(hint);
-  EXPECT_THAT(hint.error().message, HasSubstr("equirect, sphere, angular, cube, faces, hcross"));
+  EXPECT_THAT(hint.error().message,
+              HasSubstr("equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, "
+                        "equal-area, eac, faces, hcross"));
 }
 
 }  // namespace

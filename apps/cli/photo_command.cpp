@@ -1,0 +1,300 @@
+#include "cli/photo_command.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/map_files.h"
+#include "cli/terminal.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/codec/codec.h"
+#include "mirrorball/environment/convert.h"
+#include "mirrorball/photo/find_ball.h"
+#include "mirrorball/photo/merge.h"
+#include "mirrorball/photo/outline_picture.h"
+#include "mirrorball/photo/unwrap.h"
+
+namespace mirrorball::cli {
+namespace {
+
+constexpr ChoiceField<PhotoOptions> kResponseField{[](const PhotoOptions& options) { return options.response; },
+                                                   [](PhotoOptions& options, int index) { options.response = index; }};
+
+const std::array<Option<PhotoOptions>, 15> kOptions{{
+    {{.name = "output",
+      .value = "OUT",
+      .help = ".exr .hdr (linear radiance), .png .jpg (sRGB, clipped to [0, 1])",
+      .letter = "o",
+      .group = "Output"},
+     &PhotoOptions::output},
+    {{.name = "to",
+      .value = "PROJECTION",
+      .help =
+          "any projection of convert: equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, "
+          "equal-area or eac",
+      .group = "Output"},
+     &PhotoOptions::to},
+    {{.name = "layout",
+      .value = "LAYOUT",
+      .help = "of a cube: faces (six files), hcross, vcross, hstrip, vstrip, 3x2",
+      .group = "Output"},
+     &PhotoOptions::layout},
+    {{.name = "size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 0,
+      .maximum = 32768,
+      .help = "a cube face's side, a disc's diameter or a panorama's height; 0 keeps the photograph's detail",
+      .group = "Output"},
+     &PhotoOptions::size},
+    {{.name = "half", .help = "16-bit instead of 32-bit floats in .exr", .group = "Output"}, &PhotoOptions::half},
+    {{.name = "debug",
+      .value = "FILE",
+      .help = "write the photograph with the ball's rim drawn over it, .png or .jpg",
+      .group = "Output"},
+     &PhotoOptions::debug},
+    {{.name = "circle",
+      .value = "X,Y,R",
+      .unit = "pixels",
+      .fewest = 3,
+      .most = 3,
+      .help = "the ball's centre, from the upright photograph's top left corner, and radius, instead of finding it",
+      .group = "Ball and camera"},
+     &PhotoOptions::circle},
+    {{.name = "distance",
+      .value = "D",
+      .unit = "ball radii",
+      .minimum = 0,
+      .maximum = 1e6,
+      .help = "from the camera to the ball's centre; 0: from --fov or EXIF, else infinite",
+      .group = "Ball and camera"},
+     &PhotoOptions::distance},
+    {{.name = "fov",
+      .value = "DEG",
+      .unit = "degrees",
+      .minimum = 0,
+      .maximum = 170,
+      .help = "vertical field of view of the whole photograph, which tells the distance; 0: unknown",
+      .group = "Ball and camera"},
+     &PhotoOptions::fov_deg},
+    {{.name = "exposures",
+      .value = "T,T,…",
+      .unit = "seconds",
+      .help = "of a series, in the order of its photographs, as in 1/60,1/15,1/4; else from EXIF",
+      .group = "Light"},
+     &PhotoOptions::exposures},
+    {{.name = "response",
+      .choices = "auto|srgb|gamma|linear",
+      .help = "the camera's curve; auto recovers it from a series and assumes sRGB of a single photograph",
+      .group = "Light"},
+     kResponseField},
+    {{.name = "second",
+      .value = "FILE",
+      .help = "a photograph from another side, which sees what the first does not; repeated for a series",
+      .group = "Second side"},
+     &PhotoOptions::second},
+    {{.name = "second-rotation",
+      .value = "DEG",
+      .unit = "degrees",
+      .minimum = -360,
+      .maximum = 360,
+      .help = "how far the camera was carried to the right around the ball, about the vertical: at 90 it stood over +X",
+      .group = "Second side"},
+     &PhotoOptions::second_rotation_deg},
+    {{.name = "second-circle",
+      .value = "X,Y,R",
+      .unit = "pixels",
+      .fewest = 3,
+      .most = 3,
+      .help = "the ball in the second photograph",
+      .group = "Second side"},
+     &PhotoOptions::second_circle},
+    {{.name = "second-exposures",
+      .value = "T,T,…",
+      .unit = "seconds",
+      .help = "of the second photographs; else as the first ones'",
+      .group = "Second side"},
+     &PhotoOptions::second_exposures},
+}};
+
+/// "1/60,1/15,0.25"
+Result<std::vector<double>> parseExposures(const std::string& written) {
+  std::vector<double> exposures;
+  if (written.empty()) return exposures;
+  for (const std::string& part : split(written, ',')) {
+    const auto terms = split(part, '/');
+    const auto numerator = parseNumber(terms[0]);
+    const auto denominator = terms.size() == 2 ? parseNumber(terms[1]) : std::optional<double>(1.0);
+    if (terms.size() > 2 || !numerator || !denominator || !(*numerator > 0.0) || !(*denominator > 0.0))
+      return fail(ErrorCode::usage, "exposures are seconds with commas between, as in 1/60,1/15,1/4; '" + part +
+                                        "' of '" + written + "' is none");
+    exposures.push_back(*numerator / *denominator);
+  }
+  return exposures;
+}
+
+/// One side of the ball as the command line gives it.
+struct Side {
+  std::vector<std::string> files;
+  std::vector<float> circle;
+  std::string exposures;
+  double turn_deg = 0.0;
+  std::string debug;
+};
+
+void note(const std::string& text) { std::fprintf(stderr, "mirrorball: note: %s\n", text.c_str()); }
+
+/// Reads and merges a series, and says what there is to say about it.
+///
+/// curve    the camera's response once a series has shown it: used for later single photographs, set by a series
+Result<Image> readLight(const Side& side, const PhotoOptions& options, Exif& exif, std::optional<Response>& curve) {
+  std::vector<Photograph> photographs;
+  for (const std::string& file : side.files) {
+    MIRRORBALL_TRY(photograph, readPhotograph(file));
+    photographs.push_back(std::move(photograph));
+  }
+  MergeOptions how;
+  MIRRORBALL_TRY(exposures, parseExposures(side.exposures));
+  how.exposures = std::move(exposures);
+  if (options.response > 0) how.response = static_cast<ResponseKind>(options.response - 1);
+  if (photographs.size() == 1 && !how.response) how.known = curve;
+  MIRRORBALL_TRY(merged, mergePhotographs(photographs, how));
+  if (merged.curve) curve = merged.curve;
+  exif = photographs[merged.reference].exif;
+  if (photographs.size() > 1)
+    std::printf("light      %zu photographs merged as aligned, response %s, scale of %s\n", photographs.size(),
+                merged.response.c_str(), photographs[merged.reference].name.c_str());
+  else
+    std::printf("light      one photograph, response %s\n", merged.response.c_str());
+  if (merged.clipped > 0)
+    std::printf("clipped    %zu pixels even in the shortest exposure, which decides there: they are too dark\n",
+                merged.clipped);
+  if (merged.black > 0) std::printf("black      %zu pixels even in the longest exposure\n", merged.black);
+  for (std::size_t i = 0; i < photographs.size(); ++i)
+    if (const double stops = merged.contradicts_stops[i]; std::abs(stops) > kContradiction_stops)
+      note(photographs[i].name + " contradicts the others by " + formatNumber(std::round(std::abs(stops) * 10) / 10) +
+           " stops: it is too " + (stops > 0 ? "bright" : "dark") +
+           " for its exposure; is that right, and did nothing move?");
+  return std::move(merged.light);
+}
+
+Result<Perspective> perspectiveOf(const PhotoOptions& options, const Exif& exif, const Image& light) {
+  if (options.distance > 0.0f && options.fov_deg > 0.0f)
+    return fail(ErrorCode::usage, "--distance and --fov say the same: give one, the other follows from the rim");
+  if (options.distance > 0.0f && options.distance <= 1.0f)
+    return fail(ErrorCode::usage,
+                "--distance is from the camera to the ball's centre in radii of the ball, so more than "
+                "1; it was given " +
+                    formatNumber(double(options.distance)));
+  if (options.distance > 0.0f) return Perspective{.distance = double(options.distance), .focal_px = 0.0};
+  if (options.fov_deg > 0.0f)
+    return Perspective{.distance = 0.0, .focal_px = focalLengthFromFov(double(options.fov_deg), light.height())};
+  return Perspective{.distance = 0.0, .focal_px = focalLengthFromExif(exif, light.width(), light.height())};
+}
+
+void printBall(const FoundBall& ball, const Image& light, bool is_given) {
+  const BallView& view = ball.view;
+  const Circle circle = circleInPicture(view);
+  std::printf("ball       circle %.2f,%.2f,%.2f px", circle.center_px.x, circle.center_px.y, circle.radius_px);
+  if (is_given)
+    std::printf(", as given\n");
+  else
+    std::printf(", found: an edge along %.0f %% of its rim, %.2f px RMS off it%s\n", 100.0 * ball.share, ball.rms_px,
+                ball.visible < 1.0 ? "; cut by the picture's border" : "");
+  if (view.lens().isOrthographic()) {
+    std::printf("camera     taken as infinitely far away; --distance or --fov would say how far it is\n");
+    return;
+  }
+  const double fov = 2.0 * std::atan(light.height() / 2.0 / view.lens().focal_px);
+  std::printf("camera     %.2f ball radii from the ball's centre, vertical field of view %.2f degrees\n",
+              view.distance(), glm::degrees(fov));
+}
+
+double capSolidAngle(double half_angle_rad) { return 2.0 * glm::radians(180.0) * (1.0 - std::cos(half_angle_rad)); }
+
+void printBlindCone(const BallView& view) {
+  const double blind = view.blindHalfAngle_rad();
+  const double unseen = view.unseenHalfAngle_rad(rimMargin_px(view));
+  std::printf(
+      "blind      a cone of half-angle %.2f degrees behind the ball (%.4f sr); with %.1f px along the rim left out "
+      "%.2f degrees (%.4f sr)\n",
+      glm::degrees(blind), capSolidAngle(blind), rimMargin_px(view), glm::degrees(unseen), capSolidAngle(unseen));
+}
+
+Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, std::optional<Response>& curve) {
+  Exif exif;
+  MIRRORBALL_TRY(light, readLight(side, options, exif, curve));
+  MIRRORBALL_TRY(perspective, perspectiveOf(options, exif, light));
+  const bool is_given = !side.circle.empty();
+  const auto findOrTake = [&]() -> Result<FoundBall> {
+    if (!is_given) return findBall(light, perspective, side.files.front());
+    return ballOfCircle({{side.circle[0], side.circle[1]}, side.circle[2]}, {light.width(), light.height()},
+                        perspective);
+  };
+  MIRRORBALL_TRY(ball, findOrTake());
+  printBall(ball, light, is_given);
+  printBlindCone(ball.view);
+  if (!side.debug.empty()) MIRRORBALL_TRY_VOID(writePicture(side.debug, outlinePicture(light, ball.view)));
+  return BallPhotograph{std::move(light), ball.view, side.turn_deg};
+}
+
+Result<void> checkFiles(const std::vector<std::string>& inputs, const PhotoOptions& options, Projection to,
+                        CubeLayout layout) {
+  MIRRORBALL_TRY_VOID(checkFolder(options.output));
+  MIRRORBALL_TRY_VOID(checkWritable(options.output));
+  std::vector<std::string> outputs = mapPaths(options.output, to, layout);
+  if (!options.debug.empty()) outputs.push_back(options.debug);
+  MIRRORBALL_TRY_VOID(refuseOverwriting(inputs, outputs));
+  return refuseOverwriting(options.second, outputs);
+}
+
+Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& options) {
+  if (options.output.empty()) return fail(ErrorCode::usage, "photo needs an output: -o FILE");
+  MIRRORBALL_TRY(to, projectionNamed(options.to));
+  MIRRORBALL_TRY(layout, cubeLayoutNamed(options.layout));
+  MIRRORBALL_TRY_VOID(checkFiles(inputs, options, to, layout));
+  std::vector<BallPhotograph> sides;
+  std::optional<Response> curve;
+  MIRRORBALL_TRY(first, readSide({inputs, options.circle, options.exposures, 0.0, options.debug}, options, curve));
+  sides.push_back(std::move(first));
+  if (!options.second.empty()) {
+    const std::string& exposures = options.second_exposures.empty() ? options.exposures : options.second_exposures;
+    const std::string debug = options.debug.empty() ? "" : suffixed(options.debug, "_second");
+    MIRRORBALL_TRY(
+        second, readSide({options.second, options.second_circle, exposures, double(options.second_rotation_deg), debug},
+                         options, curve));
+    sides.push_back(std::move(second));
+  }
+  MIRRORBALL_TRY(unwrapped, unwrapBall(std::move(sides)));
+  if (unwrapped.gains.size() > 1)
+    std::printf("second     its light times %.3f agrees with the first\n", unwrapped.gains[1]);
+  std::printf("filled     %.4f sr (%.2f %% of all directions) continued smoothly\n", unwrapped.filled_sr,
+              unwrapped.filled_sr / (4.0 * glm::radians(180.0)) * 100.0);
+  const int size = options.size > 0 ? options.size : unwrapped.environment.naturalSize(to);
+  MIRRORBALL_TRY(map, convert(unwrapped.environment, to, size, progressBar("unwrap")));
+  return writeMap(map, layout, options.half, options.output);
+}
+
+}  // namespace
+
+std::span<const Option<PhotoOptions>> photoOptions() { return kOptions; }
+
+Action addPhotoCommand(CLI::App& program) {
+  struct Request {
+    std::vector<std::string> inputs;
+    PhotoOptions options;
+  };
+  auto request = std::make_shared<Request>();
+  CLI::App* command =
+      program.add_subcommand("photo", "Unwraps a photograph of a mirror ball, or a series of exposures, into a map");
+  command->add_option("PHOTO", request->inputs, "photographs of one exposure series (.jpg .png), or one of .hdr .exr")
+      ->required();
+  addOptions(*command, photoOptions(), request->options);
+  return [request] { return photo(request->inputs, request->options); };
+}
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,209 @@
+#include "mirrorball/photo/find_ball.h"
+
+#include <algorithm>
+
+#include <glm/gtc/constants.hpp>
+
+#include "formula/formula.h"
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/photo/rim_fit.h"
+#include "mirrorball/photo/rim_votes.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr int kCoarseSide = 320;
+constexpr double kLeastShare = 0.4;
+
+/// Brightness as the eye grades it, in any exposure: the median becomes a middle grey, lights above it are compressed,
+/// so that a lamp's edge is no stronger than a hundred times the rim's.
+Image greyOf(const Image& light) {
+  Image grey(light.width(), light.height(), 1);
+  std::vector<float> sorted;
+  for (int y = 0; y < light.height(); ++y)
+    for (int x = 0; x < light.width(); ++x) {
+      *grey.texel(x, y) = std::max(0.0f, formula::luminance(rgbAt(light, x, y)));
+      if ((x + y) % 7 == 0) sorted.push_back(*grey.texel(x, y));
+    }
+  const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
+  std::ranges::nth_element(sorted, middle);
+  const float scale = 0.25f / std::max(*middle, 1e-6f);
+  for (float& sample : grey.samples()) sample = std::sqrt(sample * scale / (1.0f + sample * scale));
+  return grey;
+}
+
+/// Means of factor × factor pixels; a rest at the right and below is left out.
+Image shrunk(const Image& grey, int factor) {
+  Image small(std::max(1, grey.width() / factor), std::max(1, grey.height() / factor), 1);
+  parallelFor(std::size_t(small.height()), 8, [&](std::size_t begin, std::size_t end) {
+    for (int y = int(begin); y < int(end); ++y)
+      for (int x = 0; x < small.width(); ++x) {
+        float sum = 0.0f;
+        for (int j = 0; j < factor; ++j)
+          for (int i = 0; i < factor; ++i) sum += *grey.texel(x * factor + i, y * factor + j);
+        *small.texel(x, y) = sum / static_cast<float>(factor * factor);
+      }
+  });
+  return small;
+}
+
+/// The picture laid onto the lens' plane, at its own scale.
+Image planeImage(const PlanePicture& picture, int width, int height, double scale) {
+  Image plane(width, height, 1);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      *plane.texel(x, y) = static_cast<float>(picture.at((glm::dvec2(x, y) + 0.5) * scale));
+  return plane;
+}
+
+struct Fit {
+  Circle circle;
+  RimSupport support;
+  double sureness = 0.0;  ///< 0 … 1: share, less what circles a little larger and smaller have, less for small circles
+};
+
+/// Fits a candidate to the edges around it. `pixel` is the size of the picture's texels.
+Fit fitCandidate(const PlanePicture& picture, const Circle& candidate, double pixel) {
+  constexpr int kRays = 180;
+  constexpr double kWeakest = 0.005;  // change of brightness a texel
+  const double reach = std::max(3.0 * pixel, 0.12 * candidate.radius_px);
+  const double tolerance = std::max(1.2 * pixel, 0.012 * candidate.radius_px);
+  const double blur = std::max(0.8 * pixel, 0.006 * candidate.radius_px);
+  const auto edges = edgesAcross(picture, candidate, kRays, reach, blur, kWeakest / pixel);
+  Fit fit;
+  fit.circle =
+      refineCircle(edges, mostSupported(edges, candidate, kRays, reach, tolerance), 2.0 * tolerance, tolerance);
+  // Along the fitted circle again: an edge counts only where it runs across the fitted circle's own radii.
+  const auto across = edgesAcross(picture, fit.circle, kRays, 3.5 * tolerance, blur, kWeakest / pixel);
+  fit.support = supportOf(picture, fit.circle, across, kRays, tolerance);
+  double chance = 0.0;
+  for (const double side : {-2.5, 2.5}) {
+    const Circle beside{fit.circle.center_px, fit.circle.radius_px + side * tolerance};
+    chance += 0.5 * supportOf(picture, beside, across, kRays, tolerance).share;
+  }
+  // The fewer texels a circle has, the more easily chance makes one: 10 texels of radius count half, 30 nearly wholly.
+  const double size = 1.0 - std::exp(-candidate.radius_px / pixel / 15.0);
+  fit.sureness = size * (fit.support.share - 0.5 * chance);
+  return fit;
+}
+
+/// The best candidate of the coarse picture.
+std::optional<Fit> bestCandidate(const PlanePicture& picture, int width, int height, double pixel) {
+  const std::vector<Circle> candidates = voteForCircles(planeImage(picture, width, height, pixel));
+  std::vector<Fit> fits(candidates.size());
+  parallelFor(candidates.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      fits[i] = fitCandidate(picture, {candidates[i].center_px * pixel, candidates[i].radius_px * pixel}, pixel);
+  });
+  std::optional<Fit> best;
+  for (const Fit& fit : fits)
+    if (fit.support.visible > 0.4 && (!best || fit.sureness > best->sureness)) best = fit;
+  return best;
+}
+
+/// Refines in the full picture, from a fit that is right within `within_px`.
+Fit refined(const PlanePicture& picture, Circle circle, double within_px) {
+  constexpr int kRays = 720;
+  constexpr double kWeakest = 0.008;
+  Fit fit;
+  std::vector<EdgePoint> edges;
+  // A rim is as sharp as the lens: in large pictures it spreads over several pixels.
+  const double blur = std::clamp(circle.radius_px / 400.0, 0.7, 3.0);
+  for (const double reach : {within_px, std::max(within_px / 3.0, 3.0 * blur), 3.0 * blur}) {
+    edges = edgesAcross(picture, circle, kRays, reach, blur, kWeakest / blur);
+    if (reach == within_px) circle = mostSupported(edges, circle, kRays, reach, 1.5 * blur);
+    circle = refineCircle(edges, circle, std::min(reach, 4.0 * blur), 1.2 * blur);
+  }
+  edges = correctedByFlanks(edges, circle, 1.2 * blur);
+  circle = refineCircle(edges, circle, 2.0 * blur, 1.2 * blur);
+  fit.circle = circle;
+  fit.support = supportOf(picture, circle, edges, kRays, 1.5 * blur);
+  return fit;
+}
+
+/// The circle of the lens' plane that fits these positions of the picture best.
+Circle planeCircle(const Lens& lens, const std::vector<glm::dvec2>& rim, const Circle& otherwise) {
+  std::vector<glm::dvec2> plane;
+  for (const glm::dvec2 position : rim) plane.push_back(lens.planeFromPicture(position));
+  return fitCircle(plane, std::vector<double>(plane.size(), 1.0)).value_or(otherwise);
+}
+
+/// The focal length with which a rim at these positions belongs to a ball at that distance: the rim's half-angle is
+/// asin(1 / distance). A fixed point, since the half-angle's tangent is nearly inverse to the focal length.
+double focalForDistance(const std::vector<glm::dvec2>& rim, glm::dvec2 middle_px, double distance, double start_px) {
+  const double wanted = std::tan(std::asin(1.0 / distance));
+  double focal = start_px;
+  for (int step = 0; step < 60; ++step) {
+    const Lens lens{middle_px, focal};
+    const double ratio = std::tan(BallView(lens, planeCircle(lens, rim, {})).blindHalfAngle_rad()) / wanted;
+    focal *= ratio;
+    if (std::abs(ratio - 1.0) < 1e-10) break;
+  }
+  return focal;
+}
+
+Lens lensFor(const Perspective& perspective, glm::dvec2 middle_px, const BallView& seen, double start_px) {
+  if (perspective.distance == 0.0) return {middle_px, perspective.focal_px};
+  return {middle_px, focalForDistance(seen.outline(64), middle_px, perspective.distance, start_px)};
+}
+
+/// A camera far from the ball, from which the search for the focal length starts.
+double startingFocal(const Perspective& perspective, double radius_px) {
+  return radius_px * std::sqrt(perspective.distance * perspective.distance - 1.0);
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+
+}  // namespace
+
+double focalLengthFromFov(double fov_deg, int height) { return height / 2.0 / std::tan(glm::radians(fov_deg) / 2.0); }
+
+Circle circleInPicture(const BallView& view) {
+  return planeCircle(Lens{view.lens().middle_px, 0.0}, view.outline(64), view.rim());
+}
+
+Result<FoundBall> findBall(const Image& light, const Perspective& perspective, const std::string& name) {
+  const std::string advice = "; give it with --circle x,y,r in pixels";
+  const glm::dvec2 middle = glm::dvec2(light.width(), light.height()) / 2.0;
+  const Image grey = greyOf(light);
+  const int factor = std::max(1, std::max(light.width(), light.height()) / kCoarseSide);
+  const Image coarse = shrunk(grey, factor);
+  Lens lens{middle, perspective.focal_px};
+  const auto found = bestCandidate(PlanePicture(coarse, lens, factor), coarse.width(), coarse.height(), factor);
+  if (!found || found->sureness < kLeastShare)
+    return fail(ErrorCode::bad_shape,
+                name + ": no ball's rim is found" +
+                    (found ? " (the best circle has an edge along only " + percent(found->support.share) +
+                                 " of its rim, others by chance nearly as much)"
+                           : "") +
+                    advice);
+
+  double within = std::max(2.5 * factor, 0.012 * found->circle.radius_px);
+  Fit fit = refined(PlanePicture(grey, lens, 1.0), found->circle, within);
+  // The lens follows from the rim and the distance, and the rim's exact shape from the lens.
+  for (int round = 0; round < 3 && perspective.distance > 0.0; ++round) {
+    const BallView seen(lens, fit.circle);
+    lens = lensFor(perspective, middle, seen,
+                   lens.isOrthographic() ? startingFocal(perspective, fit.circle.radius_px) : lens.focal_px);
+    fit = refined(PlanePicture(grey, lens, 1.0), planeCircle(lens, seen.outline(64), fit.circle),
+                  std::max(4.0, 0.03 * fit.circle.radius_px));
+  }
+  if (fit.support.share < kLeastShare || fit.circle.radius_px < 8.0)
+    return fail(ErrorCode::bad_shape, name + ": the ball's rim is not sure (an edge along only " +
+                                          percent(fit.support.share) + " of it)" + advice);
+  return FoundBall{BallView(lens, fit.circle), fit.support.share, fit.support.visible, fit.support.rms_px};
+}
+
+Result<FoundBall> ballOfCircle(const Circle& circle, glm::ivec2 size, const Perspective& perspective) {
+  const glm::dvec2 nearest = glm::clamp(circle.center_px, glm::dvec2(0.0), glm::dvec2(size));
+  if (!(circle.radius_px > 0.0) || glm::distance(nearest, circle.center_px) >= circle.radius_px)
+    return fail(ErrorCode::usage,
+                "--circle takes the centre and the radius of a ball that is seen in the photograph of " +
+                    std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels");
+  const glm::dvec2 middle = glm::dvec2(size) / 2.0;
+  const BallView seen(Lens{middle, 0.0}, circle);
+  const Lens lens = lensFor(perspective, middle, seen, startingFocal(perspective, circle.radius_px));
+  return FoundBall{BallView(lens, planeCircle(lens, seen.outline(64), circle))};
+}
+
+}  // namespace mirrorball

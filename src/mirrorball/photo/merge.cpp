@@ -1,0 +1,243 @@
+#include "mirrorball/photo/merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+namespace {
+
+using CodesOfAll = std::vector<const Image8*>;
+
+/// What the photographs say about one channel of one pixel.
+struct Evidence {
+  double weighted = 0.0;
+  double weights = 0.0;
+
+  void add(double light, double trust, double exposure) {
+    weighted += trust * exposure * light;
+    weights += trust * exposure * exposure;
+  }
+};
+
+double trustIn(int code) { return code >= kFirstClippedCode ? 0.0 : trustInCode(code); }
+
+std::string sizeText(const Photograph& photograph) {
+  return std::to_string(photograph.width()) + "x" + std::to_string(photograph.height());
+}
+
+Result<void> checkSeries(std::span<const Photograph> photographs) {
+  const Photograph& first = photographs.front();
+  for (const Photograph& photograph : photographs) {
+    if (photograph.width() != first.width() || photograph.height() != first.height())
+      return fail(ErrorCode::bad_shape, photograph.name + ": is " + sizeText(photograph) + ", but " + first.name +
+                                            " is " + sizeText(first) + "; a series has one size");
+    if (photographs.size() > 1 && !photograph.light.empty())
+      return fail(ErrorCode::usage, photograph.name + ": is linear light already; give it alone, not in a series");
+  }
+  return {};
+}
+
+Result<std::vector<double>> exposuresOf(std::span<const Photograph> photographs, const MergeOptions& options) {
+  if (photographs.size() == 1) return std::vector<double>{1.0};
+  std::vector<double> exposures = options.exposures;
+  if (exposures.empty()) {
+    MIRRORBALL_TRY(read, exposuresFromExif(photographs));
+    exposures = std::move(read);
+  }
+  if (exposures.size() != photographs.size())
+    return fail(ErrorCode::usage, std::to_string(exposures.size()) + " exposures are given for " +
+                                      std::to_string(photographs.size()) + " photographs; give one each");
+  const auto [least, greatest] = std::ranges::minmax(exposures);
+  if (greatest / least < 1.05)
+    return fail(ErrorCode::usage, "all photographs have the exposure " + formatNumber(least) +
+                                      " s; a series has different ones, so give one photograph, or the right "
+                                      "exposures with --exposures");
+  return exposures;
+}
+
+/// The one with the middle exposure.
+std::size_t referenceOf(std::span<const double> exposures) {
+  std::vector<std::size_t> order(exposures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return exposures[i]; });
+  return order[(order.size() - 1) / 2];
+}
+
+std::string nameOf(ResponseKind kind) {
+  return kind == ResponseKind::srgb    ? "assumed sRGB"
+         : kind == ResponseKind::gamma ? "assumed gamma 2.2"
+                                       : "assumed linear";
+}
+
+/// The light of a row's pixels; counts those that all photographs clip or leave black.
+struct RowCounts {
+  std::size_t clipped = 0;
+  std::size_t black = 0;
+};
+
+RowCounts mergeRow(const CodesOfAll& codes, std::span<const double> exposures, const Response& response, int y,
+                   Image& light) {
+  const std::size_t shortest = std::size_t(std::ranges::min_element(exposures) - exposures.begin());
+  const std::size_t longest = std::size_t(std::ranges::max_element(exposures) - exposures.begin());
+  RowCounts counts;
+  for (int x = 0; x < light.width(); ++x) {
+    bool clipped = false;
+    bool black = false;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto lightOf = [&](std::size_t p) { return double(response.light[c][codes[p]->texel(x, y)[c]]); };
+      Evidence evidence;
+      for (std::size_t p = 0; p < codes.size(); ++p)
+        evidence.add(lightOf(p), trustIn(codes[p]->texel(x, y)[c]), exposures[p]);
+      const bool too_bright = codes[shortest]->texel(x, y)[c] >= kFirstClippedCode;
+      const bool too_dark = codes[longest]->texel(x, y)[c] == 0;
+      clipped |= too_bright;
+      black |= too_dark;
+      double value = evidence.weights > 0.0 ? evidence.weighted / evidence.weights : 0.0;
+      if (too_bright) value = lightOf(shortest) / exposures[shortest];
+      if (too_dark) value = lightOf(longest) / exposures[longest];
+      light.texel(x, y)[c] = static_cast<float>(value);
+    }
+    counts.clipped += clipped;
+    counts.black += black;
+  }
+  return counts;
+}
+
+void mergeCodes(const CodesOfAll& codes, std::span<const double> exposures, const Response& response,
+                MergedPhotographs& merged) {
+  merged.light = Image(codes.front()->width(), codes.front()->height(), 3);
+  const std::size_t rows = std::size_t(merged.light.height());
+  std::vector<RowCounts> counts(rows);
+  parallelFor(rows, 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y)
+      counts[y] = mergeRow(codes, exposures, response, static_cast<int>(y), merged.light);
+  });
+  for (const RowCounts& row : counts) {
+    merged.clipped += row.clipped;
+    merged.black += row.black;
+  }
+}
+
+/// How many stops each photograph is brighter than its exposure says, against the one that it agrees with best: the
+/// median over the places that both show. One that is wrong agrees with none, and all others with one another.
+std::vector<double> contradictions(const CodesOfAll& codes, std::span<const double> exposures,
+                                   const Response& response) {
+  const std::size_t count = codes.size();
+  std::vector<std::vector<double>> stops(count * count);
+  forEachSmoothPlace(codes, [&](std::span<const std::array<double, 3>> mean) {
+    constexpr double kLeastTrust = 0.1;
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t p = 0; p < count; ++p)
+        for (std::size_t other = 0; other < p; ++other) {
+          const auto code = [&](std::size_t i) { return static_cast<int>(std::lround(mean[i][c])); };
+          if (std::min(trustIn(code(p)), trustIn(code(other))) < kLeastTrust) continue;
+          const auto light = [&](std::size_t i) { return response.light[c][std::size_t(code(i))] / exposures[i]; };
+          stops[p * count + other].push_back(std::log2(light(p) / light(other)));
+        }
+  });
+  std::vector<double> least(count, 1e9);
+  for (std::size_t p = 0; p < count; ++p)
+    for (std::size_t other = 0; other < p; ++other) {
+      std::vector<double>& of_pair = stops[p * count + other];
+      if (of_pair.empty()) continue;
+      const auto middle = of_pair.begin() + std::ptrdiff_t(of_pair.size() / 2);
+      std::ranges::nth_element(of_pair, middle);
+      if (std::abs(*middle) < std::abs(least[p])) least[p] = *middle;
+      if (std::abs(*middle) < std::abs(least[other])) least[other] = -*middle;
+    }
+  // Those that share no place with any other contradict none.
+  std::ranges::replace(least, 1e9, 0.0);
+  return least;
+}
+
+double greatest(const std::vector<double>& stops) {
+  double result = 0.0;
+  for (const double stop : stops) result = std::max(result, std::abs(stop));
+  return result;
+}
+
+/// The response that the options ask for.
+Result<Response> responseOf(const CodesOfAll& codes, std::span<const double> exposures, const MergeOptions& options) {
+  if (options.known) return *options.known;
+  if (codes.size() > 1 && !options.response) return recoverResponse(codes, exposures);
+  return assumedResponse(options.response.value_or(ResponseKind::srgb));
+}
+
+/// How far each photograph lies off the others. One that is wrong makes its neighbours look wrong too, and bends the
+/// recovered response: so where there is a contradiction, each is left out in turn, and the one without which the rest
+/// agree best is held against that rest.
+std::vector<double> namedContradictions(const CodesOfAll& codes, const std::vector<double>& exposures,
+                                        const Response& response, const MergeOptions& options) {
+  std::vector<double> stops = contradictions(codes, exposures, response);
+  // Of two, neither is the odd one out; and for any two exposures some response makes them agree.
+  const std::size_t fewest = options.response || options.known ? 3 : 4;
+  if (greatest(stops) < kContradiction_stops / 2.0 || codes.size() < fewest) return stops;
+  double least = greatest(stops);
+  for (std::size_t odd = 0; odd < codes.size(); ++odd) {
+    CodesOfAll rest = codes;
+    std::vector<double> rest_exposures = exposures;
+    rest.erase(rest.begin() + std::ptrdiff_t(odd));
+    rest_exposures.erase(rest_exposures.begin() + std::ptrdiff_t(odd));
+    const auto of_rest = responseOf(rest, rest_exposures, options);
+    if (!of_rest) continue;
+    const std::vector<double> rest_stops = contradictions(rest, rest_exposures, *of_rest);
+    if (greatest(rest_stops) >= least) continue;
+    least = greatest(rest_stops);
+    const double off = contradictions(codes, exposures, *of_rest)[odd];
+    stops = rest_stops;
+    stops.insert(stops.begin() + std::ptrdiff_t(odd), off);
+  }
+  return stops;
+}
+
+/// As namedContradictions; but where few shades are in the scene, a recovered response may bend so far that it agrees
+/// with a wrong exposure. So what disagrees by more than a stop under sRGB counts too, as long as the others agree: then
+/// it is not the camera's curve that is unlike sRGB's.
+std::vector<double> allContradictions(const CodesOfAll& codes, const std::vector<double>& exposures,
+                                      const Response& response, const MergeOptions& options) {
+  const std::vector<double> stops = namedContradictions(codes, exposures, response, options);
+  const bool is_recovered = codes.size() > 2 && !options.response && !options.known;
+  if (!is_recovered || greatest(stops) > kContradiction_stops) return stops;
+  MergeOptions assumed = options;
+  assumed.response = ResponseKind::srgb;
+  const auto by_srgb = namedContradictions(codes, exposures, assumedResponse(ResponseKind::srgb), assumed);
+  const auto contradicts = [](double stop) { return std::abs(stop) > kContradiction_stops; };
+  const bool is_one = std::ranges::count_if(by_srgb, contradicts) == 1;
+  return is_one && greatest(by_srgb) > 2.0 * kContradiction_stops ? by_srgb : stops;
+}
+
+}  // namespace
+
+Result<MergedPhotographs> mergePhotographs(std::span<const Photograph> photographs, const MergeOptions& options) {
+  MIRRORBALL_TRY_VOID(checkSeries(photographs));
+  MergedPhotographs merged;
+  if (!photographs.front().light.empty()) {
+    merged.light = photographs.front().light;
+    merged.contradicts_stops = {0.0};
+    merged.response = "linear light";
+    return merged;
+  }
+  MIRRORBALL_TRY(exposures, exposuresOf(photographs, options));
+  merged.reference = referenceOf(exposures);
+  const double reference = exposures[merged.reference];
+  for (double& exposure : exposures) exposure /= reference;
+
+  CodesOfAll codes;
+  for (const Photograph& photograph : photographs) codes.push_back(&photograph.codes);
+  MIRRORBALL_TRY(response, responseOf(codes, exposures, options));
+  merged.response = nameOf(options.response.value_or(ResponseKind::srgb));
+  if (options.known) merged.response = "the first side's";
+  if (!options.known && !options.response && photographs.size() > 1) {
+    merged.response = "recovered";
+    merged.curve = response;
+  }
+  mergeCodes(codes, exposures, response, merged);
+  merged.contradicts_stops = allContradictions(codes, exposures, response, options);
+  return merged;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,56 @@
+#include "mirrorball/photo/photograph.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/jpeg.h"
+#include "mirrorball/codec/png.h"
+
+namespace mirrorball {
+
+Result<Photograph> readPhotograph(const std::filesystem::path& path) {
+  Photograph photograph{.name = path.string(), .codes = {}, .light = {}, .exif = {}};
+  MIRRORBALL_TRY(bytes, readFile(path));
+  if (isJpeg(bytes)) photograph.exif = readExif(bytes);
+  if (isJpeg(bytes) || isPng(bytes)) {
+    MIRRORBALL_TRY(codes, decodeTexture(bytes, photograph.name));
+    photograph.codes = upright(std::move(codes), photograph.exif.orientation);
+    return photograph;
+  }
+  MIRRORBALL_TRY(decoded, decodeImage(bytes, photograph.name));
+  if (const NonFinite bad = findNonFinite(decoded.image); bad.count > 0)
+    return fail(ErrorCode::non_finite, photograph.name + ": " + std::to_string(bad.count) +
+                                           " texels are NaN or infinite, the first at (" + std::to_string(bad.first.x) +
+                                           ", " + std::to_string(bad.first.y) + ")");
+  photograph.light = std::move(decoded.image);
+  return photograph;
+}
+
+Result<std::vector<double>> exposuresFromExif(std::span<const Photograph> photographs) {
+  for (const Photograph& photograph : photographs)
+    if (!photograph.exif.exposure_time_s)
+      return fail(ErrorCode::usage, photograph.name +
+                                        ": has no exposure time in its EXIF; give all of them with "
+                                        "--exposures, as in --exposures 1/60,1/15,1/4");
+  const auto all = [&](auto member) {
+    return std::ranges::all_of(photographs, [&](const Photograph& p) { return (p.exif.*member).has_value(); });
+  };
+  const bool all_iso = all(&Exif::iso);
+  const bool all_f_numbers = all(&Exif::f_number);
+  std::vector<double> exposures;
+  for (const Photograph& photograph : photographs) {
+    double exposure = *photograph.exif.exposure_time_s;
+    if (all_iso) exposure *= *photograph.exif.iso / 100.0;
+    if (all_f_numbers) exposure /= *photograph.exif.f_number * *photograph.exif.f_number;
+    exposures.push_back(exposure);
+  }
+  return exposures;
+}
+
+double focalLengthFromExif(const Exif& exif, int width, int height) {
+  constexpr double kDiagonal_mm = 43.2666;
+  return exif.focal_length_35mm.value_or(0.0) / kDiagonal_mm * std::hypot(width, height);
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/image/image.h"
+#include "mirrorball/photo/exif.h"
+
+namespace mirrorball {
+
+/// A photograph as the camera stored it, upright. It is either codes, whose light is known only through a response
+/// curve (response.h), or already linear light.
+struct Photograph {
+  std::string name;  ///< the file, for messages
+  Image8 codes;      ///< 4 channels, RGB as stored; empty for .exr and .hdr
+  Image light;       ///< linear light of .exr and .hdr; else empty
+  Exif exif;
+
+  int width() const { return codes.empty() ? light.width() : codes.width(); }
+  int height() const { return codes.empty() ? light.height() : codes.height(); }
+};
+
+/// Reads a photograph and applies its EXIF orientation. PNG with 16 bits is rounded to 8.
+///
+/// errors   whatever the codec finds; non_finite in linear light
+Result<Photograph> readPhotograph(const std::filesystem::path& path);
+
+/// How much light reaches the sensor for the same scene, relative to others of the series: time · ISO / f-number². A
+/// factor that one of the series lacks is left out for all of it, as when the lens reports no aperture.
+///
+/// photographs  of one series
+/// returns      one exposure a photograph [s]
+/// errors       usage: a photograph without an exposure time, and what to do
+Result<std::vector<double>> exposuresFromExif(std::span<const Photograph> photographs);
+
+/// The focal length in pixels that EXIF's 35 mm equivalent means in a picture of that size; 0 when it does not say.
+///
+/// from     CIPA DCG-001: equivalence is of the diagonal, 43.27 mm of the 36 × 24 mm frame
+double focalLengthFromExif(const Exif& exif, int width, int height);
+
+}  // namespace mirrorball

@@ -67,7 +67,7 @@ Result<void> convertFile(const std::string& input, const ConvertOptions& options
   }
   MIRRORBALL_TRY(loaded, loadEnvironment(input, how));
   const int size = options.size > 0 ? options.size : loaded.environment.naturalSize(to);
-  MIRRORBALL_TRY(map, convert(loaded.environment, to, size, progressBar("convert")));
+  MIRRORBALL_TRY(map, convert(loaded.environment, to, size, {}, progressBar("convert")));
   return writeMap(map, layout, options);
 }
 

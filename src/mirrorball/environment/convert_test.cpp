@@ -105,7 +105,7 @@ TEST(Convert, MinificationAveragesWhatATexelCovers) {
 }
 
 TEST(Convert, StopsWhenAskedTo) {
-  const auto stopped = convert(*builtinEnvironment("uv"), Projection::cube, 64, [](auto, auto) { return false; });
+  const auto stopped = convert(*builtinEnvironment("uv"), Projection::cube, 64, {}, [](auto, auto) { return false; });
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
 }

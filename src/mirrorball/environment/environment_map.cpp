@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "formula/formula.h"
-#include "mirrorball/image/filter.h"
 
 namespace mirrorball {
 
@@ -16,18 +15,18 @@ EnvironmentMap::EnvironmentMap(Projection projection, ImageSet images)
     assert(face(index).width() == wanted.x && face(index).height() == wanted.y);
 }
 
-glm::vec3 EnvironmentMap::radiance(glm::vec3 direction) const {
+glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolation) const {
   const MapPosition place = positionOf(projection_, direction);
   const Image& image = face(place.face);
   const glm::vec2 position = place.uv * glm::vec2(image.width(), image.height());
   switch (projection_) {
     case Projection::equirect:
-      return glm::vec3(bilinear(position, [&](int x, int y) { return fetchEquirect(x, y); }));
+      return glm::vec3(interpolate(interpolation, position, [&](int x, int y) { return fetchEquirect(x, y); }));
     case Projection::cube:
-      return glm::vec3(bilinear(position, [&](int x, int y) { return fetchCube(place.face, x, y); }));
+      return glm::vec3(interpolate(interpolation, position, [&](int x, int y) { return fetchCube(place.face, x, y); }));
     case Projection::sphere:
     case Projection::angular:
-      return radianceOfDisc(position);
+      return radianceOfDisc(position, interpolation);
   }
   return {};
 }
@@ -52,11 +51,11 @@ glm::vec4 EnvironmentMap::fetchDisc(int x, int y) const {
 }
 
 /// On the rim all four neighbours may lie beside the disc: then the position moves inwards until one does not.
-glm::vec3 EnvironmentMap::radianceOfDisc(glm::vec2 position) const {
+glm::vec3 EnvironmentMap::radianceOfDisc(glm::vec2 position, Interpolation interpolation) const {
   const glm::vec2 middle(static_cast<float>(size()) / 2.0f);
   const glm::vec2 inwards = glm::normalize(middle - position);
   while (true) {
-    const glm::vec4 light = bilinear(position, [&](int x, int y) { return fetchDisc(x, y); });
+    const glm::vec4 light = interpolate(interpolation, position, [&](int x, int y) { return fetchDisc(x, y); });
     if (light.w > 0.0f) return glm::vec3(light);
     position += inwards * 0.5f;
   }

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/environment/projection.h"
+#include "mirrorball/image/filter.h"
 #include "mirrorball/image/image_set.h"
 
 namespace mirrorball {
@@ -22,15 +23,15 @@ class EnvironmentMap {
   /// A face's side, a disc's diameter, a panorama's height.
   int size() const { return face(0).height(); }
 
-  /// The radiance that arrives from `direction` (unit), interpolated bilinearly across every seam, pole and cube edge;
-  /// nothing from beside a disc is mixed in.
-  glm::vec3 radiance(glm::vec3 direction) const;
+  /// The radiance that arrives from `direction` (unit), interpolated across every seam, pole and cube edge; nothing
+  /// from beside a disc is mixed in.
+  glm::vec3 radiance(glm::vec3 direction, Interpolation interpolation = Interpolation::bilinear) const;
 
  private:
   glm::vec4 fetchEquirect(int x, int y) const;
   glm::vec4 fetchDisc(int x, int y) const;
   glm::vec4 fetchCube(int face, int x, int y) const;
-  glm::vec3 radianceOfDisc(glm::vec2 position) const;
+  glm::vec3 radianceOfDisc(glm::vec2 position, Interpolation interpolation) const;
 
   Projection projection_ = Projection::equirect;
   ImageSet images_;

@@ -36,13 +36,11 @@ class Conversion {
   struct Row {
     PointBatch batch;
     LightBatch light;
-    std::array<int, PointBatch::kCapacity> texel;        ///< of each point, counted from the tile's left side
-    std::array<glm::vec4, kTileWidth> sum;               ///< light, and in w how many points
+    std::array<int, PointBatch::kCapacity> texel;  ///< of each point, counted from the tile's left side
+    std::array<glm::vec4, kTileWidth> sum;         ///< light, and in w how many points
   };
 
-  bool coversTexel(int x, int y) const {
-    return covers(to_, (glm::vec2(x, y) + 0.5f) / glm::vec2(extent_));
-  }
+  bool coversTexel(int x, int y) const { return covers(to_, (glm::vec2(x, y) + 0.5f) / glm::vec2(extent_)); }
   void addPoint(Row& row, int face, int texel, glm::vec2 uv, Interpolation interpolation) const;
   void gather(Row& row, Interpolation interpolation) const;
 
@@ -82,8 +80,8 @@ void Conversion::addPoint(Row& row, int face, int texel, glm::vec2 uv, Interpola
 }
 
 void Conversion::fill(const Tile& tile, Image& image) const {
-  const glm::ivec2 points = pointsPerTexel(source_, to_, extent_, tile.face, tile.begin, tile.end,
-                                           options_.source_from_target);
+  const glm::ivec2 points =
+      pointsPerTexel(source_, to_, extent_, tile.face, tile.begin, tile.end, options_.source_from_target);
   const bool is_single = points == glm::ivec2(1);
   const Interpolation interpolation = is_single ? options_.interpolation : Interpolation::bilinear;
   Row row;

@@ -26,7 +26,11 @@ float texelsAlong(const EnvironmentMap& map, glm::vec3 direction, glm::vec3 step
   if (before.face != middle.face) before = middle, probed_rad = kProbe_rad;
   if (after.face != middle.face) after = middle, probed_rad = kProbe_rad;
   glm::vec2 difference = after.uv - before.uv;
-  if (map.projection() == Projection::equirect) difference.x -= std::round(difference.x);
+  if (map.projection() == Projection::equirect) {
+    difference.x -= std::round(difference.x);
+    // Towards the poles a panorama's rows repeat themselves: along them it shows no more detail than across.
+    difference.x *= glm::length(glm::vec2(direction.x, direction.z));
+  }
   const glm::vec2 texels = difference * glm::vec2(map.face(0).width(), map.face(0).height());
   return glm::length(texels) * angle / probed_rad;
 }

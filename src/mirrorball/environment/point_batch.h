@@ -17,7 +17,7 @@ struct PointBatch {
 
   int count = 0;
   alignas(64) Values<float> x{}, y{}, z{};  ///< unit directions
-  alignas(64) Values<int> face{};       ///< positions as MapPosition has them
+  alignas(64) Values<int> face{};           ///< positions as MapPosition has them
   alignas(64) Values<float> u{}, v{};
 };
 

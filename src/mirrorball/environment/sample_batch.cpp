@@ -132,8 +132,7 @@ void sampleBatch(const EnvironmentMap& map, Interpolation interpolation, const P
   const bool has_colour = map.face(0).channels() >= 3;
   if (has_colour) HWY_DYNAMIC_DISPATCH(sampleInside)(MapTexels(map), interpolation, batch, light, inside);
   for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i)
-    if (!inside[i])
-      light[i] = glm::vec4(map.radiance({batch.x[i], batch.y[i], batch.z[i]}, interpolation), 0.0f);
+    if (!inside[i]) light[i] = glm::vec4(map.radiance({batch.x[i], batch.y[i], batch.z[i]}, interpolation), 0.0f);
 }
 
 }  // namespace mirrorball

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -61,8 +62,8 @@ glm::vec4 bicubic(glm::vec2 position, Fetch&& fetch) {
   glm::vec3 least(0.0f);
   for (std::size_t j = 0; j < 4; ++j)
     for (std::size_t i = 0; i < 4; ++i) {
-      const glm::vec4 texel = fetch(static_cast<int>(left) + static_cast<int>(i) - 1,
-                                    static_cast<int>(top) + static_cast<int>(j) - 1);
+      const glm::vec4 texel =
+          fetch(static_cast<int>(left) + static_cast<int>(i) - 1, static_cast<int>(top) + static_cast<int>(j) - 1);
       if (texel.w == 0.0f) return bilinear(position, fetch);
       sum += across[i] * down[j] * glm::vec3(texel);
       least = glm::min(least, glm::vec3(texel));

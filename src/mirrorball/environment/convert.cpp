@@ -140,7 +140,8 @@ Result<EnvironmentMap> convert(const Environment& source, Projection to, int siz
   MIRRORBALL_TRY_VOID(checkDimensions("the converted map", extent.x, extent.y));
   const bool is_disc = !covers(to, {0.0f, 0.0f});
   ImageSet images(1, faceCount(to));
-  for (int face = 0; face < images.faces(); ++face) images.at(0, face) = Image(extent.x, extent.y, is_disc ? 4 : 3);
+  for (int face = 0; face < images.faces(); ++face)
+    images.at(0, face) = is_disc ? Image(extent.x, extent.y, 4) : Image::withoutValues(extent.x, extent.y, 3);
 
   const Conversion conversion(source, to, extent, options);
   const Tiling tiling(extent, images.faces());

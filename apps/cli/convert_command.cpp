@@ -62,7 +62,7 @@ Result<void> convertFile(const std::string& input, const ConvertOptions& options
   MIRRORBALL_TRY(loaded, loadEnvironment(input, how));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, mapPaths(options.output, to, layout)));
   const int size = options.size > 0 ? options.size : loaded.environment.naturalSize(to);
-  MIRRORBALL_TRY(map, convert(loaded.environment, to, size, progressBar("convert")));
+  MIRRORBALL_TRY(map, convert(loaded.environment, to, size, {}, progressBar("convert")));
   return writeMap(map, layout, options.half, options.output);
 }
 

@@ -275,7 +275,7 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
   std::printf("filled     %.4f sr (%.2f %% of all directions) continued smoothly\n", unwrapped.filled_sr,
               unwrapped.filled_sr / (4.0 * glm::radians(180.0)) * 100.0);
   const int size = options.size > 0 ? options.size : unwrapped.environment.naturalSize(to);
-  MIRRORBALL_TRY(map, convert(unwrapped.environment, to, size, progressBar("unwrap")));
+  MIRRORBALL_TRY(map, convert(unwrapped.environment, to, size, {}, progressBar("unwrap")));
   return writeMap(map, layout, options.half, options.output);
 }
 

@@ -46,7 +46,7 @@ std::vector<float> solidAngles(int side) {
 }
 
 Image halved(const Image& source, int side, const std::vector<float>& angles, const std::vector<Overlap>& overlaps) {
-  Image target(side, side, 3);
+  Image target = Image::withoutValues(side, side, 3);
   const auto source_side = std::size_t(source.width());
   for (int y = 0; y < side; ++y) {
     const Overlap& down = overlaps[std::size_t(y)];

@@ -92,7 +92,7 @@ Result<Selection> select(const Imf::MultiPartInputFile& file, const std::string&
 }
 
 Image imageFor(const Imath::Box2i& window, int channels) {
-  return Image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, channels);
+  return Image::withoutValues(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, channels);
 }
 
 /// Reads Y, R G B or R G B A straight into the image. Y with A has no form of its own there: it

@@ -290,7 +290,7 @@ Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes, const std::s
   MIRRORBALL_TRY(header, parseHdrHeader(bytes, name));
   MIRRORBALL_TRY(index, indexLines(bytes, header, name));
 
-  Image image(header.width, header.height, 3);
+  Image image = Image::withoutValues(header.width, header.height, 3);
   const std::size_t length = header.lineLength();
   const glm::vec3 gain = 1.0f / header.exposure;
   parallelFor(header.lineCount(), linesPerPiece(length), [&](std::size_t begin, std::size_t end) {

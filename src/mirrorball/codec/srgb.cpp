@@ -28,7 +28,7 @@ const std::vector<float>& decodeTable() {
 
 template <int Bits, typename Code>
 Image decode(std::span<const Code> samples, int width, int height, int channels) {
-  Image image(width, height, channels);
+  Image image = Image::withoutValues(width, height, channels);
   const std::vector<float>& table = decodeTable<Bits>();
   constexpr float kLargest = static_cast<float>((1 << Bits) - 1);
   const std::size_t row_length = std::size_t(width) * std::size_t(channels);

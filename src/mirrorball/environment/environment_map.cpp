@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "formula/formula.h"
-#include "mirrorball/image/filter.h"
 
 namespace mirrorball {
 
@@ -16,18 +15,18 @@ EnvironmentMap::EnvironmentMap(Projection projection, ImageSet images)
     assert(face(index).width() == wanted.x && face(index).height() == wanted.y);
 }
 
-glm::vec3 EnvironmentMap::radiance(glm::vec3 direction) const {
+glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolation) const {
   if (projection_ == Projection::hemioctahedral && direction.z < 0.0f) return glm::vec3(0.0f);
   const MapPosition place = positionOf(projection_, direction);
   const Image& image = face(place.face);
   const glm::vec2 extent(image.width(), image.height());
   glm::vec2 position = place.uv * extent;
   const auto fetch_texel = [&](int x, int y) { return fetch(place.face, x, y); };
-  glm::vec4 light = bilinear(position, fetch_texel);
+  glm::vec4 light = interpolate(interpolation, position, fetch_texel);
   // On a rim all four neighbours may lie beside the disc: then the position moves inwards until one does not.
   while (light.w == 0.0f) {
     position += glm::normalize(extent / 2.0f - position) * 0.5f;
-    light = bilinear(position, fetch_texel);
+    light = interpolate(interpolation, position, fetch_texel);
   }
   return glm::vec3(light);
 }

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/environment/projection.h"
+#include "mirrorball/image/filter.h"
 #include "mirrorball/image/image_set.h"
 
 namespace mirrorball {
@@ -23,10 +24,10 @@ class EnvironmentMap {
   /// A face's side, a disc's diameter, a square's side, a panorama's height.
   int size() const { return face(0).height(); }
 
-  /// The radiance that arrives from `direction` (unit), interpolated bilinearly across every seam, pole, fold and cube
+  /// The radiance that arrives from `direction` (unit), interpolated across every seam, pole, fold and cube
   /// edge; nothing from beside a disc is mixed in. From a direction that the map does not cover: behind a photographed
   /// ball that of the rim's nearest point, in the other half of a hemioctahedral map none.
-  glm::vec3 radiance(glm::vec3 direction) const;
+  glm::vec3 radiance(glm::vec3 direction, Interpolation interpolation = Interpolation::bilinear) const;
 
  private:
   glm::vec4 fetch(int face, int x, int y) const;

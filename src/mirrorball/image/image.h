@@ -13,6 +13,7 @@
 #include <glm/vec4.hpp>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/image/texel_allocator.h"
 
 namespace mirrorball {
 
@@ -28,6 +29,16 @@ class ImageOf {
       : width_(width), height_(height), channels_(channels) {
     assert(width >= 0 && height >= 0 && channels >= 1 && channels <= 4);
     samples_.assign(std::size_t(width) * std::size_t(height) * std::size_t(channels), fill);
+  }
+
+  /// The same with whatever is in memory as its samples, for whoever sets them all.
+  static ImageOf withoutValues(int width, int height, int channels) {
+    ImageOf image;
+    image.width_ = width;
+    image.height_ = height;
+    image.channels_ = channels;
+    image.samples_.resize(std::size_t(width) * std::size_t(height) * std::size_t(channels));
+    return image;
   }
 
   int width() const { return width_; }
@@ -56,7 +67,7 @@ class ImageOf {
   int width_ = 0;
   int height_ = 0;
   int channels_ = 1;
-  std::vector<Sample> samples_;
+  std::vector<Sample, TexelAllocator<Sample>> samples_;
 };
 
 using Image = ImageOf<float>;          ///< linear light

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/environment/environment.h"
+#include "mirrorball/environment/point_batch.h"
+
+namespace mirrorball {
+
+/// Radiance at every point of a batch; the fourth component is undefined.
+using LightBatch = std::array<glm::vec4, PointBatch::kCapacity>;
+
+/// EnvironmentMap::radiance for a whole batch.
+///
+/// batch    x, y, z and the positions of those directions in `map`
+/// cost     about 5 ns a point bilinear, 15 ns bicubic; points whose texels reach over an edge cost ten times that
+void sampleBatch(const EnvironmentMap& map, Interpolation interpolation, const PointBatch& batch, LightBatch& light);
+
+}  // namespace mirrorball

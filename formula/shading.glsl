@@ -62,6 +62,15 @@ FN vec3 refractedLight(Surface s, vec3 ray, mat3 environment_from_world, CUBE_SA
   return vec3(red.x, green.y, blue.z);
 }
 
+// The share of light that a surface takes in and may send back: what a dielectric of its kind does not reflect. glTF
+// mixes the two materials, not their parts (appendix B.3.5), so a metal's reflectance takes nothing from it.
+FN vec3 diffuseAlbedo(Surface s, float cosine) {
+  vec3 albedo = s.base_color * (1.0f - s.metallic);
+  if (s.metallic == 1.0f) return albedo;
+  s.metallic = 0.0f;
+  return albedo * (vec3(1.0f) - specularReflectance(s, cosine));
+}
+
 // The radiance towards the viewer: what is not reflected is refracted, scattered or absorbed, so that a white surface
 // in a white environment is exactly white.
 //   ray          unit, from the eye to the surface
@@ -71,11 +80,10 @@ FN vec3 refractedLight(Surface s, vec3 ray, mat3 environment_from_world, CUBE_SA
 FN vec3 shadedByEnvironment(Surface s, vec3 ray, vec3 reflected, vec3 refracted, vec3 irradiance) {
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
   vec3 reflectance = specularReflectance(s, cosine);
-  vec3 not_reflected = s.base_color * (1.0f - s.metallic) * (vec3(1.0f) - reflectance);
   vec3 inner = mix(irradiance * s.occlusion, refracted, s.transmission);
   // Occlusion is known for diffuse light only; of reflected light it takes the more the rougher the lobe.
   float reflected_occlusion = mix(1.0f, s.occlusion, s.perceptual_roughness);
-  return reflected * reflectance * reflected_occlusion + inner * not_reflected + s.emission;
+  return reflected * reflectance * reflected_occlusion + inner * diffuseAlbedo(s, cosine) + s.emission;
 }
 
 // Phong's point light: diffuse by Lambert, specular by the reflected ray, its lobe scaled to keep its energy.
@@ -86,8 +94,8 @@ FN vec3 shadedByPointLight(Surface s, vec3 ray, vec3 light, vec3 color) {
   if (facing <= 0.0f) return vec3(0.0f);
   float exponent = phongExponent(s.perceptual_roughness);
   float mirrored = max(dot(reflect(ray, s.normal), light), 0.0f);
-  vec3 reflectance = specularReflectance(s, clamp(-dot(ray, s.normal), 0.0f, 1.0f));
-  vec3 diffuse = s.base_color * (1.0f - s.metallic) * (1.0f - s.transmission) * (vec3(1.0f) - reflectance);
-  vec3 lobe = reflectance * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
+  float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
+  vec3 diffuse = diffuseAlbedo(s, cosine) * (1.0f - s.transmission);
+  vec3 lobe = specularReflectance(s, cosine) * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
   return color * facing * (diffuse + lobe);
 }

@@ -176,7 +176,6 @@ void main() {
 #endif
 #ifdef ALPHA_MASK
   if (color.w < alpha_cutoff) discard;
-  color.w = 1.0;
 #endif
   vec3 ray = orthographic > 0.5 ? camera_forward : normalize(world_position - camera_position);
   Surface s = surfaceHere(shadingNormal(), color.xyz);

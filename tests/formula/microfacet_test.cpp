@@ -23,6 +23,23 @@ TEST(Microfacet, ASmoothSurfaceOfReflectanceOneReflectsAll) {
   }
 }
 
+// However metallic it is, a smooth white surface in white light is white.
+TEST(Shading, AMixtureOfMetalAndDielectricLosesNothing) {
+  Surface surface{};
+  surface.normal = vec3(0, 0, 1);
+  surface.base_color = vec3(1.0f);
+  surface.specular = 1.0f;
+  surface.ior = 1.5f;
+  surface.occlusion = 1.0f;
+  for (const float metallic : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f})
+    for (float sine = 0.0f; sine < 1.0f; sine += 0.19f) {
+      surface.metallic = metallic;
+      const vec3 ray(sine, 0.0f, -std::sqrt(1.0f - sine * sine));
+      const vec3 light = shadedByEnvironment(surface, ray, vec3(1.0f), vec3(0.0f), vec3(1.0f));
+      EXPECT_NEAR(light.x, 1.0f, 1e-5f) << metallic << " at " << sine;
+    }
+}
+
 // Karis 2014, figure 2: head on at roughness 1 the table has a scale of about 0.45 and hardly any bias.
 TEST(Microfacet, ARoughSurfaceReflectsLess) {
   const vec2 head_on = environmentBrdf(1.0f, 1.0f);

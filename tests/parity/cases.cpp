@@ -179,6 +179,7 @@ const Case kCases[] = {
     PARITY(metalReflectance, direction, kTight, vec4(metalReflectance(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(smoothReflectance, direction, kTranscendental, vec4(smoothReflectance(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(specularReflectance, direction, kTranscendental, vec4(specularReflectance(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(diffuseAlbedo, direction, kTranscendental, vec4(diffuseAlbedo(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(refractedLight, direction, kTight,
            vec4(refractedLight(testSurface(p, q, r), vec3(p), mat3(vec3(q), vec3(p), vec3(r)), SmoothCube(2.0f), 6.0f),
                 0.0f)),

@@ -23,7 +23,7 @@ struct Texture {
   bool nearest = false;  ///< magnified without interpolation
 };
 
-/// A mesh put into the world.
+/// A mesh put into the world, without mirroring it: who needs the mirror image mirrors the mesh.
 struct Instance {
   int mesh = 0;
   glm::mat4 world_from_object{1.0f};

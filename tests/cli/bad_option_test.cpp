@@ -58,9 +58,11 @@ TEST_F(BadOptionTest, AWrongNameListsTheRightOnes) {
   EXPECT_THAT(parameter, AllOf(HasSubstr("'metalic'"), HasSubstr("did you mean 'metallic'?")));
   for (const Option<Material>& right : materialParameters()) EXPECT_THAT(parameter, HasSubstr(right.text.name));
   EXPECT_THAT(refuseRender("--set bump=orang"), AllOf(HasSubstr("'orang'"), HasSubstr("none, orange")));
-  EXPECT_THAT(refuseConvert("--to sphre"), AllOf(HasSubstr("'sphere'"), HasSubstr("equirect, sphere, angular, cube, ball")));
+  EXPECT_THAT(refuseConvert("--to sphre"),
+              AllOf(HasSubstr("'sphere'"), HasSubstr("equirect, sphere, angular, cube, ball")));
   EXPECT_THAT(refuseConvert("--layout cross"), HasSubstr("faces, hcross, vcross, hstrip, vstrip, 3x2"));
-  EXPECT_THAT(refuseConvert("--from bowl"), AllOf(HasSubstr("equirect, sphere, angular, cube, ball"), HasSubstr("faces, hcross")));
+  EXPECT_THAT(refuseConvert("--from bowl"),
+              AllOf(HasSubstr("equirect, sphere, angular, cube, ball"), HasSubstr("faces, hcross")));
 }
 
 // The sentence names the option once, and reads as one.

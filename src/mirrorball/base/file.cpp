@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace mirrorball {
@@ -20,16 +21,28 @@ using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
 std::string reason() { return std::strerror(errno); }
 
+Result<void> checkReadable(const std::filesystem::path& path) {
+  std::error_code status;
+  if (!std::filesystem::exists(path, status))
+    return fail(ErrorCode::not_found, path.string() + ": no such file; check the path");
+  if (std::filesystem::is_directory(path, status))
+    return fail(ErrorCode::io, path.string() + ": is a folder; name a file in it");
+  return {};
+}
+
+Result<void> checkRegular(const std::filesystem::path& path) {
+  std::error_code status;
+  if (std::filesystem::exists(path, status) && !std::filesystem::is_regular_file(path, status))
+    return fail(ErrorCode::io, path.string() + ": is no regular file");
+  return {};
+}
+
 }  // namespace
 
 Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest) {
   const std::string name = path.string();
+  MIRRORBALL_TRY_VOID(checkReadable(path));
   std::error_code status;
-  if (!std::filesystem::exists(path, status))
-    return fail(ErrorCode::not_found, name + ": no such file; check the path");
-  if (std::filesystem::is_directory(path, status))
-    return fail(ErrorCode::io, name + ": is a folder; name a file in it");
-
   FileHandle file(std::fopen(name.c_str(), "rb"));
   if (!file) return fail(ErrorCode::io, name + ": cannot be opened: " + reason());
   const std::uintmax_t size = std::filesystem::file_size(path, status);
@@ -54,10 +67,43 @@ Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest
 }
 
 Result<Bytes> readRegularFile(const std::filesystem::path& path) {
-  std::error_code status;
-  if (std::filesystem::exists(path, status) && !std::filesystem::is_regular_file(path, status))
-    return fail(ErrorCode::io, path.string() + ": is no regular file");
+  MIRRORBALL_TRY_VOID(checkRegular(path));
   return readFile(path);
+}
+
+Result<FileReader> FileReader::open(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  MIRRORBALL_TRY_VOID(checkReadable(path));
+  MIRRORBALL_TRY_VOID(checkRegular(path));
+  const int descriptor = ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return fail(ErrorCode::io, name + ": cannot be opened: " + reason());
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0) {
+    const std::string why = reason();
+    ::close(descriptor);
+    return fail(ErrorCode::io, name + ": cannot be opened: " + why);
+  }
+  return FileReader(name, descriptor, static_cast<std::uint64_t>(status.st_size));
+}
+
+FileReader::FileReader(FileReader&& other) noexcept
+    : name_(std::move(other.name_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_) {}
+
+FileReader::~FileReader() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Result<std::size_t> FileReader::readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
+  std::size_t filled = 0;
+  while (filled < bytes.size()) {
+    const ssize_t count =
+        ::pread(descriptor_, bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return fail(ErrorCode::io, name_ + ": reading failed: " + reason());
+    if (count == 0) break;
+    filled += static_cast<std::size_t>(count);
+  }
+  return filled;
 }
 
 FileWriter::FileWriter(std::string name, std::string temporary, int descriptor)

@@ -21,6 +21,33 @@ Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest
 /// The same for a file that another file names: a device or a pipe is refused, since it may never end.
 Result<Bytes> readRegularFile(const std::filesystem::path& path);
 
+/// A file whose bytes are read where and when they are needed.
+class FileReader {
+ public:
+  /// errors   not_found; io (a folder, no permission; a pipe or a device, which tell no size)
+  static Result<FileReader> open(const std::filesystem::path& path);
+
+  FileReader(FileReader&& other) noexcept;
+  FileReader& operator=(FileReader&&) = delete;
+  ~FileReader();
+
+  std::uint64_t size() const { return size_; }
+
+  /// Reads bytes from a place counted from the file's beginning.
+  ///
+  /// returns  how many were read: fewer than `bytes` has room for only at the file's end
+  /// errors   io
+  Result<std::size_t> readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+
+ private:
+  FileReader(std::string name, int descriptor, std::uint64_t size)
+      : name_(std::move(name)), descriptor_(descriptor), size_(size) {}
+
+  std::string name_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
 /// A file that is either wholly there or not at all: written under a temporary name beside its own, then renamed.
 /// Without commit() the temporary file goes away and what had the name stays.
 class FileWriter {

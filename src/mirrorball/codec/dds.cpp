@@ -205,28 +205,32 @@ Result<DecodedImageSet> decodeDds(Span bytes, const std::string& name) {
     return fail(ErrorCode::bad_file, name + ": its texels have " + std::to_string(expected) + " bytes from byte " +
                                          std::to_string(header.size) + " on, but the file has " +
                                          std::to_string(bytes.size()) + "; it is truncated or damaged");
+  MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, header.format, name));
   return DecodedImageSet{readImages(bytes.data() + header.size, header),
                          {},
                          "DDS, " + nameOf(header.format) + (header.encoding_assumed ? " (assumed)" : "")};
 }
 
-Result<void> writeDds(const ImageSet& images, const TextureWriteOptions& options, const std::string& name,
-                      const WriteAt& write) {
-  const TextureShape shape = shapeOf(images);
+TextureLayout ddsLayout(const TextureShape& shape, bool has_alpha, const TextureWriteOptions& options) {
   const StoredFormat format = storedFormat(options.format);
   const std::uint64_t chain = chainSize(shape, format);
-  const bool has_alpha = format.channels == 4 && images.at(0, 0).channels() == 4;
-  MIRRORBALL_TRY_VOID(write(0, encodeHeader(shape, options.format, has_alpha)));
-
-  std::vector<PlacedImage> placed;
+  TextureLayout layout{encodeHeader(shape, options.format, format.channels == 4 && has_alpha), {}};
   std::uint64_t level_offset = kHeaderSize + kDx10HeaderSize;
-  for (int level = 0; level < images.levels(); ++level) {
+  for (int level = 0; level < static_cast<int>(shape.levels); ++level) {
     std::uint64_t offset = level_offset;
-    for (int layer = 0; layer < images.layers(); ++layer)
-      for (int face = 0; face < images.faces(); ++face, offset += chain) placed.push_back({level, layer, face, offset});
+    for (int layer = 0; layer < static_cast<int>(shape.layers); ++layer)
+      for (int face = 0; face < static_cast<int>(shape.faces); ++face, offset += chain)
+        layout.images.push_back({level, layer, face, offset});
     level_offset += imageSize(shape, format, level);
   }
-  return streamTexels(images, placed, options.format, name, write);
+  return layout;
+}
+
+Result<void> writeDds(const ImageSet& images, const TextureWriteOptions& options, const std::string& name,
+                      const WriteAt& write) {
+  const TextureLayout layout = ddsLayout(shapeOf(images), images.at(0, 0).channels() == 4, options);
+  MIRRORBALL_TRY_VOID(write(0, layout.header));
+  return streamTexels(images, layout.images, options.format, name, write);
 }
 
 }  // namespace mirrorball

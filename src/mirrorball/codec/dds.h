@@ -6,6 +6,7 @@
 
 #include "mirrorball/codec/texel_stream.h"
 #include "mirrorball/codec/texture_file.h"
+#include "mirrorball/codec/texture_shape.h"
 
 namespace mirrorball {
 
@@ -19,7 +20,10 @@ bool isDds(std::span<const std::uint8_t> bytes);
 /// from     Microsoft, "Programming Guide for DDS" and "DDS_HEADER_DXT10"
 Result<DecodedImageSet> decodeDds(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Writes a DDS file with the DX10 header: images by layer, face, level. Metadata is dropped.
+/// Where the images of a DDS file with the DX10 header stand: by layer, face, level. Metadata is dropped.
+TextureLayout ddsLayout(const TextureShape& shape, bool has_alpha, const TextureWriteOptions& options);
+
+/// Writes such a file.
 ///
 /// images   checked for shape already
 /// errors   out_of_range; what `write` returns

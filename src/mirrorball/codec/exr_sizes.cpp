@@ -53,7 +53,8 @@ constexpr FixedSize kFixedSizes[] = {
 
 class HeaderWalker {
  public:
-  HeaderWalker(std::span<const std::uint8_t> bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+  HeaderWalker(std::span<const std::uint8_t> bytes, std::uint64_t file_size, const std::string& name)
+      : bytes_(bytes), file_size_(file_size), name_(name) {}
 
   Result<void> walk() {
     if (bytes_.size() < 8) return truncated();
@@ -137,30 +138,30 @@ class HeaderWalker {
       return checkTexels(name_ + ": one of its tiles", numberAt(at_), numberAt(at_ + 4));
     if (attribute == "chunkCount" && type == "int" && size == 4) {
       constexpr std::size_t kOffsetSize = 8;
-      if (numberAt(at_) > bytes_.size() / kOffsetSize) return truncated();
+      if (numberAt(at_) > file_size_ / kOffsetSize) return truncated();
     }
     return {};
   }
 
   Result<void> checkTexels(const std::string& what, long long width, long long height) const {
     MIRRORBALL_TRY_VOID(checkDimensions(what, width, height));
-    if (static_cast<std::size_t>(width * height) / kMostTexelsPerByte > bytes_.size())
+    if (static_cast<std::size_t>(width * height) / kMostTexelsPerByte > file_size_)
       return fail(ErrorCode::bad_file, what + ": says its size is " + std::to_string(width) + "x" +
-                                           std::to_string(height) + ", which the file's " +
-                                           std::to_string(bytes_.size()) +
+                                           std::to_string(height) + ", which the file's " + std::to_string(file_size_) +
                                            " bytes cannot hold; it is truncated or damaged");
     return {};
   }
 
   std::span<const std::uint8_t> bytes_;
+  std::uint64_t file_size_;
   const std::string& name_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-Result<void> checkExrSizes(std::span<const std::uint8_t> bytes, const std::string& name) {
-  return HeaderWalker(bytes, name).walk();
+Result<void> checkExrSizes(std::span<const std::uint8_t> bytes, std::uint64_t file_size, const std::string& name) {
+  return HeaderWalker(bytes, file_size, name).walk();
 }
 
 }  // namespace mirrorball

@@ -12,9 +12,10 @@ namespace mirrorball {
 /// since OpenEXR takes memory by what they say: the attributes' sizes, the data windows, the tiles,
 /// the counts of chunks.
 ///
-/// bytes    begin with OpenEXR's magic number
-/// errors   bad_file (the byte is named); too_large
-/// from     the OpenEXR file layout, "Header" and "Predefined attribute types"
-Result<void> checkExrSizes(std::span<const std::uint8_t> bytes, const std::string& name);
+/// bytes      all of the file or, of a long one, what its headers have room in; begin with OpenEXR's magic number
+/// file_size  in bytes
+/// errors     bad_file (the byte is named); too_large
+/// from       the OpenEXR file layout, "Header" and "Predefined attribute types"
+Result<void> checkExrSizes(std::span<const std::uint8_t> bytes, std::uint64_t file_size, const std::string& name);
 
 }  // namespace mirrorball

@@ -1,8 +1,12 @@
 #include "mirrorball/codec/exr_stream.h"
 
+#include <algorithm>
 #include <cstring>
+#include <mutex>
+#include <thread>
 
 #include <Iex.h>
+#include <ImfThreading.h>
 
 namespace mirrorball {
 
@@ -14,11 +18,29 @@ bool ExrInput::read(char to[], int count) {
   return at_ < bytes_.size();
 }
 
+bool ExrFileInput::read(char to[], int count) {
+  const std::size_t wanted = static_cast<std::size_t>(std::max(count, 0));
+  const auto got = file_.readAt(at_, {reinterpret_cast<std::uint8_t*>(to), wanted});
+  if (!got) throw Iex::InputExc(got.error().message);
+  if (*got < wanted) throw Iex::InputExc("the file ends early, at byte " + std::to_string(file_.size()));
+  at_ += wanted;
+  return at_ < file_.size();
+}
+
 void ExrOutput::write(const char from[], int count) {
   const std::size_t size = static_cast<std::size_t>(count);
   if (at_ + size > bytes_.size()) bytes_.resize(at_ + size);
   std::memcpy(bytes_.data() + at_, from, size);
   at_ += size;
+}
+
+void useExrThreads() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    constexpr unsigned kMostThreads = 16;  // each takes the memory of two chunks
+    if (Imf::globalThreadCount() == 0)
+      Imf::setGlobalThreadCount(static_cast<int>(std::min(std::thread::hardware_concurrency(), kMostThreads)));
+  });
 }
 
 }  // namespace mirrorball

@@ -24,6 +24,20 @@ class ExrInput : public Imf::IStream {
   std::uint64_t at_ = 0;  // may lie past the end until something is read
 };
 
+/// A file as OpenEXR reads it, without ever holding it in memory as a whole.
+class ExrFileInput : public Imf::IStream {
+ public:
+  ExrFileInput(FileReader file, const std::string& name) : Imf::IStream(name.c_str()), file_(std::move(file)) {}
+
+  bool read(char to[], int count) override;
+  std::uint64_t tellg() override { return at_; }
+  void seekg(std::uint64_t position) override { at_ = position; }
+
+ private:
+  FileReader file_;
+  std::uint64_t at_ = 0;
+};
+
 /// A file that OpenEXR writes into memory.
 class ExrOutput : public Imf::OStream {
  public:
@@ -39,5 +53,8 @@ class ExrOutput : public Imf::OStream {
   Bytes bytes_;
   std::uint64_t at_ = 0;
 };
+
+/// Lets OpenEXR use all cores, which it does not by itself: with two, ZIP is written in 0.6 and read in half of the time.
+void useExrThreads();
 
 }  // namespace mirrorball

@@ -135,6 +135,8 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
   });
   if (!read) return failure(decoder, name, bytes.size());
   MIRRORBALL_TRY_VOID(checkDimensions(name, codec.image_width, codec.image_height));
+  MIRRORBALL_TRY_VOID(
+      checkImageMemory(name, static_cast<int>(codec.image_width), static_cast<int>(codec.image_height), 3));
   const std::size_t texels = std::size_t(codec.image_width) * codec.image_height;
   if (texels / kMostTexelsPerByte > bytes.size())
     return fail(ErrorCode::bad_file, name + ": says its size is " + std::to_string(codec.image_width) + "x" +

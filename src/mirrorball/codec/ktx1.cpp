@@ -128,6 +128,7 @@ class Reader {
     at_ = kHeaderSize + key_value_size;
     const bool is_array = u32(48) > 0;
     MIRRORBALL_TRY_VOID(checkTotal(shape, format));
+    MIRRORBALL_TRY_VOID(checkTextureMemory(shape, format, name_));
     MIRRORBALL_TRY(images, readLevels(shape, format, is_array));
     if (images.faces() == 1) forEachImage(images, [&](Image& image) { turnUpright(image, values); });
     return DecodedImageSet{std::move(images), std::move(values.metadata),

@@ -198,6 +198,7 @@ Result<DecodedImageSet> decodeKtx2(Span bytes, const std::string& name) {
   MIRRORBALL_TRY(color, readDataFormatDescriptor(bytes, header.descriptor.begin, header.descriptor.size, name));
   MIRRORBALL_TRY(format, texelFormat(header, color, name));
   MIRRORBALL_TRY_VOID(checkLevelSizes(header, format, name));
+  MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, format, name));
   MIRRORBALL_TRY(values, readKtxKeyValues(bytes, header.key_values.begin, header.key_values.size, false, name));
   MIRRORBALL_TRY(images, readLevels(bytes, header, format, name));
   const auto matrix = color.primaries ? rec709FromPrimaries(*color.primaries) : std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "mirrorball/codec/texel_stream.h"
 #include "mirrorball/codec/texture_file.h"
+#include "mirrorball/codec/texture_shape.h"
 
 namespace mirrorball {
 
@@ -18,7 +19,11 @@ bool isKtx2(std::span<const std::uint8_t> bytes);
 /// from     KTX 2.0 specification (Khronos, 2020)
 Result<DecodedImageSet> decodeKtx2(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Writes a KTX 2 file: levels smallest first, each at a multiple of its texel's size and of 4; orientation "rd".
+/// Where the images of a KTX 2 file without Zstandard stand: levels smallest first, each at a multiple of its texel's
+/// size and of 4; orientation "rd".
+TextureLayout ktx2Layout(const TextureShape& shape, const TextureWriteOptions& options);
+
+/// Writes such a file, or one whose levels are compressed and follow each other without gaps.
 ///
 /// images   checked for shape already
 /// errors   out_of_range; what `write` returns; too_large (memory for a level that is compressed)

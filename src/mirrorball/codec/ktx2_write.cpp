@@ -25,8 +25,7 @@ struct Level {
 };
 
 /// All that stands before the texels.
-Bytes header(const TextureShape& shape, bool is_array, const TextureWriteOptions& options,
-             std::span<const Level> levels) {
+Bytes header(const TextureShape& shape, const TextureWriteOptions& options, std::span<const Level> levels) {
   const Bytes descriptor = dataFormatDescriptor(options.format);
   const Bytes key_values = ktxKeyValues(options.metadata);
   const std::size_t descriptor_at = kKtx2HeaderSize + levels.size() * kKtx2LevelSize;
@@ -37,7 +36,7 @@ Bytes header(const TextureShape& shape, bool is_array, const TextureWriteOptions
   writer.u32(shape.width);
   writer.u32(shape.height);
   writer.u32(0);  // not three-dimensional
-  writer.u32(is_array ? shape.layers : 0);
+  writer.u32(shape.layers > 1 ? shape.layers : 0);
   writer.u32(shape.faces);
   writer.u32(shape.levels);
   writer.u32(options.zstandard_level > 0 ? kKtx2Zstandard : kKtx2Plain);
@@ -88,28 +87,10 @@ Result<Bytes> compress(std::span<const std::uint8_t> texels, int level, const st
   return packed;
 }
 
-/// Writes texels as they are, on all cores.
-Result<void> writePlain(const ImageSet& images, const TextureShape& shape, TexelFormat format, std::uint64_t begin,
-                        std::span<Level> levels, const std::string& name, const WriteAt& write) {
-  const StoredFormat stored = storedFormat(format);
-  const std::uint64_t alignment = std::lcm(texelSize(stored), std::size_t{4});
-  std::uint64_t at = begin;
-  for (std::size_t i = levels.size(); i-- > 0;) {
-    at = (at + alignment - 1) / alignment * alignment;
-    const std::uint64_t size = imageSize(shape, stored, static_cast<int>(i)) * shape.imagesPerLevel();
-    levels[i] = {at, size, size};
-    at += size;
-  }
-  std::vector<PlacedImage> placed;
-  for (std::size_t i = 0; i < levels.size(); ++i)
-    placeLevel(shape, stored, static_cast<int>(i), levels[i].offset, placed);
-  return streamTexels(images, placed, format, name, write);
-}
-
 /// Compresses level by level: where one begins is only known when the smaller ones are written.
-Result<void> writeCompressed(const ImageSet& images, const TextureShape& shape, const TextureWriteOptions& options,
-                             std::uint64_t begin, std::span<Level> levels, const std::string& name,
-                             const WriteAt& write) {
+Result<void> compressLevels(const ImageSet& images, const TextureShape& shape, const TextureWriteOptions& options,
+                            std::uint64_t begin, std::span<Level> levels, const std::string& name,
+                            const WriteAt& write) {
   const StoredFormat stored = storedFormat(options.format);
   std::uint64_t at = begin;
   for (std::size_t i = levels.size(); i-- > 0;) {
@@ -132,17 +113,35 @@ Result<void> writeCompressed(const ImageSet& images, const TextureShape& shape, 
 
 }  // namespace
 
+TextureLayout ktx2Layout(const TextureShape& shape, const TextureWriteOptions& options) {
+  const StoredFormat stored = storedFormat(options.format);
+  const std::uint64_t alignment = std::lcm(texelSize(stored), std::size_t{4});
+  std::vector<Level> levels(shape.levels);
+  std::uint64_t at = header(shape, options, levels).size();
+  for (std::size_t i = levels.size(); i-- > 0;) {
+    at = (at + alignment - 1) / alignment * alignment;
+    const std::uint64_t size = imageSize(shape, stored, static_cast<int>(i)) * shape.imagesPerLevel();
+    levels[i] = {at, size, size};
+    at += size;
+  }
+  TextureLayout layout{header(shape, options, levels), {}};
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    placeLevel(shape, stored, static_cast<int>(i), levels[i].offset, layout.images);
+  return layout;
+}
+
 Result<void> writeKtx2(const ImageSet& images, const TextureWriteOptions& options, const std::string& name,
                        const WriteAt& write) {
   const TextureShape shape = shapeOf(images);
-  const bool is_array = shape.layers > 1;
+  if (options.zstandard_level == 0) {
+    const TextureLayout layout = ktx2Layout(shape, options);
+    MIRRORBALL_TRY_VOID(write(0, layout.header));
+    return streamTexels(images, layout.images, options.format, name, write);
+  }
   std::vector<Level> levels(shape.levels);
-  const std::uint64_t begin = header(shape, is_array, options, levels).size();
-  if (options.zstandard_level > 0)
-    MIRRORBALL_TRY_VOID(writeCompressed(images, shape, options, begin, levels, name, write));
-  else
-    MIRRORBALL_TRY_VOID(writePlain(images, shape, options.format, begin, levels, name, write));
-  return write(0, header(shape, is_array, options, levels));
+  const std::uint64_t begin = header(shape, options, levels).size();
+  MIRRORBALL_TRY_VOID(compressLevels(images, shape, options, begin, levels, name, write));
+  return write(0, header(shape, options, levels));
 }
 
 }  // namespace mirrorball

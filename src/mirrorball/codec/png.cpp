@@ -176,6 +176,7 @@ Result<void> readHeader(Reader& reader, const std::string& name, Pixels& pixels)
   const png_uint_32 width = png_get_image_width(reader.png, reader.info);
   const png_uint_32 height = png_get_image_height(reader.png, reader.info);
   MIRRORBALL_TRY_VOID(checkDimensions(name, width, height));
+  MIRRORBALL_TRY_VOID(checkImageMemory(name, static_cast<int>(width), static_cast<int>(height), 4));
   const std::size_t stored = png_get_rowbytes(reader.png, reader.info) * std::size_t(height);
   if (stored / kMostBytesPerByte > reader.context.in.size())
     return fail(ErrorCode::bad_file,

@@ -37,25 +37,35 @@ std::vector<Piece> cutIntoPieces(const ImageSet& images, std::span<const PlacedI
 }
 
 /// The error for the first texel of a piece that does not fit.
-tl::unexpected<Error> misfit(const ImageSet& images, const Piece& piece, TexelFormat format, const std::string& name) {
+Error misfitOf(const ImageSet& images, const Piece& piece, TexelFormat format, const std::string& name) {
   const PlacedImage& placed = *piece.placed;
   const Image& image = images.at(placed.level, placed.face, placed.layer);
   const std::size_t channels = std::size_t(image.channels());
-  std::vector<std::uint8_t> bytes(texelSize(storedFormat(format)));
-  std::size_t texel = piece.begin;
-  const auto samples = [&] { return image.samples().subspan(texel * channels, channels); };
-  while (packTexels(format, samples(), image.channels(), bytes)) ++texel;
-
-  std::string value;
-  for (const float sample : samples()) value += (value.empty() ? "" : " ") + formatNumber(sample);
-  const std::size_t width = std::size_t(image.width());
-  return fail(ErrorCode::out_of_range, name + ": texel (" + std::to_string(texel % width) + ", " +
-                                           std::to_string(texel / width) + ") of " +
-                                           placeName(images, placed.level, placed.layer, placed.face) + " is " + value +
-                                           ", but " + rangeOf(format) + "; scale the light, or write r32g32b32a32");
+  const std::size_t texel =
+      piece.begin + firstMisfit(format, image.samples().subspan(piece.begin * channels), image.channels());
+  const auto width = static_cast<std::size_t>(image.width());
+  return misfit(name, format, placeName(shapeOf(images), placed.level, placed.layer, placed.face),
+                glm::ivec2(texel % width, texel / width), image.samples().subspan(texel * channels, channels));
 }
 
 }  // namespace
+
+std::size_t firstMisfit(TexelFormat format, std::span<const float> samples, int channels) {
+  const auto step = static_cast<std::size_t>(channels);
+  std::vector<std::uint8_t> bytes(texelSize(storedFormat(format)));
+  std::size_t texel = 0;
+  while (packTexels(format, samples.subspan(texel * step, step), channels, bytes)) ++texel;
+  return texel;
+}
+
+Error misfit(const std::string& name, TexelFormat format, const std::string& place, glm::ivec2 texel,
+             std::span<const float> samples) {
+  std::string value;
+  for (const float sample : samples) value += (value.empty() ? "" : " ") + formatNumber(sample);
+  return {ErrorCode::out_of_range, name + ": texel (" + std::to_string(texel.x) + ", " + std::to_string(texel.y) +
+                                       ") of " + place + " is " + value + ", but " + rangeOf(format) +
+                                       "; scale the light, or use --format float32"};
+}
 
 Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> placed, TexelFormat format,
                           const std::string& name, const WriteAt& write) {
@@ -84,7 +94,7 @@ Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> p
     }
   });
   if (failure) return tl::unexpected<Error>(std::move(*failure));
-  if (first_misfit < pieces.size()) return misfit(images, pieces[first_misfit], format, name);
+  if (first_misfit < pieces.size()) return tl::unexpected<Error>(misfitOf(images, pieces[first_misfit], format, name));
   return {};
 }
 

@@ -1,5 +1,8 @@
 #include "mirrorball/codec/texture_file.h"
 
+#include <cassert>
+#include <memory>
+
 #include "mirrorball/codec/dds.h"
 #include "mirrorball/codec/ktx1.h"
 #include "mirrorball/codec/ktx2.h"
@@ -40,11 +43,25 @@ Result<void> checkShape(const ImageSet& images, const std::string& name) {
         if (image.width() == levelSide(first.width(), level) && image.height() == levelSide(first.height(), level) &&
             image.channels() == first.channels())
           continue;
-        return fail(ErrorCode::bad_shape, name + ": " + placeName(images, level, layer, face) + " is " +
+        return fail(ErrorCode::bad_shape, name + ": " + placeName(shapeOf(images), level, layer, face) + " is " +
                                               sizeText(image) + ", which does not go with level 0 of " +
                                               sizeText(first));
       }
   return {};
+}
+
+bool isDdsPath(const std::filesystem::path& path) { return extensionOf(path) == "dds"; }
+
+Result<void> checkTextureOptions(const std::filesystem::path& path, const TextureWriteOptions& options) {
+  const std::string name = path.string();
+  if (!isTexturePath(path))
+    return fail(ErrorCode::usage, name + ": its extension names no texture file that is written; use .ktx2 or .dds");
+  if (options.zstandard_level < 0 || options.zstandard_level > kHighestZstandardLevel)
+    return fail(ErrorCode::usage, name + ": there is no Zstandard level " + std::to_string(options.zstandard_level) +
+                                      "; use 0 (none) to " + std::to_string(kHighestZstandardLevel));
+  if (isDdsPath(path) && options.zstandard_level > 0)
+    return fail(ErrorCode::usage, name + ": DDS has no Zstandard compression; use .ktx2");
+  return checkMetadata(options.metadata);
 }
 
 }  // namespace
@@ -66,24 +83,56 @@ bool isImageSet(std::span<const std::uint8_t> bytes) { return isKtx2(bytes) || i
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
                            const TextureWriteOptions& options) {
   const std::string name = path.string();
-  if (!isTexturePath(path))
-    return fail(ErrorCode::usage, name + ": its extension names no texture file that is written; use .ktx2 or .dds");
-  const bool is_dds = extensionOf(path) == "dds";
-  if (options.zstandard_level < 0 || options.zstandard_level > kHighestZstandardLevel)
-    return fail(ErrorCode::usage, name + ": there is no Zstandard level " + std::to_string(options.zstandard_level) +
-                                      "; use 0 (none) to " + std::to_string(kHighestZstandardLevel));
-  if (is_dds && options.zstandard_level > 0)
-    return fail(ErrorCode::usage, name + ": DDS has no Zstandard compression; use .ktx2");
+  MIRRORBALL_TRY_VOID(checkTextureOptions(path, options));
   MIRRORBALL_TRY_VOID(checkShape(images, name));
-  MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
   return withinMemory<void>(name, [&]() -> Result<void> {
     MIRRORBALL_TRY(writer, FileWriter::create(path));
     const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) {
       return writer.writeAt(offset, bytes);
     };
-    MIRRORBALL_TRY_VOID(is_dds ? writeDds(images, options, name, write) : writeKtx2(images, options, name, write));
+    MIRRORBALL_TRY_VOID(isDdsPath(path) ? writeDds(images, options, name, write)
+                                        : writeKtx2(images, options, name, write));
     return writer.commit();
   });
+}
+
+Result<TextureWriter> TextureWriter::create(const std::filesystem::path& path, glm::ivec2 size, int faces, int channels,
+                                            const TextureWriteOptions& options) {
+  MIRRORBALL_TRY_VOID(checkTextureOptions(path, options));
+  assert(options.zstandard_level == 0);
+  const TextureShape shape{.width = static_cast<std::uint32_t>(size.x),
+                           .height = static_cast<std::uint32_t>(size.y),
+                           .faces = static_cast<std::uint32_t>(faces)};
+  MIRRORBALL_TRY_VOID(checkTextureShape(shape, path.string()));
+  const TextureLayout layout = isDdsPath(path) ? ddsLayout(shape, channels == 4, options) : ktx2Layout(shape, options);
+  MIRRORBALL_TRY(file, FileWriter::create(path));
+  MIRRORBALL_TRY_VOID(file.writeAt(0, layout.header));
+  TextureWriter writer(std::move(file), path.string(), size, options.format);
+  for (const PlacedImage& image : layout.images) writer.offsets_.push_back(image.offset);
+  return writer;
+}
+
+Result<void> TextureWriter::write(int face, glm::ivec2 begin, const Image& texels) const {
+  const std::size_t texel_size = texelSize(storedFormat(format_));
+  const std::size_t row_bytes = std::size_t(texels.width()) * texel_size;
+  const auto bytes = std::make_unique_for_overwrite<std::uint8_t[]>(row_bytes * std::size_t(texels.height()));
+  const std::span<std::uint8_t> packed(bytes.get(), row_bytes * std::size_t(texels.height()));
+  if (!packTexels(format_, texels.samples(), texels.channels(), packed)) {
+    const std::size_t index = firstMisfit(format_, texels.samples(), texels.channels());
+    const glm::ivec2 texel(index % std::size_t(texels.width()), index / std::size_t(texels.width()));
+    const TextureShape shape{.faces = static_cast<std::uint32_t>(offsets_.size())};
+    return tl::unexpected<Error>(misfit(name_, format_, placeName(shape, 0, 0, face), begin + texel,
+                                        {texels.texel(texel.x, texel.y), std::size_t(texels.channels())}));
+  }
+  const auto offsetOf = [&](int row) {
+    return offsets_[std::size_t(face)] +
+           (std::uint64_t(begin.y + row) * std::uint64_t(size_.x) + std::uint64_t(begin.x)) * texel_size;
+  };
+  // Rows as wide as the image follow each other in the file.
+  if (texels.width() == size_.x) return file_.writeAt(offsetOf(0), packed);
+  for (int row = 0; row < texels.height(); ++row)
+    MIRRORBALL_TRY_VOID(file_.writeAt(offsetOf(row), packed.subspan(std::size_t(row) * row_bytes, row_bytes)));
+  return {};
 }
 
 bool isTexturePath(const std::filesystem::path& path) {

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "mirrorball/base/file.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/image/image_set.h"
@@ -60,6 +62,38 @@ bool isImageSet(std::span<const std::uint8_t> bytes);
 /// cost     what writing the bytes costs: texels are converted on all cores on their way into the file
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
                            const TextureWriteOptions& options = {});
+
+/// A texture file of one level that is written piece by piece, for images that never are in memory as a whole. Without
+/// commit() nothing of it stays.
+class TextureWriter {
+ public:
+  /// size     of each image
+  /// faces    1 or 6
+  /// channels of the texels that will be written
+  /// options  without Zstandard, which needs a level as a whole
+  /// errors   usage (an unknown extension); io; bad_file, too_large (no texture has that size)
+  static Result<TextureWriter> create(const std::filesystem::path& path, glm::ivec2 size, int faces, int channels,
+                                      const TextureWriteOptions& options);
+
+  /// Writes a rectangle of an image's texels; called from several threads at a time.
+  ///
+  /// begin    where its first texel is in the image
+  /// errors   io; out_of_range (the first texel that does not fit the format is named)
+  Result<void> write(int face, glm::ivec2 begin, const Image& texels) const;
+
+  /// Gives the file its name.
+  Result<void> commit() { return file_.commit(); }
+
+ private:
+  TextureWriter(FileWriter file, std::string name, glm::ivec2 size, TexelFormat format)
+      : file_(std::move(file)), name_(std::move(name)), size_(size), format_(format) {}
+
+  FileWriter file_;
+  std::string name_;
+  glm::ivec2 size_;
+  TexelFormat format_;
+  std::vector<std::uint64_t> offsets_ = {};  // of each face
+};
 
 /// Whether the extension names a texture file that writeImageSet takes.
 bool isTexturePath(const std::filesystem::path& path);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "mirrorball/base/memory.h"
+
 namespace mirrorball {
 
 Result<void> checkTextureShape(const TextureShape& shape, const std::string& name) {
@@ -26,6 +28,13 @@ Result<void> checkTextureShape(const TextureShape& shape, const std::string& nam
   return {};
 }
 
+Result<void> checkTextureMemory(const TextureShape& shape, const StoredFormat& format, const std::string& name) {
+  std::uint64_t texels = 0;
+  for (int level = 0; level < static_cast<int>(shape.levels); ++level)
+    texels += std::uint64_t(shape.widthAt(level)) * std::uint64_t(shape.heightAt(level)) * shape.imagesPerLevel();
+  return checkMemory(name, texels * std::uint64_t(imageChannels(format)) * sizeof(float));
+}
+
 TextureShape shapeOf(const ImageSet& images) {
   const Image& first = images.at(0, 0);
   return {static_cast<std::uint32_t>(first.width()), static_cast<std::uint32_t>(first.height()),
@@ -39,11 +48,11 @@ std::uint64_t imageSize(const TextureShape& shape, const StoredFormat& format, i
   return pitch * std::uint64_t(shape.heightAt(level));
 }
 
-std::string placeName(const ImageSet& images, int level, int layer, int face) {
+std::string placeName(const TextureShape& shape, int level, int layer, int face) {
   constexpr const char* kFaces[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
   std::string place = "level " + std::to_string(level);
-  if (images.layers() > 1) place += ", layer " + std::to_string(layer);
-  if (images.faces() == 6) place += std::string(", face ") + kFaces[face];
+  if (shape.layers > 1) place += ", layer " + std::to_string(layer);
+  if (shape.faces == 6) place += std::string(", face ") + kFaces[face];
   return place;
 }
 

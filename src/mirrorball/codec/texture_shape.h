@@ -29,6 +29,11 @@ struct TextureShape {
 /// errors   bad_file; too_large
 Result<void> checkTextureShape(const TextureShape& shape, const std::string& name);
 
+/// Refuses a texture whose images, in linear light, would take more memory than may be used (base/memory.h).
+///
+/// errors   too_large
+Result<void> checkTextureMemory(const TextureShape& shape, const StoredFormat& format, const std::string& name);
+
 /// Above what any graphics interface takes, and small enough to count with.
 inline constexpr std::uint32_t kMostLayers = 1u << 16;
 
@@ -40,6 +45,6 @@ std::uint64_t imageSize(const TextureShape& shape, const StoredFormat& format, i
                         std::size_t row_alignment = 1);
 
 /// "level 2, layer 3, face +X", as far as the texture has such.
-std::string placeName(const ImageSet& images, int level, int layer, int face);
+std::string placeName(const TextureShape& shape, int level, int layer, int face);
 
 }  // namespace mirrorball

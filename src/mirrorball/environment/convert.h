@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/progress.h"
@@ -28,5 +30,23 @@ struct Resampling {
 ///          bit-identical for any number of threads
 Result<EnvironmentMap> convert(const Environment& source, Projection to, int size, const Resampling& resampling = {},
                                const ProgressFunction& progress = {});
+
+/// Takes a rectangle of a converted map's texels: of image `face`, from texel `begin` on. Called from several threads at
+/// a time, in any order; each texel of the map comes once.
+using TakeTexels = std::function<Result<void>(int face, glm::ivec2 begin, const Image& texels)>;
+
+/// The same without ever holding the map as a whole: what is converted is handed on while it is in a core's cache.
+///
+/// errors   interrupted; too_large; what `take` returns
+Result<void> convertPiecewise(const Environment& source, Projection to, int size, const Resampling& resampling,
+                              const TakeTexels& take, const ProgressFunction& progress = {});
+
+/// Images for a map of that projection and size, whose texels have no values yet.
+///
+/// errors   too_large
+Result<ImageSet> imagesFor(Projection projection, int size);
+
+/// What puts texels into images, which must outlive it.
+TakeTexels copyInto(ImageSet& images);
 
 }  // namespace mirrorball

@@ -25,6 +25,7 @@ class Environment {
 
   /// The images, when it is held in some.
   const EnvironmentMap* map() const { return std::get_if<EnvironmentMap>(&light_); }
+  EnvironmentMap* map() { return std::get_if<EnvironmentMap>(&light_); }
 
   /// The size that shows all its detail in that projection.
   int naturalSize(Projection projection) const;

@@ -8,18 +8,47 @@
 namespace mirrorball {
 
 EnvironmentMap::EnvironmentMap(Projection projection, ImageSet images)
-    : projection_(projection), has_disc_(hasDisc(projection)), images_(std::move(images)) {
+    : projection_(projection),
+      has_disc_(hasDisc(projection)),
+      extent_(images.at(0, 0).width(), images.at(0, 0).height()),
+      rows_{0, extent_.y},
+      images_(std::move(images)) {
   assert(images_.levels() == 1 && images_.faces() == faceCount(projection));
-  [[maybe_unused]] const glm::ivec2 wanted = imageSize(projection, size());
-  for (int index = 0; index < faces(); ++index)
-    assert(face(index).width() == wanted.x && face(index).height() == wanted.y);
+  assert(extent_ == imageSize(projection, size()));
+  for ([[maybe_unused]] int index = 0; index < faces(); ++index)
+    assert(face(index).width() == extent_.x && face(index).height() == extent_.y);
+}
+
+EnvironmentMap EnvironmentMap::windowOfPanorama(int height, int channels, int capacity) {
+  EnvironmentMap map;
+  map.extent_ = imageSize(Projection::equirect, height);
+  map.images_ = ImageSet(Image::withoutValues(map.extent_.x, capacity, channels));
+  return map;
+}
+
+void EnvironmentMap::appendRows(const Image& rows) {
+  Image& image = face(0);
+  assert(rows.width() == image.width() && rows.channels() == image.channels());
+  assert(rows_.count() + rows.height() <= image.height() && rows_.end + rows.height() <= extent_.y);
+  std::copy(rows.samples().begin(), rows.samples().end(), image.texel(0, rows_.count()));
+  rows_.end += rows.height();
+}
+
+void EnvironmentMap::dropRowsBefore(int row) {
+  const int first = std::clamp(row, rows_.begin, rows_.end);
+  if (first == rows_.begin) return;
+  if (first < rows_.end) {
+    const float* kept = face(0).texel(0, first - rows_.begin);
+    const std::size_t count = face(0).row(0).size() * static_cast<std::size_t>(rows_.end - first);
+    std::copy(kept, kept + count, face(0).samples().data());
+  }
+  rows_.begin = first;
 }
 
 glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolation) const {
   if (projection_ == Projection::hemioctahedral && direction.z < 0.0f) return glm::vec3(0.0f);
   const MapPosition place = positionOf(projection_, direction);
-  const Image& image = face(place.face);
-  const glm::vec2 extent(image.width(), image.height());
+  const glm::vec2 extent(extent_);
   glm::vec2 position = place.uv * extent;
   const auto fetch_texel = [&](int x, int y) { return fetch(place.face, x, y); };
   glm::vec4 light = interpolate(interpolation, position, fetch_texel);
@@ -50,13 +79,12 @@ glm::vec4 EnvironmentMap::fetch(int face_index, int x, int y) const {
 
 /// Left and right edges meet; beyond a pole the row continues on the opposite meridian.
 glm::vec4 EnvironmentMap::fetchEquirect(int x, int y) const {
-  const Image& image = face(0);
-  if (y < 0 || y >= image.height()) {
-    y = y < 0 ? -1 - y : 2 * image.height() - 1 - y;
-    x += image.width() / 2;
+  if (y < 0 || y >= extent_.y) {
+    y = y < 0 ? -1 - y : 2 * extent_.y - 1 - y;
+    x += extent_.x / 2;
   }
-  x = (x % image.width() + image.width()) % image.width();
-  return glm::vec4(rgbAt(image, x, y), 1.0f);
+  x = (x % extent_.x + extent_.x) % extent_.x;
+  return glm::vec4(rgbAt(face(0), x, y - rows_.begin), 1.0f);
 }
 
 /// Each edge of an unfolded octahedron is sewn to itself, turned about its middle; the corners are one point.

@@ -8,6 +8,14 @@
 
 namespace mirrorball {
 
+/// Rows of an image, from `begin` to before `end`.
+struct RowRange {
+  int begin = 0;
+  int end = 0;
+
+  int count() const { return end - begin; }
+};
+
 /// Light from every direction, held in images: one, a cube's six faces in the order +X −X +Y −Y +Z −Z, or the front and
 /// the back of a paraboloid map.
 class EnvironmentMap {
@@ -16,13 +24,29 @@ class EnvironmentMap {
   /// images   one level; faceCount(projection) images of one size that fits the projection
   EnvironmentMap(Projection projection, ImageSet images);
 
+  /// A panorama of which only a window of rows is in memory: at first none. `radiance` may be asked only where they
+  /// suffice, two rows around the direction's own.
+  ///
+  /// height     of the whole panorama
+  /// capacity   the most rows that it will hold at a time
+  static EnvironmentMap windowOfPanorama(int height, int channels, int capacity);
+  /// Which rows of the images are in memory: all but for such a window.
+  RowRange rows() const { return rows_; }
+  /// Takes the rows that follow, as many as there is room for.
+  void appendRows(const Image& rows);
+  /// Forgets the rows before that one.
+  void dropRowsBefore(int row);
+
   Projection projection() const { return projection_; }
   const Image& face(int index) const { return images_.at(0, index); }
   Image& face(int index) { return images_.at(0, index); }
   int faces() const { return images_.faces(); }
 
   /// A face's side, a disc's diameter, a square's side, a panorama's height.
-  int size() const { return face(0).height(); }
+  int size() const { return extent_.y; }
+
+  /// The size of each whole image, in texels.
+  glm::ivec2 extent() const { return extent_; }
 
   /// The radiance that arrives from `direction` (unit), interpolated across every seam, pole, fold and cube
   /// edge; nothing from beside a disc is mixed in. From a direction that the map does not cover: behind a photographed
@@ -38,6 +62,8 @@ class EnvironmentMap {
 
   Projection projection_ = Projection::equirect;
   bool has_disc_ = false;
+  glm::ivec2 extent_{0};
+  RowRange rows_;
   ImageSet images_;
 };
 

@@ -23,7 +23,7 @@ float texelsBetween(const EnvironmentMap& map, MapPosition a, MapPosition b) {
     // Towards the poles a panorama's rows repeat themselves: along them it shows no more detail than across.
     difference.x *= std::sin(a.uv.y * formula::kPi);
   }
-  return glm::length(difference * glm::vec2(map.face(0).width(), map.face(0).height()));
+  return glm::length(difference * glm::vec2(map.extent()));
 }
 
 /// How many of the source's texels a step from a direction spans.

@@ -26,13 +26,15 @@ struct MapTexels {
   std::array<const float*, 6> faces{};
   int width;
   int height;
+  RowRange rows;  ///< in memory
   int channels;
   bool is_disc;
   bool is_half;  ///< no light comes from behind
 
   explicit MapTexels(const EnvironmentMap& map)
-      : width(map.face(0).width()),
-        height(map.face(0).height()),
+      : width(map.extent().x),
+        height(map.extent().y),
+        rows(map.rows()),
         channels(map.face(0).channels()),
         is_disc(hasDisc(map.projection())),
         is_half(map.projection() == Projection::hemioctahedral) {
@@ -44,7 +46,8 @@ struct MapTexels {
   /// lies beside a disc.
   bool isInside(int x, int y, Reach reach) const {
     // One column more, since four floats of three channels reach into the next texel.
-    if (x + reach.first < 0 || y + reach.first < 0 || x + reach.last + 1 >= width || y + reach.last >= height)
+    if (x + reach.first < 0 || y + reach.first < rows.begin || x + reach.last + 1 >= width ||
+        y + reach.last >= rows.end)
       return false;
     if (!is_disc) return true;
     const float radius = static_cast<float>(width) / 2.0f;
@@ -104,7 +107,7 @@ void sampleInside(const MapTexels& map, Interpolation interpolation, const Point
     const float tx = px - static_cast<float>(x);
     const float ty = py - static_cast<float>(y);
     const float* corner = map.faces[static_cast<std::size_t>(batch.face[i])] +
-                          static_cast<std::size_t>(y + reach.first) * row +
+                          static_cast<std::size_t>(y + reach.first - map.rows.begin) * row +
                           static_cast<std::size_t>(x + reach.first) * channels;
     if (interpolation == Interpolation::bilinear) {
       const float across[2] = {1.0f - tx, tx};

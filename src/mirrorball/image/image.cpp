@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "mirrorball/base/memory.h"
+
 namespace mirrorball {
 namespace {
 
@@ -92,6 +94,10 @@ Result<void> checkDimensions(const std::string& name, long long width, long long
     return fail(ErrorCode::too_large, name + ": says its size is " + size + "; at most " +
                                           std::to_string(kLargestTexelCount) + " texels are read");
   return {};
+}
+
+Result<void> checkImageMemory(const std::string& name, int width, int height, int channels) {
+  return checkMemory(name, std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(channels) * sizeof(float));
 }
 
 }  // namespace mirrorball

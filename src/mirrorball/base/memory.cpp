@@ -1,0 +1,77 @@
+#include "mirrorball/base/memory.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cstdio>
+#include <fstream>
+
+#include <unistd.h>
+
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr double kMega = 1024.0 * 1024.0;
+constexpr double kGiga = 1024.0 * kMega;
+
+std::uint64_t physicalMemory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES);
+  const long page_size = ::sysconf(_SC_PAGE_SIZE);
+  return std::uint64_t(std::max(pages, 1L)) * std::uint64_t(std::max(page_size, 1L));
+}
+
+/// What a container may use; where there is no bound the file says "max".
+std::uint64_t controlGroupMemory() {
+  std::ifstream file("/sys/fs/cgroup/memory.max");
+  std::uint64_t bytes = 0;
+  return file >> bytes ? bytes : UINT64_MAX;
+}
+
+std::atomic<std::uint64_t>& limit() {
+  static std::atomic<std::uint64_t> bytes = std::min(physicalMemory(), controlGroupMemory()) / 4 * 3;
+  return bytes;
+}
+
+}  // namespace
+
+std::uint64_t memoryLimit() { return limit(); }
+
+void setMemoryLimit(std::uint64_t bytes) { limit() = bytes; }
+
+Result<void> checkMemory(const std::string& name, std::uint64_t bytes) {
+  if (bytes <= memoryLimit()) return {};
+  return fail(ErrorCode::too_large, name + ": needs " + textOfBytes(bytes) + " of memory, and " +
+                                        textOfBytes(memoryLimit()) +
+                                        " may be used; --max-memory raises that, a smaller --size needs less");
+}
+
+std::string textOfBytes(std::uint64_t bytes) {
+  const auto count = static_cast<double>(bytes);
+  char text[32];
+  if (count >= 0.95 * kGiga)
+    std::snprintf(text, sizeof(text), "%.1f GB", count / kGiga);
+  else
+    std::snprintf(text, sizeof(text), "%.0f MB", std::max(count / kMega, 1.0));
+  return text;
+}
+
+Result<std::uint64_t> parseBytes(std::string_view written) {
+  std::string_view number = written;
+  if (number.ends_with('B') || number.ends_with('b')) number.remove_suffix(1);
+  double unit = 1.0;
+  if (!number.empty()) {
+    const int letter = std::toupper(static_cast<unsigned char>(number.back()));
+    if (letter == 'M' || letter == 'G') {
+      unit = letter == 'M' ? kMega : kGiga;
+      number.remove_suffix(1);
+    }
+  }
+  const auto count = parseNumber(number);
+  if (!count || *count <= 0.0 || *count * unit > 1e18)
+    return fail(ErrorCode::usage, "'" + std::string(written) + "' is no amount of memory; write it as in 1.5G or 800M");
+  return static_cast<std::uint64_t>(*count * unit);
+}
+
+}  // namespace mirrorball

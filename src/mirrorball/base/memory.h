@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "mirrorball/base/result.h"
+
+namespace mirrorball {
+
+/// The most memory that the images of one task may take [bytes]: at first 3/4 of what the machine has, or of what its
+/// control group allows.
+std::uint64_t memoryLimit();
+
+/// Changes it for the whole process.
+void setMemoryLimit(std::uint64_t bytes);
+
+/// Refuses to take more than the limit: asked before memory is taken for what a file says.
+///
+/// name     of what needs it, for the message
+/// errors   too_large
+Result<void> checkMemory(const std::string& name, std::uint64_t bytes);
+
+/// "1.5 GB", "320 MB"; a GB is 2³⁰ bytes.
+std::string textOfBytes(std::uint64_t bytes);
+
+/// The bytes of "1.5G", "1.5GB", "800M", "2e9".
+///
+/// errors   usage
+Result<std::uint64_t> parseBytes(std::string_view written);
+
+}  // namespace mirrorball

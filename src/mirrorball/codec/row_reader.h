@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/codec/codec.h"
+
+namespace mirrorball {
+
+/// An image that is read from its file some rows at a time, from the top down, so that it never is in memory as a whole.
+class RowReader {
+ public:
+  /// What is known before any texel is read.
+  struct Description {
+    int width = 0;
+    int height = 0;
+    int channels = 3;
+    Metadata metadata = {};
+    std::string format = {};  ///< as `info` shows it
+  };
+
+  virtual ~RowReader() = default;
+
+  const Description& description() const { return description_; }
+
+  /// Reads the next rows: linear light, Rec.709, as readImage gives it.
+  ///
+  /// count    at most as many as are left
+  /// errors   io; bad_file (what is wrong and at which byte)
+  /// cost     as readImage's, on all cores; memory for those rows, and their bytes in the file
+  virtual Result<Image> read(int count) = 0;
+
+ protected:
+  explicit RowReader(Description description) : description_(std::move(description)) {}
+  void setFormat(std::string format) { description_.format = std::move(format); }
+
+ private:
+  Description description_;
+};
+
+/// Opens a .exr or .hdr for reading by rows.
+///
+/// returns  nullptr where that cannot be done and readImage has to: other formats, luminance and chroma, Radiance
+///          pictures whose lines do not run from the top down and from left to right
+/// errors   not_found; io; bad_file; too_large; unsupported
+Result<std::unique_ptr<RowReader>> openRows(const std::filesystem::path& path);
+
+}  // namespace mirrorball

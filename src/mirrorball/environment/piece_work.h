@@ -1,0 +1,29 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <span>
+
+#include "mirrorball/environment/conversion.h"
+
+namespace mirrorball {
+
+/// Converts pieces on all cores and hands them on, until all are done, one cannot be taken, or `progress` says stop.
+class PieceWork {
+ public:
+  /// total    how many pieces there will be in all runs together, for `progress`
+  PieceWork(const Conversion& conversion, const TakeTexels& take, const ProgressFunction& progress, std::size_t total)
+      : conversion_(conversion), take_(take), progress_(progress), total_(total) {}
+
+  /// errors   interrupted; of the pieces that could not be taken the first one's
+  Result<void> run(const Environment& source, std::span<const Piece> pieces);
+
+ private:
+  const Conversion& conversion_;
+  const TakeTexels& take_;
+  const ProgressFunction& progress_;
+  std::size_t total_;
+  std::atomic<std::size_t> done_ = 0;
+};
+
+}  // namespace mirrorball

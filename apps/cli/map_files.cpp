@@ -3,6 +3,7 @@
 #include "cli/files.h"
 #include "cli/terminal.h"
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/environment/face_files.h"
 #include "mirrorball/environment/picture.h"
 #include "mirrorball/environment/recognize.h"
 
@@ -11,7 +12,8 @@ namespace mirrorball::cli {
 std::vector<std::string> mapPaths(const std::string& output, Projection projection, CubeLayout layout) {
   if (faceCount(projection) != 6 || layout != CubeLayout::faces) return {output};
   std::vector<std::string> paths;
-  for (const std::string_view suffix : kFaceSuffixes) paths.push_back(suffixed(output, "_" + std::string(suffix)));
+  for (const std::string_view ending : endingsOf(FaceNaming::px))
+    paths.push_back(suffixed(output, "_" + std::string(ending)));
   return paths;
 }
 

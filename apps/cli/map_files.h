@@ -5,6 +5,7 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/cube_layout.h"
+#include "mirrorball/environment/environment_map.h"
 
 namespace mirrorball::cli {
 

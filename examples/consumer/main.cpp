@@ -15,7 +15,7 @@ namespace {
 mirrorball::Result<void> writeCross(const std::filesystem::path& path) {
   MIRRORBALL_TRY(environment, mirrorball::builtinEnvironment("white"));
   MIRRORBALL_TRY(cube, mirrorball::convert(environment, mirrorball::Projection::cube, 32));
-  const mirrorball::Image cross = composeLayout(cube, mirrorball::CubeLayout::hcross);
+  const mirrorball::Image cross = composeLayout(cube.images(), mirrorball::CubeLayout::hcross);
   MIRRORBALL_TRY_VOID(mirrorball::writeImage(path, cross));
 
   MIRRORBALL_TRY(decoded, mirrorball::readImage(path));

@@ -67,7 +67,7 @@ TEST_F(RecognitionTest, FromNamesACubesLayoutToo) {
 
 TEST_F(RecognitionTest, OneOfSixFacesStandsForTheCube) {
   succeed("convert uv --to cube --layout faces --size 8 -o room.png");
-  EXPECT_EQ(formOf("room_ny.png"), "cube, faces (told by its name, one of six faces)");
+  EXPECT_EQ(formOf("room_ny.png"), "cube, faces (told by its name, one of six faces px nx py ny pz nz)");
   EXPECT_EQ(formOf("room_ny.png --from faces"), "cube, faces (told by --from)");
   std::filesystem::remove(path("room_nz.png"));
   EXPECT_THAT(refuse(1, "info room_ny.png"), HasSubstr("room_nz.png: no such file"));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/environment/cube_arrangement.h"
 
 namespace mirrorball {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 struct Cell {
   int column;
   int row;
-  bool turned = false;  ///< by 180°
+  int quarters = 0;  ///< how often it is turned clockwise by 90°
 };
 
 /// A layout: its size in faces, and the cell of each face in the order +X −X +Y −Y +Z −Z.
@@ -24,14 +25,16 @@ struct LayoutTable {
   std::array<Cell, 6> faces;
 };
 
-constexpr std::array<LayoutTable, 6> kLayouts{{
+constexpr std::array<LayoutTable, 7> kLayouts{{
     {"faces", {1, 1}, {{{0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}}}},
     {"hcross", {4, 3}, {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}}},
     // Below −Y the cube is unrolled on to −Z, which therefore stands on its head.
-    {"vcross", {3, 4}, {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3, true}}}},
+    {"vcross", {3, 4}, {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3, 2}}}},
     {"hstrip", {6, 1}, {{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}}},
     {"vstrip", {1, 6}, {{{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}}}},
     {"3x2", {3, 2}, {{{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}}}},
+    // The horizontal cross turned clockwise, so that +Y lies right of +Z, with ±X folded out from +Y instead of +Z.
+    {"seed", {4, 3}, {{{2, 2}, {2, 0, 2}, {2, 1, 1}, {0, 1, 1}, {1, 1, 1}, {3, 1, 3}}}},
 }};
 
 constexpr auto kNames = [] {
@@ -45,11 +48,10 @@ const LayoutTable& tableOf(CubeLayout layout) { return kLayouts[static_cast<std:
 /// Calls visit(texel of the face, texel of the picture) for every texel of a face.
 template <typename Visit>
 void forEachTexel(const Cell& cell, int side, Visit&& visit) {
+  const SquareSymmetry turn = turnedClockwise(cell.quarters);
   for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      const glm::ivec2 inside = cell.turned ? glm::ivec2(side - 1 - x, side - 1 - y) : glm::ivec2(x, y);
-      visit(glm::ivec2(x, y), glm::ivec2(cell.column, cell.row) * side + inside);
-    }
+    for (int x = 0; x < side; ++x)
+      visit(turn.from({x, y}, side), glm::ivec2(cell.column, cell.row) * side + glm::ivec2(x, y));
 }
 
 }  // namespace
@@ -75,19 +77,19 @@ std::optional<CubeLayout> layoutOfShape(int width, int height) {
   return std::nullopt;
 }
 
-Image composeLayout(const EnvironmentMap& cube, CubeLayout layout) {
-  assert(cube.faces() == 6 && layout != CubeLayout::faces);
+Image composeLayout(const ImageSet& faces, CubeLayout layout) {
+  assert(faces.faces() == 6 && layout != CubeLayout::faces);
   const LayoutTable& table = tableOf(layout);
-  const int side = cube.size();
-  Image picture(table.cells.x * side, table.cells.y * side, cube.face(0).channels());
+  const int side = faces.at(0, 0).width();
+  Image picture(table.cells.x * side, table.cells.y * side, faces.at(0, 0).channels());
   for (int face = 0; face < 6; ++face)
     forEachTexel(table.faces[static_cast<std::size_t>(face)], side, [&](glm::ivec2 from, glm::ivec2 to) {
-      std::copy_n(cube.face(face).texel(from.x, from.y), picture.channels(), picture.texel(to.x, to.y));
+      std::copy_n(faces.at(0, face).texel(from.x, from.y), picture.channels(), picture.texel(to.x, to.y));
     });
   return picture;
 }
 
-Result<EnvironmentMap> splitLayout(const Image& picture, CubeLayout layout, Projection projection) {
+Result<ImageSet> splitLayout(const Image& picture, CubeLayout layout) {
   const LayoutTable& table = tableOf(layout);
   const int side = picture.width() / table.cells.x;
   if (side == 0 || picture.width() != side * table.cells.x || picture.height() != side * table.cells.y)
@@ -102,7 +104,7 @@ Result<EnvironmentMap> splitLayout(const Image& picture, CubeLayout layout, Proj
       std::copy_n(picture.texel(from.x, from.y), picture.channels(), image.texel(to.x, to.y));
     });
   }
-  return EnvironmentMap(projection, std::move(faces));
+  return faces;
 }
 
 }  // namespace mirrorball

@@ -2,65 +2,85 @@
 
 #include <algorithm>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "mirrorball/environment/environment_testing.h"
 
 namespace mirrorball {
 namespace {
 
 /// A cube whose texels are all different.
-EnvironmentMap numberedCube(int side) {
+ImageSet numberedCube(int side) {
   ImageSet faces(1, 6);
   float number = 0.0f;
   for (int face = 0; face < 6; ++face) {
     faces.at(0, face) = Image(side, side, 3);
     for (float& sample : faces.at(0, face).samples()) sample = number++;
   }
-  return EnvironmentMap(Projection::cube, std::move(faces));
+  return faces;
 }
 
 CubeLayout layoutAt(std::size_t index) { return static_cast<CubeLayout>(index); }
 
 TEST(CubeLayout, EveryLayoutComesBack) {
-  const EnvironmentMap cube = numberedCube(5);
+  const ImageSet cube = numberedCube(5);
   for (std::size_t index = 1; index < cubeLayoutNames().size(); ++index) {
     const Image picture = composeLayout(cube, layoutAt(index));
-    EXPECT_EQ(layoutOfShape(picture.width(), picture.height()), layoutAt(index));
-    const EnvironmentMap back = *splitLayout(picture, layoutAt(index));
+    const CubeLayout of_its_shape = layoutAt(index) == CubeLayout::seed ? CubeLayout::hcross : layoutAt(index);
+    EXPECT_EQ(layoutOfShape(picture.width(), picture.height()), of_its_shape);
+    const ImageSet back = *splitLayout(picture, layoutAt(index));
     for (int face = 0; face < 6; ++face)
-      EXPECT_TRUE(std::equal(cube.face(face).samples().begin(), cube.face(face).samples().end(),
-                             back.face(face).samples().begin()))
+      EXPECT_TRUE(std::equal(cube.at(0, face).samples().begin(), cube.at(0, face).samples().end(),
+                             back.at(0, face).samples().begin()))
           << nameOf(layoutAt(index)) << " face " << face;
   }
 }
 
-/// Whether the lower edge of one cell of a picture continues in the cell below it: texels on both sides of the edge lie
-/// in nearly the same direction.
-void expectContinuous(CubeLayout layout, glm::ivec2 upper_cell) {
+/// How many pairs of cells with faces, side by side or one above the other, a layout has; expects the picture to go on
+/// from each into the other: texels on both sides of the edge lie in nearly the same direction.
+int expectContinuous(CubeLayout layout) {
   constexpr int kSide = 64;
   ImageSet faces(1, 6);
-  for (int face = 0; face < 6; ++face) {
-    faces.at(0, face) = Image(kSide, kSide, 3);
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
-        const glm::vec3 d = directionAt(Projection::cube, {face, (glm::vec2(x, y) + 0.5f) / float(kSide)});
-        std::copy_n(&d.x, 3, faces.at(0, face).texel(x, y));
+  for (int face = 0; face < 6; ++face) faces.at(0, face) = testing::directionsOfFace(face, kSide);
+  const Image picture = composeLayout(faces, layout);
+  const auto isFace = [&](glm::ivec2 cell) {
+    return rgbAt(picture, cell.x * kSide, cell.y * kSide) != glm::vec3(0.0f);
+  };
+  const auto directionIn = [&](glm::ivec2 cell, glm::ivec2 texel) {
+    return rgbAt(picture, cell.x * kSide + texel.x, cell.y * kSide + texel.y);
+  };
+  int neighbours = 0;
+  for (const glm::ivec2 step : {glm::ivec2(1, 0), glm::ivec2(0, 1)})
+    for (int row = 0; row + step.y < cellsOf(layout).y; ++row)
+      for (int column = 0; column + step.x < cellsOf(layout).x; ++column) {
+        const glm::ivec2 cell(column, row);
+        if (!isFace(cell) || !isFace(cell + step)) continue;
+        ++neighbours;
+        for (int i = 0; i < kSide; ++i) {
+          const glm::ivec2 along = i * glm::ivec2(step.y, step.x);
+          const glm::vec3 last = directionIn(cell, along + (kSide - 1) * step);
+          EXPECT_LT(glm::length(last - directionIn(cell + step, along)), 0.05f)
+              << nameOf(layout) << " after column " << column << ", row " << row << " at " << i;
+        }
       }
-  }
-  const Image picture = composeLayout(EnvironmentMap(Projection::cube, std::move(faces)), layout);
-  const glm::ivec2 corner = upper_cell * kSide;
-  for (int x = 0; x < kSide; ++x) {
-    const glm::vec3 above = rgbAt(picture, corner.x + x, corner.y + kSide - 1);
-    const glm::vec3 below = rgbAt(picture, corner.x + x, corner.y + kSide);
-    EXPECT_LT(glm::length(above - below), 0.05f) << nameOf(layout) << " column " << x;
-  }
+  return neighbours;
 }
 
 TEST(CubeLayout, CrossesAreUnfoldedWithoutABreak) {
-  expectContinuous(CubeLayout::hcross, {1, 0});
-  expectContinuous(CubeLayout::hcross, {1, 1});
-  expectContinuous(CubeLayout::vcross, {1, 0});
-  expectContinuous(CubeLayout::vcross, {1, 1});
-  expectContinuous(CubeLayout::vcross, {1, 2});
+  for (const CubeLayout cross : {CubeLayout::hcross, CubeLayout::vcross, CubeLayout::seed})
+    EXPECT_EQ(expectContinuous(cross), 5) << nameOf(cross);
+}
+
+// The drawing in the seed: bottom, front, top and back in the row, left above the top and right below it.
+TEST(CubeLayout, TheSeedsCrossHasTheFacesOfItsDrawing) {
+  ImageSet faces(1, 6);
+  for (int face = 0; face < 6; ++face) faces.at(0, face) = Image(1, 1, 1, static_cast<float>(face + 1));
+  const Image picture = composeLayout(faces, CubeLayout::seed);
+  const float right = 1, left = 2, top = 3, bottom = 4, front = 5, back = 6;
+  EXPECT_THAT(picture.samples(), ::testing::ElementsAre(0, 0, left, 0,             //
+                                                        bottom, front, top, back,  //
+                                                        0, 0, right, 0));
 }
 
 TEST(CubeLayout, WrongProportionsAreNamed) {

@@ -41,6 +41,7 @@ class EnvironmentMap {
   const Image& face(int index) const { return images_.at(0, index); }
   Image& face(int index) { return images_.at(0, index); }
   int faces() const { return images_.faces(); }
+  const ImageSet& images() const { return images_; }
 
   /// A face's side, a disc's diameter, a square's side, a panorama's height.
   int size() const { return extent_.y; }

@@ -38,6 +38,17 @@ inline std::vector<glm::vec3> manyDirections(int count = 2000) {
   return directions;
 }
 
+/// A face of a cube each of whose texels holds its own unit direction.
+inline Image directionsOfFace(int face, int side) {
+  Image image(side, side, 3);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const glm::vec3 d = directionAt(Projection::cube, {face, (glm::vec2(x, y) + 0.5f) / static_cast<float>(side)});
+      std::copy_n(&d.x, 3, image.texel(x, y));
+    }
+  return image;
+}
+
 /// Smooth light of all directions, between about 0.2 and 1.8: no two projections may disagree on it by much.
 inline glm::vec3 smoothRadiance(glm::vec3 d) {
   return {1.0f + 0.5f * d.x + 0.3f * d.y * d.z, 1.0f + 0.6f * d.y - 0.2f * d.x * d.z,

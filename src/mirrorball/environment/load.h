@@ -27,8 +27,8 @@ struct LoadedEnvironment {
   std::vector<std::string> files = {};     ///< that were read
 };
 
-/// Loads a built-in by its name (builtin.h), else a file (.hdr .exr .png .jpg; LDR is read as sRGB). A name that ends in
-/// _px, _nx, … _nz stands for the six files of a cube.
+/// Loads a built-in by its name (builtin.h), else a file (.hdr .exr .png .jpg; LDR is read as sRGB). The name of one of a
+/// cube's six files (face_files.h), if most of them are there, and that of the folder that holds them stand for all six.
 ///
 /// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel; --repair mends it);
 ///          whatever the codec finds

@@ -11,6 +11,7 @@
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/environment_testing.h"
+#include "mirrorball/environment/face_files.h"
 
 namespace mirrorball {
 namespace {
@@ -76,6 +77,49 @@ TEST_F(LoadTest, SixFacesMayBeAnEquiangularCube) {
   const auto named = loadEnvironment(path("mute_px.exr"), {.from = *formHintNamed("eac")});
   EXPECT_EQ(textOf(named->recognition->form), "eac, faces");
   EXPECT_EQ(named->recognition->told_by, "--from");
+}
+
+TEST_F(LoadTest, SixFilesOfAnotherProgramAreReadByItsName) {
+  const EnvironmentMap cube = *convert(Environment(testing::smoothRadiance, 64), Projection::cube, 8);
+  const MapForm form = *formFor(*presetNamed("three"), Projection::cube, CubeLayout::faces);
+  const ImageSet images = imagesOf(cube, form);
+  for (int slot = 0; slot < 6; ++slot) {
+    const std::string ending(endingsOf(FaceNaming::top)[static_cast<std::size_t>(slot)]);
+    ASSERT_TRUE(writeImage(path(ending + ".exr"), images.at(0, slot)));
+    ASSERT_TRUE(writeImage(path("told-" + ending + ".exr"), images.at(0, slot), {.metadata = metadataOf(form)}));
+  }
+  const auto named = loadEnvironment(path("top.exr"), {.from = *formHintNamed("faces:for=three")});
+  const auto told = loadEnvironment(path("told-left.exr"));
+  ASSERT_TRUE(named && told);
+  EXPECT_EQ(told->recognition->told_by, "its name, one of six faces right left top bottom front back");
+  for (const glm::vec3 direction : testing::manyDirections(200)) {
+    EXPECT_EQ(named->environment.radiance(direction), cube.radiance(direction));
+    EXPECT_EQ(told->environment.radiance(direction), cube.radiance(direction));
+  }
+  EXPECT_THAT(loadEnvironment(folder_.string()).error().message, HasSubstr("holds 2 cubes"));
+  for (const std::string_view ending : endingsOf(FaceNaming::top)) fs::remove(path(std::string(ending) + ".exr"));
+  EXPECT_EQ(loadEnvironment(folder_.string())->environment.radiance({0, 1, 0}), cube.radiance({0, 1, 0}));
+}
+
+// Two eyes are no cube.
+TEST_F(LoadTest, APairOfLeftAndRightIsNoCube) {
+  ASSERT_TRUE(writeImage(path("left.exr"), Image(8, 4, 3, 1.0f)));
+  ASSERT_TRUE(writeImage(path("right.exr"), Image(8, 4, 3, 2.0f)));
+  EXPECT_EQ(textOf(loadEnvironment(path("right.exr"))->recognition->form), "equirect");
+}
+
+TEST_F(LoadTest, OpenExrsMapsAreResampledAndMendedBefore) {
+  const EnvironmentMap map = *convert(Environment(testing::smoothRadiance, 256), Projection::equirect, 64);
+  const MapForm form = *formFor(*presetNamed("openexr"), Projection::equirect, CubeLayout::faces);
+  Image picture = pictureOf(map, form);
+  picture.texel(20, 30)[1] = std::numeric_limits<float>::infinity();
+  ASSERT_TRUE(writeImage(path("map.exr"), picture, {.metadata = metadataOf(form)}));
+  const auto loaded = loadEnvironment(path("map.exr"), {.repair = true});
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(textOf(loaded->recognition->form), "equirect, OpenEXR's texels (resampled)");
+  EXPECT_EQ(loaded->bad_texels.count, 1u);
+  for (const glm::vec3 direction : testing::manyDirections(500))
+    EXPECT_LT(glm::length(loaded->environment.radiance(direction) - testing::smoothRadiance(direction)), 4e-3f);
 }
 
 TEST_F(LoadTest, BadTexelsAreRefusedCountedOrRepaired) {

@@ -1,6 +1,10 @@
 #include "mirrorball/environment/picture.h"
 
 #include <algorithm>
+#include <cassert>
+
+#include "mirrorball/environment/edge_grid.h"
+#include "mirrorball/environment/resample.h"
 
 namespace mirrorball {
 namespace {
@@ -24,29 +28,100 @@ ImageSet halves(const Image& picture) {
   return images;
 }
 
+/// How far right of a panorama's centre a direction of the horizon lies, in quarters of the circle: 0 … 3.
+int quartersTo(SignedAxis centre) {
+  switch (centre) {
+    case SignedAxis::minus_x:
+      return 1;
+    case SignedAxis::minus_z:
+      return 2;
+    case SignedAxis::plus_x:
+      return 3;
+    default:
+      assert(centre == SignedAxis::plus_z);
+      return 0;
+  }
+}
+
+/// A panorama whose columns have moved to the left by that many quarters of the circle. Of an odd height one quarter is
+/// no whole number of columns: then it is resampled.
+EnvironmentMap turned(const EnvironmentMap& map, int quarters) {
+  const int width = imageSize(map.projection(), map.size()).x;
+  if (quarters * width % 4 != 0)
+    return resampled(Projection::equirect, map.size(), [&](int, glm::ivec2 texel) {
+      const glm::vec2 uv = (glm::vec2(texel) + 0.5f) / glm::vec2(width, map.size());
+      const float u = glm::fract(uv.x + 0.25f * static_cast<float>(quarters));
+      return map.radiance(directionAt(Projection::equirect, {0, {u, uv.y}}), Interpolation::bicubic);
+    });
+  Image image = map.face(0);
+  const std::ptrdiff_t samples = std::ptrdiff_t{quarters} * width / 4 * image.channels();
+  for (int y = 0; y < image.height(); ++y)
+    std::rotate(image.row(y).begin(), image.row(y).begin() + samples, image.row(y).end());
+  return EnvironmentMap(Projection::equirect, ImageSet(std::move(image)));
+}
+
 }  // namespace
 
 std::string textOf(const MapForm& form) {
   std::string text = textOf(form.projection);
-  if (faceCount(form.projection) == 6) text += ", " + std::string(nameOf(form.layout));
+  if (faceCount(form.projection) == 6) {
+    text += ", " + std::string(nameOf(form.layout));
+    if (const std::string arrangement = textOf(form.arrangement); !arrangement.empty()) text += ", " + arrangement;
+  }
+  if (form.centre != SignedAxis::plus_z) text += ", centred on " + std::string(nameOf(form.centre));
+  if (form.has_texels_on_edges) text += ", OpenEXR's texels (resampled)";
   return text;
 }
 
+ImageSet imagesOf(const EnvironmentMap& map, const MapForm& form) {
+  if (form.has_texels_on_edges) {
+    MapForm rest = form;
+    rest.has_texels_on_edges = false;
+    return imagesOf(ontoEdgeGrid(map), rest);
+  }
+  if (form.centre != SignedAxis::plus_z) return turned(map, quartersTo(form.centre)).images();
+  if (faceCount(form.projection) == 6) return arranged(map.images(), form.arrangement);
+  return map.images();
+}
+
+Result<EnvironmentMap> mapOfImages(ImageSet images, const MapForm& form) {
+  if (faceCount(form.projection) == 6) images = restored(std::move(images), form.arrangement);
+  EnvironmentMap map(form.projection, std::move(images));
+  if (form.centre != SignedAxis::plus_z) map = turned(map, 4 - quartersTo(form.centre));
+  if (!form.has_texels_on_edges) return map;
+  if (map.size() < kLeastEdgeGridSize)
+    return fail(ErrorCode::bad_shape, "is a map of " + std::to_string(map.size()) +
+                                          " texel a side; OpenEXR's environment maps, which have texels on both edges, "
+                                          "need 2");
+  return fromEdgeGrid(map);
+}
+
 Image pictureOf(const EnvironmentMap& map, const MapForm& form) {
-  switch (map.faces()) {
+  ImageSet images = imagesOf(map, form);
+  switch (images.faces()) {
     case 6:
-      return composeLayout(map, form.layout);
+      return composeLayout(images, form.layout);
     case 2:
-      return sideBySide(map.face(0), map.face(1));
+      return sideBySide(images.at(0, 0), images.at(0, 1));
     default:
-      return map.face(0);
+      return std::move(images.at(0, 0));
+  }
+}
+
+Result<ImageSet> imagesInPicture(Image picture, const MapForm& form) {
+  switch (faceCount(form.projection)) {
+    case 6:
+      return splitLayout(picture, form.layout);
+    case 2:
+      return halves(picture);
+    default:
+      return ImageSet(std::move(picture));
   }
 }
 
 Result<EnvironmentMap> mapOfPicture(Image picture, const MapForm& form) {
-  const int faces = faceCount(form.projection);
-  if (faces == 6) return splitLayout(picture, form.layout, form.projection);
-  return EnvironmentMap(form.projection, faces == 2 ? halves(picture) : ImageSet(std::move(picture)));
+  MIRRORBALL_TRY(images, imagesInPicture(std::move(picture), form));
+  return mapOfImages(std::move(images), form);
 }
 
 }  // namespace mirrorball

@@ -2,30 +2,50 @@
 
 #include <string>
 
+#include "mirrorball/environment/cube_arrangement.h"
 #include "mirrorball/environment/cube_layout.h"
 #include "mirrorball/environment/environment_map.h"
 
 namespace mirrorball {
 
-/// The form of a map in one picture.
+/// The form of a map in files: its projection, and how the images lie there where that is not our own way.
 struct MapForm {
   Projection projection = Projection::equirect;
-  CubeLayout layout = CubeLayout::hcross;  ///< of a cube only
+  CubeLayout layout = CubeLayout::hcross;  ///< of a cube
+  CubeArrangement arrangement = {};        ///< of a cube
+  SignedAxis centre = SignedAxis::plus_z;  ///< of a panorama: our direction in its middle, ±X or ±Z; +Y is up
+  bool has_texels_on_edges = false;        ///< of a cube or a panorama: OpenEXR's registration (edge_grid.h)
 };
 
-/// A map's form as text: "equirect", "cube, hcross", "ball:distance=20".
+/// A map's form as text: "equirect", "cube, hcross", "cube, faces, as-seen", "equirect, centred on +x",
+/// "ball:distance=20".
 std::string textOf(const MapForm& form);
 
-/// A map as one picture: its one image, a cube's faces in their layout, or the two discs of a paraboloid map side by
+/// The images of a map as a form has them in files: one, a cube's six by slots, or a paraboloid's two. Texels are only
+/// moved, but for two forms that are resampled: OpenEXR's registration, and a panorama of odd height about ±X.
+///
+/// map      in our conventions, of the form's projection
+ImageSet imagesOf(const EnvironmentMap& map, const MapForm& form);
+
+/// The map that such images hold, in our conventions.
+///
+/// images   of the form's projection
+/// errors   bad_shape: too small for OpenEXR's registration
+Result<EnvironmentMap> mapOfImages(ImageSet images, const MapForm& form);
+
+/// A map as one picture: its one image, a cube's images in their layout, or the two discs of a paraboloid map side by
 /// side, front left.
 ///
 /// form     the map's projection; for a cube any layout but `faces`
 Image pictureOf(const EnvironmentMap& map, const MapForm& form);
 
-/// The map in one picture.
+/// The images in one picture, as the form has them.
 ///
 /// picture  in the form's proportion, as `recognize` has checked
 /// errors   bad_shape: of a cube, when it is not
+Result<ImageSet> imagesInPicture(Image picture, const MapForm& form);
+
+/// The map in one picture: the map of its images.
 Result<EnvironmentMap> mapOfPicture(Image picture, const MapForm& form);
 
 }  // namespace mirrorball

@@ -6,6 +6,7 @@
 
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/environment_testing.h"
+#include "mirrorball/environment/preset.h"
 
 namespace mirrorball {
 namespace {
@@ -21,6 +22,35 @@ TEST(Picture, EveryProjectionComesBack) {
       EXPECT_TRUE(std::equal(map.face(face).samples().begin(), map.face(face).samples().end(),
                              back.face(face).samples().begin()))
           << textOf(form) << " face " << face;
+  }
+}
+
+// In whatever way a program has them, texels are moved, not resampled.
+TEST(Picture, EveryPresetsFormComesBackToTheLastBit) {
+  for (const Preset& preset : presets())
+    for (const Projection projection : {Projection::cube, Projection::equirect}) {
+      const auto form = formFor(preset, projection, CubeLayout::hcross);
+      if (!form || form->has_texels_on_edges) continue;
+      const EnvironmentMap map = *convert(Environment(testing::smoothRadiance, 32), projection, 16);
+      const EnvironmentMap back = *mapOfPicture(pictureOf(map, *form), *form);
+      for (int face = 0; face < map.faces(); ++face)
+        EXPECT_TRUE(std::ranges::equal(map.face(face).samples(), back.face(face).samples())) << preset.name;
+    }
+}
+
+// A quarter of 2 · 33 columns is no whole number of them.
+TEST(Picture, APanoramaOfOddHeightIsResampled) {
+  const EnvironmentMap map = *convert(Environment(testing::smoothRadiance, 256), Projection::equirect, 33);
+  for (const SignedAxis centre : {SignedAxis::plus_x, SignedAxis::minus_x, SignedAxis::minus_z}) {
+    MapForm form;
+    form.centre = centre;
+    const Image picture = pictureOf(map, form);
+    // The middle row is the horizon, and the middle lies between its texels 32 and 33.
+    const glm::vec3 middle = 0.5f * (rgbAt(picture, 32, 16) + rgbAt(picture, 33, 16));
+    EXPECT_LT(glm::length(middle - testing::smoothRadiance(vectorOf(centre))), 5e-3f) << nameOf(centre);
+    const EnvironmentMap back = *mapOfPicture(picture, form);
+    for (const glm::vec3 d : testing::manyDirections(300))
+      EXPECT_LT(glm::length(back.radiance(d) - map.radiance(d)), 1e-3f) << nameOf(centre);
   }
 }
 

@@ -11,6 +11,9 @@ namespace {
 constexpr const char* kProjectionKey = "mirrorball:projection";
 constexpr const char* kLayoutKey = "mirrorball:layout";
 constexpr const char* kBallDistanceKey = "mirrorball:ball_distance";
+constexpr const char* kArrangementKey = "mirrorball:arrangement";
+constexpr const char* kCentreKey = "mirrorball:centre";
+constexpr const char* kEnvmapKey = "envmap";
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
@@ -20,41 +23,97 @@ std::string proportionText(CubeLayout layout) {
   return std::to_string(cells.x) + ":" + std::to_string(cells.y);
 }
 
+bool isCube(const FormHint& hint) { return hint.layout || (hint.projection && faceCount(*hint.projection) == 6); }
+
+/// The axis in the middle of a panorama.
+Result<SignedAxis> centreNamed(std::string_view name) {
+  MIRRORBALL_TRY(axis, signedAxisNamed(name));
+  if (vectorOf(axis).y == 0.0f) return axis;
+  return fail(ErrorCode::usage,
+              "the centre of a panorama is on the horizon: +x, -x, +z or -z, not " + std::string(nameOf(axis)));
+}
+
+/// Takes up what a program's preset says of the hint's projection.
+Result<void> applyPreset(std::string_view name, FormHint& hint) {
+  MIRRORBALL_TRY(preset, presetNamed(name));
+  MIRRORBALL_TRY(form, formFor(preset, hint.projection.value_or(Projection::cube), preset.layout));
+  hint.arrangement = form.arrangement;
+  hint.centre = form.centre;
+  hint.has_texels_on_edges = form.has_texels_on_edges;
+  return {};
+}
+
+/// Takes up one word of those after the colon.
+Result<void> applyWord(const std::string& word, FormHint& hint) {
+  const std::string key = word.substr(0, word.find('='));
+  const std::string value = key.size() < word.size() ? word.substr(key.size() + 1) : std::string();
+  if (key == "for") return applyPreset(value, hint);
+  if (key == "centre" && hint.projection == Projection::equirect) {
+    MIRRORBALL_TRY(centre, centreNamed(value));
+    hint.centre = centre;
+    return {};
+  }
+  if (!isCube(hint))
+    return fail(ErrorCode::usage, "'" + word + "' says nothing of a map of projection " +
+                                      std::string(nameOf(*hint.projection)) +
+                                      (*hint.projection == Projection::equirect ? "; for=PROGRAM and centre=AXIS do"
+                                                                                : ", which takes no parameters"));
+  if (key == "layout" && hint.projection) {
+    MIRRORBALL_TRY(layout, cubeLayoutNamed(value));
+    hint.layout = layout;
+    return {};
+  }
+  MIRRORBALL_TRY(arrangement, rearranged(hint.arrangement, word));
+  hint.arrangement = arrangement;
+  return {};
+}
+
+/// What OpenEXR's own attribute says: its registration, and a cube's faces in a strip downwards.
+Result<FormHint> hintOfEnvmap(const std::string& envmap) {
+  return formHintNamed(envmap == "latlong" ? "equirect:for=openexr" : "cube:layout=vstrip,for=openexr");
+}
+
 /// What the metadata says, as far as it says something that this program knows.
 Result<FormHint> hintOfMetadata(const Metadata& metadata) {
   const auto find = [&](const char* key) {
     const auto entry = metadata.find(key);
     return entry == metadata.end() ? std::string() : entry->second;
   };
+  const std::string projection = find(kProjectionKey);
+  if (projection.empty()) {
+    const std::string envmap = find(kEnvmapKey);
+    return envmap.empty() ? FormHint{} : hintOfEnvmap(envmap);
+  }
   FormHint hint;
-  if (const std::string projection = find(kProjectionKey); !projection.empty()) {
-    MIRRORBALL_TRY(named, projectionNamed(projection));
-    hint.projection = named;
-    if (const std::string distance = find(kBallDistanceKey); named == Projection::ball && !distance.empty()) {
-      MIRRORBALL_TRY(ball, ballAtDistance(distance));
-      hint.projection = ball;
-    }
-    if (const std::string layout = find(kLayoutKey); !layout.empty()) {
-      MIRRORBALL_TRY(named_layout, cubeLayoutNamed(layout));
-      if (named_layout == CubeLayout::faces)
-        return fail(ErrorCode::bad_shape,
-                    "is one face of a cube; the names of all six must end in _px _nx _py _ny _pz _nz");
-      hint.layout = named_layout;
-    }
-  } else if (find("envmap") == "latlong") {
-    hint.projection = Projection::equirect;
-  } else if (find("envmap") == "cube") {
-    return fail(ErrorCode::unsupported,
-                "is a cube in OpenEXR's own arrangement (its envmap attribute), which this version does not read; "
-                "convert it to latlong with exrenvmap");
+  MIRRORBALL_TRY(named, projectionNamed(projection));
+  hint.projection = named;
+  if (const std::string distance = find(kBallDistanceKey); named == Projection::ball && !distance.empty()) {
+    MIRRORBALL_TRY(ball, ballAtDistance(distance));
+    hint.projection = ball;
+  }
+  if (const std::string layout = find(kLayoutKey); !layout.empty()) {
+    MIRRORBALL_TRY(named_layout, cubeLayoutNamed(layout));
+    hint.layout = named_layout;
+  }
+  if (const std::string arrangement = find(kArrangementKey); !arrangement.empty()) {
+    MIRRORBALL_TRY(frames, rearranged(CubeArrangement{}, arrangement));
+    hint.arrangement = frames;
+  }
+  if (const std::string centre = find(kCentreKey); !centre.empty()) {
+    MIRRORBALL_TRY(axis, centreNamed(centre));
+    hint.centre = axis;
   }
   return hint;
 }
 
+/// A form of which a hint says all but a cube's layout.
+MapForm formWith(const FormHint& hint, Projection projection, CubeLayout layout) {
+  return {projection, layout, hint.arrangement, hint.centre, hint.has_texels_on_edges};
+}
+
 /// The form that a hint and the shape give together; the hint names a projection or a layout.
 Result<MapForm> formOfHint(const FormHint& hint, int width, int height) {
-  MapForm form;
-  form.projection = hint.projection.value_or(Projection::cube);
+  MapForm form = formWith(hint, hint.projection.value_or(Projection::cube), CubeLayout::hcross);
   if (faceCount(form.projection) != 6) {
     const bool is_double = form.projection == Projection::equirect || form.projection == Projection::paraboloid;
     if (width == (is_double ? 2 : 1) * height) return form;
@@ -89,29 +148,53 @@ Result<Recognition> recognizeShape(int width, int height) {
 }  // namespace
 
 Result<FormHint> formHintNamed(std::string_view name) {
-  const auto projection = projectionNamed(name);
-  if (projection) return FormHint{*projection, std::nullopt};
-  if (name.find(':') != std::string_view::npos) return tl::unexpected<Error>(projection.error());
-  if (const auto layout = cubeLayoutNamed(name)) return FormHint{std::nullopt, *layout};
-  std::vector<std::string_view> all(projectionNames().begin(), projectionNames().end());
-  all.insert(all.end(), cubeLayoutNames().begin(), cubeLayoutNames().end());
-  return tl::unexpected<Error>(unknownName("projection or cube layout", name, all));
+  const std::size_t colon = name.find(':');
+  const std::string_view base = name.substr(0, colon);
+  FormHint hint;
+  if (base == nameOf(Projection::ball)) {
+    MIRRORBALL_TRY(ball, projectionNamed(name));
+    hint.projection = ball;
+    return hint;
+  }
+  if (const auto projection = projectionNamed(base)) {
+    hint.projection = *projection;
+  } else if (const auto layout = cubeLayoutNamed(base)) {
+    hint.layout = *layout;
+  } else {
+    std::vector<std::string_view> all(projectionNames().begin(), projectionNames().end());
+    all.insert(all.end(), cubeLayoutNames().begin(), cubeLayoutNames().end());
+    return tl::unexpected<Error>(unknownName("projection or cube layout", base, all));
+  }
+  if (colon == std::string_view::npos) return hint;
+  for (const std::string& word : split(name.substr(colon + 1), ',')) MIRRORBALL_TRY_VOID(applyWord(word, hint));
+  return hint;
 }
 
 Metadata metadataOf(const MapForm& form) {
+  if (form.has_texels_on_edges) return {{kEnvmapKey, form.projection == Projection::equirect ? "latlong" : "cube"}};
   Metadata metadata;
   metadata[kProjectionKey] = nameOf(form.projection);
-  if (faceCount(form.projection) == 6) metadata[kLayoutKey] = nameOf(form.layout);
+  if (faceCount(form.projection) == 6) {
+    metadata[kLayoutKey] = nameOf(form.layout);
+    if (const std::string arrangement = textOf(form.arrangement); !arrangement.empty())
+      metadata[kArrangementKey] = arrangement;
+  }
+  if (form.centre != SignedAxis::plus_z) metadata[kCentreKey] = nameOf(form.centre);
   if (form.projection == Projection::ball)
     metadata[kBallDistanceKey] = formatNumber(double(form.projection.ball_distance));
   return metadata;
 }
 
-Projection projectionOfFaces(const Metadata& metadata, const FormHint& hint) {
-  if (hint.projection) return *hint.projection;
-  const auto stated = metadata.find(kProjectionKey);
-  const bool is_eac = stated != metadata.end() && stated->second == nameOf(Projection::eac);
-  return is_eac ? Projection::eac : Projection::cube;
+Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by) {
+  // A face alone says nothing that contradicts its being one of six but a projection that is no cube.
+  auto stated = hintOfMetadata(metadata);
+  const bool is_told = stated && stated->projection && isCube(*stated) && !stated->has_texels_on_edges;
+  if (hint.projection || hint.layout) {
+    const Projection of_file = is_told ? *stated->projection : Projection(Projection::cube);
+    return {formWith(hint, hint.projection.value_or(of_file), CubeLayout::faces), "--from"};
+  }
+  if (!is_told) return {{Projection::cube, CubeLayout::faces}, told_by};
+  return {formWith(*stated, *stated->projection, CubeLayout::faces), told_by};
 }
 
 Result<Recognition> recognize(const std::string& name, int width, int height, const Metadata& metadata,
@@ -124,6 +207,10 @@ Result<Recognition> recognize(const std::string& name, int width, int height, co
   }
   auto stated = hintOfMetadata(metadata);
   if (!stated) return named(stated);
+  if (stated->layout == CubeLayout::faces)
+    return fail(ErrorCode::bad_shape, name +
+                                          ": is one face of a cube; the names of all six must end in _px _nx _py _ny "
+                                          "_pz _nz, or as docs/conventions.md says");
   if (stated->projection) {
     auto form = formOfHint(*stated, width, height);
     if (!form) return named(form);

@@ -5,17 +5,27 @@
 
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/environment/picture.h"
+#include "mirrorball/environment/preset.h"
 
 namespace mirrorball {
 
-/// What --from names: a projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube
-/// layout ("hcross", "faces").
-///
-/// errors   usage: lists all names
+/// What --from names.
 struct FormHint {
-  std::optional<Projection> projection;
-  std::optional<CubeLayout> layout;
+  std::optional<Projection> projection = {};
+  std::optional<CubeLayout> layout = {};
+  CubeArrangement arrangement = {};  ///< the rest as in MapForm
+  SignedAxis centre = SignedAxis::plus_z;
+  bool has_texels_on_edges = false;
 };
+
+/// A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout ("hcross",
+/// "faces"). After a colon, with commas between, how it lies in the file where that is not our own way:
+///   for=PROGRAM          as a preset has it (preset.h): "cube:for=unity", "equirect:for=blender"
+///   layout=LAYOUT        of cube and eac: "eac:layout=vcross"
+///   as-seen, flip=…, order=…, axes=…   of a cube (cube_arrangement.h), each applied to what stands before it
+///   centre=AXIS          of an equirect: our direction in its middle, "+x", "-x", "+z" or "-z"
+///
+/// errors   usage: lists the names
 Result<FormHint> formHintNamed(std::string_view name);
 
 /// A form, and what told it.
@@ -24,12 +34,15 @@ struct Recognition {
   std::string told_by;  ///< "--from", "the file's metadata", "its shape, 2:1"
 };
 
-/// What a file says of its form, for `recognize` to read back: "mirrorball:projection", a cube's "mirrorball:layout" and
-/// a ball's "mirrorball:ball_distance".
+/// What a file says of its form, for `recognize` to read back: "mirrorball:projection", a cube's "mirrorball:layout", a
+/// ball's "mirrorball:ball_distance" and, where they are not our own, a cube's "mirrorball:arrangement" and a panorama's
+/// "mirrorball:centre". A map in OpenEXR's registration has OpenEXR's own "envmap" instead, which says all this.
 Metadata metadataOf(const MapForm& form);
 
-/// Of six files with a face each: eac where the hint or a face's metadata says so, else cube.
-Projection projectionOfFaces(const Metadata& metadata, const FormHint& hint);
+/// Tells the form of six files with an image each, by the hint, else by the first one's metadata.
+///
+/// told_by  what told that they are six faces, when neither says more
+Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by);
 
 /// Tells a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1 sphere
 /// map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles). All other forms have to be named.

@@ -30,9 +30,20 @@ TEST(Recognize, MetadataComesBeforeTheShape) {
   const auto probe = recognize("a.exr", 64, 64, {{"mirrorball:projection", "angular"}});
   EXPECT_EQ(textOf(probe->form), "angular");
   EXPECT_EQ(probe->told_by, "the file's metadata");
-  EXPECT_EQ(textOf(recognize("a.exr", 64, 32, {{"envmap", "latlong"}})->form), "equirect");
+}
+
+// OpenEXR's attribute stands for its registration and its arrangement, and --from for what the file does not say.
+TEST(Recognize, OpenExrsAttributeIsTakenAtItsWord) {
+  const auto panorama = recognize("a.exr", 64, 32, {{"envmap", "latlong"}});
+  EXPECT_EQ(textOf(panorama->form), "equirect, OpenEXR's texels (resampled)");
+  EXPECT_EQ(panorama->told_by, "the file's metadata");
+  const auto cube = recognize("a.exr", 16, 96, {{"envmap", "cube"}});
+  EXPECT_THAT(textOf(cube->form), HasSubstr("cube, vstrip, axes=+x+z-y"));
+  EXPECT_TRUE(cube->form.has_texels_on_edges);
+  EXPECT_EQ(metadataOf(cube->form), (Metadata{{"envmap", "cube"}}));
   EXPECT_EQ(recognize("a.exr", 64, 60, {{"envmap", "latlong"}}).error().code, ErrorCode::bad_shape);
-  EXPECT_EQ(recognize("a.exr", 16, 96, {{"envmap", "cube"}}).error().code, ErrorCode::unsupported);
+  EXPECT_EQ(recognize("a.exr", 96, 16, {{"envmap", "cube"}}).error().code, ErrorCode::bad_shape);
+  EXPECT_EQ(textOf(recognize("a.exr", 64, 32, {{"envmap", "latlong"}}, *formHintNamed("equirect"))->form), "equirect");
 }
 
 TEST(Recognize, TheHintComesBeforeAll) {
@@ -71,6 +82,55 @@ TEST(Recognize, TheHintMayNameABallsDistance) {
   EXPECT_THAT(formHintNamed("ball:distance=0").error().message, HasSubstr("at least 1.01"));
   EXPECT_THAT(recognize("a.hdr", 64, 64, {}, *formHintNamed("paraboloid")).error().message, HasSubstr("2:1"));
   EXPECT_THAT(recognize("a.hdr", 64, 32, {}, *formHintNamed("octahedral")).error().message, HasSubstr("square"));
+}
+
+TEST(Recognize, TheHintMaySayHowAMapLies) {
+  const auto textFor = [](std::string_view from, int width, int height) {
+    const auto hint = formHintNamed(from);
+    return hint ? textOf(recognize("a.hdr", width, height, {}, *hint)->form) : hint.error().message;
+  };
+  EXPECT_EQ(textFor("hcross:as-seen", 64, 48), "cube, hcross, as-seen");
+  EXPECT_EQ(textFor("seed", 64, 48), "cube, seed");
+  EXPECT_EQ(textFor("eac:layout=vcross", 48, 64), "eac, vcross");
+  EXPECT_EQ(textFor("eac:as-seen", 48, 32), "eac, 3x2, as-seen");
+  EXPECT_EQ(textFor("cube:for=three,flip=horizontal,order=-x+x+y-y+z-z", 64, 48), "cube, hcross");
+  EXPECT_EQ(textFor("cube:for=unity", 96, 16), "cube, hstrip, axes=-x-z-y|+x+z-y|+y-x+z|-y-x-z|+z-x-y|-z+x-y");
+  EXPECT_EQ(textFor("equirect:for=blender", 64, 32), "equirect, centred on +x");
+  EXPECT_EQ(textFor("equirect:centre=-Z", 64, 32), "equirect, centred on -z");
+  EXPECT_EQ(textFor("equirect:for=openexr", 64, 32), "equirect, OpenEXR's texels (resampled)");
+
+  EXPECT_THAT(textFor("cube:for=blender", 64, 48), HasSubstr("Blender has no cube maps"));
+  EXPECT_THAT(textFor("cube:for=unty", 64, 48), HasSubstr("did you mean 'unity'?"));
+  EXPECT_THAT(textFor("cube:as-sen", 64, 48), HasSubstr("did you mean 'as-seen'?"));
+  EXPECT_THAT(textFor("equirect:as-seen", 64, 32), HasSubstr("for=PROGRAM and centre=AXIS do"));
+  EXPECT_THAT(textFor("equirect:centre=+y", 64, 32), HasSubstr("on the horizon"));
+  EXPECT_THAT(textFor("angular:mirrored", 64, 64), HasSubstr("projection angular, which takes no parameters"));
+  EXPECT_THAT(textFor("hcross:layout=vcross", 64, 48), HasSubstr("'layout=vcross'"));
+}
+
+TEST(Recognize, AFormThatIsNotOursIsReadBackFromItsMetadata) {
+  for (const Preset& preset : presets())
+    for (const Projection projection : {Projection::cube, Projection::equirect}) {
+      const auto form = formFor(preset, projection, CubeLayout::vstrip);
+      if (!form) continue;
+      const glm::ivec2 cells = projection == Projection::cube ? cellsOf(CubeLayout::vstrip) : glm::ivec2(1);
+      const glm::ivec2 size = imageSize(projection, 8) * cells;
+      const auto read = recognize("a.exr", size.x, size.y, metadataOf(*form));
+      ASSERT_TRUE(read) << preset.name << ": " << read.error().message;
+      EXPECT_EQ(textOf(read->form), textOf(*form)) << preset.name;
+    }
+}
+
+TEST(Recognize, SixFacesAreWhatTheFirstSaysOrTheHint) {
+  const Metadata as_seen = metadataOf({Projection::eac, CubeLayout::faces, asSeen(CubeArrangement{})});
+  EXPECT_EQ(textOf(recognizeFaces({}, {}, "its name").form), "cube, faces");
+  const Recognition told = recognizeFaces(as_seen, {}, "its name");
+  EXPECT_EQ(textOf(told.form), "eac, faces, as-seen");
+  EXPECT_EQ(told.told_by, "its name");
+  EXPECT_EQ(textOf(recognizeFaces(as_seen, *formHintNamed("faces"), "").form), "eac, faces");
+  EXPECT_EQ(textOf(recognizeFaces(as_seen, *formHintNamed("cube:flip=vertical,as-seen"), "").form.arrangement),
+            textOf(flipped(CubeArrangement{}, Flip::both)));
+  EXPECT_EQ(recognizeFaces(as_seen, *formHintNamed("faces:for=three"), "").told_by, "--from");
 }
 
 TEST(Recognize, UnknownNamesListAll) {

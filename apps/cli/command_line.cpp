@@ -1,5 +1,6 @@
 #include "cli/command_line.h"
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball::cli {
@@ -13,6 +14,14 @@ std::string describe(const OptionText& text, const std::string& default_value) {
   if (!default_value.empty()) add("default " + default_value);
   if (!text.implied.empty()) add("without a value " + std::string(text.implied));
   return facts.empty() ? description : description + " (" + facts + ")";
+}
+
+Result<void> useMemoryLimit(const std::string& written) {
+  if (written.empty()) return {};
+  auto bytes = parseBytes(written);
+  if (!bytes) return fail(ErrorCode::usage, "--max-memory: " + bytes.error().message);
+  setMemoryLimit(*bytes);
+  return {};
 }
 
 void addOption(CLI::App& command, const OptionText& text, const std::string& default_value, bool is_flag,

@@ -16,6 +16,17 @@ namespace mirrorball::cli {
 /// The text of an option for help: its sentence, choices, unit, range and default.
 std::string describe(const OptionText& text, const std::string& default_value);
 
+/// --max-memory, of every command that reads maps.
+inline constexpr OptionText kMaxMemoryText{
+    .name = "max-memory",
+    .value = "BYTES",
+    .help = "the most memory that images may take, as in 1.5G or 800M; else 3/4 of what the machine has"};
+
+/// Sets the limit that --max-memory was given; empty leaves it.
+///
+/// errors   usage
+Result<void> useMemoryLimit(const std::string& written);
+
 /// What one option of the command line does with a value; a flag is given "yes".
 using SetValue = std::function<Result<void>(const std::string& written)>;
 

@@ -1,39 +1,31 @@
 #include "cli/convert_command.h"
 
 #include <array>
+#include <filesystem>
 #include <vector>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/files.h"
-#include "cli/map_files.h"
-#include "cli/terminal.h"
+#include "cli/convert_files.h"
+#include "cli/map_output.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/codec.h"
-#include "mirrorball/environment/convert.h"
-#include "mirrorball/environment/load.h"
 
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<ConvertOptions>, 7> kOptions{{
-    {{.name = "output",
-      .value = "OUT",
-      .help = ".exr .hdr (linear radiance), .png .jpg (sRGB, clipped to [0, 1])",
-      .letter = "o"},
-     &ConvertOptions::output},
+const std::array<Option<ConvertOptions>, 9> kOptions{{
     {{.name = "to",
       .value = "PROJECTION",
-      .help = "equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, equal-area or eac; "
-              "ball:distance=20 says how many ball radii the camera stands from the ball"},
+      .help =
+          "needed: equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, equal-area or eac; "
+          "ball:distance=20 says how many ball radii the camera stands from the ball"},
      &ConvertOptions::to},
     {{.name = "from",
       .value = "FORM",
-      .help = "the input's form, where it is not recognised: a projection, or a cube's "
-              "layout"},
+      .help =
+          "the input's form, where it is not recognised: a projection, or a cube's layout; then, after a colon, how "
+          "it lies in the file, as in cube:for=unity, hcross:as-seen or equirect:for=blender"},
      &ConvertOptions::from},
-    {{.name = "layout", .value = "LAYOUT", .help = "of a cube: faces (six files), hcross, vcross, hstrip, vstrip, 3x2"},
-     &ConvertOptions::layout},
     {{.name = "size",
       .value = "N",
       .unit = "texels",
@@ -42,28 +34,71 @@ const std::array<Option<ConvertOptions>, 7> kOptions{{
       .help =
           "a cube face's side, a disc's diameter, a square's side or a panorama's height; 0 keeps the input's detail"},
      &ConvertOptions::size},
-    {{.name = "half", .help = "16-bit instead of 32-bit floats in .exr"}, &ConvertOptions::half},
+    {{.name = "filter",
+      .choices = "bilinear|bicubic",
+      .help =
+          "what is seen between the input's texels; where the output is coarser, all that a texel covers is averaged"},
+     choiceField<&ConvertOptions::filter>},
+    {{.name = "centre",
+      .value = "X,Y,Z",
+      .fewest = 3,
+      .most = 3,
+      .help = "the input's direction that comes to the centre, +Z; up stays up"},
+     &ConvertOptions::centre},
+    {{.name = "rotate",
+      .value = "YAW[,PITCH[,ROLL]]",
+      .unit = "degrees",
+      .most = 3,
+      .help = "turns the light about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, +Z towards +X; after "
+              "--centre"},
+     &ConvertOptions::rotate_deg},
+    {{.name = "extension",
+      .value = "EXT",
+      .help = "of the files in an output folder: exr, hdr, ktx2, dds, png or jpg; else each input's own"},
+     &ConvertOptions::extension},
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &ConvertOptions::repair},
+    {kMaxMemoryText, &ConvertOptions::max_memory},
 }};
 
-Result<void> convertFile(const std::string& input, const ConvertOptions& options) {
-  if (options.output.empty()) return fail(ErrorCode::usage, "convert needs an output: -o FILE");
+Resampling resamplingOf(const ConvertOptions& options) {
+  Resampling resampling{.interpolation = options.filter};
+  std::vector<float> angles = options.rotate_deg;
+  angles.resize(3, 0.0f);
+  const glm::mat3 turned = turnedBy(glm::radians(angles[0]), glm::radians(angles[1]), glm::radians(angles[2]));
+  resampling.source_from_target = glm::transpose(turned);
+  if (options.centre.empty()) return resampling;
+  const glm::vec3 centre(options.centre[0], options.centre[1], options.centre[2]);
+  resampling.source_from_target = centredOn(glm::normalize(centre)) * resampling.source_from_target;
+  return resampling;
+}
+
+/// errors   usage: what convert cannot do without is missing or wrong
+Result<ConvertRequest> requestOf(const ConvertOptions& options, const MapOutputOptions& output) {
+  if (output.output.empty()) return fail(ErrorCode::usage, "convert needs an output: -o FILE");
   if (options.to.empty())
     return fail(ErrorCode::usage, "convert needs a projection: --to " + join(projectionNames(), "|"));
   MIRRORBALL_TRY(to, projectionNamed(options.to));
-  MIRRORBALL_TRY(layout, cubeLayoutNamed(options.layout));
-  MIRRORBALL_TRY_VOID(checkFolder(options.output));
-  MIRRORBALL_TRY_VOID(checkWritable(options.output));
-  EnvironmentLoadOptions how{.repair = options.repair};
+  if (!options.centre.empty() &&
+      glm::length(glm::vec3(options.centre[0], options.centre[1], options.centre[2])) == 0.0f)
+    return fail(ErrorCode::usage, "--centre takes a vector that has a length");
+  ConvertRequest request{to, options.size, resamplingOf(options), {.repair = options.repair}, output};
   if (!options.from.empty()) {
     MIRRORBALL_TRY(hint, formHintNamed(options.from));
-    how.from = hint;
+    request.load.from = hint;
   }
-  MIRRORBALL_TRY(loaded, loadEnvironment(input, how));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, mapPaths(options.output, to, layout)));
-  const int size = options.size > 0 ? options.size : loaded.environment.naturalSize(to);
-  MIRRORBALL_TRY(map, convert(loaded.environment, to, size, {}, progressBar("convert")));
-  return writeMap(map, layout, options.half, options.output);
+  return request;
+}
+
+Result<void> convertInputs(const std::vector<std::string>& inputs, const ConvertOptions& options,
+                           const MapOutputOptions& output) {
+  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
+  MIRRORBALL_TRY(request, requestOf(options, output));
+  if (inputs.size() == 1 && !isFolder(output.output)) {
+    if (!options.extension.empty())
+      return fail(ErrorCode::usage, "--extension is for an output folder; " + output.output + " has its own");
+    return convertFile(inputs.front(), request);
+  }
+  return convertMany(inputs, options.extension, request);
 }
 
 }  // namespace
@@ -72,15 +107,20 @@ std::span<const Option<ConvertOptions>> convertOptions() { return kOptions; }
 
 Action addConvertCommand(CLI::App& program) {
   struct Request {
-    std::string input;
+    std::vector<std::string> inputs;
     ConvertOptions options;
+    MapOutputOptions output;
   };
   auto request = std::make_shared<Request>();
-  CLI::App* command = program.add_subcommand("convert", "Lays an environment map out in another projection");
-  command->add_option("IN", request->input, "a map (.hdr .exr .png .jpg) or a built-in: studio sky uv white")
+  CLI::App* command = program.add_subcommand("convert", "Lays environment maps out in another projection");
+  command
+      ->add_option("IN", request->inputs,
+                   "maps (.hdr .exr .png .jpg .ktx2 .ktx .dds), one of a cube's six files or their folder, or a "
+                   "built-in: studio sky uv white")
       ->required();
   addOptions(*command, convertOptions(), request->options);
-  return [request] { return convertFile(request->input, request->options); };
+  addOptions(*command, mapOutputOptions(), request->output);
+  return [request] { return convertInputs(request->inputs, request->options, request->output); };
 }
 
 }  // namespace mirrorball::cli

@@ -2,20 +2,24 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "mirrorball/base/option.h"
+#include "mirrorball/image/filter.h"
 
 namespace mirrorball::cli {
 
-/// What `convert` is told beside its input.
+/// What `convert` is told beside its inputs and its files (map_output.h).
 struct ConvertOptions {
-  std::string output;
   std::string to;
   std::string from;
-  std::string layout = "hcross";
   int size = 0;
-  bool half = false;
+  Interpolation filter = Interpolation::bicubic;
+  std::vector<float> rotate_deg;
+  std::vector<float> centre;
+  std::string extension;
   bool repair = false;
+  std::string max_memory;
 };
 
 std::span<const Option<ConvertOptions>> convertOptions();

@@ -14,17 +14,16 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<InfoOptions>, 2> kOptions{{
+const std::array<Option<InfoOptions>, 3> kOptions{{
     {{.name = "direction",
       .value = "X,Y,Z",
       .fewest = 3,
       .most = 3,
       .help = "print where that direction is found: cube face, (s, t) and texel, and the texel of each projection"},
      &InfoOptions::direction},
-    {{.name = "from",
-      .value = "FORM",
-      .help = "the form, where it is not recognised: a projection, or a cube's layout"},
+    {{.name = "from", .value = "FORM", .help = "the form, where it is not recognised, as for convert"},
      &InfoOptions::from},
+    {kMaxMemoryText, &InfoOptions::max_memory},
 }};
 
 constexpr std::array<const char*, 6> kFaceNames{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
@@ -107,6 +106,7 @@ Result<void> printDirection(const Environment& environment, const std::vector<fl
 }
 
 Result<void> info(const std::string& input, const InfoOptions& options) {
+  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
   EnvironmentLoadOptions how{.keep_bad = true};
   if (!options.from.empty()) {
     MIRRORBALL_TRY(hint, formHintNamed(options.from));
@@ -138,7 +138,9 @@ Action addInfoCommand(CLI::App& program) {
   auto request = std::make_shared<Request>();
   CLI::App* command =
       program.add_subcommand("info", "Says what an environment map is, or where a direction lies in it");
-  command->add_option("FILE", request->input, "a map (.hdr .exr .png .jpg) or a built-in: studio sky uv white")
+  command
+      ->add_option("FILE", request->input,
+                   "a map (.hdr .exr .png .jpg .ktx2 .ktx .dds) or a built-in: studio sky uv white")
       ->required();
   addOptions(*command, infoOptions(), request->options);
   return [request] { return info(request->input, request->options); };

@@ -12,6 +12,7 @@ namespace mirrorball::cli {
 struct InfoOptions {
   std::vector<float> direction;
   std::string from;
+  std::string max_memory;
 };
 
 std::span<const Option<InfoOptions>> infoOptions();

@@ -8,7 +8,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
-#include "cli/map_files.h"
+#include "cli/map_output.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/codec.h"
@@ -24,13 +24,7 @@ namespace {
 constexpr ChoiceField<PhotoOptions> kResponseField{[](const PhotoOptions& options) { return options.response; },
                                                    [](PhotoOptions& options, int index) { options.response = index; }};
 
-const std::array<Option<PhotoOptions>, 15> kOptions{{
-    {{.name = "output",
-      .value = "OUT",
-      .help = ".exr .hdr (linear radiance), .png .jpg (sRGB, clipped to [0, 1])",
-      .letter = "o",
-      .group = "Output"},
-     &PhotoOptions::output},
+const std::array<Option<PhotoOptions>, 13> kOptions{{
     {{.name = "to",
       .value = "PROJECTION",
       .help =
@@ -38,11 +32,6 @@ const std::array<Option<PhotoOptions>, 15> kOptions{{
           "equal-area or eac",
       .group = "Output"},
      &PhotoOptions::to},
-    {{.name = "layout",
-      .value = "LAYOUT",
-      .help = "of a cube: faces (six files), hcross, vcross, hstrip, vstrip, 3x2",
-      .group = "Output"},
-     &PhotoOptions::layout},
     {{.name = "size",
       .value = "N",
       .unit = "texels",
@@ -51,7 +40,6 @@ const std::array<Option<PhotoOptions>, 15> kOptions{{
       .help = "a cube face's side, a disc's diameter or a panorama's height; 0 keeps the photograph's detail",
       .group = "Output"},
      &PhotoOptions::size},
-    {{.name = "half", .help = "16-bit instead of 32-bit floats in .exr", .group = "Output"}, &PhotoOptions::half},
     {{.name = "debug",
       .value = "FILE",
       .help = "write the photograph with the ball's rim drawn over it, .png or .jpg",
@@ -119,6 +107,7 @@ const std::array<Option<PhotoOptions>, 15> kOptions{{
       .help = "of the second photographs; else as the first ones'",
       .group = "Second side"},
      &PhotoOptions::second_exposures},
+    {kMaxMemoryText, &PhotoOptions::max_memory},
 }};
 
 /// "1/60,1/15,0.25"
@@ -242,21 +231,20 @@ Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, s
   return BallPhotograph{std::move(light), ball.view, side.turn_deg};
 }
 
-Result<void> checkFiles(const std::vector<std::string>& inputs, const PhotoOptions& options, Projection to,
-                        CubeLayout layout) {
-  MIRRORBALL_TRY_VOID(checkFolder(options.output));
-  MIRRORBALL_TRY_VOID(checkWritable(options.output));
-  std::vector<std::string> outputs = mapPaths(options.output, to, layout);
+Result<void> checkFiles(const std::vector<std::string>& inputs, const PhotoOptions& options,
+                        std::vector<std::string> outputs) {
   if (!options.debug.empty()) outputs.push_back(options.debug);
   MIRRORBALL_TRY_VOID(refuseOverwriting(inputs, outputs));
   return refuseOverwriting(options.second, outputs);
 }
 
-Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& options) {
-  if (options.output.empty()) return fail(ErrorCode::usage, "photo needs an output: -o FILE");
+Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& options,
+                   const MapOutputOptions& output_options) {
+  if (output_options.output.empty()) return fail(ErrorCode::usage, "photo needs an output: -o FILE");
+  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
   MIRRORBALL_TRY(to, projectionNamed(options.to));
-  MIRRORBALL_TRY(layout, cubeLayoutNamed(options.layout));
-  MIRRORBALL_TRY_VOID(checkFiles(inputs, options, to, layout));
+  MIRRORBALL_TRY(output, MapOutput::resolve(output_options, to));
+  MIRRORBALL_TRY_VOID(checkFiles(inputs, options, output.paths()));
   std::vector<BallPhotograph> sides;
   std::optional<Response> curve;
   MIRRORBALL_TRY(first, readSide({inputs, options.circle, options.exposures, 0.0, options.debug}, options, curve));
@@ -276,7 +264,7 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
               unwrapped.filled_sr / (4.0 * glm::radians(180.0)) * 100.0);
   const int size = options.size > 0 ? options.size : unwrapped.environment.naturalSize(to);
   MIRRORBALL_TRY(map, convert(unwrapped.environment, to, size, {}, progressBar("unwrap")));
-  return writeMap(map, layout, options.half, options.output);
+  return output.write(std::move(map));
 }
 
 }  // namespace
@@ -287,14 +275,16 @@ Action addPhotoCommand(CLI::App& program) {
   struct Request {
     std::vector<std::string> inputs;
     PhotoOptions options;
+    MapOutputOptions output;
   };
   auto request = std::make_shared<Request>();
   CLI::App* command =
       program.add_subcommand("photo", "Unwraps a photograph of a mirror ball, or a series of exposures, into a map");
   command->add_option("PHOTO", request->inputs, "photographs of one exposure series (.jpg .png), or one of .hdr .exr")
       ->required();
+  addOptions(*command, mapOutputOptions(), request->output);
   addOptions(*command, photoOptions(), request->options);
-  return [request] { return photo(request->inputs, request->options); };
+  return [request] { return photo(request->inputs, request->options, request->output); };
 }
 
 }  // namespace mirrorball::cli

@@ -10,11 +10,8 @@ namespace mirrorball::cli {
 
 /// What `photo` is told beside its photographs.
 struct PhotoOptions {
-  std::string output;
   std::string to = "equirect";
-  std::string layout = "hcross";
   int size = 0;
-  bool half = false;
   std::vector<float> circle;
   std::string debug;
   float distance = 0.0f;
@@ -25,6 +22,7 @@ struct PhotoOptions {
   float second_rotation_deg = 90.0f;
   std::vector<float> second_circle;
   std::string second_exposures;
+  std::string max_memory;
 };
 
 std::span<const Option<PhotoOptions>> photoOptions();

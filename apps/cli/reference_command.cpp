@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/convert_command.h"
 #include "cli/info_command.h"
+#include "cli/map_output.h"
 #include "cli/photo_command.h"
 #include "cli/render_command.h"
 #include "mirrorball/environment/builtin.h"
@@ -48,12 +49,18 @@ Result<void> printReference() {
   printHeading("mirrorball render [MODEL]", "MODEL is a file (.glb .gltf .obj .ply .stl) or a built-in.");
   printRows(renderFileOptions(), "--");
   printRows(renderOptions(), "--");
-  printHeading("mirrorball convert IN", "IN is a map (.hdr .exr .png .jpg) or a built-in environment.");
+  printHeading("mirrorball convert IN…",
+               "IN is a map (.hdr .exr .png .jpg .ktx2 .ktx .dds), one of a cube's six files or their folder, or a "
+               "built-in environment. `--to` and `--output` are needed.");
   printRows(convertOptions(), "--");
+  printRows(mapOutputOptions(), "--");
   printHeading("mirrorball info FILE", "FILE is a map or a built-in environment.");
   printRows(infoOptions(), "--");
-  printHeading("mirrorball photo PHOTO…",
-               "PHOTO is a photograph of a mirror ball (.jpg .png .hdr .exr), or several of one exposure series.");
+  printHeading(
+      "mirrorball photo PHOTO…",
+      "PHOTO is a photograph of a mirror ball (.jpg .png .hdr .exr), or several of one exposure series. `--output` "
+      "is needed.");
+  printRows(mapOutputOptions(), "--");
   printRows(photoOptions(), "--");
   printHeading("Material parameters", "For `--set key=value`.");
   printRows(materialParameters(), "");

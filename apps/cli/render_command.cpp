@@ -18,10 +18,11 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<RenderFiles>, 5> kFileOptions{{
+const std::array<Option<RenderFiles>, 6> kFileOptions{{
     {{.name = "env",
       .value = "ENV",
-      .help = "the environment: a panorama, sphere map or cube (.hdr .exr .png .jpg), or studio, sky[:elevation=20,…], "
+      .help = "the environment: a panorama, sphere map or cube (.hdr .exr .png .jpg .ktx2 .dds), or studio, "
+              "sky[:elevation=20,…], "
               "uv, white",
       .letter = "e",
       .group = "Files"},
@@ -43,6 +44,7 @@ const std::array<Option<RenderFiles>, 5> kFileOptions{{
       .group = "Files"},
      &RenderFiles::repair},
     {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &RenderFiles::timings},
+    {kMaxMemoryText, &RenderFiles::max_memory},
 }};
 
 /// All that `render` was told.
@@ -151,6 +153,7 @@ Result<void> render(const RenderRequest& request) {
   StageClock clock;
   MIRRORBALL_TRY(settings, frameSettings(request.options));
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
+  MIRRORBALL_TRY_VOID(useMemoryLimit(request.files.max_memory));
   MIRRORBALL_TRY(hint, hintFrom(request.files.from));
   // A wrong name among the materials is told before anything is loaded.
   Scene no_scene;

@@ -14,6 +14,7 @@ struct RenderFiles {
   std::string from;
   bool repair = false;
   bool timings = false;
+  std::string max_memory;
 };
 
 std::span<const Option<RenderFiles>> renderFileOptions();

@@ -68,6 +68,11 @@ void announce(const std::string& path) {
   if (::isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "wrote %s\n", path.c_str());
 }
 
+void remark(const std::string& text) {
+  clearProgress();
+  std::fprintf(stderr, "mirrorball: %s\n", text.c_str());
+}
+
 void clearProgress() {
   if (bar_shown.exchange(false)) std::fputs("\r\033[K", stderr);
 }

@@ -18,6 +18,9 @@ ProgressFunction progressBar(const std::string& what);
 /// Says on standard error what was written, if that is a terminal.
 void announce(const std::string& path);
 
+/// Says on standard error what the user did not ask for but should know.
+void remark(const std::string& text);
+
 /// Removes the bar, so that the next line starts clean.
 void clearProgress();
 

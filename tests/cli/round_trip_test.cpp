@@ -34,7 +34,7 @@ class RoundTripTest : public CliTest {
 };
 
 TEST_F(RoundTripTest, ThroughACube) {
-  for (const std::string between : {"cube.exr", "cube.hdr", "cube.exr --half"}) {
+  for (const std::string between : {"cube.exr", "cube.hdr", "cube.exr --format half"}) {
     succeed("convert original.exr --to cube --size 256 -o " + between);
     succeed("convert " + between.substr(0, 8) + " --to equirect --size 256 -o again.exr");
     EXPECT_GT(psnr("again.exr", everywhere), 40.0) << between;
@@ -42,7 +42,7 @@ TEST_F(RoundTripTest, ThroughACube) {
 }
 
 TEST_F(RoundTripTest, ThroughASphereMap) {
-  for (const std::string between : {"ball.exr", "ball.hdr", "ball.exr --half"}) {
+  for (const std::string between : {"ball.exr", "ball.hdr", "ball.exr --format half"}) {
     succeed("convert original.exr --to sphere --size 512 -o " + between);
     succeed("convert " + between.substr(0, 8) + " --to equirect --size 256 -o again.exr");
     EXPECT_GT(psnr("again.exr", beforeTheRim), 37.0) << between;
@@ -77,7 +77,7 @@ TEST_F(RoundTripTest, TheSamePanoramaAgainIsTheSameFile) {
 // half a step of which is at most 1/255 of it.
 TEST_F(RoundTripTest, FilesKeepTheirPrecision) {
   succeed("convert original.exr --to cube --size 32 -o float.exr");
-  succeed("convert original.exr --to cube --size 32 -o half.exr --half");
+  succeed("convert original.exr --to cube --size 32 -o half.exr --format half");
   succeed("convert original.exr --to cube --size 32 -o rgbe.hdr");
   EXPECT_LT(bytes("half.exr").size(), bytes("float.exr").size());
   const Image exact = image("float.exr");
@@ -96,7 +96,7 @@ TEST_F(RoundTripTest, FilesKeepTheirPrecision) {
 
 TEST_F(RoundTripTest, HalfFloatsClipWhatTheyCannotHold) {
   write("bright.exr", Image(4, 2, 3, 1e6f));
-  succeed("convert bright.exr --to equirect --half -o half.exr");
+  succeed("convert bright.exr --to equirect --format half -o half.exr");
   const Image half = image("half.exr");
   for (const float sample : half.samples()) EXPECT_EQ(sample, 65504.0f);
 }

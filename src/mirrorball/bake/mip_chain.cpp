@@ -27,8 +27,8 @@ Overlap overlapOf(int target, int target_side, int source_side) {
   return overlap;
 }
 
-/// The solid angle of each texel of a face, row by row: differences of the corners' angles, each taken once.
-std::vector<float> solidAngles(int side) {
+/// The solid angle of each texel of a cube's face, row by row: differences of the corners' angles, each taken once.
+std::vector<float> cubeSolidAngles(int side) {
   const auto columns = std::size_t(side);
   std::vector<double> corners((columns + 1) * (columns + 1));
   for (int y = 0; y <= side; ++y)
@@ -45,13 +45,37 @@ std::vector<float> solidAngles(int side) {
   return angles;
 }
 
-Image halved(const Image& source, int side, const std::vector<float>& angles, const std::vector<Overlap>& overlaps) {
-  Image target = Image::withoutValues(side, side, 3);
-  const auto source_side = std::size_t(source.width());
-  for (int y = 0; y < side; ++y) {
-    const Overlap& down = overlaps[std::size_t(y)];
-    for (int x = 0; x < side; ++x) {
-      const Overlap& across = overlaps[std::size_t(x)];
+/// What each texel of an image counts, row by row.
+std::vector<float> weightsOf(Projection projection, glm::ivec2 size, MipWeights weights) {
+  if (weights == MipWeights::box) return std::vector<float>(std::size_t(size.x) * std::size_t(size.y), 1.0f);
+  if (projection == Projection::cube) return cubeSolidAngles(size.x);
+  std::vector<float> angles(std::size_t(size.x) * std::size_t(size.y));
+  parallelFor(std::size_t(size.y), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y)
+      for (std::size_t x = 0; x < std::size_t(size.x); ++x) {
+        float& angle = angles[y * std::size_t(size.x) + x];
+        // All texels of a panorama's row have the same.
+        const bool is_known = projection == Projection::equirect && x > 0;
+        angle = is_known ? (&angle)[-1] : texelSolidAngle(projection, size, glm::ivec2(x, y));
+      }
+  });
+  return angles;
+}
+
+std::vector<Overlap> overlapsOf(int side, int source_side) {
+  std::vector<Overlap> overlaps;
+  for (int texel = 0; texel < side; ++texel) overlaps.push_back(overlapOf(texel, side, source_side));
+  return overlaps;
+}
+
+/// Fills the rows of `target` from `begin` to before `end`.
+void halveRows(const Image& source, const std::vector<float>& weights, const std::vector<Overlap>& columns,
+               const std::vector<Overlap>& rows, int begin, int end, Image& target) {
+  const auto source_width = std::size_t(source.width());
+  for (int y = begin; y < end; ++y) {
+    const Overlap& down = rows[std::size_t(y)];
+    for (int x = 0; x < target.width(); ++x) {
+      const Overlap& across = columns[std::size_t(x)];
       glm::vec3 sum(0.0f);
       float total = 0.0f;
       for (std::size_t j = 0; j < down.lengths.size(); ++j)
@@ -59,7 +83,7 @@ Image halved(const Image& source, int side, const std::vector<float>& angles, co
           const int row = down.first + static_cast<int>(j);
           const int column = across.first + static_cast<int>(i);
           const float weight =
-              down.lengths[j] * across.lengths[i] * angles[std::size_t(row) * source_side + std::size_t(column)];
+              down.lengths[j] * across.lengths[i] * weights[std::size_t(row) * source_width + std::size_t(column)];
           sum += rgbAt(source, column, row) * weight;
           total += weight;
         }
@@ -67,7 +91,6 @@ Image halved(const Image& source, int side, const std::vector<float>& angles, co
       std::copy_n(&mean.x, 3, target.texel(x, y));
     }
   }
-  return target;
 }
 
 Image threeChannels(const Image& image) {
@@ -83,20 +106,25 @@ Image threeChannels(const Image& image) {
 
 }  // namespace
 
-ImageSet mipChain(const EnvironmentMap& cube) {
-  assert(cube.projection() == Projection::cube);
-  const int levels = std::bit_width(static_cast<unsigned>(cube.size()));
-  ImageSet chain(levels, 6);
-  for (int face = 0; face < 6; ++face) chain.at(0, face) = threeChannels(cube.face(face));
+ImageSet mipChain(const EnvironmentMap& map, MipWeights weights) {
+  assert(!hasDisc(map.projection()));
+  const glm::ivec2 extent = map.extent();
+  const int levels = std::bit_width(static_cast<unsigned>(std::max(extent.x, extent.y)));
+  ImageSet chain(levels, map.faces());
+  for (int face = 0; face < map.faces(); ++face) chain.at(0, face) = threeChannels(map.face(face));
   for (int level = 1; level < levels; ++level) {
-    const int source_side = cube.size() >> (level - 1);
-    const int side = cube.size() >> level;
-    const std::vector<float> angles = solidAngles(source_side);
-    std::vector<Overlap> overlaps;
-    for (int texel = 0; texel < side; ++texel) overlaps.push_back(overlapOf(texel, side, source_side));
-    parallelFor(6, 1, [&](std::size_t face, std::size_t) {
-      chain.at(level, int(face)) = halved(chain.at(level - 1, int(face)), side, angles, overlaps);
-    });
+    const glm::ivec2 source(levelSide(extent.x, level - 1), levelSide(extent.y, level - 1));
+    const glm::ivec2 size(levelSide(extent.x, level), levelSide(extent.y, level));
+    const std::vector<float> texel_weights = weightsOf(map.projection(), source, weights);
+    const std::vector<Overlap> columns = overlapsOf(size.x, source.x);
+    const std::vector<Overlap> rows = overlapsOf(size.y, source.y);
+    for (int face = 0; face < map.faces(); ++face) {
+      chain.at(level, face) = Image::withoutValues(size.x, size.y, 3);
+      parallelFor(std::size_t(size.y), 16, [&](std::size_t begin, std::size_t end) {
+        halveRows(chain.at(level - 1, face), texel_weights, columns, rows, static_cast<int>(begin),
+                  static_cast<int>(end), chain.at(level, face));
+      });
+    }
   }
   return chain;
 }

@@ -1,12 +1,38 @@
 #include "mirrorball/environment/convert.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
 #include "mirrorball/environment/conversion.h"
 #include "mirrorball/environment/piece_work.h"
 
 namespace mirrorball {
+namespace {
+
+/// A rotation about an axis of the world, right-handed.
+glm::mat3 aboutAxis(int axis, float angle_rad) {
+  const int next = (axis + 1) % 3;
+  const int after = (axis + 2) % 3;
+  glm::mat3 rotation(1.0f);
+  rotation[next][next] = rotation[after][after] = std::cos(angle_rad);
+  rotation[next][after] = std::sin(angle_rad);
+  rotation[after][next] = -std::sin(angle_rad);
+  return rotation;
+}
+
+}  // namespace
+
+glm::mat3 centredOn(glm::vec3 direction) {
+  constexpr glm::vec3 kUp(0.0f, 1.0f, 0.0f);
+  const glm::vec3 across = glm::cross(kUp, direction);
+  const bool is_vertical = glm::dot(across, across) < 1e-12f;
+  const glm::vec3 x = is_vertical ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::normalize(across);
+  return {x, glm::cross(direction, x), direction};
+}
+
+glm::mat3 turnedBy(float yaw_rad, float pitch_rad, float roll_rad) {
+  return aboutAxis(1, yaw_rad) * aboutAxis(0, pitch_rad) * aboutAxis(2, roll_rad);
+}
 
 Result<ImageSet> imagesFor(Projection projection, int size) {
   const glm::ivec2 extent = imageSize(projection, size);

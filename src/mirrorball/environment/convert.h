@@ -18,6 +18,15 @@ struct Resampling {
   glm::mat3 source_from_target{1.0f};
 };
 
+/// The rotation that brings +Z to a direction (unit) and leaves +Y as upright as it can be; straight up and down +X
+/// stays on the right. As `source_from_target` it puts that direction at a map's centre.
+glm::mat3 centredOn(glm::vec3 direction);
+
+/// A map turned by Euler angles: about +Z (+X towards +Y), then about +X (+Y towards +Z), then about +Y (+Z towards +X).
+///
+/// returns  target_from_source; its transpose is a `source_from_target`
+glm::mat3 turnedBy(float yaw_rad, float pitch_rad, float roll_rad);
+
 /// Lays an environment out in another projection.
 ///
 /// size     a face's side, a disc's diameter, a panorama's height; at least 1

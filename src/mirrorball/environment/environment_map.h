@@ -42,6 +42,8 @@ class EnvironmentMap {
   Image& face(int index) { return images_.at(0, index); }
   int faces() const { return images_.faces(); }
   const ImageSet& images() const { return images_; }
+  /// The images of a map that is not needed any more.
+  ImageSet takeImages() && { return std::move(images_); }
 
   /// A face's side, a disc's diameter, a square's side, a panorama's height.
   int size() const { return extent_.y; }

@@ -5,7 +5,9 @@
 #include <filesystem>
 
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/texture_file.h"
 #include "mirrorball/environment/builtin.h"
+#include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/face_files.h"
 
 namespace mirrorball {
@@ -75,8 +77,8 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
       {files.paths.begin(), files.paths.end()}};
 }
 
-Result<LoadedEnvironment> loadPicture(const std::string& name, const EnvironmentLoadOptions& options) {
-  MIRRORBALL_TRY(decoded, readImage(name));
+Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage decoded,
+                                      const EnvironmentLoadOptions& options) {
   const glm::ivec2 size(decoded.image.width(), decoded.image.height());
   MIRRORBALL_TRY(recognition, recognize(name, size.x, size.y, decoded.metadata, options.from));
   if (faceCount(recognition.form.projection) == 1) clearBesideDisc(recognition.form.projection, decoded.image);
@@ -86,6 +88,52 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, const Environment
   auto map = mapOfImages(std::move(images), recognition.form);
   if (!map) return fail(map.error().code, name + ": " + map.error().message);
   return LoadedEnvironment{Environment(std::move(*map)), name, decoded.format, recognition, size, bad, {name}};
+}
+
+/// "9 mip levels, the first of 2 layers": what else a texture has.
+std::string restOf(const ImageSet& texture) {
+  std::string rest;
+  if (texture.levels() > 1) rest += ", " + std::to_string(texture.levels()) + " mip levels";
+  if (texture.layers() > 1) rest += ", the first of " + std::to_string(texture.layers()) + " layers";
+  return rest;
+}
+
+/// A cube as a GPU has it.
+Result<LoadedEnvironment> loadCubeTexture(const std::string& name, DecodedImageSet texture,
+                                          const EnvironmentLoadOptions& options) {
+  ImageSet images(1, 6);
+  NonFinite bad;
+  for (int slot = 0; slot < 6; ++slot) {
+    MIRRORBALL_TRY(bad_here, checkNonFinite(name, texture.images.at(0, slot), options));
+    if (bad.count == 0) bad.first = bad_here.first;
+    bad.count += bad_here.count;
+    images.at(0, slot) = std::move(texture.images.at(0, slot));
+  }
+  const glm::ivec2 size(images.at(0, 0).width());
+  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
+  Recognition recognition = recognizeFaces(texture.metadata, options.from, "its texture, a cube");
+  auto cube = mapOfImages(std::move(images), recognition.form);
+  if (!cube) return fail(cube.error().code, name + ": " + cube.error().message);
+  return LoadedEnvironment{Environment(std::move(*cube)),
+                           name,
+                           texture.format + restOf(texture.images),
+                           std::move(recognition),
+                           size,
+                           bad,
+                           {name}};
+}
+
+Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoadOptions& options) {
+  MIRRORBALL_TRY(bytes, readFile(name));
+  if (!isImageSet(bytes)) {
+    MIRRORBALL_TRY(decoded, decodeImage(bytes, name));
+    return loadPicture(name, std::move(decoded), options);
+  }
+  MIRRORBALL_TRY(texture, decodeImageSet(bytes, name));
+  if (texture.images.faces() == 6) return loadCubeTexture(name, std::move(texture), options);
+  std::string format = texture.format + restOf(texture.images);
+  return loadPicture(name, {std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(format)},
+                     options);
 }
 
 }  // namespace
@@ -114,7 +162,22 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
                                       ": name one of the six faces, whose names end in _px _nx _py _ny _pz _nz "
                                       "or as docs/conventions.md says");
   if (!exists) return tl::unexpected<Error>(noSuchEnvironment(name_or_path));
-  return loadPicture(name_or_path, options);
+  return loadFile(name_or_path, options);
+}
+
+Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,
+                                                 const EnvironmentLoadOptions& options) {
+  std::error_code status;
+  if (options.repair || !fs::is_regular_file(name_or_path, status) || faceFilesBeside(name_or_path))
+    return std::nullopt;
+  MIRRORBALL_TRY(rows, openRows(name_or_path));
+  if (!rows) return std::nullopt;
+  const RowReader::Description& picture = rows->description();
+  MIRRORBALL_TRY(recognition, recognize(name_or_path, picture.width, picture.height, picture.metadata, options.from));
+  const MapForm& form = recognition.form;
+  if (form.projection != Projection::equirect || form.has_texels_on_edges) return std::nullopt;
+  const glm::mat3 picture_from_world = glm::transpose(centredOn(vectorOf(form.centre)));
+  return PanoramaRows{std::move(rows), std::move(recognition), picture_from_world};
 }
 
 }  // namespace mirrorball

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "mirrorball/codec/row_reader.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/environment/recognize.h"
 #include "mirrorball/image/image.h"
@@ -27,11 +29,28 @@ struct LoadedEnvironment {
   std::vector<std::string> files = {};     ///< that were read
 };
 
-/// Loads a built-in by its name (builtin.h), else a file (.hdr .exr .png .jpg; LDR is read as sRGB). The name of one of a
+/// Loads a built-in by its name (builtin.h), else a file (.hdr .exr .png .jpg .ktx2 .ktx .dds; LDR is read as sRGB; of a
+/// texture its largest level, of an array its first element). The name of one of a
 /// cube's six files (face_files.h), if most of them are there, and that of the folder that holds them stand for all six.
 ///
 /// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel; --repair mends it);
 ///          whatever the codec finds
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {});
+
+/// A panorama that is read by rows while it is converted (convert_rows.h).
+struct PanoramaRows {
+  std::unique_ptr<RowReader> rows;
+  Recognition recognition;
+  /// Turns our directions into the picture's own: it may have another than +Z at its centre.
+  glm::mat3 picture_from_world{1.0f};
+};
+
+/// Opens a panorama for being read by rows.
+///
+/// returns  nothing where it has to be loaded as a whole: built-ins, cubes and other projections, formats that cannot be
+///          read so (openRows), and what is repaired or resampled when it is loaded
+/// errors   as loadEnvironment's
+Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,
+                                                 const EnvironmentLoadOptions& options = {});
 
 }  // namespace mirrorball

@@ -73,15 +73,15 @@ std::string textOf(const MapForm& form) {
   return text;
 }
 
-ImageSet imagesOf(const EnvironmentMap& map, const MapForm& form) {
+ImageSet imagesOf(EnvironmentMap map, const MapForm& form) {
   if (form.has_texels_on_edges) {
     MapForm rest = form;
     rest.has_texels_on_edges = false;
     return imagesOf(ontoEdgeGrid(map), rest);
   }
   if (form.centre != SignedAxis::plus_z) return turned(map, quartersTo(form.centre)).images();
-  if (faceCount(form.projection) == 6) return arranged(map.images(), form.arrangement);
-  return map.images();
+  if (faceCount(form.projection) == 6) return arranged(std::move(map).takeImages(), form.arrangement);
+  return std::move(map).takeImages();
 }
 
 Result<EnvironmentMap> mapOfImages(ImageSet images, const MapForm& form) {
@@ -96,8 +96,8 @@ Result<EnvironmentMap> mapOfImages(ImageSet images, const MapForm& form) {
   return fromEdgeGrid(map);
 }
 
-Image pictureOf(const EnvironmentMap& map, const MapForm& form) {
-  ImageSet images = imagesOf(map, form);
+Image pictureOf(EnvironmentMap map, const MapForm& form) {
+  ImageSet images = imagesOf(std::move(map), form);
   switch (images.faces()) {
     case 6:
       return composeLayout(images, form.layout);

@@ -25,7 +25,7 @@ std::string textOf(const MapForm& form);
 /// moved, but for two forms that are resampled: OpenEXR's registration, and a panorama of odd height about ±X.
 ///
 /// map      in our conventions, of the form's projection
-ImageSet imagesOf(const EnvironmentMap& map, const MapForm& form);
+ImageSet imagesOf(EnvironmentMap map, const MapForm& form);
 
 /// The map that such images hold, in our conventions.
 ///
@@ -37,7 +37,7 @@ Result<EnvironmentMap> mapOfImages(ImageSet images, const MapForm& form);
 /// side, front left.
 ///
 /// form     the map's projection; for a cube any layout but `faces`
-Image pictureOf(const EnvironmentMap& map, const MapForm& form);
+Image pictureOf(EnvironmentMap map, const MapForm& form);
 
 /// The images in one picture, as the form has them.
 ///

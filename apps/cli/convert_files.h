@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/map_output.h"
+#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/load.h"
+
+namespace mirrorball::cli {
+
+/// One conversion of `convert`, for any input.
+struct ConvertRequest {
+  Projection to;
+  int size = 0;  ///< 0: what keeps the input's detail
+  Resampling resampling;
+  EnvironmentLoadOptions load;
+  MapOutputOptions output;
+};
+
+/// Converts one map, shows its progress, and writes it. Large panoramas are read by rows.
+///
+/// errors   as loadEnvironment's, convert's and writeImage's
+Result<void> convertFile(const std::string& input, const ConvertRequest& request);
+
+/// Whether an output names a folder: one that is there, or a name that ends in '/'.
+bool isFolder(const std::string& output);
+
+/// Converts maps, several at a time, into the folder that the request's output names, which is made if it is not there.
+/// A map that cannot be converted is told of, and the others go on.
+///
+/// extension  of the files; empty: each input's own
+/// errors     usage (two outputs of one name, an input that cannot be written as it is); io (the folder);
+///            interrupted; else the summary, where some failed
+Result<void> convertMany(const std::vector<std::string>& inputs, const std::string& extension,
+                         const ConvertRequest& request);
+
+}  // namespace mirrorball::cli

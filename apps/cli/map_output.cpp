@@ -1,0 +1,223 @@
+#include "cli/map_output.h"
+
+#include <algorithm>
+#include <array>
+
+#include "cli/files.h"
+#include "cli/terminal.h"
+#include "mirrorball/base/memory.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/codec/codec.h"
+#include "mirrorball/environment/recognize.h"
+
+namespace mirrorball::cli {
+namespace {
+
+constexpr std::array<std::string_view, 5> kFormats{"auto", "half", "float32", "b10g11r11", "e5b9g9r9"};
+
+const std::array<Option<MapOutputOptions>, 10> kOptions{{
+    {{.name = "output",
+      .value = "OUT",
+      .help = "needed: .exr .hdr (linear radiance), .ktx2 .dds (textures; cubes as such), .png .jpg (sRGB, clipped to "
+              "[0, 1]); of several inputs a folder",
+      .letter = "o",
+      .group = "Output"},
+     &MapOutputOptions::output},
+    {{.name = "for",
+      .value = "PROGRAM",
+      .help = "as that program wants it: opengl vulkan directx unity unreal godot three blender renderman openexr",
+      .group = "Output"},
+     &MapOutputOptions::program},
+    {{.name = "layout",
+      .value = "LAYOUT",
+      .help = "of a cube in pictures: faces (six files), hcross, vcross, hstrip, vstrip, 3x2, seed; else as --for has "
+              "it, or hcross",
+      .group = "Output"},
+     &MapOutputOptions::layout},
+    {{.name = "as-seen",
+      .help = "cube faces as pictures seen from inside, not by OpenGL's left-handed table",
+      .group = "Output"},
+     &MapOutputOptions::as_seen},
+    {{.name = "flip",
+      .value = "none|horizontal|vertical|both",
+      .help = "turns each cube face over, after --for and --as-seen",
+      .group = "Output"},
+     &MapOutputOptions::flip},
+    {{.name = "face-order",
+      .value = "ORDER",
+      .help = "which face is the first, second, … sixth: +x,-x,+y,-y,+z,-z is the usual order",
+      .group = "Output"},
+     &MapOutputOptions::face_order},
+    {{.name = "format",
+      .value = "FORMAT",
+      .help = "of texels: half or float32 in .exr; half, float32, b10g11r11 or e5b9g9r9 in .ktx2 and .dds; auto is "
+              "float32 in .exr, in textures half where it holds all values",
+      .group = "Output"},
+     &MapOutputOptions::format},
+    {{.name = "zstd",
+      .value = "LEVEL",
+      .minimum = 0,
+      .maximum = 22,
+      .help = "Zstandard compression of .ktx2: 1 fast … 22 small, 0 none",
+      .group = "Output"},
+     &MapOutputOptions::zstandard_level},
+    {{.name = "mips", .help = "all mip levels, in .ktx2 and .dds", .group = "Output"}, &MapOutputOptions::mips},
+    {{.name = "mip",
+      .choices = "solid-angle|box",
+      .help = "how a mip level's texels weigh: by their solid angle, or all alike (plain 2 x 2 boxes)",
+      .group = "Output"},
+     choiceField<&MapOutputOptions::mip_weights>},
+}};
+
+/// The form that the options ask for beside a projection: a preset's, then changed by what is named.
+Result<CubeArrangement> changedBy(const MapOutputOptions& options, CubeArrangement arrangement) {
+  if (options.as_seen) arrangement = asSeen(arrangement);
+  MIRRORBALL_TRY(flip, flipNamed(options.flip));
+  arrangement = flipped(arrangement, flip);
+  if (options.face_order.empty()) return arrangement;
+  MIRRORBALL_TRY(order, faceOrderNamed(options.face_order));
+  return reordered(arrangement, order);
+}
+
+}  // namespace
+
+std::span<const Option<MapOutputOptions>> mapOutputOptions() { return kOptions; }
+
+Result<void> MapOutput::setForm(const MapOutputOptions& options, Projection projection) {
+  form_ = {projection};
+  std::optional<CubeLayout> layout;
+  if (!options.layout.empty()) {
+    MIRRORBALL_TRY(named, cubeLayoutNamed(options.layout));
+    layout = named;
+  }
+  if (!options.program.empty()) {
+    MIRRORBALL_TRY(preset, presetNamed(options.program));
+    MIRRORBALL_TRY(form, formFor(preset, projection, layout.value_or(preset.layout)));
+    form_ = form;
+    naming_ = preset.naming;
+  } else {
+    form_.layout = layout.value_or(CubeLayout::hcross);
+  }
+  const CubeArrangement before = form_.arrangement;
+  MIRRORBALL_TRY(arrangement, changedBy(options, before));
+  form_.arrangement = arrangement;
+  const bool is_cube = faceCount(projection) == 6;
+  if (!is_cube && (layout || arrangement != before))
+    return fail(ErrorCode::usage, "--layout, --as-seen, --flip and --face-order are for cubes, and " +
+                                      std::string(nameOf(projection)) + " is none; leave them out");
+  if (is_texture_ && layout)
+    return fail(ErrorCode::usage,
+                output_ + ": holds a cube as such, in no layout; leave --layout out, or write .exr, .hdr or .png");
+  if (form_.has_texels_on_edges && extensionOf(output_) != "exr")
+    return fail(ErrorCode::usage, output_ +
+                                      ": only .exr says that its texels lie on OpenEXR's edges; use that for "
+                                      "--for openexr");
+  return {};
+}
+
+Result<void> MapOutput::setFormat(const MapOutputOptions& options) {
+  const auto* const found = std::find(kFormats.begin(), kFormats.end(), options.format);
+  if (found == kFormats.end()) return tl::unexpected<Error>(unknownName("format", options.format, kFormats));
+  const auto index = found - kFormats.begin();
+  if (index > 0) format_ = static_cast<TexelFormat>(index - 1);
+  half_ = format_ == TexelFormat::half;
+  const bool is_exr = extensionOf(output_) == "exr";
+  const bool has_choice = is_texture_ || (is_exr && (half_ || format_ == TexelFormat::float32));
+  if (format_ && !has_choice)
+    return fail(ErrorCode::usage, output_ + ": cannot hold --format " + options.format +
+                                      "; .exr has half and float32, .ktx2 and .dds have all formats");
+  zstandard_level_ = options.zstandard_level;
+  if (zstandard_level_ > 0 && extensionOf(output_) != "ktx2")
+    return fail(ErrorCode::usage, output_ + ": has no Zstandard compression; --zstd is for .ktx2");
+  if (!options.mips) return {};
+  if (!is_texture_) return fail(ErrorCode::usage, output_ + ": has no mip levels; use .ktx2 or .dds for --mips");
+  if (hasDisc(form_.projection))
+    return fail(ErrorCode::usage, "--mips of " + std::string(nameOf(form_.projection)) +
+                                      " would mix in what lies beside the disc; use --to cube or equirect");
+  mips_ = options.mip_weights;
+  return {};
+}
+
+Result<MapOutput> MapOutput::resolve(const MapOutputOptions& options, Projection projection) {
+  MapOutput output;
+  output.output_ = options.output;
+  output.is_texture_ = isTexturePath(options.output);
+  MIRRORBALL_TRY_VOID(checkFolder(options.output));
+  if (!output.is_texture_) MIRRORBALL_TRY_VOID(checkWritable(options.output));
+  MIRRORBALL_TRY_VOID(output.setForm(options, projection));
+  MIRRORBALL_TRY_VOID(output.setFormat(options));
+  return output;
+}
+
+std::vector<std::string> MapOutput::paths() const {
+  if (is_texture_ || faceCount(form_.projection) != 6 || form_.layout != CubeLayout::faces) return {output_};
+  std::vector<std::string> paths;
+  for (const std::string_view ending : endingsOf(naming_))
+    paths.push_back(suffixed(output_, "_" + std::string(ending)));
+  return paths;
+}
+
+bool MapOutput::takesPieces() const {
+  return is_texture_ && !mips_ && zstandard_level_ == 0 && faceCount(form_.projection) != 2 &&
+         form_.arrangement == CubeArrangement{} && form_.centre == SignedAxis::plus_z;
+}
+
+Result<void> MapOutput::inFormat(const std::function<Result<void>(TexelFormat)>& write) const {
+  const Result<void> written = write(format_.value_or(TexelFormat::half));
+  if (format_ || written || written.error().code != ErrorCode::out_of_range) return written;
+  remark(output_ + ": holds light that half floats do not; written in 32-bit floats");
+  return write(TexelFormat::float32);
+}
+
+Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const {
+  const Projection projection = form_.projection;
+  return inFormat([&](TexelFormat format) -> Result<void> {
+    MIRRORBALL_TRY(
+        writer, TextureWriter::create(output_, imageSize(projection, size), faceCount(projection),
+                                      hasDisc(projection) ? 4 : 3, {.format = format, .metadata = metadataOf(form_)}));
+    MIRRORBALL_TRY_VOID(
+        convert_to([&](int face, glm::ivec2 begin, const Image& texels) { return writer.write(face, begin, texels); }));
+    MIRRORBALL_TRY_VOID(writer.commit());
+    announce(output_);
+    return {};
+  });
+}
+
+Result<ImageSet> MapOutput::textureImages(EnvironmentMap map) const {
+  if (faceCount(form_.projection) == 2) return ImageSet(pictureOf(std::move(map), form_));
+  if (!mips_) return imagesOf(std::move(map), form_);
+  const glm::ivec2 extent = map.extent();
+  MIRRORBALL_TRY_VOID(checkMemory(output_, std::uint64_t(extent.x) * std::uint64_t(extent.y) *
+                                               std::uint64_t(map.faces()) * 3 * sizeof(float) * 7 / 3));
+  if (form_.centre == SignedAxis::plus_z) return arranged(mipChain(map, *mips_), form_.arrangement);
+  return mipChain(EnvironmentMap(form_.projection, imagesOf(std::move(map), form_)), *mips_);
+}
+
+Result<void> MapOutput::writeTexture(EnvironmentMap map) const {
+  MIRRORBALL_TRY(images, textureImages(std::move(map)));
+  return inFormat([&](TexelFormat format) -> Result<void> {
+    MIRRORBALL_TRY_VOID(writeImageSet(
+        output_, images, {.format = format, .zstandard_level = zstandard_level_, .metadata = metadataOf(form_)}));
+    announce(output_);
+    return {};
+  });
+}
+
+Result<void> MapOutput::write(EnvironmentMap map) const {
+  if (is_texture_) return writeTexture(std::move(map));
+  const ImageWriteOptions how{.half = half_, .metadata = metadataOf(form_)};
+  const std::vector<std::string> files = paths();
+  if (files.size() == 1) {
+    MIRRORBALL_TRY_VOID(writeImage(output_, pictureOf(std::move(map), form_), how));
+    announce(output_);
+    return {};
+  }
+  const ImageSet images = imagesOf(std::move(map), form_);
+  for (std::size_t face = 0; face < files.size(); ++face) {
+    MIRRORBALL_TRY_VOID(writeImage(files[face], images.at(0, static_cast<int>(face)), how));
+    announce(files[face]);
+  }
+  return {};
+}
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mirrorball/bake/mip_chain.h"
+#include "mirrorball/base/option.h"
+#include "mirrorball/codec/texture_file.h"
+#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/preset.h"
+
+namespace mirrorball::cli {
+
+/// What a command that writes a map is told about its files.
+struct MapOutputOptions {
+  std::string output;
+  std::string layout;
+  std::string program;
+  bool as_seen = false;
+  std::string face_order;
+  std::string flip = "none";
+  std::string format = "auto";
+  int zstandard_level = 0;
+  bool mips = false;
+  MipWeights mip_weights = MipWeights::solid_angle;
+};
+
+std::span<const Option<MapOutputOptions>> mapOutputOptions();
+
+/// Where a map goes, and in which form.
+class MapOutput {
+ public:
+  /// errors   usage (what the options ask for does not exist, or not in such a file); io (the folder is not there)
+  static Result<MapOutput> resolve(const MapOutputOptions& options, Projection projection);
+
+  /// The files: one, or the six of a cube whose layout is `faces`.
+  std::vector<std::string> paths() const;
+
+  /// Whether the map can be written while it is converted: a texture of one level whose texels stay where they are.
+  bool takesPieces() const;
+
+  /// Writes a map to its files, which say what form it has.
+  ///
+  /// errors   as writeImage's and writeImageSet's
+  Result<void> write(EnvironmentMap map) const;
+
+  /// Writes a map that `convert_to` converts and hands on piece by piece. May call it twice: where the format is left to
+  /// us and half floats do not hold the light, it is written in 32-bit floats.
+  Result<void> writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const;
+
+  const MapForm& form() const { return form_; }
+
+ private:
+  Result<void> setForm(const MapOutputOptions& options, Projection projection);
+  Result<void> setFormat(const MapOutputOptions& options);
+  Result<void> writeTexture(EnvironmentMap map) const;
+  Result<ImageSet> textureImages(EnvironmentMap map) const;
+  /// Runs `write(format)`, once more in 32-bit floats where that is to be.
+  Result<void> inFormat(const std::function<Result<void>(TexelFormat)>& write) const;
+
+  std::string output_;
+  MapForm form_;
+  FaceNaming naming_ = FaceNaming::px;
+  bool is_texture_ = false;
+  std::optional<TexelFormat> format_;  // nothing: half floats or, where they do not hold the light, 32-bit ones
+  bool half_ = false;                  // of .exr
+  int zstandard_level_ = 0;
+  std::optional<MipWeights> mips_;
+};
+
+}  // namespace mirrorball::cli

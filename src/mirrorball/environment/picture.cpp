@@ -60,6 +60,16 @@ EnvironmentMap turned(const EnvironmentMap& map, int quarters) {
   return EnvironmentMap(Projection::equirect, ImageSet(std::move(image)));
 }
 
+/// A cross is a cube unfolded from its slot +Z, with the slots ±X and ±Y where our table has them. Where images are
+/// mirrored, as pictures seen from inside are, +Z has its neighbours on the other side: then the two slots exchange their
+/// cells, and the cross still goes on across its edges. Its own inverse.
+void exchangeInCross(const MapForm& form, ImageSet& images) {
+  if (form.layout != CubeLayout::hcross && form.layout != CubeLayout::vcross && form.layout != CubeLayout::seed) return;
+  const std::array<FaceFrame, 6>& slots = form.arrangement.slots;
+  if (slots[4].right == slots[1].centre) std::swap(images.at(0, 0), images.at(0, 1));
+  if (slots[4].down == slots[2].centre) std::swap(images.at(0, 2), images.at(0, 3));
+}
+
 }  // namespace
 
 std::string textOf(const MapForm& form) {
@@ -100,6 +110,7 @@ Image pictureOf(const EnvironmentMap& map, const MapForm& form) {
   ImageSet images = imagesOf(map, form);
   switch (images.faces()) {
     case 6:
+      exchangeInCross(form, images);
       return composeLayout(images, form.layout);
     case 2:
       return sideBySide(images.at(0, 0), images.at(0, 1));
@@ -110,8 +121,11 @@ Image pictureOf(const EnvironmentMap& map, const MapForm& form) {
 
 Result<ImageSet> imagesInPicture(Image picture, const MapForm& form) {
   switch (faceCount(form.projection)) {
-    case 6:
-      return splitLayout(picture, form.layout);
+    case 6: {
+      MIRRORBALL_TRY(images, splitLayout(picture, form.layout));
+      exchangeInCross(form, images);
+      return images;
+    }
     case 2:
       return halves(picture);
     default:

@@ -13,6 +13,8 @@ constexpr const char* kLayoutKey = "mirrorball:layout";
 constexpr const char* kBallDistanceKey = "mirrorball:ball_distance";
 constexpr const char* kArrangementKey = "mirrorball:arrangement";
 constexpr const char* kCentreKey = "mirrorball:centre";
+constexpr const char* kTexelsKey = "mirrorball:texels";
+constexpr const char* kTexelsOnEdges = "on-edges";
 constexpr const char* kEnvmapKey = "envmap";
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
@@ -103,6 +105,7 @@ Result<FormHint> hintOfMetadata(const Metadata& metadata) {
     MIRRORBALL_TRY(axis, centreNamed(centre));
     hint.centre = axis;
   }
+  hint.has_texels_on_edges = find(kTexelsKey) == kTexelsOnEdges;
   return hint;
 }
 
@@ -171,24 +174,27 @@ Result<FormHint> formHintNamed(std::string_view name) {
 }
 
 Metadata metadataOf(const MapForm& form) {
-  if (form.has_texels_on_edges) return {{kEnvmapKey, form.projection == Projection::equirect ? "latlong" : "cube"}};
+  const bool is_cube = faceCount(form.projection) == 6;
+  // The attribute speaks of a whole map: one face of six is none.
+  if (form.has_texels_on_edges && !(is_cube && form.layout == CubeLayout::faces))
+    return {{kEnvmapKey, is_cube ? "cube" : "latlong"}};
   Metadata metadata;
   metadata[kProjectionKey] = nameOf(form.projection);
-  if (faceCount(form.projection) == 6) {
+  if (is_cube) {
     metadata[kLayoutKey] = nameOf(form.layout);
     if (const std::string arrangement = textOf(form.arrangement); !arrangement.empty())
       metadata[kArrangementKey] = arrangement;
   }
   if (form.centre != SignedAxis::plus_z) metadata[kCentreKey] = nameOf(form.centre);
+  if (form.has_texels_on_edges) metadata[kTexelsKey] = kTexelsOnEdges;
   if (form.projection == Projection::ball)
     metadata[kBallDistanceKey] = formatNumber(double(form.projection.ball_distance));
   return metadata;
 }
 
 Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by) {
-  // A face alone says nothing that contradicts its being one of six but a projection that is no cube.
-  auto stated = hintOfMetadata(metadata);
-  const bool is_told = stated && stated->projection && isCube(*stated) && !stated->has_texels_on_edges;
+  const auto stated = hintOfMetadata(metadata);
+  const bool is_told = stated && stated->projection && stated->layout == CubeLayout::faces;
   if (hint.projection || hint.layout) {
     const Projection of_file = is_told ? *stated->projection : Projection(Projection::cube);
     return {formWith(hint, hint.projection.value_or(of_file), CubeLayout::faces), "--from"};

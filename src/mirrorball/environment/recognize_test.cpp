@@ -131,6 +131,10 @@ TEST(Recognize, SixFacesAreWhatTheFirstSaysOrTheHint) {
   EXPECT_EQ(textOf(recognizeFaces(as_seen, *formHintNamed("cube:flip=vertical,as-seen"), "").form.arrangement),
             textOf(flipped(CubeArrangement{}, Flip::both)));
   EXPECT_EQ(recognizeFaces(as_seen, *formHintNamed("faces:for=three"), "").told_by, "--from");
+
+  const MapForm openexr = *formFor(*presetNamed("openexr"), Projection::cube, CubeLayout::faces);
+  EXPECT_EQ(textOf(recognizeFaces(metadataOf(openexr), {}, "").form), textOf(openexr));
+  EXPECT_EQ(textOf(recognizeFaces({{"envmap", "cube"}}, {}, "").form), "cube, faces");
 }
 
 TEST(Recognize, UnknownNamesListAll) {

@@ -94,16 +94,11 @@ ImageSet imagesOf(const EnvironmentMap& map, const MapForm& form) {
   return map.images();
 }
 
-Result<EnvironmentMap> mapOfImages(ImageSet images, const MapForm& form) {
+EnvironmentMap mapOfImages(ImageSet images, const MapForm& form) {
   if (faceCount(form.projection) == 6) images = restored(std::move(images), form.arrangement);
   EnvironmentMap map(form.projection, std::move(images));
   if (form.centre != SignedAxis::plus_z) map = turned(map, 4 - quartersTo(form.centre));
-  if (!form.has_texels_on_edges) return map;
-  if (map.size() < kLeastEdgeGridSize)
-    return fail(ErrorCode::bad_shape, "is a map of " + std::to_string(map.size()) +
-                                          " texel a side; OpenEXR's environment maps, which have texels on both edges, "
-                                          "need 2");
-  return fromEdgeGrid(map);
+  return form.has_texels_on_edges ? fromEdgeGrid(map) : map;
 }
 
 Image pictureOf(const EnvironmentMap& map, const MapForm& form) {

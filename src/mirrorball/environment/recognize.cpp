@@ -72,7 +72,9 @@ Result<void> applyWord(const std::string& word, FormHint& hint) {
 
 /// What OpenEXR's own attribute says: its registration, and a cube's faces in a strip downwards.
 Result<FormHint> hintOfEnvmap(const std::string& envmap) {
-  return formHintNamed(envmap == "latlong" ? "equirect:for=openexr" : "cube:layout=vstrip,for=openexr");
+  if (envmap == "latlong") return formHintNamed("equirect:for=openexr");
+  if (envmap == "cube") return formHintNamed("cube:layout=vstrip,for=openexr");
+  return FormHint{};
 }
 
 /// What the metadata says, as far as it says something that this program knows.
@@ -82,10 +84,7 @@ Result<FormHint> hintOfMetadata(const Metadata& metadata) {
     return entry == metadata.end() ? std::string() : entry->second;
   };
   const std::string projection = find(kProjectionKey);
-  if (projection.empty()) {
-    const std::string envmap = find(kEnvmapKey);
-    return envmap.empty() ? FormHint{} : hintOfEnvmap(envmap);
-  }
+  if (projection.empty()) return hintOfEnvmap(find(kEnvmapKey));
   FormHint hint;
   MIRRORBALL_TRY(named, projectionNamed(projection));
   hint.projection = named;
@@ -97,15 +96,16 @@ Result<FormHint> hintOfMetadata(const Metadata& metadata) {
     MIRRORBALL_TRY(named_layout, cubeLayoutNamed(layout));
     hint.layout = named_layout;
   }
-  if (const std::string arrangement = find(kArrangementKey); !arrangement.empty()) {
+  if (const std::string arrangement = find(kArrangementKey); faceCount(named) == 6 && !arrangement.empty()) {
     MIRRORBALL_TRY(frames, rearranged(CubeArrangement{}, arrangement));
     hint.arrangement = frames;
   }
-  if (const std::string centre = find(kCentreKey); !centre.empty()) {
+  if (const std::string centre = find(kCentreKey); named == Projection::equirect && !centre.empty()) {
     MIRRORBALL_TRY(axis, centreNamed(centre));
     hint.centre = axis;
   }
-  hint.has_texels_on_edges = find(kTexelsKey) == kTexelsOnEdges;
+  const bool may_lie_on_edges = named == Projection::cube || named == Projection::equirect;
+  hint.has_texels_on_edges = may_lie_on_edges && find(kTexelsKey) == kTexelsOnEdges;
   return hint;
 }
 

@@ -14,6 +14,9 @@ namespace mirrorball {
 ///   "mirrorball:projection"     equirect | sphere | angular | cube | …: environment/projection.h
 ///   "mirrorball:layout"         the layout of a cube's faces
 ///   "mirrorball:ball_distance"  of a photographed ball: ball radii from its centre to the camera
+///   "mirrorball:arrangement"    how the images of a cube lie: environment/cube_arrangement.h
+///   "mirrorball:centre"         what is in the middle of a panorama: "+x", "-x" or "-z"
+///   "mirrorball:texels"         "on-edges" for OpenEXR's registration
 ///   "envmap"                    OpenEXR's own attribute, read as "latlong" or "cube"
 using Metadata = std::map<std::string, std::string>;
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/environment/environment_testing.h"
+#include "mirrorball/environment/picture.h"
 
 namespace mirrorball {
 namespace {
@@ -37,13 +38,14 @@ TEST(CubeLayout, EveryLayoutComesBack) {
   }
 }
 
-/// How many pairs of cells with faces, side by side or one above the other, a layout has; expects the picture to go on
-/// from each into the other: texels on both sides of the edge lie in nearly the same direction.
-int expectContinuous(CubeLayout layout) {
+/// How many pairs of cells with faces, side by side or one above the other, a cube has in one picture; expects the
+/// picture to go on from each into the other: texels on both sides of the edge lie in nearly the same direction.
+int expectContinuous(CubeLayout layout, const CubeArrangement& arrangement) {
   constexpr int kSide = 64;
   ImageSet faces(1, 6);
   for (int face = 0; face < 6; ++face) faces.at(0, face) = testing::directionsOfFace(face, kSide);
-  const Image picture = composeLayout(faces, layout);
+  const Image picture =
+      pictureOf(EnvironmentMap(Projection::cube, std::move(faces)), {Projection::cube, layout, arrangement});
   const auto isFace = [&](glm::ivec2 cell) {
     return rgbAt(picture, cell.x * kSide, cell.y * kSide) != glm::vec3(0.0f);
   };
@@ -61,15 +63,30 @@ int expectContinuous(CubeLayout layout) {
           const glm::ivec2 along = i * glm::ivec2(step.y, step.x);
           const glm::vec3 last = directionIn(cell, along + (kSide - 1) * step);
           EXPECT_LT(glm::length(last - directionIn(cell + step, along)), 0.05f)
-              << nameOf(layout) << " after column " << column << ", row " << row << " at " << i;
+              << nameOf(layout) << " " << textOf(arrangement) << " after column " << column << ", row " << row << " at "
+              << i;
         }
       }
   return neighbours;
 }
 
 TEST(CubeLayout, CrossesAreUnfoldedWithoutABreak) {
+  const CubeArrangement ours;
+  const WorldAxes z_up{SignedAxis::plus_x, SignedAxis::plus_z, SignedAxis::plus_y};
   for (const CubeLayout cross : {CubeLayout::hcross, CubeLayout::vcross, CubeLayout::seed})
-    EXPECT_EQ(expectContinuous(cross), 5) << nameOf(cross);
+    for (const CubeArrangement& arrangement :
+         {ours, asSeen(ours), flipped(ours, Flip::vertical), flipped(ours, Flip::both), inWorld(ours, z_up),
+          inWorld(ours, {.x = SignedAxis::minus_x}), asSeen(inWorld(ours, z_up))})
+      EXPECT_EQ(expectContinuous(cross, arrangement), 5) << nameOf(cross);
+}
+
+TEST(CubeLayout, TheMiddleRowOfTheCrossAsSeenIsWhatAnEyeTurningRightSees) {
+  ImageSet faces(1, 6);
+  for (int face = 0; face < 6; ++face) faces.at(0, face) = Image(1, 1, 1, static_cast<float>(face));
+  const Image picture = pictureOf(EnvironmentMap(Projection::cube, std::move(faces)),
+                                  {Projection::cube, CubeLayout::hcross, asSeen(CubeArrangement{})});
+  const float plus_x = 0, minus_x = 1, plus_z = 4, minus_z = 5;
+  EXPECT_THAT(picture.row(1), ::testing::ElementsAre(plus_x, plus_z, minus_x, minus_z));
 }
 
 // The drawing in the seed: bottom, front, top and back in the row, left above the top and right below it.

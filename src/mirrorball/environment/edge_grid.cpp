@@ -1,7 +1,6 @@
 #include "mirrorball/environment/edge_grid.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "mirrorball/environment/resample.h"
 
@@ -53,8 +52,8 @@ class EdgeGridReader {
 }  // namespace
 
 EnvironmentMap ontoEdgeGrid(const EnvironmentMap& map) {
+  if (map.size() == 1) return map;
   const glm::vec2 last = imageSize(map.projection(), map.size()) - 1;
-  assert(map.size() >= kLeastEdgeGridSize);
   return resampled(map.projection(), map.size(), [&](int face, glm::ivec2 texel) {
     const glm::vec3 direction = directionAt(map.projection(), {face, glm::vec2(texel) / last});
     return map.radiance(direction, Interpolation::bicubic);
@@ -62,7 +61,7 @@ EnvironmentMap ontoEdgeGrid(const EnvironmentMap& map) {
 }
 
 EnvironmentMap fromEdgeGrid(const EnvironmentMap& images) {
-  assert(images.size() >= kLeastEdgeGridSize);
+  if (images.size() == 1) return images;
   const EdgeGridReader reader(images);
   const glm::vec2 extent = imageSize(images.projection(), images.size());
   return resampled(images.projection(), images.size(), [&](int face, glm::ivec2 texel) {

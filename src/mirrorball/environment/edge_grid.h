@@ -9,13 +9,10 @@ namespace mirrorball {
 // first and the last column of a panorama are one meridian, its first and last row are the poles, and neighbouring faces
 // share the texels of their edge. The directions are the same.
 
-/// The least size of such a map: one texel has no two edges to lie on.
-inline constexpr int kLeastEdgeGridSize = 2;
-
 /// A map in our registration resampled into OpenEXR's, bicubically at every texel centre.
 ///
-/// map      equirect or cube, of a size of at least kLeastEdgeGridSize
-/// returns  images of the same size, of three channels; as a map its directions are OpenEXR's
+/// map      equirect or cube; of size 1 it has no two edges, and stays as it is
+/// returns  images of the same size, of three channels
 /// cost     0.2 µs a texel on one core
 EnvironmentMap ontoEdgeGrid(const EnvironmentMap& map);
 

@@ -70,11 +70,13 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
   }
   const glm::ivec2 size(images.at(0, 0).width());
   if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
-  auto cube = mapOfImages(std::move(images), recognition.form);
-  if (!cube) return fail(cube.error().code, name + ": " + cube.error().message);
-  return LoadedEnvironment{
-      Environment(std::move(*cube)),           name, std::move(format), std::move(recognition), size, bad,
-      {files.paths.begin(), files.paths.end()}};
+  return LoadedEnvironment{Environment(mapOfImages(std::move(images), recognition.form)),
+                           name,
+                           std::move(format),
+                           recognition,
+                           size,
+                           bad,
+                           {files.paths.begin(), files.paths.end()}};
 }
 
 Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage decoded,
@@ -83,11 +85,16 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage deco
   MIRRORBALL_TRY(recognition, recognize(name, size.x, size.y, decoded.metadata, options.from));
   if (faceCount(recognition.form.projection) == 1) clearBesideDisc(recognition.form.projection, decoded.image);
   MIRRORBALL_TRY(bad, checkNonFinite(name, decoded.image, options));
-  MIRRORBALL_TRY(images, imagesInPicture(std::move(decoded.image), recognition.form));
-  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
-  auto map = mapOfImages(std::move(images), recognition.form);
-  if (!map) return fail(map.error().code, name + ": " + map.error().message);
-  return LoadedEnvironment{Environment(std::move(*map)), name, decoded.format, recognition, size, bad, {name}};
+  auto images = imagesInPicture(std::move(decoded.image), recognition.form);
+  if (!images) return fail(images.error().code, name + ": " + images.error().message);
+  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, *images));
+  return LoadedEnvironment{Environment(mapOfImages(std::move(*images), recognition.form)),
+                           name,
+                           decoded.format,
+                           recognition,
+                           size,
+                           bad,
+                           {name}};
 }
 
 /// "9 mip levels, the first of 2 layers": what else a texture has.
@@ -147,14 +154,16 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
     return LoadedEnvironment{std::move(environment), name_or_path, "built in", std::nullopt, {}, {}};
   }
   const bool faces_named = options.from.layout == CubeLayout::faces;
+  const bool is_cube = !options.from.projection || faceCount(*options.from.projection) == 6;
   if (fs::is_directory(name_or_path, status)) {
+    if (!is_cube)
+      return fail(ErrorCode::usage, name_or_path + ": is a folder; only a cube's six files may be named so");
     MIRRORBALL_TRY(files, faceFilesIn(fs::path(name_or_path)));
     return loadFaces(name_or_path, files, options);
   }
   const auto files = faceFilesBeside(name_or_path);
   // A name that only happens to end like a face's, such as the left of two pictures, stands for itself.
   const bool has_siblings = files && files->present > 3;
-  const bool is_cube = !options.from.projection || faceCount(*options.from.projection) == 6;
   if (files && (faces_named || (has_siblings && is_cube && !options.from.layout)))
     return loadFaces(name_or_path, *files, options);
   if (faces_named)

@@ -99,6 +99,7 @@ TEST_F(LoadTest, SixFilesOfAnotherProgramAreReadByItsName) {
   EXPECT_THAT(loadEnvironment(folder_.string()).error().message, HasSubstr("holds 2 cubes"));
   for (const std::string_view ending : endingsOf(FaceNaming::top)) fs::remove(path(std::string(ending) + ".exr"));
   EXPECT_EQ(loadEnvironment(folder_.string())->environment.radiance({0, 1, 0}), cube.radiance({0, 1, 0}));
+  EXPECT_EQ(loadEnvironment(folder_.string(), {.from = *formHintNamed("sphere")}).error().code, ErrorCode::usage);
 }
 
 // Two eyes are no cube.

@@ -60,6 +60,16 @@ EnvironmentMap turned(const EnvironmentMap& map, int quarters) {
   return EnvironmentMap(Projection::equirect, ImageSet(std::move(image)));
 }
 
+/// A cross is a cube unfolded from its slot +Z, with the slots ±X and ±Y where our table has them. Where images are
+/// mirrored, as pictures seen from inside are, +Z has its neighbours on the other side: then the two slots exchange their
+/// cells, and the cross still goes on across its edges. Its own inverse.
+void exchangeInCross(const MapForm& form, ImageSet& images) {
+  if (form.layout != CubeLayout::hcross && form.layout != CubeLayout::vcross && form.layout != CubeLayout::seed) return;
+  const std::array<FaceFrame, 6>& slots = form.arrangement.slots;
+  if (slots[4].right == slots[1].centre) std::swap(images.at(0, 0), images.at(0, 1));
+  if (slots[4].down == slots[2].centre) std::swap(images.at(0, 2), images.at(0, 3));
+}
+
 }  // namespace
 
 std::string textOf(const MapForm& form) {
@@ -84,22 +94,18 @@ ImageSet imagesOf(EnvironmentMap map, const MapForm& form) {
   return std::move(map).takeImages();
 }
 
-Result<EnvironmentMap> mapOfImages(ImageSet images, const MapForm& form) {
+EnvironmentMap mapOfImages(ImageSet images, const MapForm& form) {
   if (faceCount(form.projection) == 6) images = restored(std::move(images), form.arrangement);
   EnvironmentMap map(form.projection, std::move(images));
   if (form.centre != SignedAxis::plus_z) map = turned(map, 4 - quartersTo(form.centre));
-  if (!form.has_texels_on_edges) return map;
-  if (map.size() < kLeastEdgeGridSize)
-    return fail(ErrorCode::bad_shape, "is a map of " + std::to_string(map.size()) +
-                                          " texel a side; OpenEXR's environment maps, which have texels on both edges, "
-                                          "need 2");
-  return fromEdgeGrid(map);
+  return form.has_texels_on_edges ? fromEdgeGrid(map) : map;
 }
 
 Image pictureOf(EnvironmentMap map, const MapForm& form) {
   ImageSet images = imagesOf(std::move(map), form);
   switch (images.faces()) {
     case 6:
+      exchangeInCross(form, images);
       return composeLayout(images, form.layout);
     case 2:
       return sideBySide(images.at(0, 0), images.at(0, 1));
@@ -110,8 +116,11 @@ Image pictureOf(EnvironmentMap map, const MapForm& form) {
 
 Result<ImageSet> imagesInPicture(Image picture, const MapForm& form) {
   switch (faceCount(form.projection)) {
-    case 6:
-      return splitLayout(picture, form.layout);
+    case 6: {
+      MIRRORBALL_TRY(images, splitLayout(picture, form.layout));
+      exchangeInCross(form, images);
+      return images;
+    }
     case 2:
       return halves(picture);
     default:

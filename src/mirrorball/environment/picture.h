@@ -30,11 +30,11 @@ ImageSet imagesOf(EnvironmentMap map, const MapForm& form);
 /// The map that such images hold, in our conventions.
 ///
 /// images   of the form's projection
-/// errors   bad_shape: too small for OpenEXR's registration
-Result<EnvironmentMap> mapOfImages(ImageSet images, const MapForm& form);
+EnvironmentMap mapOfImages(ImageSet images, const MapForm& form);
 
 /// A map as one picture: its one image, a cube's images in their layout, or the two discs of a paraboloid map side by
-/// side, front left.
+/// side, front left. In the crosses the images of ±X or ±Y exchange their cells where, mirrored, they would not meet
+/// their neighbours.
 ///
 /// form     the map's projection; for a cube any layout but `faces`
 Image pictureOf(EnvironmentMap map, const MapForm& form);

@@ -25,6 +25,18 @@ TEST(Picture, EveryProjectionComesBack) {
   }
 }
 
+TEST(Picture, CubesInAnyArrangementComeBackFromAnyLayout) {
+  const EnvironmentMap map = *convert(Environment(testing::smoothRadiance, 32), Projection::eac, 6);
+  const CubeArrangement z_up = inWorld(CubeArrangement{}, {SignedAxis::plus_x, SignedAxis::plus_z, SignedAxis::plus_y});
+  for (const CubeArrangement& arrangement : {asSeen(CubeArrangement{}), flipped(z_up, Flip::vertical), z_up})
+    for (std::size_t layout = 1; layout < cubeLayoutNames().size(); ++layout) {
+      const MapForm form{Projection::eac, static_cast<CubeLayout>(layout), arrangement};
+      const EnvironmentMap back = *mapOfPicture(pictureOf(map, form), form);
+      for (int face = 0; face < 6; ++face)
+        EXPECT_TRUE(std::ranges::equal(map.face(face).samples(), back.face(face).samples())) << textOf(form);
+    }
+}
+
 // In whatever way a program has them, texels are moved, not resampled.
 TEST(Picture, EveryPresetsFormComesBackToTheLastBit) {
   for (const Preset& preset : presets())

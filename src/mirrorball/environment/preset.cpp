@@ -17,9 +17,9 @@ const std::array<Preset, 10>& table() {
   using enum SignedAxis;
   const CubeArrangement ours;
   // OpenGL 4.3, table 8.18; Vulkan 1.3, "Cube Map Face Selection"; Direct3D 11.3 functional specification, 7.18: the one
-  // table, in whatever axes the program uses. None of the three has panoramas.
-  // Left-handed worlds see that table as pictures. UnityGLTF (SchemaExtensions.cs) takes (x, y, z) to (-x, y, z), Unreal's
-  // GLTFCore (ConversionUtilities.h) to (x, z, y).
+  // table, in whatever axes the program uses. None of the three has panoramas. Left-handed worlds see the table's images
+  // as pictures: UnityGLTF (SchemaExtensions.cs) takes our (x, y, z) to (-x, y, z), Unreal's GLTFCore
+  // (ConversionUtilities.h) to (x, z, y).
   const CubeArrangement x_mirrored = tableIn({.x = minus_x});
   const CubeArrangement z_up = tableIn({.x = plus_x, .y = plus_z, .z = plus_y});
   static const std::array<Preset, 10> presets{{
@@ -36,7 +36,8 @@ const std::array<Preset, 10>& table() {
       {"three", "three.js", x_mirrored, plus_x, CubeLayout::faces},
       // Cycles, camera/projection.h: u = 1/2 - atan2(y, x) / 2 pi in Blender's axes, our (x, -z, y).
       {"blender", "Blender", std::nullopt, plus_x, CubeLayout::faces},
-      // The faces of txmake -envcube. OpenUSD's hdPrman turns a dome light so that OpenEXR's directions hold.
+      // RISpec 3.2, RiMakeCubeFaceEnvironment, as Aqsis has it (cubeenvironmentsampler.h): OpenGL's table came from there.
+      // OpenUSD's hdPrman (light.cpp) turns a dome light so that OpenEXR's directions hold.
       {"renderman", "RenderMan", ours, plus_z, CubeLayout::faces},
       // ImfEnvmap.h: the faces are pictures seen from inside, those of +-Y upright for an eye that looks along -Z.
       {"openexr", "OpenEXR",
@@ -71,14 +72,16 @@ Result<MapForm> formFor(const Preset& preset, Projection projection, CubeLayout 
     form.centre = preset.centre;
     return form;
   }
-  const bool takes_cube = faceCount(projection) == 6 && !(projection == Projection::eac && form.has_texels_on_edges);
-  if (takes_cube && preset.cube) {
-    form.arrangement = *preset.cube;
-    return form;
-  }
-  if (takes_cube) return fail(ErrorCode::usage, program + " has no cube maps; give it a panorama: --to equirect");
-  return fail(ErrorCode::usage, "for " + program + " only cubes and panoramas are known, no map of projection " +
-                                    std::string(nameOf(projection)) + "; leave '" + std::string(preset.name) + "' out");
+  if (faceCount(projection) != 6 || (projection == Projection::eac && form.has_texels_on_edges))
+    return fail(ErrorCode::usage, "for " + program + " only cubes and panoramas are known, no map of projection " +
+                                      std::string(nameOf(projection)) + "; leave '" + std::string(preset.name) +
+                                      "' out");
+  if (!preset.cube) return fail(ErrorCode::usage, program + " has no cube maps; give it a panorama: --to equirect");
+  if (form.has_texels_on_edges && layout != CubeLayout::faces && layout != preset.layout)
+    return fail(ErrorCode::usage, program + " has cubes in the layout " + std::string(nameOf(preset.layout)) +
+                                      " (or faces) only, not " + std::string(nameOf(layout)));
+  form.arrangement = *preset.cube;
+  return form;
 }
 
 }  // namespace mirrorball

@@ -30,7 +30,7 @@ Result<Preset> presetNamed(std::string_view name);
 
 /// How a program wants a map.
 ///
-/// layout   of a cube
+/// layout   of a cube; Preset::layout where nothing else is asked for
 /// errors   usage: it has no such maps, or the preset says nothing of that projection
 Result<MapForm> formFor(const Preset& preset, Projection projection, CubeLayout layout);
 

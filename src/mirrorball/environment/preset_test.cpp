@@ -1,6 +1,8 @@
 #include "mirrorball/environment/preset.h"
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -74,7 +76,15 @@ TEST(Preset, WhatAProgramDoesNotTakeIsTold) {
   EXPECT_THAT(messageFor("blender", Projection::cube), HasSubstr("Blender has no cube maps"));
   EXPECT_THAT(messageFor("three", Projection::angular), HasSubstr("no map of projection angular"));
   EXPECT_THAT(messageFor("openexr", Projection::eac), HasSubstr("no map of projection eac"));
+  EXPECT_THAT(messageFor("openexr", Projection::cube), HasSubstr("in the layout vstrip (or faces) only, not hcross"));
   EXPECT_THAT(presetNamed("unreel").error().message, HasSubstr("did you mean 'unreal'?"));
+}
+
+TEST(Preset, EachHasARowInTheConventions) {
+  std::ifstream stream(std::string(MIRRORBALL_SOURCE_DIR) + "/docs/conventions.md");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  for (const Preset& preset : presets())
+    EXPECT_NE(text.find("| `" + std::string(preset.name) + "` |"), std::string::npos) << preset.name;
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ constexpr const char* kLayoutKey = "mirrorball:layout";
 constexpr const char* kBallDistanceKey = "mirrorball:ball_distance";
 constexpr const char* kArrangementKey = "mirrorball:arrangement";
 constexpr const char* kCentreKey = "mirrorball:centre";
+constexpr const char* kTexelsKey = "mirrorball:texels";
+constexpr const char* kTexelsOnEdges = "on-edges";
 constexpr const char* kEnvmapKey = "envmap";
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
@@ -70,7 +72,9 @@ Result<void> applyWord(const std::string& word, FormHint& hint) {
 
 /// What OpenEXR's own attribute says: its registration, and a cube's faces in a strip downwards.
 Result<FormHint> hintOfEnvmap(const std::string& envmap) {
-  return formHintNamed(envmap == "latlong" ? "equirect:for=openexr" : "cube:layout=vstrip,for=openexr");
+  if (envmap == "latlong") return formHintNamed("equirect:for=openexr");
+  if (envmap == "cube") return formHintNamed("cube:layout=vstrip,for=openexr");
+  return FormHint{};
 }
 
 /// What the metadata says, as far as it says something that this program knows.
@@ -80,10 +84,7 @@ Result<FormHint> hintOfMetadata(const Metadata& metadata) {
     return entry == metadata.end() ? std::string() : entry->second;
   };
   const std::string projection = find(kProjectionKey);
-  if (projection.empty()) {
-    const std::string envmap = find(kEnvmapKey);
-    return envmap.empty() ? FormHint{} : hintOfEnvmap(envmap);
-  }
+  if (projection.empty()) return hintOfEnvmap(find(kEnvmapKey));
   FormHint hint;
   MIRRORBALL_TRY(named, projectionNamed(projection));
   hint.projection = named;
@@ -95,14 +96,16 @@ Result<FormHint> hintOfMetadata(const Metadata& metadata) {
     MIRRORBALL_TRY(named_layout, cubeLayoutNamed(layout));
     hint.layout = named_layout;
   }
-  if (const std::string arrangement = find(kArrangementKey); !arrangement.empty()) {
+  if (const std::string arrangement = find(kArrangementKey); faceCount(named) == 6 && !arrangement.empty()) {
     MIRRORBALL_TRY(frames, rearranged(CubeArrangement{}, arrangement));
     hint.arrangement = frames;
   }
-  if (const std::string centre = find(kCentreKey); !centre.empty()) {
+  if (const std::string centre = find(kCentreKey); named == Projection::equirect && !centre.empty()) {
     MIRRORBALL_TRY(axis, centreNamed(centre));
     hint.centre = axis;
   }
+  const bool may_lie_on_edges = named == Projection::cube || named == Projection::equirect;
+  hint.has_texels_on_edges = may_lie_on_edges && find(kTexelsKey) == kTexelsOnEdges;
   return hint;
 }
 
@@ -171,24 +174,27 @@ Result<FormHint> formHintNamed(std::string_view name) {
 }
 
 Metadata metadataOf(const MapForm& form) {
-  if (form.has_texels_on_edges) return {{kEnvmapKey, form.projection == Projection::equirect ? "latlong" : "cube"}};
+  const bool is_cube = faceCount(form.projection) == 6;
+  // The attribute speaks of a whole map: one face of six is none.
+  if (form.has_texels_on_edges && !(is_cube && form.layout == CubeLayout::faces))
+    return {{kEnvmapKey, is_cube ? "cube" : "latlong"}};
   Metadata metadata;
   metadata[kProjectionKey] = nameOf(form.projection);
-  if (faceCount(form.projection) == 6) {
+  if (is_cube) {
     metadata[kLayoutKey] = nameOf(form.layout);
     if (const std::string arrangement = textOf(form.arrangement); !arrangement.empty())
       metadata[kArrangementKey] = arrangement;
   }
   if (form.centre != SignedAxis::plus_z) metadata[kCentreKey] = nameOf(form.centre);
+  if (form.has_texels_on_edges) metadata[kTexelsKey] = kTexelsOnEdges;
   if (form.projection == Projection::ball)
     metadata[kBallDistanceKey] = formatNumber(double(form.projection.ball_distance));
   return metadata;
 }
 
 Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by) {
-  // A face alone says nothing that contradicts its being one of six but a projection that is no cube.
-  auto stated = hintOfMetadata(metadata);
-  const bool is_told = stated && stated->projection && isCube(*stated) && !stated->has_texels_on_edges;
+  const auto stated = hintOfMetadata(metadata);
+  const bool is_told = stated && stated->projection && stated->layout == CubeLayout::faces;
   if (hint.projection || hint.layout) {
     const Projection of_file = is_told ? *stated->projection : Projection(Projection::cube);
     return {formWith(hint, hint.projection.value_or(of_file), CubeLayout::faces), "--from"};

@@ -35,8 +35,8 @@ struct Recognition {
 };
 
 /// What a file says of its form, for `recognize` to read back: "mirrorball:projection", a cube's "mirrorball:layout", a
-/// ball's "mirrorball:ball_distance" and, where they are not our own, a cube's "mirrorball:arrangement" and a panorama's
-/// "mirrorball:centre". A map in OpenEXR's registration has OpenEXR's own "envmap" instead, which says all this.
+/// ball's "mirrorball:ball_distance" and, where they are not our own, a cube's "mirrorball:arrangement", a panorama's
+/// "mirrorball:centre" and "mirrorball:texels". A whole map in OpenEXR's registration has OpenEXR's own "envmap" instead.
 Metadata metadataOf(const MapForm& form);
 
 /// Tells the form of six files with an image each, by the hint, else by the first one's metadata.

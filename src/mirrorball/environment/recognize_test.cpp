@@ -121,6 +121,20 @@ TEST(Recognize, AFormThatIsNotOursIsReadBackFromItsMetadata) {
     }
 }
 
+// Metadata is untrusted: what makes no sense together is left alone, what makes none at all is an error.
+TEST(Recognize, MetadataThatDoesNotFitIsHarmless) {
+  const Metadata misplaced{{"mirrorball:projection", "angular"},
+                           {"mirrorball:centre", "+x"},
+                           {"mirrorball:arrangement", "as-seen"},
+                           {"mirrorball:texels", "on-edges"}};
+  EXPECT_EQ(textOf(recognize("a.exr", 8, 8, misplaced)->form), "angular");
+  EXPECT_EQ(textOf(recognize("a.png", 16, 8, {{"envmap", "sphere"}})->form), "equirect");
+  const Metadata vertical{{"mirrorball:projection", "equirect"}, {"mirrorball:centre", "-y"}};
+  EXPECT_THAT(recognize("a.exr", 16, 8, vertical).error().message, HasSubstr("a.exr: the centre of a panorama"));
+  const Metadata flat{{"mirrorball:projection", "cube"}, {"mirrorball:arrangement", "axes=+x"}};
+  EXPECT_THAT(recognize("a.exr", 32, 24, flat).error().message, HasSubstr("a.exr: 'axes=+x' is no cube"));
+}
+
 TEST(Recognize, SixFacesAreWhatTheFirstSaysOrTheHint) {
   const Metadata as_seen = metadataOf({Projection::eac, CubeLayout::faces, asSeen(CubeArrangement{})});
   EXPECT_EQ(textOf(recognizeFaces({}, {}, "its name").form), "cube, faces");
@@ -131,6 +145,10 @@ TEST(Recognize, SixFacesAreWhatTheFirstSaysOrTheHint) {
   EXPECT_EQ(textOf(recognizeFaces(as_seen, *formHintNamed("cube:flip=vertical,as-seen"), "").form.arrangement),
             textOf(flipped(CubeArrangement{}, Flip::both)));
   EXPECT_EQ(recognizeFaces(as_seen, *formHintNamed("faces:for=three"), "").told_by, "--from");
+
+  const MapForm openexr = *formFor(*presetNamed("openexr"), Projection::cube, CubeLayout::faces);
+  EXPECT_EQ(textOf(recognizeFaces(metadataOf(openexr), {}, "").form), textOf(openexr));
+  EXPECT_EQ(textOf(recognizeFaces({{"envmap", "cube"}}, {}, "").form), "cube, faces");
 }
 
 TEST(Recognize, UnknownNamesListAll) {

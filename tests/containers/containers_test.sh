@@ -9,23 +9,7 @@ write_containers=$1
 source_dir=$2
 scratch=$3
 
-for program in node npm; do
-  if ! command -v "$program" >/dev/null; then
-    echo "skipped: $program is not installed"
-    exit 77
-  fi
-done
-
-# What was installed for the same versions is kept.
-mkdir -p "$scratch"
-if ! cmp -s "$source_dir/package.json" "$scratch/installed.json"; then
-  cp "$source_dir/package.json" "$scratch/package.json"
-  if ! (cd "$scratch" && npm install --no-audit --no-fund --no-package-lock --ignore-scripts >npm.log 2>&1); then
-    echo "skipped: npm could not install the readers; $scratch/npm.log tells why"
-    exit 77
-  fi
-  cp "$source_dir/package.json" "$scratch/installed.json"
-fi
+sh "$source_dir/../npm_packages.sh" "$source_dir" "$scratch"
 # Node looks for packages beside the script.
 cp "$source_dir/check_containers.mjs" "$scratch/"
 

@@ -43,6 +43,28 @@ void clearBesideDisc(Projection projection, Image& image) {
         std::fill_n(image.texel(x, y), image.channels(), 0.0f);
 }
 
+/// Counts another image's bad texels in.
+void add(const NonFinite& more, NonFinite& total) {
+  if (total.count == 0) total.first = more.first;
+  total.count += more.count;
+}
+
+/// A cube whose six images are there.
+Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::string format, Recognition recognition,
+                                 const NonFinite& bad, std::vector<std::string> files,
+                                 const EnvironmentLoadOptions& options) {
+  const glm::ivec2 size(images.at(0, 0).width());
+  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
+  const MapForm form = recognition.form;
+  return LoadedEnvironment{Environment(mapOfImages(std::move(images), form)),
+                           name,
+                           std::move(format),
+                           std::move(recognition),
+                           size,
+                           bad,
+                           std::move(files)};
+}
+
 Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& files,
                                     const EnvironmentLoadOptions& options) {
   ImageSet images(1, 6);
@@ -56,8 +78,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
     if (slot == 0)
       recognition =
           recognizeFaces(decoded.metadata, options.from, "its name, one of six faces " + textOf(files.naming));
-    if (bad.count == 0) bad.first = bad_here.first;
-    bad.count += bad_here.count;
+    add(bad_here, bad);
     const int side = slot == 0 ? decoded.image.height() : images.at(0, 0).height();
     if (decoded.image.width() != side || decoded.image.height() != side)
       return fail(ErrorCode::bad_shape, path + ": is " + std::to_string(decoded.image.width()) + "x" +
@@ -68,15 +89,8 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
     images.at(0, slot) = std::move(decoded.image);
     format = decoded.format;
   }
-  const glm::ivec2 size(images.at(0, 0).width());
-  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
-  return LoadedEnvironment{Environment(mapOfImages(std::move(images), recognition.form)),
-                           name,
-                           std::move(format),
-                           recognition,
-                           size,
-                           bad,
-                           {files.paths.begin(), files.paths.end()}};
+  return cubeOf(name, std::move(images), std::move(format), std::move(recognition), bad,
+                {files.paths.begin(), files.paths.end()}, options);
 }
 
 Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage decoded,
@@ -112,22 +126,11 @@ Result<LoadedEnvironment> loadCubeTexture(const std::string& name, DecodedImageS
   NonFinite bad;
   for (int slot = 0; slot < 6; ++slot) {
     MIRRORBALL_TRY(bad_here, checkNonFinite(name, texture.images.at(0, slot), options));
-    if (bad.count == 0) bad.first = bad_here.first;
-    bad.count += bad_here.count;
+    add(bad_here, bad);
     images.at(0, slot) = std::move(texture.images.at(0, slot));
   }
-  const glm::ivec2 size(images.at(0, 0).width());
-  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
-  Recognition recognition = recognizeFaces(texture.metadata, options.from, "its texture, a cube");
-  auto cube = mapOfImages(std::move(images), recognition.form);
-  if (!cube) return fail(cube.error().code, name + ": " + cube.error().message);
-  return LoadedEnvironment{Environment(std::move(*cube)),
-                           name,
-                           texture.format + restOf(texture.images),
-                           std::move(recognition),
-                           size,
-                           bad,
-                           {name}};
+  return cubeOf(name, std::move(images), texture.format + restOf(texture.images),
+                recognizeFaces(texture.metadata, options.from, "its texture, a cube"), bad, {name}, options);
 }
 
 Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoadOptions& options) {

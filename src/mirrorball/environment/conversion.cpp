@@ -43,19 +43,25 @@ struct Conversion::Tile {
   glm::ivec2 end;
 };
 
-/// Looks up what the batch has collected, adds it to the texels' sums, and empties the batch.
-void Conversion::gather(const Environment& source, Row& row, Interpolation interpolation) const {
-  PointBatch& batch = row.batch;
-  if (batch.count == 0) return;
+/// The light at every point of the target that a batch has.
+void Conversion::lookUp(const Environment& source, Interpolation interpolation, PointBatch& batch,
+                        LightBatch& light) const {
   directionsAt(to_, batch);
   if (sourceFromTarget() != glm::mat3(1.0f)) turn(sourceFromTarget(), batch);
   if (const EnvironmentMap* map = source.map()) {
     positionsOf(map->projection(), batch);
-    sampleBatch(*map, interpolation, batch, row.light);
+    sampleBatch(*map, interpolation, batch, light);
   } else {
     for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i)
-      row.light[i] = glm::vec4(source.radiance({batch.x[i], batch.y[i], batch.z[i]}), 1.0f);
+      light[i] = glm::vec4(source.radiance({batch.x[i], batch.y[i], batch.z[i]}), 1.0f);
   }
+}
+
+/// Looks up what the batch has collected, adds it to the texels' sums, and empties the batch.
+void Conversion::gather(const Environment& source, Row& row, Interpolation interpolation) const {
+  PointBatch& batch = row.batch;
+  if (batch.count == 0) return;
+  lookUp(source, interpolation, batch, row.light);
   for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i)
     row.sum[static_cast<std::size_t>(row.texel[i])] += glm::vec4(glm::vec3(row.light[i]), 1.0f);
   batch.count = 0;
@@ -63,7 +69,7 @@ void Conversion::gather(const Environment& source, Row& row, Interpolation inter
 
 void Conversion::addPoint(const Environment& source, Row& row, int face, int texel, glm::vec2 uv,
                           Interpolation interpolation) const {
-  if (!covers(to_, uv)) return;
+  if (has_disc_ && !covers(to_, uv)) return;
   PointBatch& batch = row.batch;
   const auto index = static_cast<std::size_t>(batch.count);
   batch.face[index] = face;
@@ -73,15 +79,42 @@ void Conversion::addPoint(const Environment& source, Row& row, int face, int tex
   if (++batch.count == PointBatch::kCapacity) gather(source, row, interpolation);
 }
 
+/// One look-up at the centre of every texel of a target without a disc: nothing has to be summed or left out.
+void Conversion::fillCentres(const Environment& source, const Tile& tile, glm::ivec2 origin, Image& texels) const {
+  constexpr int kRowsPerBatch = PointBatch::kCapacity / kTileWidth;
+  PointBatch batch;
+  LightBatch light;
+  const int width = tile.end.x - tile.begin.x;
+  for (int top = tile.begin.y; top < tile.end.y; top += kRowsPerBatch) {
+    const int bottom = std::min(top + kRowsPerBatch, tile.end.y);
+    std::size_t index = 0;
+    for (int y = top; y < bottom; ++y)
+      for (int x = 0; x < width; ++x, ++index) {
+        const glm::vec2 uv = (glm::vec2(tile.begin.x + x, y) + 0.5f) / glm::vec2(extent_);
+        batch.face[index] = tile.face;
+        batch.u[index] = uv.x;
+        batch.v[index] = uv.y;
+      }
+    batch.count = static_cast<int>(index);
+    lookUp(source, resampling_.interpolation, batch, light);
+    index = 0;
+    for (int y = top; y < bottom; ++y) {
+      float* texel = texels.texel(tile.begin.x - origin.x, y - origin.y);
+      for (int x = 0; x < width; ++x, ++index, texel += 3) std::copy_n(&light[index].x, 3, texel);
+    }
+  }
+}
+
 void Conversion::fillTile(const Environment& source, const Tile& tile, glm::ivec2 origin, Image& texels) const {
   const glm::ivec2 points = pointsPerTexel(source, to_, extent_, tile.face, tile.begin, tile.end, sourceFromTarget());
   const bool is_single = points == glm::ivec2(1);
+  if (is_single && !has_disc_) return fillCentres(source, tile, origin, texels);
   const Interpolation interpolation = is_single ? resampling_.interpolation : Interpolation::bilinear;
   Row row;
   for (int y = tile.begin.y; y < tile.end.y; ++y) {
     row.sum.fill(glm::vec4(0.0f));
     for (int x = tile.begin.x; x < tile.end.x; ++x) {
-      if (!coversTexel(x, y)) continue;
+      if (has_disc_ && !covers(to_, (glm::vec2(x, y) + 0.5f) / glm::vec2(extent_))) continue;
       for (int j = 0; j < points.y; ++j)
         for (int i = 0; i < points.x; ++i) {
           const glm::vec2 inside = (glm::vec2(i, j) + 0.5f) / glm::vec2(points);

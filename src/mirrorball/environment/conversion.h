@@ -6,6 +6,7 @@
 
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/environment.h"
+#include "mirrorball/environment/sample_batch.h"
 
 namespace mirrorball {
 
@@ -23,7 +24,7 @@ struct Piece {
 class Conversion {
  public:
   Conversion(Projection to, int size, const Resampling& resampling)
-      : to_(to), extent_(imageSize(to, size)), resampling_(resampling) {}
+      : to_(to), has_disc_(hasDisc(to)), extent_(imageSize(to, size)), resampling_(resampling) {}
 
   Projection to() const { return to_; }
   glm::ivec2 extent() const { return extent_; }
@@ -42,13 +43,15 @@ class Conversion {
   struct Row;
   struct Tile;
 
-  bool coversTexel(int x, int y) const { return covers(to_, (glm::vec2(x, y) + 0.5f) / glm::vec2(extent_)); }
+  void lookUp(const Environment& source, Interpolation interpolation, PointBatch& batch, LightBatch& light) const;
+  void fillCentres(const Environment& source, const Tile& tile, glm::ivec2 origin, Image& texels) const;
   void fillTile(const Environment& source, const Tile& tile, glm::ivec2 origin, Image& texels) const;
   void addPoint(const Environment& source, Row& row, int face, int texel, glm::vec2 uv,
                 Interpolation interpolation) const;
   void gather(const Environment& source, Row& row, Interpolation interpolation) const;
 
   Projection to_;
+  bool has_disc_;
   glm::ivec2 extent_;
   Resampling resampling_;
 };

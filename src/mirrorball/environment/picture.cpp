@@ -89,7 +89,7 @@ ImageSet imagesOf(EnvironmentMap map, const MapForm& form) {
     rest.has_texels_on_edges = false;
     return imagesOf(ontoEdgeGrid(map), rest);
   }
-  if (form.centre != SignedAxis::plus_z) return turned(map, quartersTo(form.centre)).images();
+  if (form.centre != SignedAxis::plus_z) return turned(map, quartersTo(form.centre)).takeImages();
   if (faceCount(form.projection) == 6) return arranged(std::move(map).takeImages(), form.arrangement);
   return std::move(map).takeImages();
 }
@@ -98,7 +98,8 @@ EnvironmentMap mapOfImages(ImageSet images, const MapForm& form) {
   if (faceCount(form.projection) == 6) images = restored(std::move(images), form.arrangement);
   EnvironmentMap map(form.projection, std::move(images));
   if (form.centre != SignedAxis::plus_z) map = turned(map, 4 - quartersTo(form.centre));
-  return form.has_texels_on_edges ? fromEdgeGrid(map) : map;
+  if (form.has_texels_on_edges) return fromEdgeGrid(map);
+  return map;
 }
 
 Image pictureOf(EnvironmentMap map, const MapForm& form) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstring>
+#include <mutex>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -34,12 +35,13 @@ inline ImageSet textureOf(int levels, int faces, int layers, int channels, int w
 template <typename Write>
 Bytes bytesOfTexture(Write* write_texture, const ImageSet& images, const TextureWriteOptions& options = {}) {
   Bytes file;
+  std::mutex mutex;  // a texture of many images is written from several threads
   const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) -> Result<void> {
+    const std::lock_guard lock(mutex);
     if (file.size() < offset + bytes.size()) file.resize(offset + bytes.size());
     std::memcpy(file.data() + offset, bytes.data(), bytes.size());
     return {};
   };
-  // Small textures are one piece of work, so that nothing is written from two threads at a time.
   const auto result = write_texture(images, options, "memory", write);
   EXPECT_TRUE(result) << result.error().message;
   return file;

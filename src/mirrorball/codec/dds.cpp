@@ -205,9 +205,11 @@ Result<DecodedImageSet> decodeDds(Span bytes, const std::string& name) {
     return fail(ErrorCode::bad_file, name + ": its texels have " + std::to_string(expected) + " bytes from byte " +
                                          std::to_string(header.size) + " on, but the file has " +
                                          std::to_string(bytes.size()) + "; it is truncated or damaged");
+  const char* assumed = header.encoding_assumed ? " (assumed)" : "";
   return DecodedImageSet{readImages(bytes.data() + header.size, header),
                          {},
-                         "DDS, " + nameOf(header.format) + (header.encoding_assumed ? " (assumed)" : "")};
+                         "DDS, " + nameOf(header.format) + assumed,
+                         describeColor(curveOf(header.format), {}, imageChannels(header.format)) + assumed};
 }
 
 Result<void> writeDds(const ImageSet& images, const TextureWriteOptions& options, const std::string& name,

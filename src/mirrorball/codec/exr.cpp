@@ -164,12 +164,11 @@ Metadata readMetadata(const Imf::Header& header) {
   return metadata;
 }
 
-void convertPrimaries(const Imf::Header& header, Image& image) {
-  if (!Imf::hasChromaticities(header) || image.channels() < 3) return;
+std::optional<Primaries> statedPrimaries(const Imf::Header& header) {
+  if (!Imf::hasChromaticities(header)) return {};
   const Imf::Chromaticities& given = Imf::chromaticities(header);
   const auto xy = [](const Imath::V2f& point) { return glm::dvec2(point.x, point.y); };
-  const Primaries primaries{xy(given.red), xy(given.green), xy(given.blue), xy(given.white)};
-  if (const auto matrix = rec709FromPrimaries(primaries)) transformColors(image, *matrix);
+  return Primaries{xy(given.red), xy(given.green), xy(given.blue), xy(given.white)};
 }
 
 /// "OpenEXR, half, DWAB"
@@ -212,9 +211,11 @@ Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const std::stri
 
   DecodedImage decoded;
   decoded.image = selection.hasChroma() ? readChroma(bytes, name, selection) : readPlain(file, selection);
-  convertPrimaries(header, decoded.image);
+  const std::optional<Primaries> stated = statedPrimaries(header);
+  convertToRec709(decoded.image, stated);
   decoded.metadata = readMetadata(header);
   decoded.format = describe(header, selection);
+  decoded.color = describeColor(kLinearLight, stated, decoded.image.channels());
   return decoded;
 }
 

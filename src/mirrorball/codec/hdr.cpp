@@ -199,13 +199,15 @@ void storeLine(const std::uint8_t* planes, std::size_t length, glm::vec3 gain, L
   }
 }
 
-/// The components' matrix to Rec.709, if they are something else.
-std::optional<glm::mat3> conversion(const HdrHeader& header) {
-  if (header.xyz)
-    return glm::mat3(formula::rec709FromXyz({1, 0, 0}), formula::rec709FromXyz({0, 1, 0}),
-                     formula::rec709FromXyz({0, 0, 1}));
-  if (header.primaries) return rec709FromPrimaries(*header.primaries);
-  return {};
+/// Brings the components to Rec.709 and says what they were.
+std::string convertColor(const HdrHeader& header, Image& image) {
+  if (header.xyz) {
+    transformColors(image, glm::mat3(formula::rec709FromXyz({1, 0, 0}), formula::rec709FromXyz({0, 1, 0}),
+                                     formula::rec709FromXyz({0, 0, 1})));
+    return "CIE XYZ: converted";
+  }
+  convertToRec709(image, header.primaries);
+  return describeColor(kLinearLight, header.primaries, image.channels());
 }
 
 struct Rgbe {
@@ -301,12 +303,13 @@ Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes, const std::s
       storeLine(planes.data(), length, gain, placeOf(line, header, image));
     }
   });
-  if (const auto matrix = conversion(header)) transformColors(image, *matrix);
+  std::string color = convertColor(header, image);
 
   constexpr const char* kForms[] = {"flat", "old RLE", "RLE"};
   return DecodedImage{
       std::move(image), std::move(header.metadata),
-      std::string("Radiance HDR, ") + (header.xyz ? "XYZE, " : "") + kForms[static_cast<int>(index.form)]};
+      std::string("Radiance HDR, ") + (header.xyz ? "XYZE, " : "") + kForms[static_cast<int>(index.form)],
+      std::move(color)};
 }
 
 Bytes encodeHdr(const Image& image, const Metadata& metadata) {

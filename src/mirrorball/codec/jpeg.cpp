@@ -4,6 +4,7 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string_view>
 
 // jpeglib.h needs size_t and FILE from <cstdio>, jerror.h needs jpeglib.h: this order stays.
@@ -11,6 +12,7 @@
 //
 #include <jerror.h>
 
+#include "mirrorball/codec/icc_profile.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/srgb.h"
 
@@ -120,7 +122,8 @@ tl::unexpected<Error> failure(const Decompressor& decoder, const std::string& na
 Metadata readComments(const jpeg_decompress_struct& codec) {
   Metadata metadata;
   for (jpeg_saved_marker_ptr marker = codec.marker_list; marker; marker = marker->next)
-    readMetadataLine({reinterpret_cast<const char*>(marker->data), marker->data_length}, metadata);
+    if (marker->marker == JPEG_COM)
+      readMetadataLine({reinterpret_cast<const char*>(marker->data), marker->data_length}, metadata);
   return metadata;
 }
 
@@ -131,6 +134,7 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
     jpeg_create_decompress(&codec);
     jpeg_mem_src(&codec, bytes.data(), static_cast<unsigned long>(bytes.size()));
     jpeg_save_markers(&codec, JPEG_COM, 0xffff);
+    jpeg_save_markers(&codec, JPEG_APP0 + 2, 0xffff);  // parts of an ICC profile
     jpeg_read_header(&codec, TRUE);
   });
   if (!read) return failure(decoder, name, bytes.size());
@@ -146,9 +150,20 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
   return {};
 }
 
+/// What an ICC profile in the file's markers calls itself; empty where there is none.
+std::string readIccDescription(Decompressor& decoder) {
+  JOCTET* profile = nullptr;
+  unsigned size = 0;
+  boolean found = FALSE;
+  const bool read = guarded(decoder.errors, [&] { found = jpeg_read_icc_profile(&decoder.codec, &profile, &size); });
+  const std::unique_ptr<JOCTET, decltype(&std::free)> owner(profile, &std::free);
+  return read && found ? iccDescription({profile, size}) : "";
+}
+
 struct Decoded {
   Image8 picture;
   Metadata metadata;
+  std::string icc_description;  ///< empty: there is no ICC profile
 };
 
 /// texture  RGBA for everything; else grey or RGB as the file has it
@@ -156,7 +171,8 @@ Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, const std::stri
   Decompressor decoder;
   MIRRORBALL_TRY_VOID(readHeader(decoder, bytes, name));
   jpeg_decompress_struct& codec = decoder.codec;
-  Metadata metadata = readComments(codec);  // which finishing the decoding forgets
+  Metadata metadata = readComments(codec);  // which finishing the decoding forgets, as it does the profile
+  std::string icc_description = readIccDescription(decoder);
   const bool grey = codec.num_components == 1;
   codec.out_color_space = texture ? JCS_EXT_RGBA : grey ? JCS_GRAYSCALE : JCS_RGB;
 
@@ -170,7 +186,7 @@ Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, const std::stri
     jpeg_finish_decompress(&codec);
   });
   if (!decoded) return failure(decoder, name, bytes.size());
-  return Decoded{std::move(picture), std::move(metadata)};
+  return Decoded{std::move(picture), std::move(metadata), std::move(icc_description)};
 }
 
 void writePixels(Compressor& encoder, const Image8& picture, const Metadata& metadata) {
@@ -209,7 +225,9 @@ bool isJpeg(std::span<const std::uint8_t> bytes) {
 
 Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
   MIRRORBALL_TRY(decoded, readPicture(bytes, name, false));
-  return DecodedImage{linearFromPicture(decoded.picture), std::move(decoded.metadata), "JPEG, 8 bit, sRGB"};
+  std::string color = decoded.icc_description.empty() ? describeColor(kSrgbCurve, {}, decoded.picture.channels())
+                                                      : describeIccColor(decoded.icc_description);
+  return DecodedImage{linearFromPicture(decoded.picture), std::move(decoded.metadata), "JPEG, 8 bit", std::move(color)};
 }
 
 Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes, const std::string& name) {

@@ -9,6 +9,7 @@
 #include <jpeglib.h>
 
 #include "mirrorball/codec/codec_testing.h"
+#include "mirrorball/codec/icc_testing.h"
 #include "mirrorball/codec/srgb.h"
 
 namespace mirrorball {
@@ -94,7 +95,8 @@ TEST(Jpeg, LightIsLinearAndGreyHasOneChannel) {
   ASSERT_TRUE(grey);
   EXPECT_EQ(grey->image.channels(), 1);
   EXPECT_EQ(srgb8FromLinear(grey->image.samples()[0]), 128);
-  EXPECT_EQ(grey->format, "JPEG, 8 bit, sRGB");
+  EXPECT_EQ(grey->format, "JPEG, 8 bit");
+  EXPECT_EQ(grey->color, "sRGB, grey");
   EXPECT_EQ(decodeJpeg(encoded(Image8(9, 9, 3, 128)), "a")->image.channels(), 3);
 }
 
@@ -108,6 +110,17 @@ TEST(Jpeg, ChromaIsNotSubsampled) {
 TEST(Jpeg, MetadataComesBack) {
   const Metadata metadata{{"mirrorball:projection", "sphere"}, {"envmap", "latlong"}};
   EXPECT_EQ(decodeJpeg(encoded(Image8(2, 2, 3), metadata), "a")->metadata, metadata);
+}
+
+TEST(Jpeg, AProfileIsNamedAndNotApplied) {
+  const Bytes plain = encoded(Image8(9, 9, 3, 128));
+  const auto adobe = decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("Adobe RGB (1998)")), "a");
+  ASSERT_TRUE(adobe) << adobe.error().message;
+  EXPECT_EQ(adobe->color, "sRGB assumed: its ICC profile (Adobe RGB (1998)) is not applied");
+  EXPECT_EQ(srgb8FromLinear(adobe->image.samples()[0]), 128);
+  EXPECT_EQ(decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("sRGB IEC61966-2.1")), "a")->color, "sRGB");
+  // Bytes of a profile are no comment.
+  EXPECT_TRUE(decodeJpeg(testing::jpegWithProfile(plain, bytesOf("envmap=cube")), "a")->metadata.empty());
 }
 
 TEST(Jpeg, ProgressiveIsRead) { EXPECT_TRUE(decodeJpeg(foreignFile(JCS_RGB, 3, true), "a")); }

@@ -200,13 +200,13 @@ Result<DecodedImageSet> decodeKtx2(Span bytes, const std::string& name) {
   MIRRORBALL_TRY_VOID(checkLevelSizes(header, format, name));
   MIRRORBALL_TRY(values, readKtxKeyValues(bytes, header.key_values.begin, header.key_values.size, false, name));
   MIRRORBALL_TRY(images, readLevels(bytes, header, format, name));
-  const auto matrix = color.primaries ? rec709FromPrimaries(*color.primaries) : std::nullopt;
   forEachImage(images, [&](Image& image) {
-    if (matrix && image.channels() >= 3) transformColors(image, *matrix);
+    convertToRec709(image, color.primaries);
     if (images.faces() == 1) turnUpright(image, values);
   });
   return DecodedImageSet{std::move(images), std::move(values.metadata),
-                         "KTX2, " + nameOf(format) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : "")};
+                         "KTX2, " + nameOf(format) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : ""),
+                         describeColor(curveOf(format), color.primaries, imageChannels(format))};
 }
 
 }  // namespace mirrorball

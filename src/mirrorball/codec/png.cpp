@@ -11,6 +11,7 @@
 #include <zlib.h>
 
 #include "mirrorball/codec/metadata.h"
+#include "mirrorball/codec/png_color.h"
 #include "mirrorball/codec/srgb.h"
 
 namespace mirrorball {
@@ -132,6 +133,7 @@ struct Pixels {
   int stored_bits = 0;  ///< of a sample in the file
   Bytes bytes;
   Metadata metadata;
+  PngColor color;
 };
 
 Metadata readTexts(png_structp png, png_infop info) {
@@ -184,6 +186,7 @@ Result<void> readHeader(Reader& reader, const std::string& name, Pixels& pixels)
   pixels.width = static_cast<int>(width);
   pixels.height = static_cast<int>(height);
   pixels.stored_bits = png_get_bit_depth(reader.png, reader.info);
+  pixels.color = readPngColor(reader.png, reader.info);
   return {};
 }
 
@@ -222,11 +225,17 @@ Image8 pictureOf(const Pixels& pixels) {
   return picture;
 }
 
-Image lightOf(const Pixels& pixels) {
-  if (pixels.bits == 8) return linearFromPicture(pictureOf(pixels));
+Image samplesAsLight(const Pixels& pixels) {
+  if (pixels.bits == 8) return linearFromPicture(pictureOf(pixels), pixels.color.curve);
   std::vector<std::uint16_t> samples(pixels.bytes.size() / 2);
   std::memcpy(samples.data(), pixels.bytes.data(), pixels.bytes.size());
-  return linearFromSamples16(samples, pixels.width, pixels.height, pixels.channels);
+  return linearFromSamples16(samples, pixels.width, pixels.height, pixels.channels, pixels.color.curve);
+}
+
+Image lightOf(const Pixels& pixels) {
+  Image light = samplesAsLight(pixels);
+  convertToRec709(light, pixels.color.primaries);
+  return light;
 }
 
 int colorType(int channels) {
@@ -254,7 +263,8 @@ bool isPng(std::span<const std::uint8_t> bytes) {
 Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
   MIRRORBALL_TRY(pixels, readPixels(bytes, name, Form::light));
   return DecodedImage{lightOf(pixels), std::move(pixels.metadata),
-                      "PNG, " + std::to_string(pixels.stored_bits) + " bit, sRGB"};
+                      "PNG, " + std::to_string(pixels.stored_bits) + " bit",
+                      describeColor(pixels.color, pixels.channels)};
 }
 
 Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes, const std::string& name) {

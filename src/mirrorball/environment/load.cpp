@@ -59,6 +59,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const std::array<fs
   ImageSet faces(1, 6);
   Projection projection = Projection::cube;
   std::string format;
+  std::string color;
   NonFinite bad;
   for (int face = 0; face < 6; ++face) {
     const std::string path = paths[static_cast<std::size_t>(face)].string();
@@ -76,6 +77,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const std::array<fs
       return fail(ErrorCode::bad_shape, path + ": has other colour channels than the cube's first face");
     faces.at(0, face) = std::move(decoded.image);
     format = decoded.format;
+    color = decoded.color;
   }
   const glm::ivec2 size(faces.at(0, 0).width());
   EnvironmentMap cube(projection, std::move(faces));
@@ -83,6 +85,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const std::array<fs
   return LoadedEnvironment{Environment(std::move(cube)),
                            name,
                            std::move(format),
+                           std::move(color),
                            Recognition{{projection, CubeLayout::faces}, std::move(told_by)},
                            size,
                            bad,
@@ -98,7 +101,8 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, const Environment
   auto map = mapOfPicture(std::move(decoded.image), recognition.form);
   if (!map) return fail(map.error().code, name + ": " + map.error().message);
   if (options.repair) MIRRORBALL_TRY_VOID(repairFaces(name, *map));
-  return LoadedEnvironment{Environment(std::move(*map)), name, decoded.format, recognition, size, bad, {name}};
+  return LoadedEnvironment{
+      Environment(std::move(*map)), name, decoded.format, decoded.color, recognition, size, bad, {name}};
 }
 
 }  // namespace
@@ -109,7 +113,7 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
   // A folder that happens to be called "studio" is no map.
   if (isBuiltinEnvironment(name_or_path) && (!exists || fs::is_directory(name_or_path, status))) {
     MIRRORBALL_TRY(environment, builtinEnvironment(name_or_path));
-    return LoadedEnvironment{std::move(environment), name_or_path, "built in", std::nullopt, {}, {}};
+    return LoadedEnvironment{std::move(environment), name_or_path, "built in", "linear, Rec.709", std::nullopt, {}, {}};
   }
   const auto paths = facePaths(name_or_path);
   const bool faces_named = options.from.layout == CubeLayout::faces;

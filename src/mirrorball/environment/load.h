@@ -21,6 +21,7 @@ struct LoadedEnvironment {
   Environment environment;
   std::string name;                        ///< the path, or the built-in's name
   std::string format;                      ///< the file's; "built in"
+  std::string color;                       ///< the file's, and what was done about it: DecodedImage::color
   std::optional<Recognition> recognition;  ///< of a file
   glm::ivec2 file_size{0};                 ///< of the picture in the file (of one face where each has its own)
   NonFinite bad_texels;                    ///< as found, before any repair

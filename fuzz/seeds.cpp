@@ -5,11 +5,14 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include <ImfHeader.h>
 #include <ImfRgbaFile.h>
 #include <ImfTiledRgbaFile.h>
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <zlib.h>
 
 #include "mirrorball/codec/codec_testing.h"
@@ -21,6 +24,7 @@
 #include "mirrorball/codec/png.h"
 #include "mirrorball/codec/srgb.h"
 #include "mirrorball/codec/texture_testing.h"
+#include "mirrorball/scene/gltf_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -210,6 +214,49 @@ void addModels(Corpus& corpus) {
   corpus.add("gltf", "binary", glb);
 }
 
+/// A bent sheet of 8 triangles as Draco compresses it.
+///
+/// attribute  becomes the number by which glTF finds the position
+Bytes dracoSheet(int method, int& attribute) {
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(8);
+  attribute = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const auto corner = [](int x, int y) {
+    return draco::Vector3f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(x * y));
+  };
+  for (int cell = 0; cell < 4; ++cell) {
+    const int x = cell % 2;
+    const int y = cell / 2;
+    const draco::Vector3f a = corner(x, y), b = corner(x + 1, y), c = corner(x + 1, y + 1), d = corner(x, y + 1);
+    const draco::FaceIndex face(static_cast<std::uint32_t>(2 * cell));
+    builder.SetAttributeValuesForFace(attribute, face, a.data(), b.data(), c.data());
+    builder.SetAttributeValuesForFace(attribute, face + 1, a.data(), c.data(), d.data());
+  }
+  const std::unique_ptr<draco::Mesh> mesh = builder.Finalize();
+  attribute = static_cast<int>(mesh->attribute(attribute)->unique_id());
+  draco::Encoder encoder;
+  encoder.SetEncodingMethod(method);
+  encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 8);
+  draco::EncoderBuffer buffer;
+  encoder.EncodeMeshToBuffer(*mesh, &buffer);
+  return Bytes(buffer.buffer()->begin(), buffer.buffer()->end());
+}
+
+void addDracoModels(Corpus& corpus) {
+  for (const auto& [method, name] : {std::pair{draco::MESH_SEQUENTIAL_ENCODING, "draco_sequential"},
+                                     {draco::MESH_EDGEBREAKER_ENCODING, "draco_edgebreaker"}}) {
+    int attribute = 0;
+    testing::GltfMaker maker;
+    maker.view(dracoSheet(method, attribute));
+    maker.rawAccessor(R"({"componentType":5126,"count":9,"type":"VEC3"})");
+    maker.rawAccessor(R"({"componentType":5123,"count":24,"type":"SCALAR"})");
+    corpus.add("gltf", name,
+               maker.glb(R"({"attributes":{"POSITION":0},"indices":1,"extensions":{"KHR_draco_mesh_compression":)"
+                         R"({"bufferView":0,"attributes":{"POSITION":)" +
+                         std::to_string(attribute) + "}}}}"));
+  }
+}
+
 }  // namespace
 }  // namespace mirrorball
 
@@ -223,5 +270,6 @@ int main(int count, char** arguments) {
   mirrorball::addImages(corpus);
   mirrorball::addColoredPngs(corpus);
   mirrorball::addModels(corpus);
+  mirrorball::addDracoModels(corpus);
   return corpus.failed ? 1 : 0;
 }

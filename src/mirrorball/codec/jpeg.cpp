@@ -23,6 +23,10 @@ namespace {
 /// largest sampling ratio: at most 64 · 16 · 8 texels a byte.
 constexpr std::size_t kMostTexelsPerByte = 64 * 16 * 8;
 
+/// A progressive file may have any number of scans, and one of 400 bytes can cover the largest image: 3 MB would take a
+/// quarter of an hour. Writers make about ten; libjpeg-turbo's own fuzz targets set this limit.
+constexpr int kMostScans = 500;
+
 /// libjpeg's error manager with where to jump, the error's text and its number.
 struct ErrorManager {
   jpeg_error_mgr base;  // first: libjpeg hands out a pointer to it
@@ -53,6 +57,14 @@ void onMessage(j_common_ptr codec, int level) {
   }
 }
 
+/// Called now and then while a file is decoded.
+void onProgress(j_common_ptr codec) {
+  if (reinterpret_cast<j_decompress_ptr>(codec)->input_scan_number <= kMostScans) return;
+  auto* manager = reinterpret_cast<ErrorManager*>(codec->err);
+  std::snprintf(manager->message, sizeof manager->message, "it has more than %d scans", kMostScans);
+  std::longjmp(manager->jump, 1);
+}
+
 /// The library prints nothing.
 void onOutput(j_common_ptr) {}
 
@@ -78,12 +90,16 @@ bool guarded(ErrorManager& manager, const Body& body) {
 }
 
 struct Decompressor {
-  Decompressor() { codec.err = install(errors); }
+  Decompressor() {
+    codec.err = install(errors);
+    progress.progress_monitor = onProgress;
+  }
   ~Decompressor() { jpeg_destroy_decompress(&codec); }
   Decompressor(const Decompressor&) = delete;
   Decompressor& operator=(const Decompressor&) = delete;
 
   ErrorManager errors{};
+  jpeg_progress_mgr progress{};
   jpeg_decompress_struct codec{};
 };
 
@@ -132,6 +148,7 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
   jpeg_decompress_struct& codec = decoder.codec;
   const bool read = guarded(decoder.errors, [&] {
     jpeg_create_decompress(&codec);
+    codec.progress = &decoder.progress;
     jpeg_mem_src(&codec, bytes.data(), static_cast<unsigned long>(bytes.size()));
     jpeg_save_markers(&codec, JPEG_COM, 0xffff);
     jpeg_save_markers(&codec, JPEG_APP0 + 2, 0xffff);  // parts of an ICC profile

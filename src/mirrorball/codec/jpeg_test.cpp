@@ -1,5 +1,7 @@
 #include "mirrorball/codec/jpeg.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -35,7 +37,10 @@ Bytes encoded(const Image8& picture, const Metadata& metadata = {}) {
 }
 
 /// A JPEG of grey 4-component texels, or a progressive one, as this program does not write them.
-Bytes foreignFile(J_COLOR_SPACE space, int components, bool progressive) {
+///
+/// scans    of a progressive file; none: as libjpeg chooses them
+Bytes foreignFile(J_COLOR_SPACE space, int components, bool progressive,
+                  const std::vector<jpeg_scan_info>& scans = {}) {
   jpeg_compress_struct codec;
   jpeg_error_mgr errors;
   codec.err = jpeg_std_error(&errors);
@@ -48,6 +53,10 @@ Bytes foreignFile(J_COLOR_SPACE space, int components, bool progressive) {
   codec.in_color_space = space;
   jpeg_set_defaults(&codec);
   if (progressive) jpeg_simple_progression(&codec);
+  if (!scans.empty()) {
+    codec.scan_info = scans.data();
+    codec.num_scans = static_cast<int>(scans.size());
+  }
   jpeg_start_compress(&codec, TRUE);
   Bytes row(std::size_t(20 * components), 100);
   JSAMPROW pointer = row.data();
@@ -124,6 +133,24 @@ TEST(Jpeg, AProfileIsNamedAndNotApplied) {
 }
 
 TEST(Jpeg, ProgressiveIsRead) { EXPECT_TRUE(decodeJpeg(foreignFile(JCS_RGB, 3, true), "a")); }
+
+// Such a file takes hours for a few megabytes (of a large image; here it is small).
+TEST(Jpeg, AFileOfEndlessScansIsRefused) {
+  // The mean of each block, then all other frequencies: a scan that may come again and again.
+  const Bytes bytes = foreignFile(JCS_GRAYSCALE, 1, true, {{1, {0}, 0, 0, 0, 0}, {1, {0}, 1, 63, 0, 0}});
+  constexpr std::array<std::uint8_t, 2> kStartOfScan{0xff, 0xda};
+  const auto scan = std::find_end(bytes.begin(), bytes.end(), kStartOfScan.begin(), kStartOfScan.end());
+  const auto end = bytes.end() - 2;  // of the last scan: the end marker follows
+  Bytes again(bytes.begin(), end);
+  for (int i = 0; i < 600; ++i) again.insert(again.end(), scan, end);
+  again.insert(again.end(), end, bytes.end());
+  ASSERT_TRUE(decodeJpeg(bytes, "a.jpg"));
+  const auto refused = decodeJpeg(again, "a.jpg");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_file);
+  EXPECT_THAT(refused.error().message, HasSubstr("a.jpg: is a damaged JPEG, at byte "));
+  EXPECT_THAT(refused.error().message, HasSubstr("more than 500 scans"));
+}
 
 TEST(Jpeg, WhatCannotBeReadIsNamed) {
   const auto cmyk = decodeJpeg(foreignFile(JCS_CMYK, 4, false), "a.jpg");

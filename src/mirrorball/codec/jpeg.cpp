@@ -193,7 +193,11 @@ Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, const std::stri
   const bool grey = codec.num_components == 1;
   codec.out_color_space = texture ? JCS_EXT_RGBA : grey ? JCS_GRAYSCALE : JCS_RGB;
 
-  Image8 picture(static_cast<int>(codec.image_width), static_cast<int>(codec.image_height), texture ? 4 : grey ? 1 : 3);
+  // Without values, so that a size that lies costs no memory: only rows that are decoded are touched.
+  Image8 picture = Image8::withoutValues(static_cast<int>(codec.image_width), static_cast<int>(codec.image_height),
+                                         texture ? 4
+                                         : grey  ? 1
+                                                 : 3);
   const bool decoded = guarded(decoder.errors, [&] {
     jpeg_start_decompress(&codec);
     while (codec.output_scanline < codec.output_height) {

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <jpeglib.h>
+#include <sys/resource.h>
 
 #include "mirrorball/codec/codec_testing.h"
 #include "mirrorball/codec/icc_testing.h"
@@ -163,20 +164,37 @@ TEST(Jpeg, WhatCannotBeReadIsNamed) {
   EXPECT_EQ(decodeJpeg(twelve_bits, "a").error().code, ErrorCode::unsupported);
 }
 
+/// A small picture whose frame header says another size.
+Bytes withSize(int width, int height) {
+  Bytes bytes = encoded(photograph(16, 16, 3));
+  const std::size_t at = frameHeader(bytes) + 5;
+  bytes[at] = static_cast<std::uint8_t>(height >> 8);
+  bytes[at + 1] = static_cast<std::uint8_t>(height);
+  bytes[at + 2] = static_cast<std::uint8_t>(width >> 8);
+  bytes[at + 3] = static_cast<std::uint8_t>(width);
+  return bytes;
+}
+
 TEST(Jpeg, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
-  const auto withSize = [](int width, int height) {
-    Bytes bytes = encoded(photograph(16, 16, 3));
-    const std::size_t at = frameHeader(bytes) + 5;
-    bytes[at] = static_cast<std::uint8_t>(height >> 8);
-    bytes[at + 1] = static_cast<std::uint8_t>(height);
-    bytes[at + 2] = static_cast<std::uint8_t>(width >> 8);
-    bytes[at + 3] = static_cast<std::uint8_t>(width);
-    return decodeJpeg(bytes, "a.jpg").error();
+  const auto error = [](int width, int height) { return decodeJpeg(withSize(width, height), "a.jpg").error(); };
+  EXPECT_EQ(error(0, 16).code, ErrorCode::bad_file);
+  EXPECT_EQ(error(65500, 65500).code, ErrorCode::too_large);
+  EXPECT_THAT(error(30000, 30000).message, HasSubstr("cannot hold"));
+  EXPECT_THAT(error(16, 32).message, HasSubstr("damaged JPEG, at byte "));
+}
+
+// A file long enough for what it says, which only decoding shows to be a lie.
+TEST(Jpeg, AnEarlyEndCostsNoMoreMemoryThanItsTexels) {
+  const auto peak_kb = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
   };
-  EXPECT_EQ(withSize(0, 16).code, ErrorCode::bad_file);
-  EXPECT_EQ(withSize(65500, 65500).code, ErrorCode::too_large);
-  EXPECT_THAT(withSize(30000, 30000).message, HasSubstr("cannot hold"));
-  EXPECT_THAT(withSize(16, 32).message, HasSubstr("damaged JPEG, at byte "));
+  Bytes bytes = withSize(30000, 30000);
+  bytes.resize(150000);
+  const long before = peak_kb();
+  EXPECT_THAT(decodeJpeg(bytes, "a.jpg").error().message, HasSubstr("damaged JPEG"));
+  EXPECT_LT(peak_kb() - before, 200000) << "the picture would have 2.7 GB";
 }
 
 TEST(Jpeg, ATooLargeSideIsRefusedOnWriting) {

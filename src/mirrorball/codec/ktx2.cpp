@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include <zstd.h>
@@ -147,9 +147,10 @@ Result<void> checkLevelSizes(const Header& header, const StoredFormat& format, c
   return {};
 }
 
-Result<Bytes> unpackZstandard(Span packed, std::uint64_t size, const std::string& place) {
-  Bytes texels(size);
-  const std::size_t count = ZSTD_decompress(texels.data(), texels.size(), packed.data(), packed.size());
+Result<std::unique_ptr<std::uint8_t[]>> unpackZstandard(Span packed, std::uint64_t size, const std::string& place) {
+  // Without values, so that a size that lies costs no memory: only what is unpacked is touched.
+  auto texels = std::make_unique_for_overwrite<std::uint8_t[]>(size);
+  const std::size_t count = ZSTD_decompress(texels.get(), size, packed.data(), packed.size());
   if (ZSTD_isError(count))
     return fail(ErrorCode::bad_file, place + " is not sound Zstandard data: " + ZSTD_getErrorName(count));
   if (count != size)
@@ -180,7 +181,7 @@ Result<ImageSet> readLevels(Span bytes, const Header& header, const StoredFormat
     }
     const std::string place = name + ": level " + std::to_string(i) + " at byte " + std::to_string(level.offset);
     MIRRORBALL_TRY(texels, unpackZstandard(stored, level.unpacked_size, place));
-    unpackLevel(format, texels.data(), i, shape, images);
+    unpackLevel(format, texels.get(), i, shape, images);
   }
   return images;
 }

@@ -28,8 +28,8 @@ struct LoadedEnvironment {
   std::vector<std::string> files = {};     ///< that were read
 };
 
-/// Loads a built-in by its name (builtin.h), else a file (.hdr .exr .png .jpg; LDR is read as sRGB). A name that ends in
-/// _px, _nx, … _nz stands for the six files of a cube.
+/// Loads a built-in by its name (builtin.h), else a file (.hdr .exr .png .jpg; LDR as sRGB unless it states another
+/// curve). A name that ends in _px, _nx, … _nz stands for the six files of a cube.
 ///
 /// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel; --repair mends it);
 ///          whatever the codec finds

@@ -5,20 +5,26 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include <ImfHeader.h>
 #include <ImfRgbaFile.h>
 #include <ImfTiledRgbaFile.h>
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+#include <zlib.h>
 
 #include "mirrorball/codec/codec_testing.h"
 #include "mirrorball/codec/exr.h"
 #include "mirrorball/codec/exr_stream.h"
 #include "mirrorball/codec/hdr.h"
+#include "mirrorball/codec/icc_testing.h"
 #include "mirrorball/codec/jpeg.h"
 #include "mirrorball/codec/png.h"
 #include "mirrorball/codec/srgb.h"
 #include "mirrorball/codec/texture_testing.h"
+#include "mirrorball/scene/gltf_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -96,6 +102,41 @@ Bytes exr(Imf::Compression compression, Arguments... arguments) {
   return stream.takeBytes();
 }
 
+/// A PNG with another chunk behind its header.
+Bytes withChunk(Bytes png, const std::string& type, const Bytes& data) {
+  constexpr std::ptrdiff_t kEndOfHeader = 33;
+  Bytes chunk;
+  testing::appendU32(chunk, static_cast<std::uint32_t>(data.size()), true);
+  chunk.insert(chunk.end(), type.begin(), type.end());
+  chunk.insert(chunk.end(), data.begin(), data.end());
+  const auto sum = crc32(0, chunk.data() + 4, static_cast<uInt>(chunk.size() - 4));
+  testing::appendU32(chunk, static_cast<std::uint32_t>(sum), true);
+  png.insert(png.begin() + kEndOfHeader, chunk.begin(), chunk.end());
+  return png;
+}
+
+/// A PNG that states its colour by these chunks instead of sRGB's.
+void addColoredPngs(Corpus& corpus) {
+  Bytes plain = *encodePng(pictureFromLinear(gradient(9, 7, 3), 3), {}, "seed");
+  constexpr std::ptrdiff_t kSrgbChunk = 33;
+  constexpr std::ptrdiff_t kSrgbSize = 13;
+  plain.erase(plain.begin() + kSrgbChunk, plain.begin() + kSrgbChunk + kSrgbSize);
+  Bytes gamma;
+  testing::appendU32(gamma, 55556, true);
+  corpus.add("png", "gamma", withChunk(plain, "gAMA", gamma));
+  Bytes primaries;
+  for (const std::uint32_t number : {31270u, 32900u, 70800u, 29200u, 17000u, 79700u, 13100u, 4600u})
+    testing::appendU32(primaries, number, true);
+  corpus.add("png", "primaries", withChunk(plain, "cHRM", primaries));
+  Bytes profile = bytesOf(std::string("name\0\0", 6));
+  const Bytes unpacked = testing::iccProfile("Display P3");
+  Bytes packed(compressBound(unpacked.size()));
+  uLongf size = packed.size();
+  compress2(packed.data(), &size, unpacked.data(), unpacked.size(), 0);
+  profile.insert(profile.end(), packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(size));
+  corpus.add("png", "profile", withChunk(plain, "iCCP", profile));
+}
+
 void addImages(Corpus& corpus) {
   corpus.add("hdr", "new_rle", encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}}));
   Bytes old = bytesOf("#?RGBE\nEXPOSURE=2\nPRIMARIES=.7 .3 .2 .7 .1 .1 .3 .3\n\n+X 9 -Y 2\n");
@@ -114,6 +155,9 @@ void addImages(Corpus& corpus) {
   corpus.add("exr", "chroma", exr<Imf::RgbaOutputFile>(Imf::ZIP_COMPRESSION, Imf::WRITE_YC));
   corpus.add("exr", "tiles", exr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8, Imf::ONE_LEVEL));
 
+  corpus.add("jpeg", "profile",
+             testing::jpegWithProfile(*encodeJpeg(pictureFromLinear(gradient(9, 7, 3), 3), {}, "seed"),
+                                      testing::iccProfile4(u"Display P3")));
   for (const int channels : {1, 3, 4}) {
     const Image8 picture = pictureFromLinear(gradient(9, 7, channels), channels);
     corpus.add("png", std::to_string(channels) + "_channels", *encodePng(picture, {{"envmap", "cube"}}, "seed"));
@@ -170,6 +214,49 @@ void addModels(Corpus& corpus) {
   corpus.add("gltf", "binary", glb);
 }
 
+/// A bent sheet of 8 triangles as Draco compresses it.
+///
+/// attribute  becomes the number by which glTF finds the position
+Bytes dracoSheet(int method, int& attribute) {
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(8);
+  attribute = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const auto corner = [](int x, int y) {
+    return draco::Vector3f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(x * y));
+  };
+  for (int cell = 0; cell < 4; ++cell) {
+    const int x = cell % 2;
+    const int y = cell / 2;
+    const draco::Vector3f a = corner(x, y), b = corner(x + 1, y), c = corner(x + 1, y + 1), d = corner(x, y + 1);
+    const draco::FaceIndex face(static_cast<std::uint32_t>(2 * cell));
+    builder.SetAttributeValuesForFace(attribute, face, a.data(), b.data(), c.data());
+    builder.SetAttributeValuesForFace(attribute, face + 1, a.data(), c.data(), d.data());
+  }
+  const std::unique_ptr<draco::Mesh> mesh = builder.Finalize();
+  attribute = static_cast<int>(mesh->attribute(attribute)->unique_id());
+  draco::Encoder encoder;
+  encoder.SetEncodingMethod(method);
+  encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 8);
+  draco::EncoderBuffer buffer;
+  encoder.EncodeMeshToBuffer(*mesh, &buffer);
+  return Bytes(buffer.buffer()->begin(), buffer.buffer()->end());
+}
+
+void addDracoModels(Corpus& corpus) {
+  for (const auto& [method, name] : {std::pair{draco::MESH_SEQUENTIAL_ENCODING, "draco_sequential"},
+                                     {draco::MESH_EDGEBREAKER_ENCODING, "draco_edgebreaker"}}) {
+    int attribute = 0;
+    testing::GltfMaker maker;
+    maker.view(dracoSheet(method, attribute));
+    maker.rawAccessor(R"({"componentType":5126,"count":9,"type":"VEC3"})");
+    maker.rawAccessor(R"({"componentType":5123,"count":24,"type":"SCALAR"})");
+    corpus.add("gltf", name,
+               maker.glb(R"({"attributes":{"POSITION":0},"indices":1,"extensions":{"KHR_draco_mesh_compression":)"
+                         R"({"bufferView":0,"attributes":{"POSITION":)" +
+                         std::to_string(attribute) + "}}}}"));
+  }
+}
+
 }  // namespace
 }  // namespace mirrorball
 
@@ -181,6 +268,8 @@ int main(int count, char** arguments) {
   mirrorball::Corpus corpus{arguments[1]};
   mirrorball::addTextures(corpus);
   mirrorball::addImages(corpus);
+  mirrorball::addColoredPngs(corpus);
   mirrorball::addModels(corpus);
+  mirrorball::addDracoModels(corpus);
   return corpus.failed ? 1 : 0;
 }

@@ -36,6 +36,7 @@ std::string text(glm::vec3 v) {
 
 void printFile(const LoadedEnvironment& loaded) {
   std::printf("%s\n  format       %s\n", loaded.name.c_str(), loaded.format.c_str());
+  std::printf("  colour       %s\n", loaded.color.c_str());
   if (loaded.recognition) {
     std::printf("  size         %dx%d\n", loaded.file_size.x, loaded.file_size.y);
     std::printf("  projection   %s (told by %s)\n", textOf(loaded.recognition->form).c_str(),

@@ -33,6 +33,21 @@ TEST_F(InfoTest, SaysWhatAFileIs) {
   EXPECT_THAT(said, HasSubstr("brightest    4 4 4 from direction 0.5 0.70711 0.5\n"));
 }
 
+TEST_F(InfoTest, SaysWhatColourAFileStatesAndWhatWasDone) {
+  write("map.exr", Image(4, 2, 3, 0.5f));
+  EXPECT_THAT(succeed("info map.exr"), HasSubstr("colour       linear, Rec.709\n"));
+  write("map.png", Image(4, 2, 3, 0.5f));
+  EXPECT_THAT(succeed("info map.png"), HasSubstr("colour       sRGB\n"));
+  std::string texels;
+  for (int i = 0; i < 8; ++i) texels += "\x80\x80\x80\x81";
+  write("wide.hdr", "#?RADIANCE\nPRIMARIES=.708 .292 .17 .797 .131 .046 .3127 .329\n\n-Y 2 +X 4\n" + texels);
+  EXPECT_THAT(succeed("info wide.hdr"),
+              HasSubstr("colour       linear, primaries of the file (Rec.2020): converted\n"));
+  write("xyz.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 2 +X 4\n" + texels);
+  EXPECT_THAT(succeed("info xyz.hdr"), HasSubstr("colour       CIE XYZ: converted\n"));
+  EXPECT_THAT(succeed("info white"), HasSubstr("colour       linear, Rec.709\n"));
+}
+
 TEST_F(InfoTest, SaysWhatABuiltInIs) {
   const std::string said = succeed("info white");
   EXPECT_THAT(said, HasSubstr("format       built in\n"));

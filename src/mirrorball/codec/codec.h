@@ -24,8 +24,8 @@ using Metadata = std::map<std::string, std::string>;
 struct DecodedImage {
   Image image;  ///< linear light, Rec.709; 1, 3 or 4 channels
   Metadata metadata;
-  std::string format;  ///< as `info` shows it: "Radiance HDR, RLE", "OpenEXR, half, DWAB", "PNG, 8
-                       ///< bit, sRGB"
+  std::string format;      ///< as `info` shows it: "Radiance HDR, RLE", "OpenEXR, half, DWAB", "PNG, 8 bit"
+  std::string color = {};  ///< the file's, and what was done about it: describeColor in codec/primaries.h
 };
 
 /// How writeImage stores floats.
@@ -34,8 +34,8 @@ struct ImageWriteOptions {
   Metadata metadata;
 };
 
-/// Reads .hdr .exr .png .jpg by their first bytes, not by their name. PNG and JPEG are decoded from
-/// sRGB to linear light. NaN and infinity are kept: whoever needs light asks findNonFinite.
+/// Reads .hdr .exr .png .jpg by their first bytes, not by their name. PNG and JPEG are decoded to
+/// linear light, from sRGB unless a PNG states another curve. NaN and infinity are kept: whoever needs light asks findNonFinite.
 ///
 /// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported
 Result<DecodedImage> readImage(const std::filesystem::path& path);

@@ -70,23 +70,21 @@ std::vector<Sample> samplesOf(TexelFormat format) {
 /// The chromaticities of KHR_DF_PRIMARIES_*, by number; those not listed are Rec.709's or
 /// unspecified, or too rare to convert.
 std::optional<Primaries> primariesOf(int number) {
-  constexpr glm::dvec2 kD65(0.3127, 0.3290);
-  constexpr glm::dvec2 kAcesWhite(0.32168, 0.33767);
   switch (number) {
-    case 2:  // BT.601, 625 lines
-      return Primaries{{0.640, 0.330}, {0.290, 0.600}, {0.150, 0.060}, kD65};
-    case 3:  // BT.601, 525 lines (SMPTE 170M)
-      return Primaries{{0.630, 0.340}, {0.310, 0.595}, {0.155, 0.070}, kD65};
-    case 4:  // BT.2020
-      return Primaries{{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, kD65};
+    case 2:
+      return kRec601Of625Lines;
+    case 3:  // as SMPTE 170M
+      return kRec601Of525Lines;
+    case 4:
+      return kRec2020;
     case 6:  // ACES 2065-1
-      return Primaries{{0.7347, 0.2653}, {0.0, 1.0}, {0.0001, -0.0770}, kAcesWhite};
+      return kAcesAp0;
     case 7:  // ACEScc
-      return Primaries{{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, kAcesWhite};
-    case 10:  // Display P3
-      return Primaries{{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, kD65};
-    case 11:  // Adobe RGB
-      return Primaries{{0.640, 0.330}, {0.210, 0.710}, {0.150, 0.060}, kD65};
+      return kAcesAp1;
+    case 10:
+      return kDisplayP3;
+    case 11:
+      return kAdobeRgb;
     default:
       return {};
   }

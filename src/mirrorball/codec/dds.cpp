@@ -206,9 +206,11 @@ Result<DecodedImageSet> decodeDds(Span bytes, const std::string& name) {
                                          std::to_string(header.size) + " on, but the file has " +
                                          std::to_string(bytes.size()) + "; it is truncated or damaged");
   MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, header.format, name));
+  const char* assumed = header.encoding_assumed ? " (assumed)" : "";
   return DecodedImageSet{readImages(bytes.data() + header.size, header),
                          {},
-                         "DDS, " + nameOf(header.format) + (header.encoding_assumed ? " (assumed)" : "")};
+                         "DDS, " + nameOf(header.format) + assumed,
+                         describeColor(curveOf(header.format), {}, imageChannels(header.format)) + assumed};
 }
 
 TextureLayout ddsLayout(const TextureShape& shape, bool has_alpha, const TextureWriteOptions& options) {

@@ -63,9 +63,10 @@ Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const std::stri
     readChroma(bytes, name, part, decoded.image);
   else
     part.readRows(0, part.height(), decoded.image.samples().data());
-  convertPrimaries(part.header(), decoded.image);
+  convertToRec709(decoded.image, part.primaries());
   decoded.metadata = part.metadata();
   decoded.format = part.describe();
+  decoded.color = describeColor(kLinearLight, part.primaries(), decoded.image.channels());
   return decoded;
 }
 

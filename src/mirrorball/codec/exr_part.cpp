@@ -159,12 +159,11 @@ std::string ExrPart::describe() const {
   return text;
 }
 
-void convertPrimaries(const Imf::Header& header, Image& image) {
-  if (!Imf::hasChromaticities(header) || image.channels() < 3) return;
-  const Imf::Chromaticities& given = Imf::chromaticities(header);
+std::optional<Primaries> ExrPart::primaries() const {
+  if (!Imf::hasChromaticities(header())) return {};
+  const Imf::Chromaticities& given = Imf::chromaticities(header());
   const auto xy = [](const Imath::V2f& point) { return glm::dvec2(point.x, point.y); };
-  const Primaries primaries{xy(given.red), xy(given.green), xy(given.blue), xy(given.white)};
-  if (const auto matrix = rec709FromPrimaries(primaries)) transformColors(image, *matrix);
+  return Primaries{xy(given.red), xy(given.green), xy(given.blue), xy(given.white)};
 }
 
 std::string reasonOf(const std::exception& exception) { return printable(exception.what()); }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/primaries.h"
 
 namespace mirrorball {
 
@@ -34,6 +36,8 @@ class ExrPart {
   const Imf::Header& header() const { return file_->header(part_); }
 
   Metadata metadata() const;
+  /// What the file states of its colour, if anything.
+  std::optional<Primaries> primaries() const;
   /// "OpenEXR, half, DWAB"
   std::string describe() const;
 
@@ -49,9 +53,6 @@ class ExrPart {
   std::string layer_;                  // with its final dot
   std::vector<std::string> channels_;  // without the layer: Y; R G B; R G B A; Y A; Y RY BY
 };
-
-/// Converts an image of that file to Rec.709's primaries, if the file states others.
-void convertPrimaries(const Imf::Header& header, Image& image);
 
 /// One line of an exception's text.
 std::string reasonOf(const std::exception& exception);

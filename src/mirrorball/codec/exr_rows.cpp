@@ -36,7 +36,7 @@ class ExrRows : public RowReader {
       Image rows = Image::withoutValues(part_.width(), count, part_.channels());
       part_.readRows(next_, count, rows.samples().data());
       next_ += count;
-      convertPrimaries(part_.header(), rows);
+      convertToRec709(rows, part_.primaries());
       return rows;
     });
   }

@@ -98,7 +98,8 @@ Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes, const std::s
   MIRRORBALL_TRY(index, indexLines(bytes, header.size, header, 0, header.lineCount(), 0, name));
   Image image = Image::withoutValues(header.width, header.height, 3);
   decodeLines(bytes, index, header, image);
-  return DecodedImage{std::move(image), std::move(header.metadata), describe(header, index.form)};
+  return DecodedImage{std::move(image), std::move(header.metadata), describe(header, index.form),
+                      describeColor(header)};
 }
 
 Bytes encodeHdr(const Image& image, const Metadata& metadata) {

@@ -154,13 +154,11 @@ void storeLine(const std::uint8_t* planes, std::size_t length, glm::vec3 gain, L
   }
 }
 
-/// The components' matrix to Rec.709, if they are something else.
-std::optional<glm::mat3> conversion(const HdrHeader& header) {
-  if (header.xyz)
-    return glm::mat3(formula::rec709FromXyz({1, 0, 0}), formula::rec709FromXyz({0, 1, 0}),
-                     formula::rec709FromXyz({0, 0, 1}));
-  if (header.primaries) return rec709FromPrimaries(*header.primaries);
-  return {};
+/// Brings the components to Rec.709.
+void convertColor(const HdrHeader& header, Image& image) {
+  if (!header.xyz) return convertToRec709(image, header.primaries);
+  transformColors(image, glm::mat3(formula::rec709FromXyz({1, 0, 0}), formula::rec709FromXyz({0, 1, 0}),
+                                   formula::rec709FromXyz({0, 0, 1})));
 }
 
 }  // namespace
@@ -173,6 +171,10 @@ std::size_t linesPerPiece(std::size_t line_length) {
 std::string describe(const HdrHeader& header, LineForm form) {
   constexpr const char* kForms[] = {"flat", "old RLE", "RLE"};
   return std::string("Radiance HDR, ") + (header.xyz ? "XYZE, " : "") + kForms[static_cast<int>(form)];
+}
+
+std::string describeColor(const HdrHeader& header) {
+  return header.xyz ? "CIE XYZ: converted" : describeColor(kLinearLight, header.primaries, 3);
 }
 
 // Old RLE may put up to four repetitions, of no texels perhaps, behind each texel; new RLE a code behind each byte.
@@ -214,7 +216,7 @@ void decodeLines(std::span<const std::uint8_t> bytes, const LineIndex& index, co
       storeLine(planes.data(), length, gain, placeOf(line, header, image));
     }
   });
-  if (const auto matrix = conversion(header)) transformColors(image, *matrix);
+  convertColor(header, image);
 }
 
 }  // namespace mirrorball

@@ -29,6 +29,9 @@ enum class LineForm { flat, old_rle, new_rle };
 /// What the file is, in words: "Radiance HDR, XYZE, old RLE".
 std::string describe(const HdrHeader& header, LineForm form);
 
+/// What `info` says of its colour (primaries.h).
+std::string describeColor(const HdrHeader& header);
+
 /// Where each of some scan lines begins, and what form the lines have.
 struct LineIndex {
   std::vector<std::size_t> starts;

@@ -184,6 +184,12 @@ TEST(Hdr, ExposureIsDividedOut) {
   EXPECT_EQ(rgbAt(image, 0, 0), glm::vec3(8, 16, 4));
 }
 
+TEST(Hdr, SeveralCorrectionsMultiply) {
+  const Image image =
+      decoded(file("COLORCORR=2 1 0.5\nEXPOSURE=0.5\nCOLORCORR= 2 4  1\n", "-Y 1 +X 1", {64, 64, 64, 136}));
+  EXPECT_EQ(rgbAt(image, 0, 0), glm::vec3(32, 32, 256));
+}
+
 TEST(Hdr, XyzBecomesRec709) {
   // D65's XYZ is (0.9505, 1, 1.0888). These are the nearest mantissas over 128; their steps of 0.4
   // % come out up to 3.2 times as large.
@@ -191,6 +197,7 @@ TEST(Hdr, XyzBecomesRec709) {
   ASSERT_TRUE(result);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(result->image.samples()[std::size_t(c)], 1.0f, 0.0125f);
   EXPECT_EQ(result->format, "Radiance HDR, XYZE, flat");
+  EXPECT_EQ(result->color, "CIE XYZ: converted");
 }
 
 TEST(Hdr, PrimariesAreConvertedUnlessTheyAreNone) {
@@ -200,6 +207,31 @@ TEST(Hdr, PrimariesAreConvertedUnlessTheyAreNone) {
   EXPECT_EQ(red("0 0 0 0 0 0 0 0"), glm::vec3(1, 0, 0));
   EXPECT_EQ(red("0.640 0.330 0.300 0.600 0.150 0.060 0.3127 0.3290"), glm::vec3(1, 0, 0));
   EXPECT_NEAR(red("0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290").x, 1.6605f, 1e-3f);
+}
+
+// Each program that touches a picture adds its lines; the last PRIMARIES tell what stands there now.
+TEST(Hdr, OfSeveralPrimariesTheLastCount) {
+  const auto result = decodeHdr(file("PRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329\nEXPOSURE=2\n"
+                                     "PRIMARIES=0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290\n",
+                                     "-Y 1 +X 1", {128, 0, 0, 130}),
+                                "a");
+  ASSERT_TRUE(result);
+  EXPECT_NEAR(result->image.samples()[0], 1.6605f, 1e-3f);
+  EXPECT_EQ(result->color, "linear, primaries of the file (Rec.2020): converted");
+}
+
+// Run lengths, orientation and colour meet in one file.
+TEST(Hdr, EveryRunLengthFormMayHaveExposureAndXyz) {
+  const std::string variables = "FORMAT=32-bit_rle_xyze\nEXPOSURE=4\n";
+  const Image flat = decoded(file(variables, "-Y 1 +X 8", {9, 8, 7, 138, 9, 8, 7, 138, 9, 8, 7, 138, 9, 8, 7, 138,
+                                                           9, 8, 7, 138, 9, 8, 7, 138, 9, 8, 7, 138, 9, 8, 7, 138}));
+  const Image old_rle = decoded(file(variables, "-Y 1 -X 8", {9, 8, 7, 138, 1, 1, 1, 7}));
+  const Image new_rle =
+      decoded(file(variables, "+Y 1 -X 8", {2, 2, 0, 8, 128 + 8, 9, 128 + 8, 8, 128 + 8, 7, 128 + 8, 138}));
+  EXPECT_THAT(old_rle.samples(), ::testing::ElementsAreArray(flat.samples()));
+  EXPECT_THAT(new_rle.samples(), ::testing::ElementsAreArray(flat.samples()));
+  const glm::vec3 expected = formula::rec709FromXyz(glm::vec3(9, 8, 7));  // · 2^(138 − 136) / 4
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(flat.texel(7, 0)[c], expected[c], 1e-5f);
 }
 
 TEST(Hdr, HeaderMayHaveCommentsUnknownLinesAndCarriageReturns) {

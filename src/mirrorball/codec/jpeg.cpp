@@ -4,6 +4,7 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string_view>
 
 // jpeglib.h needs size_t and FILE from <cstdio>, jerror.h needs jpeglib.h: this order stays.
@@ -11,6 +12,7 @@
 //
 #include <jerror.h>
 
+#include "mirrorball/codec/icc_profile.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/srgb.h"
 
@@ -20,6 +22,10 @@ namespace {
 /// An 8×8 block costs at least one bit, and a block of a component may cover 16 of them at the
 /// largest sampling ratio: at most 64 · 16 · 8 texels a byte.
 constexpr std::size_t kMostTexelsPerByte = 64 * 16 * 8;
+
+/// A progressive file may have any number of scans, and one of 350 bytes can cover 16000 × 16000 texels: 3 MB of them take
+/// a quarter of an hour. Writers make about ten; libjpeg-turbo's own fuzz targets set this limit.
+constexpr int kMostScans = 500;
 
 /// libjpeg's error manager with where to jump, the error's text and its number.
 struct ErrorManager {
@@ -51,6 +57,14 @@ void onMessage(j_common_ptr codec, int level) {
   }
 }
 
+/// Called now and then while a file is decoded.
+void onProgress(j_common_ptr codec) {
+  if (reinterpret_cast<j_decompress_ptr>(codec)->input_scan_number <= kMostScans) return;
+  auto* manager = reinterpret_cast<ErrorManager*>(codec->err);
+  std::snprintf(manager->message, sizeof manager->message, "it has more than %d scans", kMostScans);
+  std::longjmp(manager->jump, 1);
+}
+
 /// The library prints nothing.
 void onOutput(j_common_ptr) {}
 
@@ -76,12 +90,16 @@ bool guarded(ErrorManager& manager, const Body& body) {
 }
 
 struct Decompressor {
-  Decompressor() { codec.err = install(errors); }
+  Decompressor() {
+    codec.err = install(errors);
+    progress.progress_monitor = onProgress;
+  }
   ~Decompressor() { jpeg_destroy_decompress(&codec); }
   Decompressor(const Decompressor&) = delete;
   Decompressor& operator=(const Decompressor&) = delete;
 
   ErrorManager errors{};
+  jpeg_progress_mgr progress{};
   jpeg_decompress_struct codec{};
 };
 
@@ -120,7 +138,8 @@ tl::unexpected<Error> failure(const Decompressor& decoder, const std::string& na
 Metadata readComments(const jpeg_decompress_struct& codec) {
   Metadata metadata;
   for (jpeg_saved_marker_ptr marker = codec.marker_list; marker; marker = marker->next)
-    readMetadataLine({reinterpret_cast<const char*>(marker->data), marker->data_length}, metadata);
+    if (marker->marker == JPEG_COM)
+      readMetadataLine({reinterpret_cast<const char*>(marker->data), marker->data_length}, metadata);
   return metadata;
 }
 
@@ -129,8 +148,10 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
   jpeg_decompress_struct& codec = decoder.codec;
   const bool read = guarded(decoder.errors, [&] {
     jpeg_create_decompress(&codec);
+    codec.progress = &decoder.progress;
     jpeg_mem_src(&codec, bytes.data(), static_cast<unsigned long>(bytes.size()));
     jpeg_save_markers(&codec, JPEG_COM, 0xffff);
+    jpeg_save_markers(&codec, JPEG_APP0 + 2, 0xffff);  // parts of an ICC profile
     jpeg_read_header(&codec, TRUE);
   });
   if (!read) return failure(decoder, name, bytes.size());
@@ -148,9 +169,20 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
   return {};
 }
 
+/// What an ICC profile in the file's markers calls itself; empty where there is none.
+std::string readIccDescription(Decompressor& decoder) {
+  JOCTET* profile = nullptr;
+  unsigned size = 0;
+  boolean found = FALSE;
+  const bool read = guarded(decoder.errors, [&] { found = jpeg_read_icc_profile(&decoder.codec, &profile, &size); });
+  const std::unique_ptr<JOCTET, decltype(&std::free)> owner(profile, &std::free);
+  return read && found ? iccDescription({profile, size}) : "";
+}
+
 struct Decoded {
   Image8 picture;
   Metadata metadata;
+  std::string icc_description;  ///< empty: there is no ICC profile
 };
 
 /// texture  RGBA for everything; else grey or RGB as the file has it
@@ -158,11 +190,16 @@ Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, const std::stri
   Decompressor decoder;
   MIRRORBALL_TRY_VOID(readHeader(decoder, bytes, name));
   jpeg_decompress_struct& codec = decoder.codec;
-  Metadata metadata = readComments(codec);  // which finishing the decoding forgets
+  Metadata metadata = readComments(codec);  // which finishing the decoding forgets, as it does the profile
+  std::string icc_description = readIccDescription(decoder);
   const bool grey = codec.num_components == 1;
   codec.out_color_space = texture ? JCS_EXT_RGBA : grey ? JCS_GRAYSCALE : JCS_RGB;
 
-  Image8 picture(static_cast<int>(codec.image_width), static_cast<int>(codec.image_height), texture ? 4 : grey ? 1 : 3);
+  // Without values, so that a size that lies costs no memory: only rows that are decoded are touched.
+  Image8 picture = Image8::withoutValues(static_cast<int>(codec.image_width), static_cast<int>(codec.image_height),
+                                         texture ? 4
+                                         : grey  ? 1
+                                                 : 3);
   const bool decoded = guarded(decoder.errors, [&] {
     jpeg_start_decompress(&codec);
     while (codec.output_scanline < codec.output_height) {
@@ -172,7 +209,7 @@ Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, const std::stri
     jpeg_finish_decompress(&codec);
   });
   if (!decoded) return failure(decoder, name, bytes.size());
-  return Decoded{std::move(picture), std::move(metadata)};
+  return Decoded{std::move(picture), std::move(metadata), std::move(icc_description)};
 }
 
 void writePixels(Compressor& encoder, const Image8& picture, const Metadata& metadata) {
@@ -211,7 +248,9 @@ bool isJpeg(std::span<const std::uint8_t> bytes) {
 
 Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
   MIRRORBALL_TRY(decoded, readPicture(bytes, name, false));
-  return DecodedImage{linearFromPicture(decoded.picture), std::move(decoded.metadata), "JPEG, 8 bit, sRGB"};
+  std::string color = decoded.icc_description.empty() ? describeColor(kSrgbCurve, {}, decoded.picture.channels())
+                                                      : describeIccColor(decoded.icc_description);
+  return DecodedImage{linearFromPicture(decoded.picture), std::move(decoded.metadata), "JPEG, 8 bit", std::move(color)};
 }
 
 Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes, const std::string& name) {

@@ -1,5 +1,7 @@
 #include "mirrorball/codec/jpeg.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -7,8 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <jpeglib.h>
+#include <sys/resource.h>
 
 #include "mirrorball/codec/codec_testing.h"
+#include "mirrorball/codec/icc_testing.h"
 #include "mirrorball/codec/srgb.h"
 
 namespace mirrorball {
@@ -34,7 +38,10 @@ Bytes encoded(const Image8& picture, const Metadata& metadata = {}) {
 }
 
 /// A JPEG of grey 4-component texels, or a progressive one, as this program does not write them.
-Bytes foreignFile(J_COLOR_SPACE space, int components, bool progressive) {
+///
+/// scans    of a progressive file; none: as libjpeg chooses them
+Bytes foreignFile(J_COLOR_SPACE space, int components, bool progressive,
+                  const std::vector<jpeg_scan_info>& scans = {}) {
   jpeg_compress_struct codec;
   jpeg_error_mgr errors;
   codec.err = jpeg_std_error(&errors);
@@ -47,6 +54,10 @@ Bytes foreignFile(J_COLOR_SPACE space, int components, bool progressive) {
   codec.in_color_space = space;
   jpeg_set_defaults(&codec);
   if (progressive) jpeg_simple_progression(&codec);
+  if (!scans.empty()) {
+    codec.scan_info = scans.data();
+    codec.num_scans = static_cast<int>(scans.size());
+  }
   jpeg_start_compress(&codec, TRUE);
   Bytes row(std::size_t(20 * components), 100);
   JSAMPROW pointer = row.data();
@@ -94,7 +105,8 @@ TEST(Jpeg, LightIsLinearAndGreyHasOneChannel) {
   ASSERT_TRUE(grey);
   EXPECT_EQ(grey->image.channels(), 1);
   EXPECT_EQ(srgb8FromLinear(grey->image.samples()[0]), 128);
-  EXPECT_EQ(grey->format, "JPEG, 8 bit, sRGB");
+  EXPECT_EQ(grey->format, "JPEG, 8 bit");
+  EXPECT_EQ(grey->color, "sRGB, grey");
   EXPECT_EQ(decodeJpeg(encoded(Image8(9, 9, 3, 128)), "a")->image.channels(), 3);
 }
 
@@ -110,7 +122,36 @@ TEST(Jpeg, MetadataComesBack) {
   EXPECT_EQ(decodeJpeg(encoded(Image8(2, 2, 3), metadata), "a")->metadata, metadata);
 }
 
+TEST(Jpeg, AProfileIsNamedAndNotApplied) {
+  const Bytes plain = encoded(Image8(9, 9, 3, 128));
+  const auto adobe = decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("Adobe RGB (1998)")), "a");
+  ASSERT_TRUE(adobe) << adobe.error().message;
+  EXPECT_EQ(adobe->color, "sRGB assumed: its ICC profile (Adobe RGB (1998)) is not applied");
+  EXPECT_EQ(srgb8FromLinear(adobe->image.samples()[0]), 128);
+  EXPECT_EQ(decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("sRGB IEC61966-2.1")), "a")->color, "sRGB");
+  // Bytes of a profile are no comment.
+  EXPECT_TRUE(decodeJpeg(testing::jpegWithProfile(plain, bytesOf("envmap=cube")), "a")->metadata.empty());
+}
+
 TEST(Jpeg, ProgressiveIsRead) { EXPECT_TRUE(decodeJpeg(foreignFile(JCS_RGB, 3, true), "a")); }
+
+// Such a file takes hours for a few megabytes (of a large image; here it is small).
+TEST(Jpeg, AFileOfEndlessScansIsRefused) {
+  // The mean of each block, then all other frequencies: a scan that may come again and again.
+  const Bytes bytes = foreignFile(JCS_GRAYSCALE, 1, true, {{1, {0}, 0, 0, 0, 0}, {1, {0}, 1, 63, 0, 0}});
+  constexpr std::array<std::uint8_t, 2> kStartOfScan{0xff, 0xda};
+  const auto scan = std::find_end(bytes.begin(), bytes.end(), kStartOfScan.begin(), kStartOfScan.end());
+  const auto end = bytes.end() - 2;  // of the last scan: the end marker follows
+  Bytes again(bytes.begin(), end);
+  for (int i = 0; i < 600; ++i) again.insert(again.end(), scan, end);
+  again.insert(again.end(), end, bytes.end());
+  ASSERT_TRUE(decodeJpeg(bytes, "a.jpg"));
+  const auto refused = decodeJpeg(again, "a.jpg");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_file);
+  EXPECT_THAT(refused.error().message, HasSubstr("a.jpg: is a damaged JPEG, at byte "));
+  EXPECT_THAT(refused.error().message, HasSubstr("more than 500 scans"));
+}
 
 TEST(Jpeg, WhatCannotBeReadIsNamed) {
   const auto cmyk = decodeJpeg(foreignFile(JCS_CMYK, 4, false), "a.jpg");
@@ -123,20 +164,37 @@ TEST(Jpeg, WhatCannotBeReadIsNamed) {
   EXPECT_EQ(decodeJpeg(twelve_bits, "a").error().code, ErrorCode::unsupported);
 }
 
+/// A small picture whose frame header says another size.
+Bytes withSize(int width, int height) {
+  Bytes bytes = encoded(photograph(16, 16, 3));
+  const std::size_t at = frameHeader(bytes) + 5;
+  bytes[at] = static_cast<std::uint8_t>(height >> 8);
+  bytes[at + 1] = static_cast<std::uint8_t>(height);
+  bytes[at + 2] = static_cast<std::uint8_t>(width >> 8);
+  bytes[at + 3] = static_cast<std::uint8_t>(width);
+  return bytes;
+}
+
 TEST(Jpeg, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
-  const auto withSize = [](int width, int height) {
-    Bytes bytes = encoded(photograph(16, 16, 3));
-    const std::size_t at = frameHeader(bytes) + 5;
-    bytes[at] = static_cast<std::uint8_t>(height >> 8);
-    bytes[at + 1] = static_cast<std::uint8_t>(height);
-    bytes[at + 2] = static_cast<std::uint8_t>(width >> 8);
-    bytes[at + 3] = static_cast<std::uint8_t>(width);
-    return decodeJpeg(bytes, "a.jpg").error();
+  const auto error = [](int width, int height) { return decodeJpeg(withSize(width, height), "a.jpg").error(); };
+  EXPECT_EQ(error(0, 16).code, ErrorCode::bad_file);
+  EXPECT_EQ(error(65500, 65500).code, ErrorCode::too_large);
+  EXPECT_THAT(error(30000, 30000).message, HasSubstr("cannot hold"));
+  EXPECT_THAT(error(16, 32).message, HasSubstr("damaged JPEG, at byte "));
+}
+
+// A file long enough for what it says, which only decoding shows to be a lie.
+TEST(Jpeg, AnEarlyEndCostsNoMoreMemoryThanItsTexels) {
+  const auto peak_kb = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
   };
-  EXPECT_EQ(withSize(0, 16).code, ErrorCode::bad_file);
-  EXPECT_EQ(withSize(65500, 65500).code, ErrorCode::too_large);
-  EXPECT_THAT(withSize(30000, 30000).message, HasSubstr("cannot hold"));
-  EXPECT_THAT(withSize(16, 32).message, HasSubstr("damaged JPEG, at byte "));
+  Bytes bytes = withSize(30000, 30000);
+  bytes.resize(150000);
+  const long before = peak_kb();
+  EXPECT_THAT(decodeJpeg(bytes, "a.jpg").error().message, HasSubstr("damaged JPEG"));
+  EXPECT_LT(peak_kb() - before, 200000) << "the picture would have 2.7 GB";
 }
 
 TEST(Jpeg, ATooLargeSideIsRefusedOnWriting) {

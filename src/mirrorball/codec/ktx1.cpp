@@ -132,7 +132,8 @@ class Reader {
     MIRRORBALL_TRY(images, readLevels(shape, format, is_array));
     if (images.faces() == 1) forEachImage(images, [&](Image& image) { turnUpright(image, values); });
     return DecodedImageSet{std::move(images), std::move(values.metadata),
-                           "KTX1, " + nameOf(format) + (big_endian_ ? ", big-endian" : "")};
+                           "KTX1, " + nameOf(format) + (big_endian_ ? ", big-endian" : ""),
+                           describeColor(curveOf(format), {}, imageChannels(format))};
   }
 
  private:

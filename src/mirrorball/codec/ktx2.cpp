@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include <zstd.h>
@@ -147,9 +147,10 @@ Result<void> checkLevelSizes(const Header& header, const StoredFormat& format, c
   return {};
 }
 
-Result<Bytes> unpackZstandard(Span packed, std::uint64_t size, const std::string& place) {
-  Bytes texels(size);
-  const std::size_t count = ZSTD_decompress(texels.data(), texels.size(), packed.data(), packed.size());
+Result<std::unique_ptr<std::uint8_t[]>> unpackZstandard(Span packed, std::uint64_t size, const std::string& place) {
+  // Without values, so that a size that lies costs no memory: only what is unpacked is touched.
+  auto texels = std::make_unique_for_overwrite<std::uint8_t[]>(size);
+  const std::size_t count = ZSTD_decompress(texels.get(), size, packed.data(), packed.size());
   if (ZSTD_isError(count))
     return fail(ErrorCode::bad_file, place + " is not sound Zstandard data: " + ZSTD_getErrorName(count));
   if (count != size)
@@ -180,7 +181,7 @@ Result<ImageSet> readLevels(Span bytes, const Header& header, const StoredFormat
     }
     const std::string place = name + ": level " + std::to_string(i) + " at byte " + std::to_string(level.offset);
     MIRRORBALL_TRY(texels, unpackZstandard(stored, level.unpacked_size, place));
-    unpackLevel(format, texels.data(), i, shape, images);
+    unpackLevel(format, texels.get(), i, shape, images);
   }
   return images;
 }
@@ -201,13 +202,13 @@ Result<DecodedImageSet> decodeKtx2(Span bytes, const std::string& name) {
   MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, format, name));
   MIRRORBALL_TRY(values, readKtxKeyValues(bytes, header.key_values.begin, header.key_values.size, false, name));
   MIRRORBALL_TRY(images, readLevels(bytes, header, format, name));
-  const auto matrix = color.primaries ? rec709FromPrimaries(*color.primaries) : std::nullopt;
   forEachImage(images, [&](Image& image) {
-    if (matrix && image.channels() >= 3) transformColors(image, *matrix);
+    convertToRec709(image, color.primaries);
     if (images.faces() == 1) turnUpright(image, values);
   });
   return DecodedImageSet{std::move(images), std::move(values.metadata),
-                         "KTX2, " + nameOf(format) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : "")};
+                         "KTX2, " + nameOf(format) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : ""),
+                         describeColor(curveOf(format), color.primaries, imageChannels(format))};
 }
 
 }  // namespace mirrorball

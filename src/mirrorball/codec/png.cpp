@@ -5,12 +5,14 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 #include <png.h>
 #include <zlib.h>
 
 #include "mirrorball/codec/metadata.h"
+#include "mirrorball/codec/png_color.h"
 #include "mirrorball/codec/srgb.h"
 
 namespace mirrorball {
@@ -128,10 +130,13 @@ struct Pixels {
   int width = 0;
   int height = 0;
   int channels = 0;
-  int bits = 0;         ///< of a sample in `bytes`
-  int stored_bits = 0;  ///< of a sample in the file
-  Bytes bytes;
+  int bits = 0;          ///< of a sample in `bytes`
+  int stored_bits = 0;   ///< of a sample in the file
+  std::size_t size = 0;  ///< of `bytes`
+  /// Without values at first, so that a size that lies costs no memory: only rows that are decoded are touched.
+  std::unique_ptr<std::uint8_t[]> bytes;
   Metadata metadata;
+  PngColor color;
 };
 
 Metadata readTexts(png_structp png, png_infop info) {
@@ -185,6 +190,7 @@ Result<void> readHeader(Reader& reader, const std::string& name, Pixels& pixels)
   pixels.width = static_cast<int>(width);
   pixels.height = static_cast<int>(height);
   pixels.stored_bits = png_get_bit_depth(reader.png, reader.info);
+  pixels.color = readPngColor(reader.png, reader.info);
   return {};
 }
 
@@ -205,9 +211,10 @@ Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, const std::string
   pixels.channels = png_get_channels(reader.png, reader.info);
   pixels.bits = png_get_bit_depth(reader.png, reader.info);
 
-  pixels.bytes.resize(row_size * std::size_t(pixels.height));
+  pixels.size = row_size * std::size_t(pixels.height);
+  pixels.bytes = std::make_unique_for_overwrite<std::uint8_t[]>(pixels.size);
   std::vector<png_bytep> rows(std::size_t(pixels.height));
-  for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = pixels.bytes.data() + y * row_size;
+  for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = pixels.bytes.get() + y * row_size;
   const bool decoded = guarded(reader.png, [&] {
     png_read_image(reader.png, rows.data());
     png_read_end(reader.png, reader.info);
@@ -219,15 +226,21 @@ Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, const std::string
 
 Image8 pictureOf(const Pixels& pixels) {
   Image8 picture(pixels.width, pixels.height, pixels.channels);
-  std::copy(pixels.bytes.begin(), pixels.bytes.end(), picture.samples().begin());
+  std::copy_n(pixels.bytes.get(), pixels.size, picture.samples().begin());
   return picture;
 }
 
+Image samplesAsLight(const Pixels& pixels) {
+  if (pixels.bits == 8) return linearFromPicture(pictureOf(pixels), pixels.color.curve);
+  std::vector<std::uint16_t> samples(pixels.size / 2);
+  std::memcpy(samples.data(), pixels.bytes.get(), pixels.size);
+  return linearFromSamples16(samples, pixels.width, pixels.height, pixels.channels, pixels.color.curve);
+}
+
 Image lightOf(const Pixels& pixels) {
-  if (pixels.bits == 8) return linearFromPicture(pictureOf(pixels));
-  std::vector<std::uint16_t> samples(pixels.bytes.size() / 2);
-  std::memcpy(samples.data(), pixels.bytes.data(), pixels.bytes.size());
-  return linearFromSamples16(samples, pixels.width, pixels.height, pixels.channels);
+  Image light = samplesAsLight(pixels);
+  convertToRec709(light, pixels.color.primaries);
+  return light;
 }
 
 int colorType(int channels) {
@@ -255,7 +268,8 @@ bool isPng(std::span<const std::uint8_t> bytes) {
 Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
   MIRRORBALL_TRY(pixels, readPixels(bytes, name, Form::light));
   return DecodedImage{lightOf(pixels), std::move(pixels.metadata),
-                      "PNG, " + std::to_string(pixels.stored_bits) + " bit, sRGB"};
+                      "PNG, " + std::to_string(pixels.stored_bits) + " bit",
+                      describeColor(pixels.color, pixels.channels)};
 }
 
 Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes, const std::string& name) {

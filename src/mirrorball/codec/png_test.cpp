@@ -1,6 +1,7 @@
 #include "mirrorball/codec/png.h"
 
 #include <cmath>
+#include <functional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 
 #include "formula/formula.h"
 #include "mirrorball/codec/codec_testing.h"
+#include "mirrorball/codec/icc_testing.h"
 #include "mirrorball/codec/srgb.h"
 
 namespace mirrorball {
@@ -26,7 +28,8 @@ struct Recipe {
   bool interlaced = false;
   std::vector<png_color> palette = {};
   std::vector<png_byte> palette_alpha = {};
-  std::vector<Bytes> rows = {};  ///< as they stand in the file
+  std::vector<Bytes> rows = {};                               ///< as they stand in the file
+  std::function<void(png_structp, png_infop)> describe = {};  ///< sets other chunks before the texels
 };
 
 Bytes made(const Recipe& recipe) {
@@ -46,6 +49,7 @@ Bytes made(const Recipe& recipe) {
   if (!recipe.palette.empty()) png_set_PLTE(png, info, recipe.palette.data(), static_cast<int>(recipe.palette.size()));
   if (!recipe.palette_alpha.empty())
     png_set_tRNS(png, info, recipe.palette_alpha.data(), static_cast<int>(recipe.palette_alpha.size()), nullptr);
+  if (recipe.describe) recipe.describe(png, info);
   png_write_info(png, info);
   std::vector<Bytes> rows = recipe.rows;
   std::vector<png_bytep> pointers;
@@ -86,7 +90,8 @@ TEST_P(PngSize, CodesComeBack) {
   const DecodedImage back = light(*bytes);
   ASSERT_EQ(back.image.channels(), channels);
   EXPECT_THAT(pictureFromLinear(back.image, channels).samples(), ::testing::ElementsAreArray(picture.samples()));
-  EXPECT_EQ(back.format, "PNG, 8 bit, sRGB");
+  EXPECT_EQ(back.format, "PNG, 8 bit");
+  EXPECT_EQ(back.color, channels == 1 ? "sRGB, grey" : "sRGB");
 
   const Image8 rgba = texture(*bytes);
   const std::size_t last = rgba.samples().size() - 4;
@@ -133,7 +138,7 @@ TEST(Png, PalettesWithAlpha) {
                             .rows = {{0x10}}});
   EXPECT_THAT(texture(bytes).samples(), ElementsAre(255, 0, 0, 255, 10, 20, 30, 0));
   EXPECT_EQ(light(bytes).image.channels(), 4);
-  EXPECT_EQ(light(bytes).format, "PNG, 4 bit, sRGB");
+  EXPECT_EQ(light(bytes).format, "PNG, 4 bit");
 }
 
 TEST(Png, SixteenBitsKeepTheirPrecisionAndRoundForTextures) {
@@ -159,6 +164,78 @@ TEST(Png, InterlacedRowsComeInOrder) {
   const Image8 picture = texture(made(recipe));
   for (int y = 0; y < 9; ++y)
     for (int x = 0; x < 9; ++x) ASSERT_EQ(picture.texel(x, y)[0], 10 * y + x);
+}
+
+/// One texel of (255, 128, 0) with chunks that say what it means.
+DecodedImage orangeWith(std::function<void(png_structp, png_infop)> describe) {
+  return light(made({.rows = {{255, 128, 0}}, .describe = std::move(describe)}));
+}
+
+TEST(PngColor, GammaIsThePowerOfTheSamples) {
+  const DecodedImage linear_light = orangeWith([](auto png, auto info) { png_set_gAMA_fixed(png, info, 100000); });
+  EXPECT_THAT(linear_light.image.samples(), ElementsAre(1.0f, 128.0f / 255.0f, 0.0f));
+  EXPECT_EQ(linear_light.color, "linear, Rec.709");
+  const DecodedImage mac = orangeWith([](auto png, auto info) { png_set_gAMA_fixed(png, info, 55556); });
+  EXPECT_NEAR(mac.image.samples()[1], 0.28921f, 1e-5f);  // (128/255)^1.8
+  EXPECT_EQ(mac.color, "gamma 1.8, Rec.709");
+}
+
+TEST(PngColor, GammaOfSixteenBitsToo) {
+  const Bytes bytes =
+      made({.depth = 16, .rows = {{0x80, 0x01, 0xff, 0xff, 0x00, 0x01}}, .describe = [](auto png, auto info) {
+              png_set_gAMA_fixed(png, info, 100000);
+            }});
+  EXPECT_THAT(light(bytes).image.samples(), ElementsAre(0x8001 / 65535.0f, 1.0f, 1 / 65535.0f));
+}
+
+TEST(PngColor, TheGammaThatStandsForSrgbIsSrgb) {
+  const DecodedImage back = orangeWith([](auto png, auto info) { png_set_gAMA_fixed(png, info, 45455); });
+  EXPECT_EQ(back.image.samples()[1], linear(128.0f / 255.0f));
+  EXPECT_EQ(back.color, "sRGB");
+}
+
+TEST(PngColor, PrimariesAreConverted) {
+  const DecodedImage back = orangeWith([](auto png, auto info) {
+    png_set_gAMA_fixed(png, info, 100000);
+    png_set_cHRM_fixed(png, info, 31270, 32900, 70800, 29200, 17000, 79700, 13100, 4600);
+  });
+  const glm::vec3 expected = *rec709FromPrimaries(kRec2020) * glm::vec3(1.0f, 128.0f / 255.0f, 0.0f);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(back.image.samples()[std::size_t(c)], expected[c], 1e-5f);
+  EXPECT_EQ(back.color, "linear, primaries of the file (Rec.2020): converted");
+}
+
+TEST(PngColor, TheChunkSrgbGoesBeforeTheOthers) {
+  const DecodedImage back =
+      orangeWith([](auto png, auto info) { png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL); });
+  EXPECT_EQ(back.image.samples()[1], linear(128.0f / 255.0f));
+  EXPECT_EQ(back.color, "sRGB");
+}
+
+TEST(PngColor, AProfileIsNamedAndNotApplied) {
+  const DecodedImage back = orangeWith([](auto png, auto info) {
+    const Bytes profile = testing::iccProfile("Display P3");
+    png_set_text_compression_level(png, 0);  // libpng takes a chunk of less than 92 bytes for none
+    png_set_iCCP(png, info, "any", PNG_COMPRESSION_TYPE_BASE, profile.data(), static_cast<png_uint_32>(profile.size()));
+    png_set_gAMA_fixed(png, info, 100000);
+  });
+  EXPECT_EQ(back.color, "sRGB assumed: its ICC profile (Display P3) is not applied");
+  EXPECT_EQ(back.image.samples()[1], linear(128.0f / 255.0f));
+}
+
+TEST(PngColor, OfGreyOnlyTheGammaCounts) {
+  const DecodedImage back =
+      light(made({.color_type = PNG_COLOR_TYPE_GRAY, .rows = {{51}}, .describe = [](auto png, auto info) {
+                    png_set_gAMA_fixed(png, info, 100000);
+                    png_set_cHRM_fixed(png, info, 31270, 32900, 70800, 29200, 17000, 79700, 13100, 4600);
+                  }}));
+  EXPECT_THAT(back.image.samples(), ElementsAre(0.2f));
+  EXPECT_EQ(back.color, "linear, grey");
+}
+
+TEST(PngColor, TexturesAreLeftAsTheyStand) {
+  const Bytes bytes =
+      made({.rows = {{255, 128, 0}}, .describe = [](auto png, auto info) { png_set_gAMA_fixed(png, info, 100000); }});
+  EXPECT_THAT(texture(bytes).samples(), ElementsAre(255, 128, 0, 255));
 }
 
 /// A PNG whose IHDR says another size, with the right checksum.

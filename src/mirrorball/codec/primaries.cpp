@@ -1,11 +1,15 @@
 #include "mirrorball/codec/primaries.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
 
 namespace mirrorball {
 namespace {
@@ -50,12 +54,60 @@ glm::dmat3 adaptation(glm::dvec2 from_white, glm::dvec2 to_white) {
   return glm::inverse(kConesFromXyz) * diagonal * kConesFromXyz;
 }
 
+struct NamedPrimaries {
+  std::string_view name;
+  Primaries primaries;
+};
+constexpr NamedPrimaries kNamed[] = {
+    {"BT.601, 625 lines", kRec601Of625Lines},
+    {"BT.601, 525 lines", kRec601Of525Lines},
+    {"Rec.2020", kRec2020},
+    {"Display P3", kDisplayP3},
+    {"DCI-P3", kDciP3},
+    {"Adobe RGB", kAdobeRgb},
+    {"ACES AP0", kAcesAp0},
+    {"ACES AP1", kAcesAp1},
+    {"CIE XYZ", kCieXyz},
+};
+
+/// A well-known name, else "red 0.61 0.33, green …".
+std::string textOf(const Primaries& primaries) {
+  const auto* named = std::find_if(std::begin(kNamed), std::end(kNamed),
+                                   [&](const NamedPrimaries& known) { return areNear(known.primaries, primaries); });
+  if (named != std::end(kNamed)) return std::string(named->name);
+  const auto text = [](glm::dvec2 xy) {
+    const auto digits = [](double value) { return formatNumber(std::round(value * 1e4) / 1e4); };
+    return digits(xy.x) + " " + digits(xy.y);
+  };
+  return "red " + text(primaries.red) + ", green " + text(primaries.green) + ", blue " + text(primaries.blue) +
+         ", white " + text(primaries.white);
+}
+
+std::string textOf(const TransferCurve& curve) {
+  if (!curve.power) return "sRGB";
+  return *curve.power == 1.0 ? "linear" : "gamma " + formatNumber(std::round(*curve.power * 1e3) / 1e3);
+}
+
 }  // namespace
 
 std::optional<glm::mat3> rec709FromPrimaries(const Primaries& primaries) {
   if (!arePossible(primaries) || areNear(primaries, kRec709)) return {};
   return glm::mat3(glm::inverse(xyzFromRgb(kRec709)) * adaptation(primaries.white, kRec709.white) *
                    xyzFromRgb(primaries));
+}
+
+std::string describeColor(const TransferCurve& curve, const std::optional<Primaries>& stated, int channels) {
+  const std::string encoding = textOf(curve);
+  if (channels < 3) return encoding + ", grey";
+  if (stated && !arePossible(*stated)) return encoding + ", Rec.709 assumed: the file's primaries are none";
+  if (stated && !areNear(*stated, kRec709))
+    return encoding + ", primaries of the file (" + textOf(*stated) + "): converted";
+  return curve.power ? encoding + ", Rec.709" : encoding;  // sRGB has these primaries by its name
+}
+
+void convertToRec709(Image& image, const std::optional<Primaries>& stated) {
+  if (!stated || image.channels() < 3) return;
+  if (const auto matrix = rec709FromPrimaries(*stated)) transformColors(image, *matrix);
 }
 
 void transformColors(Image& image, const glm::mat3& matrix) {

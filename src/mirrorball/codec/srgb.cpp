@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <vector>
 
 #include "formula/formula.h"
@@ -13,23 +14,27 @@ namespace {
 
 constexpr std::size_t kRowsPerPiece = 32;
 
+float lightOf(float sample, const TransferCurve& curve) {
+  if (!curve.power) return formula::linearFromSrgb1(sample);
+  return static_cast<float>(std::pow(static_cast<double>(sample), *curve.power));
+}
+
 /// Linear light of every code of `Bits` bits.
 template <int Bits>
-const std::vector<float>& decodeTable() {
-  static const std::vector<float> table = [] {
-    constexpr std::size_t kCodes = std::size_t{1} << Bits;
-    std::vector<float> light(kCodes);
-    for (std::size_t code = 0; code < kCodes; ++code)
-      light[code] = formula::linearFromSrgb1(static_cast<float>(code) / static_cast<float>(kCodes - 1));
-    return light;
-  }();
-  return table;
+std::vector<float> decodeTable(const TransferCurve& curve) {
+  constexpr std::size_t kCodes = std::size_t{1} << Bits;
+  std::vector<float> light(kCodes);
+  for (std::size_t code = 0; code < kCodes; ++code)
+    light[code] = lightOf(static_cast<float>(code) / static_cast<float>(kCodes - 1), curve);
+  return light;
 }
 
 template <int Bits, typename Code>
-Image decode(std::span<const Code> samples, int width, int height, int channels) {
+Image decode(std::span<const Code> samples, int width, int height, int channels, const TransferCurve& curve) {
   Image image = Image::withoutValues(width, height, channels);
-  const std::vector<float>& table = decodeTable<Bits>();
+  static const std::vector<float> srgb = decodeTable<Bits>(kSrgbCurve);
+  const std::vector<float> of_power = curve.power ? decodeTable<Bits>(curve) : std::vector<float>();
+  const std::vector<float>& table = curve.power ? of_power : srgb;
   constexpr float kLargest = static_cast<float>((1 << Bits) - 1);
   const std::size_t row_length = std::size_t(width) * std::size_t(channels);
   parallelFor(std::size_t(height), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
@@ -89,12 +94,13 @@ std::uint8_t alpha8(float alpha) {
 
 }  // namespace
 
-Image linearFromPicture(const Image8& picture) {
-  return decode<8>(picture.samples(), picture.width(), picture.height(), picture.channels());
+Image linearFromPicture(const Image8& picture, const TransferCurve& curve) {
+  return decode<8>(picture.samples(), picture.width(), picture.height(), picture.channels(), curve);
 }
 
-Image linearFromSamples16(std::span<const std::uint16_t> samples, int width, int height, int channels) {
-  return decode<16>(samples, width, height, channels);
+Image linearFromSamples16(std::span<const std::uint16_t> samples, int width, int height, int channels,
+                          const TransferCurve& curve) {
+  return decode<16>(samples, width, height, channels, curve);
 }
 
 Image8 pictureFromLinear(const Image& image, int channels) {

@@ -221,6 +221,10 @@ int imageChannels(const StoredFormat& format) {
   return format.channels;
 }
 
+TransferCurve curveOf(const StoredFormat& format) {
+  return format.type == SampleType::srgb8 ? kSrgbCurve : kLinearLight;
+}
+
 Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, int width,
                    int height) {
   Image image(width, height, imageChannels(format));

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "mirrorball/codec/primaries.h"
 #include "mirrorball/codec/texture_file.h"
 #include "mirrorball/image/image.h"
 
@@ -37,6 +38,9 @@ std::size_t wordSize(const StoredFormat& format);
 
 /// How many channels the decoded image has: two become three with no blue, for two would be grey and alpha.
 int imageChannels(const StoredFormat& format);
+
+/// The curve from the stored samples to light.
+TransferCurve curveOf(const StoredFormat& format);
 
 /// Decodes texels to linear light.
 ///

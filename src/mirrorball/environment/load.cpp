@@ -50,8 +50,8 @@ void add(const NonFinite& more, NonFinite& total) {
 }
 
 /// A cube whose six images are there.
-Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::string format, Recognition recognition,
-                                 const NonFinite& bad, std::vector<std::string> files,
+Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::string format, std::string color,
+                                 Recognition recognition, const NonFinite& bad, std::vector<std::string> files,
                                  const EnvironmentLoadOptions& options) {
   const glm::ivec2 size(images.at(0, 0).width());
   if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
@@ -59,6 +59,7 @@ Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::
   return LoadedEnvironment{Environment(mapOfImages(std::move(images), form)),
                            name,
                            std::move(format),
+                           std::move(color),
                            std::move(recognition),
                            size,
                            bad,
@@ -70,6 +71,7 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
   ImageSet images(1, 6);
   Recognition recognition;
   std::string format;
+  std::string color;
   NonFinite bad;
   for (int slot = 0; slot < 6; ++slot) {
     const std::string path = files.paths[static_cast<std::size_t>(slot)].string();
@@ -88,8 +90,9 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
       return fail(ErrorCode::bad_shape, path + ": has other colour channels than the cube's first face");
     images.at(0, slot) = std::move(decoded.image);
     format = decoded.format;
+    color = decoded.color;
   }
-  return cubeOf(name, std::move(images), std::move(format), std::move(recognition), bad,
+  return cubeOf(name, std::move(images), std::move(format), std::move(color), std::move(recognition), bad,
                 {files.paths.begin(), files.paths.end()}, options);
 }
 
@@ -105,6 +108,7 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage deco
   return LoadedEnvironment{Environment(mapOfImages(std::move(*images), recognition.form)),
                            name,
                            decoded.format,
+                           decoded.color,
                            recognition,
                            size,
                            bad,
@@ -129,7 +133,7 @@ Result<LoadedEnvironment> loadCubeTexture(const std::string& name, DecodedImageS
     add(bad_here, bad);
     images.at(0, slot) = std::move(texture.images.at(0, slot));
   }
-  return cubeOf(name, std::move(images), texture.format + restOf(texture.images),
+  return cubeOf(name, std::move(images), texture.format + restOf(texture.images), texture.color,
                 recognizeFaces(texture.metadata, options.from, "its texture, a cube"), bad, {name}, options);
 }
 
@@ -142,8 +146,10 @@ Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoa
   MIRRORBALL_TRY(texture, decodeImageSet(bytes, name));
   if (texture.images.faces() == 6) return loadCubeTexture(name, std::move(texture), options);
   std::string format = texture.format + restOf(texture.images);
-  return loadPicture(name, {std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(format)},
-                     options);
+  return loadPicture(
+      name,
+      {std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(format), std::move(texture.color)},
+      options);
 }
 
 }  // namespace
@@ -154,7 +160,7 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
   // A folder that happens to be called "studio" is no map.
   if (isBuiltinEnvironment(name_or_path) && (!exists || fs::is_directory(name_or_path, status))) {
     MIRRORBALL_TRY(environment, builtinEnvironment(name_or_path));
-    return LoadedEnvironment{std::move(environment), name_or_path, "built in", std::nullopt, {}, {}};
+    return LoadedEnvironment{std::move(environment), name_or_path, "built in", "linear, Rec.709", std::nullopt, {}, {}};
   }
   const bool faces_named = options.from.layout == CubeLayout::faces;
   const bool is_cube = !options.from.projection || faceCount(*options.from.projection) == 6;

@@ -23,15 +23,16 @@ struct LoadedEnvironment {
   Environment environment;
   std::string name;                        ///< the path, or the built-in's name
   std::string format;                      ///< the file's; "built in"
+  std::string color;                       ///< the file's, and what was done about it: DecodedImage::color
   std::optional<Recognition> recognition;  ///< of a file
   glm::ivec2 file_size{0};                 ///< of the picture in the file (of one face where each has its own)
   NonFinite bad_texels;                    ///< as found, before any repair
   std::vector<std::string> files = {};     ///< that were read
 };
 
-/// Loads a built-in by its name (builtin.h), else a file (.hdr .exr .png .jpg .ktx2 .ktx .dds; LDR is read as sRGB; of a
-/// texture its largest level, of an array its first element). The name of one of a
-/// cube's six files (face_files.h), if most of them are there, and that of the folder that holds them stand for all six.
+/// Loads a built-in by its name (builtin.h), else a file (.hdr .exr .png .jpg .ktx2 .ktx .dds; LDR as sRGB unless it
+/// states another curve; of a texture its largest level, of an array its first element). The name of one of a cube's six
+/// files (face_files.h), if most of them are there, and that of the folder that holds them stand for all six.
 ///
 /// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel; --repair mends it);
 ///          whatever the codec finds

@@ -22,6 +22,7 @@ void* allocateTexels(std::size_t bytes) {
   return memory;
 }
 
-void freeTexels(void* memory, std::size_t bytes) { ::operator delete(memory, bytes, alignmentOf(bytes)); }
+// The operator that also takes the size is not there in clang before 19 by default.
+void freeTexels(void* memory, std::size_t bytes) { ::operator delete(memory, alignmentOf(bytes)); }
 
 }  // namespace mirrorball

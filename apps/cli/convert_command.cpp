@@ -93,11 +93,10 @@ Result<void> convertInputs(const std::vector<std::string>& inputs, const Convert
                            const MapOutputOptions& output) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
   MIRRORBALL_TRY(request, requestOf(options, output));
-  if (inputs.size() == 1 && !isFolder(output.output)) {
-    if (!options.extension.empty())
-      return fail(ErrorCode::usage, "--extension is for an output folder; " + output.output + " has its own");
-    return convertFile(inputs.front(), request);
-  }
+  if (inputs.size() > 1 || isFolder(output.output)) return convertMany(inputs, options.extension, request);
+  if (options.extension.empty()) return convertFile(inputs.front(), request);
+  if (std::filesystem::path(output.output).has_extension())
+    return fail(ErrorCode::usage, "--extension is for an output folder; " + output.output + " has its own");
   return convertMany(inputs, options.extension, request);
 }
 

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <filesystem>
 #include <map>
-#include <mutex>
 
 #include "cli/files.h"
 #include "cli/terminal.h"
@@ -71,9 +70,19 @@ Result<bool> isLargePanorama(const std::string& input, const EnvironmentLoadOpti
   return bytes > std::min(kLargePanorama_bytes, memoryLimit() / 2);
 }
 
-Result<void> convertInput(const std::string& input, const ConvertRequest& request, const ProgressFunction& progress) {
-  MIRRORBALL_TRY(output, MapOutput::resolve(request.output, request.to));
+/// Where an input goes.
+///
+/// errors   usage: as MapOutput::resolve's, or it would overwrite the input
+Result<MapOutput> outputOf(const std::string& input, const ConvertRequest& request, const std::string& path) {
+  MapOutputOptions options = request.output;
+  options.output = path;
+  MIRRORBALL_TRY(output, MapOutput::resolve(options, request.to));
   MIRRORBALL_TRY_VOID(refuseOverwriting({&input, 1}, output.paths()));
+  return output;
+}
+
+Result<void> convertInput(const std::string& input, const ConvertRequest& request, const MapOutput& output,
+                          const ProgressFunction& progress) {
   MIRRORBALL_TRY(is_large, isLargePanorama(input, request.load));
   if (is_large) return convertByRows(input, request, output, progress);
   MIRRORBALL_TRY(loaded, loadEnvironment(input, request.load));
@@ -87,41 +96,65 @@ Result<void> convertInput(const std::string& input, const ConvertRequest& reques
   });
 }
 
-/// The file in the folder that an input is converted to.
+/// "exr", also of ".exr".
+std::string withoutDot(const std::string& extension) { return extension.substr(extension.starts_with('.') ? 1 : 0); }
+
+/// The path in the folder that an input is converted to.
 ///
-/// errors   usage: its extension, or the want of one, names nothing that is written
-Result<std::string> outputFor(const std::string& input, const std::string& folder, const std::string& extension) {
-  const fs::path path(isBuiltinEnvironment(input) ? input.substr(0, input.find(':')) : input);
+/// errors   usage: it has no extension, and none is named
+Result<std::string> pathFor(const std::string& input, const std::string& folder, const std::string& extension) {
+  const fs::path whole(isBuiltinEnvironment(input) ? input.substr(0, input.find(':')) : input);
   // "room/" is a folder with a cube's six files.
-  const fs::path name = path.has_filename() ? path : path.parent_path();
-  const std::string ending = extension.empty() ? name.extension().string() : "." + extension;
-  const std::string output = (fs::path(folder) / (name.stem().string() + ending)).string();
-  if (isTexturePath(output) || checkWritable(output)) return output;
-  return fail(ErrorCode::usage, input + ": '" + ending +
-                                    "' is nothing that is written; --extension names what is: exr, "
-                                    "hdr, ktx2, dds, png or jpg");
+  const fs::path name = whole.has_filename() ? whole : whole.parent_path();
+  const std::string ending = extension.empty() ? name.extension().string() : "." + withoutDot(extension);
+  const std::string path = (fs::path(folder) / (name.stem().string() + ending)).string();
+  if (isTexturePath(path) || checkWritable(path)) return path;
+  return fail(ErrorCode::usage, input + " would become " + path +
+                                    ", which is nothing that is written; --extension names what is: exr, hdr, ktx2, "
+                                    "dds, png or jpg");
 }
 
-/// Every input's output; no two may be the same.
-Result<std::vector<std::string>> outputsFor(const std::vector<std::string>& inputs, const std::string& folder,
-                                            const std::string& extension) {
-  std::vector<std::string> outputs;
+/// Every input's output; no two may be the same file.
+///
+/// errors   usage
+Result<std::vector<MapOutput>> outputsFor(const std::vector<std::string>& inputs, const std::string& extension,
+                                          const ConvertRequest& request) {
+  std::vector<MapOutput> outputs;
   std::map<std::string, std::string> input_of;
   for (const std::string& input : inputs) {
-    MIRRORBALL_TRY(output, outputFor(input, folder, extension));
-    const auto [place, is_new] = input_of.emplace(output, input);
+    MIRRORBALL_TRY(path, pathFor(input, request.output.output, extension));
+    const auto [place, is_new] = input_of.emplace(path, input);
     if (!is_new)
-      return fail(ErrorCode::usage, place->second + " and " + input + " would both become " + output +
+      return fail(ErrorCode::usage, place->second + " and " + input + " would both become " + path +
                                         "; convert them in two runs, to two folders");
-    outputs.push_back(output);
+    MIRRORBALL_TRY(output, outputOf(input, request, path));
+    outputs.push_back(std::move(output));
   }
   return outputs;
+}
+
+Result<void> makeFolder(const std::string& folder) {
+  std::error_code status;
+  fs::create_directories(folder, status);
+  if (status) return fail(ErrorCode::io, folder + ": cannot be made: " + status.message());
+  return {};
+}
+
+/// What there is to say at the end of many.
+Result<void> summary(std::size_t failed, std::size_t all, const std::string& folder) {
+  if (interrupted()) return fail(ErrorCode::interrupted, "interrupted; what was finished stays in " + folder);
+  if (failed == 0) return {};
+  if (failed == all) return fail(ErrorCode::bad_file, "none of " + std::to_string(all) + " inputs could be converted");
+  return fail(ErrorCode::bad_file, std::to_string(failed) + " of " + std::to_string(all) +
+                                       " inputs could not be converted; the others are in " + folder);
 }
 
 }  // namespace
 
 Result<void> convertFile(const std::string& input, const ConvertRequest& request) {
-  return convertInput(input, request, progressBar("convert"));
+  MIRRORBALL_TRY_VOID(checkFolder(request.output.output));
+  MIRRORBALL_TRY(output, outputOf(input, request, request.output.output));
+  return convertInput(input, request, output, progressBar("convert"));
 }
 
 bool isFolder(const std::string& output) {
@@ -135,30 +168,25 @@ Result<void> convertMany(const std::vector<std::string>& inputs, const std::stri
   if (!isFolder(folder) && fs::path(folder).has_extension())
     return fail(ErrorCode::usage,
                 folder + ": is one file, and there are " + std::to_string(inputs.size()) + " inputs; give -o a folder");
-  MIRRORBALL_TRY(outputs, outputsFor(inputs, folder, extension));
-  std::error_code status;
-  fs::create_directories(folder, status);
-  if (status) return fail(ErrorCode::io, folder + ": cannot be made: " + status.message());
-
+  MIRRORBALL_TRY(outputs, outputsFor(inputs, extension, request));
+  MIRRORBALL_TRY_VOID(makeFolder(folder));
   const ProgressFunction bar = progressBar("convert");
+  if (inputs.size() == 1) return convertInput(inputs.front(), request, outputs.front(), bar);
+
   std::atomic<std::size_t> done = 0;
   std::atomic<std::size_t> failed = 0;
   // Each file's own loops run on all cores too, which keeps them busy while another file is read or written.
-  parallelFor(inputs.size(), 1, [&](std::size_t begin, std::size_t) {
+  parallelFor(inputs.size(), 1, [&](std::size_t index, std::size_t) {
     if (interrupted()) return;
-    ConvertRequest one = request;
-    one.output.output = outputs[begin];
-    const auto converted = convertInput(inputs[begin], one, [](std::size_t, std::size_t) { return !interrupted(); });
+    const auto converted =
+        convertInput(inputs[index], request, outputs[index], [](std::size_t, std::size_t) { return !interrupted(); });
     if (!converted && converted.error().code != ErrorCode::interrupted) {
       ++failed;
       remark(converted.error().message);
     }
     bar(++done, inputs.size());
   });
-  if (interrupted()) return fail(ErrorCode::interrupted, "interrupted; what was finished stays in " + folder);
-  if (failed == 0) return {};
-  return fail(ErrorCode::bad_file, std::to_string(failed) + " of " + std::to_string(inputs.size()) +
-                                       " inputs could not be converted; the others are in " + folder);
+  return summary(failed, inputs.size(), folder);
 }
 
 }  // namespace mirrorball::cli

@@ -27,11 +27,12 @@ Result<void> convertFile(const std::string& input, const ConvertRequest& request
 bool isFolder(const std::string& output);
 
 /// Converts maps, several at a time, into the folder that the request's output names, which is made if it is not there.
-/// A map that cannot be converted is told of, and the others go on.
+/// A map that cannot be converted is told of, and the others go on; what is wrong with the options is told once, before
+/// anything is made.
 ///
 /// extension  of the files; empty: each input's own
-/// errors     usage (two outputs of one name, an input that cannot be written as it is); io (the folder);
-///            interrupted; else the summary, where some failed
+/// errors     usage (the folder is a file's name, two outputs of one name, an output that overwrites its input or cannot
+///            be written as asked); io (the folder); interrupted; one input's own error; of several the summary
 Result<void> convertMany(const std::vector<std::string>& inputs, const std::string& extension,
                          const ConvertRequest& request);
 

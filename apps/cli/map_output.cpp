@@ -19,7 +19,7 @@ const std::array<Option<MapOutputOptions>, 10> kOptions{{
     {{.name = "output",
       .value = "OUT",
       .help = "needed: .exr .hdr (linear radiance), .ktx2 .dds (textures; cubes as such), .png .jpg (sRGB, clipped to "
-              "[0, 1]); of several inputs a folder",
+              "[0, 1]); for several inputs of convert a folder",
       .letter = "o",
       .group = "Output"},
      &MapOutputOptions::output},
@@ -129,6 +129,8 @@ Result<void> MapOutput::setFormat(const MapOutputOptions& options) {
   zstandard_level_ = options.zstandard_level;
   if (zstandard_level_ > 0 && extensionOf(output_) != "ktx2")
     return fail(ErrorCode::usage, output_ + ": has no Zstandard compression; --zstd is for .ktx2");
+  if (!options.mips && options.mip_weights != MipWeights::solid_angle)
+    return fail(ErrorCode::usage, "--mip says how mip levels are made, and there are none without --mips; add it");
   if (!options.mips) return {};
   if (!is_texture_) return fail(ErrorCode::usage, output_ + ": has no mip levels; use .ktx2 or .dds for --mips");
   if (hasDisc(form_.projection))
@@ -142,7 +144,6 @@ Result<MapOutput> MapOutput::resolve(const MapOutputOptions& options, Projection
   MapOutput output;
   output.output_ = options.output;
   output.is_texture_ = isTexturePath(options.output);
-  MIRRORBALL_TRY_VOID(checkFolder(options.output));
   if (!output.is_texture_) MIRRORBALL_TRY_VOID(checkWritable(options.output));
   MIRRORBALL_TRY_VOID(output.setForm(options, projection));
   MIRRORBALL_TRY_VOID(output.setFormat(options));
@@ -189,7 +190,7 @@ Result<ImageSet> MapOutput::textureImages(EnvironmentMap map) const {
   const glm::ivec2 extent = map.extent();
   MIRRORBALL_TRY_VOID(checkMemory(output_, std::uint64_t(extent.x) * std::uint64_t(extent.y) *
                                                std::uint64_t(map.faces()) * 3 * sizeof(float) * 7 / 3));
-  if (form_.centre == SignedAxis::plus_z) return arranged(mipChain(map, *mips_), form_.arrangement);
+  if (map.faces() == 6) return arranged(mipChain(map, *mips_), form_.arrangement);
   return mipChain(EnvironmentMap(form_.projection, imagesOf(std::move(map), form_)), *mips_);
 }
 

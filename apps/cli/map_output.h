@@ -32,7 +32,9 @@ std::span<const Option<MapOutputOptions>> mapOutputOptions();
 /// Where a map goes, and in which form.
 class MapOutput {
  public:
-  /// errors   usage (what the options ask for does not exist, or not in such a file); io (the folder is not there)
+  /// Looks at names only: whether the folder is there is another matter (files.h).
+  ///
+  /// errors   usage: what the options ask for does not exist, or not in such a file
   static Result<MapOutput> resolve(const MapOutputOptions& options, Projection projection);
 
   /// The files: one, or the six of a cube whose layout is `faces`.

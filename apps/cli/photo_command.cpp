@@ -243,6 +243,7 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
   if (output_options.output.empty()) return fail(ErrorCode::usage, "photo needs an output: -o FILE");
   MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
   MIRRORBALL_TRY(to, projectionNamed(options.to));
+  MIRRORBALL_TRY_VOID(checkFolder(output_options.output));
   MIRRORBALL_TRY(output, MapOutput::resolve(output_options, to));
   MIRRORBALL_TRY_VOID(checkFiles(inputs, options, output.paths()));
   std::vector<BallPhotograph> sides;

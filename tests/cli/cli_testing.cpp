@@ -98,6 +98,8 @@ Bytes CliTest::bytes(const std::string& name) const { return need(readFile(path(
 
 Image CliTest::image(const std::string& name) const { return need(readImage(path(name))).image; }
 
+ImageSet CliTest::texture(const std::string& name) const { return need(readImageSet(path(name))).images; }
+
 LoadedEnvironment CliTest::environment(const std::string& name) const {
   return need(loadEnvironment(path(name).string()));
 }

@@ -11,6 +11,7 @@
 #include "cli/program.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/texture_file.h"
 #include "mirrorball/environment/load.h"
 
 namespace mirrorball::testing {
@@ -50,6 +51,7 @@ class CliTest : public ::testing::Test {
 
   Bytes bytes(const std::string& name) const;
   Image image(const std::string& name) const;
+  ImageSet texture(const std::string& name) const;
   LoadedEnvironment environment(const std::string& name) const;
 
   void write(const std::string& name, const Image& image, const Metadata& metadata = {}) const;

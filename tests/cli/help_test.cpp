@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
 using HelpTest = CliTest;
-const char* const kCommands[] = {"render", "convert", "info", "reference"};
+const char* const kCommands[] = {"render", "convert", "info", "photo", "reference"};
 
 std::set<std::string> optionsIn(const std::string& help) {
   std::set<std::string> options;
@@ -67,7 +67,7 @@ TEST_F(HelpTest, TheReferenceHasEveryOptionAndParameter) {
     EXPECT_THAT(reference, HasSubstr("| `" + std::string(parameter.text.name) + "` |"));
   for (const Option<SkyParameters>& parameter : skyParameters())
     EXPECT_THAT(reference, HasSubstr("| `" + std::string(parameter.text.name) + "` |"));
-  for (const std::string command : {"render", "convert", "info"}) {
+  for (const std::string command : {"render", "convert", "info", "photo"}) {
     const std::set<std::string> options = optionsIn(succeed(command + " --help"));
     EXPECT_GE(options.size(), 3u) << command;
     for (const std::string& option : options)
@@ -75,6 +75,13 @@ TEST_F(HelpTest, TheReferenceHasEveryOptionAndParameter) {
                   reference.find("| `" + option + "`") != std::string::npos)
           << option << " of " << command;
   }
+}
+
+TEST_F(HelpTest, TheDocumentationHasTheReferenceAsItIs) {
+  const auto page = readFile(std::filesystem::path(MIRRORBALL_SOURCE_DIR) / "docs/options.md");
+  ASSERT_TRUE(page) << page.error().message;
+  EXPECT_TRUE(std::string(page->begin(), page->end()) == succeed("reference"))
+      << "docs/options.md is out of date: mirrorball reference > docs/options.md";
 }
 
 using TimingsTest = RenderCliTest;

@@ -116,9 +116,11 @@ bool Program::running() const {
 Outcome Program::wait() {
   const std::string shown = terminal_ ? shownOnTerminal() : "";
   int status = 0;
-  ::waitpid(process_, &status, 0);
+  rusage used{};
+  ::wait4(process_, &status, 0, &used);
   process_ = -1;
   Outcome outcome;
+  outcome.peak_memory = std::uint64_t(used.ru_maxrss) * 1024;
   if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
   outcome.out = contents(out_);

@@ -28,6 +28,8 @@ struct Outcome {
   int signal = 0;
   std::string out;
   std::string err;
+  /// The most memory that it had at a time [bytes]. Linux counts what this process had when it started the program.
+  std::uint64_t peak_memory = 0;
 };
 
 struct CloseFile {

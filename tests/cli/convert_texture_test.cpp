@@ -1,0 +1,229 @@
+// Maps in .ktx2 and .dds: the light of the same map in pictures, its mip levels, and what of it a format can hold.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string>
+
+#include "cli/cli_testing.h"
+#include "cli/measure.h"
+#include "mirrorball/codec/texture_testing.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr std::array<const char*, 6> kEndings{"px", "nx", "py", "ny", "pz", "nz"};
+
+/// The greatest difference of two images' colours, as a share of the brightest channel of each texel.
+float relativeDifference(const Image& image, const Image& exact) {
+  float greatest = 0.0f;
+  for (int y = 0; y < exact.height(); ++y)
+    for (int x = 0; x < exact.width(); ++x) {
+      const glm::vec3 light = rgbAt(exact, x, y);
+      const glm::vec3 difference = glm::abs(rgbAt(image, x, y) - light);
+      greatest = std::max(greatest,
+                          std::max({difference.x, difference.y, difference.z}) / std::max({light.x, light.y, light.z}));
+    }
+  return greatest;
+}
+
+/// ∫ L dω over one level of a cube.
+glm::dvec3 fluxOf(const ImageSet& cube, int level) {
+  glm::dvec3 flux(0.0);
+  for (int face = 0; face < 6; ++face) {
+    const Image& image = cube.at(level, face);
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        flux += glm::dvec3(rgbAt(image, x, y)) *
+                double(texelSolidAngle(Projection::cube, glm::ivec2(image.width()), {x, y}));
+  }
+  return flux;
+}
+
+/// The plain mean of the four texels that texel (x, y) of the next level covers.
+glm::vec3 meanOfFour(const Image& image, int x, int y) {
+  return (rgbAt(image, 2 * x, 2 * y) + rgbAt(image, 2 * x + 1, 2 * y) + rgbAt(image, 2 * x, 2 * y + 1) +
+          rgbAt(image, 2 * x + 1, 2 * y + 1)) /
+         4.0f;
+}
+
+class ConvertTextureTest : public CliTest {
+ protected:
+  void SetUp() override { write("map.exr", smoothPanorama()); }
+};
+
+TEST_F(ConvertTextureTest, ACubeHoldsTheSixFaces) {
+  succeed("convert map.exr --to cube --size 16 --layout faces -o face.exr");
+  for (const std::string file : {"cube.ktx2", "cube.dds"}) {
+    succeed("convert map.exr --to cube --size 16 --format float32 -o " + file);
+    const ImageSet cube = texture(file);
+    EXPECT_EQ(cube.levels(), 1) << file;
+    ASSERT_EQ(cube.faces(), 6) << file;
+    for (int face = 0; face < 6; ++face) {
+      const Image picture = image("face_" + std::string(kEndings[std::size_t(face)]) + ".exr");
+      ASSERT_EQ(cube.at(0, face).width(), 16);
+      EXPECT_EQ(relativeDifference(cube.at(0, face), picture), 0.0f) << file << ", face " << face;
+    }
+  }
+}
+
+// Half floats have 11 bits of mantissa and b10g11r11 has 7, of blue 6, the leading one counted; rounding is off by half
+// a step. e5b9g9r9 has 9 bits, without a leading one, under the exponent of the brightest channel.
+TEST_F(ConvertTextureTest, EachFormatKeepsItsPrecision) {
+  struct Format {
+    const char* name;
+    const char* shown;
+    float precision;
+  };
+  succeed("convert map.exr --to equirect --size 16 -o exact.exr");
+  for (const Format& format :
+       {Format{"auto", "r16g16b16a16 sfloat", 1.0f / 2048.0f}, Format{"half", "r16g16b16a16 sfloat", 1.0f / 2048.0f},
+        Format{"float32", "r32g32b32a32 sfloat", 0.0f}, Format{"b10g11r11", "b10g11r11 ufloat", 1.0f / 64.0f},
+        Format{"e5b9g9r9", "e5b9g9r9 ufloat", 1.0f / 512.0f}})
+    for (const std::string extension : {"ktx2", "dds"}) {
+      const std::string file = "map." + extension;
+      succeed("convert map.exr --to equirect --size 16 --format " + std::string(format.name) + " -o " + file);
+      EXPECT_THAT(succeed("info --from equirect " + file), HasSubstr(format.shown));
+      const float off = relativeDifference(texture(file).at(0, 0), image("exact.exr"));
+      EXPECT_LE(off, format.precision) << format.name;
+      EXPECT_GE(off, format.precision / 4.0f) << format.name << " is more exact than it can be";
+    }
+}
+
+TEST_F(ConvertTextureTest, EveryProjectionIsTheSameInATexture) {
+  for (const std::string_view name : projectionNames()) {
+    const std::string to = "convert map.exr --size 16 --to " + std::string(name);
+    if (faceCount(*projectionNamed(name)) == 6) continue;
+    succeed(to + " -o map_picture.exr");
+    succeed(to + " --format float32 -o map.ktx2");
+    const Image picture = image("map_picture.exr");
+    const Image inside = texture("map.ktx2").at(0, 0);
+    ASSERT_EQ(inside.width(), picture.width()) << name;
+    ASSERT_EQ(inside.height(), picture.height()) << name;
+    int others = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) others += rgbaAt(inside, x, y) != rgbaAt(picture, x, y);
+    EXPECT_EQ(others, 0) << name;
+  }
+}
+
+TEST_F(ConvertTextureTest, WeightedMipLevelsKeepTheFlux) {
+  for (const std::string file : {"cube.ktx2", "cube.dds"}) {
+    succeed("convert map.exr --to cube --size 16 --mips --format float32 -o " + file);
+    const ImageSet cube = texture(file);
+    ASSERT_EQ(cube.levels(), 5) << "16 8 4 2 1";
+    const glm::dvec3 flux = fluxOf(cube, 0);
+    for (int level = 1; level < 5; ++level) {
+      EXPECT_EQ(cube.at(level, 5).width(), 16 >> level);
+      EXPECT_LT(glm::length(fluxOf(cube, level) - flux) / glm::length(flux), 1e-6) << "level " << level;
+    }
+  }
+}
+
+TEST_F(ConvertTextureTest, BoxMipLevelsAreMeansOfFour) {
+  succeed("convert map.exr --to cube --size 16 --mips --mip box --format float32 -o box.ktx2");
+  succeed("convert map.exr --to cube --size 16 --mips --mip solid-angle --format float32 -o weighted.ktx2");
+  succeed("convert map.exr --to cube --size 16 --mips --format float32 -o usual.ktx2");
+  const ImageSet box = texture("box.ktx2");
+  ASSERT_EQ(box.levels(), 5);
+  for (int level = 1; level < 5; ++level)
+    for (int face = 0; face < 6; ++face)
+      for (int y = 0; y < 16 >> level; ++y)
+        for (int x = 0; x < 16 >> level; ++x)
+          EXPECT_LT(glm::length(rgbAt(box.at(level, face), x, y) - meanOfFour(box.at(level - 1, face), x, y)), 1e-6f);
+  EXPECT_TRUE(bytes("usual.ktx2") == bytes("weighted.ktx2"));
+  EXPECT_FALSE(bytes("usual.ktx2") == bytes("box.ktx2"));
+}
+
+TEST_F(ConvertTextureTest, APanoramasMipLevelsGoDownToOneTexel) {
+  succeed("convert map.exr --to equirect --mips -o map.ktx2");
+  const ImageSet map = texture("map.ktx2");
+  ASSERT_EQ(map.levels(), 7) << "64x32 down to 1x1";
+  EXPECT_EQ(map.at(5, 0).width(), 2);
+  EXPECT_EQ(map.at(6, 0).height(), 1);
+  EXPECT_THAT(succeed("info map.ktx2"), HasSubstr("KTX2, r16g16b16a16 sfloat, 7 mip levels"));
+}
+
+TEST_F(ConvertTextureTest, ZstandardMakesTheFileSmallerAndNothingElse) {
+  for (const std::string mips : {"", " --mips"}) {
+    const std::string to = "convert map.exr --to cube --size 32 --format float32" + mips + " -o ";
+    succeed(to + "plain.ktx2");
+    succeed(to + "small.ktx2 --zstd 19");
+    EXPECT_LT(bytes("small.ktx2").size(), bytes("plain.ktx2").size());
+    EXPECT_THAT(succeed("info small.ktx2"), HasSubstr("Zstandard"));
+    const ImageSet plain = texture("plain.ktx2");
+    const ImageSet small = texture("small.ktx2");
+    ASSERT_EQ(small.levels(), plain.levels());
+    for (int level = 0; level < plain.levels(); ++level)
+      for (int face = 0; face < 6; ++face)
+        EXPECT_EQ(greatestDifference(small.at(level, face), plain.at(level, face)), 0.0);
+  }
+}
+
+// The way there is another one: a plain texture is written while it is converted, the others as a whole.
+TEST_F(ConvertTextureTest, LightBeyondHalfFloatsIsKeptInFloatsWithARemark) {
+  Image bright = smoothPanorama();
+  bright.texel(20, 10)[1] = 1e6f;
+  write("bright.hdr", bright);
+  for (const std::string output : {"a.ktx2", "b.dds", "c.ktx2 --mips", "d.ktx2 --zstd 3", "e.dds --as-seen"}) {
+    const std::string file = output.substr(0, output.find(' '));
+    const Outcome outcome = run("convert bright.hdr --to cube --size 64 -o " + output);
+    EXPECT_EQ(outcome.exit_code, 0) << output;
+    EXPECT_EQ(outcome.err, "mirrorball: " + file + ": holds light that half floats do not; written in 32-bit floats\n");
+    EXPECT_THAT(succeed("info " + file), HasSubstr("r32g32b32a32 sfloat"));
+    float greatest = 0.0f;
+    const ImageSet images = texture(file);
+    for (int face = 0; face < 6; ++face)
+      for (const float sample : images.at(0, face).samples()) greatest = std::max(greatest, sample);
+    EXPECT_GT(greatest, 5e5f) << output;
+  }
+}
+
+// The last but one of all half floats: interpolation may lift 65504 itself by a rounding error.
+TEST_F(ConvertTextureTest, LightWithinHalfFloatsNeedsNoRemark) {
+  write("bright.exr", Image(8, 4, 3, 65472.0f));
+  succeed("convert bright.exr --to cube --size 4 -o bright.ktx2");
+  EXPECT_THAT(succeed("info bright.ktx2"), AllOf(HasSubstr("r16g16b16a16 sfloat"), HasSubstr("to 65472 65472 65472")));
+}
+
+TEST_F(ConvertTextureTest, ANamedFormatThatDoesNotHoldTheLightIsRefused) {
+  write("bright.exr", Image(8, 4, 3, 1e6f));
+  for (const std::string format : {"half", "b10g11r11", "e5b9g9r9"})
+    for (const std::string output : {"out.ktx2", "out.dds", "out.ktx2 --mips"})
+      EXPECT_THAT(refuse(1, "convert bright.exr --to cube --size 4 --format " + format + " -o " + output),
+                  AllOf(StartsWith(output.substr(0, output.find(' ')) + ": "), HasSubstr("texel (0, 0)")))
+          << format;
+}
+
+// What convert made of a texture is what it makes of the same map in a picture. DDS does not say which cube it is; a cube
+// without a word is ours.
+TEST_F(ConvertTextureTest, TexturesComeInAgain) {
+  succeed("convert map.exr --to cube --size 32 -o cube.exr");
+  succeed("convert cube.exr --to equirect --size 32 -o from_picture.exr");
+  for (const std::string output :
+       {"cube.ktx2", "cube.dds", "cube.ktx2 --zstd 3", "cube.ktx2 --mips", "cube.dds --mips"}) {
+    succeed("convert map.exr --to cube --size 32 --format float32 -o " + output);
+    succeed("convert " + output.substr(0, output.find(' ')) + " --to equirect --size 32 -o again.exr");
+    EXPECT_TRUE(bytes("again.exr") == bytes("from_picture.exr")) << output;
+  }
+}
+
+TEST_F(ConvertTextureTest, Ktx1IsRead) {
+  const Image picture = smoothPanorama();
+  Bytes file = ktx1Header({.format = 0x1907, .internal_format = 0x8815, .width = 64, .height = 32});
+  appendU32(file, 64 * 32 * 12, false);
+  for (const float sample : picture.samples()) appendU32(file, std::bit_cast<std::uint32_t>(sample), false);
+  write("map.ktx", file);
+  EXPECT_THAT(succeed("info map.ktx"), HasSubstr("KTX1, r32g32b32 sfloat"));
+  for (const std::string input : {"map.ktx", "map.exr"})
+    succeed("convert " + input + " --to cube --size 16 -o from_" + input.substr(4) + ".exr");
+  EXPECT_TRUE(bytes("from_ktx.exr") == bytes("from_exr.exr"));
+  EXPECT_THAT(refuse(2, "convert map.exr --to cube --size 16 -o out.ktx"), StartsWith("out.ktx: "));
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

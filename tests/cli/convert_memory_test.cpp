@@ -94,6 +94,13 @@ TEST_F(ConvertRowsTest, OnlyFilesThatAreReadByRowsFit) {
         << whole;
 }
 
+// 1.5 MB of a picture that is read as a whole and 18 MB of faces: either fits, both do not.
+TEST_F(ConvertRowsTest, InputAndOutputCountTogether) {
+  const std::string command = "convert map.png --to cube --size 512 -o out.exr --max-memory ";
+  EXPECT_THAT(refuse(1, command + "19M"), HasSubstr("needs 20 MB"));
+  succeed(command + "20M");
+}
+
 TEST_F(ConvertRowsTest, TheResultIsTheSameToTheLastBit) {
   for (const std::string input : {"map.exr", "map.hdr"})
     for (const std::string to :

@@ -38,7 +38,11 @@ TEST_F(BadOutputTest, AFolderThatIsNotThere) {
 
 TEST_F(BadOutputTest, AFolderInTheFilesPlace) {
   fs::create_directory(path("folder.exr"));
-  refuseOutput(1, "folder.exr", "cannot be written");
+  EXPECT_THAT(refuse(1, "render none -e map.exr --size 8x8 -o folder.exr"),
+              AllOf(StartsWith("folder.exr: "), HasSubstr("cannot be written")));
+  // A folder that is there is where convert puts its files, whatever it is called.
+  succeed("convert map.exr --to sphere --size 8 -o folder.exr");
+  EXPECT_EQ(image("folder.exr/map.exr").width(), 8);
 }
 
 TEST_F(BadOutputTest, AFolderThatNobodyMayWriteTo) { refuseOutput(1, "/proc/out.exr", "cannot be written"); }

@@ -1,11 +1,23 @@
 #include "mirrorball/environment/environment_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <limits>
 
 #include "formula/formula.h"
 
 namespace mirrorball {
+namespace {
+
+glm::vec2 centerOf(int x, int y) { return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}; }
+
+/// 1, t, t (t − 1) / 2 and t (t − 1) (t − 2) / 6: each 1 at its own number, and 0 at those before.
+std::array<float, 4> risingProducts(float t) {
+  return {1.0f, t, t * (t - 1.0f) / 2.0f, t * (t - 1.0f) * (t - 2.0f) / 6.0f};
+}
+
+}  // namespace
 
 EnvironmentMap::EnvironmentMap(Projection projection, ImageSet images)
     : projection_(projection),
@@ -50,6 +62,10 @@ glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolat
   const MapPosition place = positionOf(projection_, direction);
   const glm::vec2 extent(extent_);
   glm::vec2 position = place.uv * extent;
+  if (interpolation == Interpolation::bicubic && hasCharts(projection_)) {
+    const Chart chart(projection_, size(), place);
+    return glm::vec3(bicubic(position, [&](int x, int y) { return fetchOnChart(chart, x, y); }));
+  }
   const auto fetch_texel = [&](int x, int y) { return fetch(place.face, x, y); };
   glm::vec4 light = interpolate(interpolation, position, fetch_texel);
   // On a rim all four neighbours may lie beside the disc: then the position moves inwards until one does not.
@@ -60,7 +76,7 @@ glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolat
   return glm::vec3(light);
 }
 
-/// A texel for `bilinear`: one that may lie beyond an edge or beside a disc.
+/// A texel for `interpolate`: one that may lie beyond an edge or beside a disc.
 glm::vec4 EnvironmentMap::fetch(int face_index, int x, int y) const {
   switch (projection_) {
     case Projection::equirect:
@@ -106,8 +122,7 @@ glm::vec4 EnvironmentMap::fetchCovered(int face_index, int x, int y) const {
   const Image& image = face(face_index);
   if (x < 0 || y < 0 || x >= image.width() || y >= image.height()) return glm::vec4(0.0f);
   if (has_disc_) {
-    const glm::vec2 center(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-    if (!formula::insideDisc(center / static_cast<float>(image.width()))) return glm::vec4(0.0f);
+    if (!formula::insideDisc(centerOf(x, y) / static_cast<float>(image.width()))) return glm::vec4(0.0f);
   }
   return glm::vec4(rgbAt(image, x, y), 1.0f);
 }
@@ -118,10 +133,44 @@ glm::vec4 EnvironmentMap::fetchTowards(int face_index, int x, int y) const {
   const glm::vec4 own = fetchCovered(face_index, x, y);
   if (own.w > 0.0f) return own;
   const auto side = static_cast<float>(size());
-  const glm::vec2 center(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-  const MapPosition place = positionOf(projection_, directionAt(projection_, {face_index, center / side}));
+  const MapPosition place = positionOf(projection_, directionAt(projection_, {face_index, centerOf(x, y) / side}));
   const glm::vec4 light = bilinear(place.uv * side, [&](int i, int j) { return fetchCovered(place.face, i, j); });
   return glm::vec4(glm::vec3(light), light.w > 0.0f ? 1.0f : 0.0f);
+}
+
+/// A texel for `bicubic` as if the chart went on beyond its border. There the chart that shows the same direction answers
+/// with a cubic through texels of its own, for across the border between them texels lie on a line with a kink.
+glm::vec4 EnvironmentMap::fetchOnChart(const Chart& chart, int x, int y) const {
+  const glm::vec2 center = centerOf(x, y);
+  if (chart.holds(center)) return glm::vec4(rgbAt(face(chart.face()), x, y), 1.0f);
+  const auto side = static_cast<float>(size());
+  const MapPosition place = chart.placeOf(center);
+  const glm::vec2 position = place.uv * side;
+  if (const auto texels = Chart(projection_, size(), place).tenTexels(position))
+    return glm::vec4(cubicThrough(place.face, *texels), 1.0f);
+  return bilinear(position, [&](int i, int j) { return fetch(place.face, i, j); });
+}
+
+/// The polynomial of the third degree in two variables through ten texels (Lagrange's on the triangle's lattice). A little
+/// beside them it holds too; since it swings there, it is kept from leaving their range by more than half of it, and as in
+/// `bicubic` from falling below zero.
+glm::vec3 EnvironmentMap::cubicThrough(int face_index, const TenTexels& texels) const {
+  const std::array<float, 4> across = risingProducts(texels.inside.x);
+  const std::array<float, 4> down = risingProducts(texels.inside.y);
+  const std::array<float, 4> rest = risingProducts(3.0f - texels.inside.x - texels.inside.y);
+  glm::vec3 sum(0.0f);
+  glm::vec3 least(std::numeric_limits<float>::max());
+  glm::vec3 most(std::numeric_limits<float>::lowest());
+  for (int j = 0; j <= 3; ++j)
+    for (int i = 0; i + j <= 3; ++i) {
+      const glm::ivec2 place = texels.first + texels.step * glm::ivec2(i, j);
+      const glm::vec3 texel = rgbAt(face(face_index), place.x, place.y);
+      sum += across[std::size_t(i)] * down[std::size_t(j)] * rest[std::size_t(3 - i - j)] * texel;
+      least = glm::min(least, texel);
+      most = glm::max(most, texel);
+    }
+  const glm::vec3 half_range = (most - least) / 2.0f;
+  return glm::clamp(sum, glm::max(least - half_range, glm::min(least, 0.0f)), most + half_range);
 }
 
 }  // namespace mirrorball

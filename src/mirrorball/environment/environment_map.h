@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/environment/chart.h"
 #include "mirrorball/environment/projection.h"
 #include "mirrorball/image/filter.h"
 #include "mirrorball/image/image_set.h"
@@ -62,6 +63,8 @@ class EnvironmentMap {
   glm::vec4 fetchFolded(int x, int y) const;
   glm::vec4 fetchCovered(int face, int x, int y) const;
   glm::vec4 fetchTowards(int face, int x, int y) const;
+  glm::vec4 fetchOnChart(const Chart& chart, int x, int y) const;
+  glm::vec3 cubicThrough(int face, const TenTexels& texels) const;
 
   Projection projection_ = Projection::equirect;
   bool has_disc_ = false;

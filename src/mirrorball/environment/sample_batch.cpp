@@ -1,7 +1,10 @@
 // The twin in vector instructions of image/filter.h for points whose texels all lie inside one image; those near an
-// edge are left to EnvironmentMap::radiance. sample_batch_test holds both to the same values.
+// edge or a fold are left to EnvironmentMap::radiance. sample_batch_test holds both to the same values.
 
 #include "mirrorball/environment/sample_batch.h"
+
+#include <algorithm>
+#include <cmath>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/environment/sample_batch.cpp"
@@ -29,7 +32,8 @@ struct MapTexels {
   RowRange rows;  ///< in memory
   int channels;
   bool is_disc;
-  bool is_half;  ///< no light comes from behind
+  bool is_half;    ///< no light comes from behind
+  bool is_folded;  ///< an octahedron's eight faces lie side by side
 
   explicit MapTexels(const EnvironmentMap& map)
       : width(map.extent().x),
@@ -37,23 +41,29 @@ struct MapTexels {
         rows(map.rows()),
         channels(map.face(0).channels()),
         is_disc(hasDisc(map.projection())),
-        is_half(map.projection() == Projection::hemioctahedral) {
+        is_half(map.projection() == Projection::hemioctahedral),
+        is_folded(map.projection() == Projection::octahedral || map.projection() == Projection::equal_area) {
     for (int face = 0; face < map.faces(); ++face)
       faces[static_cast<std::size_t>(face)] = map.face(face).samples().data();
   }
 
-  /// Whether all texels from (x + first, y + first) to (x + last, y + last) can be read as four floats each, and none
-  /// lies beside a disc.
+  /// Whether all texels from (x + first, y + first) to (x + last, y + last) can be read as four floats each, none lies
+  /// beside a disc, and those for a cubic lie on one chart.
   bool isInside(int x, int y, Reach reach) const {
     // One column more, since four floats of three channels reach into the next texel.
     if (x + reach.first < 0 || y + reach.first < rows.begin || x + reach.last + 1 >= width ||
         y + reach.last >= rows.end)
       return false;
-    if (!is_disc) return true;
-    const float radius = static_cast<float>(width) / 2.0f;
-    const glm::vec2 from_center(static_cast<float>(x) + 1.0f - radius, static_cast<float>(y) + 1.0f - radius);
-    const float most = radius - 3.0f;  // 3 > 1.5 √2, the distance of the farthest texel's centre
-    return most > 0.0f && glm::dot(from_center, from_center) <= most * most;
+    const float half = static_cast<float>(width) / 2.0f;
+    const glm::vec2 from_center(static_cast<float>(x) + 1.0f - half, static_cast<float>(y) + 1.0f - half);
+    if (is_disc) {
+      const float most = half - 3.0f;  // 3 > 1.5 √2, the distance of the farthest texel's centre
+      return most > 0.0f && glm::dot(from_center, from_center) <= most * most;
+    }
+    if (reach.first == 0) return true;
+    const glm::vec2 size = glm::abs(from_center);
+    if (is_half) return std::abs(size.x - size.y) >= 3.0f;
+    return !is_folded || (std::min(size.x, size.y) >= 1.5f && std::abs(size.x + size.y - half) >= 3.0f);
   }
 };
 

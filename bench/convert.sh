@@ -1,11 +1,12 @@
 #!/bin/sh
-# usage: bench/convert.sh PROGRAM RUNS [PANORAMA]
+# usage: bench/convert.sh PROGRAM RUNS [PANORAMA [TASK…]]
 #
 # Times whole processes that turn a 4096 x 2048 .hdr (made from PANORAMA, else from the built-in studio, which compresses
 # better than any photograph) into a cube of 6 x 1024² half floats in .ktx2, beside a plain copy of
 # the same bytes, which is the floor, and beside what other programs that are installed need for as near a task as they
 # have. One run of each after the other, RUNS times, so that a busy moment hits all alike. Prints the fastest, the median
-# and the slowest in milliseconds, and for ours and the copy the bytes read and written a second at the median.
+# and the slowest in milliseconds, and for ours and the copy the bytes read and written a second at the median. TASKs,
+# such as "copy ours", leave out the others.
 set -eu
 program=$1
 runs=$2
@@ -43,6 +44,7 @@ has cmgen && tasks="$tasks cmgen_cube"
 has cmft && tasks="$tasks cmft_cube"
 has texturec && tasks="$tasks texturec_cube"
 has envutil && tasks="$tasks envutil_cube"
+[ $# -le 3 ] || { shift 3 && tasks=$*; }
 
 run=0
 while [ "$run" -le "$runs" ]; do

@@ -32,8 +32,8 @@ struct MapTexels {
   RowRange rows;  ///< in memory
   int channels;
   bool is_disc;
-  bool is_half;    ///< no light comes from behind
-  bool is_folded;  ///< an octahedron's eight faces lie side by side
+  bool is_half;   ///< no light comes from behind
+  bool is_whole;  ///< its images have neither a disc nor folds
 
   explicit MapTexels(const EnvironmentMap& map)
       : width(map.extent().x),
@@ -42,7 +42,8 @@ struct MapTexels {
         channels(map.face(0).channels()),
         is_disc(hasDisc(map.projection())),
         is_half(map.projection() == Projection::hemioctahedral),
-        is_folded(map.projection() == Projection::octahedral || map.projection() == Projection::equal_area) {
+        is_whole(!is_disc && !is_half && map.projection() != Projection::octahedral &&
+                 map.projection() != Projection::equal_area) {
     for (int face = 0; face < map.faces(); ++face)
       faces[static_cast<std::size_t>(face)] = map.face(face).samples().data();
   }
@@ -54,6 +55,10 @@ struct MapTexels {
     if (x + reach.first < 0 || y + reach.first < rows.begin || x + reach.last + 1 >= width ||
         y + reach.last >= rows.end)
       return false;
+    return is_whole || isOnOneChart(x, y, reach);
+  }
+
+  bool isOnOneChart(int x, int y, Reach reach) const {
     const float half = static_cast<float>(width) / 2.0f;
     const glm::vec2 from_center(static_cast<float>(x) + 1.0f - half, static_cast<float>(y) + 1.0f - half);
     if (is_disc) {
@@ -61,9 +66,10 @@ struct MapTexels {
       return most > 0.0f && glm::dot(from_center, from_center) <= most * most;
     }
     if (reach.first == 0) return true;
+    // The octahedron's edges are the diagonals of the square, or its axes and the diamond between them.
     const glm::vec2 size = glm::abs(from_center);
     if (is_half) return std::abs(size.x - size.y) >= 3.0f;
-    return !is_folded || (std::min(size.x, size.y) >= 1.5f && std::abs(size.x + size.y - half) >= 3.0f);
+    return std::min(size.x, size.y) >= 1.5f && std::abs(size.x + size.y - half) >= 3.0f;
   }
 };
 

@@ -68,25 +68,16 @@ inline glm::vec3 waves(glm::vec3 d) {
   return glm::vec3(1.25f + 0.1f * sum);
 }
 
-/// ∫ L dω over the directions for which `counts` holds.
-template <typename Counts>
-double fluxOf(const EnvironmentMap& map, Counts&& counts) {
+/// ∫ L dω.
+inline double fluxOf(const EnvironmentMap& map) {
   double flux = 0.0;
   const glm::ivec2 extent = map.extent();
   for (int face = 0; face < map.faces(); ++face)
     for (int y = 0; y < extent.y; ++y)
-      for (int x = 0; x < extent.x; ++x) {
-        const float light = rgbAt(map.face(face), x, y).x;
-        const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(extent);
-        if (light != 0.0f && counts(directionAt(map.projection(), {face, uv})))
+      for (int x = 0; x < extent.x; ++x)
+        if (const float light = rgbAt(map.face(face), x, y).x; light != 0.0f)
           flux += double(light) * double(texelSolidAngle(map.projection(), extent, {x, y}));
-      }
   return flux;
-}
-
-/// ∫ L dω.
-inline double fluxOf(const EnvironmentMap& map) {
-  return fluxOf(map, [](glm::vec3) { return true; });
 }
 
 /// Whether a map of small images ends there without a neighbour: near the edge of a map of one half, and straight behind

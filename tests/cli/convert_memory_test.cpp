@@ -171,6 +171,9 @@ TEST_F(ConvertRowsTest, TooLittleForTheRowsIsToldBeforeAnyIsRead) {
 }
 
 TEST_F(ConvertRowsTest, ALargePanoramaTakesLessMemoryByRows) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitizer's own memory is larger than what is measured";
+#endif
   succeed("convert smooth.exr --to equirect --size 1024 -o large.hdr");
   const std::string command = "convert large.hdr --to cube --size 64 -o out.ktx2";
   const std::uint64_t whole = peakOf(command);

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "cli/files.h"
 #include "cli/terminal.h"
@@ -26,7 +28,7 @@ std::uint64_t bytesOf(glm::ivec2 size, int channels) {
 
 /// The memory of a map that is converted as a whole.
 std::uint64_t bytesOfMap(Projection projection, int size) {
-  return bytesOf(imageSize(projection, size), (hasDisc(projection) ? 4 : 3) * faceCount(projection));
+  return bytesOf(imageSize(projection, size), convertedChannels(projection) * faceCount(projection));
 }
 
 /// Writes what `convert_to` converts, as it comes or as a whole.
@@ -40,32 +42,27 @@ Result<void> writeConverted(const MapOutput& output, int size, std::uint64_t sou
   return output.write(EnvironmentMap(to, std::move(images)));
 }
 
-Result<void> convertByRows(const std::string& input, const ConvertRequest& request, const MapOutput& output,
-                           const ProgressFunction& progress) {
-  const auto describe = [&](const PanoramaRows& panorama) { return panorama.rows->description(); };
-  MIRRORBALL_TRY(panorama, openPanorama(input, request.load));
-  const int height = describe(*panorama).height;
+Result<void> convertByRows(const std::string& input, std::optional<PanoramaRows> panorama,
+                           const ConvertRequest& request, const MapOutput& output, const ProgressFunction& progress) {
+  const int height = panorama->rows->description().height;
   const int size = request.size > 0 ? request.size : equivalentSize(Projection::equirect, height, request.to);
   Resampling resampling = request.resampling;
   resampling.source_from_target = panorama->picture_from_world * resampling.source_from_target;
   const std::uint64_t target = output.takesPieces() ? 0 : bytesOfMap(request.to, size);
   const std::uint64_t window = memoryLimit() > target ? memoryLimit() - target : 0;
-  bool is_opened = true;
   return writeConverted(output, size, 0, [&](const TakeTexels& take) -> Result<void> {
     // A second time the file is read from its beginning once more.
-    if (!is_opened) {
+    if (!panorama) {
       MIRRORBALL_TRY(again, openPanorama(input, request.load));
       panorama = std::move(again);
     }
-    is_opened = false;
-    return convertRows(*panorama->rows, input, window, request.to, size, resampling, take, progress);
+    const PanoramaRows once = *std::exchange(panorama, std::nullopt);
+    return convertRows(*once.rows, input, window, request.to, size, resampling, take, progress);
   });
 }
 
-Result<bool> isLargePanorama(const std::string& input, const EnvironmentLoadOptions& load) {
-  MIRRORBALL_TRY(panorama, openPanorama(input, load));
-  if (!panorama) return false;
-  const RowReader::Description& picture = panorama->rows->description();
+bool isLarge(const PanoramaRows& panorama) {
+  const RowReader::Description& picture = panorama.rows->description();
   const std::uint64_t bytes = bytesOf({picture.width, picture.height}, picture.channels);
   return bytes > std::min(kLargePanorama_bytes, memoryLimit() / 2);
 }
@@ -83,8 +80,8 @@ Result<MapOutput> outputOf(const std::string& input, const ConvertRequest& reque
 
 Result<void> convertInput(const std::string& input, const ConvertRequest& request, const MapOutput& output,
                           const ProgressFunction& progress) {
-  MIRRORBALL_TRY(is_large, isLargePanorama(input, request.load));
-  if (is_large) return convertByRows(input, request, output, progress);
+  MIRRORBALL_TRY(panorama, openPanorama(input, request.load));
+  if (panorama && isLarge(*panorama)) return convertByRows(input, std::move(panorama), request, output, progress);
   MIRRORBALL_TRY(loaded, loadEnvironment(input, request.load));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
   const int size = request.size > 0 ? request.size : loaded.environment.naturalSize(request.to);

@@ -173,9 +173,9 @@ Result<void> MapOutput::inFormat(const std::function<Result<void>(TexelFormat)>&
 Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const {
   const Projection projection = form_.projection;
   return inFormat([&](TexelFormat format) -> Result<void> {
-    MIRRORBALL_TRY(
-        writer, TextureWriter::create(output_, imageSize(projection, size), faceCount(projection),
-                                      hasDisc(projection) ? 4 : 3, {.format = format, .metadata = metadataOf(form_)}));
+    MIRRORBALL_TRY(writer, TextureWriter::create(output_, imageSize(projection, size), faceCount(projection),
+                                                 convertedChannels(projection),
+                                                 {.format = format, .metadata = metadataOf(form_)}));
     MIRRORBALL_TRY_VOID(
         convert_to([&](int face, glm::ivec2 begin, const Image& texels) { return writer.write(face, begin, texels); }));
     MIRRORBALL_TRY_VOID(writer.commit());

@@ -127,13 +127,7 @@ bool isExr(std::span<const std::uint8_t> bytes) {
 }
 
 Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const std::string& name) {
-  try {
-    return decode(bytes, name);
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::too_large, name + ": not enough memory to decode it");
-  } catch (const std::exception& exception) {
-    return fail(ErrorCode::bad_file, name + ": is a damaged OpenEXR file: " + reasonOf(exception));
-  }
+  return decodingExr<DecodedImage>(name, [&] { return decode(bytes, name); });
 }
 
 Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options, const std::string& name) {

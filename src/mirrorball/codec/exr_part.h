@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,5 +58,19 @@ class ExrPart {
 
 /// One line of an exception's text.
 std::string reasonOf(const std::exception& exception);
+
+/// Runs what reads through OpenEXR, whose errors are exceptions.
+///
+/// errors   too_large (memory); bad_file; else what `work` returns
+template <typename Value, typename Work>
+Result<Value> decodingExr(const std::string& name, const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::too_large, name + ": not enough memory to decode it");
+  } catch (const std::exception& exception) {
+    return fail(ErrorCode::bad_file, name + ": is a damaged OpenEXR file: " + reasonOf(exception));
+  }
+}
 
 }  // namespace mirrorball

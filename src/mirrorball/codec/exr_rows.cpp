@@ -1,8 +1,6 @@
 #include "mirrorball/codec/exr_rows.h"
 
 #include <algorithm>
-#include <exception>
-#include <new>
 
 #include "mirrorball/codec/exr_part.h"
 #include "mirrorball/codec/exr_sizes.h"
@@ -11,19 +9,15 @@
 namespace mirrorball {
 namespace {
 
-/// Room for the headers of any real file, previews included.
+/// Room for the headers of nearly all files, and of any real one, previews included.
+constexpr std::uint64_t kUsualHeaderBytes = std::uint64_t{1} << 16;
 constexpr std::uint64_t kMostHeaderBytes = std::uint64_t{1} << 24;
 
-/// Runs what calls OpenEXR, whose errors are exceptions.
-template <typename Value, typename Work>
-Result<Value> withoutExceptions(const std::string& name, const Work& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::too_large, name + ": not enough memory to decode it");
-  } catch (const std::exception& exception) {
-    return fail(ErrorCode::bad_file, name + ": is a damaged OpenEXR file: " + reasonOf(exception));
-  }
+/// checkExrSizes for what a file begins with.
+Result<void> checkBeginning(const FileReader& file, std::uint64_t most_bytes, const std::string& name) {
+  Bytes begin(std::min(file.size(), most_bytes));
+  MIRRORBALL_TRY_VOID(file.readAt(0, begin));
+  return checkExrSizes(begin, file.size(), name);
 }
 
 class ExrRows : public RowReader {
@@ -32,7 +26,7 @@ class ExrRows : public RowReader {
       : RowReader(std::move(description)), part_(std::move(part)), name_(std::move(name)) {}
 
   Result<Image> read(int count) override {
-    return withoutExceptions<Image>(name_, [&] {
+    return decodingExr<Image>(name_, [&] {
       Image rows = Image::withoutValues(part_.width(), count, part_.channels());
       part_.readRows(next_, count, rows.samples().data());
       next_ += count;
@@ -50,13 +44,12 @@ class ExrRows : public RowReader {
 }  // namespace
 
 Result<std::unique_ptr<RowReader>> openExrRows(FileReader file, const std::string& name) {
-  Bytes begin(std::min(file.size(), kMostHeaderBytes));
-  MIRRORBALL_TRY_VOID(file.readAt(0, begin));
-  MIRRORBALL_TRY_VOID(checkExrSizes(begin, file.size(), name));
-  return withoutExceptions<std::unique_ptr<RowReader>>(name, [&]() -> Result<std::unique_ptr<RowReader>> {
+  // Headers that are longer than usual seem to end early.
+  if (!checkBeginning(file, kUsualHeaderBytes, name)) MIRRORBALL_TRY_VOID(checkBeginning(file, kMostHeaderBytes, name));
+  return decodingExr<std::unique_ptr<RowReader>>(name, [&]() -> Result<std::unique_ptr<RowReader>> {
     MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrFileInput>(std::move(file), name), name));
     if (part.hasChroma()) return nullptr;
-    RowReader::Description description{part.width(), part.height(), part.channels(), part.metadata(), part.describe()};
+    RowReader::Description description{part.width(), part.height(), part.channels(), part.metadata()};
     return std::make_unique<ExrRows>(std::move(description), std::move(part), name);
   });
 }

@@ -13,7 +13,7 @@ constexpr std::uint64_t kMostHeaderBytes = std::uint64_t{1} << 16;
 class HdrRows : public RowReader {
  public:
   HdrRows(FileReader file, HdrHeader header, std::string name)
-      : RowReader({header.width, header.height, 3, header.metadata, describe(header, LineForm::flat)}),
+      : RowReader({header.width, header.height, 3, header.metadata}),
         file_(std::move(file)),
         header_(std::move(header)),
         name_(std::move(name)),
@@ -46,7 +46,6 @@ Result<Image> HdrRows::read(int count) {
   decodeLines(bytes, *index, header_, rows);
   next_byte_ += index->end;
   next_ += lines;
-  setFormat(describe(header_, index->form));
   return rows;
 }
 

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/codec.h"
@@ -18,7 +17,6 @@ class RowReader {
     int height = 0;
     int channels = 3;
     Metadata metadata = {};
-    std::string format = {};  ///< as `info` shows it
   };
 
   virtual ~RowReader() = default;
@@ -34,7 +32,6 @@ class RowReader {
 
  protected:
   explicit RowReader(Description description) : description_(std::move(description)) {}
-  void setFormat(std::string format) { description_.format = std::move(format); }
 
  private:
   Description description_;

@@ -31,7 +31,7 @@ class Conversion {
   const glm::mat3& sourceFromTarget() const { return resampling_.source_from_target; }
   /// All pieces of the target, in the order of its texels.
   std::vector<Piece> pieces() const;
-  int channels() const { return hasDisc(to_) ? 4 : 3; }
+  int channels() const { return convertedChannels(to_); }
 
   /// Converts one piece.
   ///

@@ -34,11 +34,13 @@ glm::mat3 turnedBy(float yaw_rad, float pitch_rad, float roll_rad) {
   return aboutAxis(1, yaw_rad) * aboutAxis(0, pitch_rad) * aboutAxis(2, roll_rad);
 }
 
+int convertedChannels(Projection projection) { return hasDisc(projection) ? 4 : 3; }
+
 Result<ImageSet> imagesFor(Projection projection, int size) {
   const glm::ivec2 extent = imageSize(projection, size);
   MIRRORBALL_TRY_VOID(checkDimensions("the converted map", extent.x, extent.y));
   ImageSet images(1, faceCount(projection));
-  const int channels = hasDisc(projection) ? 4 : 3;
+  const int channels = convertedChannels(projection);
   MIRRORBALL_TRY_VOID(checkImageMemory("the converted map", extent.x, extent.y, channels * images.faces()));
   forEachImage(images, [&](Image& image) { image = Image::withoutValues(extent.x, extent.y, channels); });
   return images;

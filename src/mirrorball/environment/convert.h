@@ -50,6 +50,9 @@ using TakeTexels = std::function<Result<void>(int face, glm::ivec2 begin, const 
 Result<void> convertPiecewise(const Environment& source, Projection to, int size, const Resampling& resampling,
                               const TakeTexels& take, const ProgressFunction& progress = {});
 
+/// The channels of a converted map's texels: 4 where there is a disc, with alpha, else 3.
+int convertedChannels(Projection projection);
+
 /// Images for a map of that projection and size, whose texels have no values yet.
 ///
 /// errors   too_large

@@ -195,7 +195,7 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
   const MapForm& form = recognition.form;
   if (form.projection != Projection::equirect || form.has_texels_on_edges) return std::nullopt;
   const glm::mat3 picture_from_world = glm::transpose(centredOn(vectorOf(form.centre)));
-  return PanoramaRows{std::move(rows), std::move(recognition), picture_from_world};
+  return PanoramaRows{std::move(rows), picture_from_world};
 }
 
 }  // namespace mirrorball

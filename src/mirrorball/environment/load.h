@@ -41,7 +41,6 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
 /// A panorama that is read by rows while it is converted (convert_rows.h).
 struct PanoramaRows {
   std::unique_ptr<RowReader> rows;
-  Recognition recognition;
   /// Turns our directions into the picture's own: it may have another than +Z at its centre.
   glm::mat3 picture_from_world{1.0f};
 };

@@ -19,10 +19,3 @@ FN vec2 environmentBrdf(float perceptual_roughness, float cosine) {
   float bend = min(r.x * r.x, exp2(-9.28f * cosine)) * r.x + r.y;
   return vec2(-1.04f * bend + r.z, 1.04f * bend + r.w);
 }
-
-// The exponent of the Phong lobe that is as wide as a GGX lobe: 2 / alpha² − 2 (Walter et al. 2007, for Blinn), a
-// quarter of it for the reflected ray, which turns twice as fast as the half vector.
-FN float phongExponent(float perceptual_roughness) {
-  float alpha = max(alphaFromPerceptualRoughness(perceptual_roughness), 0.01f);
-  return max((2.0f / (alpha * alpha) - 2.0f) / 4.0f, 1.0f);
-}

@@ -5,6 +5,7 @@
 #include "height.glsl"
 #include "microfacet.glsl"
 #include "optics.glsl"
+#include "reflection_lobe.glsl"
 #include "sampling.glsl"
 #include "sphere_map.glsl"
 #include "tangent.glsl"

@@ -89,7 +89,10 @@ const Case kCases[] = {
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(lodOfLobe, unit, kTranscendental, vec4(lodOfLobe(p.x, 1.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(environmentBrdf, unit, kTranscendental, vec4(environmentBrdf(p.x, p.y), 0.0f, 0.0f)),
-    PARITY(phongExponent, unit, kTight, vec4(phongExponent(p.x), 0.0f, 0.0f, 0.0f)),
+
+    // mip_mapping
+    PARITY(lodOfRoughness, unit, kTight, vec4(lodOfRoughness(p.x, 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(roughnessOfLod, unit, kTight, vec4(roughnessOfLod(8.0f * p.x, 8.0f), 0.0f, 0.0f, 0.0f)),
 
     // mirror_ball
     // Newton's steps forgive their own rounding; k up to 0.97.
@@ -139,6 +142,15 @@ const Case kCases[] = {
     PARITY(angularPosition, direction, kTranscendental, vec4(angularPosition(vec3(p)), 0.0f, 0.0f)),
     PARITY(angularDirection, unit, kTranscendental, vec4(angularDirection(vec2(p)), 0.0f)),
     PARITY(insideDisc, unit, kExact, vec4(float(insideDisc(vec2(p))), 0.0f, 0.0f, 0.0f)),
+
+    // reflection_lobe
+    PARITY(cosineOfLobe, unit, kTight, vec4(cosineOfLobe(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(ggxLobe, unit, kTight, vec4(ggxLobe(0.0625f + p.y, p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(blinnLobe, unit, kTranscendental, vec4(blinnLobe(32.0f * p.y, 0.9375f * p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(phongLobe, unit, kTranscendental, vec4(phongLobe(1.0f + 32.0f * p.y, p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(charlieLobe, unit, kTranscendental, vec4(charlieLobe(0.0625f + p.y, p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(blinnExponent, unit, kTight, vec4(blinnExponent(0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(phongExponent, unit, kTight, vec4(phongExponent(p.x), 0.0f, 0.0f, 0.0f)),
 
     // sampling
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),

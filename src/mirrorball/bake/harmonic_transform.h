@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/bake/bright_texels.h"
+#include "mirrorball/bake/sphere_grid.h"
+#include "mirrorball/environment/environment_map.h"
+
+namespace mirrorball {
+
+/// A function on the sphere in spherical harmonics about +Y: of red, green, blue and of what a white map of the same
+/// texels has, for which only order 0 is kept.
+class HarmonicCoefficients {
+ public:
+  /// One band of one order: Σ texels · Y*_lm.
+  struct Value {
+    glm::vec4 real;       ///< red, green, blue, white
+    glm::vec4 imaginary;  ///< red, green, blue, 0
+  };
+
+  /// All 0.
+  explicit HarmonicCoefficients(int bands);
+
+  int bands() const { return static_cast<int>(orders_.size()); }
+  /// The values for l = m, m + 1, … to bands(), rounded up to a whole kLegendreStretch; orders m ≥ 0, since light is real.
+  std::vector<Value>& order(int m) { return orders_[std::size_t(m)]; }
+  const std::vector<Value>& order(int m) const { return orders_[std::size_t(m)]; }
+
+ private:
+  std::vector<std::vector<Value>> orders_;
+};
+
+/// The harmonics of a panorama's texels, each a point of light at its centre with the flux of its area,
+/// (cos θ₀ − cos θ₁) 2π / width. So no rule of quadrature stands between the map and its coefficients: they are
+/// exactly those of the sum over all texels.
+///
+/// panorama   equirect, of any width and height
+/// without    texels whose excess is left out (bright_texels.h)
+/// bands      l < bands
+/// cost       height/2 · bands²/2 steps of a recurrence and its eight products, about 1.2 ns each on one core; and a
+///            Fourier transform of each row
+HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightTexels& without, int bands);
+
+/// The function again on a grid, each band l weighed by `weights[l]`, divided by what the white map has there: for weights
+/// of a lobe the weighted mean of all texels.
+///
+/// weights    at most coefficients.bands() count
+/// returns    colour and, as the fourth channel, one over white
+/// cost       0.6 · bands steps for each m and l, and a Fourier transform of each ring
+SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights);
+
+}  // namespace mirrorball

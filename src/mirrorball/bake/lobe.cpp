@@ -1,0 +1,111 @@
+#include "mirrorball/bake/lobe.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "formula/formula.h"
+#include "mirrorball/bake/gauss_legendre.h"
+
+namespace mirrorball {
+namespace {
+
+/// Where a lobe is integrated: cos θ, and the lobe times the solid angle that the place stands for.
+struct Samples {
+  std::vector<double> cosines;
+  std::vector<double> weighted;
+};
+
+/// Panels of 16 Gauss points that grow with the distance from the middle, but none so wide that the highest harmonic
+/// swings more than twice in it.
+Samples sampled(const std::function<float(float)>& shape, double width, int most_bands) {
+  const QuadratureRule rule = gaussLegendre(16);
+  const double widest = 4.0 * std::numbers::pi / most_bands;
+  Samples samples;
+  for (double begin = 0.0; begin < std::numbers::pi / 2;) {
+    const double panel = std::min(std::max(begin, width) / 2, widest);
+    const double end = std::min(begin + panel, std::numbers::pi / 2);
+    for (std::size_t i = 0; i < rule.places.size(); ++i) {
+      const double theta = (begin + end + (end - begin) * rule.places[i]) / 2;
+      const double half = std::sin(theta / 2);
+      const double ring = 2.0 * std::numbers::pi * std::sin(theta) * rule.weights[i] * (end - begin) / 2;
+      samples.cosines.push_back(std::cos(theta));
+      samples.weighted.push_back(ring * static_cast<double>(shape(static_cast<float>(half * half))));
+    }
+    begin = end;
+  }
+  return samples;
+}
+
+/// Σ weighted · P_l(cosine), band by band until a whole stretch of them stays below kLeastBand.
+std::vector<float> bandsOf(const Samples& samples, int most_bands) {
+  constexpr std::size_t kStretch = 16;
+  const std::size_t count = samples.cosines.size();
+  std::vector<double> here(count, 1.0);
+  std::vector<double> before(count, 0.0);
+  std::vector<float> bands;
+  double whole = 1.0;
+  for (int l = 0; l < most_bands; ++l) {
+    double sum = 0.0;
+    const double a = (2.0 * l + 1.0) / (l + 1.0);
+    const double b = l / (l + 1.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      sum += samples.weighted[i] * here[i];
+      const double next = a * samples.cosines[i] * here[i] - b * before[i];
+      before[i] = here[i];
+      here[i] = next;
+    }
+    if (l == 0) whole = sum;
+    bands.push_back(static_cast<float>(sum / whole));
+    const auto small = [](float band) { return std::abs(band) < Lobe::kLeastBand; };
+    if (bands.size() > kStretch && std::all_of(bands.end() - kStretch, bands.end(), small)) {
+      bands.resize(bands.size() - kStretch);
+      break;
+    }
+  }
+  return bands;
+}
+
+}  // namespace
+
+Lobe::Lobe(std::function<float(float s)> shape, double width_rad) : shape_(std::move(shape)) {
+  // GGX needs 5.5 / width; lobes with an edge fall like l^-2.5 in the end.
+  const int most_bands = static_cast<int>(6.0 / width_rad) + 96;
+  const Samples samples = sampled(shape_, width_rad, most_bands);
+  double whole = 0.0;
+  for (const double weighted : samples.weighted) whole += weighted;
+  scale_ = static_cast<float>(1.0 / whole);
+  bands_ = bandsOf(samples, most_bands);
+}
+
+Lobe Lobe::reflection(Distribution distribution, float perceptual_roughness) {
+  const float alpha = formula::alphaFromPerceptualRoughness(perceptual_roughness);
+  assert(alpha >= kLeastAlpha);
+  const auto width = static_cast<double>(alpha);
+  switch (distribution) {
+    case Distribution::phong: {
+      // Not formula::phongExponent, which is bounded for point lights.
+      const float exponent = std::max(formula::blinnExponent(alpha) / 4.0f, 1.0f);
+      return Lobe([exponent](float s) { return formula::phongLobe(exponent, s); }, width);
+    }
+    case Distribution::blinn: {
+      const float exponent = formula::blinnExponent(alpha);
+      return Lobe([exponent](float s) { return formula::blinnLobe(exponent, s); }, width);
+    }
+    case Distribution::charlie:
+      return Lobe([alpha](float s) { return formula::charlieLobe(alpha, s); }, width);
+    case Distribution::ggx:
+      break;
+  }
+  Lobe lobe([alpha](float s) { return formula::ggxLobe(alpha, s); }, width);
+  lobe.ggx_alpha_ = alpha;
+  return lobe;
+}
+
+Lobe Lobe::cosine() {
+  return Lobe([](float s) { return formula::cosineOfLobe(s); }, 1.0);
+}
+
+}  // namespace mirrorball

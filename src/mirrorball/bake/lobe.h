@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace mirrorball {
+
+/// Which microfacet distribution a rough surface has (formula/reflection_lobe.glsl).
+enum class Distribution { ggx, phong, blinn, charlie };
+
+/// A blur that is the same in all directions around its middle: a function on the sphere that depends only on the angle
+/// θ from there, vanishes beyond 90° and has the integral 1.
+class Lobe {
+ public:
+  /// What a surface reflects towards an eye that looks along its normal.
+  ///
+  /// perceptual_roughness  such that alpha is at least kLeastAlpha
+  static Lobe reflection(Distribution distribution, float perceptual_roughness);
+
+  /// (n·l)₊ / π: the mean that a matt surface takes of the light around it, irradiance / π.
+  static Lobe cosine();
+
+  /// Its value [1/sr] in a direction with sin²(θ/2) = s.
+  float at(float s) const { return scale_ * shape_(s); }
+
+  /// GGX's alpha, for whoever has its formula; 0 for other lobes.
+  float ggxAlpha() const { return ggx_alpha_; }
+  /// at(0) of GGX.
+  float scale() const { return scale_; }
+
+  /// What it leaves of band l of spherical harmonics (Funk and Hecke): 1 for l = 0, and so many that all further ones are
+  /// less than kLeastBand.
+  const std::vector<float>& bands() const { return bands_; }
+
+  /// Narrower lobes have more bands than is worth while: they are less than a quarter of a degree wide.
+  static constexpr float kLeastAlpha = 0.002f;
+
+  /// 2 α l K₁(2 α l), GGX's bands for small α, fall below it at l = 5.5 / α.
+  static constexpr float kLeastBand = 7e-5f;
+
+ private:
+  /// shape   of s, at most about 1
+  /// width   [rad] of its finest detail
+  Lobe(std::function<float(float s)> shape, double width_rad);
+
+  std::function<float(float s)> shape_;
+  float scale_ = 1.0f;
+  float ggx_alpha_ = 0.0f;
+  std::vector<float> bands_;
+};
+
+}  // namespace mirrorball

@@ -11,7 +11,8 @@
 namespace mirrorball {
 namespace {
 
-constexpr int kMostBrightTexels = 64;
+/// A sun of half a degree has 101 texels in a panorama of 8192 × 4096.
+constexpr int kMostBrightTexels = 256;
 
 /// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier transform
 /// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5.

@@ -41,9 +41,8 @@ float meanBrightness(const EnvironmentMap& map) {
   return static_cast<float>(sum / (static_cast<double>(width) * static_cast<double>(sums.size())));
 }
 
-/// All texels that are bright enough, in their order.
-std::vector<Candidate> brightCandidates(const EnvironmentMap& map) {
-  const float least = kBright * meanBrightness(map);
+/// All texels that are brighter than `least`, in their order.
+std::vector<Candidate> brightCandidates(const EnvironmentMap& map, float least) {
   const auto width = static_cast<std::size_t>(map.extent().x);
   std::vector<std::vector<Candidate>> rows(static_cast<std::size_t>(map.extent().y * map.faces()));
   forEachRow(map, [&](std::size_t row, const Image& image, int y) {
@@ -60,18 +59,19 @@ std::vector<Candidate> brightCandidates(const EnvironmentMap& map) {
 }  // namespace
 
 BrightTexels brightTexels(const EnvironmentMap& map, int most) {
-  std::vector<Candidate> candidates = brightCandidates(map);
-  const std::size_t count = std::min(candidates.size(), static_cast<std::size_t>(most));
-  if (count == 0) return {};
-  // One more than are taken: what those exceed the rest by.
-  const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(std::min(count, candidates.size() - 1));
-  std::nth_element(candidates.begin(), last, candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return a.brightness != b.brightness ? a.brightness > b.brightness : a.index < b.index;
-  });
-  const float rest = last->brightness;
-  candidates.resize(count);
-  std::sort(candidates.begin(), candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return a.index < b.index; });
+  float rest = kBright * meanBrightness(map);
+  std::vector<Candidate> candidates = brightCandidates(map, rest);
+  const auto count = static_cast<std::size_t>(most);
+  if (candidates.size() > count) {
+    const auto last = candidates.begin() + most;
+    std::nth_element(candidates.begin(), last, candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return a.brightness != b.brightness ? a.brightness > b.brightness : a.index < b.index;
+    });
+    rest = last->brightness;
+    candidates.resize(count);
+    std::sort(candidates.begin(), candidates.end(),
+              [](const Candidate& a, const Candidate& b) { return a.index < b.index; });
+  }
 
   BrightTexels texels;
   const glm::ivec2 extent = map.extent();

@@ -155,12 +155,14 @@ HarmonicCoefficients::HarmonicCoefficients(int bands) : orders_(static_cast<std:
 HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightTexels& without, int bands) {
   RingSpectra spectra = spectraOfRows(panorama, without, bands);
   const Rings rings(spectra);
+  const std::vector<double> seeds = legendreSeeds(bands);
   HarmonicCoefficients coefficients(bands);
   parallelFor(static_cast<std::size_t>(bands), 4, [&](std::size_t begin, std::size_t end) {
     for (int m = static_cast<int>(begin); m < static_cast<int>(end); ++m) {
       const std::span<RingPair> pairs = spectra.order(m);
       std::fill(pairs.begin() + spectra.pairs(), pairs.end(), kNoLight);
-      analyseOrder(pairs, LegendreOrder(m, bands), bands, rings, coefficients.order(m));
+      analyseOrder(pairs, LegendreOrder(m, bands, seeds[static_cast<std::size_t>(m)]), bands, rings,
+                   coefficients.order(m));
     }
   });
   return coefficients;
@@ -173,9 +175,11 @@ SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vecto
   const int rings = quickLength(std::max(bands * 5 / 4, 16));
   RingSpectra spectra(rings, bands);
   const Rings places(spectra);
+  const std::vector<double> seeds = legendreSeeds(bands);
   parallelFor(static_cast<std::size_t>(bands), 4, [&](std::size_t begin, std::size_t end) {
     for (int m = static_cast<int>(begin); m < static_cast<int>(end); ++m)
-      synthesizeOrder(coefficients.order(m), LegendreOrder(m, bands), weights, places, spectra.order(m));
+      synthesizeOrder(coefficients.order(m), LegendreOrder(m, bands, seeds[static_cast<std::size_t>(m)]), weights,
+                      places, spectra.order(m));
   });
   return gridOf(spectra, quickLength(std::max(2 * bands + 2, 32)));
 }

@@ -42,26 +42,62 @@ HWY_BEFORE_NAMESPACE();
 namespace mirrorball::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Four vectors of rings at once, since each step waits for the one before.
 void advanceRings(const double* step, LegendreBlock& block, float* values) {
   const hn::CappedTag<double, 8> d;
   const hn::Rebind<float, decltype(d)> narrow;
   const std::size_t lanes = hn::Lanes(d);
-  for (std::size_t ring = 0; ring < kLegendreBlock; ring += lanes) {
-    if (std::any_of(&block.exponent[ring], &block.exponent[ring] + lanes, [](int e) { return e < 0; })) {
-      for (std::size_t i = 0; i < lanes; ++i) advanceRing(step, block, ring + i, values);
+  for (std::size_t ring = 0; ring < kLegendreBlock; ring += 4 * lanes) {
+    const std::size_t r1 = ring + lanes;
+    const std::size_t r2 = ring + 2 * lanes;
+    const std::size_t r3 = ring + 3 * lanes;
+    if (std::any_of(&block.exponent[ring], &block.exponent[ring] + 4 * lanes, [](int e) { return e < 0; })) {
+      for (std::size_t i = 0; i < 4 * lanes; ++i) advanceRing(step, block, ring + i, values);
       continue;
     }
-    const auto cosine = hn::Load(d, &block.cosine[ring]);
-    auto before = hn::Load(d, &block.before[ring]);
-    auto here = hn::Load(d, &block.here[ring]);
-    for (std::size_t k = 0; k < kLegendreStretch; ++k) {
-      hn::Store(hn::DemoteTo(narrow, here), narrow, values + k * kLegendreBlock + ring);
-      const auto next = hn::MulSub(hn::Mul(hn::Set(d, step[k]), cosine), here, before);
-      before = here;
-      here = next;
+    const auto cosine0 = hn::Load(d, &block.cosine[ring]);
+    const auto cosine1 = hn::Load(d, &block.cosine[r1]);
+    const auto cosine2 = hn::Load(d, &block.cosine[r2]);
+    const auto cosine3 = hn::Load(d, &block.cosine[r3]);
+    auto before0 = hn::Load(d, &block.before[ring]);
+    auto before1 = hn::Load(d, &block.before[r1]);
+    auto before2 = hn::Load(d, &block.before[r2]);
+    auto before3 = hn::Load(d, &block.before[r3]);
+    auto here0 = hn::Load(d, &block.here[ring]);
+    auto here1 = hn::Load(d, &block.here[r1]);
+    auto here2 = hn::Load(d, &block.here[r2]);
+    auto here3 = hn::Load(d, &block.here[r3]);
+    // Two steps a turn, so that nothing has to be moved: `before` becomes the next value, then `here` does.
+    for (std::size_t k = 0; k < kLegendreStretch; k += 2) {
+      float* even = values + k * kLegendreBlock;
+      float* odd = even + kLegendreBlock;
+      hn::Store(hn::DemoteTo(narrow, here0), narrow, even + ring);
+      hn::Store(hn::DemoteTo(narrow, here1), narrow, even + r1);
+      hn::Store(hn::DemoteTo(narrow, here2), narrow, even + r2);
+      hn::Store(hn::DemoteTo(narrow, here3), narrow, even + r3);
+      const auto first = hn::Set(d, step[k]);
+      before0 = hn::MulSub(hn::Mul(first, cosine0), here0, before0);
+      before1 = hn::MulSub(hn::Mul(first, cosine1), here1, before1);
+      before2 = hn::MulSub(hn::Mul(first, cosine2), here2, before2);
+      before3 = hn::MulSub(hn::Mul(first, cosine3), here3, before3);
+      hn::Store(hn::DemoteTo(narrow, before0), narrow, odd + ring);
+      hn::Store(hn::DemoteTo(narrow, before1), narrow, odd + r1);
+      hn::Store(hn::DemoteTo(narrow, before2), narrow, odd + r2);
+      hn::Store(hn::DemoteTo(narrow, before3), narrow, odd + r3);
+      const auto second = hn::Set(d, step[k + 1]);
+      here0 = hn::MulSub(hn::Mul(second, cosine0), before0, here0);
+      here1 = hn::MulSub(hn::Mul(second, cosine1), before1, here1);
+      here2 = hn::MulSub(hn::Mul(second, cosine2), before2, here2);
+      here3 = hn::MulSub(hn::Mul(second, cosine3), before3, here3);
     }
-    hn::Store(before, d, &block.before[ring]);
-    hn::Store(here, d, &block.here[ring]);
+    hn::Store(before0, d, &block.before[ring]);
+    hn::Store(before1, d, &block.before[r1]);
+    hn::Store(before2, d, &block.before[r2]);
+    hn::Store(before3, d, &block.before[r3]);
+    hn::Store(here0, d, &block.here[ring]);
+    hn::Store(here1, d, &block.here[r1]);
+    hn::Store(here2, d, &block.here[r2]);
+    hn::Store(here3, d, &block.here[r3]);
   }
 }
 
@@ -73,15 +109,22 @@ namespace mirrorball {
 
 HWY_EXPORT(advanceRings);
 
-LegendreOrder::LegendreOrder(int order, int bands) : m(order) {
+std::vector<double> legendreSeeds(int orders) {
+  // P̄_mm² = (2m+1)!! / (4π (2m)!!) sin^2m θ.
+  std::vector<double> seeds;
+  double log2_square = -std::log2(4.0 * std::numbers::pi);
+  for (int m = 0; m < orders; ++m) {
+    if (m > 0) log2_square += std::log2((2.0 * m + 1.0) / (2.0 * m));
+    seeds.push_back(log2_square / 2.0);
+  }
+  return seeds;
+}
+
+LegendreOrder::LegendreOrder(int order, int bands, double seed) : m(order), log2_seed(seed) {
   const int stretches = (bands - m + kLegendreStretch - 1) / kLegendreStretch;
   const int count = stretches * kLegendreStretch;
   step.reserve(static_cast<std::size_t>(count));
   scale.reserve(static_cast<std::size_t>(count));
-  // P̄_mm² = (2m+1)!! / (4π (2m)!!) sin^2m θ.
-  double log2_square = -std::log2(4.0 * std::numbers::pi);
-  for (int k = 1; k <= m; ++k) log2_square += std::log2((2.0 * k + 1.0) / (2.0 * k));
-  log2_seed = log2_square / 2;
   // β_{l+1} P̄_{l+1} = cos θ P̄_l − β_l P̄_{l−1} with β_l² = (l² − m²) / (4l² − 1); the scales h make it one product and
   // one difference: h_{l+1} = h_{l−1} β_l / β_{l+1}.
   const auto beta = [this](int l) { return std::sqrt((double(l) * l - double(m) * m) / (4.0 * l * l - 1.0)); };

@@ -8,6 +8,9 @@ namespace mirrorball {
 inline constexpr int kLegendreStretch = 32;  ///< bands that are computed together
 inline constexpr int kLegendreBlock = 32;    ///< rings that are computed together
 
+/// log₂ of P̄_mm / sin^m θ for m < orders.
+std::vector<double> legendreSeeds(int orders);
+
 /// The associated Legendre functions P̄_lm of one order m, normalised so that P̄_lm(cos θ) e^(imφ) are orthonormal on the
 /// sphere, as a recurrence of two operations a step: with P̄_lm = scale · Q_l,
 ///   Q_{l+1} = step · cos θ · Q_l − Q_{l−1}.
@@ -15,12 +18,13 @@ inline constexpr int kLegendreBlock = 32;    ///< rings that are computed togeth
 /// from     Reinecke & Seljebotn 2013, "Libsharp – spherical harmonic transforms revisited", for the form
 struct LegendreOrder {
   /// bands    for m ≤ l < bands, rounded up to whole stretches
-  LegendreOrder(int order, int bands);
+  /// seed     legendreSeeds(…)[order]
+  LegendreOrder(int order, int bands, double seed);
 
   int m;
   std::vector<double> step;   ///< [l − m]
   std::vector<double> scale;  ///< [l − m]
-  double log2_seed;           ///< of P̄_mm / sin^m θ
+  double log2_seed;
 };
 
 /// Q_l on up to kLegendreBlock rings. sin^m θ leaves the range of a double far from the equator; such values have an

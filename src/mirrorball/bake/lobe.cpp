@@ -12,6 +12,10 @@
 namespace mirrorball {
 namespace {
 
+// Where bands are few they cost little: more of them make dark surroundings of a lamp more exact.
+constexpr int kCheapBands = 256;
+constexpr float kLeastCheapBand = 1e-6f;
+
 /// Where a lobe is integrated: cos θ, and the lobe times the solid angle that the place stands for.
 struct Samples {
   std::vector<double> cosines;
@@ -59,7 +63,8 @@ std::vector<float> bandsOf(const Samples& samples, int most_bands) {
     }
     if (l == 0) whole = sum;
     bands.push_back(static_cast<float>(sum / whole));
-    const auto small = [](float band) { return std::abs(band) < Lobe::kLeastBand; };
+    const float least = l < kCheapBands ? kLeastCheapBand : Lobe::kLeastBand;
+    const auto small = [least](float band) { return std::abs(band) < least; };
     if (bands.size() > kStretch && std::all_of(bands.end() - kStretch, bands.end(), small)) {
       bands.resize(bands.size() - kStretch);
       break;
@@ -72,7 +77,7 @@ std::vector<float> bandsOf(const Samples& samples, int most_bands) {
 
 Lobe::Lobe(std::function<float(float s)> shape, double width_rad) : shape_(std::move(shape)) {
   // GGX needs 5.5 / width; lobes with an edge fall like l^-2.5 in the end.
-  const int most_bands = static_cast<int>(6.0 / width_rad) + 96;
+  const int most_bands = static_cast<int>(10.0 / width_rad) + 196;
   const Samples samples = sampled(shape_, width_rad, most_bands);
   double whole = 0.0;
   for (const double weighted : samples.weighted) whole += weighted;

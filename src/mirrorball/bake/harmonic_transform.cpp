@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
+#include <span>
 
 #include "mirrorball/bake/legendre.h"
 #include "mirrorball/bake/ring_spectra.h"
@@ -65,35 +67,36 @@ HWY_EXPORT(addProducts);
 using Coefficient = HarmonicCoefficients::Value;
 static_assert(sizeof(Coefficient) == 8 * sizeof(float) && sizeof(RingPair) == 16 * sizeof(float));
 
-/// cos θ and log₂ sin θ of a map's northern rings.
+/// The northern rings of so many equally spaced ones, half a space from the poles.
 struct Rings {
   std::vector<double> cosines;
   std::vector<double> sines;
   std::vector<double> log2_sines;
 
-  explicit Rings(const RingSpectra& spectra) {
-    for (int pair = 0; pair < spectra.pairs(); ++pair) {
-      const double theta = spectra.theta(pair);
+  explicit Rings(int count) {
+    for (int ring = 0; ring < (count + 1) / 2; ++ring) {
+      const double theta = std::numbers::pi * (ring + 0.5) / count;
       cosines.push_back(std::cos(theta));
       sines.push_back(std::sin(theta));
       log2_sines.push_back(std::log2(sines.back()));
     }
   }
+  int pairs() const { return static_cast<int>(cosines.size()); }
 };
 
-/// Calls `visit(first pair, l − m, legendre)` for each stretch of bands on each block of rings that an order reaches;
-/// legendre holds [band][ring].
+/// Calls `visit(place of the first pair, l − m, legendre)` for each stretch of bands on each block of the rings from
+/// `first` on that an order reaches; legendre holds [band][ring].
 template <typename Visit>
-void forEachStretch(const LegendreOrder& order, int bands, const Rings& rings, const Visit& visit) {
+void forEachStretch(const LegendreOrder& order, int bands, const Rings& rings, int first, const Visit& visit) {
   alignas(64) float legendre[kLegendreStretch * kLegendreBlock];
-  const int pairs = static_cast<int>(rings.cosines.size());
-  for (int begin = 0; begin < pairs; begin += kLegendreBlock) {
-    const int count = std::min(kLegendreBlock, pairs - begin);
+  const int end = std::min(first + RingSpectra::kPairs, rings.pairs());
+  for (int begin = first; begin < end; begin += kLegendreBlock) {
+    const int count = std::min(kLegendreBlock, end - begin);
     if (vanishes(order.m, bands, rings.sines[static_cast<std::size_t>(begin + count - 1)])) continue;
     LegendreBlock block(order, rings.cosines.data() + begin, rings.log2_sines.data() + begin, count);
-    for (int first = 0; order.m + first < bands; first += kLegendreStretch) {
-      advance(order, first, block, legendre);
-      visit(begin, first, legendre);
+    for (int l = 0; order.m + l < bands; l += kLegendreStretch) {
+      advance(order, l, block, legendre);
+      visit(begin - first, l, legendre);
     }
   }
 }
@@ -104,65 +107,80 @@ float* floatsOf(RingPair::Value& value) { return &value.real.x; }
 const float* floatsOf(const RingPair::Value& value) { return &value.real.x; }
 
 /// Σ over the rings of one order; every other band meets the even or the odd part of the pairs.
-void analyseOrder(std::span<const RingPair> pairs, const LegendreOrder& order, int bands, const Rings& rings,
+void analyseOrder(const RingSpectra& spectra, int first, const Rings& rings, const LegendreOrder& order,
                   std::vector<Coefficient>& coefficients) {
-  forEachStretch(order, bands, rings, [&](int begin, int first, const float* legendre) {
-    const RingPair& pair = pairs[static_cast<std::size_t>(begin)];
+  forEachStretch(order, spectra.orders(), rings, first, [&](int place, int l, const float* legendre) {
+    const RingPair& pair = spectra.order(order.m)[static_cast<std::size_t>(place)];
     for (std::size_t parity = 0; parity < 2; ++parity)
       for (std::size_t k = parity; k < kLegendreStretch; k += 2 * kRows) HWY_DYNAMIC_DISPATCH(addProducts)
     (legendre + k * kLegendreBlock, 2 * kLegendreBlock, 1, floatsOf(parity == 0 ? pair.even : pair.odd), 16,
-     kLegendreBlock, &coefficients[static_cast<std::size_t>(first) + k].real.x, 16);
+     kLegendreBlock, &coefficients[static_cast<std::size_t>(l) + k].real.x, 16);
   });
-  for (std::size_t i = 0; i < coefficients.size(); ++i) {
-    const auto scale = static_cast<float>(order.scale[i]);
-    coefficients[i].real *= scale;
-    coefficients[i].imaginary *= scale;
-  }
 }
 
 /// Σ over the bands of one order, on every ring.
-void synthesizeOrder(const std::vector<Coefficient>& coefficients, const LegendreOrder& order,
-                     const std::vector<float>& weights, const Rings& rings, std::span<RingPair> pairs) {
-  const int bands = static_cast<int>(weights.size());
-  std::vector<Coefficient> weighted(order.scale.size(), Coefficient{glm::vec4(0.0f), glm::vec4(0.0f)});
-  for (int l = order.m; l < bands; ++l) {
-    const auto i = static_cast<std::size_t>(l - order.m);
-    const float weight = weights[static_cast<std::size_t>(l)] * static_cast<float>(order.scale[i]);
-    weighted[i] = {coefficients[i].real * weight, coefficients[i].imaginary * weight};
-  }
+void synthesizeOrder(const std::vector<Coefficient>& weighted, const Rings& rings, const LegendreOrder& order,
+                     int first, RingSpectra& spectra) {
+  const std::span<RingPair> pairs = spectra.order(order.m);
   std::fill(pairs.begin(), pairs.end(), kNoLight);
-  forEachStretch(order, bands, rings, [&](int begin, int first, const float* legendre) {
+  forEachStretch(order, spectra.orders(), rings, first, [&](int place, int l, const float* legendre) {
     for (std::size_t parity = 0; parity < 2; ++parity)
       for (std::size_t ring = 0; ring < kLegendreBlock; ring += kRows) {
-        RingPair& pair = pairs[static_cast<std::size_t>(begin) + ring];
+        RingPair& pair = pairs[static_cast<std::size_t>(place) + ring];
         HWY_DYNAMIC_DISPATCH(addProducts)
         (legendre + parity * kLegendreBlock + ring, 1, 2 * kLegendreBlock,
-         &weighted[static_cast<std::size_t>(first) + parity].real.x, 16, kLegendreStretch / 2,
+         &weighted[static_cast<std::size_t>(l) + parity].real.x, 16, kLegendreStretch / 2,
          floatsOf(parity == 0 ? pair.even : pair.odd), 16);
       }
   });
 }
 
+/// The coefficients of one order, each times its band's weight and `scale`.
+std::vector<Coefficient> weightedOrder(const std::vector<Coefficient>& coefficients, const LegendreOrder& order,
+                                       const std::vector<float>& weights) {
+  std::vector<Coefficient> weighted(order.scale.size(), Coefficient{glm::vec4(0.0f), glm::vec4(0.0f)});
+  for (std::size_t i = 0; i + static_cast<std::size_t>(order.m) < weights.size(); ++i) {
+    const float weight = weights[i + static_cast<std::size_t>(order.m)] * static_cast<float>(order.scale[i]);
+    weighted[i] = {coefficients[i].real * weight, coefficients[i].imaginary * weight};
+  }
+  return weighted;
+}
+
+/// Calls `visit(m)` for all orders on all cores.
+template <typename Visit>
+void forEachOrder(int orders, const Visit& visit) {
+  parallelFor(static_cast<std::size_t>(orders), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end; ++m) visit(static_cast<int>(m));
+  });
+}
+
 }  // namespace
 
-HarmonicCoefficients::HarmonicCoefficients(int bands) : orders_(static_cast<std::size_t>(bands)) {
-  for (int m = 0; m < bands; ++m) {
-    const int stretches = (bands - m + kLegendreStretch - 1) / kLegendreStretch;
-    order(m).resize(static_cast<std::size_t>(stretches * kLegendreStretch), {glm::vec4(0.0f), glm::vec4(0.0f)});
-  }
+HarmonicCoefficients::HarmonicCoefficients(int bands)
+    : bands_(bands), orders_(static_cast<std::size_t>(bands)), legendre_(static_cast<std::size_t>(bands)) {
+  const std::vector<double> seeds = legendreSeeds(bands);
+  forEachOrder(bands, [&](int m) {
+    const auto at = static_cast<std::size_t>(m);
+    legendre_[at] = LegendreOrder(m, bands, seeds[at]);
+    orders_[at].resize(legendre_[at].scale.size(), {glm::vec4(0.0f), glm::vec4(0.0f)});
+  });
 }
 
 HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightTexels& without, int bands) {
-  RingSpectra spectra = spectraOfRows(panorama, without, bands);
-  const Rings rings(spectra);
-  const std::vector<double> seeds = legendreSeeds(bands);
   HarmonicCoefficients coefficients(bands);
-  parallelFor(static_cast<std::size_t>(bands), 4, [&](std::size_t begin, std::size_t end) {
-    for (int m = static_cast<int>(begin); m < static_cast<int>(end); ++m) {
-      const std::span<RingPair> pairs = spectra.order(m);
-      std::fill(pairs.begin() + spectra.pairs(), pairs.end(), kNoLight);
-      analyseOrder(pairs, LegendreOrder(m, bands, seeds[static_cast<std::size_t>(m)]), bands, rings,
-                   coefficients.order(m));
+  const RowTransform rows(panorama, without, bands);
+  const Rings rings(panorama.extent().y);
+  RingSpectra spectra(bands);
+  for (int first = 0; first < rings.pairs(); first += RingSpectra::kPairs) {
+    rows.run(first, spectra);
+    forEachOrder(bands,
+                 [&](int m) { analyseOrder(spectra, first, rings, coefficients.legendre(m), coefficients.order(m)); });
+  }
+  forEachOrder(bands, [&](int m) {
+    std::vector<Coefficient>& order = coefficients.order(m);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const auto scale = static_cast<float>(coefficients.legendre(m).scale[i]);
+      order[i] = {order[i].real * scale, order[i].imaginary * scale};
     }
   });
   return coefficients;
@@ -171,17 +189,23 @@ HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightTexels&
 SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights) {
   const int bands = static_cast<int>(weights.size());
   assert(bands <= coefficients.bands());
-  // Half of the bands are weighed so lightly that what interpolation does to them is not seen.
-  const int rings = quickLength(std::max(bands * 5 / 4, 16));
-  RingSpectra spectra(rings, bands);
-  const Rings places(spectra);
-  const std::vector<double> seeds = legendreSeeds(bands);
-  parallelFor(static_cast<std::size_t>(bands), 4, [&](std::size_t begin, std::size_t end) {
-    for (int m = static_cast<int>(begin); m < static_cast<int>(end); ++m)
-      synthesizeOrder(coefficients.order(m), LegendreOrder(m, bands, seeds[static_cast<std::size_t>(m)]), weights,
-                      places, spectra.order(m));
+  std::vector<std::vector<Coefficient>> weighted(weights.size());
+  forEachOrder(bands, [&](int m) {
+    weighted[static_cast<std::size_t>(m)] = weightedOrder(coefficients.order(m), coefficients.legendre(m), weights);
   });
-  return gridOf(spectra, quickLength(std::max(2 * bands + 2, 32)));
+  // Half of the bands are weighed so lightly that what interpolation does to them is not seen.
+  SphereGrid grid(quickLength(std::max(bands * 5 / 4, 16)), quickLength(std::max(2 * bands + 2, 32)));
+  const GridTransform transform(grid, bands);
+  const Rings rings(grid.rings());
+  RingSpectra spectra(bands);
+  for (int first = 0; first < rings.pairs(); first += RingSpectra::kPairs) {
+    forEachOrder(bands, [&](int m) {
+      synthesizeOrder(weighted[static_cast<std::size_t>(m)], rings, coefficients.legendre(m), first, spectra);
+    });
+    transform.run(first, spectra);
+  }
+  grid.close();
+  return grid;
 }
 
 }  // namespace mirrorball

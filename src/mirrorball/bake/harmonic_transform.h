@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/bake/bright_texels.h"
+#include "mirrorball/bake/legendre.h"
 #include "mirrorball/bake/sphere_grid.h"
 #include "mirrorball/environment/environment_map.h"
 
@@ -24,13 +25,16 @@ class HarmonicCoefficients {
   /// All 0.
   explicit HarmonicCoefficients(int bands);
 
-  int bands() const { return static_cast<int>(orders_.size()); }
+  int bands() const { return bands_; }
   /// The values for l = m, m + 1, … to bands(), rounded up to a whole kLegendreStretch; orders m ≥ 0, since light is real.
   std::vector<Value>& order(int m) { return orders_[std::size_t(m)]; }
   const std::vector<Value>& order(int m) const { return orders_[std::size_t(m)]; }
+  const LegendreOrder& legendre(int m) const { return legendre_[std::size_t(m)]; }
 
  private:
+  int bands_;
   std::vector<std::vector<Value>> orders_;
+  std::vector<LegendreOrder> legendre_;
 };
 
 /// The harmonics of a panorama's texels, each a point of light at its centre with the flux of its area,

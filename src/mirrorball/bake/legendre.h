@@ -20,11 +20,12 @@ struct LegendreOrder {
   /// bands    for m ≤ l < bands, rounded up to whole stretches
   /// seed     legendreSeeds(…)[order]
   LegendreOrder(int order, int bands, double seed);
+  LegendreOrder() = default;
 
-  int m;
+  int m = 0;
   std::vector<double> step;   ///< [l − m]
   std::vector<double> scale;  ///< [l − m]
-  double log2_seed;
+  double log2_seed = 0.0;
 };
 
 /// Q_l on up to kLegendreBlock rings. sin^m θ leaves the range of a double far from the equator; such values have an

@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
-#include <cstdlib>
-#include <memory>
 #include <numbers>
 
 #include <kiss_fft.h>
 
-#include "mirrorball/bake/legendre.h"
 #include "mirrorball/base/parallel.h"
 
 namespace mirrorball {
@@ -19,63 +15,7 @@ namespace {
 using Complex = std::complex<float>;
 static_assert(sizeof(Complex) == sizeof(kiss_fft_cpx));
 
-/// A Fourier transform of one length, in either direction, unscaled; safe to use from many threads.
-class FourierTransform {
- public:
-  FourierTransform(int length, bool is_inverse) : plan_(kiss_fft_alloc(length, is_inverse, nullptr, nullptr)) {}
-
-  void run(const std::vector<Complex>& in, std::vector<Complex>& out) const {
-    kiss_fft(plan_.get(), reinterpret_cast<const kiss_fft_cpx*>(in.data()),
-             reinterpret_cast<kiss_fft_cpx*>(out.data()));
-  }
-
- private:
-  struct Free {
-    void operator()(kiss_fft_cfg plan) const { kiss_fft_free(plan); }
-  };
-  std::unique_ptr<kiss_fft_state, Free> plan_;
-};
-
-/// Three real functions on a northern and a southern ring, as three complex ones.
-using ColumnsOfPair = std::array<std::vector<Complex>, 3>;
-
-void addRow(const Image& row, int y, float weight, bool is_south, ColumnsOfPair& columns) {
-  const auto width = static_cast<std::size_t>(row.width());
-  const bool has_color = row.channels() >= 3;
-  const auto stride = static_cast<std::size_t>(row.channels());
-  const float* texels = row.row(y).data();
-  for (std::size_t c = 0; c < 3; ++c) {
-    const float* sample = texels + (has_color ? c : 0);
-    // A complex number is its real and its imaginary part (C++ standard, complex.numbers).
-    float* part = reinterpret_cast<float*>(columns[c].data()) + (is_south ? 1 : 0);
-    for (std::size_t x = 0; x < width; ++x) part[2 * x] = weight * sample[x * stride];
-  }
-}
-
-/// The bright texels of a panorama, row by row.
-class ExcessOfRows {
- public:
-  explicit ExcessOfRows(const BrightTexels& texels) : texels_(texels) {
-    std::sort(texels_.begin(), texels_.end(),
-              [](const BrightTexel& a, const BrightTexel& b) { return a.texel.y < b.texel.y; });
-  }
-
-  void subtract(int y, float weight, bool is_south, ColumnsOfPair& columns) const {
-    const auto begin = std::lower_bound(texels_.begin(), texels_.end(), y,
-                                        [](const BrightTexel& t, int row) { return t.texel.y < row; });
-    for (auto texel = begin; texel != texels_.end() && texel->texel.y == y; ++texel)
-      for (int c = 0; c < 3; ++c) {
-        Complex& value = columns[static_cast<std::size_t>(c)][static_cast<std::size_t>(texel->texel.x)];
-        const float excess = weight * texel->radiance[c];
-        value -= is_south ? Complex(0.0f, excess) : Complex(excess, 0.0f);
-      }
-  }
-
- private:
-  BrightTexels texels_;
-};
-
-/// Parts the transform of north + i south into north's and south's coefficient m, since both are real.
+/// Coefficient m of two real functions, from the transform of north + i south.
 struct NorthSouth {
   Complex north;
   Complex south;
@@ -88,7 +28,9 @@ NorthSouth parted(const std::vector<Complex>& transform, int m) {
   return {(positive + negative) * 0.5f, Complex(difference.imag(), -difference.real()) * 0.5f};
 }
 
-/// The transform of a cubic B-spline at ω = 2 x: what the spline's coefficients have to be divided by.
+Complex timesI(Complex z) { return {-z.imag(), z.real()}; }
+
+/// The Fourier transform of a cubic B-spline at the frequency 2 x.
 float splineTransform(double x) {
   const double ratio = x == 0.0 ? 1.0 : std::sin(x) / x;
   return static_cast<float>(ratio * ratio * ratio * ratio);
@@ -96,113 +38,137 @@ float splineTransform(double x) {
 
 }  // namespace
 
-RingSpectra::RingSpectra(int rings, int orders)
-    : rings_(rings),
-      pairs_((rings + 1) / 2),
-      orders_(orders),
-      stride_(std::size_t((pairs_ + kLegendreBlock - 1) / kLegendreBlock * kLegendreBlock)),
-      values_(stride_ * std::size_t(orders)) {}
+FourierTransform::FourierTransform(int length, bool is_inverse)
+    : plan_(kiss_fft_alloc(length, is_inverse, nullptr, nullptr)) {}
 
-double RingSpectra::theta(int pair) const { return std::numbers::pi * (pair + 0.5) / rings_; }
+void FourierTransform::Free::operator()(kiss_fft_state* plan) const { kiss_fft_free(plan); }
 
-RingSpectra spectraOfRows(const EnvironmentMap& panorama, const BrightTexels& without, int orders) {
-  const Image& image = panorama.face(0);
-  const int height = image.height();
-  const auto width = static_cast<std::size_t>(image.width());
-  RingSpectra spectra(height, orders);
-  const ExcessOfRows excess(without);
-  const FourierTransform transform(image.width(), false);
-  // Texel centres lie half a texel from the seam.
-  std::vector<Complex> turns(static_cast<std::size_t>(orders));
-  for (std::size_t m = 0; m < turns.size(); ++m)
-    turns[m] = Complex(std::polar(1.0, -std::numbers::pi * static_cast<double>(m) / image.width()));
-
-  parallelFor(static_cast<std::size_t>(spectra.pairs()), 4, [&](std::size_t begin, std::size_t end) {
-    ColumnsOfPair columns;
-    ColumnsOfPair transforms;
-    for (std::size_t c = 0; c < 3; ++c) transforms[c].resize(width);
-    for (int pair = static_cast<int>(begin); pair < static_cast<int>(end); ++pair) {
-      const int south = height - 1 - pair;
-      const double ring =
-          2.0 * std::numbers::pi *
-          (std::cos(std::numbers::pi * pair / height) - std::cos(std::numbers::pi * (pair + 1) / height));
-      const auto weight = static_cast<float>(ring / static_cast<double>(width));
-      for (std::vector<Complex>& column : columns) column.assign(width, Complex(0.0f));
-      addRow(image, pair, weight, false, columns);
-      excess.subtract(pair, weight, false, columns);
-      if (south != pair) {
-        addRow(image, south, weight, true, columns);
-        excess.subtract(south, weight, true, columns);
-      }
-      for (std::size_t c = 0; c < 3; ++c) transform.run(columns[c], transforms[c]);
-      for (int m = 0; m < orders; ++m) {
-        RingPair& value = spectra.order(m)[static_cast<std::size_t>(pair)];
-        value = kNoLight;
-        for (int c = 0; c < 3; ++c) {
-          const NorthSouth parts = parted(transforms[static_cast<std::size_t>(c)], m);
-          const Complex turn = turns[static_cast<std::size_t>(m)];
-          const Complex even = (parts.north + parts.south) * turn;
-          const Complex odd = (parts.north - parts.south) * turn;
-          value.even.real[c] = even.real();
-          value.even.imaginary[c] = even.imag();
-          value.odd.real[c] = odd.real();
-          value.odd.imaginary[c] = odd.imag();
-        }
-      }
-      RingPair& mean = spectra.order(0)[static_cast<std::size_t>(pair)];
-      mean.even.real.w = static_cast<float>(south == pair ? ring : 2.0 * ring);
-      mean.odd.real.w = static_cast<float>(south == pair ? ring : 0.0);
-    }
-  });
-  return spectra;
+void FourierTransform::run(const std::vector<Complex>& in, std::vector<Complex>& out) const {
+  kiss_fft(plan_.get(), reinterpret_cast<const kiss_fft_cpx*>(in.data()), reinterpret_cast<kiss_fft_cpx*>(out.data()));
 }
 
-SphereGrid gridOf(const RingSpectra& spectra, int columns) {
-  SphereGrid grid(spectra.rings(), columns);
-  const FourierTransform transform(columns, true);
-  const auto length = static_cast<std::size_t>(columns);
-  std::vector<float> sharpen(static_cast<std::size_t>(spectra.orders()));
-  for (std::size_t m = 0; m < sharpen.size(); ++m)
-    sharpen[m] = 1.0f / splineTransform(std::numbers::pi * static_cast<double>(m) / columns);
+/// A northern row and i times a southern one, or their transform; each channel by itself.
+struct RowTransform::Columns {
+  std::array<std::vector<Complex>, 3> channel;
+};
 
-  parallelFor(static_cast<std::size_t>(spectra.pairs()), 4, [&](std::size_t begin, std::size_t end) {
-    std::vector<Complex> series(length);
-    std::vector<Complex> values(length);
-    for (int pair = static_cast<int>(begin); pair < static_cast<int>(end); ++pair) {
-      glm::vec4* north = grid.ring(pair);
-      glm::vec4* south = grid.ring(spectra.rings() - 1 - pair);
-      const RingPair& mean = spectra.order(0)[static_cast<std::size_t>(pair)];
-      const float north_white = 1.0f / (mean.even.real.w + mean.odd.real.w);
-      const float south_white = 1.0f / (mean.even.real.w - mean.odd.real.w);
-      for (int c = 0; c < 3; ++c) {
-        std::fill(series.begin(), series.end(), Complex(0.0f));
-        for (int m = 0; m < spectra.orders(); ++m) {
-          const RingPair& value = spectra.order(m)[static_cast<std::size_t>(pair)];
-          const Complex even(value.even.real[c], value.even.imaginary[c]);
-          const Complex odd(value.odd.real[c], value.odd.imaginary[c]);
-          const float factor = sharpen[static_cast<std::size_t>(m)];
-          const Complex of_north = (even + odd) * (factor * north_white);
-          const Complex of_south = (even - odd) * (factor * south_white);
-          const Complex i_south(-of_south.imag(), of_south.real());
-          series[static_cast<std::size_t>(m)] = of_north + i_south;
-          if (m > 0)
-            series[length - static_cast<std::size_t>(m)] =
-                std::conj(of_north) + Complex(of_south.imag(), of_south.real());
-        }
-        transform.run(series, values);
-        for (std::size_t i = 0; i < length; ++i) {
-          north[i][c] = values[i].real();
-          south[i][c] = values[i].imag();
-        }
-      }
-      for (std::size_t i = 0; i < length; ++i) {
-        north[i].w = north_white;
-        south[i].w = south_white;
+RowTransform::RowTransform(const EnvironmentMap& panorama, const BrightTexels& without, int orders)
+    : image_(panorama.face(0)), without_(without), transform_(image_.width(), false) {
+  for (int m = 0; m < orders; ++m) turns_.push_back(Complex(std::polar(1.0, -std::numbers::pi * m / image_.width())));
+}
+
+void RowTransform::run(int first, RingSpectra& spectra) const {
+  const int pairs = (image_.height() + 1) / 2;
+  parallelFor(RingSpectra::kPairs, 4, [&](std::size_t begin, std::size_t end) {
+    Columns columns;
+    Columns transforms;
+    for (std::vector<Complex>& transform : transforms.channel) transform.resize(std::size_t(image_.width()));
+    for (std::size_t place = begin; place < end; ++place) {
+      const int pair = first + static_cast<int>(place);
+      if (pair < pairs) {
+        transformPair(pair, columns, transforms, spectra, place);
+      } else {
+        for (int m = 0; m < spectra.orders(); ++m) spectra.order(m)[place] = kNoLight;
       }
     }
   });
-  grid.close();
-  return grid;
+}
+
+void RowTransform::load(int y, float weight, bool is_south, Columns& columns) const {
+  const auto width = static_cast<std::size_t>(image_.width());
+  const auto stride = static_cast<std::size_t>(image_.channels());
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float* sample = image_.row(y).data() + (stride >= 3 ? c : 0);
+    // A complex number is its real and its imaginary part (C++ standard, [complex.numbers]).
+    float* part = reinterpret_cast<float*>(columns.channel[c].data()) + (is_south ? 1 : 0);
+    for (std::size_t x = 0; x < width; ++x) part[2 * x] = weight * sample[x * stride];
+  }
+  const auto isBefore = [](const BrightTexel& texel, int row) { return texel.texel.y < row; };
+  for (auto bright = std::lower_bound(without_.begin(), without_.end(), y, isBefore);
+       bright != without_.end() && bright->texel.y == y; ++bright)
+    for (int c = 0; c < 3; ++c) {
+      const Complex excess(weight * bright->radiance[c]);
+      columns.channel[std::size_t(c)][std::size_t(bright->texel.x)] -= is_south ? timesI(excess) : excess;
+    }
+}
+
+void RowTransform::transformPair(int pair, Columns& columns, Columns& transforms, RingSpectra& spectra,
+                                 std::size_t place) const {
+  const int height = image_.height();
+  const int south = height - 1 - pair;  // the middle row of an odd number is north alone
+  const auto edge = [height](int row) { return std::cos(std::numbers::pi * row / height); };
+  const double ring = 2.0 * std::numbers::pi * (edge(pair) - edge(pair + 1));
+  const auto weight = static_cast<float>(ring / image_.width());
+  for (std::vector<Complex>& column : columns.channel) column.assign(std::size_t(image_.width()), Complex(0.0f));
+  load(pair, weight, false, columns);
+  if (south != pair) load(south, weight, true, columns);
+  for (std::size_t c = 0; c < 3; ++c) transform_.run(columns.channel[c], transforms.channel[c]);
+  for (int m = 0; m < spectra.orders(); ++m) {
+    RingPair& value = spectra.order(m)[place];
+    value = kNoLight;
+    for (int c = 0; c < 3; ++c) {
+      const NorthSouth parts = parted(transforms.channel[std::size_t(c)], m);
+      const Complex even = (parts.north + parts.south) * turns_[std::size_t(m)];
+      const Complex odd = (parts.north - parts.south) * turns_[std::size_t(m)];
+      value.even.real[c] = even.real();
+      value.even.imaginary[c] = even.imag();
+      value.odd.real[c] = odd.real();
+      value.odd.imaginary[c] = odd.imag();
+    }
+  }
+  RingPair& mean = spectra.order(0)[place];
+  mean.even.real.w = static_cast<float>(south == pair ? ring : 2.0 * ring);
+  mean.odd.real.w = static_cast<float>(south == pair ? ring : 0.0);
+}
+
+struct GridTransform::Buffers {
+  std::vector<Complex> series;
+  std::vector<Complex> values;
+};
+
+GridTransform::GridTransform(SphereGrid& grid, int orders) : grid_(grid), transform_(grid.columns(), true) {
+  for (int m = 0; m < orders; ++m) sharpen_.push_back(1.0f / splineTransform(std::numbers::pi * m / grid.columns()));
+}
+
+void GridTransform::run(int first, const RingSpectra& spectra) const {
+  const int count = std::min(RingSpectra::kPairs, grid_.rings() / 2 - first);
+  parallelFor(static_cast<std::size_t>(count), 4, [&](std::size_t begin, std::size_t end) {
+    const auto columns = static_cast<std::size_t>(grid_.columns());
+    Buffers buffers{std::vector<Complex>(columns), std::vector<Complex>(columns)};
+    for (std::size_t place = begin; place < end; ++place)
+      setPair(first + static_cast<int>(place), spectra, place, buffers);
+  });
+}
+
+void GridTransform::setPair(int pair, const RingSpectra& spectra, std::size_t place, Buffers& buffers) const {
+  const auto columns = static_cast<std::size_t>(grid_.columns());
+  glm::vec4* north = grid_.ring(pair);
+  glm::vec4* south = grid_.ring(grid_.rings() - 1 - pair);
+  const RingPair& mean = spectra.order(0)[place];
+  const float north_white = 1.0f / (mean.even.real.w + mean.odd.real.w);
+  const float south_white = 1.0f / (mean.even.real.w - mean.odd.real.w);
+  for (int c = 0; c < 3; ++c) {
+    std::fill(buffers.series.begin(), buffers.series.end(), Complex(0.0f));
+    for (int m = 0; m < spectra.orders(); ++m) {
+      const RingPair& value = spectra.order(m)[place];
+      const Complex even(value.even.real[c], value.even.imaginary[c]);
+      const Complex odd(value.odd.real[c], value.odd.imaginary[c]);
+      const float factor = sharpen_[std::size_t(m)];
+      const Complex of_north = (even + odd) * (factor * north_white);
+      const Complex of_south = (even - odd) * (factor * south_white);
+      buffers.series[std::size_t(m)] = of_north + timesI(of_south);
+      if (m > 0) buffers.series[columns - std::size_t(m)] = std::conj(of_north) + timesI(std::conj(of_south));
+    }
+    transform_.run(buffers.series, buffers.values);
+    for (std::size_t i = 0; i < columns; ++i) {
+      north[i][c] = buffers.values[i].real();
+      south[i][c] = buffers.values[i].imag();
+    }
+  }
+  for (std::size_t i = 0; i < columns; ++i) {
+    north[i].w = north_white;
+    south[i].w = south_white;
+  }
 }
 
 int quickLength(int least) {

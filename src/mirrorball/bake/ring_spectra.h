@@ -1,6 +1,8 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,6 +12,8 @@
 #include "mirrorball/bake/sphere_grid.h"
 #include "mirrorball/environment/environment_map.h"
 #include "mirrorball/image/texel_allocator.h"
+
+struct kiss_fft_state;
 
 namespace mirrorball {
 
@@ -27,40 +31,78 @@ struct RingPair {
 
 inline constexpr RingPair kNoLight{{glm::vec4(0.0f), glm::vec4(0.0f)}, {glm::vec4(0.0f), glm::vec4(0.0f)}};
 
-/// The rings of a map, each as a Fourier series in φ: f(φ) = Re(F_0 + 2 Σ F_m e^(imφ)).
+/// Some pairs of rings, each ring as a Fourier series in φ: f(φ) = Re(F_0 + 2 Σ F_m e^(imφ)). Pairs are numbered from the
+/// poles to the equator; so few are held at a time that they stay in a processor's cache.
 class RingSpectra {
  public:
-  /// Without values yet.
-  ///
-  /// rings    equally spaced, half a space from the poles; of an odd number the middle one is its own pair
-  RingSpectra(int rings, int orders);
+  static constexpr int kPairs = 64;
 
-  int rings() const { return rings_; }
-  int pairs() const { return pairs_; }
+  explicit RingSpectra(int orders) : orders_(orders), values_(std::size_t(orders) * kPairs) {}
+
   int orders() const { return orders_; }
-
-  /// All pairs of one order, from the poles to the equator, and as many more as fill the last kLegendreBlock.
-  std::span<RingPair> order(int m) { return {values_.data() + std::size_t(m) * stride_, stride_}; }
-  std::span<const RingPair> order(int m) const { return {values_.data() + std::size_t(m) * stride_, stride_}; }
-
-  /// Of a pair's northern ring.
-  double theta(int pair) const;
+  std::span<RingPair, kPairs> order(int m) { return std::span<RingPair, kPairs>(values_.data() + offset(m), kPairs); }
+  std::span<const RingPair, kPairs> order(int m) const {
+    return std::span<const RingPair, kPairs>(values_.data() + offset(m), kPairs);
+  }
 
  private:
-  int rings_;
-  int pairs_;
+  static std::size_t offset(int m) { return std::size_t(m) * kPairs; }
+
   int orders_;
-  std::size_t stride_;
   std::vector<RingPair, TexelAllocator<RingPair>> values_;
 };
 
-/// The Fourier coefficients of a panorama's rows, each texel times its solid angle: Σ texels · e^(−imφ).
-///
-/// orders   any number: beyond the texels of a row they repeat themselves, as those of points of light do
-RingSpectra spectraOfRows(const EnvironmentMap& panorama, const BrightTexels& without, int orders);
+/// A Fourier transform of complex numbers, unscaled; safe to use from many threads.
+class FourierTransform {
+ public:
+  FourierTransform(int length, bool is_inverse);
+  void run(const std::vector<std::complex<float>>& in, std::vector<std::complex<float>>& out) const;
 
-/// The functions of those spectra, each ring divided by its white one, which becomes the fourth channel's reciprocal.
-SphereGrid gridOf(const RingSpectra& spectra, int columns);
+ private:
+  struct Free {
+    void operator()(kiss_fft_state* plan) const;
+  };
+  std::unique_ptr<kiss_fft_state, Free> plan_;
+};
+
+/// Fourier coefficients of a panorama's rows, each texel times its solid angle: Σ texels · e^(−imφ).
+class RowTransform {
+ public:
+  /// panorama, without   must outlive it; `without` is in the order of the texels
+  /// orders    any number: beyond the texels of a row they repeat themselves, as those of points of light do
+  RowTransform(const EnvironmentMap& panorama, const BrightTexels& without, int orders);
+
+  /// The pairs from `first` on; beyond the last one 0.
+  void run(int first, RingSpectra& spectra) const;
+
+ private:
+  struct Columns;
+  void load(int y, float weight, bool is_south, Columns& columns) const;
+  void transformPair(int pair, Columns& columns, Columns& transforms, RingSpectra& spectra, std::size_t place) const;
+
+  const Image& image_;
+  const BrightTexels& without_;
+  FourierTransform transform_;
+  std::vector<std::complex<float>> turns_;  // texel centres lie half a texel from the seam
+};
+
+/// From Fourier coefficients back to the rings of a grid, each divided by its white one.
+class GridTransform {
+ public:
+  /// grid      must outlive it
+  GridTransform(SphereGrid& grid, int orders);
+
+  /// Sets the rings of the pairs from `first` on.
+  void run(int first, const RingSpectra& spectra) const;
+
+ private:
+  struct Buffers;
+  void setPair(int pair, const RingSpectra& spectra, std::size_t place, Buffers& buffers) const;
+
+  SphereGrid& grid_;
+  FourierTransform transform_;
+  std::vector<float> sharpen_;  // what makes values into coefficients of cubic B-splines
+};
 
 /// The next number from `least` on that is even and a product of 2, 3 and 5, for which Fourier transforms are quick.
 int quickLength(int least);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "mirrorball/bake/light_contrast.h"
 #include "mirrorball/bake/point_light_batch.h"
 #include "mirrorball/environment/convert.h"
 
@@ -14,9 +15,17 @@ namespace {
 /// A sun of half a degree has 101 texels in a panorama of 8192 × 4096.
 constexpr int kMostBrightTexels = 256;
 
+/// What may be missing at the darkest part of a map, by the bound of lightContrast. What is missing in fact is ten to
+/// thirty times less (docs/prefiltering.md).
+constexpr float kTolerance = 3e-3f;
+
 /// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier transform
 /// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5.
-int leastRows(float alpha) { return static_cast<int>(std::ceil(2.5f / alpha)); }
+int leastRows(const std::vector<Lobe>& lobes) {
+  float narrowest = 1.0f;
+  for (const Lobe& lobe : lobes) narrowest = std::min(narrowest, lobe.width());
+  return static_cast<int>(std::ceil(2.5f / narrowest));
+}
 
 bool isDenseEnough(const EnvironmentMap& map, int rows) {
   const glm::ivec2 extent = map.extent();
@@ -24,35 +33,47 @@ bool isDenseEnough(const EnvironmentMap& map, int rows) {
   return texelDensity(map.projection(), map.size()) >= texelDensity(Projection::equirect, rows);
 }
 
-}  // namespace
-
-Result<LightHarmonics> LightHarmonics::make(const Environment& environment, int bands) {
-  // GGX's last band is at 5.5 / α; what other lobes need is their own.
-  const int rows = leastRows(5.5f / static_cast<float>(bands));
-  const EnvironmentMap* map = environment.map();
-  if (!map || !isDenseEnough(*map, rows)) {
-    MIRRORBALL_TRY(panorama, convert(environment, Projection::equirect,
-                                     std::max(rows, environment.naturalSize(Projection::equirect))));
-    return ofPanorama(panorama, bands);
-  }
-  if (map->projection() == Projection::equirect) return ofPanorama(*map, bands);
-  // Single texels are points of light in the map that they come from; converted they would be smeared.
-  BrightTexels bright = brightTexels(*map, kMostBrightTexels);
-  EnvironmentMap without = *map;
-  subtract(bright, without);
-  const int height = std::max(rows, environment.naturalSize(Projection::equirect));
-  MIRRORBALL_TRY(panorama, convert(Environment(std::move(without)), Projection::equirect, height));
-  return LightHarmonics(analyse(panorama, {}, bands), std::move(bright));
+Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows) {
+  const int height = std::max(least_rows, environment.naturalSize(Projection::equirect));
+  return convert(environment, Projection::equirect, height);
 }
 
-LightHarmonics LightHarmonics::ofPanorama(const EnvironmentMap& panorama, int bands) {
-  BrightTexels bright = brightTexels(panorama, kMostBrightTexels);
-  HarmonicCoefficients coefficients = analyse(panorama, bright, bands);
-  return LightHarmonics(std::move(coefficients), std::move(bright));
+}  // namespace
+
+Result<LightHarmonics> LightHarmonics::make(const Environment& environment, const std::vector<Lobe>& lobes) {
+  const int rows = leastRows(lobes);
+  const EnvironmentMap* map = environment.map();
+  const bool is_dense = map && isDenseEnough(*map, rows);
+  BrightTexels bright;
+  BrightTexels in_panorama;
+  EnvironmentMap converted;
+  const EnvironmentMap* panorama = map;
+  if (is_dense && map->projection() == Projection::equirect) {
+    bright = in_panorama = brightTexels(*map, kMostBrightTexels);
+  } else if (is_dense) {
+    // Single texels are points of light in the map that they come from; converted they would be smeared.
+    bright = brightTexels(*map, kMostBrightTexels);
+    EnvironmentMap without = *map;
+    subtract(bright, without);
+    MIRRORBALL_TRY(laid_out, laidOut(Environment(std::move(without)), rows));
+    converted = std::move(laid_out);
+    panorama = &converted;
+  } else {
+    MIRRORBALL_TRY(laid_out, laidOut(environment, rows));
+    converted = std::move(laid_out);
+    panorama = &converted;
+    bright = in_panorama = brightTexels(converted, kMostBrightTexels);
+  }
+  const float tolerance = kTolerance / lightContrast(*panorama, in_panorama);
+  int bands = 1;
+  for (const Lobe& lobe : lobes) bands = std::max(bands, lobe.bandsFor(tolerance));
+  return LightHarmonics(tolerance, analyse(*panorama, in_panorama, bands), std::move(bright));
 }
 
 BlurredLight LightHarmonics::blurred(const Lobe& lobe) const {
-  return BlurredLight(lobe, synthesize(coefficients_, lobe.bands()), bright_);
+  std::vector<float> weights = lobe.bands();
+  weights.resize(static_cast<std::size_t>(std::min(lobe.bandsFor(tolerance_), coefficients_.bands())));
+  return BlurredLight(lobe, synthesize(coefficients_, weights), bright_);
 }
 
 void BlurredLight::sample(PointBatch& points, glm::vec4* values) const {

@@ -36,18 +36,18 @@ class BlurredLight {
 /// The light of an environment as few points that outshine the rest, and the rest in spherical harmonics, where a blur is
 /// one product a band.
 ///
-/// Errors: the sum over all texels is exact but for the bands that a lobe leaves less than Lobe::kLeastBand of, the grid
-/// between whose points it is interpolated, and the rounding of floats: together 1e-5 of the light around
+/// Errors: the sum over all texels is exact but for the bands that a lobe leaves next to nothing of, the grid between
+/// whose points it is interpolated, and the rounding of floats: together 1e-5 to 1e-4 of the light around
 /// (docs/prefiltering.md).
 class LightHarmonics {
  public:
   /// environment   finite
-  /// bands         as many as the lobe with the most has
+  /// lobes         that it will be blurred by
   /// errors        too_large
   /// cost          a Fourier transform of each row of texels, and rows · bands² / 4 steps of about 1.2 ns on one core
-  static Result<LightHarmonics> make(const Environment& environment, int bands);
+  static Result<LightHarmonics> make(const Environment& environment, const std::vector<Lobe>& lobes);
 
-  /// lobe     of at most as many bands
+  /// lobe     one of those
   BlurredLight blurred(const Lobe& lobe) const;
 
   const HarmonicCoefficients& coefficients() const { return coefficients_; }
@@ -55,10 +55,12 @@ class LightHarmonics {
   const BrightTexels& bright() const { return *bright_; }
 
  private:
-  static LightHarmonics ofPanorama(const EnvironmentMap& panorama, int bands);
-  LightHarmonics(HarmonicCoefficients coefficients, BrightTexels bright)
-      : coefficients_(std::move(coefficients)), bright_(std::make_shared<const BrightTexels>(std::move(bright))) {}
+  LightHarmonics(float tolerance, HarmonicCoefficients coefficients, BrightTexels bright)
+      : tolerance_(tolerance),
+        coefficients_(std::move(coefficients)),
+        bright_(std::make_shared<const BrightTexels>(std::move(bright))) {}
 
+  float tolerance_;  // of Lobe::bandsFor
   HarmonicCoefficients coefficients_;
   std::shared_ptr<const BrightTexels> bright_;
 };

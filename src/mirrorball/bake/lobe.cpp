@@ -12,10 +12,6 @@
 namespace mirrorball {
 namespace {
 
-// Where bands are few they cost little: more of them make dark surroundings of a lamp more exact.
-constexpr int kCheapBands = 256;
-constexpr float kLeastCheapBand = 1e-6f;
-
 /// Where a lobe is integrated: cos θ, and the lobe times the solid angle that the place stands for.
 struct Samples {
   std::vector<double> cosines;
@@ -63,7 +59,7 @@ std::vector<float> bandsOf(const Samples& samples, int most_bands) {
     }
     if (l == 0) whole = sum;
     bands.push_back(static_cast<float>(sum / whole));
-    const float least = l < kCheapBands ? kLeastCheapBand : Lobe::kLeastBand;
+    const float least = l < Lobe::kCheapBands ? Lobe::kLeastBand : Lobe::kLeastFurtherBand;
     const auto small = [least](float band) { return std::abs(band) < least; };
     if (bands.size() > kStretch && std::all_of(bands.end() - kStretch, bands.end(), small)) {
       bands.resize(bands.size() - kStretch);
@@ -75,42 +71,53 @@ std::vector<float> bandsOf(const Samples& samples, int most_bands) {
 
 }  // namespace
 
-Lobe::Lobe(std::function<float(float s)> shape, double width_rad) : shape_(std::move(shape)) {
+Lobe::Lobe(std::function<float(float s)> shape, float width_rad) : shape_(std::move(shape)), width_rad_(width_rad) {
   // GGX needs 5.5 / width; lobes with an edge fall like l^-2.5 in the end.
-  const int most_bands = static_cast<int>(10.0 / width_rad) + 196;
-  const Samples samples = sampled(shape_, width_rad, most_bands);
+  const int most_bands = static_cast<int>(6.0f / width_rad) + kCheapBands;
+  const Samples samples = sampled(shape_, static_cast<double>(width_rad), most_bands);
   double whole = 0.0;
   for (const double weighted : samples.weighted) whole += weighted;
   scale_ = static_cast<float>(1.0 / whole);
   bands_ = bandsOf(samples, most_bands);
 }
 
+int Lobe::bandsFor(float tolerance) const {
+  double left_out = 0.0;
+  std::size_t l = bands_.size();
+  while (l > kCheapBands) {
+    const auto band = static_cast<double>(bands_[l - 1]);
+    left_out += (2.0 * static_cast<double>(l) - 1.0) / (4.0 * std::numbers::pi) * band * band;
+    if (std::sqrt(left_out) > static_cast<double>(tolerance)) break;
+    --l;
+  }
+  return static_cast<int>(l);
+}
+
 Lobe Lobe::reflection(Distribution distribution, float perceptual_roughness) {
   const float alpha = formula::alphaFromPerceptualRoughness(perceptual_roughness);
   assert(alpha >= kLeastAlpha);
-  const auto width = static_cast<double>(alpha);
   switch (distribution) {
     case Distribution::phong: {
       // Not formula::phongExponent, which is bounded for point lights.
       const float exponent = std::max(formula::blinnExponent(alpha) / 4.0f, 1.0f);
-      return Lobe([exponent](float s) { return formula::phongLobe(exponent, s); }, width);
+      return Lobe([exponent](float s) { return formula::phongLobe(exponent, s); }, alpha);
     }
     case Distribution::blinn: {
       const float exponent = formula::blinnExponent(alpha);
-      return Lobe([exponent](float s) { return formula::blinnLobe(exponent, s); }, width);
+      return Lobe([exponent](float s) { return formula::blinnLobe(exponent, s); }, alpha);
     }
     case Distribution::charlie:
-      return Lobe([alpha](float s) { return formula::charlieLobe(alpha, s); }, width);
+      return Lobe([alpha](float s) { return formula::charlieLobe(alpha, s); }, alpha);
     case Distribution::ggx:
       break;
   }
-  Lobe lobe([alpha](float s) { return formula::ggxLobe(alpha, s); }, width);
+  Lobe lobe([alpha](float s) { return formula::ggxLobe(alpha, s); }, alpha);
   lobe.ggx_alpha_ = alpha;
   return lobe;
 }
 
 Lobe Lobe::cosine() {
-  return Lobe([](float s) { return formula::cosineOfLobe(s); }, 1.0);
+  return Lobe([](float s) { return formula::cosineOfLobe(s); }, 1.0f);
 }
 
 }  // namespace mirrorball

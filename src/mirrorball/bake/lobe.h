@@ -29,21 +29,33 @@ class Lobe {
   float scale() const { return scale_; }
 
   /// What it leaves of band l of spherical harmonics (Funk and Hecke): 1 for l = 0, and so many that all further ones are
-  /// less than kLeastBand.
+  /// less than kLeastBand, or from kCheapBands on kLeastFurtherBand.
   const std::vector<float>& bands() const { return bands_; }
+
+  /// How many of them leave out no more than that of noise that has the power 1 in every harmonic, but not fewer than the
+  /// first kCheapBands: of low bands light has more than noise.
+  ///
+  /// tolerance   root mean square over the sphere
+  int bandsFor(float tolerance) const;
+
+  /// [rad] of its finest detail: alpha.
+  float width() const { return width_rad_; }
 
   /// Narrower lobes have more bands than is worth while: they are less than a quarter of a degree wide.
   static constexpr float kLeastAlpha = 0.002f;
 
-  /// 2 α l K₁(2 α l), GGX's bands for small α, fall below it at l = 5.5 / α.
-  static constexpr float kLeastBand = 7e-5f;
+  static constexpr int kCheapBands = 256;
+  static constexpr float kLeastBand = 1e-6f;
+  /// 2 α l K₁(2 α l), GGX's bands for small α, fall below it at l = 5.5 / α. More bands gain nothing: the rounding of
+  /// floats is as much.
+  static constexpr float kLeastFurtherBand = 7e-5f;
 
  private:
   /// shape   of s, at most about 1
-  /// width   [rad] of its finest detail
-  Lobe(std::function<float(float s)> shape, double width_rad);
+  Lobe(std::function<float(float s)> shape, float width_rad);
 
   std::function<float(float s)> shape_;
+  float width_rad_;
   float scale_ = 1.0f;
   float ggx_alpha_ = 0.0f;
   std::vector<float> bands_;

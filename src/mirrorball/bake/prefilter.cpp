@@ -14,23 +14,23 @@
 namespace mirrorball {
 namespace {
 
-/// The lobes of all levels; none where it would be too narrow.
-std::vector<std::optional<Lobe>> lobesOf(const PrefilterOptions& options, int last) {
-  std::vector<std::optional<Lobe>> lobes(static_cast<std::size_t>(last) + 1);
-  parallelFor(lobes.size(), 1, [&](std::size_t level, std::size_t) {
-    if (level == 0) return;
-    const float roughness = roughnessOfLevel(options.mip_mapping, static_cast<int>(level), last);
-    if (formula::alphaFromPerceptualRoughness(roughness) >= Lobe::kLeastAlpha)
-      lobes[level] = Lobe::reflection(options.distribution, roughness);
-  });
-  return lobes;
+/// Whether a level is blurred at all, rather than the environment itself.
+bool isBlurred(const PrefilterOptions& options, int level, int last) {
+  if (level == 0) return false;
+  const float roughness = roughnessOfLevel(options.mip_mapping, level, last);
+  return formula::alphaFromPerceptualRoughness(roughness) >= Lobe::kLeastAlpha;
 }
 
-int mostBands(const std::vector<std::optional<Lobe>>& lobes) {
-  std::size_t most = 0;
-  for (const std::optional<Lobe>& lobe : lobes)
-    if (lobe) most = std::max(most, lobe->bands().size());
-  return static_cast<int>(most);
+/// The lobes of the levels from `first` on.
+std::vector<Lobe> lobesOf(const PrefilterOptions& options, int first, int last) {
+  std::vector<std::optional<Lobe>> made(static_cast<std::size_t>(last - first + 1));
+  parallelFor(made.size(), 1, [&](std::size_t i, std::size_t) {
+    const int level = first + static_cast<int>(i);
+    made[i] = Lobe::reflection(options.distribution, roughnessOfLevel(options.mip_mapping, level, last));
+  });
+  std::vector<Lobe> lobes;
+  for (std::optional<Lobe>& lobe : made) lobes.push_back(std::move(*lobe));
+  return lobes;
 }
 
 void sampleRow(const BlurredLight& light, int face, int y, Image& image) {
@@ -94,19 +94,24 @@ Result<EnvironmentMap> cubeOf(const BlurredLight& light, int size) {
 Result<ImageSet> prefilter(const Environment& environment, const PrefilterOptions& options,
                            const ProgressFunction& progress) {
   const int last = lastLevel(options.size);
-  const std::vector<std::optional<Lobe>> lobes = lobesOf(options, last);
+  int first_blurred = 0;
+  while (first_blurred <= last && !isBlurred(options, first_blurred, last)) ++first_blurred;
   ImageSet chain(last + 1, 6);
+  std::vector<Lobe> lobes;
   std::optional<LightHarmonics> harmonics;
   for (int level = 0; level <= last; ++level) {
     if (progress && !progress(static_cast<std::size_t>(level), static_cast<std::size_t>(last + 1)))
       return fail(ErrorCode::interrupted, "interrupted");
-    const std::optional<Lobe>& lobe = lobes[static_cast<std::size_t>(level)];
-    if (lobe && !harmonics) {
-      MIRRORBALL_TRY(made, LightHarmonics::make(environment, mostBands(lobes)));
+    if (level == first_blurred) {
+      lobes = lobesOf(options, first_blurred, last);
+      MIRRORBALL_TRY(made, LightHarmonics::make(environment, lobes));
       harmonics = std::move(made);
     }
     const int side = levelSide(options.size, level);
-    MIRRORBALL_TRY(cube, lobe ? cubeOf(harmonics->blurred(*lobe), side) : convert(environment, Projection::cube, side));
+    MIRRORBALL_TRY(cube,
+                   level < first_blurred
+                       ? convert(environment, Projection::cube, side)
+                       : cubeOf(harmonics->blurred(lobes[static_cast<std::size_t>(level - first_blurred)]), side));
     for (int face = 0; face < 6; ++face) chain.at(level, face) = std::move(cube.face(face));
   }
   return chain;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "mirrorball/bake/bright_texels.h"
+#include "mirrorball/environment/environment_map.h"
+
+namespace mirrorball {
+
+/// How much light a map has in bands that a blur leaves nearly nothing of, against its darkest part: what decides how
+/// many bands it takes.
+///
+/// A map's finest detail is taken for noise that differs from texel to texel: all harmonics then have the same expected
+/// power Σ (texel's solid angle · its difference from its neighbours' mean)² · ⅔ / 4π. Lamps have less power in high
+/// bands than that, so that it is an upper bound.
+///
+/// panorama   equirect, at least three texels wide
+/// without    texels that do not count
+/// returns    the square root of 4π times that power, over the radiance of the darkest of 16 × 32 parts of the map; of
+///            the channel where it is greatest; infinite where a part is black
+/// cost       one pass over the texels
+float lightContrast(const EnvironmentMap& panorama, const BrightTexels& without);
+
+}  // namespace mirrorball

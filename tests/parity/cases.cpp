@@ -74,8 +74,13 @@ const Case kCases[] = {
            vec4(equiangularCubeDirection(int(5.9375f * r.x), vec2(p)), 0.0f)),
 
     // harmonics
-    PARITY(harmonic, direction, kTight, vec4(harmonic(int(8.9375f * r.x), vec3(p)), 0.0f, 0.0f, 0.0f)),
-    PARITY(cosineLobeBand, unit, kTight, vec4(cosineLobeBand(int(2.9375f * r.x)), 0.0f, 0.0f, 0.0f)),
+    PARITY(harmonicOfBand3, direction, kTight,
+           vec4(harmonicOfBand3(9 + int(6.9375f * r.x), vec3(p)), 0.0f, 0.0f, 0.0f)),
+    PARITY(harmonicOfBand4, direction, kTight,
+           vec4(harmonicOfBand4(16 + int(8.9375f * r.x), vec3(p)), 0.0f, 0.0f, 0.0f)),
+    PARITY(harmonic, direction, kTight, vec4(harmonic(int(24.9375f * r.x), vec3(p)), 0.0f, 0.0f, 0.0f)),
+    PARITY(cosineLobeBand, unit, kTight, vec4(cosineLobeBand(int(4.9375f * r.x)), 0.0f, 0.0f, 0.0f)),
+    PARITY(harmonicWindow, unit, kTranscendental, vec4(harmonicWindow(int(4.9375f * r.x), 4), 0.0f, 0.0f, 0.0f)),
     PARITY(harmonicIrradiance, direction, kTight,
            vec4(harmonicIrradiance(vec3(p), vec3(3.0f, 2.0f, 1.0f), vec3(q), vec3(r), vec3(p.w), vec3(q.w), vec3(r.w),
                                    vec3(q.z), vec3(r.y), vec3(r.z)),

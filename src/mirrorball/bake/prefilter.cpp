@@ -14,25 +14,6 @@
 namespace mirrorball {
 namespace {
 
-/// Whether a level is blurred at all, rather than the environment itself.
-bool isBlurred(const PrefilterOptions& options, int level, int last) {
-  if (level == 0) return false;
-  const float roughness = roughnessOfLevel(options.mip_mapping, level, last);
-  return formula::alphaFromPerceptualRoughness(roughness) >= Lobe::kLeastAlpha;
-}
-
-/// The lobes of the levels from `first` on.
-std::vector<Lobe> lobesOf(const PrefilterOptions& options, int first, int last) {
-  std::vector<std::optional<Lobe>> made(static_cast<std::size_t>(last - first + 1));
-  parallelFor(made.size(), 1, [&](std::size_t i, std::size_t) {
-    const int level = first + static_cast<int>(i);
-    made[i] = Lobe::reflection(options.distribution, roughnessOfLevel(options.mip_mapping, level, last));
-  });
-  std::vector<Lobe> lobes;
-  for (std::optional<Lobe>& lobe : made) lobes.push_back(std::move(*lobe));
-  return lobes;
-}
-
 void sampleRow(const BlurredLight& light, int face, int y, Image& image) {
   const int size = image.width();
   PointBatch points;
@@ -91,29 +72,37 @@ Result<EnvironmentMap> cubeOf(const BlurredLight& light, int size) {
   return EnvironmentMap(Projection::cube, std::move(images));
 }
 
-Result<ImageSet> prefilter(const Environment& environment, const PrefilterOptions& options,
-                           const ProgressFunction& progress) {
+std::vector<PrefilterLevel> prefilterLevels(const PrefilterOptions& options) {
   const int last = lastLevel(options.size);
-  int first_blurred = 0;
-  while (first_blurred <= last && !isBlurred(options, first_blurred, last)) ++first_blurred;
-  ImageSet chain(last + 1, 6);
+  std::vector<PrefilterLevel> levels(static_cast<std::size_t>(last) + 1);
+  parallelFor(levels.size(), 1, [&](std::size_t begin, std::size_t) {
+    const int level = static_cast<int>(begin);
+    const float roughness = level == 0 ? 0.0f : roughnessOfLevel(options.mip_mapping, level, last);
+    levels[begin] = {levelSide(options.size, level), roughness, {}};
+    if (formula::alphaFromPerceptualRoughness(roughness) >= Lobe::kLeastAlpha)
+      levels[begin].lobe = Lobe::reflection(options.distribution, roughness);
+  });
+  return levels;
+}
+
+std::vector<Lobe> lobesOf(const std::vector<PrefilterLevel>& levels) {
   std::vector<Lobe> lobes;
-  std::optional<LightHarmonics> harmonics;
-  for (int level = 0; level <= last; ++level) {
-    if (progress && !progress(static_cast<std::size_t>(level), static_cast<std::size_t>(last + 1)))
-      return fail(ErrorCode::interrupted, "interrupted");
-    if (level == first_blurred) {
-      lobes = lobesOf(options, first_blurred, last);
-      MIRRORBALL_TRY(made, LightHarmonics::make(environment, lobes));
-      harmonics = std::move(made);
-    }
-    const int side = levelSide(options.size, level);
-    MIRRORBALL_TRY(cube,
-                   level < first_blurred
-                       ? convert(environment, Projection::cube, side)
-                       : cubeOf(harmonics->blurred(lobes[static_cast<std::size_t>(level - first_blurred)]), side));
-    for (int face = 0; face < 6; ++face) chain.at(level, face) = std::move(cube.face(face));
+  for (const PrefilterLevel& level : levels)
+    if (level.lobe) lobes.push_back(*level.lobe);
+  return lobes;
+}
+
+Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics& light,
+                           const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress) {
+  ImageSet chain(static_cast<int>(levels.size()), 6);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (progress && !progress(i, levels.size())) return fail(ErrorCode::interrupted, "interrupted");
+    const PrefilterLevel& level = levels[i];
+    MIRRORBALL_TRY(cube, level.lobe ? cubeOf(light.blurred(*level.lobe), level.size)
+                                    : convert(environment, Projection::cube, level.size));
+    for (int face = 0; face < 6; ++face) chain.at(static_cast<int>(i), face) = std::move(cube.face(face));
   }
+  if (progress && !progress(levels.size(), levels.size())) return fail(ErrorCode::interrupted, "interrupted");
   return chain;
 }
 

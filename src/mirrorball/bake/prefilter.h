@@ -1,6 +1,7 @@
 #pragma once
 
-#include <string_view>
+#include <optional>
+#include <vector>
 
 #include "mirrorball/bake/blurred_light.h"
 #include "mirrorball/bake/lobe.h"
@@ -33,19 +34,37 @@ struct PrefilterOptions {
 /// The last level of a chain: the one of 4² texels a face, or of 1² where there are fewer.
 int lastLevel(int size);
 
-/// The reflections of an environment for all roughnesses: a cube whose level 0 is the environment itself, and whose
-/// further levels hold, for the direction of each texel's centre, the mean of its light under the lobe of that level.
+/// One level of a chain.
+struct PrefilterLevel {
+  int size;  ///< texels a side
+  float perceptual_roughness;
+  std::optional<Lobe> lobe;  ///< nothing: the environment itself
+};
+
+/// The levels 0 to lastLevel(size). The first is the environment itself, and so are those after it whose lobe would be
+/// narrower than Lobe::kLeastAlpha.
+///
+/// cost     2 ms, for the bands of narrow lobes
+std::vector<PrefilterLevel> prefilterLevels(const PrefilterOptions& options);
+
+/// The lobes of those levels that have one.
+std::vector<Lobe> lobesOf(const std::vector<PrefilterLevel>& levels);
+
+/// The reflections of an environment for all roughnesses: cubes that hold, for the direction of each texel's centre, the
+/// mean of its light under the lobe of that level.
 ///
 /// environment   finite
-/// returns  levels 0 to lastLevel(size); three channels. Where a level's lobe is narrower than Lobe::kLeastAlpha, it is
-///          the environment itself
+/// light         of that environment, for at least lobesOf(levels)
+/// returns  three channels
 /// errors   too_large; interrupted (when `progress` says so)
-/// cost     as LightHarmonics::make's, that again for the first blurred level, and about 60 ns a texel;
-///          bit-identical for any number of threads
-Result<ImageSet> prefilter(const Environment& environment, const PrefilterOptions& options,
-                           const ProgressFunction& progress = {});
+/// cost     for the narrowest lobe as LightHarmonics::make's, and about 60 ns a texel; bit-identical for any number of
+///          threads
+Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics& light,
+                           const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress = {});
 
-/// A cube of means under one lobe.
+/// The mean of an environment under one lobe in each direction, as a cube.
+///
+/// errors   too_large
 Result<EnvironmentMap> cubeOf(const BlurredLight& light, int size);
 
 }  // namespace mirrorball

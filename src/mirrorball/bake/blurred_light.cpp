@@ -13,7 +13,7 @@ namespace mirrorball {
 namespace {
 
 /// A sun of half a degree has 101 texels in a panorama of 8192 × 4096.
-constexpr int kMostBrightTexels = 256;
+constexpr int kMostBrightLights = 256;
 
 /// What may be missing at the darkest part of a map, by the bound of lightContrast. What is missing in fact is ten to
 /// thirty times less (docs/prefiltering.md).
@@ -44,15 +44,15 @@ Result<LightHarmonics> LightHarmonics::make(const Environment& environment, cons
   const int rows = leastRows(lobes);
   const EnvironmentMap* map = environment.map();
   const bool is_dense = map && isDenseEnough(*map, rows);
-  BrightTexels bright;
-  BrightTexels in_panorama;
+  BrightLights bright;
+  BrightLights in_panorama;
   EnvironmentMap converted;
   const EnvironmentMap* panorama = map;
   if (is_dense && map->projection() == Projection::equirect) {
-    bright = in_panorama = brightTexels(*map, kMostBrightTexels);
+    bright = in_panorama = brightLights(*map, kMostBrightLights);
   } else if (is_dense) {
     // Single texels are points of light in the map that they come from; converted they would be smeared.
-    bright = brightTexels(*map, kMostBrightTexels);
+    bright = brightLights(*map, kMostBrightLights);
     EnvironmentMap without = *map;
     subtract(bright, without);
     MIRRORBALL_TRY(laid_out, laidOut(Environment(std::move(without)), rows));
@@ -62,7 +62,7 @@ Result<LightHarmonics> LightHarmonics::make(const Environment& environment, cons
     MIRRORBALL_TRY(laid_out, laidOut(environment, rows));
     converted = std::move(laid_out);
     panorama = &converted;
-    bright = in_panorama = brightTexels(converted, kMostBrightTexels);
+    bright = in_panorama = brightLights(converted, kMostBrightLights);
   }
   const float tolerance = kTolerance / lightContrast(*panorama, in_panorama);
   int bands = 1;
@@ -79,7 +79,7 @@ BlurredLight LightHarmonics::blurred(const Lobe& lobe) const {
 void BlurredLight::sample(PointBatch& points, glm::vec4* values) const {
   positionsOf(Projection::equirect, points);
   grid_.sample(points, values);
-  const LightChannels light = lightOfPoints(*bright_, lobe_, points);
+  const LightChannels light = lightOfPoints(bright_->points, lobe_, points);
   for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); ++i) {
     glm::vec4& value = values[i];
     for (int c = 0; c < 3; ++c)

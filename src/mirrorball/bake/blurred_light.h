@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/bake/bright_texels.h"
+#include "mirrorball/bake/bright_lights.h"
 #include "mirrorball/bake/harmonic_transform.h"
 #include "mirrorball/bake/lobe.h"
 #include "mirrorball/bake/sphere_grid.h"
@@ -25,12 +25,12 @@ class BlurredLight {
 
  private:
   friend class LightHarmonics;
-  BlurredLight(Lobe lobe, SphereGrid grid, std::shared_ptr<const BrightTexels> bright)
+  BlurredLight(Lobe lobe, SphereGrid grid, std::shared_ptr<const BrightLights> bright)
       : lobe_(std::move(lobe)), grid_(std::move(grid)), bright_(std::move(bright)) {}
 
   Lobe lobe_;
   SphereGrid grid_;  // without the bright texels
-  std::shared_ptr<const BrightTexels> bright_;
+  std::shared_ptr<const BrightLights> bright_;
 };
 
 /// The light of an environment as few points that outshine the rest, and the rest in spherical harmonics, where a blur is
@@ -52,17 +52,17 @@ class LightHarmonics {
 
   const HarmonicCoefficients& coefficients() const { return coefficients_; }
   /// What the coefficients lack.
-  const BrightTexels& bright() const { return *bright_; }
+  const BrightLights& bright() const { return *bright_; }
 
  private:
-  LightHarmonics(float tolerance, HarmonicCoefficients coefficients, BrightTexels bright)
+  LightHarmonics(float tolerance, HarmonicCoefficients coefficients, BrightLights bright)
       : tolerance_(tolerance),
         coefficients_(std::move(coefficients)),
-        bright_(std::make_shared<const BrightTexels>(std::move(bright))) {}
+        bright_(std::make_shared<const BrightLights>(std::move(bright))) {}
 
   float tolerance_;  // of Lobe::bandsFor
   HarmonicCoefficients coefficients_;
-  std::shared_ptr<const BrightTexels> bright_;
+  std::shared_ptr<const BrightLights> bright_;
 };
 
 }  // namespace mirrorball

@@ -166,7 +166,7 @@ HarmonicCoefficients::HarmonicCoefficients(int bands)
   });
 }
 
-HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightTexels& without, int bands) {
+HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands) {
   HarmonicCoefficients coefficients(bands);
   const RowTransform rows(panorama, without, bands);
   const Rings rings(panorama.extent().y);

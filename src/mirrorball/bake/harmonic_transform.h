@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/bake/bright_texels.h"
+#include "mirrorball/bake/bright_lights.h"
 #include "mirrorball/bake/legendre.h"
 #include "mirrorball/bake/sphere_grid.h"
 #include "mirrorball/environment/environment_map.h"
@@ -42,11 +42,11 @@ class HarmonicCoefficients {
 /// exactly those of the sum over all texels.
 ///
 /// panorama   equirect, of any width and height
-/// without    texels whose excess is left out (bright_texels.h)
+/// without    texels whose excess is left out (bright_lights.h)
 /// bands      l < bands
 /// cost       height/2 · bands²/2 steps of a recurrence and its eight products, about 1.2 ns each on one core; and a
 ///            Fourier transform of each row
-HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightTexels& without, int bands);
+HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands);
 
 /// The function again on a grid, each band l weighed by `weights[l]`, divided by what the white map has there: for weights
 /// of a lobe the weighted mean of all texels.

@@ -44,11 +44,11 @@ RowSums sumsOfRow(const Image& image, int y, const std::vector<bool>& is_left_ou
 
 }  // namespace
 
-float lightContrast(const EnvironmentMap& panorama, const BrightTexels& without) {
+float lightContrast(const EnvironmentMap& panorama, const BrightLights& without) {
   const Image& image = panorama.face(0);
   const auto height = static_cast<std::size_t>(image.height());
   std::vector<std::vector<bool>> left_out(height);
-  for (const BrightTexel& bright : without) {
+  for (const Excess& bright : without.texels) {
     std::vector<bool>& row = left_out[std::size_t(bright.texel.y)];
     row.resize(std::size_t(image.width()));
     row[std::size_t(bright.texel.x)] = true;

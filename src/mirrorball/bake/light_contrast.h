@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mirrorball/bake/bright_texels.h"
+#include "mirrorball/bake/bright_lights.h"
 #include "mirrorball/environment/environment_map.h"
 
 namespace mirrorball {
@@ -17,6 +17,6 @@ namespace mirrorball {
 /// returns    the square root of 4π times that power, over the radiance of the darkest of 16 × 32 parts of the map; of
 ///            the channel where it is greatest; infinite where a part is black
 /// cost       one pass over the texels
-float lightContrast(const EnvironmentMap& panorama, const BrightTexels& without);
+float lightContrast(const EnvironmentMap& panorama, const BrightLights& without);
 
 }  // namespace mirrorball

@@ -41,13 +41,14 @@ Samples sampled(const std::function<float(float)>& shape, double width, int most
 
 /// Σ weighted · P_l(cosine), band by band until a whole stretch of them stays below kLeastBand.
 std::vector<float> bandsOf(const Samples& samples, int most_bands) {
-  constexpr std::size_t kStretch = 16;
+  constexpr int kStretch = 16;
   const std::size_t count = samples.cosines.size();
   std::vector<double> here(count, 1.0);
   std::vector<double> before(count, 0.0);
   std::vector<float> bands;
   double whole = 1.0;
-  for (int l = 0; l < most_bands; ++l) {
+  int small = 0;
+  for (int l = 0; l < most_bands && small < kStretch; ++l) {
     double sum = 0.0;
     const double a = (2.0 * l + 1.0) / (l + 1.0);
     const double b = l / (l + 1.0);
@@ -60,13 +61,9 @@ std::vector<float> bandsOf(const Samples& samples, int most_bands) {
     if (l == 0) whole = sum;
     bands.push_back(static_cast<float>(sum / whole));
     const float least = l < Lobe::kCheapBands ? Lobe::kLeastBand : Lobe::kLeastFurtherBand;
-    const auto small = [least](float band) { return std::abs(band) < least; };
-    if (bands.size() > kStretch && std::all_of(bands.end() - kStretch, bands.end(), small)) {
-      bands.resize(bands.size() - kStretch);
-      break;
-    }
+    small = std::abs(bands.back()) < least ? small + 1 : 0;
   }
-  return bands;
+  return {bands.begin(), bands.end() - small};
 }
 
 }  // namespace

@@ -12,12 +12,12 @@ namespace mirrorball::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The twin of formula::ggxLobe for many points.
-void addGgx(const BrightTexel& bright, float alpha, float scale, const PointBatch& points, LightChannels& light) {
+void addGgx(const PointOfLight& point, float alpha, float scale, const PointBatch& points, LightChannels& light) {
   const hn::CappedTag<float, 16> d;
-  const auto x = hn::Set(d, bright.direction.x);
-  const auto y = hn::Set(d, bright.direction.y);
-  const auto z = hn::Set(d, bright.direction.z);
-  const glm::vec3 flux = bright.radiance * (bright.solid_angle * scale);
+  const auto x = hn::Set(d, point.direction.x);
+  const auto y = hn::Set(d, point.direction.y);
+  const auto z = hn::Set(d, point.direction.z);
+  const glm::vec3 flux = point.flux * scale;
   const auto red = hn::Set(d, flux.x);
   const auto green = hn::Set(d, flux.y);
   const auto blue = hn::Set(d, flux.z);
@@ -49,23 +49,23 @@ namespace {
 
 HWY_EXPORT(addGgx);
 
-void add(const BrightTexel& bright, const Lobe& lobe, const PointBatch& points, LightChannels& light) {
+void add(const PointOfLight& point, const Lobe& lobe, const PointBatch& points, LightChannels& light) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); ++i) {
-    const glm::vec3 difference = bright.direction - glm::vec3(points.x[i], points.y[i], points.z[i]);
-    const float received = bright.solid_angle * lobe.at(glm::dot(difference, difference) / 4.0f);
-    for (std::size_t c = 0; c < 3; ++c) light.channel[c][i] += bright.radiance[static_cast<int>(c)] * received;
+    const glm::vec3 difference = point.direction - glm::vec3(points.x[i], points.y[i], points.z[i]);
+    const float received = lobe.at(glm::dot(difference, difference) / 4.0f);
+    for (std::size_t c = 0; c < 3; ++c) light.channel[c][i] += point.flux[static_cast<int>(c)] * received;
   }
 }
 
 }  // namespace
 
-LightChannels lightOfPoints(const BrightTexels& lights, const Lobe& lobe, const PointBatch& points) {
+LightChannels lightOfPoints(const std::vector<PointOfLight>& lights, const Lobe& lobe, const PointBatch& points) {
   LightChannels light;
-  for (const BrightTexel& bright : lights) {
+  for (const PointOfLight& point : lights) {
     if (lobe.ggxAlpha() > 0.0f)
-      HWY_DYNAMIC_DISPATCH(addGgx)(bright, lobe.ggxAlpha(), lobe.scale(), points, light);
+      HWY_DYNAMIC_DISPATCH(addGgx)(point, lobe.ggxAlpha(), lobe.scale(), points, light);
     else
-      add(bright, lobe, points, light);
+      add(point, lobe, points, light);
   }
   return light;
 }

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/bake/bright_texels.h"
+#include "mirrorball/bake/bright_lights.h"
 #include "mirrorball/bake/lobe.h"
 #include "mirrorball/environment/point_batch.h"
 
@@ -15,10 +16,10 @@ struct alignas(64) LightChannels {
   std::array<PointBatch::Values<float>, 3> channel{};
 };
 
-/// What a few points of light send through a lobe to every point of a batch: Σ radiance · solid angle · lobe.
+/// What a few points of light send through a lobe to every point of a batch: Σ flux · lobe.
 ///
 /// points   x, y and z
 /// cost     about 1 ns a point and light for GGX, 20 ns for other lobes
-LightChannels lightOfPoints(const BrightTexels& lights, const Lobe& lobe, const PointBatch& points);
+LightChannels lightOfPoints(const std::vector<PointOfLight>& lights, const Lobe& lobe, const PointBatch& points);
 
 }  // namespace mirrorball

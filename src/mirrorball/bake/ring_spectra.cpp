@@ -52,7 +52,7 @@ struct RowTransform::Columns {
   std::array<std::vector<Complex>, 3> channel;
 };
 
-RowTransform::RowTransform(const EnvironmentMap& panorama, const BrightTexels& without, int orders)
+RowTransform::RowTransform(const EnvironmentMap& panorama, const BrightLights& without, int orders)
     : image_(panorama.face(0)), without_(without), transform_(image_.width(), false) {
   for (int m = 0; m < orders; ++m) turns_.push_back(Complex(std::polar(1.0, -std::numbers::pi * m / image_.width())));
 }
@@ -83,9 +83,10 @@ void RowTransform::load(int y, float weight, bool is_south, Columns& columns) co
     float* part = reinterpret_cast<float*>(columns.channel[c].data()) + (is_south ? 1 : 0);
     for (std::size_t x = 0; x < width; ++x) part[2 * x] = weight * sample[x * stride];
   }
-  const auto isBefore = [](const BrightTexel& texel, int row) { return texel.texel.y < row; };
-  for (auto bright = std::lower_bound(without_.begin(), without_.end(), y, isBefore);
-       bright != without_.end() && bright->texel.y == y; ++bright)
+  const auto isBefore = [](const Excess& excess, int row) { return excess.texel.y < row; };
+  const std::vector<Excess>& without = without_.texels;
+  for (auto bright = std::lower_bound(without.begin(), without.end(), y, isBefore);
+       bright != without.end() && bright->texel.y == y; ++bright)
     for (int c = 0; c < 3; ++c) {
       const Complex excess(weight * bright->radiance[c]);
       columns.channel[std::size_t(c)][std::size_t(bright->texel.x)] -= is_south ? timesI(excess) : excess;

@@ -8,7 +8,7 @@
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/bake/bright_texels.h"
+#include "mirrorball/bake/bright_lights.h"
 #include "mirrorball/bake/sphere_grid.h"
 #include "mirrorball/environment/environment_map.h"
 #include "mirrorball/image/texel_allocator.h"
@@ -70,7 +70,7 @@ class RowTransform {
  public:
   /// panorama, without   must outlive it; `without` is in the order of the texels
   /// orders    any number: beyond the texels of a row they repeat themselves, as those of points of light do
-  RowTransform(const EnvironmentMap& panorama, const BrightTexels& without, int orders);
+  RowTransform(const EnvironmentMap& panorama, const BrightLights& without, int orders);
 
   /// The pairs from `first` on; beyond the last one 0.
   void run(int first, RingSpectra& spectra) const;
@@ -81,7 +81,7 @@ class RowTransform {
   void transformPair(int pair, Columns& columns, Columns& transforms, RingSpectra& spectra, std::size_t place) const;
 
   const Image& image_;
-  const BrightTexels& without_;
+  const BrightLights& without_;
   FourierTransform transform_;
   std::vector<std::complex<float>> turns_;  // texel centres lie half a texel from the seam
 };

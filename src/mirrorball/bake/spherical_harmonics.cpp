@@ -53,10 +53,9 @@ Harmonics radianceHarmonics(const LightHarmonics& light, int degree) {
       for (std::size_t i = 0; i < sums.size(); ++i)
         sums[i] += value * static_cast<double>(formula::harmonic(static_cast<int>(i), direction));
     }
-  for (const BrightTexel& bright : light.bright())
+  for (const PointOfLight& point : light.bright().points)
     for (std::size_t i = 0; i < sums.size(); ++i)
-      sums[i] += glm::dvec3(bright.radiance) *
-                 static_cast<double>(bright.solid_angle * formula::harmonic(static_cast<int>(i), bright.direction));
+      sums[i] += glm::dvec3(point.flux) * static_cast<double>(formula::harmonic(static_cast<int>(i), point.direction));
   return Harmonics(sums.begin(), sums.end());
 }
 

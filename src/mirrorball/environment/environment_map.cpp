@@ -57,11 +57,16 @@ void EnvironmentMap::dropRowsBefore(int row) {
   rows_.begin = first;
 }
 
+constexpr int kLeastSizeOfCubic = 4;
+
 glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolation) const {
   if (projection_ == Projection::hemioctahedral && direction.z < 0.0f) return glm::vec3(0.0f);
   const MapPosition place = positionOf(projection_, direction);
   const glm::vec2 extent(extent_);
   glm::vec2 position = place.uv * extent;
+  // Of the fewest texels a cubic would reach over several borders.
+  if (interpolation == Interpolation::bicubic && hasCharts(projection_) && size() < kLeastSizeOfCubic)
+    interpolation = Interpolation::bilinear;
   if (interpolation == Interpolation::bicubic && hasCharts(projection_)) {
     const Chart chart(projection_, size(), place);
     return glm::vec3(bicubic(position, [&](int x, int y) { return fetchOnChart(chart, x, y); }));
@@ -93,9 +98,9 @@ glm::vec4 EnvironmentMap::fetch(int face_index, int x, int y) const {
   }
 }
 
-/// Left and right edges meet; beyond a pole the row continues on the opposite meridian.
+/// Left and right edges meet; beyond a pole the row continues on the opposite meridian. Of one row, beyond both poles.
 glm::vec4 EnvironmentMap::fetchEquirect(int x, int y) const {
-  if (y < 0 || y >= extent_.y) {
+  while (y < 0 || y >= extent_.y) {
     y = y < 0 ? -1 - y : 2 * extent_.y - 1 - y;
     x += extent_.x / 2;
   }
@@ -114,7 +119,8 @@ glm::vec4 EnvironmentMap::fetchFolded(int x, int y) const {
     y = y < 0 ? -1 - y : 2 * side - 1 - y;
     x = side - 1 - x;
   }
-  return glm::vec4(rgbAt(face(0), x, y), 1.0f);
+  // A cubic reaches over both edges of a map of one texel.
+  return glm::vec4(rgbAt(face(0), std::clamp(x, 0, side - 1), std::clamp(y, 0, side - 1)), 1.0f);
 }
 
 /// A texel outside the image, or whose centre lies beside the disc, has no weight.

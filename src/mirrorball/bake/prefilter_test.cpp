@@ -1,0 +1,297 @@
+#include "mirrorball/bake/prefilter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "formula/formula.h"
+#include "mirrorball/bake/prefilter_testing.h"
+#include "mirrorball/environment/builtin.h"
+#include "mirrorball/environment/convert.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr int kRows = 192;  // enough for the narrowest lobe of a chain of 64²: 2.5 / 0.018
+
+ImageSet chainOf(const Environment& environment, const PrefilterOptions& options) {
+  const std::vector<PrefilterLevel> levels = prefilterLevels(options);
+  const auto light = LightHarmonics::make(environment, lobesOf(levels));
+  return *prefilter(environment, *light, levels);
+}
+
+ImageSet chainOf(const EnvironmentMap& map, int size) { return chainOf(Environment(map), {.size = size}); }
+
+struct Error {
+  double mean = 0.0;
+  double greatest = 0.0;
+};
+
+/// Relative, of all channels, over a few hundred texels of each face: corners, edges and scattered ones.
+Error errorOfLevel(const EnvironmentMap& panorama, const ImageSet& chain, int level,
+                   const std::function<double(double)>& kernel) {
+  const int size = chain.at(level, 0).width();
+  std::mt19937 random(static_cast<unsigned>(level));
+  Error error;
+  int count = 0;
+  for (int face = 0; face < 6; ++face)
+    for (int i = 0; i < 12; ++i) {
+      const glm::ivec2 texel = i == 0   ? glm::ivec2(0)
+                               : i == 1 ? glm::ivec2(size - 1, size / 2)
+                               : i == 2 ? glm::ivec2(size / 2)
+                                        : glm::ivec2(random() % unsigned(size), random() % unsigned(size));
+      const glm::vec3 direction =
+          directionAt(Projection::cube, {face, (glm::vec2(texel) + 0.5f) / static_cast<float>(size)});
+      const glm::dvec3 truth = meanOfTexels(panorama, kernel, direction);
+      const glm::dvec3 found(rgbAt(chain.at(level, face), texel.x, texel.y));
+      for (int c = 0; c < 3; ++c) {
+        const double relative = std::abs(found[c] - truth[c]) / truth[c];
+        error.mean += relative;
+        error.greatest = std::max(error.greatest, relative);
+        ++count;
+      }
+    }
+  error.mean /= count;
+  return error;
+}
+
+/// Smooth and fine light, in another colour everywhere.
+glm::vec3 landscape(glm::vec3 d) {
+  const float ground = d.y < 0.0f ? 0.2f : 1.0f;
+  const float fine = 0.5f + 0.5f * std::sin(40.0f * d.x) * std::cos(31.0f * d.z);
+  return {ground * (0.3f + fine), ground * (0.8f + 0.5f * d.y), 0.2f + 0.2f * fine + std::max(d.z, 0.0f)};
+}
+
+glm::vec3 landscapeWithSun(glm::vec3 d) {
+  const glm::vec3 sun = glm::normalize(glm::vec3(0.4f, 0.7f, -0.5f));
+  const bool is_sun = std::acos(std::clamp(glm::dot(d, sun), -1.0f, 1.0f)) < glm::radians(0.7f);
+  return is_sun ? glm::vec3(1e5f, 0.8e5f, 0.5e5f) : landscape(d);
+}
+
+glm::vec3 softboxInADarkRoom(glm::vec3 d) {
+  const bool is_lamp = d.z > 0.0f && std::abs(d.x) < 0.2f * d.z && std::abs(d.y) < 0.3f * d.z;
+  return is_lamp ? glm::vec3(50.0f, 40.0f, 45.0f) : glm::vec3(0.02f, 0.01f, 0.03f);
+}
+
+glm::vec3 sunAtTheZenith(glm::vec3 d) { return landscape(d) + (d.y > 0.9998f ? glm::vec3(1e5f) : glm::vec3(0.0f)); }
+
+struct Light {
+  const char* name;
+  glm::vec3 (*at)(glm::vec3);
+};
+
+class PrefilterAccuracy : public testing::TestWithParam<Light> {};
+
+TEST_P(PrefilterAccuracy, EveryLevelIsTheSumOverAllTexels) {
+  const EnvironmentMap panorama = panoramaOf(2 * kRows, kRows, GetParam().at);
+  const ImageSet chain = chainOf(panorama, 64);
+  ASSERT_EQ(chain.levels(), 5);
+  for (int level = 1; level < chain.levels(); ++level) {
+    const double roughness = static_cast<double>(roughnessOfLevel(MipMapping::filament, level, 4));
+    const Error error = errorOfLevel(panorama, chain, level, ggxKernel(roughness));
+    // Twenty times better than asked for, but around a lamp in the dark.
+    EXPECT_LT(error.mean, 2e-4) << "level " << level;
+    EXPECT_LT(error.greatest, 3e-3) << "level " << level;
+  }
+}
+
+std::string nameOfLight(const testing::TestParamInfo<Light>& info) { return info.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Maps, PrefilterAccuracy,
+                         testing::Values(Light{"Landscape", landscape}, Light{"Sun", landscapeWithSun},
+                                         Light{"Softbox", softboxInADarkRoom}, Light{"SunAtTheZenith", sunAtTheZenith}),
+                         nameOfLight);
+
+class PrefilterDistribution : public testing::TestWithParam<Distribution> {};
+
+TEST_P(PrefilterDistribution, IsTheSumOverAllTexelsToo) {
+  const EnvironmentMap panorama = panoramaOf(2 * kRows, kRows, landscapeWithSun);
+  const ImageSet chain = chainOf(Environment(panorama), {.size = 32, .distribution = GetParam()});
+  const std::vector<PrefilterLevel> levels = prefilterLevels({.size = 32, .distribution = GetParam()});
+  for (int level = 1; level < chain.levels(); ++level) {
+    const float roughness = levels[std::size_t(level)].perceptual_roughness;
+    const float alpha = roughness * roughness;
+    const auto kernel = [&](double s) {
+      const auto at = static_cast<float>(s);
+      switch (GetParam()) {
+        case Distribution::phong:
+          return double(formula::phongLobe(std::max((2.0f / (alpha * alpha) - 2.0f) / 4.0f, 1.0f), at));
+        case Distribution::blinn:
+          return double(formula::blinnLobe(2.0f / (alpha * alpha) - 2.0f, at));
+        case Distribution::charlie:
+          return double(formula::charlieLobe(alpha, at));
+        default:
+          return double(formula::ggxLobe(alpha, at));
+      }
+    };
+    const Error error = errorOfLevel(panorama, chain, level, kernel);
+    EXPECT_LT(error.mean, 2e-3) << "level " << level;
+    EXPECT_LT(error.greatest, 1e-2) << "level " << level;
+  }
+}
+
+std::string nameOfDistribution(const testing::TestParamInfo<Distribution>& info) {
+  return std::array{"Ggx", "Phong", "Blinn", "Charlie"}[static_cast<std::size_t>(info.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PrefilterDistribution,
+                         testing::Values(Distribution::ggx, Distribution::phong, Distribution::blinn,
+                                         Distribution::charlie),
+                         nameOfDistribution);
+
+TEST(Prefilter, AWhiteFurnaceIsWhiteOnEveryLevel) {
+  const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 64);
+  for (const Projection projection : {Projection::equirect, Projection::cube, Projection::octahedral}) {
+    const EnvironmentMap map = *convert(white, projection, 128);
+    const ImageSet chain = chainOf(map, 64);
+    for (int level = 0; level < chain.levels(); ++level)
+      for (int face = 0; face < 6; ++face)
+        for (const float sample : chain.at(level, face).samples())
+          ASSERT_NEAR(sample, 1.0f, 1e-5f) << nameOf(projection) << " level " << level << " face " << face;
+  }
+}
+
+TEST(Prefilter, LevelZeroIsTheEnvironmentItself) {
+  const EnvironmentMap panorama = panoramaOf(2 * kRows, kRows, landscape);
+  const ImageSet chain = chainOf(panorama, 64);
+  const EnvironmentMap cube = *convert(Environment(panorama), Projection::cube, 64);
+  for (int face = 0; face < 6; ++face)
+    EXPECT_TRUE(std::ranges::equal(chain.at(0, face).samples(), cube.face(face).samples()));
+}
+
+TEST(Prefilter, AnyNumberOfThreadsGivesTheSameBits) {
+  const EnvironmentMap panorama = panoramaOf(2 * kRows, kRows, landscapeWithSun);
+  const ImageSet chain = chainOf(panorama, 64);
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const ImageSet again = chainOf(panorama, 64);
+  for (int level = 0; level < chain.levels(); ++level)
+    for (int face = 0; face < 6; ++face)
+      EXPECT_TRUE(std::ranges::equal(chain.at(level, face).samples(), again.at(level, face).samples()));
+}
+
+// A cube and an octahedron that sample the same light as a panorama: a soft lamp in a gradient.
+TEST(Prefilter, OtherProjectionsAgreeWithAPanorama) {
+  const glm::vec3 lamp = glm::normalize(glm::vec3(0.4f, 0.7f, -0.5f));
+  const auto radiance = [lamp](glm::vec3 d) {
+    return glm::vec3(1.0f + 0.5f * d.x * d.y) + 500.0f * std::exp(-500.0f * (1.0f - glm::dot(d, lamp)));
+  };
+  const Environment light(radiance, 256);
+  const ImageSet expected = chainOf(*convert(light, Projection::equirect, 512), 32);
+  for (const Projection projection : {Projection::cube, Projection::octahedral}) {
+    const ImageSet chain = chainOf(*convert(light, projection, projection == Projection::cube ? 256 : 512), 32);
+    for (int level = 1; level < chain.levels(); ++level)
+      for (int face = 0; face < 6; ++face)
+        for (std::size_t i = 0; i < chain.at(level, face).samples().size(); ++i) {
+          const float truth = expected.at(level, face).samples()[i];
+          ASSERT_NEAR(chain.at(level, face).samples()[i], truth, 2e-3f * truth)
+              << nameOf(projection) << " level " << level;
+        }
+  }
+}
+
+TEST(Prefilter, ABlackMapIsBlack) {
+  const ImageSet chain = chainOf(panoramaOf(128, 64, [](glm::vec3) { return glm::vec3(0.0f); }), 32);
+  for (int level = 0; level < chain.levels(); ++level)
+    for (int face = 0; face < 6; ++face)
+      for (const float sample : chain.at(level, face).samples()) ASSERT_EQ(sample, 0.0f);
+}
+
+TEST(Prefilter, ASunOfOneTexelOnBlackIsItsLobe) {
+  EnvironmentMap map = panoramaOf(512, 256, [](glm::vec3) { return glm::vec3(0.0f); });
+  for (int c = 0; c < 3; ++c) map.face(0).texel(100, 60)[c] = 1e5f;
+  const ImageSet chain = chainOf(map, 64);
+  for (int level = 1; level < chain.levels(); ++level) {
+    const double roughness = static_cast<double>(roughnessOfLevel(MipMapping::filament, level, 4));
+    const int size = chain.at(level, 0).width();
+    for (int face = 0; face < 6; ++face)
+      for (int x = 0; x < size; x += 3) {
+        const glm::vec3 d =
+            directionAt(Projection::cube, {face, {(float(x) + 0.5f) / float(size), 0.5f + 0.5f / float(size)}});
+        const double truth = meanOfTexels(map, ggxKernel(roughness), d).x;
+        const auto found = static_cast<double>(rgbAt(chain.at(level, face), x, size / 2).x);
+        EXPECT_NEAR(found, truth, 2e-4 * truth + 1e-5) << "level " << level;
+        EXPECT_GE(found, 0.0);
+      }
+  }
+}
+
+// A map of very few texels is what lies between them, seen smoothly: no spots where its texels are.
+TEST(Prefilter, AMapOfVeryFewTexelsIsTakenAsSmoothLight) {
+  const Environment light([](glm::vec3 d) { return d.x > 0.0f ? glm::vec3(3.0f, 1.0f, 0.0f) : glm::vec3(1.0f); }, 1);
+  for (const Projection projection :
+       {Projection::equirect, Projection::cube, Projection::octahedral, Projection::equal_area}) {
+    const ImageSet chain = chainOf(*convert(light, projection, 1), 32);
+    for (int level = 0; level < chain.levels(); ++level)
+      for (int face = 0; face < 6; ++face)
+        for (const float sample : chain.at(level, face).samples()) {
+          ASSERT_GE(sample, 0.0f) << nameOf(projection);
+          ASSERT_LE(sample, 3.5f) << nameOf(projection);
+        }
+  }
+}
+
+TEST(Prefilter, NeighboursAcrossAnEdgeOfTheCubeAreAlike) {
+  const EnvironmentMap panorama = panoramaOf(2 * kRows, kRows, landscapeWithSun);
+  const ImageSet chain = chainOf(panorama, 64);
+  const int level = 1;
+  const int size = chain.at(level, 0).width();
+  // +Z's right column and +X's left column touch; so do two columns inside a face.
+  float across = 0.0f;
+  float inside = 0.0f;
+  for (int y = 0; y < size; ++y) {
+    across += std::abs(rgbAt(chain.at(level, 4), size - 1, y).y - rgbAt(chain.at(level, 0), 0, y).y);
+    inside += std::abs(rgbAt(chain.at(level, 4), size - 2, y).y - rgbAt(chain.at(level, 4), size - 1, y).y);
+  }
+  EXPECT_LT(across, 2.0f * inside + 0.01f * static_cast<float>(size));
+}
+
+TEST(Prefilter, SizesThatAreNoPowersOfTwoHaveAllLevels) {
+  const EnvironmentMap panorama = panoramaOf(2 * kRows, kRows, landscape);
+  for (const int size : {1, 3, 7, 8, 100}) {
+    const ImageSet chain = chainOf(panorama, size);
+    ASSERT_EQ(chain.levels(), lastLevel(size) + 1) << size;
+    EXPECT_EQ(chain.at(chain.levels() - 1, 5).width(), levelSide(size, lastLevel(size))) << size;
+  }
+}
+
+TEST(Prefilter, StopsWhenItIsTold) {
+  const Environment sky = *builtinEnvironment("sky");
+  const std::vector<PrefilterLevel> levels = prefilterLevels({.size = 32});
+  const auto light = LightHarmonics::make(sky, lobesOf(levels));
+  const auto stopped = prefilter(sky, *light, levels, [](std::size_t done, std::size_t) { return done < 2; });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+}
+
+TEST(MipMappings, EndAtRoughnessOneAndGrow) {
+  for (const MipMapping mapping :
+       {MipMapping::filament, MipMapping::linear, MipMapping::unreal, MipMapping::unity, MipMapping::frostbite}) {
+    float before = 0.0f;
+    for (int level = 1; level <= 6; ++level) {
+      const float roughness = roughnessOfLevel(mapping, level, 6);
+      EXPECT_GT(roughness, before);
+      before = roughness;
+    }
+    EXPECT_FLOAT_EQ(before, 1.0f);
+  }
+}
+
+TEST(MipMappings, AreTheInversesOfWhatEnginesLookUp) {
+  for (int level = 1; level <= 6; ++level) {
+    const auto lod = static_cast<float>(level);
+    const auto r = [level](MipMapping mapping) { return roughnessOfLevel(mapping, level, 6); };
+    EXPECT_NEAR(formula::lodOfRoughness(r(MipMapping::filament), 6.0f), lod, 1e-5f);
+    EXPECT_NEAR(6.0f * r(MipMapping::linear), lod, 1e-5f);
+    EXPECT_NEAR(6.0f + 1.2f * std::log2(r(MipMapping::unreal)), lod, 1e-5f);
+    EXPECT_NEAR(6.0f * r(MipMapping::unity) * (1.7f - 0.7f * r(MipMapping::unity)), lod, 1e-5f);
+    EXPECT_NEAR(6.0f * std::sqrt(r(MipMapping::frostbite)), lod, 1e-5f);
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball

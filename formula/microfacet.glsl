@@ -12,10 +12,17 @@ FN float lodOfLobe(float perceptual_roughness, float last) {
   return clamp(last + 1.0f + 2.0f * log2(max(perceptual_roughness, 1e-4f)), 0.0f, last);
 }
 
-// Scale and bias of f0 in the light that a GGX surface reflects from a white environment: Brian Karis' fit ("Physically
-// based shading on mobile", 2014), good to about 0.02. At roughness 0 the two sum to 1.
-FN vec2 environmentBrdf(float perceptual_roughness, float cosine) {
-  vec4 r = vec4(-1.0f, -0.0275f, -0.572f, 0.022f) * perceptual_roughness + vec4(1.0f, 0.0425f, 1.04f, -0.04f);
-  float bend = min(r.x * r.x, exp2(-9.28f * cosine)) * r.x + r.y;
-  return vec2(-1.04f * bend + r.z, 1.04f * bend + r.w);
+// The share of white light that leaves a rough surface after two bounces or more between its facets (Fdez-Agüera 2019, "A
+// multiple-scattering microfacet model for real-time image-based lighting", eqs. 9 to 12). Of what does not leave at a
+// bounce, 1 − whole, the next facet reflects the mean share F, of which the part once / F leaves again, and so on: a
+// geometric series that for facets which reflect all makes up exactly what the first bounce leaves missing.
+//   once         f0 · scale + bias of the BRDF table: what leaves after one bounce
+//   mean_fresnel the facets' reflectance, averaged over the cosine-weighted hemisphere
+//   whole        scale + bias: `once` of facets that reflect all
+FN vec3 multipleScattering(vec3 once, vec3 mean_fresnel, float whole) {
+  vec3 again = mean_fresnel * (1.0f - whole);
+  return once * again / (1.0f - again);
 }
+
+// The cosine-weighted mean of Schlick's form, 2 ∫ (f0 + (1 − f0)(1 − μ)⁵) μ dμ, for a reflectance that grows to `grazing`.
+FN vec3 meanFresnel(vec3 head_on, float grazing) { return head_on + (grazing - head_on) / 21.0f; }

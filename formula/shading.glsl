@@ -1,4 +1,4 @@
-// How a surface answers to the light of its environment. Needs: constants, color, microfacet, optics.
+// How a surface answers to the light of its environment. Needs: constants, color, microfacet, optics, reflection_lobe.
 // Light that another object would block or send is not seen: each point sees the whole environment.
 
 struct Surface {
@@ -16,6 +16,13 @@ struct Surface {
   vec3 emission;
   int fresnel;       // 0 exact, 1 Schlick, 2 empirical
   vec3 fresnel_empirical;  // offset, scale, power
+  vec2 environment_brdf;   // scale and bias of the BRDF table for its roughness and n·v
+};
+
+// Shares of a white environment's light.
+struct Reflectance {
+  vec3 once;  // of the light around the mirror direction, after one bounce
+  vec3 more;  // of the light from all sides, after several bounces between the facets of a rough surface
 };
 
 FN float dielectricReflectance(Surface s, float cosine, float ior) {
@@ -31,23 +38,37 @@ FN vec3 metalReflectance(Surface s, float cosine) {
   return fresnelSchlick(cosine, s.base_color);
 }
 
-// Of a smooth surface, per channel: dispersion gives each its own index.
-FN vec3 smoothReflectance(Surface s, float cosine) {
+// Of a smooth dielectric, per channel: dispersion gives each its own index.
+FN vec3 smoothDielectric(Surface s, float cosine) {
   vec3 ior = iorOfChannels(s.ior, s.dispersion);
-  vec3 dielectric = vec3(dielectricReflectance(s, cosine, ior.x), dielectricReflectance(s, cosine, ior.y),
-                         dielectricReflectance(s, cosine, ior.z));
-  return mix(dielectric * s.specular, metalReflectance(s, cosine), s.metallic);
+  return s.specular * vec3(dielectricReflectance(s, cosine, ior.x), dielectricReflectance(s, cosine, ior.y),
+                           dielectricReflectance(s, cosine, ior.z));
 }
 
-// The share of a white environment's light that is reflected towards the viewer. A lobe up to perceptual roughness ¼
-// (alpha 1/16) is so narrow that Fresnel's equations hold at its middle; from 0 to there they give way to the fit for
-// rough surfaces, which knows only the reflectance head-on.
-FN vec3 specularReflectance(Surface s, float cosine) {
-  vec3 exact = smoothReflectance(s, cosine);
-  vec2 rough = environmentBrdf(s.perceptual_roughness, cosine);
-  float grazing_strength = mix(s.specular, 1.0f, s.metallic);
-  vec3 fitted = smoothReflectance(s, 1.0f) * rough.x + vec3(rough.y * grazing_strength);
-  return mix(exact, fitted, clamp(s.perceptual_roughness * 4.0f, 0.0f, 1.0f));
+// What a surface reflects whose facets reflect `here` at this angle, `head_on` and `grazing`. A lobe up to perceptual
+// roughness ¼ (alpha 1/16) is so narrow that Fresnel's equations hold at its middle; from 0 to there they give way to the
+// BRDF table, which knows only the reflectance head-on.
+FN Reflectance roughReflectance(Surface s, vec3 here, vec3 head_on, float grazing) {
+  float whole = s.environment_brdf.x + s.environment_brdf.y;
+  vec3 rough = head_on * s.environment_brdf.x + vec3(grazing * s.environment_brdf.y);
+  Reflectance r;
+  r.once = mix(here * whole, rough, clamp(s.perceptual_roughness * 4.0f, 0.0f, 1.0f));
+  r.more = multipleScattering(r.once, meanFresnel(head_on, grazing), whole);
+  return r;
+}
+
+FN Reflectance roughDielectric(Surface s, float cosine) {
+  return roughReflectance(s, smoothDielectric(s, cosine), smoothDielectric(s, 1.0f), s.specular);
+}
+
+// glTF mixes the two materials, not their parts (appendix B.3.5).
+FN Reflectance specularReflectance(Surface s, float cosine) {
+  Reflectance dielectric = roughDielectric(s, cosine);
+  Reflectance metal = roughReflectance(s, metalReflectance(s, cosine), metalReflectance(s, 1.0f), 1.0f);
+  Reflectance r;
+  r.once = mix(dielectric.once, metal.once, s.metallic);
+  r.more = mix(dielectric.more, metal.more, s.metallic);
+  return r;
 }
 
 // What is seen through one refracting surface: the environment in the direction of the bent ray, for each channel its
@@ -62,13 +83,12 @@ FN vec3 refractedLight(Surface s, vec3 ray, mat3 environment_from_world, CUBE_SA
   return vec3(red.x, green.y, blue.z);
 }
 
-// The share of light that a surface takes in and may send back: what a dielectric of its kind does not reflect. glTF
-// mixes the two materials, not their parts (appendix B.3.5), so a metal's reflectance takes nothing from it.
+// The share of light that a surface takes in and may send back: what a dielectric of its kind does not reflect.
 FN vec3 diffuseAlbedo(Surface s, float cosine) {
   vec3 albedo = s.base_color * (1.0f - s.metallic);
   if (s.metallic == 1.0f) return albedo;
-  s.metallic = 0.0f;
-  return albedo * (vec3(1.0f) - specularReflectance(s, cosine));
+  Reflectance dielectric = roughDielectric(s, cosine);
+  return albedo * (vec3(1.0f) - dielectric.once - dielectric.more);
 }
 
 // The radiance towards the viewer: what is not reflected is refracted, scattered or absorbed, so that a white surface
@@ -79,11 +99,12 @@ FN vec3 diffuseAlbedo(Surface s, float cosine) {
 //   irradiance   on the surface, divided by π
 FN vec3 shadedByEnvironment(Surface s, vec3 ray, vec3 reflected, vec3 refracted, vec3 irradiance) {
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
-  vec3 reflectance = specularReflectance(s, cosine);
+  Reflectance reflectance = specularReflectance(s, cosine);
   vec3 inner = mix(irradiance * s.occlusion, refracted, s.transmission);
   // Occlusion is known for diffuse light only; of reflected light it takes the more the rougher the lobe.
   float reflected_occlusion = mix(1.0f, s.occlusion, s.perceptual_roughness);
-  return reflected * reflectance * reflected_occlusion + inner * diffuseAlbedo(s, cosine) + s.emission;
+  vec3 specular = reflected * reflectance.once * reflected_occlusion + irradiance * s.occlusion * reflectance.more;
+  return specular + inner * diffuseAlbedo(s, cosine) + s.emission;
 }
 
 // Phong's point light: diffuse by Lambert, specular by the reflected ray, its lobe scaled to keep its energy.
@@ -95,7 +116,8 @@ FN vec3 shadedByPointLight(Surface s, vec3 ray, vec3 light, vec3 color) {
   float exponent = phongExponent(s.perceptual_roughness);
   float mirrored = max(dot(reflect(ray, s.normal), light), 0.0f);
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
-  vec3 diffuse = diffuseAlbedo(s, cosine) * (1.0f - s.transmission);
-  vec3 lobe = specularReflectance(s, cosine) * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
+  Reflectance reflectance = specularReflectance(s, cosine);
+  vec3 diffuse = diffuseAlbedo(s, cosine) * (1.0f - s.transmission) + reflectance.more;
+  vec3 lobe = reflectance.once * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
   return color * facing * (diffuse + lobe);
 }

@@ -9,6 +9,7 @@
 #include "sampling.glsl"
 #include "sphere_map.glsl"
 #include "tangent.glsl"
+#include "brdf_table.glsl"
 #include "shading.glsl"
 
 in vec3 object_position;
@@ -33,6 +34,7 @@ uniform float roughest_level;
 uniform float texels_per_radian;
 uniform float samples_per_pixel;
 uniform vec3 irradiance[9];
+uniform sampler2D brdf_table;
 #ifdef SPHERE_MAPPING
 uniform sampler2D sphere_map;
 uniform mat4 texture_matrix;
@@ -164,6 +166,12 @@ vec3 reflectedLight(Surface s, vec3 ray) {
 #endif
 }
 
+vec2 environmentBrdf(Surface s, vec3 ray) {
+  float cosine = clamp(-dot(ray, s.normal), 0.0, 1.0);
+  float size = float(textureSize(brdf_table, 0).x);
+  return textureLod(brdf_table, brdfTableCoordinates(s.perceptual_roughness, cosine, size), 0.0).xy;
+}
+
 vec3 irradianceOverPi(vec3 n) {
   vec3 d = environment_from_world * n;
   return harmonicIrradiance(d, irradiance[0], irradiance[1], irradiance[2], irradiance[3], irradiance[4],
@@ -180,6 +188,7 @@ void main() {
 #endif
   vec3 ray = orthographic > 0.5 ? camera_forward : normalize(world_position - camera_position);
   Surface s = surfaceHere(shadingNormal(), color.xyz);
+  s.environment_brdf = environmentBrdf(s, ray);
 
   vec3 reflected = reflectedLight(s, ray) * environment_intensity;
   vec3 refracted = vec3(0.0);

@@ -37,6 +37,10 @@ constexpr float kTranscendental = 5e-5f;
 constexpr float kAngleNearSun = 2e-3f;
 
 const Case kCases[] = {
+    // brdf_table
+    PARITY(brdfTableColumn, unit, kTight, vec4(brdfTableColumn(p.x, p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(brdfTableCoordinates, unit, kTight, vec4(brdfTableCoordinates(p.x, p.y, 128.0f), 0.0f, 0.0f)),
+
     // color
     PARITY(linearFromSrgb1, unit, kTranscendental, vec4(linearFromSrgb1(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(srgbFromLinear1, unit, kTranscendental, vec4(srgbFromLinear1(p.x), 0.0f, 0.0f, 0.0f)),
@@ -93,7 +97,8 @@ const Case kCases[] = {
     // microfacet
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(lodOfLobe, unit, kTranscendental, vec4(lodOfLobe(p.x, 1.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
-    PARITY(environmentBrdf, unit, kTranscendental, vec4(environmentBrdf(p.x, p.y), 0.0f, 0.0f)),
+    PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.25f + 0.75f * r.x), 0.0f)),
+    PARITY(meanFresnel, unit, kTight, vec4(meanFresnel(vec3(p), p.w), 0.0f)),
 
     // mip_mapping
     PARITY(lodOfRoughness, unit, kTight, vec4(lodOfRoughness(p.x, 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
@@ -194,8 +199,15 @@ const Case kCases[] = {
     PARITY(dielectricReflectance, direction, kTranscendental,
            vec4(dielectricReflectance(testSurface(p, q, r), p.w, 1.0f + r.x), 0.0f, 0.0f, 0.0f)),
     PARITY(metalReflectance, direction, kTight, vec4(metalReflectance(testSurface(p, q, r), p.w), 0.0f)),
-    PARITY(smoothReflectance, direction, kTranscendental, vec4(smoothReflectance(testSurface(p, q, r), p.w), 0.0f)),
-    PARITY(specularReflectance, direction, kTranscendental, vec4(specularReflectance(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(smoothDielectric, direction, kTranscendental, vec4(smoothDielectric(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(roughReflectance, direction, kTight,
+           vec4(roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w), r.x).once,
+                roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w), r.x).more.x)),
+    PARITY(roughDielectric, direction, kTranscendental,
+           vec4(roughDielectric(testSurface(p, q, r), p.w).once, roughDielectric(testSurface(p, q, r), p.w).more.y)),
+    PARITY(specularReflectance, direction, kTranscendental,
+           vec4(specularReflectance(testSurface(p, q, r), p.w).once,
+                specularReflectance(testSurface(p, q, r), p.w).more.y)),
     PARITY(diffuseAlbedo, direction, kTranscendental, vec4(diffuseAlbedo(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(refractedLight, direction, kTight,
            vec4(refractedLight(testSurface(p, q, r), vec3(p), mat3(vec3(q), vec3(p), vec3(r)), SmoothCube(2.0f), 6.0f),

@@ -17,5 +17,6 @@ FN Surface testSurface(vec4 p, vec4 q, vec4 r) {
   s.emission = vec3(0.0f, 0.25f, r.w);
   s.fresnel = int(2.9375f * r.z);
   s.fresnel_empirical = vec3(0.05f, 0.9f, 4.0f);
+  s.environment_brdf = vec2(0.25f + 0.5f * r.w, 0.25f * r.x);
   return s;
 }

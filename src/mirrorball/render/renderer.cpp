@@ -90,6 +90,7 @@ Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, 
   const gl::Api api = context.api();
   MIRRORBALL_TRY(light, EnvironmentLight::make(prepared));
   MIRRORBALL_TRY(buffers, SceneBuffers::make(scene));
+  MIRRORBALL_TRY(surfaces, SurfacePrograms::make(api));
   MIRRORBALL_TRY(background, gl::Program::load(api, "screen.vert", "background.frag"));
   MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
   MIRRORBALL_TRY(tone_map, gl::Program::load(api, "screen.vert", "tone_map.frag"));
@@ -99,7 +100,7 @@ Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, 
                                                    std::move(light),
                                                    std::move(buffers),
                                                    boundingSphere(scene),
-                                                   SurfacePrograms(api),
+                                                   std::move(surfaces),
                                                    std::move(background),
                                                    std::move(accumulate),
                                                    std::move(tone_map),

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "formula/formula.h"
+#include "mirrorball/bake/reflected_share.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/gl/gl_testing.h"
@@ -118,6 +119,43 @@ TEST_F(RendererTest, InAWhiteEnvironmentMirrorAndWhiteDiffuseVanish) {
     Shot glass = smallShot(model, "glass");
     glass.options.background = "transparent";
     expectFurnaceWhite(white.radiance(glass), std::string(model) + " glass");
+  }
+}
+
+TEST_F(RendererTest, AWhiteMetalVanishesHoweverRoughItIs) {
+  Studio white = studio("white");
+  for (int tenths = 0; tenths <= 10; ++tenths) {
+    Shot shot = smallShot("sphere", "");
+    shot.options.background = "transparent";
+    const std::string roughness = "perceptual_roughness=" + std::to_string(static_cast<float>(tenths) / 10.0f);
+    shot.options.set = {"base_color=1", "metallic=1", roughness};
+    expectFurnaceWhite(white.radiance(shot), "white metal of " + roughness);
+    shot.options.set = {"base_color=1", roughness};
+    expectFurnaceWhite(white.radiance(shot), "white dielectric of " + roughness);
+  }
+}
+
+// Without light from several bounces a pixel of a metal shows f0 · scale + bias of the table, at its angle and roughness;
+// f0 of 0.02 leaves next to nothing to a second one.
+TEST_F(RendererTest, ADarkMetalReflectsWhatTheBrdfTableSays) {
+  Studio white = studio("white");
+  Shot shot = smallShot("sphere", "");
+  shot.options.size = "129x129";
+  shot.options.orthographic = {2.0f};
+  shot.options.camera = {0, 0};
+  shot.options.samples = 1;
+  const glm::vec3 f0(0.02f);
+  for (const float roughness : {0.25f, 0.5f, 1.0f}) {
+    shot.options.set = {"base_color=0.02", "metallic=1", "perceptual_roughness=" + std::to_string(roughness)};
+    const Image image = white.radiance(shot);
+    for (int x = 1; x < 128; ++x) {
+      const float nx = (static_cast<float>(x) + 0.5f) / 64.5f - 1.0f;
+      const ReflectedShare share = reflectedShare(Distribution::ggx, roughness, std::sqrt(1.0f - nx * nx));
+      const glm::vec3 once = f0 * share.scale + share.bias;
+      const glm::vec3 more = formula::multipleScattering(once, formula::meanFresnel(f0, 1.0f), share.whole());
+      // The table's 0.002, and a sphere of flat triangles.
+      EXPECT_NEAR(rgbAt(image, x, 64).x, once.x + more.x, 0.004f) << "roughness " << roughness << " at nx " << nx;
+    }
   }
 }
 

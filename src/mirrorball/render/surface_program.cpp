@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "mirrorball/bake/brdf_table.h"
+
 namespace mirrorball {
 namespace {
 
@@ -104,6 +106,14 @@ void setLights(gl::Program& program, const std::vector<PointLight>& lights) {
 
 }  // namespace
 
+Result<SurfacePrograms> SurfacePrograms::make(gl::Api api) {
+  // Three channels: two are no format of a texture. OpenGL ES filters no more than halves, which keep a share to 2.5e-4.
+  MIRRORBALL_TRY(table, brdfTable({.channels = 3, .axes = BrdfAxes::warped}));
+  MIRRORBALL_TRY(texture, gl::Texture::fromImages(gl::Format::rgba16f, ImageSet(std::move(table))));
+  texture.setSampling({.filter = gl::Sampling::Filter::linear});
+  return SurfacePrograms(api, std::move(texture));
+}
+
 Result<gl::Program*> SurfacePrograms::programFor(const std::vector<std::string>& defines) {
   auto found = programs_.find(defines);
   if (found == programs_.end()) {
@@ -120,6 +130,8 @@ Result<gl::Program*> SurfacePrograms::prepare(const Material& material, const Sc
   MIRRORBALL_TRY(program, programFor(definesFor(material, settings)));
   program->use();
   setFrame(*program, light, frame, settings);
+  brdf_table_.bind(TextureUnit::brdf_table);
+  program->set("brdf_table", TextureUnit::brdf_table);
   setMaterial(*program, material, buffers);
   setLights(*program, settings.lights);
   return program;

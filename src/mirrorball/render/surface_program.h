@@ -2,12 +2,14 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/program.h"
+#include "mirrorball/gl/texture.h"
 #include "mirrorball/render/environment_light.h"
 #include "mirrorball/render/render_options.h"
 #include "mirrorball/render/scene_buffers.h"
@@ -21,7 +23,8 @@ struct TextureUnit {
   static constexpr int environment = 0;
   static constexpr int sphere_map = 1;
   static constexpr int picture = 2;
-  static constexpr int first_of_material = 3;
+  static constexpr int brdf_table = 3;
+  static constexpr int first_of_material = 4;
 };
 
 /// What all surfaces of a frame share.
@@ -34,7 +37,11 @@ struct FrameUniforms {
 /// The shader programs for surfaces, one for each set of features that some material needs, made when first needed.
 class SurfacePrograms {
  public:
-  explicit SurfacePrograms(gl::Api api) : api_(api) {}
+  /// Makes the BRDF table, which all programs read.
+  ///
+  /// errors   too_large (for this driver)
+  /// cost     a few milliseconds on all cores
+  static Result<SurfacePrograms> make(gl::Api api);
 
   /// The program for a material with everything set that does not depend on the instance.
   ///
@@ -43,9 +50,12 @@ class SurfacePrograms {
                                const FrameUniforms& frame, const FrameSettings& settings);
 
  private:
+  SurfacePrograms(gl::Api api, gl::Texture brdf_table) : api_(api), brdf_table_(std::move(brdf_table)) {}
+
   Result<gl::Program*> programFor(const std::vector<std::string>& defines);
 
   gl::Api api_;
+  gl::Texture brdf_table_;
   std::map<std::vector<std::string>, gl::Program> programs_;
 };
 

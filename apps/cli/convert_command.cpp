@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/convert_files.h"
+#include "cli/files.h"
 #include "cli/map_output.h"
 #include "mirrorball/base/text.h"
 

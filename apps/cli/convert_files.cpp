@@ -130,13 +130,6 @@ Result<std::vector<MapOutput>> outputsFor(const std::vector<std::string>& inputs
   return outputs;
 }
 
-Result<void> makeFolder(const std::string& folder) {
-  std::error_code status;
-  fs::create_directories(folder, status);
-  if (status) return fail(ErrorCode::io, folder + ": cannot be made: " + status.message());
-  return {};
-}
-
 /// What there is to say at the end of many.
 Result<void> summary(std::size_t failed, std::size_t all, const std::string& folder) {
   if (interrupted()) return fail(ErrorCode::interrupted, "interrupted; what was finished stays in " + folder);
@@ -152,11 +145,6 @@ Result<void> convertFile(const std::string& input, const ConvertRequest& request
   MIRRORBALL_TRY_VOID(checkFolder(request.output.output));
   MIRRORBALL_TRY(output, outputOf(input, request, request.output.output));
   return convertInput(input, request, output, progressBar("convert"));
-}
-
-bool isFolder(const std::string& output) {
-  std::error_code status;
-  return output.ends_with('/') || fs::is_directory(output, status);
 }
 
 Result<void> convertMany(const std::vector<std::string>& inputs, const std::string& extension,

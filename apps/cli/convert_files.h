@@ -23,9 +23,6 @@ struct ConvertRequest {
 /// errors   as loadEnvironment's, convert's and writeImage's
 Result<void> convertFile(const std::string& input, const ConvertRequest& request);
 
-/// Whether an output names a folder: one that is there, or a name that ends in '/'.
-bool isFolder(const std::string& output);
-
 /// Converts maps, several at a time, into the folder that the request's output names, which is made if it is not there.
 /// A map that cannot be converted is told of, and the others go on; what is wrong with the options is told once, before
 /// anything is made.

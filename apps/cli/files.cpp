@@ -21,6 +21,18 @@ Result<void> checkFolder(const std::string& output) {
   return fail(ErrorCode::io, output + ": cannot be written; check that the folder exists");
 }
 
+bool isFolder(const std::string& output) {
+  std::error_code status;
+  return output.ends_with('/') || std::filesystem::is_directory(output, status);
+}
+
+Result<void> makeFolder(const std::string& folder) {
+  std::error_code status;
+  std::filesystem::create_directories(folder, status);
+  if (status) return fail(ErrorCode::io, folder + ": cannot be made: " + status.message());
+  return {};
+}
+
 std::string suffixed(const std::string& path, const std::string& suffix) {
   const std::filesystem::path whole(path);
   return (whole.parent_path() / (whole.stem().string() + suffix + whole.extension().string())).string();

@@ -17,6 +17,14 @@ Result<void> refuseOverwriting(std::span<const std::string> inputs, std::span<co
 /// errors   usage (no name at all); io
 Result<void> checkFolder(const std::string& output);
 
+/// Whether an output names a folder: one that is there, or a name that ends in '/'.
+bool isFolder(const std::string& output);
+
+/// Makes a folder, and those above it, if it is not there.
+///
+/// errors   io
+Result<void> makeFolder(const std::string& folder);
+
 /// "turn_007.png" of "turn.png": the name with a suffix before its extension.
 std::string suffixed(const std::string& path, const std::string& suffix);
 

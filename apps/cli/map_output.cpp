@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kFormats{"auto", "half", "float32", "b10g11r11", "e5b9g9r9"};
 
+// First those that any texture of a cube may be asked for.
+constexpr std::size_t kTextureOptions = 7;
 const std::array<Option<MapOutputOptions>, 10> kOptions{{
     {{.name = "output",
       .value = "OUT",
@@ -28,12 +30,6 @@ const std::array<Option<MapOutputOptions>, 10> kOptions{{
       .help = "as that program wants it: opengl vulkan directx unity unreal godot three blender renderman openexr",
       .group = "Output"},
      &MapOutputOptions::program},
-    {{.name = "layout",
-      .value = "LAYOUT",
-      .help = "of a cube in pictures: faces (six files), hcross, vcross, hstrip, vstrip, 3x2, seed; else as --for has "
-              "it, or hcross",
-      .group = "Output"},
-     &MapOutputOptions::layout},
     {{.name = "as-seen",
       .help = "cube faces as pictures seen from inside, not by OpenGL's left-handed table",
       .group = "Output"},
@@ -61,6 +57,12 @@ const std::array<Option<MapOutputOptions>, 10> kOptions{{
       .help = "Zstandard compression of .ktx2: 1 fast … 22 small, 0 none",
       .group = "Output"},
      &MapOutputOptions::zstandard_level},
+    {{.name = "layout",
+      .value = "LAYOUT",
+      .help = "of a cube in pictures: faces (six files), hcross, vcross, hstrip, vstrip, 3x2, seed; else as --for has "
+              "it, or hcross",
+      .group = "Output"},
+     &MapOutputOptions::layout},
     {{.name = "mips", .help = "all mip levels, in .ktx2 and .dds", .group = "Output"}, &MapOutputOptions::mips},
     {{.name = "mip",
       .choices = "solid-angle|box",
@@ -82,6 +84,10 @@ Result<CubeArrangement> changedBy(const MapOutputOptions& options, CubeArrangeme
 }  // namespace
 
 std::span<const Option<MapOutputOptions>> mapOutputOptions() { return kOptions; }
+
+std::span<const Option<MapOutputOptions>> textureOutputOptions() {
+  return mapOutputOptions().subspan(1, kTextureOptions - 1);
+}
 
 Result<void> MapOutput::setForm(const MapOutputOptions& options, Projection projection) {
   form_ = {projection};
@@ -163,25 +169,29 @@ bool MapOutput::takesPieces() const {
          form_.arrangement == CubeArrangement{} && form_.centre == SignedAxis::plus_z;
 }
 
-Result<void> MapOutput::inFormat(const std::function<Result<void>(TexelFormat)>& write) const {
-  const Result<void> written = write(format_.value_or(TexelFormat::half));
-  if (format_ || written || written.error().code != ErrorCode::out_of_range) return written;
+Result<TexelFormat> MapOutput::inFormat(const std::function<Result<void>(TexelFormat)>& write) const {
+  const TexelFormat first = format_.value_or(TexelFormat::half);
+  const Result<void> written = write(first);
+  if (written) return first;
+  if (format_ || written.error().code != ErrorCode::out_of_range) return tl::unexpected<Error>(written.error());
   remark(output_ + ": holds light that half floats do not; written in 32-bit floats");
-  return write(TexelFormat::float32);
+  MIRRORBALL_TRY_VOID(write(TexelFormat::float32));
+  return TexelFormat::float32;
 }
 
 Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const {
   const Projection projection = form_.projection;
-  return inFormat([&](TexelFormat format) -> Result<void> {
+  const auto write = [&](TexelFormat format) -> Result<void> {
     MIRRORBALL_TRY(writer, TextureWriter::create(output_, imageSize(projection, size), faceCount(projection),
                                                  convertedChannels(projection),
                                                  {.format = format, .metadata = metadataOf(form_)}));
     MIRRORBALL_TRY_VOID(
         convert_to([&](int face, glm::ivec2 begin, const Image& texels) { return writer.write(face, begin, texels); }));
-    MIRRORBALL_TRY_VOID(writer.commit());
-    announce(output_);
-    return {};
-  });
+    return writer.commit();
+  };
+  MIRRORBALL_TRY_VOID(inFormat(write));
+  announce(output_);
+  return {};
 }
 
 Result<ImageSet> MapOutput::textureImages(EnvironmentMap map) const {
@@ -194,18 +204,26 @@ Result<ImageSet> MapOutput::textureImages(EnvironmentMap map) const {
   return mipChain(EnvironmentMap(form_.projection, imagesOf(std::move(map), form_)), *mips_);
 }
 
-Result<void> MapOutput::writeTexture(EnvironmentMap map) const {
-  MIRRORBALL_TRY(images, textureImages(std::move(map)));
-  return inFormat([&](TexelFormat format) -> Result<void> {
-    MIRRORBALL_TRY_VOID(writeImageSet(
-        output_, images, {.format = format, .zstandard_level = zstandard_level_, .metadata = metadataOf(form_)}));
-    announce(output_);
-    return {};
-  });
+Result<TexelFormat> MapOutput::writeImages(const ImageSet& images) const {
+  MIRRORBALL_TRY(written, inFormat([&](TexelFormat format) {
+                   return writeImageSet(
+                       output_, images,
+                       {.format = format, .zstandard_level = zstandard_level_, .metadata = metadataOf(form_)});
+                 }));
+  announce(output_);
+  return written;
+}
+
+Result<TexelFormat> MapOutput::writeLevels(ImageSet levels) const {
+  return writeImages(arranged(std::move(levels), form_.arrangement));
 }
 
 Result<void> MapOutput::write(EnvironmentMap map) const {
-  if (is_texture_) return writeTexture(std::move(map));
+  if (is_texture_) {
+    MIRRORBALL_TRY(images, textureImages(std::move(map)));
+    MIRRORBALL_TRY_VOID(writeImages(images));
+    return {};
+  }
   const ImageWriteOptions how{.half = half_, .metadata = metadataOf(form_)};
   const std::vector<std::string> files = paths();
   if (files.size() == 1) {

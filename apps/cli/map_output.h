@@ -28,6 +28,8 @@ struct MapOutputOptions {
 };
 
 std::span<const Option<MapOutputOptions>> mapOutputOptions();
+/// Those of them that a cube's texture may be asked for, without --output.
+std::span<const Option<MapOutputOptions>> textureOutputOptions();
 
 /// Where a map goes, and in which form.
 class MapOutput {
@@ -52,15 +54,20 @@ class MapOutput {
   /// us and half floats do not hold the light, it is written in 32-bit floats.
   Result<void> writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const;
 
+  /// Writes a cube's texture, all of whose levels are made already.
+  ///
+  /// returns  the format that it was written in
+  Result<TexelFormat> writeLevels(ImageSet levels) const;
+
   const MapForm& form() const { return form_; }
 
  private:
   Result<void> setForm(const MapOutputOptions& options, Projection projection);
   Result<void> setFormat(const MapOutputOptions& options);
-  Result<void> writeTexture(EnvironmentMap map) const;
+  Result<TexelFormat> writeImages(const ImageSet& images) const;
   Result<ImageSet> textureImages(EnvironmentMap map) const;
-  /// Runs `write(format)`, once more in 32-bit floats where that is to be.
-  Result<void> inFormat(const std::function<Result<void>(TexelFormat)>& write) const;
+  /// Runs `write(format)`, once more in 32-bit floats where that is to be; returns the format.
+  Result<TexelFormat> inFormat(const std::function<Result<void>(TexelFormat)>& write) const;
 
   std::string output_;
   MapForm form_;

@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "cli/bake_command.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/convert_command.h"
@@ -54,6 +55,12 @@ Result<void> printReference() {
                "built-in environment. `--to` and `--output` are needed.");
   printRows(convertOptions(), "--");
   printRows(mapOutputOptions(), "--");
+  printHeading(
+      "mirrorball bake ENV",
+      "ENV is a map or a built-in environment. OUT is a folder, for all maps, or a .ktx2 or .dds file, for the "
+      "specular chain only.");
+  printRows(bakeOptions(), "--");
+  printRows(textureOutputOptions(), "--");
   printHeading("mirrorball info FILE", "FILE is a map or a built-in environment.");
   printRows(infoOptions(), "--");
   printHeading(

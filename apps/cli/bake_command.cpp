@@ -1,0 +1,207 @@
+#include "cli/bake_command.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "cli/baked_set.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/map_output.h"
+#include "cli/terminal.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/environment/load.h"
+
+namespace mirrorball::cli {
+namespace {
+
+const std::array<Option<BakeOptions>, 14> kOptions{{
+    {{.name = "output",
+      .value = "OUT",
+      .help = "needed: a folder, for all maps and a manifest; or a .ktx2 or .dds file, for the specular chain only",
+      .letter = "o"},
+     &BakeOptions::output},
+    {{.name = "size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 1,
+      .maximum = 8192,
+      .help = "of the chain's level 0, a face's side"},
+     &BakeOptions::size},
+    {{.name = "distribution", .choices = "ggx|phong|blinn|charlie", .help = "of the microfacets; charlie is for cloth"},
+     choiceField<&BakeOptions::distribution>},
+    {{.name = "mip-mapping",
+      .choices = "filament|linear|unreal|unity|frostbite",
+      .help = "which level is for which roughness; filament's is three.js' too"},
+     choiceField<&BakeOptions::mip_mapping>},
+    {{.name = "irradiance-size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 1,
+      .maximum = 1024,
+      .help = "of the irradiance cube, a face's side"},
+     &BakeOptions::irradiance_size},
+    {{.name = "sh-degree",
+      .value = "L",
+      .minimum = 2,
+      .maximum = 4,
+      .help = "the last band of the spherical harmonics"},
+     &BakeOptions::harmonics_degree},
+    {{.name = "brdf-size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 2,
+      .maximum = kLargestBrdfTable,
+      .help = "of the BRDF table, a side"},
+     &BakeOptions::brdf_size},
+    {{.name = "brdf-channels",
+      .value = "N",
+      .minimum = 2,
+      .maximum = 3,
+      .help = "2: scale and bias; 3: also the mean for multiple scattering"},
+     &BakeOptions::brdf_channels},
+    {{.name = "brdf-axes",
+      .choices = "linear|warped",
+      .help = "linear in n.v and perceptual roughness as engines have it, or warped so that look-ups are right near "
+              "grazing angles too"},
+     choiceField<&BakeOptions::brdf_axes>},
+    {{.name = "brdf-extension", .value = "ktx2|dds|exr", .help = "of the BRDF table's file"},
+     &BakeOptions::brdf_extension},
+    {{.name = "extension", .value = "ktx2|dds", .help = "of the cubes' files in a folder"}, &BakeOptions::extension},
+    {{.name = "from",
+      .value = "FORM",
+      .help = "the environment's form, where it is not recognised: see convert --from"},
+     &BakeOptions::from},
+    {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &BakeOptions::repair},
+    {kMaxMemoryText, &BakeOptions::max_memory},
+}};
+
+/// All that `bake` was told.
+struct BakeRequest {
+  std::string environment;
+  BakeOptions options;
+  MapOutputOptions output;
+};
+
+/// Light is not negative; what filters and half floats left so is dark. Says how many texels were.
+void raiseNegative(LoadedEnvironment& loaded) {
+  EnvironmentMap* map = loaded.environment.map();
+  if (map == nullptr) return;
+  std::size_t count = 0;
+  for (int face = 0; face < map->faces(); ++face)
+    for (float& sample : map->face(face).samples())
+      if (sample < 0.0f) {
+        sample = 0.0f;
+        ++count;
+      }
+  if (count > 0)
+    remark(loaded.name + ": " + std::to_string(count) + " values are negative, which light cannot be; taken as 0");
+}
+
+Result<LoadedEnvironment> loadLight(const BakeRequest& request) {
+  EnvironmentLoadOptions how{.repair = request.options.repair};
+  if (!request.options.from.empty()) {
+    MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
+    how.from = hint;
+  }
+  MIRRORBALL_TRY(loaded, loadEnvironment(request.environment, how));
+  raiseNegative(loaded);
+  return loaded;
+}
+
+PrefilterOptions prefilterOptionsOf(const BakeOptions& options) {
+  return {.size = options.size, .distribution = options.distribution, .mip_mapping = options.mip_mapping};
+}
+
+/// errors   usage: no such folder can be, or no such files
+Result<BakedFiles> filesOf(const BakeRequest& request) {
+  namespace fs = std::filesystem;
+  const BakeOptions& options = request.options;
+  for (const auto& [extension, known] :
+       {std::pair(options.extension, std::vector<std::string_view>{"ktx2", "dds"}),
+        std::pair(options.brdf_extension, std::vector<std::string_view>{"ktx2", "dds", "exr"})})
+    if (std::find(known.begin(), known.end(), extension) == known.end())
+      return tl::unexpected<Error>(unknownName("extension", extension, known));
+  std::string folder = options.output;
+  while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+  MapOutputOptions output = request.output;
+  output.output = folder + "/specular." + options.extension;
+  MIRRORBALL_TRY(specular, MapOutput::resolve(output, Projection::cube));
+  output.output = folder + "/irradiance." + options.extension;
+  MIRRORBALL_TRY(irradiance, MapOutput::resolve(output, Projection::cube));
+  return BakedFiles{request.environment, folder, std::move(specular), std::move(irradiance),
+                    folder + "/brdf." + options.brdf_extension};
+}
+
+Result<void> bakeChain(const BakeRequest& request) {
+  MapOutputOptions to_file = request.output;
+  to_file.output = request.options.output;
+  if (!isTexturePath(to_file.output))
+    return fail(
+        ErrorCode::usage,
+        to_file.output + ": a prefiltered chain goes into .ktx2 or .dds; or name a folder, without an extension");
+  MIRRORBALL_TRY(output, MapOutput::resolve(to_file, Projection::cube));
+  MIRRORBALL_TRY_VOID(checkFolder(to_file.output));
+  MIRRORBALL_TRY(loaded, loadLight(request));
+  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
+  const std::vector<PrefilterLevel> levels = prefilterLevels(prefilterOptionsOf(request.options));
+  MIRRORBALL_TRY(light, LightHarmonics::make(loaded.environment, lobesOf(levels)));
+  MIRRORBALL_TRY(chain, prefilter(loaded.environment, light, levels, progressBar("prefilter")));
+  MIRRORBALL_TRY_VOID(output.writeLevels(std::move(chain)));
+  return {};
+}
+
+Result<BakedSet> bakeSet(const Environment& environment, const BakeOptions& options) {
+  BakedSet set;
+  set.levels = prefilterLevels(prefilterOptionsOf(options));
+  std::vector<Lobe> lobes = lobesOf(set.levels);
+  lobes.push_back(Lobe::cosine());
+  MIRRORBALL_TRY(light, LightHarmonics::make(environment, lobes));
+  MIRRORBALL_TRY(specular, prefilter(environment, light, set.levels, progressBar("prefilter")));
+  set.specular = std::move(specular);
+  MIRRORBALL_TRY(irradiance, cubeOf(light.blurred(lobes.back()), options.irradiance_size));
+  set.irradiance = std::move(irradiance);
+  set.radiance = radianceHarmonics(light, options.harmonics_degree);
+  MIRRORBALL_TRY(brdf, brdfTable({.size = options.brdf_size,
+                                  .channels = options.brdf_channels,
+                                  .distribution = options.distribution,
+                                  .axes = options.brdf_axes}));
+  set.brdf = std::move(brdf);
+  return set;
+}
+
+Result<void> bake(const BakeRequest& request) {
+  const BakeOptions& options = request.options;
+  if (options.output.empty()) return fail(ErrorCode::usage, "bake needs an output: -o FOLDER, or a .ktx2 or .dds file");
+  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
+  if (!isFolder(options.output) && std::filesystem::path(options.output).has_extension()) return bakeChain(request);
+  MIRRORBALL_TRY(files, filesOf(request));
+  MIRRORBALL_TRY(loaded, loadLight(request));
+  MIRRORBALL_TRY_VOID(refuseOverwriting(
+      loaded.files, std::array{files.specular.paths().front(), files.irradiance.paths().front(), files.brdf}));
+  MIRRORBALL_TRY(set, bakeSet(loaded.environment, options));
+  MIRRORBALL_TRY_VOID(makeFolder(files.folder));
+  return writeSet(set, files, options);
+}
+
+}  // namespace
+
+std::span<const Option<BakeOptions>> bakeOptions() { return kOptions; }
+
+Action addBakeCommand(CLI::App& program) {
+  auto request = std::make_shared<BakeRequest>();
+  CLI::App* command = program.add_subcommand(
+      "bake", "Prefilters an environment for an engine: rough reflections, irradiance, harmonics, BRDF table");
+  command->add_option("ENV", request->environment, "a map, as convert takes it, or a built-in: studio sky uv white")
+      ->required();
+  addOptions(*command, bakeOptions(), request->options);
+  addOptions(*command, textureOutputOptions(), request->output);
+  return [request] { return bake(*request); };
+}
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "mirrorball/bake/brdf_table.h"
+#include "mirrorball/bake/prefilter.h"
+#include "mirrorball/base/option.h"
+
+namespace mirrorball::cli {
+
+/// What `bake` is told beside its input and how its textures are stored (map_output.h).
+struct BakeOptions {
+  std::string output;
+  std::string from;
+  bool repair = false;
+  int size = 256;
+  Distribution distribution = Distribution::ggx;
+  MipMapping mip_mapping = MipMapping::filament;
+  int irradiance_size = 64;
+  int harmonics_degree = 2;
+  int brdf_size = 128;
+  int brdf_channels = 3;
+  BrdfAxes brdf_axes = BrdfAxes::linear;
+  std::string brdf_extension = "ktx2";
+  std::string extension = "ktx2";
+  std::string max_memory;
+};
+
+std::span<const Option<BakeOptions>> bakeOptions();
+
+}  // namespace mirrorball::cli

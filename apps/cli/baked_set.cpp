@@ -1,0 +1,176 @@
+#include "cli/baked_set.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/terminal.h"
+#include "formula/formula.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/environment/cube_arrangement.h"
+
+namespace mirrorball::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kHarmonicsConvention =
+    "real spherical harmonics of our axes (+Y up, right-handed), orthonormal, without the Condon-Shortley sign; "
+    "coefficient l (l + 1) + m, each red, green, blue";
+
+Json jsonOf(const Harmonics& harmonics) {
+  Json rows = Json::array();
+  for (const glm::vec3& row : harmonics) rows.push_back({row.x, row.y, row.z});
+  return rows;
+}
+
+/// The four forms of the coefficients, each with its name and what it is.
+struct NamedHarmonics {
+  const char* name;
+  const char* meaning;
+  Harmonics coefficients;
+};
+std::vector<NamedHarmonics> formsOf(const Harmonics& radiance) {
+  return {
+      {"radiance", "of the light as it arrives", radiance},
+      {"irradiance", "irradiance [W/m2] at any normal: each band of radiance times pi, 2 pi / 3, pi / 4, 0, -pi / 24",
+       irradianceOf(radiance)},
+      {"radiance_windowed", "radiance times Hann's window, which lessens ripples around small lamps",
+       windowed(radiance)},
+      {"irradiance_windowed", "irradiance times Hann's window", windowed(irradianceOf(radiance))}};
+}
+
+Json harmonicsJson(const Harmonics& radiance, const BakeOptions& options) {
+  Json json;
+  json["convention"] = kHarmonicsConvention;
+  json["degree"] = options.harmonics_degree;
+  for (const NamedHarmonics& form : formsOf(radiance)) json[form.name] = jsonOf(form.coefficients);
+  return json;
+}
+
+std::string harmonicsHeader(const Harmonics& radiance, const std::string& source) {
+  std::string text = "// Spherical harmonics of " + source + ", made by mirrorball bake:\n// " + kHarmonicsConvention +
+                     ".\n#pragma once\n";
+  for (const NamedHarmonics& form : formsOf(radiance)) {
+    text += "\n// " + std::string(form.meaning) + "\nstatic const float mirrorball_" + form.name + "[" +
+            std::to_string(form.coefficients.size()) + "][3] = {\n";
+    for (const glm::vec3& row : form.coefficients) {
+      char line[96];
+      std::snprintf(line, sizeof line, "    {%.9ef, %.9ef, %.9ef},\n", static_cast<double>(row.x),
+                    static_cast<double>(row.y), static_cast<double>(row.z));
+      text += line;
+    }
+    text += "};\n";
+  }
+  return text;
+}
+
+constexpr std::string_view nameOf(TexelFormat format) {
+  switch (format) {
+    case TexelFormat::float32:
+      return "r32g32b32a32 sfloat";
+    case TexelFormat::b10g11r11:
+      return "b10g11r11 ufloat";
+    case TexelFormat::e5b9g9r9:
+      return "e5b9g9r9 ufloat";
+    case TexelFormat::half:
+      break;
+  }
+  return "r16g16b16a16 sfloat";
+}
+
+/// An option's value as it is written on the command line.
+std::string writtenValue(const BakeOptions& options, std::string_view name) {
+  for (const Option<BakeOptions>& option : bakeOptions())
+    if (option.text.name == name) return written(option, options);
+  return {};
+}
+
+Json specularJson(const BakedSet& set, const BakedFiles& files, const BakeOptions& options, TexelFormat format) {
+  Json json;
+  json["file"] = std::filesystem::path(files.specular.paths().front()).filename();
+  json["format"] = nameOf(format);
+  json["what"] =
+      "radiance, prefiltered with n = v = r: the mean under the lobe of each level; level 0 is the environment";
+  json["distribution"] = writtenValue(options, "distribution");
+  json["mip_mapping"] = writtenValue(options, "mip-mapping");
+  for (const PrefilterLevel& level : set.levels)
+    json["levels"].push_back({{"size", level.size},
+                              {"perceptual_roughness", level.perceptual_roughness},
+                              {"alpha", formula::alphaFromPerceptualRoughness(level.perceptual_roughness)},
+                              {"prefiltered", level.lobe.has_value()}});
+  return json;
+}
+
+Json brdfJson(const BakedFiles& files, const BakeOptions& options) {
+  Json json;
+  json["file"] = std::filesystem::path(files.brdf).filename();
+  json["size"] = options.brdf_size;
+  json["channels"] = {"scale of f0", "bias of f0"};
+  if (options.brdf_channels == 3) json["channels"].push_back("mean over all directions, for multiple scattering");
+  json["axes"] = options.brdf_axes == BrdfAxes::linear
+                     ? "linear: n.v = u to the right, perceptual roughness = v downwards, at texel centres"
+                     : "warped: see brdfTableCoordinates in formula/";
+  return json;
+}
+
+Json manifestOf(const BakedSet& set, const BakedFiles& files, const BakeOptions& options, TexelFormat specular,
+                TexelFormat irradiance) {
+  Json json;
+  json["made_by"] = std::string("mirrorball ") + MIRRORBALL_VERSION + " bake";
+  json["source"] = files.source;
+  const std::string arrangement = textOf(files.specular.form().arrangement);
+  json["faces"] = arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
+  json["specular"] = specularJson(set, files, options, specular);
+  json["irradiance"] = {{"file", std::filesystem::path(files.irradiance.paths().front()).filename()},
+                        {"format", nameOf(irradiance)},
+                        {"size", options.irradiance_size},
+                        {"what", "irradiance / pi: the radiance of a white matt surface of that normal"}};
+  json["brdf"] = brdfJson(files, options);
+  json["harmonics"] = {{"file", "sh.json"}, {"header", "sh.h"}, {"degree", options.harmonics_degree}};
+  return json;
+}
+
+Result<void> writeText(const std::string& path, const std::string& text) {
+  const std::string_view view(text);
+  MIRRORBALL_TRY_VOID(writeFile(path, {reinterpret_cast<const std::uint8_t*>(view.data()), view.size()}));
+  announce(path);
+  return {};
+}
+
+/// Files have one or three channels: of two, the third is black.
+Image withThreeChannels(const Image& image) {
+  if (image.channels() == 3) return image;
+  Image wide(image.width(), image.height(), 3);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; c < image.channels(); ++c) wide.texel(x, y)[c] = image.texel(x, y)[c];
+  return wide;
+}
+
+Result<void> writeBrdf(const Image& table, const std::string& path) {
+  const Image image = withThreeChannels(table);
+  if (isTexturePath(path))
+    MIRRORBALL_TRY_VOID(writeImageSet(path, ImageSet(image)));
+  else
+    MIRRORBALL_TRY_VOID(writeImage(path, image));
+  announce(path);
+  return {};
+}
+
+}  // namespace
+
+Result<void> writeSet(const BakedSet& set, const BakedFiles& files, const BakeOptions& options) {
+  MIRRORBALL_TRY(specular, files.specular.writeLevels(set.specular));
+  MIRRORBALL_TRY(irradiance, files.irradiance.writeLevels(set.irradiance.images()));
+  MIRRORBALL_TRY_VOID(writeBrdf(set.brdf, files.brdf));
+  const std::string folder = files.folder + "/";
+  MIRRORBALL_TRY_VOID(writeText(folder + "sh.json", harmonicsJson(set.radiance, options).dump(2) + "\n"));
+  MIRRORBALL_TRY_VOID(writeText(folder + "sh.h", harmonicsHeader(set.radiance, files.source)));
+  return writeText(folder + "manifest.json", manifestOf(set, files, options, specular, irradiance).dump(2) + "\n");
+}
+
+}  // namespace mirrorball::cli

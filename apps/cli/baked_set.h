@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/bake_command.h"
+#include "cli/map_output.h"
+#include "mirrorball/bake/spherical_harmonics.h"
+
+namespace mirrorball::cli {
+
+/// All that `bake` makes of an environment for an engine.
+struct BakedSet {
+  std::vector<PrefilterLevel> levels;
+  ImageSet specular;
+  EnvironmentMap irradiance;  ///< divided by π
+  Harmonics radiance;
+  Image brdf;
+};
+
+/// Where the files of a set lie, and how.
+struct BakedFiles {
+  std::string source;  ///< the environment's name, for the manifest
+  std::string folder;
+  MapOutput specular;
+  MapOutput irradiance;
+  std::string brdf;
+};
+
+/// Writes specular, irradiance and BRDF table as textures, the harmonics as sh.json and sh.h, and at last manifest.json,
+/// which says what is what.
+///
+/// errors   as writeImageSet's and writeImage's
+Result<void> writeSet(const BakedSet& set, const BakedFiles& files, const BakeOptions& options);
+
+}  // namespace mirrorball::cli

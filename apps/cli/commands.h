@@ -15,6 +15,7 @@ using Action = std::function<Result<void>()>;
 /// Each adds its subcommand with all options to the program and returns what it does.
 Action addRenderCommand(CLI::App& program);
 Action addConvertCommand(CLI::App& program);
+Action addCaptureCommand(CLI::App& program);
 Action addInfoCommand(CLI::App& program);
 Action addPhotoCommand(CLI::App& program);
 Action addReferenceCommand(CLI::App& program);

@@ -58,11 +58,10 @@ int run(int argc, char** argv) {
   const std::string version = std::string("mirrorball ") + MIRRORBALL_VERSION;
   program.set_version_flag("--version", version);
   program.set_help_flag("-h,--help", "Print this help");
-  const std::vector<std::pair<const char*, Action>> commands{{"render", addRenderCommand(program)},
-                                                             {"convert", addConvertCommand(program)},
-                                                             {"info", addInfoCommand(program)},
-                                                             {"photo", addPhotoCommand(program)},
-                                                             {"reference", addReferenceCommand(program)}};
+  const std::vector<std::pair<const char*, Action>> commands{
+      {"render", addRenderCommand(program)},   {"convert", addConvertCommand(program)},
+      {"capture", addCaptureCommand(program)}, {"info", addInfoCommand(program)},
+      {"photo", addPhotoCommand(program)},     {"reference", addReferenceCommand(program)}};
   for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
     command->allow_extras();
     command->set_version_flag("--version", version);

@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "cli/capture_command.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/convert_command.h"
@@ -7,6 +8,7 @@
 #include "cli/map_output.h"
 #include "cli/photo_command.h"
 #include "cli/render_command.h"
+#include "cli/scene_inputs.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/render/render_options.h"
 #include "mirrorball/scene/material.h"
@@ -47,6 +49,7 @@ Result<void> printReference() {
       "# Options\n\nMade by `mirrorball reference` from the tables that the command line itself is made from; "
       "a test holds this page to them.\n");
   printHeading("mirrorball render [MODEL]", "MODEL is a file (.glb .gltf .obj .ply .stl) or a built-in.");
+  printRows(sceneOptions(), "--");
   printRows(renderFileOptions(), "--");
   printRows(renderOptions(), "--");
   printHeading("mirrorball convert IN…",
@@ -54,6 +57,12 @@ Result<void> printReference() {
                "built-in environment. `--to` and `--output` are needed.");
   printRows(convertOptions(), "--");
   printRows(mapOutputOptions(), "--");
+  printHeading("mirrorball capture [SCENE]",
+               "SCENE is a file (.glb .gltf .obj .ply .stl) or a built-in. `--at` and `--output` are needed.");
+  printRows(sceneOptions(), "--");
+  printRows(captureOptions(), "--");
+  printRows(mapOutputOptions(), "--");
+  printRows(captureLookOptions(), "--");
   printHeading("mirrorball info FILE", "FILE is a map or a built-in environment.");
   printRows(infoOptions(), "--");
   printHeading(

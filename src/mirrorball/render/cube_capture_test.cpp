@@ -136,6 +136,19 @@ TEST_P(CubeCaptureTest, OfNothingIsTheEnvironmentFromAnywhere) {
       EXPECT_LT(greatestError(capture(Scene{}, light, at(position, size)), testing::smoothRadiance), 2e-3f) << size;
 }
 
+// A ray's direction must not come out as a small difference of places far away: that would be off by 1e-4.
+TEST_P(CubeCaptureTest, OfNothingIsTheSameEverywhere) {
+  const Environment light(testing::smoothRadiance, 256);
+  const EnvironmentMap here = capture(Scene{}, light, at({0, 0, 0}));
+  for (const glm::vec3 position : {glm::vec3(0.5f, -0.2f, 0.7f), glm::vec3(-0.3f, 0.8f, 0.1f)}) {
+    const EnvironmentMap there = capture(Scene{}, light, at(position));
+    forEachTexel(here, [&](int face, glm::ivec2 texel, glm::vec3) {
+      const glm::vec3 moved = rgbAt(there.face(face), texel.x, texel.y) - rgbAt(here.face(face), texel.x, texel.y);
+      ASSERT_LT(glm::length(moved), 1e-5f) << kFaceNames[std::size_t(face)] << " at " << texel.x << ", " << texel.y;
+    });
+  }
+}
+
 // A texel as large as a face, or as a quarter of it, is the mean over its area; four samples of it are near that.
 TEST_P(CubeCaptureTest, EvenOneTexelAFaceIsTheMeanOfWhatItSees) {
   const Environment light(testing::smoothRadiance, 256);

@@ -16,6 +16,7 @@ using Action = std::function<Result<void>()>;
 Action addRenderCommand(CLI::App& program);
 Action addConvertCommand(CLI::App& program);
 Action addBakeCommand(CLI::App& program);
+Action addCaptureCommand(CLI::App& program);
 Action addInfoCommand(CLI::App& program);
 Action addPhotoCommand(CLI::App& program);
 Action addReferenceCommand(CLI::App& program);

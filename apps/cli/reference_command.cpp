@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "cli/bake_command.h"
+#include "cli/capture_command.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/convert_command.h"
@@ -8,6 +9,7 @@
 #include "cli/map_output.h"
 #include "cli/photo_command.h"
 #include "cli/render_command.h"
+#include "cli/scene_inputs.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/render/render_options.h"
 #include "mirrorball/scene/material.h"
@@ -48,6 +50,7 @@ Result<void> printReference() {
       "# Options\n\nMade by `mirrorball reference` from the tables that the command line itself is made from; "
       "a test holds this page to them.\n");
   printHeading("mirrorball render [MODEL]", "MODEL is a file (.glb .gltf .obj .ply .stl) or a built-in.");
+  printRows(sceneOptions(), "--");
   printRows(renderFileOptions(), "--");
   printRows(renderOptions(), "--");
   printHeading("mirrorball convert IN…",
@@ -61,6 +64,12 @@ Result<void> printReference() {
       "specular chain only.");
   printRows(bakeOptions(), "--");
   printRows(textureOutputOptions(), "--");
+  printHeading("mirrorball capture [SCENE]",
+               "SCENE is a file (.glb .gltf .obj .ply .stl) or a built-in. `--at` and `--output` are needed.");
+  printRows(sceneOptions(), "--");
+  printRows(captureOptions(), "--");
+  printRows(mapOutputOptions(), "--");
+  printRows(captureLookOptions(), "--");
   printHeading("mirrorball info FILE", "FILE is a map or a built-in environment.");
   printRows(infoOptions(), "--");
   printHeading(

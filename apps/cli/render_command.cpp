@@ -2,97 +2,37 @@
 
 #include <array>
 #include <cstdio>
-#include <future>
-#include <optional>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
 #include "cli/terminal.h"
 #include "mirrorball/codec/codec.h"
-#include "mirrorball/environment/load.h"
 #include "mirrorball/render/renderer.h"
-#include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<RenderFiles>, 6> kFileOptions{{
-    {{.name = "env",
-      .value = "ENV",
-      .help = "the environment: a panorama, sphere map or cube (.hdr .exr .png .jpg .ktx2 .dds), or studio, "
-              "sky[:elevation=20,…], "
-              "uv, white",
-      .letter = "e",
-      .group = "Files"},
-     &RenderFiles::environment},
+const std::array<Option<RenderFiles>, 1> kFileOptions{{
     {{.name = "output",
       .value = "OUT",
       .help = ".png .jpg (tone mapped) or .exr .hdr (linear radiance)",
       .letter = "o",
       .group = "Files"},
      &RenderFiles::output},
-    {{.name = "from",
-      .value = "FORM",
-      .help = "the environment's form, where it is not recognised: a projection (see convert --to), "
-              "or a cube's layout",
-      .group = "Files"},
-     &RenderFiles::from},
-    {{.name = "repair",
-      .help = "replace NaN and infinite texels of the environment by their neighbours",
-      .group = "Files"},
-     &RenderFiles::repair},
-    {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &RenderFiles::timings},
-    {kMaxMemoryText, &RenderFiles::max_memory},
 }};
 
 /// All that `render` was told.
 struct RenderRequest {
-  std::string model = "showcase";
+  SceneRequest scene;
   RenderFiles files;
   RenderOptions options;
 };
-
-/// What there is to draw: made on other threads while the GL driver starts.
-struct Inputs {
-  Scene scene;
-  LoadedEnvironment environment;
-  PreparedEnvironment prepared;
-};
-
-Result<FormHint> hintFrom(const std::string& from) {
-  if (from.empty()) return FormHint{};
-  return formHintNamed(from);
-}
-
-Result<Scene> loadScene(const RenderRequest& request) {
-  MIRRORBALL_TRY(scene, loadModel(request.model));
-  MIRRORBALL_TRY_VOID(applyMaterialOptions(request.options, scene));
-  return scene;
-}
-
-/// Driver, model and environment at the same time: none needs the others.
-Result<Inputs> loadInputs(const RenderRequest& request, const EnvironmentLoadOptions& how, StageClock& clock,
-                          std::optional<Result<gl::Context>>& context) {
-  auto scene =
-      std::async(std::launch::async, [&] { return clock.time("model: read", [&] { return loadScene(request); }); });
-  auto environment = std::async(std::launch::async, [&]() -> Result<std::pair<LoadedEnvironment, PreparedEnvironment>> {
-    MIRRORBALL_TRY(loaded,
-                   clock.time("environment: read", [&] { return loadEnvironment(request.files.environment, how); }));
-    MIRRORBALL_TRY(prepared, clock.time("environment: cube, mips, harmonics",
-                                        [&] { return prepareEnvironment(loaded.environment); }));
-    return std::pair(std::move(loaded), std::move(prepared));
-  });
-  context.emplace(clock.time("GL: start the driver", [] { return gl::Context::createHeadless(); }));
-  // Both are waited for before any error returns, since they refer to this frame.
-  auto scene_result = scene.get();
-  auto environment_result = environment.get();
-  if (!scene_result) return fail(std::move(scene_result));
-  if (!environment_result) return fail(std::move(environment_result));
-  if (!*context) return tl::unexpected<Error>(context->error());
-  return Inputs{std::move(*scene_result), std::move(environment_result->first), std::move(environment_result->second)};
-}
 
 Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
                          StageClock& clock, const ProgressFunction& progress) {
@@ -153,28 +93,15 @@ Result<void> render(const RenderRequest& request) {
   StageClock clock;
   MIRRORBALL_TRY(settings, frameSettings(request.options));
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
-  MIRRORBALL_TRY_VOID(useMemoryLimit(request.files.max_memory));
-  MIRRORBALL_TRY(hint, hintFrom(request.files.from));
-  // A wrong name among the materials is told before anything is loaded.
-  Scene no_scene;
-  MIRRORBALL_TRY_VOID(applyMaterialOptions(request.options, no_scene));
-
-  std::optional<Result<gl::Context>> context;
-  MIRRORBALL_TRY(inputs, loadInputs(request, {.from = hint, .repair = request.files.repair}, clock, context));
   const std::vector<std::string> outputs = outputPaths(request);
-  MIRRORBALL_TRY_VOID(refuseOverwriting(inputs.environment.files, outputs));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(inputs.scene.files, outputs));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(std::span(&request.model, 1), outputs));
-  for (const std::string& warning : inputs.scene.warnings)
-    std::fprintf(stderr, "mirrorball: note: %s\n", warning.c_str());
-
+  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.options, outputs, clock));
   MIRRORBALL_TRY(renderer, clock.time("GL: upload, compile", [&] {
-    return Renderer::make(**context, inputs.scene, inputs.environment.environment, inputs.prepared);
+    return Renderer::make(inputs.context, inputs.scene, inputs.environment, inputs.prepared);
   }));
   Result<void> drawn = request.options.frames > 0
                            ? renderTurntable(renderer, settings, outputs, clock)
                            : renderFrame(renderer, settings, outputs.front(), clock, progressBar("samples"));
-  if (request.files.timings) clock.print();
+  if (request.scene.timings) clock.print();
   if (drawn) announce(outputs.size() == 1 ? outputs.front() : outputs.front() + " … " + outputs.back());
   return drawn;
 }
@@ -186,9 +113,8 @@ std::span<const Option<RenderFiles>> renderFileOptions() { return kFileOptions; 
 Action addRenderCommand(CLI::App& program) {
   auto request = std::make_shared<RenderRequest>();
   CLI::App* command = program.add_subcommand("render", "Shows a model in an environment");
-  command->add_option("MODEL", request->model,
-                      "a file (.glb .gltf .obj .ply .stl) or a built-in: none sphere torus knot teapot plane cube "
-                      "showcase (default showcase)");
+  addModel(*command, "MODEL", request->scene);
+  addOptions(*command, sceneOptions(), request->scene);
   addOptions(*command, renderFileOptions(), request->files);
   addOptions(*command, renderOptions(), request->options);
   return [request] { return render(*request); };

@@ -7,14 +7,9 @@
 
 namespace mirrorball::cli {
 
-/// The files of `render`.
+/// The files of `render` beside those of its scene (scene_inputs.h).
 struct RenderFiles {
-  std::string environment = "studio";
   std::string output = "mirrorball.png";
-  std::string from;
-  bool repair = false;
-  bool timings = false;
-  std::string max_memory;
 };
 
 std::span<const Option<RenderFiles>> renderFileOptions();

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
 using HelpTest = CliTest;
-const char* const kCommands[] = {"render", "convert", "info", "photo", "reference"};
+const char* const kCommands[] = {"render", "convert", "capture", "info", "photo", "reference"};
 
 std::set<std::string> optionsIn(const std::string& help) {
   std::set<std::string> options;
@@ -67,7 +67,7 @@ TEST_F(HelpTest, TheReferenceHasEveryOptionAndParameter) {
     EXPECT_THAT(reference, HasSubstr("| `" + std::string(parameter.text.name) + "` |"));
   for (const Option<SkyParameters>& parameter : skyParameters())
     EXPECT_THAT(reference, HasSubstr("| `" + std::string(parameter.text.name) + "` |"));
-  for (const std::string command : {"render", "convert", "info", "photo"}) {
+  for (const std::string command : {"render", "convert", "capture", "info", "photo"}) {
     const std::set<std::string> options = optionsIn(succeed(command + " --help"));
     EXPECT_GE(options.size(), 3u) << command;
     for (const std::string& option : options)

@@ -41,6 +41,7 @@ class GlTest : public ::testing::TestWithParam<Api> {
       EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     }
   }
+  const Context& context() const { return *context_; }
 
  private:
   std::optional<Context> context_;

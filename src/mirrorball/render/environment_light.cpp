@@ -12,14 +12,6 @@ namespace {
 
 constexpr float kLargestHalf = 65504.0f;
 
-/// A face side at which a face's middle has as many texels a radian as the environment, rounded up to a multiple of 64
-/// so that the first mip levels halve evenly.
-int faceSide(const Environment& environment) {
-  const float side = environment.texelDensity() / texelDensity(Projection::cube, 1);
-  if (side <= 64.0f) return std::max(static_cast<int>(std::ceil(side)), 1);
-  return static_cast<int>(std::ceil(side / 64.0f)) * 64;
-}
-
 float greatestSample(const ImageSet& chain) {
   float greatest = 0.0f;
   for (int face = 0; face < 6; ++face)
@@ -39,12 +31,19 @@ IrradianceHarmonics irradianceOfChain(const ImageSet& chain) {
 
 }  // namespace
 
+int cubeSideFor(float texels_per_radian) {
+  // A face's texels are widest in its middle.
+  const float side = texels_per_radian / texelDensity(Projection::cube, 1);
+  if (side <= 64.0f) return std::max(static_cast<int>(std::ceil(side)), 1);
+  return static_cast<int>(std::ceil(side / 64.0f)) * 64;
+}
+
 Result<PreparedEnvironment> prepareEnvironment(const Environment& environment) {
   PreparedEnvironment prepared;
   if (const EnvironmentMap* map = environment.map(); map && map->projection() == Projection::cube) {
     prepared.chain = mipChain(*map);
   } else {
-    MIRRORBALL_TRY(cube, convert(environment, Projection::cube, faceSide(environment)));
+    MIRRORBALL_TRY(cube, convert(environment, Projection::cube, cubeSideFor(environment.texelDensity())));
     prepared.chain = mipChain(cube);
   }
   prepared.irradiance = irradianceOfChain(prepared.chain);

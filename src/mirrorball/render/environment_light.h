@@ -18,6 +18,10 @@ struct PreparedEnvironment {
   bool needs_floats = false;  ///< some radiance is above 65504, the largest half float
 };
 
+/// A face side at which a cube has at least that many texels a radian everywhere, rounded up to a multiple of 64 so that
+/// the first mip levels halve evenly.
+int cubeSideFor(float texels_per_radian);
+
 /// Lays the environment out as a cube with mip levels, and projects it on harmonics for diffuse light. A cube stays as
 /// it is; anything else is resampled so that no detail is lost in the middle of a face, where texels are widest.
 ///

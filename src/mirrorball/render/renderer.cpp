@@ -112,14 +112,19 @@ Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, 
                                                    1}));
 }
 
+const BoundingSphere& Renderer::bounds() const { return state_->bounds; }
+
 Result<void> Renderer::draw(const FrameSettings& settings, const ProgressFunction& progress) {
+  const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
+  return draw(makeCamera(settings.camera, state_->bounds, aspect), settings, progress);
+}
+
+Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress) {
   State& state = *state_;
   state.samples = settings.samples;
   MIRRORBALL_TRY_VOID(state.makeFramebuffers(settings));
 
   FrameUniforms frame;
-  const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
-  const Camera camera = makeCamera(settings.camera, state.bounds, aspect);
   frame.camera = camera;
   frame.environment_from_world = environmentFromWorld(settings.env_rotation_rad);
   frame.texture_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
@@ -208,7 +213,10 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   background.set("environment", TextureUnit::environment);
   background.set("environment_from_world", frame.environment_from_world);
   background.set("environment_intensity", settings.env_intensity);
-  background.set("world_from_clip", glm::inverse(frame.camera.clip_from_view * frame.camera.view_from_world));
+  // Only directions are asked for. Without the camera's place they are exact however far away from the origin it stands.
+  const glm::mat4 clip_from_directions =
+      frame.camera.clip_from_view * glm::mat4(glm::mat3(frame.camera.view_from_world));
+  background.set("world_from_clip", glm::inverse(clip_from_directions));
   background.set("camera_forward", frame.camera.forward);
   background.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
   background.set("texels_per_radian", light.texelsPerRadian());
@@ -244,9 +252,11 @@ Result<void> Renderer::State::drawBlended(const FrameUniforms& frame, const Fram
   for (const Instance& instance : scene.instances)
     if (materialOf(instance).alpha_mode == AlphaMode::blend) blended.push_back(&instance);
   if (blended.empty()) return {};
+  // The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
   const auto depth = [&](const Instance* instance) {
     const glm::vec4 center(centerOf(scene.meshes[std::size_t(instance->mesh)]), 1.0f);
-    return glm::dot(glm::vec3(instance->world_from_object * center) - frame.camera.position, frame.camera.forward);
+    const glm::vec3 from_eye = glm::vec3(instance->world_from_object * center) - frame.camera.position;
+    return frame.camera.orthographic ? glm::dot(from_eye, frame.camera.forward) : glm::length(from_eye);
   };
   std::stable_sort(blended.begin(), blended.end(),
                    [&](const Instance* a, const Instance* b) { return depth(a) > depth(b); });

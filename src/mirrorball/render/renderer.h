@@ -36,6 +36,12 @@ class Renderer {
   ///           interrupted (when `progress` says so)
   Result<void> draw(const FrameSettings& settings, const ProgressFunction& progress = {});
 
+  /// The same as another camera sees it, instead of the one that the settings describe.
+  Result<void> draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress = {});
+
+  /// Of the scene.
+  const BoundingSphere& bounds() const;
+
   /// Linear radiance: 4 channels, premultiplied alpha, row 0 at the top.
   Image radiance() const;
 

@@ -5,8 +5,13 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "formula/formula.h"
+
 namespace mirrorball {
 namespace {
+
+/// A depth buffer of 24 bits then still tells surfaces apart at the far end that are 1/1700 of their distance apart.
+constexpr float kLeastNearOverFar = 1e-4f;
 
 /// From the target towards a camera at those angles.
 glm::vec3 towardsCamera(float azimuth_rad, float elevation_rad) {
@@ -52,9 +57,33 @@ Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, fl
     camera.clip_from_view = glm::ortho(-half_height * aspect, half_height * aspect, -half_height, half_height,
                                        center_depth - margin, center_depth + margin);
   } else {
-    const float near_depth = std::max(center_depth - margin, far_depth * 1e-4f);
+    const float near_depth = std::max(center_depth - margin, far_depth * kLeastNearOverFar);
     camera.clip_from_view = glm::perspective(fov, aspect, near_depth, far_depth);
   }
+  return camera;
+}
+
+DepthRange depthsAround(glm::vec3 position, const BoundingSphere& bounds, std::optional<float> nearest) {
+  const float distance = glm::distance(position, bounds.center);
+  const float margin = bounds.radius * 1.01f;
+  const float farthest = distance + margin;
+  // A face's corners are √3 times as far away as its middle.
+  const float begin = (distance - margin) / std::sqrt(3.0f);
+  const float chosen = nearest.value_or(std::max(begin, farthest * kLeastNearOverFar));
+  return {chosen, std::max(farthest, chosen * 2.0f)};
+}
+
+Camera cubeFaceCamera(int face, glm::vec3 position, const DepthRange& depths) {
+  const glm::vec3 middle = formula::cubePoint(face, {0.5f, 0.5f});
+  // The table is left-handed, and turns right-handed with t upwards: this is a rotation.
+  const glm::vec3 right = formula::cubePoint(face, {1.0f, 0.5f}) - middle;
+  const glm::vec3 up = formula::cubePoint(face, {0.5f, 1.0f}) - middle;
+  Camera camera;
+  camera.position = position;
+  camera.forward = middle;
+  const glm::mat4 turn(glm::transpose(glm::mat3(right, up, -middle)));
+  camera.view_from_world = glm::translate(turn, -position);
+  camera.clip_from_view = glm::perspective(glm::radians(90.0f), 1.0f, depths.nearest, depths.farthest);
   return camera;
 }
 

@@ -33,4 +33,23 @@ struct Camera {
 /// aspect   width over height of the picture
 Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, float aspect);
 
+/// Between which depths a camera sees, in world units; both above 0.
+struct DepthRange {
+  float nearest;
+  float farthest;
+};
+
+/// The depths that six cameras around a point need to see a whole scene: as far as its farthest point, and from 1/10000
+/// of that on, or from where the scene begins if the point is outside of it. What is nearer is cut away.
+///
+/// nearest  > 0, in place of that
+DepthRange depthsAround(glm::vec3 position, const BoundingSphere& bounds, std::optional<float> nearest = {});
+
+/// A camera at a point that sees just one face of a cube around it. What it draws is the face by OpenGL's table
+/// (docs/conventions.md) with t growing **upwards**: row by row as OpenGL keeps both its pictures and the faces of its
+/// textures, so that one may be copied into the other. As an image, whose first row is on top, it is upside down.
+///
+/// face     0 … 5: +X −X +Y −Y +Z −Z
+Camera cubeFaceCamera(int face, glm::vec3 position, const DepthRange& depths);
+
 }  // namespace mirrorball

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "formula/formula.h"
+
 namespace mirrorball {
 namespace {
 
@@ -68,6 +70,41 @@ TEST(Camera, OrthographicHeightTwoInscribesTheSphere) {
   const Camera camera = makeCamera(options, bounds, 1.0f);
   expectNear(ndc(camera, {4, 1, 0}), {1, 0, 0}, 1e-4f);
   expectNear(ndc(camera, {0, 5, 0}), {0, 1, 0}, 1e-4f);
+}
+
+// Upwards in OpenGL's pictures is down in ours, and t of its table: no face is mirrored, which would turn its triangles
+// inside out.
+TEST(CubeFaceCamera, SeesItsFaceWithTUpwards) {
+  const glm::vec3 position(3, -4, 5);
+  for (int face = 0; face < 6; ++face) {
+    const Camera camera = cubeFaceCamera(face, position, {0.01f, 10.0f});
+    EXPECT_NEAR(glm::determinant(glm::mat3(camera.view_from_world)), 1.0f, 1e-6f) << face;
+    expectNear(camera.forward, formula::cubePoint(face, {0.5f, 0.5f}));
+    for (const glm::vec2 st : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0.25f, 0.875f), glm::vec2(1, 1)}) {
+      const glm::vec3 seen = ndc(camera, position + 2.0f * formula::cubePoint(face, st));
+      expectNear(seen, {2.0f * st.x - 1.0f, 2.0f * st.y - 1.0f, seen.z});
+      EXPECT_LT(std::abs(seen.z), 1.0f);
+    }
+  }
+}
+
+TEST(DepthsAround, HoldTheWholeScene) {
+  const BoundingSphere bounds{{1, 2, 3}, 10.0f};
+  const DepthRange inside = depthsAround({1, 2, 8}, bounds);
+  EXPECT_GE(inside.farthest, 15.0f);
+  EXPECT_NEAR(inside.nearest, inside.farthest * 1e-4f, 1e-6f);
+  // In a corner of a face a point at distance 40 has the depth 40 / √3.
+  const DepthRange outside = depthsAround({1, 2, 53}, bounds);
+  EXPECT_GE(outside.farthest, 60.0f);
+  EXPECT_LE(outside.nearest, 40.0f / std::sqrt(3.0f));
+  EXPECT_GT(outside.nearest, 20.0f);
+}
+
+TEST(DepthsAround, BeginWhereTheyAreTold) {
+  EXPECT_EQ(depthsAround({0, 0, 0}, {}, 0.25f).nearest, 0.25f);
+  const DepthRange beyond = depthsAround({0, 0, 0}, {}, 100.0f);
+  EXPECT_EQ(beyond.nearest, 100.0f);
+  EXPECT_GT(beyond.farthest, beyond.nearest) << "nothing is seen, but the camera is a camera";
 }
 
 }  // namespace

@@ -1,0 +1,154 @@
+#include "cli/capture_command.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/map_output.h"
+#include "cli/scene_inputs.h"
+#include "cli/terminal.h"
+#include "mirrorball/codec/codec.h"
+#include "mirrorball/environment/convert.h"
+#include "mirrorball/render/cube_capture.h"
+
+namespace mirrorball::cli {
+namespace {
+
+/// Of a face, where nothing else is said; in other projections as much detail.
+constexpr int kUsualSize = 256;
+
+const std::array<Option<CaptureOptions>, 4> kOptions{{
+    {{.name = "at",
+      .value = "X,Y,Z",
+      .unit = "world units",
+      .minimum = -1e15,
+      .maximum = 1e15,
+      .fewest = 3,
+      .most = 3,
+      .help = "needed: the point at which the light arrives",
+      .group = "Capture"},
+     &CaptureOptions::at},
+    {{.name = "near",
+      .value = "DISTANCE",
+      .unit = "world units",
+      .minimum = 0,
+      .maximum = 1e15,
+      .help = "surfaces nearer than this are not seen; 0: 1/10000 of the distance of the scene's farthest point, or "
+              "where the scene begins",
+      .group = "Capture"},
+     &CaptureOptions::nearest},
+    {{.name = "to",
+      .value = "PROJECTION",
+      .help = "any projection of convert: equirect, sphere, angular, cube, ball, paraboloid, octahedral, "
+              "hemioctahedral, equal-area or eac; else cube in .ktx2 and .dds, equirect in other files",
+      .group = "Output"},
+     &CaptureOptions::to},
+    {{.name = "size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 0,
+      .maximum = 32768,
+      .help = "a cube face's side, a disc's diameter, a square's side or a panorama's height; 0: faces of 256, and as "
+              "much detail in other projections",
+      .group = "Output"},
+     &CaptureOptions::size},
+}};
+
+/// What has no meaning for a map of all directions, or a map's own option in its place.
+constexpr std::array<std::string_view, 8> kOptionsOfPictures{"size",   "frames", "exposure", "tone-map",
+                                                             "camera", "target", "fov",      "orthographic"};
+
+/// All that `capture` was told.
+struct CaptureRequest {
+  SceneRequest scene;
+  CaptureOptions options;
+  RenderOptions look;
+  MapOutputOptions output;
+};
+
+/// errors   usage: what a map of all directions cannot show
+Result<FrameSettings> lookOf(const RenderOptions& options) {
+  MIRRORBALL_TRY(frame, frameSettings(options));
+  if (frame.background == BackgroundKind::transparent)
+    return fail(ErrorCode::usage, "a map has light for every direction; --background 0,0,0 leaves it dark");
+  if (frame.mapping == Mapping::sphere)
+    return fail(ErrorCode::usage,
+                "--mapping sphere is right for one viewing direction, and a capture looks into all; use reflection or "
+                "normal");
+  return frame;
+}
+
+Result<Projection> projectionOf(const CaptureRequest& request) {
+  if (!request.options.to.empty()) return projectionNamed(request.options.to);
+  return isTexturePath(request.output.output) ? Projection::cube : Projection::equirect;
+}
+
+/// The side of the faces that are drawn for a map: its own, or what has all the detail that another projection will show.
+int faceSideFor(Projection to, int size) { return to == Projection::cube ? size : cubeSideFor(texelDensity(to, size)); }
+
+Result<EnvironmentMap> captureMap(const SceneInputs& inputs, Projection to, int size, CaptureSettings settings,
+                                  StageClock& clock) {
+  settings.size = faceSideFor(to, size);
+  MIRRORBALL_TRY(renderer, clock.time("GL: upload, compile", [&] {
+    return Renderer::make(inputs.context, inputs.scene, inputs.environment, inputs.prepared);
+  }));
+  MIRRORBALL_TRY(cube, clock.time("faces: draw and read back",
+                                  [&] { return captureEnvironment(renderer, settings, progressBar("capture")); }));
+  if (to == Projection::cube) return cube;
+  return clock.time("map: convert",
+                    [&] { return convert(Environment(std::move(cube)), to, size, {}, progressBar("convert")); });
+}
+
+Result<void> capture(const CaptureRequest& request) {
+  StageClock clock;
+  const CaptureOptions& options = request.options;
+  if (request.output.output.empty()) return fail(ErrorCode::usage, "capture needs an output: -o FILE");
+  if (options.at.empty()) return fail(ErrorCode::usage, "capture needs a place: --at X,Y,Z");
+  CaptureSettings settings{.position = {options.at[0], options.at[1], options.at[2]}};
+  if (options.nearest > 0.0f) settings.nearest = options.nearest;
+  MIRRORBALL_TRY(frame, lookOf(request.look));
+  settings.frame = frame;
+  MIRRORBALL_TRY(to, projectionOf(request));
+  MIRRORBALL_TRY_VOID(checkFolder(request.output.output));
+  MIRRORBALL_TRY(output, MapOutput::resolve(request.output, to));
+  const int size = options.size > 0 ? options.size : equivalentSize(Projection::cube, kUsualSize, to);
+
+  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.look, output.paths(), clock));
+  MIRRORBALL_TRY(map, captureMap(inputs, to, size, std::move(settings), clock));
+  MIRRORBALL_TRY_VOID(clock.time("map: encode and write", [&] { return output.write(std::move(map)); }));
+  if (request.scene.timings) clock.print();
+  return {};
+}
+
+}  // namespace
+
+std::span<const Option<CaptureOptions>> captureOptions() { return kOptions; }
+
+std::span<const Option<RenderOptions>> captureLookOptions() {
+  static const std::vector<Option<RenderOptions>> look = [] {
+    std::vector<Option<RenderOptions>> kept;
+    std::ranges::copy_if(renderOptions(), std::back_inserter(kept), [](const Option<RenderOptions>& option) {
+      return std::ranges::find(kOptionsOfPictures, option.text.name) == kOptionsOfPictures.end();
+    });
+    return kept;
+  }();
+  return look;
+}
+
+Action addCaptureCommand(CLI::App& program) {
+  auto request = std::make_shared<CaptureRequest>();
+  CLI::App* command = program.add_subcommand("capture", "Makes a map of the light around a point of a scene");
+  addModel(*command, "SCENE", request->scene);
+  addOptions(*command, sceneOptions(), request->scene);
+  addOptions(*command, captureOptions(), request->options);
+  addOptions(*command, mapOutputOptions(), request->output);
+  addOptions(*command, captureLookOptions(), request->look);
+  return [request] { return capture(*request); };
+}
+
+}  // namespace mirrorball::cli

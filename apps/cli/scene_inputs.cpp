@@ -1,0 +1,95 @@
+#include "cli/scene_inputs.h"
+
+#include <array>
+#include <cstdio>
+#include <future>
+#include <utility>
+
+#include "cli/files.h"
+#include "mirrorball/environment/load.h"
+#include "mirrorball/scene/load_model.h"
+
+namespace mirrorball::cli {
+namespace {
+
+const std::array<Option<SceneRequest>, 5> kOptions{{
+    {{.name = "env",
+      .value = "ENV",
+      .help = "the environment: a panorama, sphere map or cube (.hdr .exr .png .jpg .ktx2 .dds), or studio, "
+              "sky[:elevation=20,…], "
+              "uv, white",
+      .letter = "e",
+      .group = "Files"},
+     &SceneRequest::environment},
+    {{.name = "from",
+      .value = "FORM",
+      .help = "the environment's form, where it is not recognised: a projection (see convert --to), "
+              "or a cube's layout",
+      .group = "Files"},
+     &SceneRequest::from},
+    {{.name = "repair",
+      .help = "replace NaN and infinite texels of the environment by their neighbours",
+      .group = "Files"},
+     &SceneRequest::repair},
+    {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &SceneRequest::timings},
+    {kMaxMemoryText, &SceneRequest::max_memory},
+}};
+
+Result<FormHint> hintFrom(const std::string& from) {
+  if (from.empty()) return FormHint{};
+  return formHintNamed(from);
+}
+
+Result<Scene> loadScene(const std::string& model, const RenderOptions& options) {
+  MIRRORBALL_TRY(scene, loadModel(model));
+  MIRRORBALL_TRY_VOID(applyMaterialOptions(options, scene));
+  return scene;
+}
+
+}  // namespace
+
+std::span<const Option<SceneRequest>> sceneOptions() { return kOptions; }
+
+void addModel(CLI::App& command, const std::string& name, SceneRequest& request) {
+  command.add_option(name, request.model,
+                     "a file (.glb .gltf .obj .ply .stl) or a built-in: none sphere torus knot teapot plane cube "
+                     "showcase (default showcase)");
+}
+
+Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions& options,
+                               std::span<const std::string> outputs, StageClock& clock) {
+  MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
+  MIRRORBALL_TRY(hint, hintFrom(request.from));
+  // A wrong name among the materials is told before anything is loaded.
+  Scene no_scene;
+  MIRRORBALL_TRY_VOID(applyMaterialOptions(options, no_scene));
+
+  // None of the three needs the others.
+  auto scene_later = std::async(
+      std::launch::async, [&] { return clock.time("model: read", [&] { return loadScene(request.model, options); }); });
+  auto environment_later =
+      std::async(std::launch::async, [&]() -> Result<std::pair<LoadedEnvironment, PreparedEnvironment>> {
+        MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {
+          return loadEnvironment(request.environment, {.from = hint, .repair = request.repair});
+        }));
+        MIRRORBALL_TRY(prepared, clock.time("environment: cube, mips, harmonics",
+                                            [&] { return prepareEnvironment(loaded.environment); }));
+        return std::pair(std::move(loaded), std::move(prepared));
+      });
+  auto context = clock.time("GL: start the driver", [] { return gl::Context::createHeadless(); });
+  // Both are waited for before any error returns, since they refer to this frame.
+  auto scene = scene_later.get();
+  auto environment = environment_later.get();
+  if (!scene) return fail(std::move(scene));
+  if (!environment) return fail(std::move(environment));
+  if (!context) return fail(std::move(context));
+
+  auto& [loaded, prepared] = *environment;
+  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
+  MIRRORBALL_TRY_VOID(refuseOverwriting(scene->files, outputs));
+  MIRRORBALL_TRY_VOID(refuseOverwriting(std::span(&request.model, 1), outputs));
+  for (const std::string& warning : scene->warnings) std::fprintf(stderr, "mirrorball: note: %s\n", warning.c_str());
+  return SceneInputs{std::move(*scene), std::move(loaded.environment), std::move(prepared), std::move(*context)};
+}
+
+}  // namespace mirrorball::cli

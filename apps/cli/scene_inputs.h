@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "cli/command_line.h"
+#include "cli/stage_clock.h"
+#include "mirrorball/environment/environment.h"
+#include "mirrorball/gl/context.h"
+#include "mirrorball/render/environment_light.h"
+#include "mirrorball/render/render_options.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball::cli {
+
+/// What a command that draws a model in an environment is told about the two.
+struct SceneRequest {
+  std::string model = "showcase";
+  std::string environment = "studio";
+  std::string from;
+  bool repair = false;
+  bool timings = false;
+  std::string max_memory;
+};
+
+/// The table of them, but for the model.
+std::span<const Option<SceneRequest>> sceneOptions();
+
+/// Adds the model, which may be left out, as a positional argument of that name.
+void addModel(CLI::App& command, const std::string& name, SceneRequest& request);
+
+/// What there is to draw, and what draws it.
+struct SceneInputs {
+  Scene scene;
+  Environment environment;
+  PreparedEnvironment prepared;
+  gl::Context context;  ///< current
+};
+
+/// Loads driver, model and environment at the same time, and gives the model the materials that `options` name.
+///
+/// outputs  the files that will be written, none of which may be one that is read
+/// errors   usage, before anything is loaded where it can be told then; as loadModel's, loadEnvironment's and
+///          gl::Context::createHeadless's
+Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions& options,
+                               std::span<const std::string> outputs, StageClock& clock);
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,220 @@
+// The light around a point of a scene, as a map in any form.
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/cli_testing.h"
+#include "cli/measure.h"
+#include "mirrorball/environment/projection.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class CaptureTest : public RenderCliTest {
+ protected:
+  /// A scene of six squares that face the origin from distance 1, each of half a unit and in its own colour: +X red, −X
+  /// cyan, +Y green, −Y magenta, +Z blue, −Z yellow, as `uv` has them.
+  void writeSquares() const {
+    const std::vector<std::pair<std::string, glm::vec3>> colors{{"1 0 0", {1, 0, 0}}, {"0 1 1", {-1, 0, 0}},
+                                                                {"0 1 0", {0, 1, 0}}, {"1 0 1", {0, -1, 0}},
+                                                                {"0 0 1", {0, 0, 1}}, {"1 1 0", {0, 0, -1}}};
+    std::string model = "mtllib squares.mtl\n";
+    std::string materials;
+    int vertices = 0;
+    for (const auto& [color, axis] : colors) {
+      const std::string name = "m" + std::to_string(vertices);
+      materials += "newmtl " + name + "\nKd 0 0 0\nKs 0 0 0\nKe " + color + "\n";
+      model += "usemtl " + name + "\n";
+      const glm::vec3 across = glm::vec3(axis.y, axis.z, axis.x) / 4.0f;
+      const glm::vec3 up = glm::cross(axis, across);
+      for (const glm::vec3 corner : {axis - across - up, axis - across + up, axis + across + up, axis + across - up})
+        model +=
+            "v " + std::to_string(corner.x) + " " + std::to_string(corner.y) + " " + std::to_string(corner.z) + "\n";
+      model += "f";
+      for (int i = 1; i <= 4; ++i) model += " " + std::to_string(vertices + i);
+      model += "\n";
+      vertices += 4;
+    }
+    write("squares.obj", model);
+    write("squares.mtl", materials);
+  }
+};
+
+// Both go through half floats and a cube, the one on the GPU: a shift of half a texel would leave less than 40 dB.
+TEST_F(CaptureTest, OfNothingIsWhatConvertMakes) {
+  write("map.exr", smoothPanorama());
+  for (const std::string form : {"equirect --size 64", "cube --size 32", "cube --size 32 --layout vcross --as-seen",
+                                 "equirect --size 64 --for blender", "octahedral --size 64", "eac --size 32"}) {
+    succeed("capture none -e map.exr --at 3,2,1 -o captured.exr --to " + form);
+    succeed("convert map.exr -o converted.exr --to " + form);
+    const Image captured = image("captured.exr");
+    const Image converted = image("converted.exr");
+    EXPECT_LT(meanDifference(captured, converted), 2e-3) << form;
+    EXPECT_LT(greatestDifference(captured, converted), 2e-2) << form;
+  }
+}
+
+TEST_F(CaptureTest, TheSkyKeepsItsSun) {
+  succeed("capture none -e sky --at 0,0,0 --to equirect --size 128 --samples 16 -o captured.exr");
+  succeed("convert sky --to equirect --size 128 -o converted.exr");
+  const auto meanOf = [&](const char* name) {
+    const LoadedEnvironment map = environment(name);
+    double sum = 0.0;
+    const Image& face = map.environment.map()->face(0);
+    for (int y = 0; y < face.height(); ++y)
+      for (int x = 0; x < face.width(); ++x)
+        sum += double(rgbAt(face, x, y).y) *
+               double(texelSolidAngle(Projection::equirect, {face.width(), face.height()}, {x, y}));
+    return sum;
+  };
+  EXPECT_NEAR(meanOf("captured.exr") / meanOf("converted.exr"), 1.0, 0.05);
+}
+
+TEST_F(CaptureTest, EachSquareOfASceneIsSeenInItsDirection) {
+  writeSquares();
+  succeed("capture squares.obj --at 0,0,0 --background 0,0,0 --to cube --layout faces --size 33 -o room.exr");
+  const std::vector<std::pair<const char*, const char*>> expected{{"px", "+X"}, {"nx", "-X"}, {"py", "+Y"},
+                                                                  {"ny", "-Y"}, {"pz", "+Z"}, {"nz", "-Z"}};
+  for (const auto& [suffix, name] : expected) {
+    const Image face = image(std::string("room_") + suffix + ".exr");
+    EXPECT_EQ(uvFaceAt(face, {0.5f, 0.5f}), name);
+    EXPECT_EQ(uvFaceAt(face, {0.1f, 0.1f}), "black") << name;
+  }
+}
+
+// The squares' tips are seen from beside the middle: +Z's, at (0, 0, 1), from (0.5, 0, 0) towards (−0.5, 0, 1), which is
+// halfway from the middle of +Z to its edge with −X. Its image has +X on the right.
+TEST_F(CaptureTest, FromAnotherPlaceThingsAreSeenElsewhere) {
+  writeSquares();
+  succeed("capture squares.obj --at 0.5,0,0 --background 0,0,0 --to cube --layout faces --size 64 -o room.exr");
+  const Image front = image("room_pz.exr");
+  EXPECT_EQ(uvFaceAt(front, {0.25f, 0.5f}), "+Z");
+  EXPECT_EQ(uvFaceAt(front, {0.75f, 0.5f}), "black");
+  // +X is twice as near: half as far from the middle, its square fills half of the face.
+  const Image right = image("room_px.exr");
+  EXPECT_EQ(uvFaceAt(right, {0.28f, 0.5f}), "+X");
+  EXPECT_EQ(uvFaceAt(right, {0.2f, 0.5f}), "black");
+}
+
+// The knot's radius is 1, so that the camera's distance is in units of the world. Both take the mean of 8 samples, the one
+// with its rows the other way round, which differs along edges.
+TEST_F(CaptureTest, AFaceAsSeenIsThePictureOfACameraThere) {
+  struct View {
+    const char* camera;
+    const char* at;
+    const char* face;
+  };
+  for (const View& view : {View{"0,0,1.2", "0,0,1.2", "nz"}, View{"90,0,1.2", "1.2,0,0", "nx"},
+                           View{"180,0,1.2", "0,0,-1.2", "pz"}, View{"270,0,1.2", "-1.2,0,0", "px"},
+                           View{"180,90,1.2", "0,1.2,0", "ny"}, View{"180,-90,1.2", "0,-1.2,0", "py"}}) {
+    const std::string knot = "knot -e white --set base_color=1,0,0 --samples 8";
+    succeed("render " + knot + " --fov 90 --size 64x64 -o picture.exr --camera " + view.camera);
+    succeed("capture " + knot + " --to cube --size 64 --layout faces --as-seen -o room.exr --at " + view.at);
+    const Image picture = image("picture.exr");
+    const Image face = image(std::string("room_") + view.face + ".exr");
+    double sum = 0.0;
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) sum += double(glm::length(rgbAt(picture, x, y) - rgbAt(face, x, y)));
+    EXPECT_LT(sum / (64 * 64), 0.02) << view.face;
+  }
+}
+
+TEST_F(CaptureTest, WithoutAWordATextureIsACubeAndAPictureAPanorama) {
+  succeed("capture none -e white --at 0,0,0 -o probe.ktx2");
+  EXPECT_EQ(texture("probe.ktx2").faces(), 6);
+  EXPECT_EQ(texture("probe.ktx2").at(0, 0).width(), 256);
+  succeed("capture none -e white --at 0,0,0 -o probe.exr");
+  EXPECT_EQ(image("probe.exr").width(), 1024);
+  EXPECT_EQ(image("probe.exr").height(), 512);
+  succeed("capture none -e white --at 0,0,0 --size 16 --mips -o mips.ktx2");
+  EXPECT_EQ(texture("mips.ktx2").levels(), 5);
+}
+
+TEST_F(CaptureTest, IsLinearLightWhateverItsBrightness) {
+  succeed(
+      "capture sphere --set base_color=1 --set specular=0 -e white --env-intensity 1000 --at 0,0,5 --size 16 -o "
+      "probe.exr");
+  const Image probe = image("probe.exr");
+  for (const float sample : probe.samples()) ASSERT_NEAR(sample, 1000.0f, 1.0f);
+}
+
+// The file can go where the environment came from.
+TEST_F(CaptureTest, ACaptureServesAsAnEnvironment) {
+  succeed("capture showcase --at 0,1,2 --size 32 --to cube -o probe.ktx2");
+  succeed("render sphere -e probe.ktx2 --material mirror --size 32x32 -o ball.png");
+  EXPECT_EQ(image("ball.png").width(), 32);
+}
+
+TEST_F(CaptureTest, WhatIsMissingOrWrongIsTold) {
+  const std::string start = "capture none -e white --at 0,0,0 -o out.exr ";
+  EXPECT_THAT(refuse(2, "capture none -e white -o out.exr"), HasSubstr("--at X,Y,Z"));
+  EXPECT_THAT(refuse(2, "capture none -e white --at 0,0,0"), HasSubstr("-o FILE"));
+  for (const std::string at : {"1,2", "1,2,3,4", "nan,0,0", "0,inf,0", "0,0,1e30", "here"})
+    EXPECT_THAT(refuse(2, "capture none -e white -o out.exr --at " + at),
+                AllOf(HasSubstr("--at"), HasSubstr("3 numbers")));
+  EXPECT_THAT(refuse(2, start + "--near -1"), HasSubstr("--near"));
+  EXPECT_THAT(refuse(2, start + "--to bowl"), AllOf(HasSubstr("'bowl'"), HasSubstr("equirect, sphere")));
+  EXPECT_THAT(refuse(2, start + "--size 40000"), HasSubstr("0 … 32768"));
+  EXPECT_THAT(refuse(2, start + "--background transparent"), HasSubstr("--background 0,0,0"));
+  EXPECT_THAT(refuse(2, start + "--mapping sphere"), HasSubstr("reflection or normal"));
+  EXPECT_THAT(refuse(2, start + "--layout faces"), HasSubstr("for cubes"));
+  EXPECT_THAT(refuse(2, start + "--material glas"), HasSubstr("did you mean 'glass'?"));
+  EXPECT_THAT(refuse(2, "capture none -e white --at 0,0,0 -o out.tga"), HasSubstr(".exr or .hdr"));
+  EXPECT_THAT(refuse(1, "capture none -e white --at 0,0,0 -o none/out.exr"), HasSubstr("check that the folder exists"));
+  EXPECT_THAT(refuse(1, "capture nothing -e white --at 0,0,0 -o out.exr"), HasSubstr("'nothing'"));
+  EXPECT_THAT(refuse(1, start + "--to cube --size 32768"), HasSubstr("--max-memory"));
+}
+
+TEST_F(CaptureTest, HasNoOptionOfAPictureOrItsCamera) {
+  const std::string help = succeed("capture --help");
+  for (const char* option : {"--camera", "--fov", "--tone-map", "--exposure", "--frames", "--orthographic", "--target"})
+    EXPECT_THAT(help, Not(HasSubstr(option)));
+  for (const char* option :
+       {"--samples", "--background", "--material", "--set", "--env-rotation", "--layout", "--mips"})
+    EXPECT_THAT(help, HasSubstr(option));
+}
+
+TEST_F(CaptureTest, WhatIsReadIsNotOverwritten) {
+  write("map.exr", smoothPanorama());
+  EXPECT_THAT(refuse(2, "capture none -e map.exr --at 0,0,0 -o map.exr"), HasSubstr("is the input itself"));
+  write("room_px.exr", smoothPanorama());
+  EXPECT_THAT(refuse(2, "capture none -e room_px.exr --from equirect --at 0,0,0 --to cube --layout faces -o room.exr"),
+              HasSubstr("is the input itself"));
+}
+
+TEST_F(CaptureTest, ASurfaceNearerThanNearIsNotSeen) {
+  const std::string beside =
+      "capture plane -e white --set base_color=0 --set specular=0 --at 0,0.01,0 --to cube --size 8 ";
+  succeed(beside + "-o seen.exr");
+  succeed(beside + "--near 0.02 -o cut.exr");
+  // The cross has −Y below +Z.
+  EXPECT_EQ(uvFaceAt(image("seen.exr"), {0.375f, 5.0f / 6.0f}), "black");
+  EXPECT_EQ(rgbAt(image("cut.exr"), 12, 20), glm::vec3(1.0f));
+}
+
+TEST_F(CaptureTest, CtrlCLeavesNothing) {
+  for (const std::string form : {"cube --layout faces", "equirect"}) {
+    const std::string line = "capture knot --at 0,0,2 --size 512 --samples 4096 -o out.exr --to " + form;
+    Program program({.arguments = Arguments(line).words, .folder = path("")});
+    program.waitUntilItCatchesInterrupts();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    ASSERT_TRUE(program.running()) << "it was done before it could be interrupted";
+    program.interrupt();
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 1) << "ended by signal " << outcome.signal;
+    EXPECT_TRUE(outcome.err.starts_with("mirrorball: interrupted")) << outcome.err;
+    EXPECT_THAT(files(), IsEmpty()) << form;
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

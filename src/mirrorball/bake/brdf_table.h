@@ -26,7 +26,7 @@ inline constexpr int kLargestBrdfTable = 4096;
 /// returns  size × size: scale and bias of f0 (reflectedShare), and as the third channel meanReflectedShare, the same
 ///          in a whole row. Row 0 is the smoothest
 /// errors   usage: the size; warped axes for charlie, whose share grows without bound towards one corner
-/// cost     1 µs a texel on each core; bit-identical for any number of threads
+/// cost     as reflectedShare a texel, on all cores; bit-identical for any number of threads
 /// from     Karis 2013, "Real shading in Unreal Engine 4"
 Result<Image> brdfTable(const BrdfTableOptions& options);
 

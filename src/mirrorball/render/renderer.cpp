@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <optional>
 #include <vector>
 
@@ -88,12 +89,15 @@ Renderer::~Renderer() = default;
 Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, const Environment& environment,
                                 const PreparedEnvironment& prepared) {
   const gl::Api api = context.api();
+  // Made while the driver takes in the environment and compiles.
+  std::future<Result<Image>> making_table = std::async(std::launch::async, surfaceBrdfTable);
   MIRRORBALL_TRY(light, EnvironmentLight::make(prepared));
   MIRRORBALL_TRY(buffers, SceneBuffers::make(scene));
-  MIRRORBALL_TRY(surfaces, SurfacePrograms::make(api));
   MIRRORBALL_TRY(background, gl::Program::load(api, "screen.vert", "background.frag"));
   MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
   MIRRORBALL_TRY(tone_map, gl::Program::load(api, "screen.vert", "tone_map.frag"));
+  MIRRORBALL_TRY(brdf_table, making_table.get());
+  MIRRORBALL_TRY(surfaces, SurfacePrograms::make(api, brdf_table));
   return Renderer(std::unique_ptr<State>(new State{api,
                                                    scene,
                                                    environment,

@@ -106,10 +106,14 @@ void setLights(gl::Program& program, const std::vector<PointLight>& lights) {
 
 }  // namespace
 
-Result<SurfacePrograms> SurfacePrograms::make(gl::Api api) {
-  // Three channels: two are no format of a texture. OpenGL ES filters no more than halves, which keep a share to 2.5e-4.
-  MIRRORBALL_TRY(table, brdfTable({.channels = 3, .axes = BrdfAxes::warped}));
-  MIRRORBALL_TRY(texture, gl::Texture::fromImages(gl::Format::rgba16f, ImageSet(std::move(table))));
+Result<Image> surfaceBrdfTable() {
+  // Textures have one, three or four channels.
+  return brdfTable({.channels = 3, .axes = BrdfAxes::warped});
+}
+
+Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_table) {
+  // OpenGL ES filters no more than half floats, which keep a share to 2.5e-4.
+  MIRRORBALL_TRY(texture, gl::Texture::fromImages(gl::Format::rgba16f, ImageSet(brdf_table)));
   texture.setSampling({.filter = gl::Sampling::Filter::linear});
   return SurfacePrograms(api, std::move(texture));
 }

@@ -10,6 +10,7 @@
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/program.h"
 #include "mirrorball/gl/texture.h"
+#include "mirrorball/image/image.h"
 #include "mirrorball/render/environment_light.h"
 #include "mirrorball/render/render_options.h"
 #include "mirrorball/render/scene_buffers.h"
@@ -34,14 +35,17 @@ struct FrameUniforms {
   glm::mat4 texture_matrix{1.0f};  ///< of the sphere map
 };
 
+/// The BRDF table as shaders/surface.frag looks it up; needs no GL context.
+///
+/// cost     about 10 ms on 2 cores
+Result<Image> surfaceBrdfTable();
+
 /// The shader programs for surfaces, one for each set of features that some material needs, made when first needed.
 class SurfacePrograms {
  public:
-  /// Makes the BRDF table, which all programs read.
-  ///
-  /// errors   too_large (for this driver)
-  /// cost     a few milliseconds on all cores
-  static Result<SurfacePrograms> make(gl::Api api);
+  /// brdf_table   surfaceBrdfTable()
+  /// errors       too_large (for this driver)
+  static Result<SurfacePrograms> make(gl::Api api, const Image& brdf_table);
 
   /// The program for a material with everything set that does not depend on the instance.
   ///

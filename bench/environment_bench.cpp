@@ -1,7 +1,6 @@
 // What it costs to make an environment ready for rendering: run build/dev/bench/environment_bench.
 #include <benchmark/benchmark.h>
 
-#include "mirrorball/bake/irradiance.h"
 #include "mirrorball/bake/mip_chain.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"
@@ -36,12 +35,6 @@ void cubeMipChain(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(mipChain(cube));
 }
 BENCHMARK(cubeMipChain)->Arg(512)->Arg(704)->Unit(benchmark::kMillisecond)->UseRealTime();
-
-void irradianceOfCube(benchmark::State& state) {
-  const EnvironmentMap cube = *convert(panorama(), Projection::cube, static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(irradianceHarmonics(cube));
-}
-BENCHMARK(irradianceOfCube)->Arg(88)->Arg(704)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace mirrorball

@@ -34,6 +34,7 @@ using namespace glm;  // GLSL's names for vectors and functions, inside this nam
 #include "formula/sphere_map.glsl"
 #include "formula/tangent.glsl"
 //
+#include "formula/blur.glsl"
 #include "formula/brdf_table.glsl"
 #include "formula/shading.glsl"
 

@@ -51,12 +51,3 @@ FN float cosineLobeBand(int l) {
 
 // Hann's window over bands up to `degree`: lessens the ripples around a small bright light, and blurs (Sloan 2008).
 FN float harmonicWindow(int l, int degree) { return 0.5f + 0.5f * cos(kPi * float(l) / float(degree + 1)); }
-
-// Irradiance on a surface of normal n, from the nine coefficients of the cosine-weighted light (cosineLobeBand applied).
-// Nine coefficients leave ripples around a small bright light, which may dip below 0 opposite to it: there is none.
-FN vec3 harmonicIrradiance(vec3 n, vec3 c0, vec3 c1, vec3 c2, vec3 c3, vec3 c4, vec3 c5, vec3 c6, vec3 c7, vec3 c8) {
-  vec3 sum = c0 * harmonic(0, n) + c1 * harmonic(1, n) + c2 * harmonic(2, n) + c3 * harmonic(3, n) +
-             c4 * harmonic(4, n) + c5 * harmonic(5, n) + c6 * harmonic(6, n) + c7 * harmonic(7, n) +
-             c8 * harmonic(8, n);
-  return max(sum, vec3(0.0f));
-}

@@ -1,4 +1,5 @@
-// How a surface answers to the light of its environment. Needs: constants, color, microfacet, optics, reflection_lobe.
+// How a surface answers to the light of its environment.
+// Needs: blur, color, constants, microfacet, optics, reflection_lobe.
 // Light that another object would block or send is not seen: each point sees the whole environment.
 
 struct Surface {
@@ -72,14 +73,17 @@ FN Reflectance specularReflectance(Surface s, float cosine) {
 }
 
 // What is seen through one refracting surface: the environment in the direction of the bent ray, for each channel its
-// own where the glass disperses. `last` is the mip level of roughness 1.
-FN vec3 refractedLight(Surface s, vec3 ray, mat3 environment_from_world, CUBE_SAMPLER environment, float last) {
-  float lod = lodOfLobe(s.perceptual_roughness, last);
+// own where the glass disperses.
+FN vec3 refractedLight(Surface s, vec3 ray, mat3 environment_from_world, Blur blur, CUBE_SAMPLER environment,
+                       CUBE_SAMPLER prefiltered) {
   vec3 ior = iorOfChannels(s.ior, s.dispersion);
-  vec4 green = sampleLod(environment, environment_from_world * refractedDirection(ray, s.normal, ior.y), lod);
+  vec3 green_ray = environment_from_world * refractedDirection(ray, s.normal, ior.y);
+  vec4 green = blurredLight(blur, environment, prefiltered, green_ray, s.perceptual_roughness, 0.0f);
   if (s.dispersion == 0.0f) return vec3(green);
-  vec4 red = sampleLod(environment, environment_from_world * refractedDirection(ray, s.normal, ior.x), lod);
-  vec4 blue = sampleLod(environment, environment_from_world * refractedDirection(ray, s.normal, ior.z), lod);
+  vec3 red_ray = environment_from_world * refractedDirection(ray, s.normal, ior.x);
+  vec3 blue_ray = environment_from_world * refractedDirection(ray, s.normal, ior.z);
+  vec4 red = blurredLight(blur, environment, prefiltered, red_ray, s.perceptual_roughness, 0.0f);
+  vec4 blue = blurredLight(blur, environment, prefiltered, blue_ray, s.perceptual_roughness, 0.0f);
   return vec3(red.x, green.y, blue.z);
 }
 

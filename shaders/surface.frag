@@ -1,15 +1,16 @@
 // A surface lit by its environment. #defines choose what the material needs; see render/surface_program.cpp.
 #include "constants.glsl"
 #include "color.glsl"
-#include "harmonics.glsl"
 #include "height.glsl"
 #include "microfacet.glsl"
+#include "mip_mapping.glsl"
 #include "optics.glsl"
 #include "reflection_lobe.glsl"
 #include "sampling.glsl"
 #include "sphere_map.glsl"
 #include "tangent.glsl"
 #include "brdf_table.glsl"
+#include "blur.glsl"
 #include "shading.glsl"
 
 in vec3 object_position;
@@ -30,10 +31,14 @@ uniform mat3 normal_matrix;
 uniform samplerCube environment;
 uniform mat3 environment_from_world;
 uniform float environment_intensity;
+uniform samplerCube prefiltered;
+uniform samplerCube irradiance;  // divided by π
+uniform int blur_kind;
+uniform float last_level;
 uniform float roughest_level;
+uniform float coarser;
 uniform float texels_per_radian;
 uniform float samples_per_pixel;
-uniform vec3 irradiance[9];
 uniform sampler2D brdf_table;
 #ifdef SPHERE_MAPPING
 uniform sampler2D sphere_map;
@@ -148,6 +153,8 @@ Surface surfaceHere(vec3 n, vec3 color) {
   return s;
 }
 
+Blur blurHere() { return Blur(blur_kind, last_level, roughest_level, coarser); }
+
 vec3 reflectedLight(Surface s, vec3 ray) {
 #ifdef SPHERE_MAPPING
   vec4 st = texture_matrix * vec4(s.normal, 1.0);
@@ -160,9 +167,9 @@ vec3 reflectedLight(Surface s, vec3 ray) {
 #else
   vec3 d = reflect(ray, s.normal);
 #endif
-  float rough = lodOfLobe(s.perceptual_roughness, roughest_level);
   float minified = footprintLod(dFdx(d), dFdy(d), texels_per_radian, samples_per_pixel);
-  return sampleLod(environment, environment_from_world * d, max(rough, minified)).xyz;
+  return blurredLight(blurHere(), environment, prefiltered, environment_from_world * d, s.perceptual_roughness, minified)
+      .xyz;
 #endif
 }
 
@@ -170,12 +177,6 @@ vec2 environmentBrdf(Surface s, vec3 ray) {
   float cosine = clamp(-dot(ray, s.normal), 0.0, 1.0);
   float size = float(textureSize(brdf_table, 0).x);
   return textureLod(brdf_table, brdfTableCoordinates(s.perceptual_roughness, cosine, size), 0.0).xy;
-}
-
-vec3 irradianceOverPi(vec3 n) {
-  vec3 d = environment_from_world * n;
-  return harmonicIrradiance(d, irradiance[0], irradiance[1], irradiance[2], irradiance[3], irradiance[4],
-                            irradiance[5], irradiance[6], irradiance[7], irradiance[8]) / kPi;
 }
 
 void main() {
@@ -193,9 +194,10 @@ void main() {
   vec3 reflected = reflectedLight(s, ray) * environment_intensity;
   vec3 refracted = vec3(0.0);
 #ifdef TRANSMISSION
-  refracted = refractedLight(s, ray, environment_from_world, environment, roughest_level) * environment_intensity;
+  refracted = refractedLight(s, ray, environment_from_world, blurHere(), environment, prefiltered) * environment_intensity;
 #endif
-  vec3 light = shadedByEnvironment(s, ray, reflected, refracted, irradianceOverPi(s.normal) * environment_intensity);
+  vec3 diffuse = sampleLod(irradiance, environment_from_world * s.normal, 0.0).xyz * environment_intensity;
+  vec3 light = shadedByEnvironment(s, ray, reflected, refracted, diffuse);
 #ifdef LIGHTS
   for (int i = 0; i < LIGHTS; ++i)
     light += shadedByPointLight(s, ray, normalize(light_position[i] - world_position), light_color[i]);

@@ -59,9 +59,9 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", version);
   program.set_help_flag("-h,--help", "Print this help");
   const std::vector<std::pair<const char*, Action>> commands{
-      {"render", addRenderCommand(program)}, {"convert", addConvertCommand(program)},
-      {"bake", addBakeCommand(program)},     {"capture", addCaptureCommand(program)},
-      {"info", addInfoCommand(program)},     {"photo", addPhotoCommand(program)},
+      {"render", addRenderCommand(program)},      {"convert", addConvertCommand(program)},
+      {"bake", addBakeCommand(program)},          {"capture", addCaptureCommand(program)},
+      {"info", addInfoCommand(program)},          {"photo", addPhotoCommand(program)},
       {"reference", addReferenceCommand(program)}};
   for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
     command->allow_extras();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <future>
+#include <optional>
 #include <utility>
 
 #include "cli/files.h"
@@ -12,7 +13,7 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<SceneRequest>, 5> kOptions{{
+const std::array<Option<SceneRequest>, 6> kOptions{{
     {{.name = "env",
       .value = "ENV",
       .help = "the environment: a panorama, sphere map or cube (.hdr .exr .png .jpg .ktx2 .dds), or studio, "
@@ -31,6 +32,10 @@ const std::array<Option<SceneRequest>, 5> kOptions{{
       .help = "replace NaN and infinite texels of the environment by their neighbours",
       .group = "Files"},
      &SceneRequest::repair},
+    {{.name = "no-cache",
+      .help = "prefilter the environment anew, instead of taking it from the user's cache folder",
+      .group = "Files"},
+     &SceneRequest::is_uncached},
     {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &SceneRequest::timings},
     {kMaxMemoryText, &SceneRequest::max_memory},
 }};
@@ -72,8 +77,9 @@ Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions&
         MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {
           return loadEnvironment(request.environment, {.from = hint, .repair = request.repair});
         }));
-        MIRRORBALL_TRY(prepared, clock.time("environment: cube, mips, harmonics",
-                                            [&] { return prepareEnvironment(loaded.environment); }));
+        const std::optional<PrefilterCache> cache = request.is_uncached ? std::nullopt : PrefilterCache::ofUser();
+        MIRRORBALL_TRY(prepared, clock.time("environment: cube, mips, prefiltering",
+                                            [&] { return prepareEnvironment(loaded.environment, cache); }));
         return std::pair(std::move(loaded), std::move(prepared));
       });
   auto context = clock.time("GL: start the driver", [] { return gl::Context::createHeadless(); });

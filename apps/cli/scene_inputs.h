@@ -19,6 +19,7 @@ struct SceneRequest {
   std::string environment = "studio";
   std::string from;
   bool repair = false;
+  bool is_uncached = false;
   bool timings = false;
   std::string max_memory;
 };

@@ -27,7 +27,9 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-std::vector<std::string> environmentWith(const std::map<std::string, std::string>& added) {
+/// This process' variables and others. The user's cache is left alone: a test that does not name one has none.
+std::vector<std::string> environmentWith(std::map<std::string, std::string> added) {
+  added.emplace("XDG_CACHE_HOME", "/dev/null");
   std::vector<std::string> all;
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string text = *variable;

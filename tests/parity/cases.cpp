@@ -37,6 +37,16 @@ constexpr float kTranscendental = 5e-5f;
 constexpr float kAngleNearSun = 2e-3f;
 
 const Case kCases[] = {
+    // blur
+    PARITY(prefilteredLight, direction, kTight,
+           prefilteredLight(Blur(0, 6.0f, 7.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x, 4.0f * r.y)),
+    PARITY(coneRay, unit, kTranscendental, vec4(coneRay(0.0625f + p.x, int(63.9375f * p.y), 64), 0.0f)),
+    // The sum of 64 rays in a cube that is as bright as its direction.
+    PARITY(coneLight, direction, kTranscendental, coneLight(SmoothCube(2.0f), vec3(p), 0.25f + 0.5f * r.x, r.y)),
+    PARITY(blurredLight, direction, kTranscendental,
+           blurredLight(Blur(int(1.9375f * r.w), 6.0f, 7.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x,
+                        4.0f * r.y)),
+
     // brdf_table
     PARITY(brdfTableColumn, unit, kTight, vec4(brdfTableColumn(p.x, p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(brdfTableCoordinates, unit, kTight, vec4(brdfTableCoordinates(p.x, p.y, 128.0f), 0.0f, 0.0f)),
@@ -85,10 +95,6 @@ const Case kCases[] = {
     PARITY(harmonic, direction, kTight, vec4(harmonic(int(24.9375f * r.x), vec3(p)), 0.0f, 0.0f, 0.0f)),
     PARITY(cosineLobeBand, unit, kTight, vec4(cosineLobeBand(int(4.9375f * r.x)), 0.0f, 0.0f, 0.0f)),
     PARITY(harmonicWindow, unit, kTranscendental, vec4(harmonicWindow(int(4.9375f * r.x), 4), 0.0f, 0.0f, 0.0f)),
-    PARITY(harmonicIrradiance, direction, kTight,
-           vec4(harmonicIrradiance(vec3(p), vec3(3.0f, 2.0f, 1.0f), vec3(q), vec3(r), vec3(p.w), vec3(q.w), vec3(r.w),
-                                   vec3(q.z), vec3(r.y), vec3(r.z)),
-                0.0f)),
 
     // height
     PARITY(gridRandom, unit, kExact, vec4(gridRandom(ivec3(vec3(p) * 2048.0f - 1024.0f)), 0.0f)),
@@ -209,8 +215,9 @@ const Case kCases[] = {
            vec4(specularReflectance(testSurface(p, q, r), p.w).once,
                 specularReflectance(testSurface(p, q, r), p.w).more.y)),
     PARITY(diffuseAlbedo, direction, kTranscendental, vec4(diffuseAlbedo(testSurface(p, q, r), p.w), 0.0f)),
-    PARITY(refractedLight, direction, kTight,
-           vec4(refractedLight(testSurface(p, q, r), vec3(p), mat3(vec3(q), vec3(p), vec3(r)), SmoothCube(2.0f), 6.0f),
+    PARITY(refractedLight, direction, kTranscendental,
+           vec4(refractedLight(testSurface(p, q, r), vec3(p), mat3(vec3(q), vec3(p), vec3(r)),
+                               Blur(int(1.9375f * r.w), 6.0f, 7.0f, 1.0f), SmoothCube(2.0f), SmoothCube(3.0f)),
                 0.0f)),
     PARITY(shadedByEnvironment, direction, kTranscendental,
            vec4(shadedByEnvironment(testSurface(p, q, r), vec3(p), vec3(r), vec3(0.5f, 1.0f, 2.0f),

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
-#include "formula/formula.h"
 #include "mirrorball/bake/mip_chain.h"
+#include "mirrorball/bake/prefilter.h"
 #include "mirrorball/environment/convert.h"
 
 namespace mirrorball {
@@ -19,14 +22,25 @@ float greatestSample(const ImageSet& chain) {
   return greatest;
 }
 
-/// Harmonics up to l = 2 vary so slowly that a cube of 64² texels a face holds them: the coarse level has the same flux
-/// from each part of the sphere, and costs a hundredth of the finest.
-IrradianceHarmonics irradianceOfChain(const ImageSet& chain) {
-  int level = 0;
-  while (level + 1 < chain.levels() && chain.at(level + 1, 0).width() >= 64) ++level;
-  ImageSet faces(1, 6);
-  for (int face = 0; face < 6; ++face) faces.at(0, face) = chain.at(level, face);
-  return irradianceHarmonics(EnvironmentMap(Projection::cube, std::move(faces)));
+/// The chain's first blurred level has half of its size; on 256² its narrow lobe is two texels wide.
+constexpr int kPrefilteredSide = 512;
+constexpr int kIrradianceSide = 32;
+
+Result<gl::Texture> cubeTexture(const ImageSet& images, bool needs_floats) {
+  const gl::Format format = needs_floats ? gl::Format::rgba32f : gl::Format::rgba16f;
+  MIRRORBALL_TRY(cube, gl::Texture::fromImages(format, images));
+  cube.setSampling({.filter = gl::Sampling::Filter::trilinear});
+  return cube;
+}
+
+Result<Prefiltered> prefiltered(const Environment& environment) {
+  const std::vector<PrefilterLevel> levels = prefilterLevels({.size = kPrefilteredSide});
+  std::vector<Lobe> lobes = lobesOf(levels);
+  lobes.push_back(Lobe::cosine());
+  MIRRORBALL_TRY(light, LightHarmonics::make(environment, lobes));
+  MIRRORBALL_TRY(chain, prefilter(environment, light, levels));
+  MIRRORBALL_TRY(irradiance, cubeOf(light.blurred(lobes.back()), kIrradianceSide));
+  return Prefiltered{std::move(chain), std::move(irradiance).takeImages()};
 }
 
 }  // namespace
@@ -38,7 +52,8 @@ int cubeSideFor(float texels_per_radian) {
   return static_cast<int>(std::ceil(side / 64.0f)) * 64;
 }
 
-Result<PreparedEnvironment> prepareEnvironment(const Environment& environment) {
+Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
+                                               const std::optional<PrefilterCache>& cache) {
   PreparedEnvironment prepared;
   if (const EnvironmentMap* map = environment.map(); map && map->projection() == Projection::cube) {
     prepared.chain = mipChain(*map);
@@ -46,16 +61,28 @@ Result<PreparedEnvironment> prepareEnvironment(const Environment& environment) {
     MIRRORBALL_TRY(cube, convert(environment, Projection::cube, cubeSideFor(environment.texelDensity())));
     prepared.chain = mipChain(cube);
   }
-  prepared.irradiance = irradianceOfChain(prepared.chain);
   prepared.needs_floats = greatestSample(prepared.chain) > kLargestHalf;
+  std::optional<Prefiltered> blurred;
+  if (cache) blurred = cache->find(prepared.chain);
+  if (!blurred) {
+    MIRRORBALL_TRY(made, prefiltered(environment));
+    blurred = std::move(made);
+    if (cache) cache->keep(prepared.chain, *blurred);
+  }
+  prepared.prefiltered = std::move(blurred->chain);
+  prepared.irradiance = std::move(blurred->irradiance);
   return prepared;
 }
 
 Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepared) {
-  const gl::Format format = prepared.needs_floats ? gl::Format::rgba32f : gl::Format::rgba16f;
-  MIRRORBALL_TRY(cube, gl::Texture::fromImages(format, prepared.chain));
-  cube.setSampling({.filter = gl::Sampling::Filter::trilinear});
-  return EnvironmentLight(std::move(cube), prepared.irradiance);
+  MIRRORBALL_TRY(cube, cubeTexture(prepared.chain, prepared.needs_floats));
+  MIRRORBALL_TRY(prefiltered, cubeTexture(prepared.prefiltered, prepared.needs_floats));
+  MIRRORBALL_TRY(irradiance, cubeTexture(prepared.irradiance, prepared.needs_floats));
+  return EnvironmentLight(std::move(cube), std::move(prefiltered), std::move(irradiance));
+}
+
+float EnvironmentLight::coarser() const {
+  return std::log2(static_cast<float>(cube_.width()) / static_cast<float>(prefiltered_.width()));
 }
 
 float EnvironmentLight::roughestLevel() const {

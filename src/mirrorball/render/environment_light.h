@@ -1,20 +1,23 @@
 #pragma once
 
+#include <optional>
+
 #include <glm/glm.hpp>
 
-#include "mirrorball/bake/irradiance.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/texture.h"
 #include "mirrorball/image/image_set.h"
+#include "mirrorball/render/prefilter_cache.h"
 
 namespace mirrorball {
 
 /// An environment made ready for the GPU, still on the CPU: independent of any GL context, so that it can be made while
-/// the driver starts.
+/// the driver starts. All are cubes.
 struct PreparedEnvironment {
-  ImageSet chain;  ///< cube with all mip levels
-  IrradianceHarmonics irradiance{};
+  ImageSet chain;             ///< the environment, with all mip levels
+  ImageSet prefiltered;       ///< bake/prefilter.h
+  ImageSet irradiance;        ///< divided by π
   bool needs_floats = false;  ///< some radiance is above 65504, the largest half float
 };
 
@@ -22,11 +25,14 @@ struct PreparedEnvironment {
 /// the first mip levels halve evenly.
 int cubeSideFor(float texels_per_radian);
 
-/// Lays the environment out as a cube with mip levels, and projects it on harmonics for diffuse light. A cube stays as
-/// it is; anything else is resampled so that no detail is lost in the middle of a face, where texels are widest.
+/// Lays the environment out as a cube with mip levels, prefilters it for rough surfaces, and blurs it for matt ones. A
+/// cube stays as it is; anything else is resampled so that no detail is lost in the middle of a face, where texels are
+/// widest.
 ///
+/// cache    where prefiltered environments are kept, if they are
 /// errors   too_large
-Result<PreparedEnvironment> prepareEnvironment(const Environment& environment);
+Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
+                                               const std::optional<PrefilterCache>& cache = {});
 
 /// The light of an environment on the GPU.
 class EnvironmentLight {
@@ -35,7 +41,8 @@ class EnvironmentLight {
   static Result<EnvironmentLight> make(const PreparedEnvironment& prepared);
 
   const gl::Texture& cube() const { return cube_; }
-  const IrradianceHarmonics& irradiance() const { return irradiance_; }
+  const gl::Texture& prefiltered() const { return prefiltered_; }
+  const gl::Texture& irradiance() const { return irradiance_; }
 
   /// The mip level that stands for roughness 1: the one of 4² texels a face, or the last there is.
   float roughestLevel() const;
@@ -43,12 +50,18 @@ class EnvironmentLight {
   /// Of level 0, in the middle of a face.
   float texelsPerRadian() const;
 
+  /// The prefiltered chain's level of roughness 1.
+  float lastLevel() const { return static_cast<float>(prefiltered_.levels() - 1); }
+  /// How many levels coarser than the environment the prefiltered chain begins.
+  float coarser() const;
+
  private:
-  EnvironmentLight(gl::Texture cube, const IrradianceHarmonics& irradiance)
-      : cube_(std::move(cube)), irradiance_(irradiance) {}
+  EnvironmentLight(gl::Texture cube, gl::Texture prefiltered, gl::Texture irradiance)
+      : cube_(std::move(cube)), prefiltered_(std::move(prefiltered)), irradiance_(std::move(irradiance)) {}
 
   gl::Texture cube_;
-  IrradianceHarmonics irradiance_;
+  gl::Texture prefiltered_;
+  gl::Texture irradiance_;
 };
 
 }  // namespace mirrorball

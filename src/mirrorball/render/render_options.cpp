@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostLights = 8;
 constexpr int kLongestSide = 16384;
 
-const std::array<Option<RenderOptions>, 18> kOptions{{
+const std::array<Option<RenderOptions>, 19> kOptions{{
     {{.name = "size", .value = "WxH", .unit = "pixels", .help = "size of the picture", .group = "Picture"},
      &RenderOptions::size},
     {{.name = "samples",
@@ -97,6 +97,13 @@ const std::array<Option<RenderOptions>, 18> kOptions{{
       .help = "strength of its light",
       .group = "Environment"},
      &RenderOptions::env_intensity},
+    {{.name = "blur",
+      .choices = "exact|mip|cone",
+      .help =
+          "how rough surfaces blur the environment: prefiltered exactly, by a coarser mip level, or by the mean of 64 "
+          "rays in a cone",
+      .group = "Look"},
+     choiceField<&RenderOptions::blur>},
     {{.name = "mapping",
       .choices = "reflection|normal|sphere",
       .help = "what looks the map up: the reflected ray, the surface normal, or the normal as texture coordinates of a "
@@ -224,6 +231,7 @@ Result<FrameSettings> frameSettings(const RenderOptions& options) {
   settings.env_intensity = options.env_intensity;
   MIRRORBALL_TRY_VOID(parseBackground(options.background, settings));
   settings.samples = options.samples;
+  settings.blur = options.blur;
   settings.mapping = options.mapping;
   settings.reflect_at = options.reflect_at;
   for (const std::string& text : options.lights) {

@@ -19,6 +19,7 @@ enum class ToneMap { agx, aces, neutral, reinhard, linear };  ///< formula::tone
 enum class Mapping { reflection, normal, sphere };
 enum class ReflectAt { vertex, fragment };
 enum class FresnelOverride { material, exact, schlick, empirical };
+enum class BlurKind { exact, mip, cone };  ///< Blur::kind in formula/blur.glsl
 enum class BackgroundKind { environment, blur, color, transparent };
 
 /// A point light, for Phong's model.
@@ -43,6 +44,7 @@ struct RenderOptions {
   std::string material;
   std::vector<std::string> set;
   FresnelOverride fresnel = FresnelOverride::material;
+  BlurKind blur = BlurKind::exact;
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;
   std::vector<std::string> lights;
@@ -63,6 +65,7 @@ struct FrameSettings {
   BackgroundKind background = BackgroundKind::environment;
   glm::vec3 background_color{0.0f};  ///< linear
   int samples = 4;
+  BlurKind blur = BlurKind::exact;
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;
   std::vector<PointLight> lights;

@@ -213,7 +213,10 @@ Result<void> Renderer::State::drawSample(const FrameUniforms& frame, const Frame
 void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSettings& settings) {
   const bool blurred = settings.background == BackgroundKind::blur;
   glDisable(GL_CULL_FACE);
-  light.cube().bind(TextureUnit::environment);
+  // Blurred exactly it is one level of the prefiltered chain.
+  const bool is_prefiltered = blurred && settings.blur == BlurKind::exact;
+  const gl::Texture& cube = is_prefiltered ? light.prefiltered() : light.cube();
+  cube.bind(TextureUnit::environment);
   background.set("environment", TextureUnit::environment);
   background.set("environment_from_world", frame.environment_from_world);
   background.set("environment_intensity", settings.env_intensity);
@@ -223,9 +226,11 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   background.set("world_from_clip", glm::inverse(clip_from_directions));
   background.set("camera_forward", frame.camera.forward);
   background.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
-  background.set("texels_per_radian", light.texelsPerRadian());
+  background.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
   background.set("samples_per_pixel", static_cast<float>(settings.samples));
-  background.set("least_level", blurred ? formula::lodOfLobe(kBackgroundRoughness, light.roughestLevel()) : 0.0f);
+  const float blurred_level = is_prefiltered ? formula::lodOfRoughness(kBackgroundRoughness, light.lastLevel())
+                                             : formula::lodOfLobe(kBackgroundRoughness, light.roughestLevel());
+  background.set("least_level", blurred ? blurred_level : 0.0f);
   screen.draw(3);
 }
 

@@ -84,10 +84,16 @@ void setFrame(gl::Program& program, const EnvironmentLight& light, const FrameUn
   program.set("environment", TextureUnit::environment);
   program.set("environment_from_world", frame.environment_from_world);
   program.set("environment_intensity", settings.env_intensity);
+  light.prefiltered().bind(TextureUnit::prefiltered);
+  program.set("prefiltered", TextureUnit::prefiltered);
+  light.irradiance().bind(TextureUnit::irradiance);
+  program.set("irradiance", TextureUnit::irradiance);
+  program.set("blur_kind", static_cast<int>(settings.blur));
+  program.set("last_level", light.lastLevel());
   program.set("roughest_level", light.roughestLevel());
+  program.set("coarser", light.coarser());
   program.set("texels_per_radian", light.texelsPerRadian());
   program.set("samples_per_pixel", static_cast<float>(settings.samples));
-  program.set("irradiance", std::span<const glm::vec3>(light.irradiance()));
   program.set("sphere_map", TextureUnit::sphere_map);
   program.set("texture_matrix", frame.texture_matrix);
 }

@@ -25,7 +25,9 @@ struct TextureUnit {
   static constexpr int sphere_map = 1;
   static constexpr int picture = 2;
   static constexpr int brdf_table = 3;
-  static constexpr int first_of_material = 4;
+  static constexpr int prefiltered = 4;
+  static constexpr int irradiance = 5;
+  static constexpr int first_of_material = 6;
 };
 
 /// What all surfaces of a frame share.

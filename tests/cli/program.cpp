@@ -29,7 +29,7 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
 
 /// This process' variables and others. The user's cache is left alone: a test that does not name one has none.
 std::vector<std::string> environmentWith(std::map<std::string, std::string> added) {
-  added.emplace("XDG_CACHE_HOME", "/dev/null");
+  added.emplace("MIRRORBALL_CACHE", "");
   std::vector<std::string> all;
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string text = *variable;

@@ -60,10 +60,16 @@ void write(const fs::path& path, const ImageSet& images) {
 }  // namespace
 
 std::optional<PrefilterCache> PrefilterCache::ofUser() {
-  if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder != nullptr && *folder != '\0')
-    return PrefilterCache(fs::path(folder) / "mirrorball");
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
-    return PrefilterCache(fs::path(home) / ".cache" / "mirrorball");
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? std::optional<std::string>() : std::string(value);
+  };
+  if (const auto folder = variable("MIRRORBALL_CACHE"))
+    return folder->empty() ? std::nullopt : std::optional(PrefilterCache(*folder));
+  if (const auto folder = variable("XDG_CACHE_HOME"); folder && !folder->empty())
+    return PrefilterCache(fs::path(*folder) / "mirrorball");
+  if (const auto home = variable("HOME"); home && !home->empty())
+    return PrefilterCache(fs::path(*home) / ".cache" / "mirrorball");
   return {};
 }
 

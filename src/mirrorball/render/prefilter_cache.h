@@ -21,7 +21,8 @@ class PrefilterCache {
   /// folder   made when something is first written
   explicit PrefilterCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The user's own: $XDG_CACHE_HOME/mirrorball or ~/.cache/mirrorball; nothing where there is neither.
+  /// The user's own: $MIRRORBALL_CACHE, $XDG_CACHE_HOME/mirrorball or ~/.cache/mirrorball; nothing where the first is
+  /// empty or there is none.
   static std::optional<PrefilterCache> ofUser();
 
   /// cube     of the environment, its largest level

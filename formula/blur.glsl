@@ -5,16 +5,16 @@ struct Blur {
   int kind;              // 0 prefiltered, 1 a mip level, 2 many rays in a cone
   float last_level;      // of the prefiltered chain: that of roughness 1
   float roughest_level;  // of the mip levels: that of roughness 1
-  float coarser;         // levels by which the prefiltered chain has fewer texels than the environment
+  float coarser;         // levels by which the chain's level 0 would have fewer texels than the environment
 };
 
-// The exact chain (bake/prefilter.h). Its level 0 would be the mirror's; the environment itself stands in for it, with as
-// many mip levels as a pixel's footprint asks for.
+// The exact chain (bake/prefilter.h), without the mirror's level 0: the environment itself stands in for it, with as many
+// mip levels as a pixel's footprint asks for. So the texture's level 0 is the chain's 1.
 FN vec4 prefilteredLight(Blur blur, CUBE_SAMPLER environment, CUBE_SAMPLER prefiltered, vec3 d,
                          float perceptual_roughness, float minified) {
   float lod = lodOfRoughness(perceptual_roughness, blur.last_level);
   if (lod <= 0.0f) return sampleLod(environment, d, minified);
-  vec4 rough = sampleLod(prefiltered, d, max(max(lod, 1.0f), minified - blur.coarser));
+  vec4 rough = sampleLod(prefiltered, d, max(max(lod, 1.0f), minified - blur.coarser) - 1.0f);
   if (lod >= 1.0f) return rough;
   return mix(sampleLod(environment, d, minified), rough, lod);
 }

@@ -22,7 +22,7 @@ float greatestSample(const ImageSet& chain) {
   return greatest;
 }
 
-/// The chain's first blurred level has half of its size; on 256² its narrow lobe is two texels wide.
+/// Of the chain's level 0. The first blurred one has half of it; on 256² its narrow lobe is two texels wide.
 constexpr int kPrefilteredSide = 512;
 constexpr int kIrradianceSide = 32;
 
@@ -34,7 +34,8 @@ Result<gl::Texture> cubeTexture(const ImageSet& images, bool needs_floats) {
 }
 
 Result<Prefiltered> prefiltered(const Environment& environment) {
-  const std::vector<PrefilterLevel> levels = prefilterLevels({.size = kPrefilteredSide});
+  std::vector<PrefilterLevel> levels = prefilterLevels({.size = kPrefilteredSide});
+  levels.erase(levels.begin());
   std::vector<Lobe> lobes = lobesOf(levels);
   lobes.push_back(Lobe::cosine());
   MIRRORBALL_TRY(light, LightHarmonics::make(environment, lobes));
@@ -82,7 +83,7 @@ Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepa
 }
 
 float EnvironmentLight::coarser() const {
-  return std::log2(static_cast<float>(cube_.width()) / static_cast<float>(prefiltered_.width()));
+  return std::log2(static_cast<float>(cube_.width()) / (2.0f * static_cast<float>(prefiltered_.width())));
 }
 
 float EnvironmentLight::roughestLevel() const {

@@ -51,8 +51,8 @@ class EnvironmentLight {
   float texelsPerRadian() const;
 
   /// The prefiltered chain's level of roughness 1.
-  float lastLevel() const { return static_cast<float>(prefiltered_.levels() - 1); }
-  /// How many levels coarser than the environment the prefiltered chain begins.
+  float lastLevel() const { return static_cast<float>(prefiltered_.levels()); }
+  /// How many levels coarser than the environment its level 0 would be.
   float coarser() const;
 
  private:

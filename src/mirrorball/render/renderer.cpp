@@ -228,7 +228,7 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   background.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
   background.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
   background.set("samples_per_pixel", static_cast<float>(settings.samples));
-  const float blurred_level = is_prefiltered ? formula::lodOfRoughness(kBackgroundRoughness, light.lastLevel())
+  const float blurred_level = is_prefiltered ? formula::lodOfRoughness(kBackgroundRoughness, light.lastLevel()) - 1.0f
                                              : formula::lodOfLobe(kBackgroundRoughness, light.roughestLevel());
   background.set("least_level", blurred ? blurred_level : 0.0f);
   screen.draw(3);

@@ -34,8 +34,10 @@ bool isDenseEnough(const EnvironmentMap& map, int rows) {
 }
 
 Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows) {
-  const int height = std::max(least_rows, environment.naturalSize(Projection::equirect));
-  return convert(environment, Projection::equirect, height);
+  // A function may be as smooth as it likes: with that many rows the first harmonics are right to 1e-4.
+  constexpr int kLeastRowsOfFunction = 256;
+  const int least = environment.map() ? least_rows : std::max(least_rows, kLeastRowsOfFunction);
+  return convert(environment, Projection::equirect, std::max(least, environment.naturalSize(Projection::equirect)));
 }
 
 }  // namespace

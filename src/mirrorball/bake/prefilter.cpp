@@ -37,6 +37,7 @@ void sampleRow(const BlurredLight& light, int face, int y, Image& image) {
 }  // namespace
 
 float roughnessOfLevel(MipMapping mapping, int level, int last) {
+  if (level == last) return 1.0f;  // whatever rounding does to the formulas
   const float lod = static_cast<float>(level);
   const float most = static_cast<float>(last);
   switch (mapping) {

@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/map_output.h"
+#include "cli/stage_clock.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/load.h"
@@ -20,7 +21,7 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<BakeOptions>, 14> kOptions{{
+const std::array<Option<BakeOptions>, 15> kOptions{{
     {{.name = "output",
       .value = "OUT",
       .help = "needed: a folder, for all maps and a manifest; or a .ktx2 or .dds file, for the specular chain only",
@@ -78,6 +79,7 @@ const std::array<Option<BakeOptions>, 14> kOptions{{
       .help = "the environment's form, where it is not recognised: see convert --from"},
      &BakeOptions::from},
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &BakeOptions::repair},
+    {{.name = "timings", .help = "print how long each stage took"}, &BakeOptions::timings},
     {kMaxMemoryText, &BakeOptions::max_memory},
 }};
 
@@ -138,55 +140,75 @@ Result<BakedFiles> filesOf(const BakeRequest& request) {
                     folder + "/brdf." + options.brdf_extension};
 }
 
-Result<void> bakeChain(const BakeRequest& request) {
+Result<void> bakeChain(const BakeRequest& request, StageClock& clock) {
   MapOutputOptions to_file = request.output;
   to_file.output = request.options.output;
   if (!isTexturePath(to_file.output))
-    return fail(
-        ErrorCode::usage,
-        to_file.output + ": a prefiltered chain goes into .ktx2 or .dds; or name a folder, without an extension");
+    return fail(ErrorCode::usage, to_file.output +
+                                      ": a prefiltered chain goes into .ktx2 or .dds; or name a folder, "
+                                      "without an extension");
   MIRRORBALL_TRY(output, MapOutput::resolve(to_file, Projection::cube));
   MIRRORBALL_TRY_VOID(checkFolder(to_file.output));
-  MIRRORBALL_TRY(loaded, loadLight(request));
+  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request); }));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
   const std::vector<PrefilterLevel> levels = prefilterLevels(prefilterOptionsOf(request.options));
-  MIRRORBALL_TRY(light, LightHarmonics::make(loaded.environment, lobesOf(levels)));
-  MIRRORBALL_TRY(chain, prefilter(loaded.environment, light, levels, progressBar("prefilter")));
-  MIRRORBALL_TRY_VOID(output.writeLevels(std::move(chain)));
+  MIRRORBALL_TRY(light, clock.time("harmonics: analyse",
+                                   [&] { return LightHarmonics::make(loaded.environment, lobesOf(levels)); }));
+  MIRRORBALL_TRY(chain, clock.time("specular: prefilter", [&] {
+    return prefilter(loaded.environment, light, levels, progressBar("prefilter"));
+  }));
+  MIRRORBALL_TRY_VOID(clock.time("files: write", [&] { return output.writeLevels(std::move(chain)); }));
   return {};
 }
 
-Result<BakedSet> bakeSet(const Environment& environment, const BakeOptions& options) {
+Result<BakedSet> bakeSet(const Environment& environment, const BakeOptions& options, StageClock& clock) {
   BakedSet set;
-  set.levels = prefilterLevels(prefilterOptionsOf(options));
+  set.levels = clock.time("lobes: bands", [&] { return prefilterLevels(prefilterOptionsOf(options)); });
   std::vector<Lobe> lobes = lobesOf(set.levels);
   lobes.push_back(Lobe::cosine());
-  MIRRORBALL_TRY(light, LightHarmonics::make(environment, lobes));
-  MIRRORBALL_TRY(specular, prefilter(environment, light, set.levels, progressBar("prefilter")));
+  MIRRORBALL_TRY(light, clock.time("harmonics: analyse", [&] { return LightHarmonics::make(environment, lobes); }));
+  MIRRORBALL_TRY(specular, clock.time("specular: prefilter", [&] {
+    return prefilter(environment, light, set.levels, progressBar("prefilter"));
+  }));
   set.specular = std::move(specular);
-  MIRRORBALL_TRY(irradiance, cubeOf(light.blurred(lobes.back()), options.irradiance_size));
+  MIRRORBALL_TRY(irradiance, clock.time("irradiance: cube",
+                                        [&] { return cubeOf(light.blurred(lobes.back()), options.irradiance_size); }));
   set.irradiance = std::move(irradiance);
   set.radiance = radianceHarmonics(light, options.harmonics_degree);
-  MIRRORBALL_TRY(brdf, brdfTable({.size = options.brdf_size,
-                                  .channels = options.brdf_channels,
-                                  .distribution = options.distribution,
-                                  .axes = options.brdf_axes}));
-  set.brdf = std::move(brdf);
   return set;
 }
 
-Result<void> bake(const BakeRequest& request) {
+Result<void> bakeFolder(const BakeRequest& request, StageClock& clock) {
   const BakeOptions& options = request.options;
-  if (options.output.empty()) return fail(ErrorCode::usage, "bake needs an output: -o FOLDER, or a .ktx2 or .dds file");
-  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
-  if (!isFolder(options.output) && std::filesystem::path(options.output).has_extension()) return bakeChain(request);
   MIRRORBALL_TRY(files, filesOf(request));
-  MIRRORBALL_TRY(loaded, loadLight(request));
+  // The table needs no environment; reading one leaves cores idle.
+  auto brdf_later = std::async(std::launch::async, [&] {
+    return clock.time("BRDF table", [&] {
+      return brdfTable({.size = options.brdf_size,
+                        .channels = options.brdf_channels,
+                        .distribution = options.distribution,
+                        .axes = options.brdf_axes});
+    });
+  });
+  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request); }));
   MIRRORBALL_TRY_VOID(refuseOverwriting(
       loaded.files, std::array{files.specular.paths().front(), files.irradiance.paths().front(), files.brdf}));
-  MIRRORBALL_TRY(set, bakeSet(loaded.environment, options));
+  MIRRORBALL_TRY(brdf, brdf_later.get());
+  MIRRORBALL_TRY(set, bakeSet(loaded.environment, options, clock));
+  set.brdf = std::move(brdf);
   MIRRORBALL_TRY_VOID(makeFolder(files.folder));
-  return writeSet(set, files, options);
+  return clock.time("files: write", [&] { return writeSet(set, files, options); });
+}
+
+Result<void> bake(const BakeRequest& request) {
+  const std::string& output = request.options.output;
+  if (output.empty()) return fail(ErrorCode::usage, "bake needs an output: -o FOLDER, or a .ktx2 or .dds file");
+  MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
+  StageClock clock;
+  const bool is_file = !isFolder(output) && std::filesystem::path(output).has_extension();
+  const Result<void> done = is_file ? bakeChain(request, clock) : bakeFolder(request, clock);
+  if (request.options.timings) clock.print();
+  return done;
 }
 
 }  // namespace

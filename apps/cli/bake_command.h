@@ -17,13 +17,14 @@ struct BakeOptions {
   int size = 256;
   Distribution distribution = Distribution::ggx;
   MipMapping mip_mapping = MipMapping::filament;
-  int irradiance_size = 64;
+  int irradiance_size = 32;
   int harmonics_degree = 2;
   int brdf_size = 128;
   int brdf_channels = 3;
   BrdfAxes brdf_axes = BrdfAxes::linear;
   std::string brdf_extension = "ktx2";
   std::string extension = "ktx2";
+  bool timings = false;
   std::string max_memory;
 };
 

@@ -27,9 +27,16 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// This process' variables and others. The user's cache is left alone: a test that does not name one has none.
+/// A cache for this very build of the program, so that what it prefilters otherwise than before is not taken from there.
+std::string cacheOfThisBuild() {
+  const std::filesystem::path program(MIRRORBALL_PROGRAM);
+  const auto built = std::filesystem::last_write_time(program).time_since_epoch().count();
+  return (program.parent_path() / ("test_cache_" + std::to_string(built))).string();
+}
+
+/// This process' variables and others. The user's own cache is left alone.
 std::vector<std::string> environmentWith(std::map<std::string, std::string> added) {
-  added.emplace("MIRRORBALL_CACHE", "");
+  added.emplace("MIRRORBALL_CACHE", cacheOfThisBuild());
   std::vector<std::string> all;
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string text = *variable;

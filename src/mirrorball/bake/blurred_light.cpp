@@ -13,7 +13,7 @@ namespace mirrorball {
 namespace {
 
 /// A sun of half a degree has 101 texels in a panorama of 8192 × 4096.
-constexpr int kMostBrightLights = 256;
+constexpr int kMostBrightLights = 128;
 
 /// What may be missing at the darkest part of a map, by the bound of lightContrast. What is missing in fact is ten to
 /// thirty times less (docs/prefiltering.md).

@@ -114,7 +114,9 @@ Lobe Lobe::reflection(Distribution distribution, float perceptual_roughness) {
 }
 
 Lobe Lobe::cosine() {
-  return Lobe([](float s) { return formula::cosineOfLobe(s); }, 1.0f);
+  Lobe lobe([](float s) { return formula::cosineOfLobe(s); }, 1.0f);
+  lobe.ggx_alpha_ = 1.0f;  // microfacets in all directions alike
+  return lobe;
 }
 
 }  // namespace mirrorball

@@ -1,6 +1,7 @@
 #include "mirrorball/render/environment_light.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -22,8 +23,10 @@ float greatestSample(const ImageSet& chain) {
   return greatest;
 }
 
-/// Of the chain's level 0. The first blurred one has half of it; on 256² its narrow lobe is two texels wide.
-constexpr int kPrefilteredSide = 512;
+/// Of the chain's level 0, where the environment has that much detail. The first blurred level has half of it; on 256² its
+/// narrow lobe is two texels wide.
+constexpr int kMostPrefilteredSide = 512;
+constexpr int kLeastPrefilteredSide = 32;
 constexpr int kIrradianceSide = 32;
 
 Result<gl::Texture> cubeTexture(const ImageSet& images, bool needs_floats) {
@@ -34,7 +37,9 @@ Result<gl::Texture> cubeTexture(const ImageSet& images, bool needs_floats) {
 }
 
 Result<Prefiltered> prefiltered(const Environment& environment) {
-  std::vector<PrefilterLevel> levels = prefilterLevels({.size = kPrefilteredSide});
+  const auto side = static_cast<unsigned>(cubeSideFor(environment.texelDensity()));
+  std::vector<PrefilterLevel> levels = prefilterLevels(
+      {.size = std::clamp(static_cast<int>(std::bit_ceil(side)), kLeastPrefilteredSide, kMostPrefilteredSide)});
   levels.erase(levels.begin());
   std::vector<Lobe> lobes = lobesOf(levels);
   lobes.push_back(Lobe::cosine());

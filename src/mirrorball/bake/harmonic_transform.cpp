@@ -194,7 +194,7 @@ SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vecto
     weighted[static_cast<std::size_t>(m)] = weightedOrder(coefficients.order(m), coefficients.legendre(m), weights);
   });
   // Half of the bands are weighed so lightly that what interpolation does to them is not seen.
-  SphereGrid grid(quickLength(std::max(bands * 5 / 4, 16)), quickLength(std::max(2 * bands + 2, 32)));
+  SphereGrid grid(quickLength(std::max(bands * 9 / 8, 16)), quickLength(std::max(2 * bands + 2, 32)));
   const GridTransform transform(grid, bands);
   const Rings rings(grid.rings());
   RingSpectra spectra(bands);

@@ -45,7 +45,7 @@ class Lobe {
   static constexpr float kLeastAlpha = 0.002f;
 
   static constexpr int kCheapBands = 256;
-  static constexpr float kLeastBand = 1e-6f;
+  static constexpr float kLeastBand = 1e-5f;
   /// 2 α l K₁(2 α l), GGX's bands for small α, fall below it at l = 5.5 / α. More bands gain nothing: the rounding of
   /// floats is as much.
   static constexpr float kLeastFurtherBand = 7e-5f;

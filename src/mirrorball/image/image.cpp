@@ -57,12 +57,6 @@ bool allFinite(std::span<const float> samples) {
 
 }  // namespace
 
-glm::vec3 rgbAt(const Image& image, int x, int y) {
-  const float* texel = image.texel(x, y);
-  if (image.channels() < 3) return glm::vec3(texel[0]);
-  return {texel[0], texel[1], texel[2]};
-}
-
 glm::vec4 rgbaAt(const Image& image, int x, int y) {
   const float* texel = image.texel(x, y);
   const bool has_alpha = image.channels() == 2 || image.channels() == 4;

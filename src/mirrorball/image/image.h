@@ -74,7 +74,10 @@ using Image = ImageOf<float>;          ///< linear light
 using Image8 = ImageOf<std::uint8_t>;  ///< a picture or a texture, encoded
 
 /// The first three channels of a texel; a grey image's one channel three times.
-glm::vec3 rgbAt(const Image& image, int x, int y);
+inline glm::vec3 rgbAt(const Image& image, int x, int y) {
+  const float* texel = image.texel(x, y);
+  return image.channels() >= 3 ? glm::vec3(texel[0], texel[1], texel[2]) : glm::vec3(texel[0]);
+}
 
 /// A texel as (r, g, b, a); alpha is 1 where the image has none.
 glm::vec4 rgbaAt(const Image& image, int x, int y);

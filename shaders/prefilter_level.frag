@@ -1,0 +1,37 @@
+// One face of a level of a prefiltered chain: the mean of the light under a GGX lobe around each texel's direction, from
+// points of light, exactly, and from some reads of the mip levels of the rest.
+#include "cube.glsl"
+#include "microfacet.glsl"
+#include "reflection_lobe.glsl"
+#include "tangent.glsl"
+#include "mip_taps.glsl"
+
+uniform samplerCube rest;
+uniform sampler2D lights;  // rows: directions; radiance times solid angle
+uniform sampler2D chosen;  // z: how many there are
+uniform vec4 taps[64];     // x and y in the frame of the direction, log₂ of the footprint, weight
+uniform int tap_count;
+uniform int size;
+uniform int face;
+uniform float alpha;
+uniform float lobe_scale;  // 1 / its integral
+
+out vec4 fragment;
+
+void main() {
+  vec3 normal = cubeDirection(face, gl_FragCoord.xy / float(size));
+  vec3 sum = vec3(0.0);
+  int count = int(texelFetch(chosen, ivec2(0), 0).z);
+  for (int k = 0; k < count; ++k) {
+    vec3 between = texelFetch(lights, ivec2(k, 0), 0).xyz - normal;
+    float value = ggxLobe(alpha, 0.25 * dot(between, between));
+    sum += value * lobe_scale * texelFetch(lights, ivec2(k, 1), 0).xyz;
+  }
+  vec3 tangent = cubeTangent(face, normal);
+  vec3 bitangent = cross(normal, tangent);
+  for (int i = 0; i < tap_count; ++i) {
+    vec3 direction = tapDirection(tangent, bitangent, normal, taps[i].xy);
+    sum += taps[i].w * sampleLod(rest, direction, lodOfFootprint(taps[i].z, direction)).xyz;
+  }
+  fragment = vec4(sum, 1.0);
+}

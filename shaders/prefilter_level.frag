@@ -9,7 +9,8 @@
 uniform samplerCube rest;
 uniform sampler2D lights;  // rows: directions; radiance times solid angle
 uniform sampler2D chosen;  // z: how many there are
-uniform vec4 taps[64];     // x and y in the frame of the direction, log₂ of the footprint, weight
+uniform sampler2D taps;    // in this level's row: x and y in the frame of the direction, log₂ of the footprint, weight
+uniform int tap_row;
 uniform int tap_count;
 uniform int size;
 uniform int face;
@@ -30,8 +31,9 @@ void main() {
   vec3 tangent = cubeTangent(face, normal);
   vec3 bitangent = cross(normal, tangent);
   for (int i = 0; i < tap_count; ++i) {
-    vec3 direction = tapDirection(tangent, bitangent, normal, taps[i].xy);
-    sum += taps[i].w * sampleLod(rest, direction, lodOfFootprint(taps[i].z, direction)).xyz;
+    vec4 tap = texelFetch(taps, ivec2(i, tap_row), 0);
+    vec3 direction = tapDirection(tangent, bitangent, normal, tap.xy);
+    sum += tap.w * sampleLod(rest, direction, lodOfFootprint(tap.z, direction)).xyz;
   }
   fragment = vec4(sum, 1.0);
 }

@@ -107,8 +107,4 @@ void Program::set(std::string_view uniform, std::span<const glm::vec3> values) {
   glUniform3fv(locationOf(uniform), static_cast<GLsizei>(values.size()), reinterpret_cast<const float*>(values.data()));
 }
 
-void Program::set(std::string_view uniform, std::span<const glm::vec4> values) {
-  glUniform4fv(locationOf(uniform), static_cast<GLsizei>(values.size()), reinterpret_cast<const float*>(values.data()));
-}
-
 }  // namespace mirrorball::gl

@@ -12,6 +12,7 @@
 
 #include "formula/formula.h"
 #include "mirrorball/bake/prefilter.h"
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/render/lobe_taps.h"
 
 namespace mirrorball {
@@ -21,22 +22,42 @@ constexpr int kCell = 8;  // texels and cells a side, as in the shaders
 
 int partsOf(int side) { return (side + kCell - 1) / kCell; }
 
-enum Unit { kCube, kCells, kBlocks, kThresholds, kLights };
+enum Unit { kCube, kCells, kBlocks, kThresholds, kLights, kTaps };
 
 /// Width of a texel in the middle of a face.
 float texelWidth(int size) { return 2.0f / static_cast<float>(size); }
 
+/// How the taps of a level stand.
+struct Rings {
+  int count;
+  int points;  ///< on each
+};
+
+/// From level 2 on there are so few texels that each may take more taps than one of level 1.
+Rings ringsFor(int level) {
+  if (getenv("RINGS")) {int a[8],b[8];const char*s=getenv("RINGS");sscanf(s,"%dx%d,%dx%d,%dx%d,%dx%d,%dx%d,%dx%d",a+1,b+1,a+2,b+2,a+3,b+3,a+4,b+4,a+5,b+5,a+6,b+6);return{a[level],b[level]};}
+  if (level <= 2) return {8, 8};
+  return level == 3 ? Rings{11, 11} : Rings{16, 16};
+}
+
+PrefilterOptions chainOptions(int size) {
+  PrefilterOptions options;
+  options.size = size;
+  return options;
+}
+
 }  // namespace
 
 Result<GpuPrefilter> GpuPrefilter::make(gl::Api api, int size, gl::Format format) {
-  assert(size >= 1 && (format == gl::Format::rgba16f || format == gl::Format::rgba32f));
+  assert(size >= 1 && size <= kMostSize && (format == gl::Format::rgba16f || format == gl::Format::rgba32f));
   const int last = lastLevel(size);
   MIRRORBALL_TRY(programs, loadPrograms(api));
   MIRRORBALL_TRY(lists, makeLists(size));
+  MIRRORBALL_TRY(taps, gl::Texture::make2d(gl::Format::rgba32f, kMostTaps, std::max(last, 1)));
   // The widest taps of roughness 1 reach a little beyond the last level of the chain.
   MIRRORBALL_TRY(rest, gl::Texture::makeCube(gl::Format::rgba16f, size, last + 2));
   MIRRORBALL_TRY(chain, gl::Texture::makeCube(format, size, last + 1));
-  GpuPrefilter made(size, std::move(programs), std::move(lists), std::move(rest), std::move(chain));
+  GpuPrefilter made(size, std::move(programs), std::move(lists), std::move(taps), std::move(rest), std::move(chain));
   made.target_.bind(made.chain_, 0, 0);
   if (!made.target_.isComplete())
     return fail(ErrorCode::no_gl,
@@ -45,13 +66,15 @@ Result<GpuPrefilter> GpuPrefilter::make(gl::Api api, int size, gl::Format format
   return made;
 }
 
-GpuPrefilter::GpuPrefilter(int size, Programs programs, Lists lists, gl::Texture rest, gl::Texture chain)
+GpuPrefilter::GpuPrefilter(int size, Programs programs, Lists lists, gl::Texture taps, gl::Texture rest,
+                           gl::Texture chain)
     : size_(size),
       programs_(std::move(programs)),
       lists_(std::move(lists)),
+      taps_(std::move(taps)),
       rest_(std::move(rest)),
       chain_(std::move(chain)) {
-  for (int level = 1; level < chain_.levels(); ++level) levels_.push_back(levelFor(level, size));
+  findTaps();
 }
 
 Result<GpuPrefilter::Programs> GpuPrefilter::loadPrograms(gl::Api api) {
@@ -86,13 +109,24 @@ Result<GpuPrefilter::Lists> GpuPrefilter::makeLists(int size) {
                std::move(fine),  std::move(chosen), std::move(lights)};
 }
 
-GpuPrefilter::Level GpuPrefilter::levelFor(int level, int size) {
-  const float roughness = roughnessOfLevel(MipMapping::filament, level, lastLevel(size));
-  const Lobe lobe = Lobe::reflection(Distribution::ggx, roughness);
-  Level made{lobe.ggxAlpha(), lobe.scale(), {}};
-  for (const LobeTap& tap : lobeTaps(lobe, texelWidth(size), kRings, kPoints))
-    made.taps.emplace_back(tap.place, std::log2(tap.footprint_rad / texelWidth(size)), tap.weight);
-  return made;
+/// The lobe of each level and its taps.
+void GpuPrefilter::findTaps() {
+  const std::vector<Lobe> lobes = lobesOf(prefilterLevels(chainOptions(size_)));
+  Image rows(kMostTaps, static_cast<int>(lobes.size()), 4);
+  std::vector<std::vector<LobeTap>> found(lobes.size());
+  parallelFor(lobes.size(), 1, [&](std::size_t i, std::size_t) {
+    const Rings rings = ringsFor(static_cast<int>(i) + 1);
+    found[i] = lobeTaps(lobes[i], texelWidth(size_), rings.count, rings.points);
+  });
+  for (std::size_t i = 0; i < lobes.size(); ++i) {
+    levels_.push_back({lobes[i].ggxAlpha(), lobes[i].scale(), static_cast<int>(found[i].size())});
+    float* texel = rows.texel(0, static_cast<int>(i));
+    for (const LobeTap& tap : found[i]) {
+      const glm::vec4 values(tap.place, std::log2(tap.footprint_rad / texelWidth(size_)), tap.weight);
+      texel = std::copy_n(&values.x, 4, texel);
+    }
+  }
+  taps_.upload(0, 0, rows);
 }
 
 void GpuPrefilter::run(const gl::Texture& cube) {
@@ -187,8 +221,10 @@ void GpuPrefilter::drawLevel(int level) {
   program.set("rest", kCube);
   program.set("lights", kLights);
   program.set("chosen", kThresholds);
-  program.set("taps", std::span<const glm::vec4>(made.taps));
-  program.set("tap_count", static_cast<int>(made.taps.size()));
+  taps_.bind(kTaps);
+  program.set("taps", kTaps);
+  program.set("tap_row", level - 1);
+  program.set("tap_count", made.taps);
   program.set("alpha", made.alpha);
   program.set("lobe_scale", made.lobe_scale);
   drawFaces(program, chain_, level);

@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include <glm/vec4.hpp>
-
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/framebuffer.h"
@@ -17,13 +15,13 @@ namespace mirrorball {
 /// frame. Fragment passes only and nothing read back, so that it works in OpenGL ES 3.0 and WebGL 2.
 ///
 /// The brightest texels become up to kMostLights points of light, whose lobes are exact; what is left over goes into mip
-/// levels, each texel by its solid angle, of which each texel of the chain takes kTaps weighted reads
-/// (render/lobe_taps.h). How far it is from the exact chain is told in docs/prefiltering.md.
+/// levels, each texel by its solid angle, of which each texel of the chain takes weighted reads (render/lobe_taps.h): 64 in
+/// the finest levels, kMostTaps in the coarse ones, which have few texels. How far it is from the exact chain is told in docs/prefiltering.md.
 class GpuPrefilter {
  public:
   /// Compiles the passes and finds the taps of each level.
   ///
-  /// size     of the cubes that it will be given, at least 1
+  /// size     of the cubes that it will be given, 1 to kMostSize
   /// format   of the chain: half or 32-bit floats, which OpenGL ES cannot filter
   /// errors   too_large; no_gl: the driver cannot draw into floats; unsupported (a shader)
   /// cost     some 10 ms for the taps, and the driver's compiler
@@ -41,10 +39,9 @@ class GpuPrefilter {
   /// can be. Level 0 is the cube itself; half floats end at 65504.
   const gl::Texture& chain() const { return chain_; }
 
+  static constexpr int kMostSize = 8192;  ///< beyond it level 1 is the mirror's too: Lobe::kLeastAlpha
   static constexpr int kMostLights = 64;
-  static constexpr int kRings = 8;
-  static constexpr int kPoints = 8;  ///< on a ring
-  static constexpr int kTaps = kRings * kPoints;
+  static constexpr int kMostTaps = 256;
 
  private:
   struct Programs {
@@ -57,13 +54,13 @@ class GpuPrefilter {
   struct Level {
     float alpha;
     float lobe_scale;
-    std::vector<glm::vec4> taps;  ///< as shaders/prefilter_level.frag takes them
+    int taps;
   };
 
-  GpuPrefilter(int size, Programs programs, Lists lists, gl::Texture rest, gl::Texture chain);
+  GpuPrefilter(int size, Programs programs, Lists lists, gl::Texture taps, gl::Texture rest, gl::Texture chain);
   static Result<Programs> loadPrograms(gl::Api api);
   static Result<Lists> makeLists(int size);
-  static Level levelFor(int level, int size);
+  void findTaps();
 
   void chooseThreshold();
   void sumCells(gl::Program& program);
@@ -77,6 +74,7 @@ class GpuPrefilter {
   int size_;
   Programs programs_;
   Lists lists_;
+  gl::Texture taps_;  ///< a row a level, as shaders/prefilter_level.frag takes them
   gl::Texture rest_;  ///< mip levels without the points of light
   gl::Texture chain_;
   std::vector<Level> levels_;  ///< from level 1 on

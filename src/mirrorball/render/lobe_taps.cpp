@@ -1,6 +1,7 @@
 #include "mirrorball/render/lobe_taps.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -52,7 +53,7 @@ class LobeQuantiles {
 std::vector<Ring> ringsOf(const Lobe& lobe, double texel_rad, int rings, int points) {
   // A tap's footprint against the side of its part of the ring: at 2 neighbours overlap so far that the pattern of taps
   // does not show.
-  constexpr double kOverlap = 2.0;
+  const double kOverlap = getenv("OV") ? atof(getenv("OV")) : 1.55;
   const LobeQuantiles quantiles(lobe);
   std::vector<Ring> made;
   for (int i = 0; i < rings; ++i) {
@@ -68,7 +69,7 @@ std::vector<Ring> ringsOf(const Lobe& lobe, double texel_rad, int rings, int poi
 
 /// What reads of a footprint leave of each band: those of a Gaussian of the same variance (formula/mip_taps.glsl).
 std::vector<double> bandsOfFootprint(double footprint_rad, double texel_rad, int bands) {
-  const double variance = footprint_rad * footprint_rad / 4 - texel_rad * texel_rad / 12;
+  const double variance = footprint_rad * footprint_rad * 5 / 12 - texel_rad * texel_rad / 4;
   std::vector<double> left;
   for (int l = 0; l < bands; ++l) left.push_back(std::exp(-0.5 * l * (l + 1.0) * variance));
   return left;

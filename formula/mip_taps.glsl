@@ -1,7 +1,7 @@
 // Where the mip levels of a cube are read, to take a mean under a lobe with few reads. A trilinear read is a blurred mean
-// itself: texels of width t that are box means of finer ones of width t₀, interpolated linearly, have on each axis the
-// variance (t² − t₀²) / 12 + t² / 6 = t² / 4 − t₀² / 12. So a read blurs as much as texels of a certain width, its
-// footprint, do.
+// itself. Halving with the weights 1 3 3 1 (shaders/prefilter_halve.frag) adds ¾ of the finer texel's width squared to the
+// variance on each axis, so texels of width t made from ones of width t₀ have Σ ¾ t₀² 4^k = (t² − t₀²) / 4; linear
+// interpolation adds t² / 6 on average. A read thus blurs as much as texels of a certain width, its footprint, do.
 
 // The mip level for a footprint in a direction (unit). Texels are narrower away from a face's middle: their solid angle
 // goes with the cube of the direction's longest component. Between two levels it is the variance that the hardware mixes

@@ -4,9 +4,9 @@
 #include "constants.glsl"
 
 uniform int stage;
-uniform float most;           // points of light
-uniform sampler2D blocks;     // of the light, or of counts
-uniform sampler2D thresholds; // that were counted
+uniform float most;            // points of light
+uniform sampler2D blocks;      // of the light, or of counts
+uniform sampler2D thresholds;  // that were counted
 
 out vec4 fragment;  // four thresholds; in the end the threshold, the channel of its counts and how many exceed it
 

@@ -1,22 +1,24 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mirrorball/base/result.h"
-#include "mirrorball/gl/buffer.h"
-#include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/program.h"
 #include "mirrorball/gl/texture.h"
-#include "mirrorball/gl/texture_target.h"
+#include "mirrorball/render/face_drawing.h"
+#include "mirrorball/render/light_split.h"
 
 namespace mirrorball {
 
 /// The GGX chain of bake/prefilter.h, made on the GPU from a cube that is there already: for light that changes every
 /// frame. Fragment passes only and nothing read back, so that it works in OpenGL ES 3.0 and WebGL 2.
 ///
-/// The brightest texels become up to kMostLights points of light, whose lobes are exact; what is left over goes into mip
-/// levels, each texel by its solid angle, of which each texel of the chain takes weighted reads (render/lobe_taps.h): 64 in
-/// the finest levels, kMostTaps in the coarse ones, which have few texels. How far it is from the exact chain is told in docs/prefiltering.md.
+/// The brightest texels become points of light, whose lobes are exact (render/light_split.h); of the mip levels of the
+/// rest each texel of the chain takes weighted reads (render/lobe_taps.h): about 64 in the two finest levels, up to
+/// kMostTaps in the others, which have few texels. For the three roughest levels the light is split a second time, in a
+/// coarse mip level, where a point stands for many texels. docs/prefiltering.md tells how far all that is from the exact
+/// chain.
 class GpuPrefilter {
  public:
   /// Compiles the passes and finds the taps of each level.
@@ -27,29 +29,24 @@ class GpuPrefilter {
   /// cost     some 10 ms for the taps, and the driver's compiler
   static Result<GpuPrefilter> make(gl::Api api, int size, gl::Format format = gl::Format::rgba16f);
 
-  /// Fills the chain. Leaves depth test, blending and culling off, and another framebuffer, viewport and program than
-  /// before.
+  /// Fills the chain. Leaves depth test, blending and culling off, and another framebuffer, viewport, program and other
+  /// textures than before.
   ///
-  /// cube     of floats; finite radiance of at least 0 in level 0, whose side is the size given; filtered or not
-  /// cost     per texel of level 1 and coarser kTaps reads, and two per point of light; per texel of level 0 about six
-  ///          reads; the same bits each time
+  /// cube     of floats, its side the size given; level 0 is read, filtered or not: finite, at least 0
+  /// cost     six reads a texel of level 0; of the others a read a tap and two a point of light. The same bits each time
   void run(const gl::Texture& cube);
 
   /// Levels 0 to lastLevel(size) with the roughnesses of MipMapping::filament, filtered between levels where its format
   /// can be. Level 0 is the cube itself; half floats end at 65504.
   const gl::Texture& chain() const { return chain_; }
 
-  static constexpr int kMostSize = 8192;  ///< beyond it level 1 is the mirror's too: Lobe::kLeastAlpha
-  static constexpr int kMostLights = 64;
+  static constexpr int kMostSize = 8192;  ///< beyond, level 1 is narrower than Lobe::kLeastAlpha
   static constexpr int kMostTaps = 256;
 
  private:
   struct Programs {
-    gl::Program light_cells, count_cells, blocks, threshold, lights, rest, halve, level;
-  };
-  /// Sums over parts of the cube, and what they lead to.
-  struct Lists {
-    gl::Framebuffer cells, blocks, coarse, fine, chosen, lights;
+    LightSplitPrograms split;
+    gl::Program copy, level;
   };
   struct Level {
     float alpha;
@@ -57,29 +54,22 @@ class GpuPrefilter {
     int taps;
   };
 
-  GpuPrefilter(int size, Programs programs, Lists lists, gl::Texture taps, gl::Texture rest, gl::Texture chain);
+  GpuPrefilter(Programs programs, LightSplit split, std::optional<LightSplit> coarse_split, gl::Texture taps,
+               gl::Texture chain);
   static Result<Programs> loadPrograms(gl::Api api);
-  static Result<Lists> makeLists(int size);
   void findTaps();
-
-  void chooseThreshold();
-  void sumCells(gl::Program& program);
-  void setThresholdStage(int stage, const gl::Framebuffer& counted, const gl::Framebuffer& target);
-  void listLights();
-  void drawWhole(const gl::Texture& target, bool without_points);
-  void halveRest();
   void drawLevel(int level);
-  void drawFaces(gl::Program& program, const gl::Texture& target, int level);
 
-  int size_;
+  /// The first level that takes its light from the coarse split.
+  int firstCoarse() const { return coarse_split_ ? chain_.levels() - 3 : chain_.levels(); }
+
   Programs programs_;
-  Lists lists_;
-  gl::Texture taps_;  ///< a row a level, as shaders/prefilter_level.frag takes them
-  gl::Texture rest_;  ///< mip levels without the points of light
+  LightSplit split_;
+  std::optional<LightSplit> coarse_split_;  ///< where the chain is long enough for one
+  gl::Texture taps_;                        ///< a row a level, as shaders/prefilter_level.frag takes them
   gl::Texture chain_;
   std::vector<Level> levels_;  ///< from level 1 on
-  gl::TextureTarget target_;
-  gl::VertexArray no_vertices_;
+  FaceDrawing drawing_;
 };
 
 }  // namespace mirrorball

@@ -1,7 +1,6 @@
 #include "mirrorball/render/lobe_taps.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -51,9 +50,9 @@ class LobeQuantiles {
 };
 
 std::vector<Ring> ringsOf(const Lobe& lobe, double texel_rad, int rings, int points) {
-  // A tap's footprint against the side of its part of the ring: at 2 neighbours overlap so far that the pattern of taps
-  // does not show.
-  const double kOverlap = getenv("OV") ? atof(getenv("OV")) : 1.55;
+  // A tap's footprint against the side of its part of the ring. For a cube without texels of its own 1.55 would be best;
+  // smaller ones read finer mip levels, which show less where their texels lie.
+  constexpr double kOverlap = 1.2;
   const LobeQuantiles quantiles(lobe);
   std::vector<Ring> made;
   for (int i = 0; i < rings; ++i) {
@@ -113,7 +112,8 @@ double meanBetween(const Ring& one, const Ring& other, int points, const std::ve
 
 Expectations expectationsOf(const std::vector<Ring>& rings, int points, const Lobe& lobe, double texel_rad) {
   // Finer bands than the texels can hold there are not.
-  const int bands = std::min(static_cast<int>(lobe.bands().size()) + 64, std::max(static_cast<int>(kPi / texel_rad), 8));
+  const int bands =
+      std::min(static_cast<int>(lobe.bands().size()) + 64, std::max(static_cast<int>(kPi / texel_rad), 8));
   std::vector<double> power(static_cast<std::size_t>(bands), 0.0);  // of all 2 l + 1 harmonics of a band
   for (int l = 1; l < bands; ++l) power[static_cast<std::size_t>(l)] = (2.0 * l + 1.0) / (l * (l + 1.0));
 

@@ -49,3 +49,26 @@ FN float cubeRectangleSolidAngle(float x0, float y0, float x1, float y1) {
   return cubeCornerSolidAngle(x0, y0) - cubeCornerSolidAngle(x0, y1) - cubeCornerSolidAngle(x1, y0) +
          cubeCornerSolidAngle(x1, y1);
 }
+
+// The solid angle of a texel of a face of `size` texels, (s, t) being its centre. A place of the face's plane at the distance
+// ρ from the cube's middle stands for 1/ρ³ of its area; the mean over the texel by Gauss's rule of 2 × 2 points, which
+// unlike the differences of corners keeps its digits however small the texel is.
+FN float cubeTexelSolidAngle(vec2 st, float size) {
+  float width = 2.0f / size;
+  float offset = 0.577350269f * 0.5f * width;
+  float sum = 0.0f;
+  for (int i = 0; i < 4; ++i) {
+    float x = 2.0f * st.x - 1.0f + (i % 2 == 0 ? -offset : offset);
+    float y = 2.0f * st.y - 1.0f + (i / 2 == 0 ? -offset : offset);
+    float nearness = 1.0f / sqrt(x * x + y * y + 1.0f);
+    sum += nearness * nearness * nearness;
+  }
+  return 0.25f * sum * width * width;
+}
+
+// A unit vector orthogonal to n along a face's rows. It turns steadily over the face, and where two faces meet in the
+// middle of an edge theirs differ by a multiple of 90°.
+FN vec3 cubeTangent(int face, vec3 n) {
+  vec3 along = cubePoint(face, vec2(1.0f, 0.5f)) - cubePoint(face, vec2(0.5f, 0.5f));
+  return normalize(along - dot(along, n) * n);
+}

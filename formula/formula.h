@@ -16,6 +16,7 @@ using namespace glm;  // GLSL's names for vectors and functions, inside this nam
 
 #include "formula/constants.glsl"
 //
+#include "formula/bright_light.glsl"
 #include "formula/color.glsl"
 #include "formula/cube.glsl"
 #include "formula/equiangular_cube.glsl"
@@ -23,6 +24,7 @@ using namespace glm;  // GLSL's names for vectors and functions, inside this nam
 #include "formula/height.glsl"
 #include "formula/microfacet.glsl"
 #include "formula/mip_mapping.glsl"
+#include "formula/mip_taps.glsl"
 #include "formula/mirror_ball.glsl"
 #include "formula/octahedral.glsl"
 #include "formula/optics.glsl"

@@ -51,6 +51,15 @@ const Case kCases[] = {
     PARITY(brdfTableColumn, unit, kTight, vec4(brdfTableColumn(p.x, p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(brdfTableCoordinates, unit, kTight, vec4(brdfTableCoordinates(p.x, p.y, 128.0f), 0.0f, 0.0f)),
 
+    // bright_light
+    PARITY(brightness, light, kExact, vec4(brightness(vec3(p)), 0.0f, 0.0f, 0.0f)),
+    // The difference of two nearly equal lights.
+    PARITY(lightAbove, light, kTranscendental, vec4(lightAbove(vec3(p), q.x), 0.0f)),
+    PARITY(thresholdsExceeded, light, kExact, thresholdsExceeded(vec3(p), q)),
+    PARITY(firstWithin, light, kExact, vec4(float(firstWithin(p, 64.0f)), 0.0f, 0.0f, 0.0f)),
+    PARITY(coarseThresholds, light, kExact, coarseThresholds(p.x)),
+    PARITY(fineThresholds, light, kTight, fineThresholds(coarseThresholds(0.125f), p, 64.0f)),
+
     // color
     PARITY(linearFromSrgb1, unit, kTranscendental, vec4(linearFromSrgb1(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(srgbFromLinear1, unit, kTranscendental, vec4(srgbFromLinear1(p.x), 0.0f, 0.0f, 0.0f)),
@@ -78,6 +87,9 @@ const Case kCases[] = {
            vec4(cubeCornerSolidAngle(2.0f * p.x - 1.0f, 2.0f * p.y - 1.0f), 0.0f, 0.0f, 0.0f)),
     PARITY(cubeRectangleSolidAngle, unit, kTranscendental,
            vec4(cubeRectangleSolidAngle(p.x - 1.0f, p.y - 1.0f, p.z, p.w), 0.0f, 0.0f, 0.0f)),
+    PARITY(cubeTexelSolidAngle, unit, kTight,
+           vec4(cubeTexelSolidAngle(vec2(p), 4.0f + 1024.0f * r.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(cubeTangent, direction, kTight, vec4(cubeTangent(cubeFace(vec3(p)), vec3(p)), 0.0f)),
 
     // equiangular_cube
     PARITY(equiangular, unit, kTranscendental, vec4(equiangular(2.0f * p.x - 1.0f), 0.0f, 0.0f, 0.0f)),
@@ -109,6 +121,10 @@ const Case kCases[] = {
     // mip_mapping
     PARITY(lodOfRoughness, unit, kTight, vec4(lodOfRoughness(p.x, 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(roughnessOfLod, unit, kTight, vec4(roughnessOfLod(8.0f * p.x, 8.0f), 0.0f, 0.0f, 0.0f)),
+
+    // mip_taps
+    PARITY(lodOfFootprint, direction, kTranscendental, vec4(lodOfFootprint(8.0f * r.x, vec3(p)), 0.0f, 0.0f, 0.0f)),
+    PARITY(tapDirection, direction, kTight, vec4(tapDirection(vec3(p), vec3(q), vec3(r), vec2(r) * 0.7f), 0.0f)),
 
     // mirror_ball
     // Newton's steps forgive their own rounding; k up to 0.97.

@@ -240,6 +240,13 @@ void Texture::setSampling(const Sampling& sampling) {
   glTexParameteri(target, GL_TEXTURE_WRAP_T, is_cube_ ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_t));
 }
 
+void Texture::setLevels(int first, int last) {
+  assert(first >= 0 && first <= last && last < levels_);
+  bindForWork();
+  glTexParameteri(targetOf(is_cube_), GL_TEXTURE_BASE_LEVEL, first);
+  glTexParameteri(targetOf(is_cube_), GL_TEXTURE_MAX_LEVEL, last);
+}
+
 Image Texture::read(int level, int face) const {
   assert(level >= 0 && level < levels_);
   GLint previous = 0;

@@ -68,6 +68,10 @@ class Texture {
 
   void setSampling(const Sampling& sampling);
 
+  /// Shaders see only the levels from `first` to `last`, `first` being their lod 0: a level that is drawn into must not
+  /// be among those that are read.
+  void setLevels(int first, int last);
+
   /// Binds to a texture unit, 0 to 14, for the sampler uniform that is set to that number.
   void bind(int unit) const;
 

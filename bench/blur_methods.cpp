@@ -154,7 +154,7 @@ BlurMethod importanceSampling(unsigned count, bool of_mips) {
       });
     };
   };
-  const std::string family = of_mips ? "samples of mip levels" : "samples";
+  const std::string family = of_mips ? "samples of mip levels" : "samples of the map";
   return {std::to_string(count) + " " + family, family, true, true, prepare};
 }
 

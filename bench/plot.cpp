@@ -13,7 +13,7 @@ constexpr double kLeft = 84.0;
 constexpr double kTop = 48.0;
 constexpr double kPlotWidth = 560.0;
 constexpr double kPlotHeight = 400.0;
-constexpr double kLegendWidth = 210.0;
+constexpr double kLegendWidth = 240.0;
 
 /// Colours that colour-blind people tell apart (Okabe and Ito 2008), without the yellow.
 constexpr std::array<const char*, 8> kColors{"#d55e00", "#0072b2", "#009e73", "#cc79a7",
@@ -22,6 +22,14 @@ constexpr std::array<const char*, 8> kColors{"#d55e00", "#0072b2", "#009e73", "#
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.7g", value);
+  return text;
+}
+
+/// A number beside an axis: without an exponent, so that those of an axis look alike.
+std::string tickLabel(double value) {
+  const int decimals = value > 0.0 && value < 1.0 ? static_cast<int>(std::round(-std::log10(value))) : 0;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
   return text;
 }
 
@@ -97,12 +105,12 @@ std::string grid(const Frame& frame) {
   for (const Scale::Tick& tick : frame.across.ticks()) {
     const double x = kLeft + frame.across.at(tick.value) * kPlotWidth;
     svg += line({x, kTop}, {x, kTop + kPlotHeight}, style(tick.has_label));
-    if (tick.has_label) svg += words({x, kTop + kPlotHeight + 20.0}, number(tick.value), "text-anchor=\"middle\"");
+    if (tick.has_label) svg += words({x, kTop + kPlotHeight + 20.0}, tickLabel(tick.value), "text-anchor=\"middle\"");
   }
   for (const Scale::Tick& tick : frame.up.ticks()) {
     const double y = kTop + (1.0 - frame.up.at(tick.value)) * kPlotHeight;
     svg += line({kLeft, y}, {kLeft + kPlotWidth, y}, style(tick.has_label));
-    if (tick.has_label) svg += words({kLeft - 8.0, y + 5.0}, number(tick.value), "text-anchor=\"end\"");
+    if (tick.has_label) svg += words({kLeft - 8.0, y + 5.0}, tickLabel(tick.value), "text-anchor=\"end\"");
   }
   return svg;
 }

@@ -15,7 +15,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
-# Others do not read every compression of OpenEXR, or OpenEXR at all.
+# Others do not read every compression of OpenEXR; what a map was compressed with is not what is timed.
 "$program" convert "$panorama" --to equirect -o in.exr
 "$program" convert "$panorama" --to equirect -o in.hdr
 

@@ -2,6 +2,7 @@
 // build/release/bench/map_error ENV FILE=ROUGHNESS FILE=irradiance…
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <string>
 #include <utility>

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <functional>
@@ -198,11 +199,15 @@ void print(const Outcome& outcome, const Outcome& truth) {
   }
 }
 
-double worstError(const Outcome& outcome, const Outcome& truth) {
+/// relRMSE of a level in percent; at least what a plot's logarithmic axis can show.
+double drawnError(const Outcome& outcome, const Outcome& truth, std::size_t i) {
+  return std::max(100.0 * errorOf(outcome.values[i], truthOf(truth, outcome.targets[i])).relative_rms, 1e-6);
+}
+
+double worstDrawnError(const Outcome& outcome, const Outcome& truth) {
   double worst = 0.0;
   for (std::size_t i = 0; i < outcome.targets.size(); ++i)
-    if (!outcome.targets[i].is_irradiance)
-      worst = std::max(worst, errorOf(outcome.values[i], truthOf(truth, outcome.targets[i])).relative_rms);
+    if (!outcome.targets[i].is_irradiance) worst = std::max(worst, drawnError(outcome, truth, i));
   return worst;
 }
 
@@ -225,7 +230,7 @@ void plotErrorOverTime(const std::vector<Outcome>& outcomes, const Outcome& trut
   for (const Outcome& outcome : outcomes) {
     if (outcome.targets.front().is_irradiance) continue;
     if (curves.empty() || curves.back().name != outcome.family) curves.push_back({outcome.family, {}});
-    curves.back().points.emplace_back(chainMilliseconds(outcome), 100.0 * worstError(outcome, truth));
+    curves.back().points.emplace_back(chainMilliseconds(outcome), worstDrawnError(outcome, truth));
     const std::size_t end = outcome.method.find(' ');
     if (outcome.method != outcome.family) curves.back().labels.push_back(outcome.method.substr(0, end));
   }
@@ -239,8 +244,7 @@ void plotErrorByLevel(const std::vector<Outcome>& outcomes, const Outcome& truth
     Curve curve{outcome.method, {}};
     for (std::size_t i = 0; i < outcome.targets.size(); ++i)
       if (!outcome.targets[i].is_irradiance)
-        curve.points.emplace_back(static_cast<double>(i + 1),
-                                  100.0 * errorOf(outcome.values[i], truthOf(truth, outcome.targets[i])).relative_rms);
+        curve.points.emplace_back(static_cast<double>(i + 1), drawnError(outcome, truth, i));
     if (!curve.points.empty()) curves.push_back(std::move(curve));
   }
   write(path, svgPlot("Error by level", {"level of the chain, the last of roughness 1", false}, {"relRMSE, %", true},

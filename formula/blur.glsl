@@ -3,18 +3,19 @@
 
 struct Blur {
   int kind;              // 0 prefiltered, 1 a mip level, 2 many rays in a cone
+  float first_level;     // of the prefiltered chain: the texture's level 0
   float last_level;      // of the prefiltered chain: that of roughness 1
   float roughest_level;  // of the mip levels: that of roughness 1
   float coarser;         // levels by which the chain's level 0 would have fewer texels than the environment
 };
 
-// The exact chain (bake/prefilter.h), without the mirror's level 0: the environment itself stands in for it, with as many
-// mip levels as a pixel's footprint asks for. So the texture's level 0 is the chain's 1.
+// A chain of bake/prefilter.h. For the mirror's level 0 the environment itself stands in, with as many mip levels as a
+// pixel's footprint asks for.
 FN vec4 prefilteredLight(Blur blur, CUBE_SAMPLER environment, CUBE_SAMPLER prefiltered, vec3 d,
                          float perceptual_roughness, float minified) {
   float lod = lodOfRoughness(perceptual_roughness, blur.last_level);
   if (lod <= 0.0f) return sampleLod(environment, d, minified);
-  vec4 rough = sampleLod(prefiltered, d, max(max(lod, 1.0f), minified - blur.coarser) - 1.0f);
+  vec4 rough = sampleLod(prefiltered, d, max(max(lod, 1.0f), minified - blur.coarser) - blur.first_level);
   if (lod >= 1.0f) return rough;
   return mix(sampleLod(environment, d, minified), rough, lod);
 }

@@ -34,6 +34,7 @@ uniform float environment_intensity;
 uniform samplerCube prefiltered;
 uniform samplerCube irradiance;  // divided by π
 uniform int blur_kind;
+uniform float first_level;
 uniform float last_level;
 uniform float roughest_level;
 uniform float coarser;
@@ -153,7 +154,7 @@ Surface surfaceHere(vec3 n, vec3 color) {
   return s;
 }
 
-Blur blurHere() { return Blur(blur_kind, last_level, roughest_level, coarser); }
+Blur blurHere() { return Blur(blur_kind, first_level, last_level, roughest_level, coarser); }
 
 vec3 reflectedLight(Surface s, vec3 ray) {
 #ifdef SPHERE_MAPPING

@@ -38,7 +38,7 @@ const std::array<Option<BakeOptions>, 15> kOptions{{
      choiceField<&BakeOptions::distribution>},
     {{.name = "mip-mapping",
       .choices = "filament|linear|unreal|unity|frostbite",
-      .help = "which level is for which roughness; filament's is three.js' too"},
+      .help = "which level is for which roughness, as that engine looks it up"},
      choiceField<&BakeOptions::mip_mapping>},
     {{.name = "irradiance-size",
       .value = "N",

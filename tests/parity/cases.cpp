@@ -39,12 +39,12 @@ constexpr float kAngleNearSun = 2e-3f;
 const Case kCases[] = {
     // blur
     PARITY(prefilteredLight, direction, kTight,
-           prefilteredLight(Blur(0, 6.0f, 7.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x, 4.0f * r.y)),
+           prefilteredLight(Blur(0, 1.0f, 6.0f, 7.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x, 4.0f * r.y)),
     PARITY(coneRay, unit, kTranscendental, vec4(coneRay(0.0625f + p.x, int(63.9375f * p.y), 64), 0.0f)),
     // The sum of 64 rays in a cube that is as bright as its direction.
     PARITY(coneLight, direction, kTranscendental, coneLight(SmoothCube(2.0f), vec3(p), 0.25f + 0.5f * r.x, r.y)),
     PARITY(blurredLight, direction, kTranscendental,
-           blurredLight(Blur(int(1.9375f * r.w), 6.0f, 7.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x,
+           blurredLight(Blur(int(1.9375f * r.w), 1.0f, 6.0f, 7.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x,
                         4.0f * r.y)),
 
     // brdf_table
@@ -233,7 +233,7 @@ const Case kCases[] = {
     PARITY(diffuseAlbedo, direction, kTranscendental, vec4(diffuseAlbedo(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(refractedLight, direction, kTranscendental,
            vec4(refractedLight(testSurface(p, q, r), vec3(p), mat3(vec3(q), vec3(p), vec3(r)),
-                               Blur(int(1.9375f * r.w), 6.0f, 7.0f, 1.0f), SmoothCube(2.0f), SmoothCube(3.0f)),
+                               Blur(int(1.9375f * r.w), 1.0f, 6.0f, 7.0f, 1.0f), SmoothCube(2.0f), SmoothCube(3.0f)),
                 0.0f)),
     PARITY(shadedByEnvironment, direction, kTranscendental,
            vec4(shadedByEnvironment(testSurface(p, q, r), vec3(p), vec3(r), vec3(0.5f, 1.0f, 2.0f),

@@ -20,11 +20,16 @@ constexpr int kMostBrightLights = 128;
 constexpr float kTolerance = 3e-3f;
 
 /// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier transform
-/// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5.
+/// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5. And a row has at least as many texels as there are
+/// bands: white texels then have no light in any order but 0, by which all is divided.
 int leastRows(const std::vector<Lobe>& lobes) {
   float narrowest = 1.0f;
-  for (const Lobe& lobe : lobes) narrowest = std::min(narrowest, lobe.width());
-  return static_cast<int>(std::ceil(2.5f / narrowest));
+  std::size_t bands = 0;
+  for (const Lobe& lobe : lobes) {
+    narrowest = std::min(narrowest, lobe.width());
+    bands = std::max(bands, lobe.bands().size());
+  }
+  return std::max(static_cast<int>(std::ceil(2.5f / narrowest)), static_cast<int>(bands + 1) / 2);
 }
 
 bool isDenseEnough(const EnvironmentMap& map, int rows) {

@@ -15,7 +15,7 @@ namespace mirrorball {
 
 /// Which roughness each level of a chain is for; docs/prefiltering.md has a table of them.
 enum class MipMapping {
-  filament,   ///< lod = M r (2 − r), three.js' too
+  filament,   ///< lod = M r (2 − r)
   linear,     ///< lod = M r
   unreal,     ///< lod = M + 1.2 log₂ r
   unity,      ///< lod = M r (1.7 − 0.7 r)

@@ -87,10 +87,6 @@ Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepa
   return EnvironmentLight(std::move(cube), std::move(prefiltered), std::move(irradiance));
 }
 
-float EnvironmentLight::coarser() const {
-  return std::log2(static_cast<float>(cube_.width()) / (2.0f * static_cast<float>(prefiltered_.width())));
-}
-
 float EnvironmentLight::roughestLevel() const {
   const float last = static_cast<float>(cube_.levels() - 1);
   return std::clamp(std::log2(static_cast<float>(cube_.width())) - 2.0f, 0.0f, last);

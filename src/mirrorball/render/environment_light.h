@@ -41,6 +41,7 @@ class EnvironmentLight {
   static Result<EnvironmentLight> make(const PreparedEnvironment& prepared);
 
   const gl::Texture& cube() const { return cube_; }
+  /// PreparedEnvironment::prefiltered: level 1 and the further ones of a chain.
   const gl::Texture& prefiltered() const { return prefiltered_; }
   const gl::Texture& irradiance() const { return irradiance_; }
 
@@ -49,11 +50,6 @@ class EnvironmentLight {
 
   /// Of level 0, in the middle of a face.
   float texelsPerRadian() const;
-
-  /// The prefiltered chain's level of roughness 1.
-  float lastLevel() const { return static_cast<float>(prefiltered_.levels()); }
-  /// How many levels coarser than the environment its level 0 would be.
-  float coarser() const;
 
  private:
   EnvironmentLight(gl::Texture cube, gl::Texture prefiltered, gl::Texture irradiance)

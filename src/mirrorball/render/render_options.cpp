@@ -98,7 +98,7 @@ const std::array<Option<RenderOptions>, 19> kOptions{{
       .group = "Environment"},
      &RenderOptions::env_intensity},
     {{.name = "blur",
-      .choices = "exact|mip|cone",
+      .choices = "exact|gpu|mip|cone",
       .help =
           "how rough surfaces blur the environment: prefiltered exactly, by a coarser mip level, or by the mean of 64 "
           "rays in a cone",

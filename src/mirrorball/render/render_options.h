@@ -19,7 +19,7 @@ enum class ToneMap { agx, aces, neutral, reinhard, linear };  ///< formula::tone
 enum class Mapping { reflection, normal, sphere };
 enum class ReflectAt { vertex, fragment };
 enum class FresnelOverride { material, exact, schlick, empirical };
-enum class BlurKind { exact, mip, cone };  ///< Blur::kind in formula/blur.glsl
+enum class BlurKind { exact, gpu, mip, cone };
 enum class BackgroundKind { environment, blur, color, transparent };
 
 /// A point light, for Phong's model.

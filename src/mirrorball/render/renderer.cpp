@@ -11,6 +11,7 @@
 
 #include "formula/formula.h"
 #include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/render/gpu_prefilter.h"
 #include "mirrorball/render/scene_buffers.h"
 #include "mirrorball/render/sphere_map.h"
 #include "mirrorball/render/surface_program.h"
@@ -59,6 +60,7 @@ struct Renderer::State {
   gl::Program accumulate;
   gl::Program tone_map;
   gl::VertexArray screen;
+  std::optional<GpuPrefilter> gpu_prefilter;  ///< made when --blur gpu first asks for it
   std::optional<gl::Texture> sphere_map;
   std::optional<gl::Framebuffer> sample;  ///< one sample's picture
   std::optional<gl::Framebuffer> sum;     ///< the mean, when there is more than one
@@ -68,6 +70,7 @@ struct Renderer::State {
   const gl::Framebuffer& result() const { return samples > 1 ? *sum : *sample; }
 
   Result<void> makeFramebuffers(const FrameSettings& settings);
+  Result<PrefilteredChain> prefilteredChain(BlurKind blur);
   Result<void> makeSphereMap(const FrameUniforms& frame);
   Result<void> drawSample(const FrameUniforms& frame, const FrameSettings& settings);
   void drawBackground(const FrameUniforms& frame, const FrameSettings& settings);
@@ -113,6 +116,7 @@ Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, 
                                                    {},
                                                    {},
                                                    {},
+                                                   {},
                                                    1}));
 }
 
@@ -129,6 +133,8 @@ Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings,
   MIRRORBALL_TRY_VOID(state.makeFramebuffers(settings));
 
   FrameUniforms frame;
+  MIRRORBALL_TRY(chain, state.prefilteredChain(settings.blur));
+  frame.prefiltered = chain;
   frame.camera = camera;
   frame.environment_from_world = environmentFromWorld(settings.env_rotation_rad);
   frame.texture_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
@@ -180,6 +186,17 @@ Result<void> Renderer::State::makeFramebuffers(const FrameSettings& settings) {
   return {};
 }
 
+Result<PrefilteredChain> Renderer::State::prefilteredChain(BlurKind blur) {
+  if (blur != BlurKind::gpu) return PrefilteredChain{&light.prefiltered(), 1};
+  if (!gpu_prefilter) {
+    const gl::Texture& cube = light.cube();
+    MIRRORBALL_TRY(made, GpuPrefilter::make(api, cube.width(), cube.format()));
+    gpu_prefilter = std::move(made);
+    gpu_prefilter->run(cube);
+  }
+  return PrefilteredChain{&gpu_prefilter->chain(), 0};
+}
+
 /// Photographs the mirror ball from the camera's direction, so that the seeds' look-up is right for every camera.
 Result<void> Renderer::State::makeSphereMap(const FrameUniforms& frame) {
   const glm::mat3 environment_from_view =
@@ -214,8 +231,9 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   const bool blurred = settings.background == BackgroundKind::blur;
   glDisable(GL_CULL_FACE);
   // Blurred exactly it is one level of the prefiltered chain.
-  const bool is_prefiltered = blurred && settings.blur == BlurKind::exact;
-  const gl::Texture& cube = is_prefiltered ? light.prefiltered() : light.cube();
+  const bool is_prefiltered = blurred && (settings.blur == BlurKind::exact || settings.blur == BlurKind::gpu);
+  const PrefilteredChain& chain = frame.prefiltered;
+  const gl::Texture& cube = is_prefiltered ? *chain.texture : light.cube();
   cube.bind(TextureUnit::environment);
   background.set("environment", TextureUnit::environment);
   background.set("environment_from_world", frame.environment_from_world);
@@ -228,8 +246,10 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   background.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
   background.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
   background.set("samples_per_pixel", static_cast<float>(settings.samples));
-  const float blurred_level = is_prefiltered ? formula::lodOfRoughness(kBackgroundRoughness, light.lastLevel()) - 1.0f
-                                             : formula::lodOfLobe(kBackgroundRoughness, light.roughestLevel());
+  const float blurred_level =
+      is_prefiltered ? formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
+                           static_cast<float>(chain.first_level)
+                     : formula::lodOfLobe(kBackgroundRoughness, light.roughestLevel());
   background.set("least_level", blurred ? blurred_level : 0.0f);
   screen.draw(3);
 }

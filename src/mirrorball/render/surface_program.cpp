@@ -74,6 +74,18 @@ void setMaterial(gl::Program& program, const Material& material, const SceneBuff
       setSlot(program, slot, texture, buffers, unit++);
 }
 
+/// Blur::kind in formula/blur.glsl: both chains are looked up alike.
+int blurKindOfFormula(BlurKind blur) {
+  switch (blur) {
+    case BlurKind::mip:
+      return 1;
+    case BlurKind::cone:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
 void setFrame(gl::Program& program, const EnvironmentLight& light, const FrameUniforms& frame,
               const FrameSettings& settings) {
   program.set("clip_from_world", frame.camera.clip_from_view * frame.camera.view_from_world);
@@ -84,14 +96,16 @@ void setFrame(gl::Program& program, const EnvironmentLight& light, const FrameUn
   program.set("environment", TextureUnit::environment);
   program.set("environment_from_world", frame.environment_from_world);
   program.set("environment_intensity", settings.env_intensity);
-  light.prefiltered().bind(TextureUnit::prefiltered);
+  const PrefilteredChain& chain = frame.prefiltered;
+  chain.texture->bind(TextureUnit::prefiltered);
   program.set("prefiltered", TextureUnit::prefiltered);
   light.irradiance().bind(TextureUnit::irradiance);
   program.set("irradiance", TextureUnit::irradiance);
-  program.set("blur_kind", static_cast<int>(settings.blur));
-  program.set("last_level", light.lastLevel());
+  program.set("blur_kind", blurKindOfFormula(settings.blur));
+  program.set("first_level", static_cast<float>(chain.first_level));
+  program.set("last_level", static_cast<float>(chain.lastLevel()));
   program.set("roughest_level", light.roughestLevel());
-  program.set("coarser", light.coarser());
+  program.set("coarser", std::log2(static_cast<float>(light.cube().width()) / static_cast<float>(chain.size())));
   program.set("texels_per_radian", light.texelsPerRadian());
   program.set("samples_per_pixel", static_cast<float>(settings.samples));
   program.set("sphere_map", TextureUnit::sphere_map);

@@ -30,8 +30,20 @@ struct TextureUnit {
   static constexpr int first_of_material = 6;
 };
 
+/// A chain of prefiltered cubes, of which a texture holds the levels from `first_level` on.
+struct PrefilteredChain {
+  const gl::Texture* texture = nullptr;
+  int first_level = 0;
+
+  /// That of roughness 1.
+  int lastLevel() const { return first_level + texture->levels() - 1; }
+  /// The side of its level 0, in the texture or not.
+  int size() const { return texture->width() << first_level; }
+};
+
 /// What all surfaces of a frame share.
 struct FrameUniforms {
+  PrefilteredChain prefiltered;
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
   glm::mat4 texture_matrix{1.0f};  ///< of the sphere map

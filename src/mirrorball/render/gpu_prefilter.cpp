@@ -18,9 +18,11 @@ namespace {
 
 enum Unit { kRest, kLights, kChosen, kCoarseLights, kCoarseChosen, kTaps };
 
-/// The coarse split is that of the mip level so many before the last, of 64² texels where the last has 4²: for the lobes
-/// of the three roughest levels, 0.18 and wider, points of light 0.03 apart are exact enough.
+/// The coarse split is that of the mip level so many before the last: of 64² texels where the last has 4².
 constexpr int kCoarseBeforeLast = 4;
+
+/// It is for lobes that are at least so many of its texels wide: its points of light stand for what a texel saw.
+constexpr float kWideLobe = 2.5f;
 
 /// Mip levels of a rest: the widest taps of roughness 1 reach a little beyond the last level of the chain.
 int restLevels(int size) { return lastLevel(size) + 2; }
@@ -99,24 +101,22 @@ Result<GpuPrefilter::Programs> GpuPrefilter::loadPrograms(gl::Api api) {
 /// The lobe of each level and its taps, whose footprints are told in texels of the rest that they read.
 void GpuPrefilter::findTaps() {
   const std::vector<Lobe> lobes = lobesOf(prefilterLevels(optionsFor(chain_.width())));
-  std::vector<std::vector<LobeTap>> found(lobes.size());
-  const auto texelFor = [&](std::size_t i) {
-    const bool is_coarse = static_cast<int>(i) + 1 >= firstCoarse();
-    return texelWidth(is_coarse ? coarse_split_->rest().width() : chain_.width());
-  };
-  parallelFor(lobes.size(), 1, [&](std::size_t i, std::size_t) {
-    const Rings rings = ringsFor(static_cast<int>(i) + 1);
-    found[i] = lobeTaps(lobes[i], texelFor(i), rings.count, rings.points);
-  });
+  const float fine_texel = texelWidth(chain_.width());
+  const float coarse_texel = coarse_split_ ? texelWidth(coarse_split_->rest().width()) : INFINITY;
   Image rows(kMostTaps, taps_.height(), 4);
-  for (std::size_t i = 0; i < lobes.size(); ++i) {
-    levels_.push_back({lobes[i].ggxAlpha(), lobes[i].scale(), static_cast<int>(found[i].size())});
+  levels_.resize(lobes.size());
+  parallelFor(lobes.size(), 1, [&](std::size_t i, std::size_t) {
+    const bool is_coarse = lobes[i].width() >= kWideLobe * coarse_texel;
+    const float texel_width = is_coarse ? coarse_texel : fine_texel;
+    const Rings rings = ringsFor(static_cast<int>(i) + 1);
+    const std::vector<LobeTap> taps = lobeTaps(lobes[i], texel_width, rings.count, rings.points);
     float* texel = rows.texel(0, static_cast<int>(i));
-    for (const LobeTap& tap : found[i]) {
-      const glm::vec4 values(tap.place, std::log2(tap.footprint_rad / texelFor(i)), tap.weight);
+    for (const LobeTap& tap : taps) {
+      const glm::vec4 values(tap.place, std::log2(tap.footprint_rad / texel_width), tap.weight);
       texel = std::copy_n(&values.x, 4, texel);
     }
-  }
+    levels_[i] = {lobes[i].ggxAlpha(), lobes[i].scale(), static_cast<int>(taps.size()), is_coarse};
+  });
   taps_.upload(0, 0, rows);
 }
 
@@ -139,22 +139,21 @@ void GpuPrefilter::run(const gl::Texture& cube) {
 }
 
 void GpuPrefilter::drawLevel(int level) {
-  const bool is_coarse = level >= firstCoarse();
-  LightSplit& coarse = is_coarse ? *coarse_split_ : split_;
+  const Level& made = levels_[static_cast<std::size_t>(level - 1)];
+  LightSplit& coarse = made.is_coarse ? *coarse_split_ : split_;
   coarse.rest().bind(kRest);
   split_.lights().bind(kLights);
   split_.chosen().bind(kChosen);
   coarse.lights().bind(kCoarseLights);
   coarse.chosen().bind(kCoarseChosen);
   taps_.bind(kTaps);
-  const Level& made = levels_[static_cast<std::size_t>(level - 1)];
   gl::Program& program = programs_.level;
   program.set("rest", kRest);
   program.set("lights", kLights);
   program.set("chosen", kChosen);
   program.set("coarse_lights", kCoarseLights);
   program.set("coarse_chosen", kCoarseChosen);
-  program.set("coarse", is_coarse ? 1 : 0);
+  program.set("coarse", made.is_coarse ? 1 : 0);
   program.set("taps", kTaps);
   program.set("tap_row", level - 1);
   program.set("tap_count", made.taps);

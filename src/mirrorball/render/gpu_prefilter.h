@@ -16,8 +16,8 @@ namespace mirrorball {
 ///
 /// The brightest texels become points of light, whose lobes are exact (render/light_split.h); of the mip levels of the
 /// rest each texel of the chain takes weighted reads (render/lobe_taps.h): about 64 in the two finest levels, up to
-/// kMostTaps in the others, which have few texels. For the three roughest levels the light is split a second time, in a
-/// coarse mip level, where a point stands for many texels. docs/prefiltering.md tells how far all that is from the exact
+/// kMostTaps in the others, which have few texels. For wide lobes the light is split a second time, in a coarse mip
+/// level, where a point stands for many texels. docs/prefiltering.md tells how far all that is from the exact
 /// chain.
 class GpuPrefilter {
  public:
@@ -52,6 +52,7 @@ class GpuPrefilter {
     float alpha;
     float lobe_scale;
     int taps;
+    bool is_coarse;  ///< takes its light from the coarse split
   };
 
   GpuPrefilter(Programs programs, LightSplit split, std::optional<LightSplit> coarse_split, gl::Texture taps,
@@ -59,9 +60,6 @@ class GpuPrefilter {
   static Result<Programs> loadPrograms(gl::Api api);
   void findTaps();
   void drawLevel(int level);
-
-  /// The first level that takes its light from the coarse split.
-  int firstCoarse() const { return coarse_split_ ? chain_.levels() - 3 : chain_.levels(); }
 
   Programs programs_;
   LightSplit split_;

@@ -20,16 +20,12 @@ constexpr int kMostBrightLights = 128;
 constexpr float kTolerance = 3e-3f;
 
 /// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier transform
-/// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5. And a row has at least as many texels as there are
+/// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5. And a row has at least as many texels as wide lobes have
 /// bands: white texels then have no light in any order but 0, by which all is divided.
 int leastRows(const std::vector<Lobe>& lobes) {
   float narrowest = 1.0f;
-  std::size_t bands = 0;
-  for (const Lobe& lobe : lobes) {
-    narrowest = std::min(narrowest, lobe.width());
-    bands = std::max(bands, lobe.bands().size());
-  }
-  return std::max(static_cast<int>(std::ceil(2.5f / narrowest)), static_cast<int>(bands + 1) / 2);
+  for (const Lobe& lobe : lobes) narrowest = std::min(narrowest, lobe.width());
+  return std::max(static_cast<int>(std::ceil(2.5f / narrowest)), Lobe::kCheapBands / 2);
 }
 
 bool isDenseEnough(const EnvironmentMap& map, int rows) {
@@ -38,11 +34,22 @@ bool isDenseEnough(const EnvironmentMap& map, int rows) {
   return texelDensity(map.projection(), map.size()) >= texelDensity(Projection::equirect, rows);
 }
 
+/// As a panorama of at least so many rows.
 Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows) {
+  const int natural = environment.naturalSize(Projection::equirect);
   // A function may be as smooth as it likes: with that many rows the first harmonics are right to 1e-4.
   constexpr int kLeastRowsOfFunction = 256;
-  const int least = environment.map() ? least_rows : std::max(least_rows, kLeastRowsOfFunction);
-  return convert(environment, Projection::equirect, std::max(least, environment.naturalSize(Projection::equirect)));
+  // Few texels are seen as tents between which nothing is lost; a cubic would be raised beside a lamp in the dark, and
+  // more than two points across each keep its flux.
+  constexpr int kPointsAcrossTexel = 4;
+  constexpr int kMostRowsForThat = 2048;
+  const int rows = std::max(least_rows, natural);
+  const EnvironmentMap* map = environment.map();
+  if (!map) return convert(environment, Projection::equirect, std::max(rows, kLeastRowsOfFunction));
+  if (isDenseEnough(*map, least_rows)) return convert(environment, Projection::equirect, rows);
+  return convert(environment, Projection::equirect,
+                 std::max(rows, std::min(kPointsAcrossTexel * natural, kMostRowsForThat)),
+                 {.interpolation = Interpolation::bilinear});
 }
 
 }  // namespace

@@ -197,7 +197,7 @@ Result<void> bakeFolder(const BakeRequest& request, StageClock& clock) {
   MIRRORBALL_TRY(set, bakeSet(loaded.environment, options, clock));
   set.brdf = std::move(brdf);
   MIRRORBALL_TRY_VOID(makeFolder(files.folder));
-  return clock.time("files: write", [&] { return writeSet(set, files, options); });
+  return clock.time("files: write", [&] { return writeSet(std::move(set), files, options); });
 }
 
 Result<void> bake(const BakeRequest& request) {

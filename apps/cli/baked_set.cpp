@@ -1,9 +1,12 @@
 #include "cli/baked_set.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -52,7 +55,10 @@ Json harmonicsJson(const Harmonics& radiance, const BakeOptions& options) {
 }
 
 std::string harmonicsHeader(const Harmonics& radiance, const std::string& source) {
-  std::string text = "// Spherical harmonics of " + source + ", made by mirrorball bake:\n// " + kHarmonicsConvention +
+  std::string name = source;
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char letter) { return std::iscntrl(letter) != 0 || letter == '\\'; }, '_');
+  std::string text = "// Spherical harmonics of " + name + ", made by mirrorball bake:\n// " + kHarmonicsConvention +
                      ".\n#pragma once\n";
   for (const NamedHarmonics& form : formsOf(radiance)) {
     text += "\n// " + std::string(form.meaning) + "\nstatic const float mirrorball_" + form.name + "[" +
@@ -134,6 +140,9 @@ Json manifestOf(const BakedSet& set, const BakedFiles& files, const BakeOptions&
   return json;
 }
 
+/// File names need not be UTF-8, which JSON is.
+std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
 Result<void> writeText(const std::string& path, const std::string& text) {
   const std::string_view view(text);
   MIRRORBALL_TRY_VOID(writeFile(path, {reinterpret_cast<const std::uint8_t*>(view.data()), view.size()}));
@@ -163,14 +172,17 @@ Result<void> writeBrdf(const Image& table, const std::string& path) {
 
 }  // namespace
 
-Result<void> writeSet(const BakedSet& set, const BakedFiles& files, const BakeOptions& options) {
-  MIRRORBALL_TRY(specular, files.specular.writeLevels(set.specular));
-  MIRRORBALL_TRY(irradiance, files.irradiance.writeLevels(set.irradiance.images()));
+Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& options) {
+  // An older manifest would tell of other maps than those that now take their places.
+  std::error_code missing;
+  std::filesystem::remove(files.folder + "/manifest.json", missing);
+  MIRRORBALL_TRY(specular, files.specular.writeLevels(std::move(set.specular)));
+  MIRRORBALL_TRY(irradiance, files.irradiance.writeLevels(std::move(set.irradiance).takeImages()));
   MIRRORBALL_TRY_VOID(writeBrdf(set.brdf, files.brdf));
   const std::string folder = files.folder + "/";
-  MIRRORBALL_TRY_VOID(writeText(folder + "sh.json", harmonicsJson(set.radiance, options).dump(2) + "\n"));
+  MIRRORBALL_TRY_VOID(writeText(folder + "sh.json", textOf(harmonicsJson(set.radiance, options))));
   MIRRORBALL_TRY_VOID(writeText(folder + "sh.h", harmonicsHeader(set.radiance, files.source)));
-  return writeText(folder + "manifest.json", manifestOf(set, files, options, specular, irradiance).dump(2) + "\n");
+  return writeText(folder + "manifest.json", textOf(manifestOf(set, files, options, specular, irradiance)));
 }
 
 }  // namespace mirrorball::cli

@@ -31,6 +31,6 @@ struct BakedFiles {
 /// which says what is what.
 ///
 /// errors   as writeImageSet's and writeImage's
-Result<void> writeSet(const BakedSet& set, const BakedFiles& files, const BakeOptions& options);
+Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& options);
 
 }  // namespace mirrorball::cli

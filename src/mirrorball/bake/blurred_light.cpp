@@ -12,8 +12,8 @@
 namespace mirrorball {
 namespace {
 
-/// A sun of half a degree has 101 texels in a panorama of 8192 × 4096.
-constexpr int kMostBrightLights = 128;
+/// A sun of half a degree has 101 texels in a panorama of 8192 × 4096 at the horizon, and twice as many 60° above it.
+constexpr int kMostBrightLights = 256;
 
 /// What may be missing at the darkest part of a map, by the bound of lightContrast. What is missing in fact is ten to
 /// thirty times less (docs/prefiltering.md).
@@ -57,16 +57,16 @@ Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows) {
 Result<LightHarmonics> LightHarmonics::make(const Environment& environment, const std::vector<Lobe>& lobes) {
   const int rows = leastRows(lobes);
   const EnvironmentMap* map = environment.map();
-  const bool is_dense = map && isDenseEnough(*map, rows);
   BrightLights bright;
-  BrightLights in_panorama;
+  BrightLights in_panorama;  // what has to be left out of it
   EnvironmentMap converted;
   const EnvironmentMap* panorama = map;
-  if (is_dense && map->projection() == Projection::equirect) {
-    bright = in_panorama = brightLights(*map, kMostBrightLights);
-  } else if (is_dense) {
-    // Single texels are points of light in the map that they come from; converted they would be smeared.
-    bright = brightLights(*map, kMostBrightLights);
+  // Single texels are points of light in the map that they come from; converted they would be smeared. But of a map of
+  // very few texels they would be seen as points.
+  if (map && isDenseEnough(*map, rows / 4)) bright = brightLights(*map, kMostBrightLights);
+  if (map && map->projection() == Projection::equirect && isDenseEnough(*map, rows)) {
+    in_panorama = bright;
+  } else if (!bright.texels.empty()) {
     EnvironmentMap without = *map;
     subtract(bright, without);
     MIRRORBALL_TRY(laid_out, laidOut(Environment(std::move(without)), rows));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "mirrorball/base/parallel.h"
@@ -20,23 +22,23 @@ struct RowSums {
   std::array<glm::vec3, kPartsAcross> parts{};
 };
 
-RowSums sumsOfRow(const Image& image, int y, const std::vector<bool>& is_left_out) {
+/// The light of a row's texels, of those that count.
+std::vector<glm::vec3> lightOfRow(const Image& image, int y, const std::vector<bool>& is_left_out) {
+  std::vector<glm::vec3> light(std::size_t(image.width()), glm::vec3(0.0f));
+  for (std::size_t x = 0; x < light.size(); ++x)
+    if (is_left_out.empty() || !is_left_out[x]) light[x] = rgbAt(image, static_cast<int>(x), y);
+  return light;
+}
+
+RowSums sumsOfRow(std::span<const glm::vec3> above, std::span<const glm::vec3> row, std::span<const glm::vec3> below) {
   RowSums sums;
-  const int width = image.width();
-  const auto at = [&](int x) {
-    const bool is_out = !is_left_out.empty() && is_left_out[std::size_t(x)];
-    return is_out ? glm::vec3(0.0f) : rgbAt(image, x, y);
-  };
+  const std::size_t width = row.size();
   glm::vec3 squares(0.0f);
-  glm::vec3 left = at(width - 1);
-  glm::vec3 here = at(0);
-  for (int x = 0; x < width; ++x) {
-    const glm::vec3 right = at(x + 1 < width ? x + 1 : 0);
-    const glm::vec3 difference = here - 0.5f * (left + right);
+  for (std::size_t x = 0; x < width; ++x) {
+    const glm::vec3 beside = row[x > 0 ? x - 1 : width - 1] + row[x + 1 < width ? x + 1 : 0];
+    const glm::vec3 difference = row[x] - 0.25f * (beside + above[x] + below[x]);
     squares += difference * difference;
-    sums.parts[std::size_t(x) * kPartsAcross / std::size_t(width)] += here;
-    left = here;
-    here = right;
+    sums.parts[x * kPartsAcross / width] += row[x];
   }
   sums.squares = glm::dvec3(squares);
   return sums;
@@ -54,8 +56,16 @@ float lightContrast(const EnvironmentMap& panorama, const BrightLights& without)
     row[std::size_t(bright.texel.x)] = true;
   }
   std::vector<RowSums> rows(height);
+  const auto lightOf = [&](std::size_t y) { return lightOfRow(image, static_cast<int>(y), left_out[y]); };
   parallelFor(height, 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t y = begin; y < end; ++y) rows[y] = sumsOfRow(image, static_cast<int>(y), left_out[y]);
+    std::vector<glm::vec3> above = lightOf(begin > 0 ? begin - 1 : begin);
+    std::vector<glm::vec3> here = lightOf(begin);
+    for (std::size_t y = begin; y < end; ++y) {
+      std::vector<glm::vec3> below = y + 1 < height ? lightOf(y + 1) : here;
+      rows[y] = sumsOfRow(above, here, below);
+      above = std::move(here);
+      here = std::move(below);
+    }
   });
 
   glm::dvec3 power(0.0);
@@ -64,7 +74,7 @@ float lightContrast(const EnvironmentMap& panorama, const BrightLights& without)
     const double weight = 2.0 * std::numbers::pi / image.width() *
                           (std::cos(std::numbers::pi * double(y) / double(height)) -
                            std::cos(std::numbers::pi * double(y + 1) / double(height)));
-    power += rows[y].squares * (weight * weight * 2.0 / 3.0);
+    power += rows[y].squares * (weight * weight * 4.0 / 5.0);
     for (std::size_t x = 0; x < kPartsAcross; ++x) parts[y * kPartsDown / height][x] += rows[y].parts[x];
   }
   const float texels_of_part = static_cast<float>(image.texelCount()) / (kPartsAcross * kPartsDown);

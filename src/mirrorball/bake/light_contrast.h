@@ -9,10 +9,10 @@ namespace mirrorball {
 /// many bands it takes.
 ///
 /// A map's finest detail is taken for noise that differs from texel to texel: all harmonics then have the same expected
-/// power Σ (texel's solid angle · its difference from its neighbours' mean)² · ⅔ / 4π. Lamps have less power in high
+/// power Σ (texel's solid angle · its difference from its four neighbours' mean)² · ⅘ / 4π. Lamps have less power in high
 /// bands than that, so that it is an upper bound.
 ///
-/// panorama   equirect, at least three texels wide
+/// panorama   equirect
 /// without    texels that do not count
 /// returns    the square root of 4π times that power, over the radiance of the darkest of 16 × 32 parts of the map; of
 ///            the channel where it is greatest; infinite where a part is black

@@ -57,7 +57,7 @@ float roughnessOfLevel(MipMapping mapping, int level, int last) {
 
 int lastLevel(int size) {
   int level = 0;
-  while (levelSide(size, level) > 1 && levelSide(size, level) / 2 >= 4) ++level;
+  while (levelSide(size, level) / 2 >= 4) ++level;
   return level;
 }
 

@@ -31,7 +31,7 @@ struct PrefilterOptions {
   MipMapping mip_mapping = MipMapping::filament;
 };
 
-/// The last level of a chain: the one of 4² texels a face, or of 1² where there are fewer.
+/// The last level of a chain that has at least 4² texels a face: 0 for sizes below 8.
 int lastLevel(int size);
 
 /// One level of a chain.

@@ -1,6 +1,7 @@
 #include "mirrorball/render/prefilter_cache.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -18,20 +19,22 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Goes up whenever prefiltering gives other values.
-constexpr std::uint32_t kVersion = 1;
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
+constexpr std::uint32_t kVersion = 2;
+constexpr int kKeyDigits = 32;
 constexpr const char* kExtension = ".ktx2";
 
-/// 32 hexadecimal digits of the cube's texels and size.
+/// kKeyDigits hexadecimal digits of the cube's texels and size.
 std::string keyOf(const ImageSet& cube) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
   XXH3_128bits_reset_withSeed(state.get(), kVersion);
+  const int side = cube.at(0, 0).width();
+  XXH3_128bits_update(state.get(), &side, sizeof side);
   for (int face = 0; face < cube.faces(); ++face) {
     const std::span<const float> samples = cube.at(0, face).samples();
     XXH3_128bits_update(state.get(), samples.data(), samples.size_bytes());
   }
   const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
-  char digits[33];
+  char digits[kKeyDigits + 1];
   std::snprintf(digits, sizeof digits, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
                 static_cast<unsigned long long>(hash.low64));
   return digits;
@@ -40,6 +43,15 @@ std::string keyOf(const ImageSet& cube) {
 fs::path chainPath(const fs::path& folder, const std::string& key) { return folder / (key + "-chain" + kExtension); }
 fs::path irradiancePath(const fs::path& folder, const std::string& key) {
   return folder / (key + "-irradiance" + kExtension);
+}
+
+/// Whether it is one of the two files above: whatever else lies in the folder is not touched.
+bool isOurs(const fs::path& path) {
+  const std::string name = path.filename().string();
+  const auto isDigit = [](unsigned char letter) { return std::isxdigit(letter) != 0; };
+  if (name.size() <= kKeyDigits || !std::all_of(name.begin(), name.begin() + kKeyDigits, isDigit)) return false;
+  const std::string key = name.substr(0, kKeyDigits);
+  return path == chainPath(path.parent_path(), key) || path == irradiancePath(path.parent_path(), key);
 }
 
 /// A cube that was written by `write`, now the most recently used.
@@ -66,7 +78,7 @@ std::optional<PrefilterCache> PrefilterCache::ofUser() {
   };
   if (const auto folder = variable("MIRRORBALL_CACHE"))
     return folder->empty() ? std::nullopt : std::optional(PrefilterCache(*folder));
-  if (const auto folder = variable("XDG_CACHE_HOME"); folder && !folder->empty())
+  if (const auto folder = variable("XDG_CACHE_HOME"); folder && fs::path(*folder).is_absolute())
     return PrefilterCache(fs::path(*folder) / "mirrorball");
   if (const auto home = variable("HOME"); home && !home->empty())
     return PrefilterCache(fs::path(*home) / ".cache" / "mirrorball");
@@ -101,14 +113,14 @@ void PrefilterCache::dropOldest() const {
   std::vector<Kept> all;
   std::uintmax_t bytes = 0;
   std::error_code status;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, status)) {
-    if (entry.path().extension() != kExtension) continue;
-    all.push_back({entry.last_write_time(status), entry.path(), entry.file_size(status)});
+  for (fs::directory_iterator entry(folder_, status), end; !status && entry != end; entry.increment(status)) {
+    if (!isOurs(entry->path())) continue;
+    all.push_back({entry->last_write_time(status), entry->path(), entry->file_size(status)});
     bytes += all.back().bytes;
   }
   std::sort(all.begin(), all.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
   for (const Kept& kept : all) {
-    if (bytes <= kMostBytes) return;
+    if (bytes <= most_bytes_) return;
     fs::remove(kept.path, status);
     bytes -= kept.bytes;
   }

@@ -72,6 +72,19 @@ TEST_F(PrefilterCacheTest, AFolderThatCannotBeMadeDoesNoHarm) {
   EXPECT_FALSE(cache.find(cubeOfValue(1.0f)));
 }
 
+TEST_F(PrefilterCacheTest, WhatWasNotUsedForLongestIsDroppedAndNothingElse) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "mine.ktx2") << std::string(5000, 'x');
+  const PrefilterCache cache(folder_, 4000);  // about one cube of 4² and its irradiance
+  for (const float value : {1.0f, 2.0f, 3.0f}) {
+    cache.keep(cubeOfValue(value), {cubeOfValue(value), cubeOfValue(value)});
+    fs::last_write_time(folder_ / "mine.ktx2", fs::file_time_type::min());
+  }
+  EXPECT_TRUE(cache.find(cubeOfValue(3.0f)));
+  EXPECT_FALSE(cache.find(cubeOfValue(1.0f)));
+  EXPECT_TRUE(fs::exists(folder_ / "mine.ktx2"));
+}
+
 TEST_F(PrefilterCacheTest, AnEnvironmentIsPreparedTheSameFromIt) {
   const Environment sky = *builtinEnvironment("sky");
   const EnvironmentMap map = *convert(sky, Projection::equirect, 64);

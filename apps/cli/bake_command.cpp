@@ -106,12 +106,8 @@ void raiseNegative(LoadedEnvironment& loaded) {
 }
 
 Result<LoadedEnvironment> loadLight(const BakeRequest& request) {
-  EnvironmentLoadOptions how{.repair = request.options.repair};
-  if (!request.options.from.empty()) {
-    MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
-    how.from = hint;
-  }
-  MIRRORBALL_TRY(loaded, loadEnvironment(request.environment, how));
+  MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
+  MIRRORBALL_TRY(loaded, loadEnvironment(request.environment, {.from = hint, .repair = request.options.repair}));
   raiseNegative(loaded);
   return loaded;
 }

@@ -40,11 +40,6 @@ const std::array<Option<SceneRequest>, 6> kOptions{{
     {kMaxMemoryText, &SceneRequest::max_memory},
 }};
 
-Result<FormHint> hintFrom(const std::string& from) {
-  if (from.empty()) return FormHint{};
-  return formHintNamed(from);
-}
-
 Result<Scene> loadScene(const std::string& model, const RenderOptions& options) {
   MIRRORBALL_TRY(scene, loadModel(model));
   MIRRORBALL_TRY_VOID(applyMaterialOptions(options, scene));
@@ -64,7 +59,7 @@ void addModel(CLI::App& command, const std::string& name, SceneRequest& request)
 Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions& options,
                                std::span<const std::string> outputs, StageClock& clock) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
-  MIRRORBALL_TRY(hint, hintFrom(request.from));
+  MIRRORBALL_TRY(hint, formHintNamed(request.from));
   // A wrong name among the materials is told before anything is loaded.
   Scene no_scene;
   MIRRORBALL_TRY_VOID(applyMaterialOptions(options, no_scene));

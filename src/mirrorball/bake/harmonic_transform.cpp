@@ -193,7 +193,8 @@ SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vecto
   forEachOrder(bands, [&](int m) {
     weighted[static_cast<std::size_t>(m)] = weightedOrder(coefficients.order(m), coefficients.legendre(m), weights);
   });
-  // Half of the bands are weighed so lightly that what interpolation does to them is not seen.
+  // Of a narrow lobe half of the bands are weighed so lightly that what interpolation does to them is not seen; of light
+  // that was found to be smooth they hold nothing.
   SphereGrid grid(quickLength(std::max(bands * 9 / 8, 16)), quickLength(std::max(2 * bands + 2, 32)));
   const GridTransform transform(grid, bands);
   const Rings rings(grid.rings());

@@ -53,7 +53,7 @@ HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightLights&
 ///
 /// weights    at most coefficients.bands() count
 /// returns    colour and, as the fourth channel, one over white
-/// cost       0.6 · bands steps for each m and l, and a Fourier transform of each ring
+/// cost       9/16 · bands steps for each m and l, and a Fourier transform of each ring
 SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights);
 
 }  // namespace mirrorball

@@ -58,7 +58,6 @@ struct ShareSetting {
 struct ShareStretch {
   double begin;
   double end;
-  double begin_to_one;
   double end_to_one;
   bool all_around;  ///< φ_max = π
 };

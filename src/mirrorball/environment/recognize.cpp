@@ -151,6 +151,7 @@ Result<Recognition> recognizeShape(int width, int height) {
 }  // namespace
 
 Result<FormHint> formHintNamed(std::string_view name) {
+  if (name.empty()) return FormHint{};
   const std::size_t colon = name.find(':');
   const std::string_view base = name.substr(0, colon);
   FormHint hint;

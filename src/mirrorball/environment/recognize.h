@@ -18,7 +18,7 @@ struct FormHint {
   bool has_texels_on_edges = false;
 };
 
-/// A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout ("hcross",
+/// "": no hint. A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout ("hcross",
 /// "faces"). After a colon, with commas between, how it lies in the file where that is not our own way:
 ///   for=PROGRAM          as a preset has it (preset.h): "cube:for=unity", "equirect:for=blender"
 ///   layout=LAYOUT        of cube and eac: "eac:layout=vcross"

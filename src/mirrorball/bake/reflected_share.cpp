@@ -265,9 +265,9 @@ ReflectedShare reflectedShare(Distribution distribution, float perceptual_roughn
   double grazing = 0.0;
   const SharePlaces& places = placesFor(distribution);
   const auto add = HWY_DYNAMIC_DISPATCH(addStretch);
-  add(setting, places, {0.0, first.y, 1.0, first.to_one, true}, whole, grazing);
+  add(setting, places, {0.0, first.y, first.to_one, true}, whole, grazing);
   if (second.to_one < first.to_one)
-    add(setting, places, {first.y, second.y, first.to_one, second.to_one, false}, whole, grazing);
+    add(setting, places, {first.y, second.y, second.to_one, false}, whole, grazing);
   if (is_cloth) return {static_cast<float>(whole), 0.0f};
   return {static_cast<float>(whole - grazing), static_cast<float>(grazing)};
 }

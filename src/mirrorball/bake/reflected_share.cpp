@@ -266,8 +266,7 @@ ReflectedShare reflectedShare(Distribution distribution, float perceptual_roughn
   const SharePlaces& places = placesFor(distribution);
   const auto add = HWY_DYNAMIC_DISPATCH(addStretch);
   add(setting, places, {0.0, first.y, first.to_one, true}, whole, grazing);
-  if (second.to_one < first.to_one)
-    add(setting, places, {first.y, second.y, second.to_one, false}, whole, grazing);
+  if (second.to_one < first.to_one) add(setting, places, {first.y, second.y, second.to_one, false}, whole, grazing);
   if (is_cloth) return {static_cast<float>(whole), 0.0f};
   return {static_cast<float>(whole - grazing), static_cast<float>(grazing)};
 }

@@ -90,25 +90,13 @@ struct BakeRequest {
   MapOutputOptions output;
 };
 
-/// Light is not negative; what filters and half floats left so is dark. Says how many texels were.
-void raiseNegative(LoadedEnvironment& loaded) {
-  EnvironmentMap* map = loaded.environment.map();
-  if (map == nullptr) return;
-  std::size_t count = 0;
-  for (int face = 0; face < map->faces(); ++face)
-    for (float& sample : map->face(face).samples())
-      if (sample < 0.0f) {
-        sample = 0.0f;
-        ++count;
-      }
-  if (count > 0)
-    remark(loaded.name + ": " + std::to_string(count) + " values are negative, which light cannot be; taken as 0");
-}
-
 Result<LoadedEnvironment> loadLight(const BakeRequest& request) {
   MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
   MIRRORBALL_TRY(loaded, loadEnvironment(request.environment, {.from = hint, .repair = request.options.repair}));
-  raiseNegative(loaded);
+  EnvironmentMap* map = loaded.environment.map();
+  const std::size_t count = map ? raiseNegativeLight(*map) : 0;
+  if (count > 0)
+    remark(loaded.name + ": " + std::to_string(count) + " values are negative, which light cannot be; taken as 0");
   return loaded;
 }
 
@@ -127,6 +115,9 @@ Result<BakedFiles> filesOf(const BakeRequest& request) {
       return tl::unexpected<Error>(unknownName("extension", extension, known));
   std::string folder = options.output;
   while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+  std::error_code status;
+  if (fs::exists(folder, status) && !fs::is_directory(folder, status))
+    return fail(ErrorCode::usage, folder + ": is a file; name a folder, or a .ktx2 or .dds file for the chain only");
   MapOutputOptions output = request.output;
   output.output = folder + "/specular." + options.extension;
   MIRRORBALL_TRY(specular, MapOutput::resolve(output, Projection::cube));
@@ -136,6 +127,20 @@ Result<BakedFiles> filesOf(const BakeRequest& request) {
                     folder + "/brdf." + options.brdf_extension};
 }
 
+/// errors   usage: an option that says something about what only a folder has
+Result<void> refuseOptionsOfFolders(const BakeOptions& options) {
+  constexpr std::array<std::string_view, 7> kOfFolders{"irradiance-size", "sh-degree", "brdf-size",     "brdf-channels",
+                                                       "brdf-axes",       "extension", "brdf-extension"};
+  const BakeOptions defaults;
+  for (const Option<BakeOptions>& option : kOptions)
+    if (std::ranges::find(kOfFolders, option.text.name) != kOfFolders.end() &&
+        written(option, options) != written(option, defaults))
+      return fail(ErrorCode::usage, options.output + ": holds the specular chain only, and --" +
+                                        std::string(option.text.name) +
+                                        " is for what lies beside it; name a folder, without an extension");
+  return {};
+}
+
 Result<void> bakeChain(const BakeRequest& request, StageClock& clock) {
   MapOutputOptions to_file = request.output;
   to_file.output = request.options.output;
@@ -143,6 +148,7 @@ Result<void> bakeChain(const BakeRequest& request, StageClock& clock) {
     return fail(ErrorCode::usage, to_file.output +
                                       ": a prefiltered chain goes into .ktx2 or .dds; or name a folder, "
                                       "without an extension");
+  MIRRORBALL_TRY_VOID(refuseOptionsOfFolders(request.options));
   MIRRORBALL_TRY(output, MapOutput::resolve(to_file, Projection::cube));
   MIRRORBALL_TRY_VOID(checkFolder(to_file.output));
   MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request); }));

@@ -72,6 +72,7 @@ Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions&
         MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {
           return loadEnvironment(request.environment, {.from = hint, .repair = request.repair});
         }));
+        if (EnvironmentMap* map = loaded.environment.map()) raiseNegativeLight(*map);
         const std::optional<PrefilterCache> cache = request.is_uncached ? std::nullopt : PrefilterCache::ofUser();
         MIRRORBALL_TRY(prepared, clock.time("environment: cube, mips, prefiltering",
                                             [&] { return prepareEnvironment(loaded.environment, cache); }));

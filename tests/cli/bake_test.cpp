@@ -165,6 +165,13 @@ TEST_F(BakeTest, NegativeLightIsTakenAsDarkAndTold) {
       for (const float sample : chain.at(level, face).samples()) EXPECT_GE(sample, 0.0f);
 }
 
+// A manifest is JSON, which is UTF-8.
+TEST_F(BakeTest, ANameThatIsNotUtf8IsTold) {
+  write("caf\xe9.exr", smoothPanorama());
+  succeed("bake caf\xe9.exr --size 8 --brdf-size 8 -o out");
+  EXPECT_THAT(std::string(json("out/manifest.json")["source"]), HasSubstr("caf"));
+}
+
 TEST_F(BakeTest, BadTexelsAreRefusedUnlessRepaired) {
   Image map(64, 32, 3, 0.5f);
   map.texel(5, 6)[0] = std::numeric_limits<float>::quiet_NaN();
@@ -195,6 +202,9 @@ TEST_F(BakeTest, WrongWishesAreToldBeforeAnythingIsMade) {
   EXPECT_THAT(refuse(2, "bake map.exr -o out --distribution beckmann"), HasSubstr("charlie"));
   EXPECT_THAT(refuse(2, "bake map.exr -o out --sh-degree 7"), HasSubstr("sh-degree"));
   EXPECT_THAT(refuse(2, "bake map.exr -o out --distribution charlie --brdf-axes warped"), HasSubstr("charlie"));
+  EXPECT_THAT(refuse(2, "bake map.exr -o chain.ktx2 --brdf-size 64"), HasSubstr("--brdf-size"));
+  write("file", "not a folder");
+  EXPECT_THAT(refuse(2, "bake map.exr -o file"), HasSubstr("is a file"));
   EXPECT_THAT(refuse(1, "bake missing.exr -o out"), HasSubstr("missing.exr"));
   EXPECT_THAT(refuse(1, "bake map.exr -o missing/chain.ktx2"), HasSubstr("missing/chain.ktx2"));
 }

@@ -179,4 +179,21 @@ glm::vec3 EnvironmentMap::cubicThrough(int face_index, const TenTexels& texels) 
   return glm::clamp(sum, glm::max(least - half_range, glm::min(least, 0.0f)), most + half_range);
 }
 
+std::size_t raiseNegativeLight(EnvironmentMap& map) {
+  std::size_t count = 0;
+  for (int index = 0; index < map.faces(); ++index) {
+    Image& face = map.face(index);
+    const auto channels = static_cast<std::size_t>(face.channels());
+    const std::size_t colors = std::min<std::size_t>(channels, 3);
+    const std::span<float> samples = face.samples();
+    for (std::size_t texel = 0; texel < samples.size(); texel += channels)
+      for (float& sample : samples.subspan(texel, colors))
+        if (sample < 0.0f) {
+          sample = 0.0f;
+          ++count;
+        }
+  }
+  return count;
+}
+
 }  // namespace mirrorball

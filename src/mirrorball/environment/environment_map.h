@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include <glm/glm.hpp>
 
 #include "mirrorball/environment/chart.h"
@@ -72,5 +74,10 @@ class EnvironmentMap {
   RowRange rows_;
   ImageSet images_;
 };
+
+/// Raises light below 0, which sharpening filters and half floats leave in files, to 0.
+///
+/// returns  how many values of red, green and blue there were
+std::size_t raiseNegativeLight(EnvironmentMap& map);
 
 }  // namespace mirrorball

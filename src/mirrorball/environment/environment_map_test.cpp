@@ -91,5 +91,16 @@ TEST(EnvironmentMap, OneTexelAnswersEverywhere) {
   EXPECT_EQ(panorama.radiance({0, 1, 0}), glm::vec3(3.0f));
 }
 
+TEST(RaiseNegativeLight, LeavesAlphaAndLightAsTheyAre) {
+  Image image(2, 1, 4, 0.5f);
+  image.texel(1, 0)[0] = -1.0f;
+  image.texel(1, 0)[3] = -2.0f;
+  EnvironmentMap map(Projection::equirect, ImageSet(std::move(image)));
+  EXPECT_EQ(raiseNegativeLight(map), 1u);
+  EXPECT_EQ(map.face(0).texel(1, 0)[0], 0.0f);
+  EXPECT_EQ(map.face(0).texel(1, 0)[3], -2.0f);
+  EXPECT_EQ(map.face(0).texel(0, 0)[1], 0.5f);
+}
+
 }  // namespace
 }  // namespace mirrorball

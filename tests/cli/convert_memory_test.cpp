@@ -176,10 +176,11 @@ TEST_F(ConvertRowsTest, TooLittleForTheRowsIsToldBeforeAnyIsRead) {
 
 TEST_F(ConvertRowsTest, ALargePanoramaTakesLessMemoryByRows) {
   if (kPeakIsTheSanitizers) GTEST_SKIP() << "the address sanitizer's own memory is larger than what is measured";
-  succeed("convert smooth.exr --to equirect --size 1024 -o large.hdr");
+  // 100 MB as floats: far more than what the program, and this one that starts it, have of their own.
+  succeed("convert smooth.exr --to equirect --size 2048 -o large.hdr");
   const std::string command = "convert large.hdr --to cube --size 64 -o out.ktx2";
   const std::uint64_t whole = peakOf(command);
-  EXPECT_LT(peakOf(command + " --max-memory 10M") + 12 * kMega, whole);
+  EXPECT_LT(peakOf(command + " --max-memory 40M") + 30 * kMega, whole);
 }
 
 // On one core 6 x 4096² texels take more than a second; they are interrupted after a twentieth of one.

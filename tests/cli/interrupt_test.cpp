@@ -72,11 +72,9 @@ TEST_F(InterruptRenderTest, ATurntableLeavesWholePictures) {
 }
 
 TEST_F(InterruptRenderTest, ATurntableShowsItsProgressOnATerminalAndClearsIt) {
-  // The bar appears after half a second.
   const std::string line = "render none -e white --size 64x64 --frames 100000 -o turn.png";
   Program program({.arguments = Arguments(line).words, .folder = path(""), .on_terminal = true});
-  program.waitUntilItCatchesInterrupts();
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  program.waitUntilShown(" s left");
   program.interrupt();
   const std::string shown = program.wait().err;
   EXPECT_THAT(shown, ContainsRegex("turntable \\[#*\\.*\\] [0-9]+/100000, [0-9]+ s left"));

@@ -93,7 +93,10 @@ Program::Program(const Start& start) : out_(std::tmpfile()), err_(std::tmpfile()
 
   process_ = ::fork();
   if (process_ < 0) throw std::runtime_error("fork failed");
-  if (process_ > 0) return;
+  if (process_ > 0) {
+    if (terminal_) err_.reset();  // the program's is the last hold on its end, so that reading ends when it does
+    return;
+  }
   ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
   ::dup2(::fileno(out_.get()), STDOUT_FILENO);
   ::dup2(::fileno(err_.get()), STDERR_FILENO);
@@ -114,6 +117,10 @@ void Program::waitUntilItCatchesInterrupts() const {
   while (running() && !catchesInterrupts(process_)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
+void Program::waitUntilShown(const std::string& text) {
+  while (shown_.find(text) == std::string::npos && readTerminal()) continue;
+}
+
 void Program::interrupt() const { ::kill(process_, SIGINT); }
 
 bool Program::running() const {
@@ -123,7 +130,7 @@ bool Program::running() const {
 }
 
 Outcome Program::wait() {
-  const std::string shown = terminal_ ? shownOnTerminal() : "";
+  while (terminal_ && readTerminal()) continue;
   int status = 0;
   rusage used{};
   ::wait4(process_, &status, 0, &used);
@@ -133,17 +140,15 @@ Outcome Program::wait() {
   if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
   outcome.out = contents(out_);
-  outcome.err = terminal_ ? shown : contents(err_);
+  outcome.err = terminal_ ? shown_ : contents(err_);
   return outcome;
 }
 
-std::string Program::shownOnTerminal() {
-  err_.reset();  // so that the program's is the last hold on its end, and reading ends when it does
-  std::string text;
+bool Program::readTerminal() {
   char piece[4096];
-  ssize_t count = 0;
-  while ((count = ::read(::fileno(terminal_.get()), piece, sizeof piece)) > 0) text.append(piece, std::size_t(count));
-  return text;
+  const ssize_t count = ::read(::fileno(terminal_.get()), piece, sizeof piece);
+  if (count > 0) shown_.append(piece, std::size_t(count));
+  return count > 0;
 }
 
 std::string Program::contents(const File& file) {

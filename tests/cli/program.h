@@ -49,6 +49,9 @@ class Program {
   /// Returns when the program would catch Ctrl-C, as Linux tells in /proc, or has ended.
   void waitUntilItCatchesInterrupts() const;
 
+  /// Returns when its terminal shows this text, or it has ended.
+  void waitUntilShown(const std::string& text);
+
   /// What Ctrl-C does.
   void interrupt() const;
 
@@ -59,12 +62,14 @@ class Program {
 
  private:
   static std::string contents(const File& file);
-  std::string shownOnTerminal();
+  /// Takes what its terminal shows next, for which it waits; false when it has ended.
+  bool readTerminal();
 
   // Files without a name: unlike a pipe they never fill up.
   File out_;
   File err_;
   File terminal_;  ///< our end of it, when there is one
+  std::string shown_;
   pid_t process_ = -1;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "mirrorball/bake/light_contrast.h"
@@ -57,31 +56,29 @@ Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows) {
 Result<LightHarmonics> LightHarmonics::make(const Environment& environment, const std::vector<Lobe>& lobes) {
   const int rows = leastRows(lobes);
   const EnvironmentMap* map = environment.map();
-  BrightLights bright;
-  BrightLights in_panorama;  // what has to be left out of it
-  EnvironmentMap converted;
-  const EnvironmentMap* panorama = map;
   // Single texels are points of light in the map that they come from; converted they would be smeared. But of a map of
   // very few texels they would be seen as points.
+  BrightLights bright;
   if (map && isDenseEnough(*map, rows / 4)) bright = brightLights(*map, kMostBrightLights);
-  if (map && map->projection() == Projection::equirect && isDenseEnough(*map, rows)) {
-    in_panorama = bright;
-  } else if (!bright.texels.empty()) {
-    EnvironmentMap without = *map;
-    subtract(bright, without);
-    MIRRORBALL_TRY(laid_out, laidOut(Environment(std::move(without)), rows));
-    converted = std::move(laid_out);
-    panorama = &converted;
-  } else {
-    MIRRORBALL_TRY(laid_out, laidOut(environment, rows));
-    converted = std::move(laid_out);
-    panorama = &converted;
-    bright = in_panorama = brightLights(converted, kMostBrightLights);
+  if (map && map->projection() == Projection::equirect && isDenseEnough(*map, rows))
+    return ofPanorama(*map, bright, bright, lobes);
+  if (bright.texels.empty()) {
+    MIRRORBALL_TRY(panorama, laidOut(environment, rows));
+    bright = brightLights(panorama, kMostBrightLights);
+    return ofPanorama(panorama, bright, bright, lobes);
   }
-  const float tolerance = kTolerance / lightContrast(*panorama, in_panorama);
+  EnvironmentMap without = *map;
+  subtract(bright, without);
+  MIRRORBALL_TRY(panorama, laidOut(Environment(std::move(without)), rows));
+  return ofPanorama(panorama, {}, bright, lobes);
+}
+
+LightHarmonics LightHarmonics::ofPanorama(const EnvironmentMap& panorama, const BrightLights& without,
+                                          const BrightLights& bright, const std::vector<Lobe>& lobes) {
+  const float tolerance = kTolerance / lightContrast(panorama, without);
   int bands = 1;
   for (const Lobe& lobe : lobes) bands = std::max(bands, lobe.bandsFor(tolerance));
-  return LightHarmonics(tolerance, analyse(*panorama, in_panorama, bands), std::move(bright));
+  return LightHarmonics(tolerance, analyse(panorama, without, bands), bright);
 }
 
 BlurredLight LightHarmonics::blurred(const Lobe& lobe) const {

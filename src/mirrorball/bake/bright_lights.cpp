@@ -20,7 +20,7 @@ struct Candidate {
 
 float brightnessOf(glm::vec3 light) { return std::max({light.x, light.y, light.z}); }
 
-/// Calls `visit(row number over all faces, brightness of each texel)` on all cores.
+/// Calls `visit(row number over all faces, image, y)` on all cores.
 template <typename Visit>
 void forEachRow(const EnvironmentMap& map, const Visit& visit) {
   const auto height = static_cast<std::size_t>(map.extent().y);

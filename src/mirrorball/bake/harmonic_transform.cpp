@@ -112,9 +112,12 @@ void analyseOrder(const RingSpectra& spectra, int first, const Rings& rings, con
   forEachStretch(order, spectra.orders(), rings, first, [&](int place, int l, const float* legendre) {
     const RingPair& pair = spectra.order(order.m)[static_cast<std::size_t>(place)];
     for (std::size_t parity = 0; parity < 2; ++parity)
-      for (std::size_t k = parity; k < kLegendreStretch; k += 2 * kRows) HWY_DYNAMIC_DISPATCH(addProducts)
-    (legendre + k * kLegendreBlock, 2 * kLegendreBlock, 1, floatsOf(parity == 0 ? pair.even : pair.odd), 16,
-     kLegendreBlock, &coefficients[static_cast<std::size_t>(l) + k].real.x, 16);
+      for (std::size_t k = parity; k < kLegendreStretch; k += 2 * kRows) {
+        float* rows = &coefficients[static_cast<std::size_t>(l) + k].real.x;
+        HWY_DYNAMIC_DISPATCH(addProducts)
+        (legendre + k * kLegendreBlock, 2 * kLegendreBlock, 1, floatsOf(parity == 0 ? pair.even : pair.odd), 16,
+         kLegendreBlock, rows, 16);
+      }
   });
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -71,9 +70,8 @@ float lightContrast(const EnvironmentMap& panorama, const BrightLights& without)
   glm::dvec3 power(0.0);
   std::array<std::array<glm::vec3, kPartsAcross>, kPartsDown> parts{};
   for (std::size_t y = 0; y < height; ++y) {
-    const double weight = 2.0 * std::numbers::pi / image.width() *
-                          (std::cos(std::numbers::pi * double(y) / double(height)) -
-                           std::cos(std::numbers::pi * double(y + 1) / double(height)));
+    const auto weight =
+        static_cast<double>(texelSolidAngle(Projection::equirect, panorama.extent(), {0, static_cast<int>(y)}));
     power += rows[y].squares * (weight * weight * 4.0 / 5.0);
     for (std::size_t x = 0; x < kPartsAcross; ++x) parts[y * kPartsDown / height][x] += rows[y].parts[x];
   }

@@ -97,9 +97,7 @@ void RowTransform::transformPair(int pair, Columns& columns, Columns& transforms
                                  std::size_t place) const {
   const int height = image_.height();
   const int south = height - 1 - pair;  // the middle row of an odd number is north alone
-  const auto edge = [height](int row) { return std::cos(std::numbers::pi * row / height); };
-  const double ring = 2.0 * std::numbers::pi * (edge(pair) - edge(pair + 1));
-  const auto weight = static_cast<float>(ring / image_.width());
+  const float weight = texelSolidAngle(Projection::equirect, {image_.width(), height}, {0, pair});
   for (std::vector<Complex>& column : columns.channel) column.assign(std::size_t(image_.width()), Complex(0.0f));
   load(pair, weight, false, columns);
   if (south != pair) load(south, weight, true, columns);
@@ -117,9 +115,10 @@ void RowTransform::transformPair(int pair, Columns& columns, Columns& transforms
       value.odd.imaginary[c] = odd.imag();
     }
   }
+  const float ring = weight * static_cast<float>(image_.width());
   RingPair& mean = spectra.order(0)[place];
-  mean.even.real.w = static_cast<float>(south == pair ? ring : 2.0 * ring);
-  mean.odd.real.w = static_cast<float>(south == pair ? ring : 0.0);
+  mean.even.real.w = south == pair ? ring : 2.0f * ring;
+  mean.odd.real.w = south == pair ? ring : 0.0f;
 }
 
 struct GridTransform::Buffers {

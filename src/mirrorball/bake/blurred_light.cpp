@@ -1,6 +1,7 @@
 #include "mirrorball/bake/blurred_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,12 +12,17 @@
 namespace mirrorball {
 namespace {
 
-/// A sun of half a degree has 101 texels in a panorama of 8192 × 4096 at the horizon, and twice as many 60° above it.
-constexpr int kMostBrightLights = 256;
+/// How many points of light are taken without a need: few cost little beside the harmonics.
+constexpr int kFewBrightLights = 64;
 
-/// What may be missing at the darkest part of a map, by the bound of lightContrast. What is missing in fact is ten to
-/// thirty times less (docs/prefiltering.md).
-constexpr float kTolerance = 3e-3f;
+/// And how many at most where lamps leave much of themselves in the harmonics, whose rounding would be seen in the dark
+/// beside them.
+constexpr std::array kMoreBrightLights{512, 4096};
+constexpr float kHighContrast = 2.0f;
+
+/// What may be missing at the darkest part of a map, by the bound of lightContrast: 1 %. What is missing in fact is ten
+/// to thirty times less (docs/prefiltering.md).
+constexpr float kTolerance = 1e-2f;
 
 /// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier transform
 /// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5. And a row has at least as many texels as wide lobes have
@@ -51,34 +57,63 @@ Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows) {
                  {.interpolation = Interpolation::bilinear});
 }
 
+/// The light of an environment as a panorama and points.
+struct SplitLight {
+  BrightLights bright;
+  EnvironmentMap laid_out;              ///< without the bright lights
+  const EnvironmentMap* own = nullptr;  ///< or the environment's, which still has them
+  float contrast = 0.0f;                ///< of the panorama without them
+};
+
+/// Single texels are points of light in the map that they come from; converted they would be smeared. But of a map of
+/// very few texels they would be seen as points.
+///
+/// most   points
+Result<SplitLight> splitLight(const Environment& environment, int rows, int most) {
+  SplitLight split;
+  const EnvironmentMap* map = environment.map();
+  if (map && isDenseEnough(*map, rows / 4)) split.bright = brightLights(*map, most);
+  if (map && map->projection() == Projection::equirect && isDenseEnough(*map, rows)) {
+    split.own = map;
+    split.contrast = lightContrast(*map, split.bright);
+    return split;
+  }
+  if (split.bright.texels.empty()) {
+    MIRRORBALL_TRY(panorama, laidOut(environment, rows));
+    split.bright = brightLights(panorama, most);
+    subtract(split.bright, panorama);
+    split.laid_out = std::move(panorama);
+  } else {
+    EnvironmentMap without = *map;
+    subtract(split.bright, without);
+    MIRRORBALL_TRY(panorama, laidOut(Environment(std::move(without)), rows));
+    split.laid_out = std::move(panorama);
+  }
+  split.contrast = lightContrast(split.laid_out, {});
+  return split;
+}
+
+/// The same with as many points as are worth their while.
+Result<SplitLight> splitLight(const Environment& environment, int rows) {
+  MIRRORBALL_TRY(light, splitLight(environment, rows, kFewBrightLights));
+  for (const int most : kMoreBrightLights) {
+    if (light.contrast < kHighContrast || light.bright.is_complete) break;
+    MIRRORBALL_TRY(other, splitLight(environment, rows, most));
+    if (other.bright.is_complete || other.contrast < light.contrast / 2.0f) light = std::move(other);
+  }
+  return light;
+}
+
 }  // namespace
 
 Result<LightHarmonics> LightHarmonics::make(const Environment& environment, const std::vector<Lobe>& lobes) {
-  const int rows = leastRows(lobes);
-  const EnvironmentMap* map = environment.map();
-  // Single texels are points of light in the map that they come from; converted they would be smeared. But of a map of
-  // very few texels they would be seen as points.
-  BrightLights bright;
-  if (map && isDenseEnough(*map, rows / 4)) bright = brightLights(*map, kMostBrightLights);
-  if (map && map->projection() == Projection::equirect && isDenseEnough(*map, rows))
-    return ofPanorama(*map, bright, bright, lobes);
-  if (bright.texels.empty()) {
-    MIRRORBALL_TRY(panorama, laidOut(environment, rows));
-    bright = brightLights(panorama, kMostBrightLights);
-    return ofPanorama(panorama, bright, bright, lobes);
-  }
-  EnvironmentMap without = *map;
-  subtract(bright, without);
-  MIRRORBALL_TRY(panorama, laidOut(Environment(std::move(without)), rows));
-  return ofPanorama(panorama, {}, bright, lobes);
-}
-
-LightHarmonics LightHarmonics::ofPanorama(const EnvironmentMap& panorama, const BrightLights& without,
-                                          const BrightLights& bright, const std::vector<Lobe>& lobes) {
-  const float tolerance = kTolerance / lightContrast(panorama, without);
+  MIRRORBALL_TRY(light, splitLight(environment, leastRows(lobes)));
+  const float tolerance = kTolerance / light.contrast;
   int bands = 1;
   for (const Lobe& lobe : lobes) bands = std::max(bands, lobe.bandsFor(tolerance));
-  return LightHarmonics(tolerance, analyse(panorama, without, bands), bright);
+  HarmonicCoefficients coefficients =
+      light.own ? analyse(*light.own, light.bright, bands) : analyse(light.laid_out, {}, bands);
+  return LightHarmonics(tolerance, std::move(coefficients), std::move(light.bright));
 }
 
 BlurredLight LightHarmonics::blurred(const Lobe& lobe) const {

@@ -55,9 +55,6 @@ class LightHarmonics {
   const BrightLights& bright() const { return *bright_; }
 
  private:
-  /// without  the bright lights that the panorama still has; bright: all there are
-  static LightHarmonics ofPanorama(const EnvironmentMap& panorama, const BrightLights& without,
-                                   const BrightLights& bright, const std::vector<Lobe>& lobes);
   LightHarmonics(float tolerance, HarmonicCoefficients coefficients, BrightLights bright)
       : tolerance_(tolerance),
         coefficients_(std::move(coefficients)),

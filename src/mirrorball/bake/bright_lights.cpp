@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "mirrorball/base/parallel.h"
 
@@ -16,6 +18,19 @@ constexpr float kBright = 8.0f;  // times the mean
 struct Candidate {
   float brightness;
   std::size_t index;
+};
+
+/// Where a candidate lies.
+struct Place {
+  int face;
+  glm::ivec2 texel;
+
+  Place(const EnvironmentMap& map, std::size_t index) {
+    const auto width = static_cast<std::size_t>(map.extent().x);
+    const std::size_t texels = width * static_cast<std::size_t>(map.extent().y);
+    face = static_cast<int>(index / texels);
+    texel = glm::ivec2(index % texels % width, index % texels / width);
+  }
 };
 
 float brightnessOf(glm::vec3 light) { return std::max({light.x, light.y, light.z}); }
@@ -36,36 +51,56 @@ float weightOfRow(const EnvironmentMap& map, int row) {
   return std::sin(std::numbers::pi_v<float> * (static_cast<float>(row) + 0.5f) / static_cast<float>(map.size()));
 }
 
-float meanBrightness(const EnvironmentMap& map) {
-  const auto width = map.extent().x;
-  std::vector<double> sums(static_cast<std::size_t>(map.extent().y * map.faces()));
+/// What is known of each row over all faces before single texels are looked for.
+struct RowBrightness {
+  float sum = 0.0f;
+  float greatest = 0.0f;
+};
+
+std::vector<RowBrightness> brightnessOfRows(const EnvironmentMap& map) {
+  std::vector<RowBrightness> rows(static_cast<std::size_t>(map.extent().y * map.faces()));
   forEachRow(map, [&](std::size_t row, const Image& image, int y) {
-    float sum = 0.0f;
-    for (int x = 0; x < width; ++x) sum += brightnessOf(rgbAt(image, x, y));
-    sums[row] = static_cast<double>(sum * weightOfRow(map, y));
+    RowBrightness of_row;
+    for (int x = 0; x < image.width(); ++x) {
+      const float brightness = brightnessOf(rgbAt(image, x, y));
+      of_row.sum += brightness;
+      of_row.greatest = std::max(of_row.greatest, brightness);
+    }
+    rows[row] = of_row;
   });
-  double sum = 0.0;
-  double weights = 0.0;
-  for (std::size_t row = 0; row < sums.size(); ++row) {
-    sum += sums[row];
-    weights += static_cast<double>(weightOfRow(map, static_cast<int>(row % std::size_t(map.extent().y))));
-  }
-  return static_cast<float>(sum / (weights * width));
+  return rows;
 }
 
 /// All texels that are brighter than `least`, in their order.
-std::vector<Candidate> brightCandidates(const EnvironmentMap& map, float least) {
+std::vector<Candidate> brightCandidates(const EnvironmentMap& map, const std::vector<RowBrightness>& rows,
+                                        float least) {
   const auto width = static_cast<std::size_t>(map.extent().x);
-  std::vector<std::vector<Candidate>> rows(static_cast<std::size_t>(map.extent().y * map.faces()));
+  std::vector<std::vector<Candidate>> found(rows.size());
   forEachRow(map, [&](std::size_t row, const Image& image, int y) {
+    if (rows[row].greatest <= least) return;
     for (std::size_t x = 0; x < width; ++x) {
       const float brightness = brightnessOf(rgbAt(image, static_cast<int>(x), y));
-      if (brightness > least) rows[row].push_back({brightness, row * width + x});
+      if (brightness > least) found[row].push_back({brightness, row * width + x});
     }
   });
   std::vector<Candidate> all;
-  for (const std::vector<Candidate>& row : rows) all.insert(all.end(), row.begin(), row.end());
+  for (const std::vector<Candidate>& row : found) all.insert(all.end(), row.begin(), row.end());
   return all;
+}
+
+/// The mean brightness of a map, of all that is brighter than `most` only so much.
+float meanBrightness(const EnvironmentMap& map, const std::vector<RowBrightness>& rows, float most) {
+  const auto height = static_cast<std::size_t>(map.extent().y);
+  double sum = 0.0;
+  double weights = 0.0;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const auto weight = static_cast<double>(weightOfRow(map, static_cast<int>(row % height)));
+    sum += weight * static_cast<double>(rows[row].sum);
+    weights += weight;
+  }
+  for (const Candidate& bright : brightCandidates(map, rows, most))
+    sum -= static_cast<double>(weightOfRow(map, Place(map, bright.index).texel.y) * (bright.brightness - most));
+  return static_cast<float>(sum / (weights * map.extent().x));
 }
 
 /// How many texels of a row share a point of light.
@@ -73,33 +108,27 @@ int texelsOfPoint(const EnvironmentMap& map, int row) {
   return std::max(static_cast<int>(0.25f / weightOfRow(map, row)), 1);
 }
 
-/// Where a candidate lies.
-struct Place {
-  int face;
-  glm::ivec2 texel;
-
-  Place(const EnvironmentMap& map, std::size_t index) {
-    const auto width = static_cast<std::size_t>(map.extent().x);
-    const std::size_t texels = width * static_cast<std::size_t>(map.extent().y);
-    face = static_cast<int>(index / texels);
-    texel = glm::ivec2(index % texels % width, index % texels / width);
-  }
-};
+bool isBrighter(const Candidate& a, const Candidate& b) {
+  return a.brightness != b.brightness ? a.brightness > b.brightness : a.index < b.index;
+}
 
 /// Keeps the brightest, as many as make `most` points.
 ///
-/// returns  the brightness of the first that is left out, or `least`
-float keepBrightest(const EnvironmentMap& map, int most, float least, std::vector<Candidate>& candidates) {
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return a.brightness != b.brightness ? a.brightness > b.brightness : a.index < b.index;
-  });
+/// returns  the brightness of the first that is left out, or nothing
+std::optional<float> keepBrightest(const EnvironmentMap& map, int most, std::vector<Candidate>& candidates) {
   float points = 0.0f;
   std::size_t kept = 0;
-  for (; kept < candidates.size(); ++kept) {
+  for (std::size_t sorted = 0; kept < candidates.size(); ++kept) {
+    if (kept == sorted) {
+      const auto begin = candidates.begin() + static_cast<std::ptrdiff_t>(sorted);
+      sorted = std::min(sorted + static_cast<std::size_t>(most) + 1, candidates.size());
+      std::partial_sort(begin, candidates.begin() + static_cast<std::ptrdiff_t>(sorted), candidates.end(), isBrighter);
+    }
     points += 1.0f / static_cast<float>(texelsOfPoint(map, Place(map, candidates[kept].index).texel.y));
     if (points > static_cast<float>(most)) break;
   }
-  const float rest = kept < candidates.size() ? candidates[kept].brightness : least;
+  std::optional<float> rest;
+  if (kept < candidates.size()) rest = candidates[kept].brightness;
   candidates.resize(kept);
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& a, const Candidate& b) { return a.index < b.index; });
@@ -125,10 +154,15 @@ void addToPoints(const EnvironmentMap& map, const Excess& excess, bool is_with_l
 }  // namespace
 
 BrightLights brightLights(const EnvironmentMap& map, int most) {
-  const float least = kBright * meanBrightness(map);
-  std::vector<Candidate> candidates = brightCandidates(map, least);
-  const float rest = keepBrightest(map, most, least, candidates);
+  const std::vector<RowBrightness> rows = brightnessOfRows(map);
+  // The mean of a dark map with a lamp is the lamp's, which is no measure of what stands out.
+  const float with_lamps = meanBrightness(map, rows, std::numeric_limits<float>::infinity());
+  const float least = kBright * meanBrightness(map, rows, kBright * with_lamps);
+  std::vector<Candidate> candidates = brightCandidates(map, rows, least);
+  const std::optional<float> left_out = keepBrightest(map, most, candidates);
+  const float rest = left_out.value_or(least);
   BrightLights lights;
+  lights.is_complete = !left_out;
   glm::ivec3 last_group(-1);
   for (const Candidate& candidate : candidates) {
     const float share = 1.0f - rest / candidate.brightness;

@@ -25,14 +25,16 @@ struct PointOfLight {
 struct BrightLights {
   std::vector<Excess> texels;        ///< in their order: what the map has without them is the rest
   std::vector<PointOfLight> points;  ///< the same light: a texel's centre each
+  bool is_complete = true;           ///< more points would not make the rest any smoother
 };
 
-/// The brightest texels of a map, with what they exceed the brightest of the rest by, and at least eight times the mean.
+/// The brightest texels of a map, with what they exceed the brightest of the rest by, and at least eight times the mean
+/// of the map without them.
 /// Near a panorama's poles, where texels are narrow, those beside each other share a point as long as they are together
 /// no wider than a quarter of their height.
 ///
 /// most     points at most; of more texels that are alike none is taken
-/// cost     two passes over the texels
+/// cost     one pass over the texels, and three over the rows that have bright ones
 BrightLights brightLights(const EnvironmentMap& map, int most);
 
 /// Takes them out of the map.

@@ -25,6 +25,22 @@ TEST(BrightLights, AreThoseThatStandOut) {
   EXPECT_GT(all.texels.front().radiance.z, 800.0f) << "over eight times the mean";
 }
 
+TEST(BrightLights, SayWhetherAnyIsLeftOut) {
+  EnvironmentMap map = whitePanorama(32);
+  EXPECT_TRUE(brightLights(map, 16).is_complete);
+  for (int i = 0; i < 20; ++i) map.face(0).texel(3 * i, 16)[2] = 1000.0f;
+  EXPECT_FALSE(brightLights(map, 19).is_complete);
+  EXPECT_TRUE(brightLights(map, 19).texels.empty()) << "all are alike";
+  EXPECT_TRUE(brightLights(map, 20).is_complete);
+}
+
+TEST(BrightLights, StandOutFromTheMapWithoutThem) {
+  EnvironmentMap map = whitePanorama(32);
+  map.face(0).texel(20, 16)[0] = 1e6f;  // its mean is 500 times the rest
+  map.face(0).texel(40, 16)[0] = 100.0f;
+  EXPECT_EQ(brightLights(map, 16).texels.size(), 2u);
+}
+
 TEST(BrightLights, PointsHaveTheFluxOfTheirTexels) {
   EnvironmentMap map = whitePanorama(32);
   map.face(0).texel(10, 20)[0] = 5000.0f;

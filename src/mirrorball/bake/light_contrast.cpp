@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <map>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "mirrorball/base/parallel.h"
@@ -16,30 +18,88 @@ namespace {
 constexpr int kPartsAcross = 32;
 constexpr int kPartsDown = 16;
 
+/// The samples of a panorama without those lights: its own rows, but for copies of the few that have lights.
+class RowsWithout {
+ public:
+  RowsWithout(const Image& image, const BrightLights& without) : image_(image) {
+    for (const Excess& bright : without.texels) {
+      const auto [place, is_new] = copies_.try_emplace(bright.texel.y);
+      const std::span<const float> row = image.row(bright.texel.y);
+      if (is_new) place->second.assign(row.begin(), row.end());
+      const int channels = image.channels();
+      for (int c = 0; c < std::min(channels, 3); ++c)
+        place->second[std::size_t(bright.texel.x * channels + c)] -= bright.radiance[c];
+    }
+  }
+
+  const float* row(int y) const {
+    const auto copy = copies_.find(y);
+    return copy != copies_.end() ? copy->second.data() : image_.row(y).data();
+  }
+
+ private:
+  const Image& image_;
+  std::map<int, std::vector<float>> copies_;
+};
+
+/// So many samples that follow each other are a whole number of texels, of 1, 3 or 4 channels: sample i of a run belongs
+/// to channel i % kRun % channels, and a run is a few vectors of any machine.
+constexpr std::size_t kRun = 12;
+using Run = std::array<float, kRun>;
+
+struct PartSums {
+  Run squares{};  // of the differences
+  Run light{};
+};
+
+/// The sums over the samples [begin, end) of a row of `count`.
+PartSums sumsOfPart(const float* above, const float* row, const float* below, std::size_t begin, std::size_t end,
+                    std::size_t count, std::size_t channels) {
+  PartSums sums;
+  const auto add = [&](std::size_t i, std::size_t k, float beside) {
+    const float difference = row[i] - 0.25f * (beside + above[i] + below[i]);
+    sums.squares[k] += difference * difference;
+    sums.light[k] += row[i];
+  };
+  const auto addOverSeam = [&](std::size_t i) {
+    add(i, (i - begin) % kRun, row[(i + count - channels) % count] + row[(i + channels) % count]);
+  };
+  std::size_t i = begin;
+  if (begin == 0)
+    while (i < std::min(end, kRun)) addOverSeam(i++);
+  for (; i + kRun <= std::min(end, count - channels); i += kRun)
+    for (std::size_t k = 0; k < kRun; ++k) add(i + k, k, row[i + k - channels] + row[i + k + channels]);
+  while (i < end) addOverSeam(i++);
+  return sums;
+}
+
+/// Red, green and blue of a run.
+glm::vec3 folded(const Run& run, std::size_t channels) {
+  std::array<float, 4> sums{};
+  for (std::size_t k = 0; k < kRun; ++k) sums[k % channels] += run[k];
+  return channels >= 3 ? glm::vec3(sums[0], sums[1], sums[2]) : glm::vec3(sums[0]);
+}
+
 struct RowSums {
-  glm::dvec3 squares{0.0};  // of the differences
+  glm::dvec3 squares{0.0};
   std::array<glm::vec3, kPartsAcross> parts{};
 };
 
-/// The light of a row's texels, of those that count.
-std::vector<glm::vec3> lightOfRow(const Image& image, int y, const std::vector<bool>& is_left_out) {
-  std::vector<glm::vec3> light(std::size_t(image.width()), glm::vec3(0.0f));
-  for (std::size_t x = 0; x < light.size(); ++x)
-    if (is_left_out.empty() || !is_left_out[x]) light[x] = rgbAt(image, static_cast<int>(x), y);
-  return light;
-}
-
-RowSums sumsOfRow(std::span<const glm::vec3> above, std::span<const glm::vec3> row, std::span<const glm::vec3> below) {
+RowSums sumsOfRow(const RowsWithout& rows, int y, const Image& image) {
   RowSums sums;
-  const std::size_t width = row.size();
-  glm::vec3 squares(0.0f);
-  for (std::size_t x = 0; x < width; ++x) {
-    const glm::vec3 beside = row[x > 0 ? x - 1 : width - 1] + row[x + 1 < width ? x + 1 : 0];
-    const glm::vec3 difference = row[x] - 0.25f * (beside + above[x] + below[x]);
-    squares += difference * difference;
-    sums.parts[x * kPartsAcross / width] += row[x];
+  const auto channels = static_cast<std::size_t>(image.channels());
+  const auto width = static_cast<std::size_t>(image.width());
+  const float* above = rows.row(std::max(y - 1, 0));
+  const float* row = rows.row(y);
+  const float* below = rows.row(std::min(y + 1, image.height() - 1));
+  for (std::size_t part = 0; part < kPartsAcross; ++part) {
+    const std::size_t begin = part * width / kPartsAcross;
+    const std::size_t end = (part + 1) * width / kPartsAcross;
+    const PartSums part_sums =
+        sumsOfPart(above, row, below, begin * channels, end * channels, width * channels, channels);
+    sums.squares += folded(part_sums.squares, channels);
+    sums.parts[part] = folded(part_sums.light, channels) / static_cast<float>(end - begin);
   }
-  sums.squares = glm::dvec3(squares);
   return sums;
 }
 
@@ -47,24 +107,12 @@ RowSums sumsOfRow(std::span<const glm::vec3> above, std::span<const glm::vec3> r
 
 float lightContrast(const EnvironmentMap& panorama, const BrightLights& without) {
   const Image& image = panorama.face(0);
+  assert(image.width() >= kPartsAcross && image.height() >= kPartsDown);
+  const RowsWithout rows_without(image, without);
   const auto height = static_cast<std::size_t>(image.height());
-  std::vector<std::vector<bool>> left_out(height);
-  for (const Excess& bright : without.texels) {
-    std::vector<bool>& row = left_out[std::size_t(bright.texel.y)];
-    row.resize(std::size_t(image.width()));
-    row[std::size_t(bright.texel.x)] = true;
-  }
   std::vector<RowSums> rows(height);
-  const auto lightOf = [&](std::size_t y) { return lightOfRow(image, static_cast<int>(y), left_out[y]); };
   parallelFor(height, 16, [&](std::size_t begin, std::size_t end) {
-    std::vector<glm::vec3> above = lightOf(begin > 0 ? begin - 1 : begin);
-    std::vector<glm::vec3> here = lightOf(begin);
-    for (std::size_t y = begin; y < end; ++y) {
-      std::vector<glm::vec3> below = y + 1 < height ? lightOf(y + 1) : here;
-      rows[y] = sumsOfRow(above, here, below);
-      above = std::move(here);
-      here = std::move(below);
-    }
+    for (std::size_t y = begin; y < end; ++y) rows[y] = sumsOfRow(rows_without, static_cast<int>(y), image);
   });
 
   glm::dvec3 power(0.0);
@@ -75,12 +123,11 @@ float lightContrast(const EnvironmentMap& panorama, const BrightLights& without)
     power += rows[y].squares * (weight * weight * 4.0 / 5.0);
     for (std::size_t x = 0; x < kPartsAcross; ++x) parts[y * kPartsDown / height][x] += rows[y].parts[x];
   }
-  const float texels_of_part = static_cast<float>(image.texelCount()) / (kPartsAcross * kPartsDown);
   float contrast = 0.0f;
   for (int c = 0; c < 3; ++c) {
     float darkest = std::numeric_limits<float>::infinity();
     for (const auto& row : parts)
-      for (const glm::vec3& part : row) darkest = std::min(darkest, part[c] / texels_of_part);
+      for (const glm::vec3& part : row) darkest = std::min(darkest, part[c] * kPartsDown / float(height));
     const auto noise = static_cast<float>(std::sqrt(power[c]));
     if (noise > 0.0f)
       contrast = std::max(contrast, darkest > 0.0f ? noise / darkest : std::numeric_limits<float>::infinity());

@@ -12,8 +12,8 @@ namespace mirrorball {
 /// power Σ (texel's solid angle · its difference from its four neighbours' mean)² · ⅘ / 4π. Lamps have less power in high
 /// bands than that, so that it is an upper bound.
 ///
-/// panorama   equirect
-/// without    texels that do not count
+/// panorama   equirect, of at least 32 × 16 texels
+/// without    lights that it still has and that do not count
 /// returns    the square root of 4π times that power, over the radiance of the darkest of 16 × 32 parts of the map; of
 ///            the channel where it is greatest; infinite where a part is black
 /// cost       one pass over the texels

@@ -46,7 +46,6 @@ struct SharePlaces {
 
 /// What is the same for all places of one integral.
 struct ShareSetting {
-  Distribution distribution;
   float alpha;
   float width;   ///< of the scale of tan θ
   float cosine;  ///< n·v
@@ -77,10 +76,11 @@ constexpr float kPi = std::numbers::pi_v<float>;
 /// Small enough to change no sum that matters, and keeps 0 / 0 away.
 constexpr float kTiny = 1e-20f;
 
-Floats set(float value) { return hn::Set(Lanes(), value); }
+HWY_INLINE Floats set(float value) { return hn::Set(Lanes(), value); }
 
 /// 4 D(h) sin θ dθ/dy without the width², which the change of variable takes away.
-Floats weightedDistribution(const ShareSetting& setting, Floats y, Floats to_one, Floats t) {
+template <Distribution kDistribution>
+HWY_INLINE Floats weightedDistribution(const ShareSetting& setting, Floats y, Floats to_one, Floats t) {
   const Lanes d;
   const Floats rest = to_one * (set(1.0f) + y);  // 1 − y²
   const Floats stretch = (set(1.0f) + y * y) / (rest * rest);
@@ -90,7 +90,7 @@ Floats weightedDistribution(const ShareSetting& setting, Floats y, Floats to_one
   // sin θ dθ = cos³θ tan θ d(tan θ)
   const Floats ring = set(4.0f) * t * stretch * cosine2 * hn::Sqrt(cosine2);
   const float a2 = setting.alpha * setting.alpha;
-  switch (setting.distribution) {
+  switch (kDistribution) {
     case Distribution::charlie: {
       const Floats log_sine2 = set(0.0f) - hn::Log1p(d, set(1.0f) / hn::Max(tangent2, set(kTiny)));
       const float inverse = 1.0f / setting.alpha;
@@ -109,11 +109,12 @@ Floats weightedDistribution(const ShareSetting& setting, Floats y, Floats to_one
 }
 
 /// V n·l, where `light` is n·l.
-Floats weightedVisibility(const ShareSetting& setting, Floats light) {
+template <Distribution kDistribution>
+HWY_INLINE Floats weightedVisibility(const ShareSetting& setting, Floats light) {
   const Floats eye = set(setting.cosine);
   const Floats masking = set(setting.masking_of_eye);
   const float a2 = setting.alpha * setting.alpha;
-  switch (setting.distribution) {
+  switch (kDistribution) {
     case Distribution::charlie:
       return set(0.25f) * light / (light + eye - light * eye + set(kTiny));
     case Distribution::phong:
@@ -133,8 +134,9 @@ Floats weightedVisibility(const ShareSetting& setting, Floats light) {
 }
 
 /// Adds one stretch of θ.
-void addStretch(const ShareSetting& setting, const SharePlaces& places, const ShareStretch& stretch, double& whole,
-                double& grazing) {
+template <Distribution kDistribution>
+void addStretchOf(const ShareSetting& setting, const SharePlaces& places, const ShareStretch& stretch, double& whole,
+                  double& grazing) {
   const Lanes d;
   const auto length = static_cast<float>(stretch.end - stretch.begin);
   const Floats eye = set(setting.cosine);
@@ -162,20 +164,33 @@ void addStretch(const ShareSetting& setting, const SharePlaces& places, const Sh
       // 2 (n·h)(v·h) − n·v, of terms that are all as small as n·l where that is small.
       const Floats light =
           hn::Max(eye * (set(1.0f) - set(2.0f) * sine * sine) + set(2.0f) * cosine * towards, hn::Zero(d));
-      const Floats share = eye_half * weightedVisibility(setting, light) * set(places.around_weights[j]);
+      const Floats share = eye_half * weightedVisibility<kDistribution>(setting, light) * set(places.around_weights[j]);
       const Floats past = set(1.0f) - eye_half;
       const Floats past2 = past * past;
       ring = ring + share;
       grazing_ring = hn::MulAdd(share, past2 * past2 * past, grazing_ring);
     }
     // Both sides of the plane of n and v.
-    const Floats weight = set(2.0f) * around * weightedDistribution(setting, y, to_one, t) *
+    const Floats weight = set(2.0f) * around * weightedDistribution<kDistribution>(setting, y, to_one, t) *
                           hn::LoadU(d, &places.along_weights[i]) * set(length);
     sum = hn::MulAdd(ring, weight, sum);
     grazing_sum = hn::MulAdd(grazing_ring, weight, grazing_sum);
   }
   whole += static_cast<double>(hn::GetLane(hn::SumOfLanes(d, sum)));
   grazing += static_cast<double>(hn::GetLane(hn::SumOfLanes(d, grazing_sum)));
+}
+
+void addStretch(Distribution distribution, const ShareSetting& setting, const SharePlaces& places,
+                const ShareStretch& stretch, double& whole, double& grazing) {
+  switch (distribution) {
+    case Distribution::charlie:
+      return addStretchOf<Distribution::charlie>(setting, places, stretch, whole, grazing);
+    case Distribution::phong:
+    case Distribution::blinn:
+      return addStretchOf<Distribution::blinn>(setting, places, stretch, whole, grazing);
+    case Distribution::ggx:
+      return addStretchOf<Distribution::ggx>(setting, places, stretch, whole, grazing);
+  }
 }
 
 }  // namespace mirrorball::HWY_NAMESPACE
@@ -256,17 +271,17 @@ ReflectedShare reflectedShare(Distribution distribution, float perceptual_roughn
   const double sine = std::sqrt((1.0 - eye) * (1.0 + eye));
   // Cloth reflects where h lies at the horizon, so its tangent has no scale of its own.
   const double width = is_cloth ? 1.0 : alpha;
-  const ShareSetting setting{
-      distribution, static_cast<float>(alpha), static_cast<float>(width),
-      cosine,       static_cast<float>(sine),  static_cast<float>(maskingOfEye(distribution, alpha, eye, sine))};
+  const ShareSetting setting{static_cast<float>(alpha), static_cast<float>(width), cosine, static_cast<float>(sine),
+                             static_cast<float>(maskingOfEye(distribution, alpha, eye, sine))};
   const Place first = placeOf(eye / ((1.0 + sine) * width));   // tan θ₁
   const Place second = placeOf((1.0 + sine) / (eye * width));  // tan θ₂
   double whole = 0.0;
   double grazing = 0.0;
   const SharePlaces& places = placesFor(distribution);
   const auto add = HWY_DYNAMIC_DISPATCH(addStretch);
-  add(setting, places, {0.0, first.y, first.to_one, true}, whole, grazing);
-  if (second.to_one < first.to_one) add(setting, places, {first.y, second.y, second.to_one, false}, whole, grazing);
+  add(distribution, setting, places, {0.0, first.y, first.to_one, true}, whole, grazing);
+  if (second.to_one < first.to_one)
+    add(distribution, setting, places, {first.y, second.y, second.to_one, false}, whole, grazing);
   if (is_cloth) return {static_cast<float>(whole), 0.0f};
   return {static_cast<float>(whole - grazing), static_cast<float>(grazing)};
 }

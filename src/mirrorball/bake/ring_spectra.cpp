@@ -38,6 +38,11 @@ float splineTransform(double x) {
 
 }  // namespace
 
+/// A northern ring and i times a southern one, or their transform; each channel by itself.
+struct RingColumns {
+  std::array<std::vector<Complex>, 3> channel;
+};
+
 FourierTransform::FourierTransform(int length, bool is_inverse)
     : plan_(kiss_fft_alloc(length, is_inverse, nullptr, nullptr)) {}
 
@@ -47,11 +52,6 @@ void FourierTransform::run(const std::vector<Complex>& in, std::vector<Complex>&
   kiss_fft(plan_.get(), reinterpret_cast<const kiss_fft_cpx*>(in.data()), reinterpret_cast<kiss_fft_cpx*>(out.data()));
 }
 
-/// A northern row and i times a southern one, or their transform; each channel by itself.
-struct RowTransform::Columns {
-  std::array<std::vector<Complex>, 3> channel;
-};
-
 RowTransform::RowTransform(const EnvironmentMap& panorama, const BrightLights& without, int orders)
     : image_(panorama.face(0)), without_(without), transform_(image_.width(), false) {
   for (int m = 0; m < orders; ++m) turns_.push_back(Complex(std::polar(1.0, -std::numbers::pi * m / image_.width())));
@@ -60,8 +60,8 @@ RowTransform::RowTransform(const EnvironmentMap& panorama, const BrightLights& w
 void RowTransform::run(int first, RingSpectra& spectra) const {
   const int pairs = (image_.height() + 1) / 2;
   parallelFor(RingSpectra::kPairs, 4, [&](std::size_t begin, std::size_t end) {
-    Columns columns;
-    Columns transforms;
+    RingColumns columns;
+    RingColumns transforms;
     for (std::vector<Complex>& transform : transforms.channel) transform.resize(std::size_t(image_.width()));
     for (std::size_t place = begin; place < end; ++place) {
       const int pair = first + static_cast<int>(place);
@@ -74,7 +74,7 @@ void RowTransform::run(int first, RingSpectra& spectra) const {
   });
 }
 
-void RowTransform::load(int y, float weight, bool is_south, Columns& columns) const {
+void RowTransform::load(int y, float weight, bool is_south, RingColumns& columns) const {
   const auto width = static_cast<std::size_t>(image_.width());
   const auto stride = static_cast<std::size_t>(image_.channels());
   for (std::size_t c = 0; c < 3; ++c) {
@@ -93,7 +93,7 @@ void RowTransform::load(int y, float weight, bool is_south, Columns& columns) co
     }
 }
 
-void RowTransform::transformPair(int pair, Columns& columns, Columns& transforms, RingSpectra& spectra,
+void RowTransform::transformPair(int pair, RingColumns& columns, RingColumns& transforms, RingSpectra& spectra,
                                  std::size_t place) const {
   const int height = image_.height();
   const int south = height - 1 - pair;  // the middle row of an odd number is north alone
@@ -122,7 +122,7 @@ void RowTransform::transformPair(int pair, Columns& columns, Columns& transforms
 }
 
 struct GridTransform::Buffers {
-  std::vector<Complex> series;
+  RingColumns series;
   std::vector<Complex> values;
 };
 
@@ -134,7 +134,8 @@ void GridTransform::run(int first, const RingSpectra& spectra) const {
   const int count = std::min(RingSpectra::kPairs, grid_.rings() / 2 - first);
   parallelFor(static_cast<std::size_t>(count), 4, [&](std::size_t begin, std::size_t end) {
     const auto columns = static_cast<std::size_t>(grid_.columns());
-    Buffers buffers{std::vector<Complex>(columns), std::vector<Complex>(columns)};
+    Buffers buffers;
+    buffers.values.resize(columns);
     for (std::size_t place = begin; place < end; ++place)
       setPair(first + static_cast<int>(place), spectra, place, buffers);
   });
@@ -147,19 +148,22 @@ void GridTransform::setPair(int pair, const RingSpectra& spectra, std::size_t pl
   const RingPair& mean = spectra.order(0)[place];
   const float north_white = 1.0f / (mean.even.real.w + mean.odd.real.w);
   const float south_white = 1.0f / (mean.even.real.w - mean.odd.real.w);
-  for (int c = 0; c < 3; ++c) {
-    std::fill(buffers.series.begin(), buffers.series.end(), Complex(0.0f));
-    for (int m = 0; m < spectra.orders(); ++m) {
-      const RingPair& value = spectra.order(m)[place];
+  for (std::vector<Complex>& series : buffers.series.channel) series.assign(columns, Complex(0.0f));
+  for (int m = 0; m < spectra.orders(); ++m) {
+    const auto at = static_cast<std::size_t>(m);
+    const RingPair& value = spectra.order(m)[place];
+    for (int c = 0; c < 3; ++c) {
       const Complex even(value.even.real[c], value.even.imaginary[c]);
       const Complex odd(value.odd.real[c], value.odd.imaginary[c]);
-      const float factor = sharpen_[std::size_t(m)];
-      const Complex of_north = (even + odd) * (factor * north_white);
-      const Complex of_south = (even - odd) * (factor * south_white);
-      buffers.series[std::size_t(m)] = of_north + timesI(of_south);
-      if (m > 0) buffers.series[columns - std::size_t(m)] = std::conj(of_north) + timesI(std::conj(of_south));
+      const Complex of_north = (even + odd) * (sharpen_[at] * north_white);
+      const Complex of_south = (even - odd) * (sharpen_[at] * south_white);
+      std::vector<Complex>& series = buffers.series.channel[std::size_t(c)];
+      series[at] = of_north + timesI(of_south);
+      if (m > 0) series[columns - at] = std::conj(of_north) + timesI(std::conj(of_south));
     }
-    transform_.run(buffers.series, buffers.values);
+  }
+  for (int c = 0; c < 3; ++c) {
+    transform_.run(buffers.series.channel[std::size_t(c)], buffers.values);
     for (std::size_t i = 0; i < columns; ++i) {
       north[i][c] = buffers.values[i].real();
       south[i][c] = buffers.values[i].imag();

@@ -37,7 +37,7 @@ class RingSpectra {
  public:
   static constexpr int kPairs = 64;
 
-  explicit RingSpectra(int orders) : orders_(orders), values_(std::size_t(orders) * kPairs) {}
+  explicit RingSpectra(int orders) : orders_(orders), values_(offset(orders)) {}
 
   int orders() const { return orders_; }
   std::span<RingPair, kPairs> order(int m) { return std::span<RingPair, kPairs>(values_.data() + offset(m), kPairs); }
@@ -46,7 +46,9 @@ class RingSpectra {
   }
 
  private:
-  static std::size_t offset(int m) { return std::size_t(m) * kPairs; }
+  // One pair more than there are: transforms go through all orders of a pair, which 4096 bytes apart would all want the
+  // same few places of a cache.
+  static std::size_t offset(int m) { return std::size_t(m) * (kPairs + 1); }
 
   int orders_;
   std::vector<RingPair, TexelAllocator<RingPair>> values_;
@@ -65,6 +67,8 @@ class FourierTransform {
   std::unique_ptr<kiss_fft_state, Free> plan_;
 };
 
+struct RingColumns;
+
 /// Fourier coefficients of a panorama's rows, each texel times its solid angle: Σ texels · e^(−imφ).
 class RowTransform {
  public:
@@ -76,9 +80,9 @@ class RowTransform {
   void run(int first, RingSpectra& spectra) const;
 
  private:
-  struct Columns;
-  void load(int y, float weight, bool is_south, Columns& columns) const;
-  void transformPair(int pair, Columns& columns, Columns& transforms, RingSpectra& spectra, std::size_t place) const;
+  void load(int y, float weight, bool is_south, RingColumns& columns) const;
+  void transformPair(int pair, RingColumns& columns, RingColumns& transforms, RingSpectra& spectra,
+                     std::size_t place) const;
 
   const Image& image_;
   const BrightLights& without_;

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Goes up whenever prefiltering gives other values.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr int kKeyDigits = 32;
 constexpr const char* kExtension = ".ktx2";
 

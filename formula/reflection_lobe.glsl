@@ -14,11 +14,19 @@ FN float ggxLobe(float alpha, float s) {
   return q * q * cosineOfLobe(s);
 }
 
+// ln(1 − x) for x in [0, 1), also where 1 − x would round x away: high powers of 1 − x need its digits.
+FN float logOfOneMinus(float x) {
+  if (x < 0.03125f) return -x * (1.0f + x * (0.5f + x * (1.0f / 3.0f + x * (0.25f + 0.2f * x))));
+  return log(1.0f - x);
+}
+
 // D(h) ∝ (n·h)^p (Blinn 1977).
-FN float blinnLobe(float exponent, float s) { return pow(1.0f - s, 0.5f * exponent) * cosineOfLobe(s); }
+FN float blinnLobe(float exponent, float s) {
+  return exp(0.5f * exponent * logOfOneMinus(min(s, 0.5f))) * cosineOfLobe(s);
+}
 
 // (r·l)^p (Phong 1975): a lobe about the mirror direction itself, without the cosine of the light.
-FN float phongLobe(float exponent, float s) { return pow(cosineOfLobe(s), exponent); }
+FN float phongLobe(float exponent, float s) { return s < 0.5f ? exp(exponent * logOfOneMinus(2.0f * s)) : 0.0f; }
 
 // D(h) ∝ (sin θ_h)^(1/α): the fibres of cloth, which reflect most at grazing angles (Estevez & Kulla 2017, eq. 2). Below
 // the horizon there is nothing, so 2 s is at most 1.

@@ -179,6 +179,7 @@ const Case kCases[] = {
     // reflection_lobe
     PARITY(cosineOfLobe, unit, kTight, vec4(cosineOfLobe(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(ggxLobe, unit, kTight, vec4(ggxLobe(0.0625f + p.y, p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(logOfOneMinus, unit, kTranscendental, vec4(logOfOneMinus(0.9375f * p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(blinnLobe, unit, kTranscendental, vec4(blinnLobe(32.0f * p.y, 0.9375f * p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(phongLobe, unit, kTranscendental, vec4(phongLobe(1.0f + 32.0f * p.y, p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(charlieLobe, unit, kTranscendental, vec4(charlieLobe(0.0625f + p.y, p.x), 0.0f, 0.0f, 0.0f)),

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "formula/formula.h"
 #include "mirrorball/bake/gauss_legendre.h"
@@ -20,7 +19,7 @@ struct Samples {
 
 /// Panels of 16 Gauss points that grow with the distance from the middle, but none so wide that the highest harmonic
 /// swings more than twice in it.
-Samples sampled(const std::function<float(float)>& shape, double width, int most_bands) {
+Samples sampled(const LobeShape& shape, double width, int most_bands) {
   const QuadratureRule rule = gaussLegendre(16);
   const double widest = 4.0 * std::numbers::pi / most_bands;
   Samples samples;
@@ -32,7 +31,7 @@ Samples sampled(const std::function<float(float)>& shape, double width, int most
       const double half = std::sin(theta / 2);
       const double ring = 2.0 * std::numbers::pi * std::sin(theta) * rule.weights[i] * (end - begin) / 2;
       samples.cosines.push_back(std::cos(theta));
-      samples.weighted.push_back(ring * static_cast<double>(shape(static_cast<float>(half * half))));
+      samples.weighted.push_back(ring * static_cast<double>(shape.at(static_cast<float>(half * half))));
     }
     begin = end;
   }
@@ -68,7 +67,21 @@ std::vector<float> bandsOf(const Samples& samples, int most_bands) {
 
 }  // namespace
 
-Lobe::Lobe(std::function<float(float s)> shape, float width_rad) : shape_(std::move(shape)), width_rad_(width_rad) {
+float LobeShape::at(float s) const {
+  switch (distribution) {
+    case Distribution::phong:
+      return formula::phongLobe(parameter, s);
+    case Distribution::blinn:
+      return formula::blinnLobe(parameter, s);
+    case Distribution::charlie:
+      return formula::charlieLobe(parameter, s);
+    case Distribution::ggx:
+      break;
+  }
+  return formula::ggxLobe(parameter, s);
+}
+
+Lobe::Lobe(const LobeShape& shape, float width_rad) : shape_(shape), width_rad_(width_rad) {
   // GGX needs 5.5 / width; lobes with an edge fall like l^-2.5 in the end.
   const int most_bands = static_cast<int>(6.0f / width_rad) + kCheapBands;
   const Samples samples = sampled(shape_, static_cast<double>(width_rad), most_bands);
@@ -94,29 +107,19 @@ Lobe Lobe::reflection(Distribution distribution, float perceptual_roughness) {
   const float alpha = formula::alphaFromPerceptualRoughness(perceptual_roughness);
   assert(alpha >= kLeastAlpha);
   switch (distribution) {
-    case Distribution::phong: {
+    case Distribution::phong:
       // Not formula::phongExponent, which is bounded for point lights.
-      const float exponent = std::max(formula::blinnExponent(alpha) / 4.0f, 1.0f);
-      return Lobe([exponent](float s) { return formula::phongLobe(exponent, s); }, alpha);
-    }
-    case Distribution::blinn: {
-      const float exponent = formula::blinnExponent(alpha);
-      return Lobe([exponent](float s) { return formula::blinnLobe(exponent, s); }, alpha);
-    }
+      return Lobe({distribution, std::max(formula::blinnExponent(alpha) / 4.0f, 1.0f)}, alpha);
+    case Distribution::blinn:
+      return Lobe({distribution, formula::blinnExponent(alpha)}, alpha);
     case Distribution::charlie:
-      return Lobe([alpha](float s) { return formula::charlieLobe(alpha, s); }, alpha);
     case Distribution::ggx:
       break;
   }
-  Lobe lobe([alpha](float s) { return formula::ggxLobe(alpha, s); }, alpha);
-  lobe.ggx_alpha_ = alpha;
-  return lobe;
+  return Lobe({distribution, alpha}, alpha);
 }
 
-Lobe Lobe::cosine() {
-  Lobe lobe([](float s) { return formula::cosineOfLobe(s); }, 1.0f);
-  lobe.ggx_alpha_ = 1.0f;  // microfacets in all directions alike
-  return lobe;
-}
+/// GGX with microfacets in all directions alike.
+Lobe Lobe::cosine() { return Lobe({Distribution::ggx, 1.0f}, 1.0f); }
 
 }  // namespace mirrorball

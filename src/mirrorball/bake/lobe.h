@@ -1,12 +1,20 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 namespace mirrorball {
 
 /// Which microfacet distribution a rough surface has (formula/reflection_lobe.glsl).
 enum class Distribution { ggx, phong, blinn, charlie };
+
+/// Which of the formulas of reflection_lobe.glsl a lobe is, before it is scaled.
+struct LobeShape {
+  Distribution distribution;
+  float parameter;  ///< ggx and charlie: alpha; phong and blinn: the exponent
+
+  /// In a direction with sin²(θ/2) = s: at most about 1.
+  float at(float s) const;
+};
 
 /// A blur that is the same in all directions around its middle: a function on the sphere that depends only on the angle
 /// θ from there, vanishes beyond 90° and has the integral 1.
@@ -21,11 +29,10 @@ class Lobe {
   static Lobe cosine();
 
   /// Its value [1/sr] in a direction with sin²(θ/2) = s.
-  float at(float s) const { return scale_ * shape_(s); }
+  float at(float s) const { return scale_ * shape_.at(s); }
 
-  /// GGX's alpha, for whoever has its formula; 0 for other lobes.
-  float ggxAlpha() const { return ggx_alpha_; }
-  /// at(0) of GGX.
+  const LobeShape& shape() const { return shape_; }
+  /// [1/sr] One over the shape's integral.
   float scale() const { return scale_; }
 
   /// What it leaves of band l of spherical harmonics (Funk and Hecke): 1 for l = 0, and so many that all further ones are
@@ -51,13 +58,11 @@ class Lobe {
   static constexpr float kLeastFurtherBand = 7e-5f;
 
  private:
-  /// shape   of s, at most about 1
-  Lobe(std::function<float(float s)> shape, float width_rad);
+  Lobe(const LobeShape& shape, float width_rad);
 
-  std::function<float(float s)> shape_;
+  LobeShape shape_;
   float width_rad_;
   float scale_ = 1.0f;
-  float ggx_alpha_ = 0.0f;
   std::vector<float> bands_;
 };
 

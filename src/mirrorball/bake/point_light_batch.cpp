@@ -1,42 +1,80 @@
+// The twin in vector instructions of formula/reflection_lobe.glsl. point_light_batch_test holds both to the same values.
+
 #include "mirrorball/bake/point_light_batch.h"
 
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/bake/point_light_batch.cpp"
+// Highway needs its headers in this order.
+// clang-format off
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#include <hwy/contrib/math/math-inl.h>
+// clang-format on
 
 HWY_BEFORE_NAMESPACE();
 namespace mirrorball::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The twin of formula::ggxLobe for many points.
-void addGgx(const PointOfLight& point, float alpha, float scale, const PointBatch& points, LightChannels& light) {
-  const hn::CappedTag<float, 16> d;
-  const auto x = hn::Set(d, point.direction.x);
-  const auto y = hn::Set(d, point.direction.y);
-  const auto z = hn::Set(d, point.direction.z);
+using Lanes = hn::CappedTag<float, 8>;
+using Floats = hn::Vec<Lanes>;
+
+HWY_INLINE Floats set(float value) { return hn::Set(Lanes(), value); }
+
+template <Distribution kDistribution>
+HWY_INLINE Floats shapeAt(float parameter, Floats s) {
+  const Lanes d;
+  const Floats cosine = hn::Max(hn::NegMulAdd(set(2.0f), s, set(1.0f)), hn::Zero(d));
+  switch (kDistribution) {
+    case Distribution::phong:
+      return hn::IfThenElseZero(cosine > hn::Zero(d), hn::Exp(d, set(parameter) * hn::Log1p(d, set(-2.0f) * s)));
+    case Distribution::blinn:
+      return cosine * hn::Exp(d, set(0.5f * parameter) * hn::Log1p(d, hn::Neg(s)));
+    case Distribution::charlie: {
+      const Floats sine2 = hn::Min(set(2.0f) * s, set(1.0f));
+      return hn::IfThenElseZero(sine2 > hn::Zero(d), cosine * hn::Exp(d, set(0.5f / parameter) * hn::Log(d, sine2)));
+    }
+    case Distribution::ggx:
+      break;
+  }
+  const float alpha2 = parameter * parameter;
+  const Floats q = set(alpha2) / hn::MulAdd(set(1.0f - alpha2), s, set(alpha2));
+  return q * q * cosine;
+}
+
+template <Distribution kDistribution>
+HWY_INLINE void addOf(const PointOfLight& point, float parameter, float scale, const PointBatch& points,
+                      LightChannels& light) {
+  const Lanes d;
+  const auto x = set(point.direction.x);
+  const auto y = set(point.direction.y);
+  const auto z = set(point.direction.z);
   const glm::vec3 flux = point.flux * scale;
-  const auto red = hn::Set(d, flux.x);
-  const auto green = hn::Set(d, flux.y);
-  const auto blue = hn::Set(d, flux.z);
-  const float alpha2 = alpha * alpha;
-  const auto a2 = hn::Set(d, alpha2);
-  const auto rest = hn::Set(d, 1.0f - alpha2);
-  const auto quarter = hn::Set(d, 0.25f);
-  const auto one = hn::Set(d, 1.0f);
   for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); i += hn::Lanes(d)) {
-    const auto dx = hn::Sub(x, hn::Load(d, &points.x[i]));
-    const auto dy = hn::Sub(y, hn::Load(d, &points.y[i]));
-    const auto dz = hn::Sub(z, hn::Load(d, &points.z[i]));
-    const auto s = hn::Mul(quarter, hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))));
-    const auto q = hn::Div(a2, hn::MulAdd(rest, s, a2));
-    const auto cosine = hn::Max(hn::NegMulAdd(hn::Set(d, 2.0f), s, one), hn::Zero(d));
-    const auto lobe = hn::Mul(hn::Mul(q, q), cosine);
-    hn::Store(hn::MulAdd(red, lobe, hn::Load(d, &light.channel[0][i])), d, &light.channel[0][i]);
-    hn::Store(hn::MulAdd(green, lobe, hn::Load(d, &light.channel[1][i])), d, &light.channel[1][i]);
-    hn::Store(hn::MulAdd(blue, lobe, hn::Load(d, &light.channel[2][i])), d, &light.channel[2][i]);
+    const Floats dx = x - hn::Load(d, &points.x[i]);
+    const Floats dy = y - hn::Load(d, &points.y[i]);
+    const Floats dz = z - hn::Load(d, &points.z[i]);
+    const Floats s = set(0.25f) * hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, dz * dz));
+    const Floats received = shapeAt<kDistribution>(parameter, s);
+    for (std::size_t c = 0; c < 3; ++c) {
+      float* channel = &light.channel[c][i];
+      hn::Store(hn::MulAdd(set(flux[static_cast<int>(c)]), received, hn::Load(d, channel)), d, channel);
+    }
+  }
+}
+
+void add(const PointOfLight& point, const LobeShape& shape, float scale, const PointBatch& points,
+         LightChannels& light) {
+  switch (shape.distribution) {
+    case Distribution::phong:
+      return addOf<Distribution::phong>(point, shape.parameter, scale, points, light);
+    case Distribution::blinn:
+      return addOf<Distribution::blinn>(point, shape.parameter, scale, points, light);
+    case Distribution::charlie:
+      return addOf<Distribution::charlie>(point, shape.parameter, scale, points, light);
+    case Distribution::ggx:
+      return addOf<Distribution::ggx>(point, shape.parameter, scale, points, light);
   }
 }
 
@@ -45,28 +83,13 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace mirrorball {
-namespace {
 
-HWY_EXPORT(addGgx);
-
-void add(const PointOfLight& point, const Lobe& lobe, const PointBatch& points, LightChannels& light) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); ++i) {
-    const glm::vec3 difference = point.direction - glm::vec3(points.x[i], points.y[i], points.z[i]);
-    const float received = lobe.at(glm::dot(difference, difference) / 4.0f);
-    for (std::size_t c = 0; c < 3; ++c) light.channel[c][i] += point.flux[static_cast<int>(c)] * received;
-  }
-}
-
-}  // namespace
+HWY_EXPORT(add);
 
 LightChannels lightOfPoints(const std::vector<PointOfLight>& lights, const Lobe& lobe, const PointBatch& points) {
   LightChannels light;
-  for (const PointOfLight& point : lights) {
-    if (lobe.ggxAlpha() > 0.0f)
-      HWY_DYNAMIC_DISPATCH(addGgx)(point, lobe.ggxAlpha(), lobe.scale(), points, light);
-    else
-      add(point, lobe, points, light);
-  }
+  const auto add_light = HWY_DYNAMIC_DISPATCH(add);
+  for (const PointOfLight& point : lights) add_light(point, lobe.shape(), lobe.scale(), points, light);
   return light;
 }
 

@@ -115,7 +115,7 @@ void GpuPrefilter::findTaps() {
       const glm::vec4 values(tap.place, std::log2(tap.footprint_rad / texel_width), tap.weight);
       texel = std::copy_n(&values.x, 4, texel);
     }
-    levels_[i] = {lobes[i].ggxAlpha(), lobes[i].scale(), static_cast<int>(taps.size()), is_coarse};
+    levels_[i] = {lobes[i].shape().parameter, lobes[i].scale(), static_cast<int>(taps.size()), is_coarse};
   });
   taps_.upload(0, 0, rows);
 }

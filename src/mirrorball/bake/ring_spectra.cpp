@@ -5,15 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include <kiss_fft.h>
-
 #include "mirrorball/base/parallel.h"
 
 namespace mirrorball {
 namespace {
 
 using Complex = std::complex<float>;
-static_assert(sizeof(Complex) == sizeof(kiss_fft_cpx));
 
 /// Coefficient m of two real functions, from the transform of north + i south.
 struct NorthSouth {
@@ -42,15 +39,6 @@ float splineTransform(double x) {
 struct RingColumns {
   std::array<std::vector<Complex>, 3> channel;
 };
-
-FourierTransform::FourierTransform(int length, bool is_inverse)
-    : plan_(kiss_fft_alloc(length, is_inverse, nullptr, nullptr)) {}
-
-void FourierTransform::Free::operator()(kiss_fft_state* plan) const { kiss_fft_free(plan); }
-
-void FourierTransform::run(const std::vector<Complex>& in, std::vector<Complex>& out) const {
-  kiss_fft(plan_.get(), reinterpret_cast<const kiss_fft_cpx*>(in.data()), reinterpret_cast<kiss_fft_cpx*>(out.data()));
-}
 
 RowTransform::RowTransform(const EnvironmentMap& panorama, const BrightLights& without, int orders)
     : image_(panorama.face(0)), without_(without), transform_(image_.width(), false) {
@@ -173,17 +161,6 @@ void GridTransform::setPair(int pair, const RingSpectra& spectra, std::size_t pl
     north[i].w = north_white;
     south[i].w = south_white;
   }
-}
-
-int quickLength(int least) {
-  const auto isQuick = [](int length) {
-    for (const int factor : {2, 3, 5})
-      while (length % factor == 0) length /= factor;
-    return length == 1;
-  };
-  int length = least + least % 2;
-  while (!isQuick(length)) length += 2;
-  return length;
 }
 
 }  // namespace mirrorball

@@ -2,18 +2,16 @@
 
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include "mirrorball/bake/bright_lights.h"
+#include "mirrorball/bake/fourier_transform.h"
 #include "mirrorball/bake/sphere_grid.h"
 #include "mirrorball/environment/environment_map.h"
 #include "mirrorball/image/texel_allocator.h"
-
-struct kiss_fft_state;
 
 namespace mirrorball {
 
@@ -52,19 +50,6 @@ class RingSpectra {
 
   int orders_;
   std::vector<RingPair, TexelAllocator<RingPair>> values_;
-};
-
-/// A Fourier transform of complex numbers, unscaled; safe to use from many threads.
-class FourierTransform {
- public:
-  FourierTransform(int length, bool is_inverse);
-  void run(const std::vector<std::complex<float>>& in, std::vector<std::complex<float>>& out) const;
-
- private:
-  struct Free {
-    void operator()(kiss_fft_state* plan) const;
-  };
-  std::unique_ptr<kiss_fft_state, Free> plan_;
 };
 
 struct RingColumns;
@@ -107,8 +92,5 @@ class GridTransform {
   FourierTransform transform_;
   std::vector<float> sharpen_;  // what makes values into coefficients of cubic B-splines
 };
-
-/// The next number from `least` on that is even and a product of 2, 3 and 5, for which Fourier transforms are quick.
-int quickLength(int least);
 
 }  // namespace mirrorball

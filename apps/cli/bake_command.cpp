@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -154,8 +155,9 @@ Result<void> bakeChain(const BakeRequest& request, StageClock& clock) {
   MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request); }));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
   const std::vector<PrefilterLevel> levels = prefilterLevels(prefilterOptionsOf(request.options));
-  MIRRORBALL_TRY(light, clock.time("harmonics: analyse",
-                                   [&] { return LightHarmonics::make(loaded.environment, lobesOf(levels)); }));
+  MIRRORBALL_TRY(light, clock.time("harmonics: analyse", [&] {
+    return LightHarmonics::make(loaded.environment, lobesOf(levels), progressBar("analyse light"));
+  }));
   MIRRORBALL_TRY(chain, clock.time("specular: prefilter", [&] {
     return prefilter(loaded.environment, light, levels, progressBar("prefilter"));
   }));
@@ -168,37 +170,60 @@ Result<BakedSet> bakeSet(const Environment& environment, const BakeOptions& opti
   set.levels = clock.time("lobes: bands", [&] { return prefilterLevels(prefilterOptionsOf(options)); });
   std::vector<Lobe> lobes = lobesOf(set.levels);
   lobes.push_back(Lobe::cosine());
-  MIRRORBALL_TRY(light, clock.time("harmonics: analyse", [&] { return LightHarmonics::make(environment, lobes); }));
+  MIRRORBALL_TRY(light, clock.time("harmonics: analyse", [&] {
+    return LightHarmonics::make(environment, lobes, progressBar("analyse light"));
+  }));
   MIRRORBALL_TRY(specular, clock.time("specular: prefilter", [&] {
     return prefilter(environment, light, set.levels, progressBar("prefilter"));
   }));
   set.specular = std::move(specular);
-  MIRRORBALL_TRY(irradiance, clock.time("irradiance: cube",
-                                        [&] { return cubeOf(light.blurred(lobes.back()), options.irradiance_size); }));
+  MIRRORBALL_TRY(irradiance, clock.time("irradiance: cube", [&] {
+    return cubeOf(light, lobes.back(), options.irradiance_size, progressBar("irradiance"));
+  }));
   set.irradiance = std::move(irradiance);
   set.radiance = radianceHarmonics(light, options.harmonics_degree);
   return set;
 }
 
+/// The BRDF table, made on threads of its own. It stops soon when it goes away before it was asked for.
+class LaterTable {
+ public:
+  LaterTable(const BakeOptions& options, StageClock& clock)
+      : table_(std::async(std::launch::async, [this, &options, &clock] {
+          return clock.time("BRDF table", [&] { return make(options); });
+        })) {}
+  LaterTable(const LaterTable&) = delete;
+  LaterTable& operator=(const LaterTable&) = delete;
+  ~LaterTable() { is_wanted_ = false; }
+
+  Result<Image> get() { return table_.get(); }
+
+ private:
+  Result<Image> make(const BakeOptions& options) const {
+    const BrdfTableOptions table{.size = options.brdf_size,
+                                 .channels = options.brdf_channels,
+                                 .distribution = options.distribution,
+                                 .axes = options.brdf_axes};
+    return brdfTable(table, [this, bar = progressBar("BRDF table")](std::size_t done, std::size_t total) {
+      return is_wanted_ && bar(done, total);
+    });
+  }
+
+  std::atomic<bool> is_wanted_ = true;
+  std::future<Result<Image>> table_;  // waits for its threads, and so is the first to go
+};
+
 Result<void> bakeFolder(const BakeRequest& request, StageClock& clock) {
   const BakeOptions& options = request.options;
   MIRRORBALL_TRY(files, filesOf(request));
   // The table needs no environment; reading one leaves cores idle.
-  auto brdf_later = std::async(std::launch::async, [&] {
-    return clock.time("BRDF table", [&] {
-      return brdfTable({.size = options.brdf_size,
-                        .channels = options.brdf_channels,
-                        .distribution = options.distribution,
-                        .axes = options.brdf_axes});
-    });
-  });
+  LaterTable brdf_later(options, clock);
   MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request); }));
   MIRRORBALL_TRY_VOID(refuseOverwriting(
       loaded.files, std::array{files.specular.paths().front(), files.irradiance.paths().front(), files.brdf}));
   MIRRORBALL_TRY(brdf, brdf_later.get());
   MIRRORBALL_TRY(set, bakeSet(loaded.environment, options, clock));
   set.brdf = std::move(brdf);
-  MIRRORBALL_TRY_VOID(makeFolder(files.folder));
   return clock.time("files: write", [&] { return writeSet(std::move(set), files, options); });
 }
 

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/files.h"
 #include "cli/terminal.h"
 #include "formula/formula.h"
 #include "mirrorball/base/file.h"
@@ -173,16 +174,29 @@ Result<void> writeBrdf(const Image& table, const std::string& path) {
 }  // namespace
 
 Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& options) {
+  MIRRORBALL_TRY(folder, OutputFolder::make(files.folder));
+  const auto go_on = [&]() -> Result<void> {
+    if (!interrupted()) return {};
+    return fail(ErrorCode::interrupted, folder.isNew() ? "interrupted; nothing was written"
+                                                       : "interrupted; " + files.folder +
+                                                             " has only some of the new files, and "
+                                                             "no manifest");
+  };
   // An older manifest would tell of other maps than those that now take their places.
   std::error_code missing;
   std::filesystem::remove(files.folder + "/manifest.json", missing);
   MIRRORBALL_TRY(specular, files.specular.writeLevels(std::move(set.specular)));
+  MIRRORBALL_TRY_VOID(go_on());
   MIRRORBALL_TRY(irradiance, files.irradiance.writeLevels(std::move(set.irradiance).takeImages()));
+  MIRRORBALL_TRY_VOID(go_on());
   MIRRORBALL_TRY_VOID(writeBrdf(set.brdf, files.brdf));
-  const std::string folder = files.folder + "/";
-  MIRRORBALL_TRY_VOID(writeText(folder + "sh.json", textOf(harmonicsJson(set.radiance, options))));
-  MIRRORBALL_TRY_VOID(writeText(folder + "sh.h", harmonicsHeader(set.radiance, files.source)));
-  return writeText(folder + "manifest.json", textOf(manifestOf(set, files, options, specular, irradiance)));
+  MIRRORBALL_TRY_VOID(go_on());
+  const std::string path = files.folder + "/";
+  MIRRORBALL_TRY_VOID(writeText(path + "sh.json", textOf(harmonicsJson(set.radiance, options))));
+  MIRRORBALL_TRY_VOID(writeText(path + "sh.h", harmonicsHeader(set.radiance, files.source)));
+  MIRRORBALL_TRY_VOID(writeText(path + "manifest.json", textOf(manifestOf(set, files, options, specular, irradiance))));
+  folder.keep();
+  return {};
 }
 
 }  // namespace mirrorball::cli

@@ -28,9 +28,10 @@ struct BakedFiles {
 };
 
 /// Writes specular, irradiance and BRDF table as textures, the harmonics as sh.json and sh.h, and at last manifest.json,
-/// which says what is what.
+/// which says what is what. The folder is made if it is not there, and is gone again if they could not all be written; of
+/// an older set in it the manifest is gone then, and files may be.
 ///
-/// errors   as writeImageSet's and writeImage's
+/// errors   io; interrupted, between files; as writeImageSet's and writeImage's
 Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& options);
 
 }  // namespace mirrorball::cli

@@ -34,7 +34,7 @@ bool isDenseEnough(const EnvironmentMap& map, int rows) {
 }
 
 /// As a panorama of at least so many rows.
-Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows) {
+Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows, const ProgressFunction& progress) {
   const int natural = environment.naturalSize(Projection::equirect);
   // A function may be as smooth as it likes: with that many rows the first harmonics are right to 1e-4.
   constexpr int kLeastRowsOfFunction = 256;
@@ -44,16 +44,17 @@ Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows) {
   constexpr int kMostRowsForThat = 2048;
   const int rows = std::max(least_rows, natural);
   const EnvironmentMap* map = environment.map();
-  if (!map) return convert(environment, Projection::equirect, std::max(rows, kLeastRowsOfFunction));
-  if (isDenseEnough(*map, least_rows)) return convert(environment, Projection::equirect, rows);
+  if (!map) return convert(environment, Projection::equirect, std::max(rows, kLeastRowsOfFunction), {}, progress);
+  if (isDenseEnough(*map, least_rows)) return convert(environment, Projection::equirect, rows, {}, progress);
   return convert(environment, Projection::equirect,
                  std::max(rows, std::min(kPointsAcrossTexel * natural, kMostRowsForThat)),
-                 {.interpolation = Interpolation::bilinear});
+                 {.interpolation = Interpolation::bilinear}, progress);
 }
 
 }  // namespace
 
-Result<LightHarmonics> LightHarmonics::make(const Environment& environment, const std::vector<Lobe>& lobes) {
+Result<LightHarmonics> LightHarmonics::make(const Environment& environment, const std::vector<Lobe>& lobes,
+                                            const ProgressFunction& progress) {
   const int rows = leastRows(lobes);
   const EnvironmentMap* map = environment.map();
   // Single texels are points of light in the map that they come from; converted they would be smeared. But of a map of
@@ -61,30 +62,37 @@ Result<LightHarmonics> LightHarmonics::make(const Environment& environment, cons
   BrightLights bright;
   if (map && isDenseEnough(*map, rows / 4)) bright = brightLights(*map, kMostBrightLights);
   if (map && map->projection() == Projection::equirect && isDenseEnough(*map, rows))
-    return ofPanorama(*map, bright, bright, lobes);
+    return ofPanorama(*map, bright, bright, lobes, progress);
+  // Analysing takes a few times as long as laying out.
+  constexpr std::size_t kSteps = 4000;
+  const ProgressFunction lay_out = partOf(progress, 0, kSteps / 4, kSteps);
+  const ProgressFunction analyse = partOf(progress, kSteps / 4, kSteps * 3 / 4, kSteps);
   if (bright.texels.empty()) {
-    MIRRORBALL_TRY(panorama, laidOut(environment, rows));
+    MIRRORBALL_TRY(panorama, laidOut(environment, rows, lay_out));
     bright = brightLights(panorama, kMostBrightLights);
-    return ofPanorama(panorama, bright, bright, lobes);
+    return ofPanorama(panorama, bright, bright, lobes, analyse);
   }
   EnvironmentMap without = *map;
   subtract(bright, without);
-  MIRRORBALL_TRY(panorama, laidOut(Environment(std::move(without)), rows));
-  return ofPanorama(panorama, {}, bright, lobes);
+  MIRRORBALL_TRY(panorama, laidOut(Environment(std::move(without)), rows, lay_out));
+  return ofPanorama(panorama, {}, bright, lobes, analyse);
 }
 
-LightHarmonics LightHarmonics::ofPanorama(const EnvironmentMap& panorama, const BrightLights& without,
-                                          const BrightLights& bright, const std::vector<Lobe>& lobes) {
+Result<LightHarmonics> LightHarmonics::ofPanorama(const EnvironmentMap& panorama, const BrightLights& without,
+                                                  const BrightLights& bright, const std::vector<Lobe>& lobes,
+                                                  const ProgressFunction& progress) {
   const float tolerance = kTolerance / lightContrast(panorama, without);
   int bands = 1;
   for (const Lobe& lobe : lobes) bands = std::max(bands, lobe.bandsFor(tolerance));
-  return LightHarmonics(tolerance, analyse(panorama, without, bands), bright);
+  MIRRORBALL_TRY(coefficients, analyse(panorama, without, bands, progress));
+  return LightHarmonics(tolerance, std::move(coefficients), bright);
 }
 
-BlurredLight LightHarmonics::blurred(const Lobe& lobe) const {
+Result<BlurredLight> LightHarmonics::blurred(const Lobe& lobe, const ProgressFunction& progress) const {
   std::vector<float> weights = lobe.bands();
   weights.resize(static_cast<std::size_t>(std::min(lobe.bandsFor(tolerance_), coefficients_.bands())));
-  return BlurredLight(lobe, synthesize(coefficients_, weights), bright_);
+  MIRRORBALL_TRY(grid, synthesize(coefficients_, weights, progress));
+  return BlurredLight(lobe, std::move(grid), bright_);
 }
 
 void BlurredLight::sample(PointBatch& points, glm::vec4* values) const {

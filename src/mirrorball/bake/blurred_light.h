@@ -9,6 +9,7 @@
 #include "mirrorball/bake/harmonic_transform.h"
 #include "mirrorball/bake/lobe.h"
 #include "mirrorball/bake/sphere_grid.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/environment/point_batch.h"
@@ -43,12 +44,14 @@ class LightHarmonics {
  public:
   /// environment   finite
   /// lobes         that it will be blurred by
-  /// errors        too_large
+  /// errors        too_large; interrupted (when `progress` says so)
   /// cost          a Fourier transform of each row of texels, and rows · bands² / 4 steps of about 1.2 ns on one core
-  static Result<LightHarmonics> make(const Environment& environment, const std::vector<Lobe>& lobes);
+  static Result<LightHarmonics> make(const Environment& environment, const std::vector<Lobe>& lobes,
+                                     const ProgressFunction& progress = {});
 
   /// lobe     one of those
-  BlurredLight blurred(const Lobe& lobe) const;
+  /// errors   interrupted (when `progress` says so)
+  Result<BlurredLight> blurred(const Lobe& lobe, const ProgressFunction& progress = {}) const;
 
   const HarmonicCoefficients& coefficients() const { return coefficients_; }
   /// What the coefficients lack.
@@ -56,8 +59,9 @@ class LightHarmonics {
 
  private:
   /// without  the bright lights that the panorama still has; bright: all there are
-  static LightHarmonics ofPanorama(const EnvironmentMap& panorama, const BrightLights& without,
-                                   const BrightLights& bright, const std::vector<Lobe>& lobes);
+  static Result<LightHarmonics> ofPanorama(const EnvironmentMap& panorama, const BrightLights& without,
+                                           const BrightLights& bright, const std::vector<Lobe>& lobes,
+                                           const ProgressFunction& progress);
   LightHarmonics(float tolerance, HarmonicCoefficients coefficients, BrightLights bright)
       : tolerance_(tolerance),
         coefficients_(std::move(coefficients)),

@@ -157,6 +157,22 @@ void forEachOrder(int orders, const Visit& visit) {
   });
 }
 
+/// The same, each order a step, until it is told to stop.
+template <typename Visit>
+void forEachOrder(int orders, ProgressCounter& steps, const Visit& visit) {
+  forEachOrder(orders, [&](int m) {
+    if (steps.stopped()) return;
+    visit(m);
+    steps.advance();
+  });
+}
+
+/// Of a transform: each order each time that the spectra are filled.
+std::size_t stepsOf(const Rings& rings, int bands) {
+  const int fillings = (rings.pairs() + RingSpectra::kPairs - 1) / RingSpectra::kPairs;
+  return std::size_t(fillings) * std::size_t(bands);
+}
+
 }  // namespace
 
 HarmonicCoefficients::HarmonicCoefficients(int bands)
@@ -169,15 +185,18 @@ HarmonicCoefficients::HarmonicCoefficients(int bands)
   });
 }
 
-HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands) {
+Result<HarmonicCoefficients> analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands,
+                                     const ProgressFunction& progress) {
   HarmonicCoefficients coefficients(bands);
   const RowTransform rows(panorama, without, bands);
   const Rings rings(panorama.extent().y);
   RingSpectra spectra(bands);
+  ProgressCounter steps(progress, stepsOf(rings, bands));
   for (int first = 0; first < rings.pairs(); first += RingSpectra::kPairs) {
     rows.run(first, spectra);
-    forEachOrder(bands,
+    forEachOrder(bands, steps,
                  [&](int m) { analyseOrder(spectra, first, rings, coefficients.legendre(m), coefficients.order(m)); });
+    MIRRORBALL_TRY_VOID(steps.result());
   }
   forEachOrder(bands, [&](int m) {
     std::vector<Coefficient>& order = coefficients.order(m);
@@ -189,7 +208,8 @@ HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightLights&
   return coefficients;
 }
 
-SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights) {
+Result<SphereGrid> synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights,
+                              const ProgressFunction& progress) {
   const int bands = static_cast<int>(weights.size());
   assert(bands <= coefficients.bands());
   std::vector<std::vector<Coefficient>> weighted(weights.size());
@@ -202,10 +222,12 @@ SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vecto
   const GridTransform transform(grid, bands);
   const Rings rings(grid.rings());
   RingSpectra spectra(bands);
+  ProgressCounter steps(progress, stepsOf(rings, bands));
   for (int first = 0; first < rings.pairs(); first += RingSpectra::kPairs) {
-    forEachOrder(bands, [&](int m) {
+    forEachOrder(bands, steps, [&](int m) {
       synthesizeOrder(weighted[static_cast<std::size_t>(m)], rings, coefficients.legendre(m), first, spectra);
     });
+    MIRRORBALL_TRY_VOID(steps.result());
     transform.run(first, spectra);
   }
   grid.close();

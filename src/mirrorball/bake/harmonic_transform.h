@@ -8,6 +8,7 @@
 #include "mirrorball/bake/bright_lights.h"
 #include "mirrorball/bake/legendre.h"
 #include "mirrorball/bake/sphere_grid.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/environment/environment_map.h"
 
 namespace mirrorball {
@@ -44,16 +45,20 @@ class HarmonicCoefficients {
 /// panorama   equirect, of any width and height
 /// without    texels whose excess is left out (bright_lights.h)
 /// bands      l < bands
+/// errors     interrupted (when `progress` says so)
 /// cost       height/2 · bands²/2 steps of a recurrence and its eight products, about 1.2 ns each on one core; and a
 ///            Fourier transform of each row
-HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands);
+Result<HarmonicCoefficients> analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands,
+                                     const ProgressFunction& progress = {});
 
 /// The function again on a grid, each band l weighed by `weights[l]`, divided by what the white map has there: for weights
 /// of a lobe the weighted mean of all texels.
 ///
 /// weights    at most coefficients.bands() count
 /// returns    colour and, as the fourth channel, one over white
+/// errors     interrupted (when `progress` says so)
 /// cost       9/16 · bands steps for each m and l, and a Fourier transform of each ring
-SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights);
+Result<SphereGrid> synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights,
+                              const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

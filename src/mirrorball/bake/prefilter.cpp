@@ -34,6 +34,9 @@ void sampleRow(const BlurredLight& light, int face, int y, Image& image) {
   }
 }
 
+/// What a level counts in the progress of all: narrower lobes have finer grids as well as more texels.
+std::size_t texelsOfFace(const PrefilterLevel& level) { return std::size_t(level.size) * std::size_t(level.size); }
+
 }  // namespace
 
 float roughnessOfLevel(MipMapping mapping, int level, int last) {
@@ -61,15 +64,22 @@ int lastLevel(int size) {
   return level;
 }
 
-Result<EnvironmentMap> cubeOf(const BlurredLight& light, int size) {
+Result<EnvironmentMap> cubeOf(const LightHarmonics& light, const Lobe& lobe, int size,
+                              const ProgressFunction& progress) {
   MIRRORBALL_TRY(images, imagesFor(Projection::cube, size));
   const auto side = static_cast<std::size_t>(size);
-  parallelFor(6 * side, 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
+  const std::size_t rows = 6 * side;
+  MIRRORBALL_TRY(blurred, light.blurred(lobe, partOf(progress, 0, rows, 2 * rows)));
+  const ProgressFunction second_half = partOf(progress, rows, rows, 2 * rows);
+  ProgressCounter steps(second_half, rows);
+  parallelFor(rows, 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end && !steps.stopped(); ++row) {
       const int face = static_cast<int>(row / side);
-      sampleRow(light, face, static_cast<int>(row % side), images.at(0, face));
+      sampleRow(blurred, face, static_cast<int>(row % side), images.at(0, face));
     }
+    steps.advance(end - begin);
   });
+  MIRRORBALL_TRY_VOID(steps.result());
   return EnvironmentMap(Projection::cube, std::move(images));
 }
 
@@ -95,15 +105,18 @@ std::vector<Lobe> lobesOf(const std::vector<PrefilterLevel>& levels) {
 
 Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics& light,
                            const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress) {
+  std::size_t total = 0;
+  for (const PrefilterLevel& level : levels) total += texelsOfFace(level);
   ImageSet chain(static_cast<int>(levels.size()), 6);
+  std::size_t done = 0;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    if (progress && !progress(i, levels.size())) return fail(ErrorCode::interrupted, "interrupted");
     const PrefilterLevel& level = levels[i];
-    MIRRORBALL_TRY(cube, level.lobe ? cubeOf(light.blurred(*level.lobe), level.size)
-                                    : convert(environment, Projection::cube, level.size));
+    const ProgressFunction part = partOf(progress, done, texelsOfFace(level), total);
+    MIRRORBALL_TRY(cube, level.lobe ? cubeOf(light, *level.lobe, level.size, part)
+                                    : convert(environment, Projection::cube, level.size, {}, part));
     for (int face = 0; face < 6; ++face) chain.at(static_cast<int>(i), face) = std::move(cube.face(face));
+    done += texelsOfFace(level);
   }
-  if (progress && !progress(levels.size(), levels.size())) return fail(ErrorCode::interrupted, "interrupted");
   return chain;
 }
 

@@ -64,7 +64,9 @@ Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics&
 
 /// The mean of an environment under one lobe in each direction, as a cube.
 ///
-/// errors   too_large
-Result<EnvironmentMap> cubeOf(const BlurredLight& light, int size);
+/// light    of that environment, for that lobe among others
+/// errors   too_large; interrupted (when `progress` says so)
+Result<EnvironmentMap> cubeOf(const LightHarmonics& light, const Lobe& lobe, int size,
+                              const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

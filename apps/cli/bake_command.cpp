@@ -2,22 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "cli/bake_maps.h"
 #include "cli/baked_set.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/map_output.h"
 #include "cli/stage_clock.h"
-#include "cli/terminal.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/environment/load.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -84,27 +81,6 @@ const std::array<Option<BakeOptions>, 15> kOptions{{
     {kMaxMemoryText, &BakeOptions::max_memory},
 }};
 
-/// All that `bake` was told.
-struct BakeRequest {
-  std::string environment;
-  BakeOptions options;
-  MapOutputOptions output;
-};
-
-Result<LoadedEnvironment> loadLight(const BakeRequest& request) {
-  MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
-  MIRRORBALL_TRY(loaded, loadEnvironment(request.environment, {.from = hint, .repair = request.options.repair}));
-  EnvironmentMap* map = loaded.environment.map();
-  const std::size_t count = map ? raiseNegativeLight(*map) : 0;
-  if (count > 0)
-    remark(loaded.name + ": " + std::to_string(count) + " values are negative, which light cannot be; taken as 0");
-  return loaded;
-}
-
-PrefilterOptions prefilterOptionsOf(const BakeOptions& options) {
-  return {.size = options.size, .distribution = options.distribution, .mip_mapping = options.mip_mapping};
-}
-
 /// errors   usage: no such folder can be, or no such files
 Result<BakedFiles> filesOf(const BakeRequest& request) {
   namespace fs = std::filesystem;
@@ -142,7 +118,7 @@ Result<void> refuseOptionsOfFolders(const BakeOptions& options) {
   return {};
 }
 
-Result<void> bakeChain(const BakeRequest& request, StageClock& clock) {
+Result<void> bakeFile(const BakeRequest& request, StageClock& clock) {
   MapOutputOptions to_file = request.output;
   to_file.output = request.options.output;
   if (!isTexturePath(to_file.output))
@@ -152,79 +128,15 @@ Result<void> bakeChain(const BakeRequest& request, StageClock& clock) {
   MIRRORBALL_TRY_VOID(refuseOptionsOfFolders(request.options));
   MIRRORBALL_TRY(output, MapOutput::resolve(to_file, Projection::cube));
   MIRRORBALL_TRY_VOID(checkFolder(to_file.output));
-  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request); }));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
-  const std::vector<PrefilterLevel> levels = prefilterLevels(prefilterOptionsOf(request.options));
-  MIRRORBALL_TRY(light, clock.time("harmonics: analyse", [&] {
-    return LightHarmonics::make(loaded.environment, lobesOf(levels), progressBar("analyse light"));
-  }));
-  MIRRORBALL_TRY(chain, clock.time("specular: prefilter", [&] {
-    return prefilter(loaded.environment, light, levels, progressBar("prefilter"));
-  }));
+  MIRRORBALL_TRY(chain, bakeChain(request, output, clock));
   MIRRORBALL_TRY_VOID(clock.time("files: write", [&] { return output.writeLevels(std::move(chain)); }));
   return {};
 }
 
-Result<BakedSet> bakeSet(const Environment& environment, const BakeOptions& options, StageClock& clock) {
-  BakedSet set;
-  set.levels = clock.time("lobes: bands", [&] { return prefilterLevels(prefilterOptionsOf(options)); });
-  std::vector<Lobe> lobes = lobesOf(set.levels);
-  lobes.push_back(Lobe::cosine());
-  MIRRORBALL_TRY(light, clock.time("harmonics: analyse", [&] {
-    return LightHarmonics::make(environment, lobes, progressBar("analyse light"));
-  }));
-  MIRRORBALL_TRY(specular, clock.time("specular: prefilter", [&] {
-    return prefilter(environment, light, set.levels, progressBar("prefilter"));
-  }));
-  set.specular = std::move(specular);
-  MIRRORBALL_TRY(irradiance, clock.time("irradiance: cube", [&] {
-    return cubeOf(light, lobes.back(), options.irradiance_size, progressBar("irradiance"));
-  }));
-  set.irradiance = std::move(irradiance);
-  set.radiance = radianceHarmonics(light, options.harmonics_degree);
-  return set;
-}
-
-/// The BRDF table, made on threads of its own. It stops soon when it goes away before it was asked for.
-class LaterTable {
- public:
-  LaterTable(const BakeOptions& options, StageClock& clock)
-      : table_(std::async(std::launch::async, [this, &options, &clock] {
-          return clock.time("BRDF table", [&] { return make(options); });
-        })) {}
-  LaterTable(const LaterTable&) = delete;
-  LaterTable& operator=(const LaterTable&) = delete;
-  ~LaterTable() { is_wanted_ = false; }
-
-  Result<Image> get() { return table_.get(); }
-
- private:
-  Result<Image> make(const BakeOptions& options) const {
-    const BrdfTableOptions table{.size = options.brdf_size,
-                                 .channels = options.brdf_channels,
-                                 .distribution = options.distribution,
-                                 .axes = options.brdf_axes};
-    return brdfTable(table, [this, bar = progressBar("BRDF table")](std::size_t done, std::size_t total) {
-      return is_wanted_ && bar(done, total);
-    });
-  }
-
-  std::atomic<bool> is_wanted_ = true;
-  std::future<Result<Image>> table_;  // waits for its threads, and so is the first to go
-};
-
 Result<void> bakeFolder(const BakeRequest& request, StageClock& clock) {
-  const BakeOptions& options = request.options;
   MIRRORBALL_TRY(files, filesOf(request));
-  // The table needs no environment; reading one leaves cores idle.
-  LaterTable brdf_later(options, clock);
-  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request); }));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(
-      loaded.files, std::array{files.specular.paths().front(), files.irradiance.paths().front(), files.brdf}));
-  MIRRORBALL_TRY(brdf, brdf_later.get());
-  MIRRORBALL_TRY(set, bakeSet(loaded.environment, options, clock));
-  set.brdf = std::move(brdf);
-  return clock.time("files: write", [&] { return writeSet(std::move(set), files, options); });
+  MIRRORBALL_TRY(set, bakeSet(request, files, clock));
+  return clock.time("files: write", [&] { return writeSet(std::move(set), files, request.options); });
 }
 
 Result<void> bake(const BakeRequest& request) {
@@ -233,7 +145,7 @@ Result<void> bake(const BakeRequest& request) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
   StageClock clock;
   const bool is_file = !isFolder(output) && std::filesystem::path(output).has_extension();
-  const Result<void> done = is_file ? bakeChain(request, clock) : bakeFolder(request, clock);
+  const Result<void> done = is_file ? bakeFile(request, clock) : bakeFolder(request, clock);
   if (request.options.timings) clock.print();
   return done;
 }

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "cli/map_output.h"
 #include "mirrorball/bake/brdf_table.h"
 #include "mirrorball/bake/prefilter.h"
 #include "mirrorball/base/option.h"
@@ -29,5 +30,12 @@ struct BakeOptions {
 };
 
 std::span<const Option<BakeOptions>> bakeOptions();
+
+/// All that `bake` was told.
+struct BakeRequest {
+  std::string environment;
+  BakeOptions options;
+  MapOutputOptions output;
+};
 
 }  // namespace mirrorball::cli

@@ -16,17 +16,6 @@ using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
 
-/// Light of which neighbours know nothing, so that narrow lobes need all their bands, with a lamp here and there.
-Image noisyPanorama() {
-  Image noise(512, 256, 3);
-  unsigned state = 1;
-  for (float& sample : noise.samples()) {
-    state = state * 1664525u + 1013904223u;
-    sample = static_cast<float>(state >> 8) / float(1 << 24) + (state % 997 == 0 ? 100.0f : 0.0f);
-  }
-  return noise;
-}
-
 class BakeInterruptTest : public CliTest {
  protected:
   BakeInterruptTest() { write("map.exr", noisyPanorama()); }

@@ -33,8 +33,18 @@ bool isDenseEnough(const EnvironmentMap& map, int rows) {
   return texelDensity(map.projection(), map.size()) >= texelDensity(Projection::equirect, rows);
 }
 
-/// As a panorama of at least so many rows.
-Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows, const ProgressFunction& progress) {
+bool isDensePanorama(const EnvironmentMap* map, int rows) {
+  return map && map->projection() == Projection::equirect && isDenseEnough(*map, rows);
+}
+
+/// How an environment is laid out as a panorama.
+struct Layout {
+  int rows;
+  Interpolation interpolation;
+
+  std::uint64_t bytes() const { return std::uint64_t(rows) * std::uint64_t(2 * rows) * 3 * sizeof(float); }
+};
+Layout layoutOf(const Environment& environment, int least_rows) {
   const int natural = environment.naturalSize(Projection::equirect);
   // A function may be as smooth as it likes: with that many rows the first harmonics are right to 1e-4.
   constexpr int kLeastRowsOfFunction = 256;
@@ -44,11 +54,14 @@ Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows, c
   constexpr int kMostRowsForThat = 2048;
   const int rows = std::max(least_rows, natural);
   const EnvironmentMap* map = environment.map();
-  if (!map) return convert(environment, Projection::equirect, std::max(rows, kLeastRowsOfFunction), {}, progress);
-  if (isDenseEnough(*map, least_rows)) return convert(environment, Projection::equirect, rows, {}, progress);
-  return convert(environment, Projection::equirect,
-                 std::max(rows, std::min(kPointsAcrossTexel * natural, kMostRowsForThat)),
-                 {.interpolation = Interpolation::bilinear}, progress);
+  if (!map) return {std::max(rows, kLeastRowsOfFunction), Interpolation::bicubic};
+  if (isDenseEnough(*map, least_rows)) return {rows, Interpolation::bicubic};
+  return {std::max(rows, std::min(kPointsAcrossTexel * natural, kMostRowsForThat)), Interpolation::bilinear};
+}
+
+Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows, const ProgressFunction& progress) {
+  const Layout layout = layoutOf(environment, least_rows);
+  return convert(environment, Projection::equirect, layout.rows, {.interpolation = layout.interpolation}, progress);
 }
 
 }  // namespace
@@ -61,8 +74,7 @@ Result<LightHarmonics> LightHarmonics::make(const Environment& environment, cons
   // very few texels they would be seen as points.
   BrightLights bright;
   if (map && isDenseEnough(*map, rows / 4)) bright = brightLights(*map, kMostBrightLights);
-  if (map && map->projection() == Projection::equirect && isDenseEnough(*map, rows))
-    return ofPanorama(*map, bright, bright, lobes, progress);
+  if (isDensePanorama(map, rows)) return ofPanorama(*map, bright, bright, lobes, progress);
   // Analysing takes a few times as long as laying out.
   constexpr std::size_t kSteps = 4000;
   const ProgressFunction lay_out = partOf(progress, 0, kSteps / 4, kSteps);
@@ -86,6 +98,17 @@ Result<LightHarmonics> LightHarmonics::ofPanorama(const EnvironmentMap& panorama
   for (const Lobe& lobe : lobes) bands = std::max(bands, lobe.bandsFor(tolerance));
   MIRRORBALL_TRY(coefficients, analyse(panorama, without, bands, progress));
   return LightHarmonics(tolerance, std::move(coefficients), bright);
+}
+
+LightHarmonics::Memory LightHarmonics::memoryFor(const Environment& environment, const std::vector<Lobe>& lobes) {
+  std::size_t bands = 1;
+  for (const Lobe& lobe : lobes) bands = std::max(bands, lobe.bands().size());
+  const std::uint64_t kept = harmonicBytes(static_cast<int>(bands));
+  const std::uint64_t analysed = kept + analysisBytes(static_cast<int>(bands));
+  const int rows = leastRows(lobes);
+  if (isDensePanorama(environment.map(), rows)) return {analysed, kept};
+  // A copy without the bright texels goes when it has been laid out.
+  return {layoutOf(environment, rows).bytes() + std::max(environment.bytes(), analysed), kept};
 }
 
 Result<BlurredLight> LightHarmonics::blurred(const Lobe& lobe, const ProgressFunction& progress) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -48,6 +49,13 @@ class LightHarmonics {
   /// cost          a Fourier transform of each row of texels, and rows · bands² / 4 steps of about 1.2 ns on one core
   static Result<LightHarmonics> make(const Environment& environment, const std::vector<Lobe>& lobes,
                                      const ProgressFunction& progress = {});
+
+  /// Memory [bytes], at most: how many bands a map needs is seen only when it is analysed.
+  struct Memory {
+    std::uint64_t peak;  ///< while it is made, beside the environment
+    std::uint64_t kept;
+  };
+  static Memory memoryFor(const Environment& environment, const std::vector<Lobe>& lobes);
 
   /// lobe     one of those
   /// errors   interrupted (when `progress` says so)

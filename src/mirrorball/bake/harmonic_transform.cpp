@@ -167,6 +167,15 @@ void forEachOrder(int orders, ProgressCounter& steps, const Visit& visit) {
   });
 }
 
+/// The grid that so many bands are synthesized on. Of a narrow lobe half of the bands are weighed so lightly that what
+/// interpolation does to them is not seen; of light that was found to be smooth they hold nothing.
+glm::ivec2 gridSizeFor(int bands) {
+  return {quickLength(std::max(2 * bands + 2, 32)), quickLength(std::max(bands * 9 / 8, 16))};
+}
+
+/// l and m < bands, each order rounded up to whole stretches.
+std::uint64_t harmonicCount(int bands) { return std::uint64_t(bands) * std::uint64_t(bands + kLegendreStretch) / 2; }
+
 /// Of a transform: each order each time that the spectra are filled.
 std::size_t stepsOf(const Rings& rings, int bands) {
   const int fillings = (rings.pairs() + RingSpectra::kPairs - 1) / RingSpectra::kPairs;
@@ -183,6 +192,19 @@ HarmonicCoefficients::HarmonicCoefficients(int bands)
     legendre_[at] = LegendreOrder(m, bands, seeds[at]);
     orders_[at].resize(legendre_[at].scale.size(), {glm::vec4(0.0f), glm::vec4(0.0f)});
   });
+}
+
+std::uint64_t harmonicBytes(int bands) {
+  constexpr std::uint64_t kLegendreConstants = 2 * sizeof(double);
+  return harmonicCount(bands) * (sizeof(Coefficient) + kLegendreConstants);
+}
+
+std::uint64_t analysisBytes(int bands) { return std::uint64_t(bands) * RingSpectra::kPairs * sizeof(RingPair); }
+
+std::uint64_t synthesisBytes(int bands) {
+  const glm::ivec2 size = gridSizeFor(bands);
+  const std::uint64_t grid = std::uint64_t(size.x) * std::uint64_t(size.y) * sizeof(glm::vec4);
+  return harmonicCount(bands) * sizeof(Coefficient) + analysisBytes(bands) + grid;
 }
 
 Result<HarmonicCoefficients> analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands,
@@ -216,9 +238,8 @@ Result<SphereGrid> synthesize(const HarmonicCoefficients& coefficients, const st
   forEachOrder(bands, [&](int m) {
     weighted[static_cast<std::size_t>(m)] = weightedOrder(coefficients.order(m), coefficients.legendre(m), weights);
   });
-  // Of a narrow lobe half of the bands are weighed so lightly that what interpolation does to them is not seen; of light
-  // that was found to be smooth they hold nothing.
-  SphereGrid grid(quickLength(std::max(bands * 9 / 8, 16)), quickLength(std::max(2 * bands + 2, 32)));
+  const glm::ivec2 size = gridSizeFor(bands);
+  SphereGrid grid(size.y, size.x);
   const GridTransform transform(grid, bands);
   const Rings rings(grid.rings());
   RingSpectra spectra(bands);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -37,6 +38,13 @@ class HarmonicCoefficients {
   std::vector<std::vector<Value>> orders_;
   std::vector<LegendreOrder> legendre_;
 };
+
+/// The memory of coefficients of so many bands.
+std::uint64_t harmonicBytes(int bands);
+
+/// What analyse takes beside the coefficients, and synthesize with the grid that it returns.
+std::uint64_t analysisBytes(int bands);
+std::uint64_t synthesisBytes(int bands);
 
 /// The harmonics of a panorama's texels, each a point of light at its centre with the flux of its area,
 /// (cos θ₀ − cos θ₁) 2π / width. So no rule of quadrature stands between the map and its coefficients: they are

@@ -37,6 +37,28 @@ void sampleRow(const BlurredLight& light, int face, int y, Image& image) {
 /// What a level counts in the progress of all: narrower lobes have finer grids as well as more texels.
 std::size_t texelsOfFace(const PrefilterLevel& level) { return std::size_t(level.size) * std::size_t(level.size); }
 
+/// Fills a chain, and calls `release` when the environment is not needed any more.
+template <typename Release>
+Result<ImageSet> chainOf(const Environment& environment, const LightHarmonics& light,
+                         const std::vector<PrefilterLevel>& levels, const Release& release,
+                         const ProgressFunction& progress) {
+  std::size_t total = 0;
+  for (const PrefilterLevel& level : levels) total += texelsOfFace(level);
+  ImageSet chain(static_cast<int>(levels.size()), 6);
+  std::size_t done = 0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const PrefilterLevel& level = levels[i];
+    // Those without a lobe come first.
+    if (level.lobe) release();
+    const ProgressFunction part = partOf(progress, done, texelsOfFace(level), total);
+    MIRRORBALL_TRY(cube, level.lobe ? cubeOf(light, *level.lobe, level.size, part)
+                                    : convert(environment, Projection::cube, level.size, {}, part));
+    for (int face = 0; face < 6; ++face) chain.at(static_cast<int>(i), face) = std::move(cube.face(face));
+    done += texelsOfFace(level);
+  }
+  return chain;
+}
+
 }  // namespace
 
 float roughnessOfLevel(MipMapping mapping, int level, int last) {
@@ -105,19 +127,40 @@ std::vector<Lobe> lobesOf(const std::vector<PrefilterLevel>& levels) {
 
 Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics& light,
                            const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress) {
-  std::size_t total = 0;
-  for (const PrefilterLevel& level : levels) total += texelsOfFace(level);
-  ImageSet chain(static_cast<int>(levels.size()), 6);
-  std::size_t done = 0;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const PrefilterLevel& level = levels[i];
-    const ProgressFunction part = partOf(progress, done, texelsOfFace(level), total);
-    MIRRORBALL_TRY(cube, level.lobe ? cubeOf(light, *level.lobe, level.size, part)
-                                    : convert(environment, Projection::cube, level.size, {}, part));
-    for (int face = 0; face < 6; ++face) chain.at(static_cast<int>(i), face) = std::move(cube.face(face));
-    done += texelsOfFace(level);
+  return chainOf(
+      environment, light, levels, [] {}, progress);
+}
+
+Result<ImageSet> prefilter(Environment&& environment, const LightHarmonics& light,
+                           const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress) {
+  std::optional<Environment> owned(std::move(environment));
+  return chainOf(
+      *owned, light, levels, [&owned] { owned.reset(); }, progress);
+}
+
+std::uint64_t cubeBytes(int size) { return std::uint64_t(size) * std::uint64_t(size) * 6 * 3 * sizeof(float); }
+
+std::uint64_t prefilterMemory(const Environment& environment, const std::vector<PrefilterLevel>& levels,
+                              const Lobe& lobe, int size) {
+  std::vector<Lobe> lobes = lobesOf(levels);
+  if (size > 0) lobes.push_back(lobe);
+  const LightHarmonics::Memory light = LightHarmonics::memoryFor(environment, lobes);
+  std::uint64_t most = environment.bytes() + light.peak;
+  std::uint64_t cubes = 0;
+  const auto addCube = [&](const Lobe& of, int side) {
+    cubes += cubeBytes(side);
+    most = std::max(most, light.kept + cubes + synthesisBytes(static_cast<int>(of.bands().size())));
+  };
+  for (const PrefilterLevel& level : levels) {
+    if (level.lobe) {
+      addCube(*level.lobe, level.size);
+    } else {
+      cubes += cubeBytes(level.size);
+      most = std::max(most, light.kept + cubes + environment.bytes());
+    }
   }
-  return chain;
+  if (size > 0) addCube(lobe, size);
+  return most;
 }
 
 }  // namespace mirrorball

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -61,6 +62,20 @@ std::vector<Lobe> lobesOf(const std::vector<PrefilterLevel>& levels);
 ///          threads
 Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics& light,
                            const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress = {});
+
+/// The same, and takes the environment's memory back as soon as it is not needed any more.
+Result<ImageSet> prefilter(Environment&& environment, const LightHarmonics& light,
+                           const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress = {});
+
+/// The memory of the cubes that are returned here.
+std::uint64_t cubeBytes(int size);
+
+/// The memory that LightHarmonics::make, the second prefilter and cubeOf for one more lobe take one after the other, at
+/// most [bytes]: of the environment, of what they return and of what they need on the way.
+///
+/// size     of that lobe's cube; 0: none is made
+std::uint64_t prefilterMemory(const Environment& environment, const std::vector<PrefilterLevel>& levels,
+                              const Lobe& lobe, int size);
 
 /// The mean of an environment under one lobe in each direction, as a cube.
 ///

@@ -62,7 +62,7 @@ const std::array<Option<BakeOptions>, 15> kOptions{{
       .value = "N",
       .minimum = 2,
       .maximum = 3,
-      .help = "2: scale and bias; 3: also the mean for multiple scattering"},
+      .help = "2: scale and bias; 3: also the mean for multiple scattering; .exr has a third of 0"},
      &BakeOptions::brdf_channels},
     {{.name = "brdf-axes",
       .choices = "linear|warped",
@@ -80,6 +80,19 @@ const std::array<Option<BakeOptions>, 15> kOptions{{
     {{.name = "timings", .help = "print how long each stage took"}, &BakeOptions::timings},
     {kMaxMemoryText, &BakeOptions::max_memory},
 }};
+
+/// The table as the cubes are stored, but for formats that would round it to a percent.
+BrdfFile brdfFile(const std::string& path, const BakeOptions& options, const MapOutputOptions& output) {
+  BrdfFile file{path};
+  // Pictures are in 32-bit floats unless told otherwise, as everywhere.
+  const bool in_floats = output.format == "float32" || (output.format != "half" && !file.isTexture());
+  if (file.isTexture() && options.brdf_channels == 2)
+    file.format = in_floats ? TexelFormat::rg_float32 : TexelFormat::rg_half;
+  else
+    file.format = in_floats ? TexelFormat::float32 : TexelFormat::half;
+  if (options.brdf_extension == "ktx2") file.zstandard_level = output.zstandard_level;
+  return file;
+}
 
 /// errors   usage: no such folder can be, or no such files
 Result<BakedFiles> filesOf(const BakeRequest& request) {
@@ -101,7 +114,7 @@ Result<BakedFiles> filesOf(const BakeRequest& request) {
   output.output = folder + "/irradiance." + options.extension;
   MIRRORBALL_TRY(irradiance, MapOutput::resolve(output, Projection::cube));
   return BakedFiles{request.environment, folder, std::move(specular), std::move(irradiance),
-                    folder + "/brdf." + options.brdf_extension};
+                    brdfFile(folder + "/brdf." + options.brdf_extension, options, request.output)};
 }
 
 /// errors   usage: an option that says something about what only a folder has

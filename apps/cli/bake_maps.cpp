@@ -106,7 +106,8 @@ Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, St
   std::optional<LaterTable> table;
   if (table_bytes <= kSmallTable_bytes) table.emplace(options, clock);
   MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {
-    return loadLight(request, std::array{files.specular.paths().front(), files.irradiance.paths().front(), files.brdf});
+    return loadLight(request,
+                     std::array{files.specular.paths().front(), files.irradiance.paths().front(), files.brdf.path});
   }));
 
   BakedSet set;

@@ -14,6 +14,7 @@
 #include "cli/terminal.h"
 #include "formula/formula.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/codec/stored_format.h"
 #include "mirrorball/environment/cube_arrangement.h"
 
 namespace mirrorball::cli {
@@ -75,19 +76,7 @@ std::string harmonicsHeader(const Harmonics& radiance, const std::string& source
   return text;
 }
 
-constexpr std::string_view nameOf(TexelFormat format) {
-  switch (format) {
-    case TexelFormat::float32:
-      return "r32g32b32a32 sfloat";
-    case TexelFormat::b10g11r11:
-      return "b10g11r11 ufloat";
-    case TexelFormat::e5b9g9r9:
-      return "e5b9g9r9 ufloat";
-    case TexelFormat::half:
-      break;
-  }
-  return "r16g16b16a16 sfloat";
-}
+std::string nameOf(TexelFormat format) { return nameOf(storedFormat(format)); }
 
 /// An option's value as it is written on the command line.
 std::string writtenValue(const BakeOptions& options, std::string_view name) {
@@ -114,8 +103,12 @@ Json specularJson(const BakedSet& set, const BakedFiles& files, const BakeOption
 
 Json brdfJson(const BakedFiles& files, const BakeOptions& options) {
   Json json;
-  json["file"] = std::filesystem::path(files.brdf).filename();
+  json["file"] = std::filesystem::path(files.brdf.path).filename();
+  json["format"] = files.brdf.isTexture()                   ? nameOf(files.brdf.format)
+                   : files.brdf.format == TexelFormat::half ? "three channels of half floats"
+                                                            : "three channels of 32-bit floats";
   json["size"] = options.brdf_size;
+  json["distribution"] = writtenValue(options, "distribution");
   json["channels"] = {"scale of f0", "bias of f0"};
   if (options.brdf_channels == 3) json["channels"].push_back("mean over all directions, for multiple scattering");
   json["axes"] = options.brdf_axes == BrdfAxes::linear
@@ -151,7 +144,7 @@ Result<void> writeText(const std::string& path, const std::string& text) {
   return {};
 }
 
-/// Files have one or three channels: of two, the third is black.
+/// Pictures have one or three channels: of two, the third is black.
 Image withThreeChannels(const Image& image) {
   if (image.channels() == 3) return image;
   Image wide(image.width(), image.height(), 3);
@@ -161,13 +154,13 @@ Image withThreeChannels(const Image& image) {
   return wide;
 }
 
-Result<void> writeBrdf(const Image& table, const std::string& path) {
-  const Image image = withThreeChannels(table);
-  if (isTexturePath(path))
-    MIRRORBALL_TRY_VOID(writeImageSet(path, ImageSet(image)));
+Result<void> writeBrdf(Image table, const BrdfFile& file) {
+  if (file.isTexture())
+    MIRRORBALL_TRY_VOID(writeImageSet(file.path, ImageSet(std::move(table)),
+                                      {.format = file.format, .zstandard_level = file.zstandard_level}));
   else
-    MIRRORBALL_TRY_VOID(writeImage(path, image));
-  announce(path);
+    MIRRORBALL_TRY_VOID(writeImage(file.path, withThreeChannels(table), {.half = file.format == TexelFormat::half}));
+  announce(file.path);
   return {};
 }
 
@@ -189,7 +182,7 @@ Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& 
   MIRRORBALL_TRY_VOID(go_on());
   MIRRORBALL_TRY(irradiance, files.irradiance.writeLevels(std::move(set.irradiance).takeImages()));
   MIRRORBALL_TRY_VOID(go_on());
-  MIRRORBALL_TRY_VOID(writeBrdf(set.brdf, files.brdf));
+  MIRRORBALL_TRY_VOID(writeBrdf(std::move(set.brdf), files.brdf));
   MIRRORBALL_TRY_VOID(go_on());
   const std::string path = files.folder + "/";
   MIRRORBALL_TRY_VOID(writeText(path + "sh.json", textOf(harmonicsJson(set.radiance, options))));

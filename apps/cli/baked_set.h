@@ -18,13 +18,22 @@ struct BakedSet {
   Image brdf;
 };
 
+/// Where the BRDF table goes, and how.
+struct BrdfFile {
+  std::string path;
+  TexelFormat format = TexelFormat::half;  ///< of a picture: half or float32
+  int zstandard_level = 0;
+
+  bool isTexture() const { return isTexturePath(path); }
+};
+
 /// Where the files of a set lie, and how.
 struct BakedFiles {
   std::string source;  ///< the environment's name, for the manifest
   std::string folder;
   MapOutput specular;
   MapOutput irradiance;
-  std::string brdf;
+  BrdfFile brdf;
 };
 
 /// Writes specular, irradiance and BRDF table as textures, the harmonics as sh.json and sh.h, and at last manifest.json,

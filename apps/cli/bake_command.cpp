@@ -35,8 +35,10 @@ const std::array<Option<BakeOptions>, 15> kOptions{{
     {{.name = "distribution", .choices = "ggx|phong|blinn|charlie", .help = "of the microfacets; charlie is for cloth"},
      choiceField<&BakeOptions::distribution>},
     {{.name = "mip-mapping",
-      .choices = "filament|linear|unreal|unity|frostbite",
-      .help = "which level is for which roughness, as that engine looks it up"},
+      .choices = "auto|filament|linear|unreal|unity|frostbite",
+      .help =
+          "which level is for which roughness, as that engine looks it up; auto goes by --for: unreal and unity have "
+          "their own, godot has frostbite's, for all others it is filament"},
      choiceField<&BakeOptions::mip_mapping>},
     {{.name = "irradiance-size",
       .value = "N",
@@ -152,10 +154,20 @@ Result<void> bakeFolder(const BakeRequest& request, StageClock& clock) {
   return clock.time("files: write", [&] { return writeSet(std::move(set), files, request.options); });
 }
 
-Result<void> bake(const BakeRequest& request) {
+/// The way in which a program looks levels up; docs/prefiltering.md has the sources.
+MipMappingChoice mipMappingFor(std::string_view program) {
+  if (program == "unreal") return MipMappingChoice::unreal;
+  if (program == "unity") return MipMappingChoice::unity;
+  if (program == "godot") return MipMappingChoice::frostbite;
+  return MipMappingChoice::filament;
+}
+
+Result<void> bake(BakeRequest request) {
   const std::string& output = request.options.output;
   if (output.empty()) return fail(ErrorCode::usage, "bake needs an output: -o FOLDER, or a .ktx2 or .dds file");
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
+  if (request.options.mip_mapping == MipMappingChoice::as_for)
+    request.options.mip_mapping = mipMappingFor(request.output.program);
   StageClock clock;
   const bool is_file = !isFolder(output) && std::filesystem::path(output).has_extension();
   const Result<void> done = is_file ? bakeFile(request, clock) : bakeFolder(request, clock);

@@ -10,6 +10,13 @@
 
 namespace mirrorball::cli {
 
+/// --mip-mapping: MipMapping's values after one that leaves it to --for, which is settled before anything is made.
+enum class MipMappingChoice { as_for, filament, linear, unreal, unity, frostbite };
+constexpr MipMapping mipMappingOf(MipMappingChoice choice) {
+  return choice == MipMappingChoice::as_for ? MipMapping::filament
+                                            : static_cast<MipMapping>(static_cast<int>(choice) - 1);
+}
+
 /// What `bake` is told beside its input and how its textures are stored (map_output.h).
 struct BakeOptions {
   std::string output;
@@ -17,7 +24,7 @@ struct BakeOptions {
   bool repair = false;
   int size = 256;
   Distribution distribution = Distribution::ggx;
-  MipMapping mip_mapping = MipMapping::filament;
+  MipMappingChoice mip_mapping = MipMappingChoice::as_for;
   int irradiance_size = 32;
   int harmonics_degree = 2;
   int brdf_size = 128;

@@ -29,8 +29,10 @@ Result<LoadedEnvironment> loadLight(const BakeRequest& request, std::span<const 
   return loaded;
 }
 
-PrefilterOptions prefilterOptionsOf(const BakeOptions& options) {
-  return {.size = options.size, .distribution = options.distribution, .mip_mapping = options.mip_mapping};
+std::vector<PrefilterLevel> levelsOf(const BakeRequest& request) {
+  const BakeOptions& options = request.options;
+  return prefilterLevels(
+      {.size = options.size, .distribution = options.distribution, .mip_mapping = mipMappingOf(options.mip_mapping)});
 }
 
 std::uint64_t bytesOfTable(const BakeOptions& options) {
@@ -90,7 +92,7 @@ std::uint64_t bytesOfChain(const std::vector<PrefilterLevel>& levels) {
 
 Result<ImageSet> bakeChain(const BakeRequest& request, const MapOutput& output, StageClock& clock) {
   MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request, output.paths()); }));
-  const std::vector<PrefilterLevel> levels = prefilterLevels(prefilterOptionsOf(request.options));
+  const std::vector<PrefilterLevel> levels = levelsOf(request);
   const std::uint64_t written = bytesOfChain(levels) + output.memoryToWrite(request.options.size);
   MIRRORBALL_TRY_VOID(checkMemory("the chain of " + loaded.name,
                                   std::max(prefilterMemory(loaded.environment, levels, Lobe::cosine(), 0), written)));
@@ -111,7 +113,7 @@ Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, St
   }));
 
   BakedSet set;
-  set.levels = clock.time("lobes: bands", [&] { return prefilterLevels(prefilterOptionsOf(options)); });
+  set.levels = clock.time("lobes: bands", [&] { return levelsOf(request); });
   std::vector<Lobe> lobes = lobesOf(set.levels);
   lobes.push_back(Lobe::cosine());
   const std::uint64_t made = prefilterMemory(loaded.environment, set.levels, lobes.back(), options.irradiance_size);

@@ -63,5 +63,29 @@ TEST_F(BakeChoicesTest, APictureOfTheTableHasThreeChannels) {
   EXPECT_EQ(json("out/manifest.json")["brdf"]["format"], "three channels of half floats");
 }
 
+TEST_F(BakeChoicesTest, AnEngineHasItsOwnMipMapping) {
+  const auto mappingOf = [&](const std::string& options) {
+    succeed(std::string(kSmall) + options);
+    return json("out/manifest.json")["specular"]["mip_mapping"].get<std::string>();
+  };
+  EXPECT_EQ(mappingOf(""), "filament");
+  EXPECT_EQ(mappingOf("--for unity"), "unity");
+  EXPECT_EQ(mappingOf("--for unreal"), "unreal");
+  EXPECT_EQ(mappingOf("--for godot"), "frostbite");
+  EXPECT_EQ(mappingOf("--for directx"), "filament");
+  EXPECT_EQ(mappingOf("--for unity --mip-mapping filament"), "filament");
+  EXPECT_EQ(mappingOf("--mip-mapping linear --for unreal"), "linear");
+}
+
+TEST_F(BakeChoicesTest, TheLevelsHaveTheRoughnessThatTheEngineLooksUp) {
+  succeed("bake white -o out --size 32 --irradiance-size 4 --brdf-size 2 --for unity");
+  const nlohmann::json levels = json("out/manifest.json")["specular"]["levels"];
+  ASSERT_EQ(levels.size(), 4u);
+  for (int level = 1; level < 4; ++level) {
+    const double roughness = levels[std::size_t(level)]["perceptual_roughness"];
+    EXPECT_NEAR(3.0 * roughness * (1.7 - 0.7 * roughness), level, 1e-5);
+  }
+}
+
 }  // namespace
 }  // namespace mirrorball::testing

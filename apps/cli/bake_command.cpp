@@ -19,7 +19,7 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<BakeOptions>, 15> kOptions{{
+const std::array<Option<BakeOptions>, 16> kOptions{{
     {{.name = "output",
       .value = "OUT",
       .help = "needed: a folder, for all maps and a manifest; or a .ktx2 or .dds file, for the specular chain only",
@@ -78,6 +78,7 @@ const std::array<Option<BakeOptions>, 15> kOptions{{
       .value = "FORM",
       .help = "the environment's form, where it is not recognised: see convert --from"},
      &BakeOptions::from},
+    {kRotateText, &BakeOptions::rotate_deg},
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &BakeOptions::repair},
     {{.name = "timings", .help = "print how long each stage took"}, &BakeOptions::timings},
     {kMaxMemoryText, &BakeOptions::max_memory},

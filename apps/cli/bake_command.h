@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cli/map_output.h"
 #include "mirrorball/bake/brdf_table.h"
@@ -22,6 +23,7 @@ struct BakeOptions {
   std::string output;
   std::string from;
   bool repair = false;
+  std::vector<float> rotate_deg;
   int size = 256;
   Distribution distribution = Distribution::ggx;
   MipMappingChoice mip_mapping = MipMappingChoice::as_for;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/command_line.h"
 #include "cli/files.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/memory.h"
@@ -77,9 +78,11 @@ Result<LightHarmonics> analysed(const Environment& environment, const std::vecto
 }
 
 Result<ImageSet> prefiltered(Environment environment, const LightHarmonics& light,
-                             const std::vector<PrefilterLevel>& levels, StageClock& clock) {
-  return clock.time("specular: prefilter",
-                    [&] { return prefilter(std::move(environment), light, levels, progressBar("prefilter")); });
+                             const std::vector<PrefilterLevel>& levels, const glm::mat3& source_from_target,
+                             StageClock& clock) {
+  return clock.time("specular: prefilter", [&] {
+    return prefilter(std::move(environment), light, levels, source_from_target, progressBar("prefilter"));
+  });
 }
 
 std::uint64_t bytesOfChain(const std::vector<PrefilterLevel>& levels) {
@@ -97,7 +100,8 @@ Result<ImageSet> bakeChain(const BakeRequest& request, const MapOutput& output, 
   MIRRORBALL_TRY_VOID(checkMemory("the chain of " + loaded.name,
                                   std::max(prefilterMemory(loaded.environment, levels, Lobe::cosine(), 0), written)));
   MIRRORBALL_TRY(light, analysed(loaded.environment, lobesOf(levels), clock));
-  return prefiltered(std::move(loaded.environment), light, levels, clock);
+  return prefiltered(std::move(loaded.environment), light, levels, sourceFromRotated(request.options.rotate_deg),
+                     clock);
 }
 
 Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, StageClock& clock) {
@@ -126,13 +130,14 @@ Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, St
   MIRRORBALL_TRY(brdf, table->get());
   set.brdf = std::move(brdf);
   MIRRORBALL_TRY(light, analysed(loaded.environment, lobes, clock));
-  MIRRORBALL_TRY(specular, prefiltered(std::move(loaded.environment), light, set.levels, clock));
+  const glm::mat3 source_from_target = sourceFromRotated(options.rotate_deg);
+  MIRRORBALL_TRY(specular, prefiltered(std::move(loaded.environment), light, set.levels, source_from_target, clock));
   set.specular = std::move(specular);
   MIRRORBALL_TRY(irradiance, clock.time("irradiance: cube", [&] {
-    return cubeOf(light, lobes.back(), options.irradiance_size, progressBar("irradiance"));
+    return cubeOf(light, lobes.back(), options.irradiance_size, source_from_target, progressBar("irradiance"));
   }));
   set.irradiance = std::move(irradiance);
-  set.radiance = radianceHarmonics(light, options.harmonics_degree);
+  set.radiance = radianceHarmonics(light, options.harmonics_degree, source_from_target);
   return set;
 }
 

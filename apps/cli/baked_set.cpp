@@ -122,6 +122,7 @@ Json manifestOf(const BakedSet& set, const BakedFiles& files, const BakeOptions&
   Json json;
   json["made_by"] = std::string("mirrorball ") + MIRRORBALL_VERSION + " bake";
   json["source"] = files.source;
+  if (!options.rotate_deg.empty()) json["rotate_deg"] = options.rotate_deg;
   const std::string arrangement = textOf(files.specular.form().arrangement);
   json["faces"] = arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
   json["specular"] = specularJson(set, files, options, specular);

@@ -1,10 +1,13 @@
 // What bake's files hold when asked for otherwise than by default.
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_testing.h"
+#include "mirrorball/environment/projection.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -84,6 +87,43 @@ TEST_F(BakeChoicesTest, TheLevelsHaveTheRoughnessThatTheEngineLooksUp) {
   for (int level = 1; level < 4; ++level) {
     const double roughness = levels[std::size_t(level)]["perceptual_roughness"];
     EXPECT_NEAR(3.0 * roughness * (1.7 - 0.7 * roughness), level, 1e-5);
+  }
+}
+
+// By 90 degrees texels come to lie where other texels were.
+TEST_F(BakeChoicesTest, RotationTurnsEveryMap) {
+  write("map.exr", smoothPanorama());
+  const std::string command =
+      "bake map.exr --size 16 --irradiance-size 8 --brdf-size 2 --sh-degree 4 --format float32 ";
+  succeed(command + "-o ours");
+  for (const auto& [rotate, target_from_source] : std::vector<std::pair<std::string, glm::mat3>>{
+           {"90", {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}}, {"0,90", {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}}}) {
+    succeed(command + "-o turned --rotate " + rotate);
+    succeed(command + "-o turned.ktx2 --rotate " + rotate);
+    EXPECT_EQ(texture("turned.ktx2").at(1, 3).samples()[5], texture("turned/specular.ktx2").at(1, 3).samples()[5]);
+    for (const std::string file : {"specular.ktx2", "irradiance.ktx2"}) {
+      const ImageSet before = texture("ours/" + file);
+      const ImageSet after = texture("turned/" + file);
+      for (int level = 0; level < before.levels(); ++level)
+        for (int face = 0; face < 6; ++face)
+          for (int x = 0; x < before.at(level, 0).width(); ++x) {
+            const glm::vec2 uv = (glm::vec2(x, 1) + 0.5f) / float(before.at(level, 0).width());
+            const glm::vec3 direction = directionAt(Projection::cube, {face, uv});
+            const glm::vec3 light = rgbAt(before.at(level, face), x, 1);
+            EXPECT_LT(glm::distance(texelTowards(after, level, target_from_source * direction), light), 1e-3f)
+                << file << " by " << rotate << " level " << level;
+          }
+    }
+    // Harmonics 1, 2 and 3 are y, z and x.
+    const auto coefficients = [&](const std::string& folder, const std::string& form) {
+      glm::vec3 red;
+      for (int axis = 0; axis < 3; ++axis)
+        red[axis] = json(folder + "/sh.json")[form][std::size_t((axis + 2) % 3 + 1)][0];
+      return red;
+    };
+    for (const std::string form : {"radiance", "irradiance_windowed"})
+      EXPECT_LT(glm::distance(coefficients("turned", form), target_from_source * coefficients("ours", form)), 1e-4f);
+    EXPECT_EQ(json("turned/manifest.json")["rotate_deg"].size(), rotate == "90" ? 1u : 2u);
   }
 }
 

@@ -130,6 +130,13 @@ void RenderCliTest::SetUp() {
   if (const auto context = gl::Context::createHeadless(); !context) GTEST_SKIP() << context.error().message;
 }
 
+glm::vec3 texelTowards(const ImageSet& cube, int level, glm::vec3 direction) {
+  const MapPosition place = positionOf(Projection::cube, glm::normalize(direction));
+  const Image& face = cube.at(level, place.face);
+  const glm::ivec2 texel = glm::min(glm::ivec2(place.uv * float(face.width())), face.width() - 1);
+  return rgbAt(face, texel.x, texel.y);
+}
+
 Image smoothPanorama() {
   const Environment smooth(smoothRadiance, 32);
   return need(convert(smooth, Projection::equirect, 32)).face(0);

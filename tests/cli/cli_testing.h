@@ -95,6 +95,9 @@ class PeakMemoryTest : public CliTest {
 
 inline constexpr std::uint64_t kMega = 1024 * 1024;
 
+/// The texel of a cube that looks in a direction.
+glm::vec3 texelTowards(const ImageSet& cube, int level, glm::vec3 direction);
+
 /// A map of 64 × 32 texels that no two directions share a radiance in, all between 0.1 and 2.
 Image smoothPanorama();
 

@@ -14,7 +14,7 @@
 namespace mirrorball {
 namespace {
 
-void sampleRow(const BlurredLight& light, int face, int y, Image& image) {
+void sampleRow(const BlurredLight& light, const glm::mat3& source_from_target, int face, int y, Image& image) {
   const int size = image.width();
   PointBatch points;
   std::array<glm::vec4, PointBatch::kCapacity> values;
@@ -27,6 +27,7 @@ void sampleRow(const BlurredLight& light, int face, int y, Image& image) {
       points.v[at] = (static_cast<float>(y) + 0.5f) / static_cast<float>(size);
     }
     directionsAt(Projection::cube, points);
+    if (source_from_target != glm::mat3(1.0f)) turn(source_from_target, points);
     light.sample(points, values.data());
     float* texel = image.texel(begin, y);
     for (int i = 0; i < points.count; ++i, texel += 3)
@@ -40,8 +41,8 @@ std::size_t texelsOfFace(const PrefilterLevel& level) { return std::size_t(level
 /// Fills a chain, and calls `release` when the environment is not needed any more.
 template <typename Release>
 Result<ImageSet> chainOf(const Environment& environment, const LightHarmonics& light,
-                         const std::vector<PrefilterLevel>& levels, const Release& release,
-                         const ProgressFunction& progress) {
+                         const std::vector<PrefilterLevel>& levels, const glm::mat3& source_from_target,
+                         const Release& release, const ProgressFunction& progress) {
   std::size_t total = 0;
   for (const PrefilterLevel& level : levels) total += texelsOfFace(level);
   ImageSet chain(static_cast<int>(levels.size()), 6);
@@ -51,8 +52,9 @@ Result<ImageSet> chainOf(const Environment& environment, const LightHarmonics& l
     // Those without a lobe come first.
     if (level.lobe) release();
     const ProgressFunction part = partOf(progress, done, texelsOfFace(level), total);
-    MIRRORBALL_TRY(cube, level.lobe ? cubeOf(light, *level.lobe, level.size, part)
-                                    : convert(environment, Projection::cube, level.size, {}, part));
+    MIRRORBALL_TRY(cube, level.lobe ? cubeOf(light, *level.lobe, level.size, source_from_target, part)
+                                    : convert(environment, Projection::cube, level.size,
+                                              {.source_from_target = source_from_target}, part));
     for (int face = 0; face < 6; ++face) chain.at(static_cast<int>(i), face) = std::move(cube.face(face));
     done += texelsOfFace(level);
   }
@@ -87,7 +89,7 @@ int lastLevel(int size) {
 }
 
 Result<EnvironmentMap> cubeOf(const LightHarmonics& light, const Lobe& lobe, int size,
-                              const ProgressFunction& progress) {
+                              const glm::mat3& source_from_target, const ProgressFunction& progress) {
   MIRRORBALL_TRY(images, imagesFor(Projection::cube, size));
   const auto side = static_cast<std::size_t>(size);
   const std::size_t rows = 6 * side;
@@ -97,7 +99,7 @@ Result<EnvironmentMap> cubeOf(const LightHarmonics& light, const Lobe& lobe, int
   parallelFor(rows, 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end && !steps.stopped(); ++row) {
       const int face = static_cast<int>(row / side);
-      sampleRow(blurred, face, static_cast<int>(row % side), images.at(0, face));
+      sampleRow(blurred, source_from_target, face, static_cast<int>(row % side), images.at(0, face));
     }
     steps.advance(end - begin);
   });
@@ -132,7 +134,8 @@ Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics&
 }
 
 Result<ImageSet> prefilter(Environment&& environment, const LightHarmonics& light,
-                           const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress) {
+                           const std::vector<PrefilterLevel>& levels, const glm::mat3& source_from_target,
+                           const ProgressFunction& progress) {
   std::optional<Environment> owned(std::move(environment));
   return chainOf(
       *owned, light, levels, [&owned] { owned.reset(); }, progress);

@@ -56,16 +56,21 @@ std::vector<Lobe> lobesOf(const std::vector<PrefilterLevel>& levels);
 ///
 /// environment   finite
 /// light         of that environment, for at least lobesOf(levels)
+/// source_from_target   turns the cubes' directions into the environment's: a rotation
 /// returns  three channels
 /// errors   too_large; interrupted (when `progress` says so)
 /// cost     for the narrowest lobe as LightHarmonics::make's, and about 60 ns a texel; bit-identical for any number of
 ///          threads
 Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics& light,
-                           const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress = {});
+                           const std::vector<PrefilterLevel>& levels,
+                           const glm::mat3& source_from_target = glm::mat3(1.0f),
+                           const ProgressFunction& progress = {});
 
 /// The same, and takes the environment's memory back as soon as it is not needed any more.
 Result<ImageSet> prefilter(Environment&& environment, const LightHarmonics& light,
-                           const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress = {});
+                           const std::vector<PrefilterLevel>& levels,
+                           const glm::mat3& source_from_target = glm::mat3(1.0f),
+                           const ProgressFunction& progress = {});
 
 /// The memory of the cubes that are returned here.
 std::uint64_t cubeBytes(int size);
@@ -82,6 +87,7 @@ std::uint64_t prefilterMemory(const Environment& environment, const std::vector<
 /// light    of that environment, for that lobe among others
 /// errors   too_large; interrupted (when `progress` says so)
 Result<EnvironmentMap> cubeOf(const LightHarmonics& light, const Lobe& lobe, int size,
+                              const glm::mat3& source_from_target = glm::mat3(1.0f),
                               const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

@@ -19,7 +19,7 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<BakeOptions>, 16> kOptions{{
+const std::array<Option<BakeOptions>, 17> kOptions{{
     {{.name = "output",
       .value = "OUT",
       .help = "needed: a folder, for all maps and a manifest; or a .ktx2 or .dds file, for the specular chain only",
@@ -32,6 +32,12 @@ const std::array<Option<BakeOptions>, 16> kOptions{{
       .maximum = 8192,
       .help = "of the chain's level 0, a face's side"},
      &BakeOptions::size},
+    {{.name = "levels",
+      .value = "N",
+      .minimum = 0,
+      .maximum = 14,
+      .help = "of the chain, level 0 among them; the last is for roughness 1. 0: down to 4 x 4 texels a face"},
+     &BakeOptions::levels},
     {{.name = "distribution", .choices = "ggx|phong|blinn|charlie", .help = "of the microfacets; charlie is for cloth"},
      choiceField<&BakeOptions::distribution>},
     {{.name = "mip-mapping",
@@ -169,6 +175,9 @@ Result<void> bake(BakeRequest request) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
   if (request.options.mip_mapping == MipMappingChoice::as_for)
     request.options.mip_mapping = mipMappingFor(request.output.program);
+  if (request.options.levels > mostLevels(request.options.size))
+    return fail(ErrorCode::usage, "--levels: " + std::to_string(request.options.size) + " texels halve to 1 in " +
+                                      std::to_string(mostLevels(request.options.size)) + " levels; ask for no more");
   StageClock clock;
   const bool is_file = !isFolder(output) && std::filesystem::path(output).has_extension();
   const Result<void> done = is_file ? bakeFile(request, clock) : bakeFolder(request, clock);

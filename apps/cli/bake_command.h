@@ -25,6 +25,7 @@ struct BakeOptions {
   bool repair = false;
   std::vector<float> rotate_deg;
   int size = 256;
+  int levels = 0;
   Distribution distribution = Distribution::ggx;
   MipMappingChoice mip_mapping = MipMappingChoice::as_for;
   int irradiance_size = 32;

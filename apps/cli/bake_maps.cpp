@@ -32,8 +32,13 @@ Result<LoadedEnvironment> loadLight(const BakeRequest& request, std::span<const 
 
 std::vector<PrefilterLevel> levelsOf(const BakeRequest& request) {
   const BakeOptions& options = request.options;
-  return prefilterLevels(
-      {.size = options.size, .distribution = options.distribution, .mip_mapping = mipMappingOf(options.mip_mapping)});
+  if (options.levels == 0 && lastLevel(options.size) == 0)
+    remark("a chain of " + std::to_string(options.size) +
+           " texels a side has level 0 only, the environment itself; --levels asks for more");
+  return prefilterLevels({.size = options.size,
+                          .distribution = options.distribution,
+                          .mip_mapping = mipMappingOf(options.mip_mapping),
+                          .levels = options.levels});
 }
 
 std::uint64_t bytesOfTable(const BakeOptions& options) {
@@ -117,6 +122,7 @@ Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, St
   }));
 
   BakedSet set;
+  set.inputs = loaded.files;
   set.levels = clock.time("lobes: bands", [&] { return levelsOf(request); });
   std::vector<Lobe> lobes = lobesOf(set.levels);
   lobes.push_back(Lobe::cosine());

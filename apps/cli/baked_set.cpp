@@ -160,9 +160,38 @@ Result<void> writeBrdf(Image table, const BrdfFile& file) {
     MIRRORBALL_TRY_VOID(writeImageSet(file.path, ImageSet(std::move(table)),
                                       {.format = file.format, .zstandard_level = file.zstandard_level}));
   else
-    MIRRORBALL_TRY_VOID(writeImage(file.path, withThreeChannels(table), {.half = file.format == TexelFormat::half}));
+    MIRRORBALL_TRY_VOID(
+        writeImage(file.path, withThreeChannels(table), {.half = file.format == TexelFormat::half, .metadata = {}}));
   announce(file.path);
   return {};
+}
+
+/// The file of one map that a manifest names, if it is such as bake writes: nothing else in a folder is ours.
+std::filesystem::path fileIn(const Json& manifest, const char* map) {
+  if (!manifest.is_object() || !manifest.contains(map) || !manifest[map].is_object()) return {};
+  const Json file = manifest[map].value("file", Json());
+  const std::filesystem::path name = file.is_string() ? file.get<std::string>() : "";
+  return name == name.filename() && name.stem() == map ? name : std::filesystem::path();
+}
+
+/// Removes an older set's manifest, which would tell of other maps than those that now take their places, and those of
+/// its maps whose extension is another now, but for the environment itself.
+void removeOlderSet(const BakedFiles& files, const std::vector<std::string>& inputs) {
+  const std::filesystem::path folder = files.folder;
+  const auto text = readFile(folder / "manifest.json");
+  std::error_code status;
+  std::filesystem::remove(folder / "manifest.json", status);
+  if (!text) return;
+  const Json manifest = Json::parse(text->begin(), text->end(), nullptr, false);
+  for (const auto& [map, path] :
+       {std::pair<const char*, std::filesystem::path>{"specular", files.specular.paths().front()},
+        {"irradiance", files.irradiance.paths().front()},
+        {"brdf", files.brdf.path}}) {
+    const std::filesystem::path older = fileIn(manifest, map);
+    if (older.empty() || older == path.filename()) continue;
+    const std::string lies_at = (folder / older).string();
+    if (refuseOverwriting(inputs, {&lies_at, 1})) std::filesystem::remove(lies_at, status);
+  }
 }
 
 }  // namespace
@@ -176,9 +205,7 @@ Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& 
                                                              " has only some of the new files, and "
                                                              "no manifest");
   };
-  // An older manifest would tell of other maps than those that now take their places.
-  std::error_code missing;
-  std::filesystem::remove(files.folder + "/manifest.json", missing);
+  removeOlderSet(files, set.inputs);
   MIRRORBALL_TRY(specular, files.specular.writeLevels(std::move(set.specular)));
   MIRRORBALL_TRY_VOID(go_on());
   MIRRORBALL_TRY(irradiance, files.irradiance.writeLevels(std::move(set.irradiance).takeImages()));

@@ -11,6 +11,7 @@ namespace mirrorball::cli {
 
 /// All that `bake` makes of an environment for an engine.
 struct BakedSet {
+  std::vector<std::string> inputs;  ///< the environment's files
   std::vector<PrefilterLevel> levels;
   ImageSet specular;
   EnvironmentMap irradiance;  ///< divided by π

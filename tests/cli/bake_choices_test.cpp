@@ -12,7 +12,12 @@
 namespace mirrorball::testing {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
 
 class BakeChoicesTest : public CliTest {
  protected:
@@ -124,6 +129,58 @@ TEST_F(BakeChoicesTest, RotationTurnsEveryMap) {
     for (const std::string form : {"radiance", "irradiance_windowed"})
       EXPECT_LT(glm::distance(coefficients("turned", form), target_from_source * coefficients("ours", form)), 1e-4f);
     EXPECT_EQ(json("turned/manifest.json")["rotate_deg"].size(), rotate == "90" ? 1u : 2u);
+  }
+}
+
+TEST_F(BakeChoicesTest, LevelsAreAsManyAsAskedFor) {
+  for (const int count : {1, 2, 5}) {
+    succeed("bake white -o out --size 16 --irradiance-size 4 --brdf-size 2 --levels " + std::to_string(count));
+    EXPECT_EQ(texture("out/specular.ktx2").levels(), count);
+    const nlohmann::json levels = json("out/manifest.json")["specular"]["levels"];
+    ASSERT_EQ(levels.size(), std::size_t(count));
+    EXPECT_EQ(levels[0]["perceptual_roughness"], 0.0);
+    if (count > 1) EXPECT_EQ(levels.back()["perceptual_roughness"], 1.0);
+  }
+  EXPECT_EQ(texture("out/specular.ktx2").at(4, 5).width(), 1);
+  EXPECT_THAT(refuse(2, "bake white -o out --size 16 --levels 6"), HasSubstr("5 levels"));
+}
+
+TEST_F(BakeChoicesTest, AChainOfOneLevelIsTold) {
+  const Outcome outcome = run("bake white -o chain.ktx2 --size 7");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("level 0 only"), HasSubstr("--levels")));
+  EXPECT_EQ(texture("chain.ktx2").levels(), 1);
+  succeed("bake white -o chain.ktx2 --size 7 --levels 1");
+  succeed("bake white -o chain.ktx2 --size 8");
+}
+
+TEST_F(BakeChoicesTest, MapsOfAnOlderSetDoNotLieBesideTheNewOnes) {
+  succeed(std::string(kSmall) + "--extension dds --brdf-extension exr");
+  EXPECT_THAT(files(), IsSupersetOf({"out/brdf.exr", "out/irradiance.dds", "out/specular.dds"}));
+  write("out/other.dds", std::string("the user's own"));
+  succeed(std::string(kSmall));
+  EXPECT_THAT(files(), ElementsAre("out/", "out/brdf.ktx2", "out/irradiance.ktx2", "out/manifest.json", "out/other.dds",
+                                   "out/sh.h", "out/sh.json", "out/specular.ktx2"));
+}
+
+TEST_F(BakeChoicesTest, AnEnvironmentThatAnOlderSetHadMadeStays) {
+  succeed(std::string(kSmall) + "--extension dds");
+  succeed("bake out/specular.dds -o out --size 8 --irradiance-size 4 --brdf-size 2");
+  EXPECT_THAT(files(), IsSupersetOf({"out/specular.dds", "out/specular.ktx2"}));
+  EXPECT_THAT(files(), Not(Contains("out/irradiance.dds")));
+}
+
+// Only what a manifest names is known to be ours, and only in its own folder.
+TEST_F(BakeChoicesTest, FilesThatNoManifestNamesStay) {
+  succeed(std::string(kSmall));
+  write("out/specular.dds", std::string("the user's own"));
+  write("irradiance.dds", std::string("the user's own"));
+  for (const std::string manifest :
+       {R"({"specular": {"file": "specular.ktx2"}, "irradiance": {"file": "../irradiance.dds"}})", "[1, 2]",
+        R"({"specular": 3, "brdf": {"file": 4}})", "no JSON"}) {
+    write("out/manifest.json", manifest);
+    succeed(std::string(kSmall));
+    EXPECT_THAT(files(), IsSupersetOf({"irradiance.dds", "out/specular.dds", "out/specular.ktx2"})) << manifest;
   }
 }
 

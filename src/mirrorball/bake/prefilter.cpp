@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -88,6 +90,8 @@ int lastLevel(int size) {
   return level;
 }
 
+int mostLevels(int size) { return std::bit_width(static_cast<unsigned>(size)); }
+
 Result<EnvironmentMap> cubeOf(const LightHarmonics& light, const Lobe& lobe, int size,
                               const glm::mat3& source_from_target, const ProgressFunction& progress) {
   MIRRORBALL_TRY(images, imagesFor(Projection::cube, size));
@@ -108,7 +112,8 @@ Result<EnvironmentMap> cubeOf(const LightHarmonics& light, const Lobe& lobe, int
 }
 
 std::vector<PrefilterLevel> prefilterLevels(const PrefilterOptions& options) {
-  const int last = lastLevel(options.size);
+  assert(options.levels >= 0 && options.levels <= mostLevels(options.size));
+  const int last = options.levels > 0 ? options.levels - 1 : lastLevel(options.size);
   std::vector<PrefilterLevel> levels(static_cast<std::size_t>(last) + 1);
   parallelFor(levels.size(), 1, [&](std::size_t begin, std::size_t) {
     const int level = static_cast<int>(begin);
@@ -128,17 +133,18 @@ std::vector<Lobe> lobesOf(const std::vector<PrefilterLevel>& levels) {
 }
 
 Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics& light,
-                           const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress) {
-  return chainOf(
-      environment, light, levels, [] {}, progress);
+                           const std::vector<PrefilterLevel>& levels, const glm::mat3& source_from_target,
+                           const ProgressFunction& progress) {
+  const auto keep = [] {};
+  return chainOf(environment, light, levels, source_from_target, keep, progress);
 }
 
 Result<ImageSet> prefilter(Environment&& environment, const LightHarmonics& light,
                            const std::vector<PrefilterLevel>& levels, const glm::mat3& source_from_target,
                            const ProgressFunction& progress) {
   std::optional<Environment> owned(std::move(environment));
-  return chainOf(
-      *owned, light, levels, [&owned] { owned.reset(); }, progress);
+  const auto release = [&owned] { owned.reset(); };
+  return chainOf(*owned, light, levels, source_from_target, release, progress);
 }
 
 std::uint64_t cubeBytes(int size) { return std::uint64_t(size) * std::uint64_t(size) * 6 * 3 * sizeof(float); }

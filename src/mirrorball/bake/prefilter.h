@@ -30,10 +30,14 @@ struct PrefilterOptions {
   int size = 256;  ///< of level 0, at least 1
   Distribution distribution = Distribution::ggx;
   MipMapping mip_mapping = MipMapping::filament;
+  int levels = 0;  ///< at most mostLevels(size); 0: to lastLevel(size)
 };
 
 /// The last level of a chain that has at least 4² texels a face: 0 for sizes below 8.
 int lastLevel(int size);
+
+/// The levels down to 1² texel a face.
+int mostLevels(int size);
 
 /// One level of a chain.
 struct PrefilterLevel {
@@ -42,7 +46,7 @@ struct PrefilterLevel {
   std::optional<Lobe> lobe;  ///< nothing: the environment itself
 };
 
-/// The levels 0 to lastLevel(size). The first is the environment itself, and so are those after it whose lobe would be
+/// The levels from 0 on, of which the last is for roughness 1. The first is the environment itself, and so are those after it whose lobe would be
 /// narrower than Lobe::kLeastAlpha.
 ///
 /// cost     2 ms, for the bands of narrow lobes

@@ -17,13 +17,16 @@ class BakeMemoryTest : public PeakMemoryTest {
 
   /// The MB that a command says it needs.
   int needOf(const std::string& command) const {
-    const std::string refusal = refuse(1, command + " --max-memory 2M");
+    const std::string refusal = refuse(1, command + " --max-memory 16M");
     EXPECT_THAT(refusal, AllOf(HasSubstr("map.exr: needs "), HasSubstr("--max-memory"))) << command;
     return std::stoi(refusal.substr(refusal.find("needs ") + 6));
   }
 };
 
+// Not counted: large pages, which round a face up by as much as 2 MB, and what the C library keeps of the small pieces
+// that it is given back.
 TEST_F(BakeMemoryTest, ThePeakIsBelowWhatWasAskedFor) {
+  constexpr std::uint64_t kUncounted = 32 * kMega;
   const std::uint64_t own = peakOf("bake white -o own --size 8 --irradiance-size 2 --brdf-size 2");
   for (const std::string command :
        {"bake map.exr -o chain.ktx2 --size 512", "bake map.exr -o chain.ktx2 --size 1024",
@@ -32,8 +35,8 @@ TEST_F(BakeMemoryTest, ThePeakIsBelowWhatWasAskedFor) {
     const int need_mb = needOf(command);
     refuse(1, command + " --max-memory " + std::to_string(need_mb - 1) + "M");
     const std::uint64_t peak = peakOf(command + " --max-memory " + std::to_string(need_mb + 1) + "M");
-    EXPECT_LT(peak, own + (std::uint64_t(need_mb) + 8) * kMega) << command;
-    // Nor is more asked for than that noise needs.
+    EXPECT_LT(peak, own + kUncounted + std::uint64_t(need_mb) * kMega) << command;
+    // Nor is much more asked for than such noise needs.
     EXPECT_GT(peak, std::uint64_t(need_mb) * kMega) << command;
   }
 }

@@ -149,6 +149,7 @@ Image noisyPanorama() {
     state = state * 1664525u + 1013904223u;
     sample = static_cast<float>(state >> 8) / float(1 << 24) + (state % 997 == 0 ? 100.0f : 0.0f);
   }
+  for (int y = 96; y < 160; ++y) std::fill_n(noise.texel(64, y), 3 * 64, 0.0f);
   return noise;
 }
 

@@ -101,8 +101,8 @@ glm::vec3 texelTowards(const ImageSet& cube, int level, glm::vec3 direction);
 /// A map of 64 × 32 texels that no two directions share a radiance in, all between 0.1 and 2.
 Image smoothPanorama();
 
-/// A map of 512 × 256 texels of which neighbours know nothing, so that narrow lobes need all their bands, with a lamp
-/// here and there.
+/// A map of 512 × 256 texels of which neighbours know nothing, with a lamp here and there and one part without light: of
+/// narrow lobes it needs all bands.
 Image noisyPanorama();
 
 }  // namespace mirrorball::testing

@@ -40,7 +40,7 @@ Blur prepareExact(const EnvironmentMap& panorama, const std::vector<BlurTarget>&
   std::vector<Lobe> lobes;
   for (const BlurTarget& target : targets) lobes.push_back(target.lobe);
   const auto light = std::make_shared<LightHarmonics>(*LightHarmonics::make(Environment(panorama), lobes));
-  return [light](const BlurTarget& target) { return *cubeOf(light->blurred(target.lobe), target.size); };
+  return [light](const BlurTarget& target) { return *cubeOf(*light, target.lobe, target.size); };
 }
 
 /// A cube with its mip levels, which a GPU would look up.

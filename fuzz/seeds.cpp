@@ -57,6 +57,8 @@ void addTextures(Corpus& corpus) {
   corpus.add("ktx2", "shared_exponent",
              bytesOfTexture(writeKtx2, textureOf(3, 1, 1, 3, 4, 3),
                             {.format = TexelFormat::e5b9g9r9, .metadata = {{"envmap", "latlong"}}}));
+  corpus.add("ktx2", "two_channels",
+             bytesOfTexture(writeKtx2, textureOf(1, 1, 1, 2, 3, 2), {.format = TexelFormat::rg_half}));
   corpus.add("dds", "half_cube", bytesOfTexture(writeDds, cube));
   corpus.add("dds", "packed_array",
              bytesOfTexture(writeDds, textureOf(2, 1, 3, 3, 4, 3), {.format = TexelFormat::b10g11r11}));

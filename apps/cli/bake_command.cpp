@@ -3,25 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "cli/bake_maps.h"
 #include "cli/baked_set.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/map_output.h"
 #include "cli/stage_clock.h"
-#include "cli/terminal.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/environment/load.h"
 
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<BakeOptions>, 15> kOptions{{
+const std::array<Option<BakeOptions>, 17> kOptions{{
     {{.name = "output",
       .value = "OUT",
       .help = "needed: a folder, for all maps and a manifest; or a .ktx2 or .dds file, for the specular chain only",
@@ -34,11 +32,19 @@ const std::array<Option<BakeOptions>, 15> kOptions{{
       .maximum = 8192,
       .help = "of the chain's level 0, a face's side"},
      &BakeOptions::size},
+    {{.name = "levels",
+      .value = "N",
+      .minimum = 0,
+      .maximum = 14,
+      .help = "of the chain, level 0 among them; the last is for roughness 1. 0: down to 4 x 4 texels a face"},
+     &BakeOptions::levels},
     {{.name = "distribution", .choices = "ggx|phong|blinn|charlie", .help = "of the microfacets; charlie is for cloth"},
      choiceField<&BakeOptions::distribution>},
     {{.name = "mip-mapping",
-      .choices = "filament|linear|unreal|unity|frostbite",
-      .help = "which level is for which roughness, as that engine looks it up"},
+      .choices = "auto|filament|linear|unreal|unity|frostbite",
+      .help =
+          "which level is for which roughness, as that engine looks it up; auto goes by --for: unreal and unity have "
+          "their own, godot has frostbite's, for all others it is filament"},
      choiceField<&BakeOptions::mip_mapping>},
     {{.name = "irradiance-size",
       .value = "N",
@@ -64,7 +70,7 @@ const std::array<Option<BakeOptions>, 15> kOptions{{
       .value = "N",
       .minimum = 2,
       .maximum = 3,
-      .help = "2: scale and bias; 3: also the mean for multiple scattering"},
+      .help = "2: scale and bias; 3: also the mean for multiple scattering; .exr has a third of 0"},
      &BakeOptions::brdf_channels},
     {{.name = "brdf-axes",
       .choices = "linear|warped",
@@ -78,30 +84,23 @@ const std::array<Option<BakeOptions>, 15> kOptions{{
       .value = "FORM",
       .help = "the environment's form, where it is not recognised: see convert --from"},
      &BakeOptions::from},
+    {kRotateText, &BakeOptions::rotate_deg},
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &BakeOptions::repair},
     {{.name = "timings", .help = "print how long each stage took"}, &BakeOptions::timings},
     {kMaxMemoryText, &BakeOptions::max_memory},
 }};
 
-/// All that `bake` was told.
-struct BakeRequest {
-  std::string environment;
-  BakeOptions options;
-  MapOutputOptions output;
-};
-
-Result<LoadedEnvironment> loadLight(const BakeRequest& request) {
-  MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
-  MIRRORBALL_TRY(loaded, loadEnvironment(request.environment, {.from = hint, .repair = request.options.repair}));
-  EnvironmentMap* map = loaded.environment.map();
-  const std::size_t count = map ? raiseNegativeLight(*map) : 0;
-  if (count > 0)
-    remark(loaded.name + ": " + std::to_string(count) + " values are negative, which light cannot be; taken as 0");
-  return loaded;
-}
-
-PrefilterOptions prefilterOptionsOf(const BakeOptions& options) {
-  return {.size = options.size, .distribution = options.distribution, .mip_mapping = options.mip_mapping};
+/// The table as the cubes are stored, but for formats that would round it to a percent.
+BrdfFile brdfFile(const std::string& path, const BakeOptions& options, const MapOutputOptions& output) {
+  BrdfFile file{path};
+  // Pictures are in 32-bit floats unless told otherwise, as everywhere.
+  const bool in_floats = output.format == "float32" || (output.format != "half" && !file.isTexture());
+  if (file.isTexture() && options.brdf_channels == 2)
+    file.format = in_floats ? TexelFormat::rg_float32 : TexelFormat::rg_half;
+  else
+    file.format = in_floats ? TexelFormat::float32 : TexelFormat::half;
+  if (options.brdf_extension == "ktx2") file.zstandard_level = output.zstandard_level;
+  return file;
 }
 
 /// errors   usage: no such folder can be, or no such files
@@ -124,7 +123,7 @@ Result<BakedFiles> filesOf(const BakeRequest& request) {
   output.output = folder + "/irradiance." + options.extension;
   MIRRORBALL_TRY(irradiance, MapOutput::resolve(output, Projection::cube));
   return BakedFiles{request.environment, folder, std::move(specular), std::move(irradiance),
-                    folder + "/brdf." + options.brdf_extension};
+                    brdfFile(folder + "/brdf." + options.brdf_extension, options, request.output)};
 }
 
 /// errors   usage: an option that says something about what only a folder has
@@ -141,7 +140,7 @@ Result<void> refuseOptionsOfFolders(const BakeOptions& options) {
   return {};
 }
 
-Result<void> bakeChain(const BakeRequest& request, StageClock& clock) {
+Result<void> bakeFile(const BakeRequest& request, StageClock& clock) {
   MapOutputOptions to_file = request.output;
   to_file.output = request.options.output;
   if (!isTexturePath(to_file.output))
@@ -151,64 +150,37 @@ Result<void> bakeChain(const BakeRequest& request, StageClock& clock) {
   MIRRORBALL_TRY_VOID(refuseOptionsOfFolders(request.options));
   MIRRORBALL_TRY(output, MapOutput::resolve(to_file, Projection::cube));
   MIRRORBALL_TRY_VOID(checkFolder(to_file.output));
-  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request); }));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
-  const std::vector<PrefilterLevel> levels = prefilterLevels(prefilterOptionsOf(request.options));
-  MIRRORBALL_TRY(light, clock.time("harmonics: analyse",
-                                   [&] { return LightHarmonics::make(loaded.environment, lobesOf(levels)); }));
-  MIRRORBALL_TRY(chain, clock.time("specular: prefilter", [&] {
-    return prefilter(loaded.environment, light, levels, progressBar("prefilter"));
-  }));
+  MIRRORBALL_TRY(chain, bakeChain(request, output, clock));
   MIRRORBALL_TRY_VOID(clock.time("files: write", [&] { return output.writeLevels(std::move(chain)); }));
   return {};
 }
 
-Result<BakedSet> bakeSet(const Environment& environment, const BakeOptions& options, StageClock& clock) {
-  BakedSet set;
-  set.levels = clock.time("lobes: bands", [&] { return prefilterLevels(prefilterOptionsOf(options)); });
-  std::vector<Lobe> lobes = lobesOf(set.levels);
-  lobes.push_back(Lobe::cosine());
-  MIRRORBALL_TRY(light, clock.time("harmonics: analyse", [&] { return LightHarmonics::make(environment, lobes); }));
-  MIRRORBALL_TRY(specular, clock.time("specular: prefilter", [&] {
-    return prefilter(environment, light, set.levels, progressBar("prefilter"));
-  }));
-  set.specular = std::move(specular);
-  MIRRORBALL_TRY(irradiance, clock.time("irradiance: cube",
-                                        [&] { return cubeOf(light.blurred(lobes.back()), options.irradiance_size); }));
-  set.irradiance = std::move(irradiance);
-  set.radiance = radianceHarmonics(light, options.harmonics_degree);
-  return set;
-}
-
 Result<void> bakeFolder(const BakeRequest& request, StageClock& clock) {
-  const BakeOptions& options = request.options;
   MIRRORBALL_TRY(files, filesOf(request));
-  // The table needs no environment; reading one leaves cores idle.
-  auto brdf_later = std::async(std::launch::async, [&] {
-    return clock.time("BRDF table", [&] {
-      return brdfTable({.size = options.brdf_size,
-                        .channels = options.brdf_channels,
-                        .distribution = options.distribution,
-                        .axes = options.brdf_axes});
-    });
-  });
-  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request); }));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(
-      loaded.files, std::array{files.specular.paths().front(), files.irradiance.paths().front(), files.brdf}));
-  MIRRORBALL_TRY(brdf, brdf_later.get());
-  MIRRORBALL_TRY(set, bakeSet(loaded.environment, options, clock));
-  set.brdf = std::move(brdf);
-  MIRRORBALL_TRY_VOID(makeFolder(files.folder));
-  return clock.time("files: write", [&] { return writeSet(std::move(set), files, options); });
+  MIRRORBALL_TRY(set, bakeSet(request, files, clock));
+  return clock.time("files: write", [&] { return writeSet(std::move(set), files, request.options); });
 }
 
-Result<void> bake(const BakeRequest& request) {
+/// The way in which a program looks levels up; docs/prefiltering.md has the sources.
+MipMappingChoice mipMappingFor(std::string_view program) {
+  if (program == "unreal") return MipMappingChoice::unreal;
+  if (program == "unity") return MipMappingChoice::unity;
+  if (program == "godot") return MipMappingChoice::frostbite;
+  return MipMappingChoice::filament;
+}
+
+Result<void> bake(BakeRequest request) {
   const std::string& output = request.options.output;
   if (output.empty()) return fail(ErrorCode::usage, "bake needs an output: -o FOLDER, or a .ktx2 or .dds file");
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
+  if (request.options.mip_mapping == MipMappingChoice::as_for)
+    request.options.mip_mapping = mipMappingFor(request.output.program);
+  if (request.options.levels > mostLevels(request.options.size))
+    return fail(ErrorCode::usage, "--levels: " + std::to_string(request.options.size) + " texels halve to 1 in " +
+                                      std::to_string(mostLevels(request.options.size)) + " levels; ask for no more");
   StageClock clock;
   const bool is_file = !isFolder(output) && std::filesystem::path(output).has_extension();
-  const Result<void> done = is_file ? bakeChain(request, clock) : bakeFolder(request, clock);
+  const Result<void> done = is_file ? bakeFile(request, clock) : bakeFolder(request, clock);
   if (request.options.timings) clock.print();
   return done;
 }

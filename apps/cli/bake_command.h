@@ -2,21 +2,32 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
+#include "cli/map_output.h"
 #include "mirrorball/bake/brdf_table.h"
 #include "mirrorball/bake/prefilter.h"
 #include "mirrorball/base/option.h"
 
 namespace mirrorball::cli {
 
+/// --mip-mapping: MipMapping's values after one that leaves it to --for, which is settled before anything is made.
+enum class MipMappingChoice { as_for, filament, linear, unreal, unity, frostbite };
+constexpr MipMapping mipMappingOf(MipMappingChoice choice) {
+  return choice == MipMappingChoice::as_for ? MipMapping::filament
+                                            : static_cast<MipMapping>(static_cast<int>(choice) - 1);
+}
+
 /// What `bake` is told beside its input and how its textures are stored (map_output.h).
 struct BakeOptions {
   std::string output;
   std::string from;
   bool repair = false;
+  std::vector<float> rotate_deg;
   int size = 256;
+  int levels = 0;
   Distribution distribution = Distribution::ggx;
-  MipMapping mip_mapping = MipMapping::filament;
+  MipMappingChoice mip_mapping = MipMappingChoice::as_for;
   int irradiance_size = 32;
   int harmonics_degree = 2;
   int brdf_size = 128;
@@ -29,5 +40,12 @@ struct BakeOptions {
 };
 
 std::span<const Option<BakeOptions>> bakeOptions();
+
+/// All that `bake` was told.
+struct BakeRequest {
+  std::string environment;
+  BakeOptions options;
+  MapOutputOptions output;
+};
 
 }  // namespace mirrorball::cli

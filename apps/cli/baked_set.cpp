@@ -10,9 +10,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/files.h"
 #include "cli/terminal.h"
 #include "formula/formula.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/codec/stored_format.h"
 #include "mirrorball/environment/cube_arrangement.h"
 
 namespace mirrorball::cli {
@@ -74,19 +76,7 @@ std::string harmonicsHeader(const Harmonics& radiance, const std::string& source
   return text;
 }
 
-constexpr std::string_view nameOf(TexelFormat format) {
-  switch (format) {
-    case TexelFormat::float32:
-      return "r32g32b32a32 sfloat";
-    case TexelFormat::b10g11r11:
-      return "b10g11r11 ufloat";
-    case TexelFormat::e5b9g9r9:
-      return "e5b9g9r9 ufloat";
-    case TexelFormat::half:
-      break;
-  }
-  return "r16g16b16a16 sfloat";
-}
+std::string nameOf(TexelFormat format) { return nameOf(storedFormat(format)); }
 
 /// An option's value as it is written on the command line.
 std::string writtenValue(const BakeOptions& options, std::string_view name) {
@@ -113,8 +103,12 @@ Json specularJson(const BakedSet& set, const BakedFiles& files, const BakeOption
 
 Json brdfJson(const BakedFiles& files, const BakeOptions& options) {
   Json json;
-  json["file"] = std::filesystem::path(files.brdf).filename();
+  json["file"] = std::filesystem::path(files.brdf.path).filename();
+  json["format"] = files.brdf.isTexture()                   ? nameOf(files.brdf.format)
+                   : files.brdf.format == TexelFormat::half ? "three channels of half floats"
+                                                            : "three channels of 32-bit floats";
   json["size"] = options.brdf_size;
+  json["distribution"] = writtenValue(options, "distribution");
   json["channels"] = {"scale of f0", "bias of f0"};
   if (options.brdf_channels == 3) json["channels"].push_back("mean over all directions, for multiple scattering");
   json["axes"] = options.brdf_axes == BrdfAxes::linear
@@ -128,6 +122,7 @@ Json manifestOf(const BakedSet& set, const BakedFiles& files, const BakeOptions&
   Json json;
   json["made_by"] = std::string("mirrorball ") + MIRRORBALL_VERSION + " bake";
   json["source"] = files.source;
+  if (!options.rotate_deg.empty()) json["rotate_deg"] = options.rotate_deg;
   const std::string arrangement = textOf(files.specular.form().arrangement);
   json["faces"] = arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
   json["specular"] = specularJson(set, files, options, specular);
@@ -150,7 +145,7 @@ Result<void> writeText(const std::string& path, const std::string& text) {
   return {};
 }
 
-/// Files have one or three channels: of two, the third is black.
+/// Pictures have one or three channels: of two, the third is black.
 Image withThreeChannels(const Image& image) {
   if (image.channels() == 3) return image;
   Image wide(image.width(), image.height(), 3);
@@ -160,29 +155,69 @@ Image withThreeChannels(const Image& image) {
   return wide;
 }
 
-Result<void> writeBrdf(const Image& table, const std::string& path) {
-  const Image image = withThreeChannels(table);
-  if (isTexturePath(path))
-    MIRRORBALL_TRY_VOID(writeImageSet(path, ImageSet(image)));
+Result<void> writeBrdf(Image table, const BrdfFile& file) {
+  if (file.isTexture())
+    MIRRORBALL_TRY_VOID(writeImageSet(file.path, ImageSet(std::move(table)),
+                                      {.format = file.format, .zstandard_level = file.zstandard_level}));
   else
-    MIRRORBALL_TRY_VOID(writeImage(path, image));
-  announce(path);
+    MIRRORBALL_TRY_VOID(
+        writeImage(file.path, withThreeChannels(table), {.half = file.format == TexelFormat::half, .metadata = {}}));
+  announce(file.path);
   return {};
+}
+
+/// The file of one map that a manifest names, if it is such as bake writes: nothing else in a folder is ours.
+std::filesystem::path fileIn(const Json& manifest, const char* map) {
+  if (!manifest.is_object() || !manifest.contains(map) || !manifest[map].is_object()) return {};
+  const Json file = manifest[map].value("file", Json());
+  const std::filesystem::path name = file.is_string() ? file.get<std::string>() : "";
+  return name == name.filename() && name.stem() == map ? name : std::filesystem::path();
+}
+
+/// Removes an older set's manifest, which would tell of other maps than those that now take their places, and those of
+/// its maps whose extension is another now, but for the environment itself.
+void removeOlderSet(const BakedFiles& files, const std::vector<std::string>& inputs) {
+  const std::filesystem::path folder = files.folder;
+  const auto text = readFile(folder / "manifest.json");
+  std::error_code status;
+  std::filesystem::remove(folder / "manifest.json", status);
+  if (!text) return;
+  const Json manifest = Json::parse(text->begin(), text->end(), nullptr, false);
+  for (const auto& [map, path] :
+       {std::pair<const char*, std::filesystem::path>{"specular", files.specular.paths().front()},
+        {"irradiance", files.irradiance.paths().front()},
+        {"brdf", files.brdf.path}}) {
+    const std::filesystem::path older = fileIn(manifest, map);
+    if (older.empty() || older == path.filename()) continue;
+    const std::string lies_at = (folder / older).string();
+    if (refuseOverwriting(inputs, {&lies_at, 1})) std::filesystem::remove(lies_at, status);
+  }
 }
 
 }  // namespace
 
 Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& options) {
-  // An older manifest would tell of other maps than those that now take their places.
-  std::error_code missing;
-  std::filesystem::remove(files.folder + "/manifest.json", missing);
+  MIRRORBALL_TRY(folder, OutputFolder::make(files.folder));
+  const auto go_on = [&]() -> Result<void> {
+    if (!interrupted()) return {};
+    return fail(ErrorCode::interrupted, folder.isNew() ? "interrupted; nothing was written"
+                                                       : "interrupted; " + files.folder +
+                                                             " has only some of the new files, and "
+                                                             "no manifest");
+  };
+  removeOlderSet(files, set.inputs);
   MIRRORBALL_TRY(specular, files.specular.writeLevels(std::move(set.specular)));
+  MIRRORBALL_TRY_VOID(go_on());
   MIRRORBALL_TRY(irradiance, files.irradiance.writeLevels(std::move(set.irradiance).takeImages()));
-  MIRRORBALL_TRY_VOID(writeBrdf(set.brdf, files.brdf));
-  const std::string folder = files.folder + "/";
-  MIRRORBALL_TRY_VOID(writeText(folder + "sh.json", textOf(harmonicsJson(set.radiance, options))));
-  MIRRORBALL_TRY_VOID(writeText(folder + "sh.h", harmonicsHeader(set.radiance, files.source)));
-  return writeText(folder + "manifest.json", textOf(manifestOf(set, files, options, specular, irradiance)));
+  MIRRORBALL_TRY_VOID(go_on());
+  MIRRORBALL_TRY_VOID(writeBrdf(std::move(set.brdf), files.brdf));
+  MIRRORBALL_TRY_VOID(go_on());
+  const std::string path = files.folder + "/";
+  MIRRORBALL_TRY_VOID(writeText(path + "sh.json", textOf(harmonicsJson(set.radiance, options))));
+  MIRRORBALL_TRY_VOID(writeText(path + "sh.h", harmonicsHeader(set.radiance, files.source)));
+  MIRRORBALL_TRY_VOID(writeText(path + "manifest.json", textOf(manifestOf(set, files, options, specular, irradiance))));
+  folder.keep();
+  return {};
 }
 
 }  // namespace mirrorball::cli

@@ -11,11 +11,21 @@ namespace mirrorball::cli {
 
 /// All that `bake` makes of an environment for an engine.
 struct BakedSet {
+  std::vector<std::string> inputs;  ///< the environment's files
   std::vector<PrefilterLevel> levels;
   ImageSet specular;
   EnvironmentMap irradiance;  ///< divided by π
   Harmonics radiance;
   Image brdf;
+};
+
+/// Where the BRDF table goes, and how.
+struct BrdfFile {
+  std::string path;
+  TexelFormat format = TexelFormat::half;  ///< of a picture: half or float32
+  int zstandard_level = 0;
+
+  bool isTexture() const { return isTexturePath(path); }
 };
 
 /// Where the files of a set lie, and how.
@@ -24,13 +34,14 @@ struct BakedFiles {
   std::string folder;
   MapOutput specular;
   MapOutput irradiance;
-  std::string brdf;
+  BrdfFile brdf;
 };
 
 /// Writes specular, irradiance and BRDF table as textures, the harmonics as sh.json and sh.h, and at last manifest.json,
-/// which says what is what.
+/// which says what is what. The folder is made if it is not there, and is gone again if they could not all be written; of
+/// an older set in it the manifest is gone then, and files may be.
 ///
-/// errors   as writeImageSet's and writeImage's
+/// errors   io; interrupted, between files; as writeImageSet's and writeImage's
 Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& options);
 
 }  // namespace mirrorball::cli

@@ -2,6 +2,7 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/environment/convert.h"
 
 namespace mirrorball::cli {
 
@@ -14,6 +15,12 @@ std::string describe(const OptionText& text, const std::string& default_value) {
   if (!default_value.empty()) add("default " + default_value);
   if (!text.implied.empty()) add("without a value " + std::string(text.implied));
   return facts.empty() ? description : description + " (" + facts + ")";
+}
+
+glm::mat3 sourceFromRotated(std::vector<float> angles_deg) {
+  angles_deg.resize(3, 0.0f);
+  return glm::transpose(
+      turnedBy(glm::radians(angles_deg[0]), glm::radians(angles_deg[1]), glm::radians(angles_deg[2])));
 }
 
 Result<void> useMemoryLimit(const std::string& written) {

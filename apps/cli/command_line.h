@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <glm/mat3x3.hpp>
 
 #include "mirrorball/base/option.h"
 #include "mirrorball/base/result.h"
@@ -21,6 +22,19 @@ inline constexpr OptionText kMaxMemoryText{
     .name = "max-memory",
     .value = "BYTES",
     .help = "the most memory that images may take, as in 1.5G or 800M; else 3/4 of what the machine has"};
+
+/// --rotate, of commands that can turn the light.
+inline constexpr OptionText kRotateText{
+    .name = "rotate",
+    .value = "YAW[,PITCH[,ROLL]]",
+    .unit = "degrees",
+    .most = 3,
+    .help = "turns the light about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, +Z towards +X"};
+
+/// What --rotate was given, as a `source_from_target`.
+///
+/// angles_deg  up to three; those that are missing are 0
+glm::mat3 sourceFromRotated(std::vector<float> angles_deg);
 
 /// Sets the limit that --max-memory was given; empty leaves it.
 ///

@@ -44,15 +44,9 @@ const std::array<Option<ConvertOptions>, 9> kOptions{{
       .value = "X,Y,Z",
       .fewest = 3,
       .most = 3,
-      .help = "the input's direction that comes to the centre, +Z; up stays up"},
+      .help = "the input's direction that comes to the centre, +Z, before --rotate; up stays up"},
      &ConvertOptions::centre},
-    {{.name = "rotate",
-      .value = "YAW[,PITCH[,ROLL]]",
-      .unit = "degrees",
-      .most = 3,
-      .help = "turns the light about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, +Z towards +X; after "
-              "--centre"},
-     &ConvertOptions::rotate_deg},
+    {kRotateText, &ConvertOptions::rotate_deg},
     {{.name = "extension",
       .value = "EXT",
       .help = "of the files in an output folder: exr, hdr, ktx2, dds, png or jpg; else each input's own"},
@@ -62,11 +56,7 @@ const std::array<Option<ConvertOptions>, 9> kOptions{{
 }};
 
 Resampling resamplingOf(const ConvertOptions& options) {
-  Resampling resampling{.interpolation = options.filter};
-  std::vector<float> angles = options.rotate_deg;
-  angles.resize(3, 0.0f);
-  const glm::mat3 turned = turnedBy(glm::radians(angles[0]), glm::radians(angles[1]), glm::radians(angles[2]));
-  resampling.source_from_target = glm::transpose(turned);
+  Resampling resampling{.interpolation = options.filter, .source_from_target = sourceFromRotated(options.rotate_deg)};
   if (options.centre.empty()) return resampling;
   const glm::vec3 centre(options.centre[0], options.centre[1], options.centre[2]);
   resampling.source_from_target = centredOn(glm::normalize(centre)) * resampling.source_from_target;

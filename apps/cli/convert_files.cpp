@@ -85,10 +85,7 @@ Result<void> convertInput(const std::string& input, const ConvertRequest& reques
   MIRRORBALL_TRY(loaded, loadEnvironment(input, request.load));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
   const int size = request.size > 0 ? request.size : loaded.environment.naturalSize(request.to);
-  const EnvironmentMap* map = loaded.environment.map();
-  const std::uint64_t source_bytes =
-      map ? bytesOf(map->extent(), map->face(0).channels()) * std::uint64_t(map->faces()) : 0;
-  return writeConverted(output, size, source_bytes, [&](const TakeTexels& take) {
+  return writeConverted(output, size, loaded.environment.bytes(), [&](const TakeTexels& take) {
     return convertPiecewise(loaded.environment, request.to, size, request.resampling, take, progress);
   });
 }

@@ -33,6 +33,22 @@ Result<void> makeFolder(const std::string& folder) {
   return {};
 }
 
+Result<OutputFolder> OutputFolder::make(const std::string& folder) {
+  std::error_code status;
+  std::string made;
+  for (std::filesystem::path above = folder; !above.empty() && !std::filesystem::exists(above, status);
+       above = above.parent_path())
+    made = above.string();
+  OutputFolder output(std::move(made));
+  MIRRORBALL_TRY_VOID(makeFolder(folder));
+  return output;
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code status;
+  if (isNew()) std::filesystem::remove_all(made_, status);
+}
+
 std::string suffixed(const std::string& path, const std::string& suffix) {
   const std::filesystem::path whole(path);
   return (whole.parent_path() / (whole.stem().string() + suffix + whole.extension().string())).string();

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 
 #include "mirrorball/base/result.h"
 
@@ -24,6 +25,25 @@ bool isFolder(const std::string& output);
 ///
 /// errors   io
 Result<void> makeFolder(const std::string& folder);
+
+/// A folder for files that belong together. What was not there before goes away again with all that was put into it,
+/// unless it is kept.
+class OutputFolder {
+ public:
+  /// errors   io
+  static Result<OutputFolder> make(const std::string& folder);
+  OutputFolder(OutputFolder&& other) noexcept : made_(std::exchange(other.made_, {})) {}
+  ~OutputFolder();
+
+  /// Whether it was not there before.
+  bool isNew() const { return !made_.empty(); }
+  void keep() { made_.clear(); }
+
+ private:
+  explicit OutputFolder(std::string made) : made_(std::move(made)) {}
+
+  std::string made_;  // the uppermost folder that was made
+};
 
 /// "turn_007.png" of "turn.png": the name with a suffix before its extension.
 std::string suffixed(const std::string& path, const std::string& suffix);

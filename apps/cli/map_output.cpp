@@ -8,6 +8,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/stored_format.h"
 #include "mirrorball/environment/recognize.h"
 
 namespace mirrorball::cli {
@@ -216,6 +217,13 @@ Result<TexelFormat> MapOutput::writeImages(const ImageSet& images) const {
 
 Result<TexelFormat> MapOutput::writeLevels(ImageSet levels) const {
   return writeImages(arranged(std::move(levels), form_.arrangement));
+}
+
+std::uint64_t MapOutput::memoryToWrite(int size) const {
+  if (zstandard_level_ == 0) return 0;
+  // Whole levels are compressed, into as much memory as they have.
+  return 2 * 6 * std::uint64_t(size) * std::uint64_t(size) *
+         texelSize(storedFormat(format_.value_or(TexelFormat::float32)));
 }
 
 Result<void> MapOutput::write(EnvironmentMap map) const {

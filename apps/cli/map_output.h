@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -58,6 +59,9 @@ class MapOutput {
   ///
   /// returns  the format that it was written in
   Result<TexelFormat> writeLevels(ImageSet levels) const;
+
+  /// The memory that writing a cube of `size`² texels a face takes beside them.
+  std::uint64_t memoryToWrite(int size) const;
 
   const MapForm& form() const { return form_; }
 

@@ -65,6 +65,12 @@ std::string CliTest::succeed(const Arguments& arguments, Start how) const {
   return outcome.out;
 }
 
+std::uint64_t CliTest::peakOf(const Arguments& arguments) const {
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << arguments.text() << "\n" << outcome.err;
+  return outcome.peak_memory;
+}
+
 std::string CliTest::refuse(int exit_code, const Arguments& arguments, Start how) const {
   const std::map<std::string, Bytes> before = snapshot();
   const Outcome outcome = run(arguments, std::move(how));
@@ -124,9 +130,27 @@ void RenderCliTest::SetUp() {
   if (const auto context = gl::Context::createHeadless(); !context) GTEST_SKIP() << context.error().message;
 }
 
+glm::vec3 texelTowards(const ImageSet& cube, int level, glm::vec3 direction) {
+  const MapPosition place = positionOf(Projection::cube, glm::normalize(direction));
+  const Image& face = cube.at(level, place.face);
+  const glm::ivec2 texel = glm::min(glm::ivec2(place.uv * float(face.width())), face.width() - 1);
+  return rgbAt(face, texel.x, texel.y);
+}
+
 Image smoothPanorama() {
   const Environment smooth(smoothRadiance, 32);
   return need(convert(smooth, Projection::equirect, 32)).face(0);
+}
+
+Image noisyPanorama() {
+  Image noise(512, 256, 3);
+  unsigned state = 1;
+  for (float& sample : noise.samples()) {
+    state = state * 1664525u + 1013904223u;
+    sample = static_cast<float>(state >> 8) / float(1 << 24) + (state % 997 == 0 ? 100.0f : 0.0f);
+  }
+  for (int y = 96; y < 160; ++y) std::fill_n(noise.texel(64, y), 3 * 64, 0.0f);
+  return noise;
 }
 
 }  // namespace mirrorball::testing

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -40,6 +41,9 @@ class CliTest : public ::testing::Test {
   /// Runs the program, which must succeed and complain about nothing; returns what it printed.
   std::string succeed(const Arguments& arguments, Start how = {}) const;
 
+  /// Runs the program, which must succeed; returns the most memory that it had at a time [bytes].
+  std::uint64_t peakOf(const Arguments& arguments) const;
+
   /// Runs the program, which must refuse: with `exit_code`, one line on stderr, nothing on stdout, and no file made,
   /// changed or removed. Returns the line, after "mirrorball: ".
   std::string refuse(int exit_code, const Arguments& arguments, Start how = {}) const;
@@ -74,7 +78,31 @@ class RenderCliTest : public CliTest {
   void SetUp() override;
 };
 
+/// What a process takes at most says nothing where the address sanitizer keeps what was given back.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool kPeakIsTheSanitizers = true;
+#else
+inline constexpr bool kPeakIsTheSanitizers = false;
+#endif
+
+/// The same for what measures memory.
+class PeakMemoryTest : public CliTest {
+ protected:
+  void SetUp() override {
+    if (kPeakIsTheSanitizers) GTEST_SKIP() << "the address sanitizer's own memory is larger than what is measured";
+  }
+};
+
+inline constexpr std::uint64_t kMega = 1024 * 1024;
+
+/// The texel of a cube that looks in a direction.
+glm::vec3 texelTowards(const ImageSet& cube, int level, glm::vec3 direction);
+
 /// A map of 64 × 32 texels that no two directions share a radiance in, all between 0.1 and 2.
 Image smoothPanorama();
+
+/// A map of 512 × 256 texels of which neighbours know nothing, with a lamp here and there and one part without light: of
+/// narrow lobes it needs all bands.
+Image noisyPanorama();
 
 }  // namespace mirrorball::testing

@@ -17,31 +17,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr std::uint64_t kMega = 1024 * 1024;
-
-class ConvertMemoryTest : public CliTest {
- protected:
-  std::uint64_t peakOf(const std::string& line) const {
-    const Outcome outcome = run(line);
-    EXPECT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.err;
-    return outcome.peak_memory;
-  }
-};
-
-/// What a process takes at most says nothing where the address sanitizer keeps what was given back.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kPeakIsTheSanitizers = true;
-#else
-constexpr bool kPeakIsTheSanitizers = false;
-#endif
-
-class PeakMemoryTest : public ConvertMemoryTest {
- protected:
-  void SetUp() override {
-    if (kPeakIsTheSanitizers) GTEST_SKIP() << "the address sanitizer's own memory is larger than what is measured";
-  }
-};
-
 // 2048x1024 texels are 32 MB in floats with the alpha that a PNG may have. What the program has of its own is the same
 // whether it reads them or not.
 TEST_F(PeakMemoryTest, ARefusedMapTakesNoMemory) {
@@ -90,7 +65,7 @@ TEST_F(PeakMemoryTest, AHeaderThatLiesTakesNoMemory) {
 
 /// A panorama of 512 x 256 texels, 1.5 MB in floats: as a whole it does not fit into the 1 MB that it is given here, so
 /// it goes by rows or not at all.
-class ConvertRowsTest : public ConvertMemoryTest {
+class ConvertRowsTest : public CliTest {
  protected:
   void SetUp() override {
     write("smooth.exr", smoothPanorama());

@@ -9,8 +9,8 @@ import { isDeepStrictEqual } from 'node:util';
 
 import * as ktx from 'ktx-parse';
 import parseDds from 'parse-dds';
-import { DataUtils, FloatType, HalfFloatType, LinearSRGBColorSpace, RGBAFormat, RGBFormat, UnsignedInt101111Type,
-  UnsignedInt5999Type } from 'three';
+import { DataUtils, FloatType, HalfFloatType, LinearSRGBColorSpace, RGBAFormat, RGBFormat, RGFormat,
+  UnsignedInt101111Type, UnsignedInt5999Type } from 'three';
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { ZSTDDecoder } from 'three/addons/libs/zstddec.module.js';
 
@@ -25,6 +25,10 @@ const formats = {
     size: 4, bits: [11, 11, 10], decode: (view, at) => decodePacked(view.getUint32(at, true)) },
   e5b9g9r9: { vk: ktx.VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, type: UnsignedInt5999Type, format: RGBFormat, word: 4, size: 4,
     bits: [9, 5, 9, 5, 9, 5], decode: (view, at) => decodeShared(view.getUint32(at, true)) },
+  rg_half: { vk: ktx.VK_FORMAT_R16G16_SFLOAT, type: HalfFloatType, format: RGFormat, word: 2, size: 4, bits: [16, 16],
+    decode: (view, at) => [...[0, 2].map((i) => DataUtils.fromHalfFloat(view.getUint16(at + i, true))), 0, 1] },
+  rg_float32: { vk: ktx.VK_FORMAT_R32G32_SFLOAT, type: FloatType, format: RGFormat, word: 4, size: 8, bits: [32, 32],
+    decode: (view, at) => [...[0, 4].map((i) => view.getFloat32(at + i, true)), 0, 1] },
 };
 
 /// VK_FORMAT_B10G11R11_UFLOAT_PACK32: exponents of 5 bits with bias 15, above mantissas of 6, 6 and 5 bits. The test's

@@ -33,6 +33,14 @@ std::string texelList(const ImageSet& images) {
   return list;
 }
 
+/// Formats of two channels drop it.
+void removeBlue(ImageSet& images) {
+  forEachImage(images, [](Image& image) {
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) image.texel(x, y)[2] = 0.0f;
+  });
+}
+
 std::string describe(const File& file) {
   const auto number = [](const char* key, int value) {
     return std::string(",\"") + key + "\":" + std::to_string(value);
@@ -54,14 +62,14 @@ int main(int count, char** arguments) {
   constexpr struct {
     TexelFormat format;
     const char* name;
-  } kFormats[] = {{TexelFormat::half, "half"},
-                  {TexelFormat::float32, "float32"},
-                  {TexelFormat::b10g11r11, "b10g11r11"},
-                  {TexelFormat::e5b9g9r9, "e5b9g9r9"}};
+  } kFormats[] = {{TexelFormat::half, "half"},           {TexelFormat::float32, "float32"},
+                  {TexelFormat::b10g11r11, "b10g11r11"}, {TexelFormat::e5b9g9r9, "e5b9g9r9"},
+                  {TexelFormat::rg_half, "rg_half"},     {TexelFormat::rg_float32, "rg_float32"}};
   std::vector<File> files;
-  const auto add = [&](const std::string& name, const char* format, const ImageSet& images,
+  const auto add = [&](const std::string& name, const char* format, ImageSet images,
                        const TextureWriteOptions& options) {
-    files.push_back({name, format, images, options});
+    if (std::string(format).starts_with("rg_")) removeBlue(images);
+    files.push_back({name, format, std::move(images), options});
   };
   for (const auto& [format, format_name] : kFormats) {
     const std::string name = format_name;

@@ -39,8 +39,18 @@ bool isDenseEnough(const EnvironmentMap& map, int rows) {
   return texelDensity(map.projection(), map.size()) >= texelDensity(Projection::equirect, rows);
 }
 
-/// As a panorama of at least so many rows.
-Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows) {
+bool isDensePanorama(const EnvironmentMap* map, int rows) {
+  return map && map->projection() == Projection::equirect && isDenseEnough(*map, rows);
+}
+
+/// How an environment is laid out as a panorama.
+struct Layout {
+  int rows;
+  Interpolation interpolation;
+
+  std::uint64_t bytes() const { return std::uint64_t(rows) * std::uint64_t(2 * rows) * 3 * sizeof(float); }
+};
+Layout layoutOf(const Environment& environment, int least_rows) {
   const int natural = environment.naturalSize(Projection::equirect);
   // A function may be as smooth as it likes: with that many rows the first harmonics are right to 1e-4.
   constexpr int kLeastRowsOfFunction = 256;
@@ -50,11 +60,14 @@ Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows) {
   constexpr int kMostRowsForThat = 2048;
   const int rows = std::max(least_rows, natural);
   const EnvironmentMap* map = environment.map();
-  if (!map) return convert(environment, Projection::equirect, std::max(rows, kLeastRowsOfFunction));
-  if (isDenseEnough(*map, least_rows)) return convert(environment, Projection::equirect, rows);
-  return convert(environment, Projection::equirect,
-                 std::max(rows, std::min(kPointsAcrossTexel * natural, kMostRowsForThat)),
-                 {.interpolation = Interpolation::bilinear});
+  if (!map) return {std::max(rows, kLeastRowsOfFunction), Interpolation::bicubic};
+  if (isDenseEnough(*map, least_rows)) return {rows, Interpolation::bicubic};
+  return {std::max(rows, std::min(kPointsAcrossTexel * natural, kMostRowsForThat)), Interpolation::bilinear};
+}
+
+Result<EnvironmentMap> laidOut(const Environment& environment, int least_rows, const ProgressFunction& progress) {
+  const Layout layout = layoutOf(environment, least_rows);
+  return convert(environment, Projection::equirect, layout.rows, {.interpolation = layout.interpolation}, progress);
 }
 
 /// The light of an environment as a panorama and points.
@@ -69,24 +82,24 @@ struct SplitLight {
 /// very few texels they would be seen as points.
 ///
 /// most   points
-Result<SplitLight> splitLight(const Environment& environment, int rows, int most) {
+Result<SplitLight> splitLight(const Environment& environment, int rows, int most, const ProgressFunction& progress) {
   SplitLight split;
   const EnvironmentMap* map = environment.map();
   if (map && isDenseEnough(*map, rows / 4)) split.bright = brightLights(*map, most);
-  if (map && map->projection() == Projection::equirect && isDenseEnough(*map, rows)) {
+  if (isDensePanorama(map, rows)) {
     split.own = map;
     split.contrast = lightContrast(*map, split.bright);
     return split;
   }
   if (split.bright.texels.empty()) {
-    MIRRORBALL_TRY(panorama, laidOut(environment, rows));
+    MIRRORBALL_TRY(panorama, laidOut(environment, rows, progress));
     split.bright = brightLights(panorama, most);
     subtract(split.bright, panorama);
     split.laid_out = std::move(panorama);
   } else {
     EnvironmentMap without = *map;
     subtract(split.bright, without);
-    MIRRORBALL_TRY(panorama, laidOut(Environment(std::move(without)), rows));
+    MIRRORBALL_TRY(panorama, laidOut(Environment(std::move(without)), rows, progress));
     split.laid_out = std::move(panorama);
   }
   split.contrast = lightContrast(split.laid_out, {});
@@ -94,11 +107,15 @@ Result<SplitLight> splitLight(const Environment& environment, int rows, int most
 }
 
 /// The same with as many points as are worth their while.
-Result<SplitLight> splitLight(const Environment& environment, int rows) {
-  MIRRORBALL_TRY(light, splitLight(environment, rows, kFewBrightLights));
-  for (const int most : kMoreBrightLights) {
+Result<SplitLight> splitLight(const Environment& environment, int rows, const ProgressFunction& progress) {
+  constexpr std::size_t kSteps = 1000;
+  const auto partOfTry = [&](std::size_t i) {
+    return partOf(progress, i * kSteps, kSteps, (1 + kMoreBrightLights.size()) * kSteps);
+  };
+  MIRRORBALL_TRY(light, splitLight(environment, rows, kFewBrightLights, partOfTry(0)));
+  for (std::size_t i = 0; i < kMoreBrightLights.size(); ++i) {
     if (light.contrast < kHighContrast || light.bright.is_complete) break;
-    MIRRORBALL_TRY(other, splitLight(environment, rows, most));
+    MIRRORBALL_TRY(other, splitLight(environment, rows, kMoreBrightLights[i], partOfTry(i + 1)));
     if (other.bright.is_complete || other.contrast < light.contrast / 2.0f) light = std::move(other);
   }
   return light;
@@ -106,20 +123,37 @@ Result<SplitLight> splitLight(const Environment& environment, int rows) {
 
 }  // namespace
 
-Result<LightHarmonics> LightHarmonics::make(const Environment& environment, const std::vector<Lobe>& lobes) {
-  MIRRORBALL_TRY(light, splitLight(environment, leastRows(lobes)));
+Result<LightHarmonics> LightHarmonics::make(const Environment& environment, const std::vector<Lobe>& lobes,
+                                            const ProgressFunction& progress) {
+  // Analysing takes a few times as long as laying out.
+  constexpr std::size_t kSteps = 4000;
+  MIRRORBALL_TRY(light, splitLight(environment, leastRows(lobes), partOf(progress, 0, kSteps / 4, kSteps)));
   const float tolerance = kTolerance / light.contrast;
   int bands = 1;
   for (const Lobe& lobe : lobes) bands = std::max(bands, lobe.bandsFor(tolerance));
-  HarmonicCoefficients coefficients =
-      light.own ? analyse(*light.own, light.bright, bands) : analyse(light.laid_out, {}, bands);
+  const ProgressFunction rest = partOf(progress, kSteps / 4, kSteps * 3 / 4, kSteps);
+  MIRRORBALL_TRY(coefficients,
+                 light.own ? analyse(*light.own, light.bright, bands, rest) : analyse(light.laid_out, {}, bands, rest));
   return LightHarmonics(tolerance, std::move(coefficients), std::move(light.bright));
 }
 
-BlurredLight LightHarmonics::blurred(const Lobe& lobe) const {
+LightHarmonics::Memory LightHarmonics::memoryFor(const Environment& environment, const std::vector<Lobe>& lobes) {
+  std::size_t bands = 1;
+  for (const Lobe& lobe : lobes) bands = std::max(bands, lobe.bands().size());
+  const std::uint64_t kept = harmonicBytes(static_cast<int>(bands));
+  const std::uint64_t analysed = kept + analysisBytes(static_cast<int>(bands));
+  const int rows = leastRows(lobes);
+  if (isDensePanorama(environment.map(), rows)) return {analysed, kept};
+  // A copy without the bright texels goes when it has been laid out; two of that are compared.
+  const std::uint64_t laid_out = layoutOf(environment, rows).bytes();
+  return {laid_out + std::max(laid_out + environment.bytes(), analysed), kept};
+}
+
+Result<BlurredLight> LightHarmonics::blurred(const Lobe& lobe, const ProgressFunction& progress) const {
   std::vector<float> weights = lobe.bands();
   weights.resize(static_cast<std::size_t>(std::min(lobe.bandsFor(tolerance_), coefficients_.bands())));
-  return BlurredLight(lobe, synthesize(coefficients_, weights), bright_);
+  MIRRORBALL_TRY(grid, synthesize(coefficients_, weights, progress));
+  return BlurredLight(lobe, std::move(grid), bright_);
 }
 
 void BlurredLight::sample(PointBatch& points, glm::vec4* values) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "mirrorball/bake/harmonic_transform.h"
 #include "mirrorball/bake/lobe.h"
 #include "mirrorball/bake/sphere_grid.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/environment/point_batch.h"
@@ -43,12 +45,21 @@ class LightHarmonics {
  public:
   /// environment   finite
   /// lobes         that it will be blurred by
-  /// errors        too_large
+  /// errors        too_large; interrupted (when `progress` says so)
   /// cost          a Fourier transform of each row of texels, and rows · bands² / 4 steps of about 1.2 ns on one core
-  static Result<LightHarmonics> make(const Environment& environment, const std::vector<Lobe>& lobes);
+  static Result<LightHarmonics> make(const Environment& environment, const std::vector<Lobe>& lobes,
+                                     const ProgressFunction& progress = {});
+
+  /// Memory [bytes], at most: how many bands a map needs is seen only when it is analysed.
+  struct Memory {
+    std::uint64_t peak;  ///< while it is made, beside the environment
+    std::uint64_t kept;
+  };
+  static Memory memoryFor(const Environment& environment, const std::vector<Lobe>& lobes);
 
   /// lobe     one of those
-  BlurredLight blurred(const Lobe& lobe) const;
+  /// errors   interrupted (when `progress` says so)
+  Result<BlurredLight> blurred(const Lobe& lobe, const ProgressFunction& progress = {}) const;
 
   const HarmonicCoefficients& coefficients() const { return coefficients_; }
   /// What the coefficients lack.

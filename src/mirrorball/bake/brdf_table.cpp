@@ -50,7 +50,7 @@ void fillRow(const BrdfTableOptions& options, int y, Image& table) {
 
 }  // namespace
 
-Result<Image> brdfTable(const BrdfTableOptions& options) {
+Result<Image> brdfTable(const BrdfTableOptions& options, const ProgressFunction& progress) {
   assert(options.channels == 2 || options.channels == 3);
   if (options.size < 2 || options.size > kLargestBrdfTable)
     return fail(ErrorCode::usage, "a BRDF table has 2 to " + std::to_string(kLargestBrdfTable) +
@@ -58,9 +58,13 @@ Result<Image> brdfTable(const BrdfTableOptions& options) {
   if (options.axes == BrdfAxes::warped && options.distribution == Distribution::charlie)
     return fail(ErrorCode::usage, "charlie's share grows without bound towards smooth grazing cloth: linear axes only");
   Image table = Image::withoutValues(options.size, options.size, options.channels);
-  parallelFor(std::size_t(options.size), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t y = begin; y < end; ++y) fillRow(options, static_cast<int>(y), table);
+  ProgressCounter rows(progress, std::size_t(options.size));
+  parallelFor(std::size_t(options.size), 1, [&](std::size_t y, std::size_t) {
+    if (rows.stopped()) return;
+    fillRow(options, static_cast<int>(y), table);
+    rows.advance();
   });
+  MIRRORBALL_TRY_VOID(rows.result());
   return table;
 }
 

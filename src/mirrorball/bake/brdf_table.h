@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mirrorball/bake/lobe.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/image/image.h"
 
@@ -25,9 +26,10 @@ inline constexpr int kLargestBrdfTable = 4096;
 ///
 /// returns  size × size: scale and bias of f0 (reflectedShare), and as the third channel meanReflectedShare, the same
 ///          in a whole row. Row 0 is the smoothest
-/// errors   usage: the size; warped axes for charlie, whose share grows without bound towards one corner
+/// errors   usage: the size; warped axes for charlie, whose share grows without bound towards one corner;
+///          interrupted (when `progress` says so)
 /// cost     as reflectedShare a texel, on all cores; bit-identical for any number of threads
 /// from     Karis 2013, "Real shading in Unreal Engine 4"
-Result<Image> brdfTable(const BrdfTableOptions& options);
+Result<Image> brdfTable(const BrdfTableOptions& options, const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

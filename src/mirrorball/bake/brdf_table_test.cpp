@@ -129,6 +129,13 @@ TEST(BrdfTable, IsTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(std::equal(many.samples().begin(), many.samples().end(), single.samples().begin()));
 }
 
+TEST(BrdfTable, StopsWhenItIsTold) {
+  const auto stopped =
+      brdfTable({.size = 4096}, [](std::size_t done, std::size_t total) { return done < 2 && total == 4096; });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+}
+
 TEST(BrdfTable, RefusesWhatHasNoTable) {
   EXPECT_EQ(brdfTable({.size = 1}).error().code, ErrorCode::usage);
   EXPECT_EQ(brdfTable({.size = 5000}).error().message, "a BRDF table has 2 to 4096 texels a side, not 5000");

@@ -157,6 +157,31 @@ void forEachOrder(int orders, const Visit& visit) {
   });
 }
 
+/// The same, each order a step, until it is told to stop.
+template <typename Visit>
+void forEachOrder(int orders, ProgressCounter& steps, const Visit& visit) {
+  forEachOrder(orders, [&](int m) {
+    if (steps.stopped()) return;
+    visit(m);
+    steps.advance();
+  });
+}
+
+/// The grid that so many bands are synthesized on. Of a narrow lobe half of the bands are weighed so lightly that what
+/// interpolation does to them is not seen; of light that was found to be smooth they hold nothing.
+glm::ivec2 gridSizeFor(int bands) {
+  return {quickLength(std::max(2 * bands + 2, 32)), quickLength(std::max(bands * 9 / 8, 16))};
+}
+
+/// l and m < bands, each order rounded up to whole stretches.
+std::uint64_t harmonicCount(int bands) { return std::uint64_t(bands) * std::uint64_t(bands + kLegendreStretch) / 2; }
+
+/// Of a transform: each order each time that the spectra are filled.
+std::size_t stepsOf(const Rings& rings, int bands) {
+  const int fillings = (rings.pairs() + RingSpectra::kPairs - 1) / RingSpectra::kPairs;
+  return std::size_t(fillings) * std::size_t(bands);
+}
+
 }  // namespace
 
 HarmonicCoefficients::HarmonicCoefficients(int bands)
@@ -169,15 +194,31 @@ HarmonicCoefficients::HarmonicCoefficients(int bands)
   });
 }
 
-HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands) {
+std::uint64_t harmonicBytes(int bands) {
+  constexpr std::uint64_t kLegendreConstants = 2 * sizeof(double);
+  return harmonicCount(bands) * (sizeof(Coefficient) + kLegendreConstants);
+}
+
+std::uint64_t analysisBytes(int bands) { return std::uint64_t(bands) * RingSpectra::kPairs * sizeof(RingPair); }
+
+std::uint64_t synthesisBytes(int bands) {
+  const glm::ivec2 size = gridSizeFor(bands);
+  const std::uint64_t grid = std::uint64_t(size.x) * std::uint64_t(size.y) * sizeof(glm::vec4);
+  return harmonicCount(bands) * sizeof(Coefficient) + analysisBytes(bands) + grid;
+}
+
+Result<HarmonicCoefficients> analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands,
+                                     const ProgressFunction& progress) {
   HarmonicCoefficients coefficients(bands);
   const RowTransform rows(panorama, without, bands);
   const Rings rings(panorama.extent().y);
   RingSpectra spectra(bands);
+  ProgressCounter steps(progress, stepsOf(rings, bands));
   for (int first = 0; first < rings.pairs(); first += RingSpectra::kPairs) {
     rows.run(first, spectra);
-    forEachOrder(bands,
+    forEachOrder(bands, steps,
                  [&](int m) { analyseOrder(spectra, first, rings, coefficients.legendre(m), coefficients.order(m)); });
+    MIRRORBALL_TRY_VOID(steps.result());
   }
   forEachOrder(bands, [&](int m) {
     std::vector<Coefficient>& order = coefficients.order(m);
@@ -189,23 +230,25 @@ HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightLights&
   return coefficients;
 }
 
-SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights) {
+Result<SphereGrid> synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights,
+                              const ProgressFunction& progress) {
   const int bands = static_cast<int>(weights.size());
   assert(bands <= coefficients.bands());
   std::vector<std::vector<Coefficient>> weighted(weights.size());
   forEachOrder(bands, [&](int m) {
     weighted[static_cast<std::size_t>(m)] = weightedOrder(coefficients.order(m), coefficients.legendre(m), weights);
   });
-  // Of a narrow lobe half of the bands are weighed so lightly that what interpolation does to them is not seen; of light
-  // that was found to be smooth they hold nothing.
-  SphereGrid grid(quickLength(std::max(bands * 9 / 8, 16)), quickLength(std::max(2 * bands + 2, 32)));
+  const glm::ivec2 size = gridSizeFor(bands);
+  SphereGrid grid(size.y, size.x);
   const GridTransform transform(grid, bands);
   const Rings rings(grid.rings());
   RingSpectra spectra(bands);
+  ProgressCounter steps(progress, stepsOf(rings, bands));
   for (int first = 0; first < rings.pairs(); first += RingSpectra::kPairs) {
-    forEachOrder(bands, [&](int m) {
+    forEachOrder(bands, steps, [&](int m) {
       synthesizeOrder(weighted[static_cast<std::size_t>(m)], rings, coefficients.legendre(m), first, spectra);
     });
+    MIRRORBALL_TRY_VOID(steps.result());
     transform.run(first, spectra);
   }
   grid.close();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -8,6 +9,7 @@
 #include "mirrorball/bake/bright_lights.h"
 #include "mirrorball/bake/legendre.h"
 #include "mirrorball/bake/sphere_grid.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/environment/environment_map.h"
 
 namespace mirrorball {
@@ -37,6 +39,13 @@ class HarmonicCoefficients {
   std::vector<LegendreOrder> legendre_;
 };
 
+/// The memory of coefficients of so many bands.
+std::uint64_t harmonicBytes(int bands);
+
+/// What analyse takes beside the coefficients, and synthesize with the grid that it returns.
+std::uint64_t analysisBytes(int bands);
+std::uint64_t synthesisBytes(int bands);
+
 /// The harmonics of a panorama's texels, each a point of light at its centre with the flux of its area,
 /// (cos θ₀ − cos θ₁) 2π / width. So no rule of quadrature stands between the map and its coefficients: they are
 /// exactly those of the sum over all texels.
@@ -44,16 +53,20 @@ class HarmonicCoefficients {
 /// panorama   equirect, of any width and height
 /// without    texels whose excess is left out (bright_lights.h)
 /// bands      l < bands
+/// errors     interrupted (when `progress` says so)
 /// cost       height/2 · bands²/2 steps of a recurrence and its eight products, about 1.2 ns each on one core; and a
 ///            Fourier transform of each row
-HarmonicCoefficients analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands);
+Result<HarmonicCoefficients> analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands,
+                                     const ProgressFunction& progress = {});
 
 /// The function again on a grid, each band l weighed by `weights[l]`, divided by what the white map has there: for weights
 /// of a lobe the weighted mean of all texels.
 ///
 /// weights    at most coefficients.bands() count
 /// returns    colour and, as the fourth channel, one over white
+/// errors     interrupted (when `progress` says so)
 /// cost       9/16 · bands steps for each m and l, and a Fourier transform of each ring
-SphereGrid synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights);
+Result<SphereGrid> synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights,
+                              const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

@@ -67,7 +67,7 @@ float roundTripError(int height) {
     return glm::vec3(1.0f + d.x * d.y * d.z, 2.0f + std::pow(d.y, 5.0f) - d.x, 0.5f + d.x * d.x * d.z * d.z * d.y);
   };
   const EnvironmentMap panorama = panoramaOf(2 * height, height, light);
-  const SphereGrid grid = synthesize(analyse(panorama, {}, 12), std::vector<float>(12, 1.0f));
+  const SphereGrid grid = *synthesize(*analyse(panorama, {}, 12), std::vector<float>(12, 1.0f));
   float error = 0.0f;
   PointBatch points;
   points.count = PointBatch::kCapacity;
@@ -98,15 +98,15 @@ TEST(HarmonicTransform, TakesOddAndPrimeSizes) {
 
 TEST(HarmonicTransform, LeavesTheExcessOfBrightTexelsOut) {
   EnvironmentMap panorama = panoramaOf(64, 32, [](glm::vec3) { return glm::vec3(1.0f); });
-  const HarmonicCoefficients expected = analyse(panorama, {}, 8);
+  const HarmonicCoefficients expected = *analyse(panorama, {}, 8);
   const std::vector<glm::ivec2> places{{3, 5}, {9, 5}, {60, 27}};
   for (const glm::ivec2 place : places) panorama.face(0).texel(place.x, place.y)[1] += 5e3f;
   const BrightLights bright = brightLights(panorama, 16);
   ASSERT_EQ(bright.texels.size(), 3u);
   EnvironmentMap without = panorama;
   subtract(bright, without);
-  const HarmonicCoefficients found = analyse(panorama, bright, 8);
-  const HarmonicCoefficients direct = analyse(without, {}, 8);
+  const HarmonicCoefficients found = *analyse(panorama, bright, 8);
+  const HarmonicCoefficients direct = *analyse(without, {}, 8);
   for (int m = 0; m < 8; ++m)
     for (int k = 0; m + k < 8; ++k) {
       EXPECT_NEAR(found.order(m)[std::size_t(k)].real.y, direct.order(m)[std::size_t(k)].real.y, 1e-4f);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -29,10 +30,14 @@ struct PrefilterOptions {
   int size = 256;  ///< of level 0, at least 1
   Distribution distribution = Distribution::ggx;
   MipMapping mip_mapping = MipMapping::filament;
+  int levels = 0;  ///< at most mostLevels(size); 0: to lastLevel(size)
 };
 
 /// The last level of a chain that has at least 4² texels a face: 0 for sizes below 8.
 int lastLevel(int size);
+
+/// The levels down to 1² texel a face.
+int mostLevels(int size);
 
 /// One level of a chain.
 struct PrefilterLevel {
@@ -41,7 +46,7 @@ struct PrefilterLevel {
   std::optional<Lobe> lobe;  ///< nothing: the environment itself
 };
 
-/// The levels 0 to lastLevel(size). The first is the environment itself, and so are those after it whose lobe would be
+/// The levels from 0 on, of which the last is for roughness 1. The first is the environment itself, and so are those after it whose lobe would be
 /// narrower than Lobe::kLeastAlpha.
 ///
 /// cost     2 ms, for the bands of narrow lobes
@@ -55,16 +60,38 @@ std::vector<Lobe> lobesOf(const std::vector<PrefilterLevel>& levels);
 ///
 /// environment   finite
 /// light         of that environment, for at least lobesOf(levels)
+/// source_from_target   turns the cubes' directions into the environment's: a rotation
 /// returns  three channels
 /// errors   too_large; interrupted (when `progress` says so)
 /// cost     for the narrowest lobe as LightHarmonics::make's, and about 60 ns a texel; bit-identical for any number of
 ///          threads
 Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics& light,
-                           const std::vector<PrefilterLevel>& levels, const ProgressFunction& progress = {});
+                           const std::vector<PrefilterLevel>& levels,
+                           const glm::mat3& source_from_target = glm::mat3(1.0f),
+                           const ProgressFunction& progress = {});
+
+/// The same, and takes the environment's memory back as soon as it is not needed any more.
+Result<ImageSet> prefilter(Environment&& environment, const LightHarmonics& light,
+                           const std::vector<PrefilterLevel>& levels,
+                           const glm::mat3& source_from_target = glm::mat3(1.0f),
+                           const ProgressFunction& progress = {});
+
+/// The memory of the cubes that are returned here.
+std::uint64_t cubeBytes(int size);
+
+/// The memory that LightHarmonics::make, the second prefilter and cubeOf for one more lobe take one after the other, at
+/// most [bytes]: of the environment, of what they return and of what they need on the way.
+///
+/// size     of that lobe's cube; 0: none is made
+std::uint64_t prefilterMemory(const Environment& environment, const std::vector<PrefilterLevel>& levels,
+                              const Lobe& lobe, int size);
 
 /// The mean of an environment under one lobe in each direction, as a cube.
 ///
-/// errors   too_large
-Result<EnvironmentMap> cubeOf(const BlurredLight& light, int size);
+/// light    of that environment, for that lobe among others
+/// errors   too_large; interrupted (when `progress` says so)
+Result<EnvironmentMap> cubeOf(const LightHarmonics& light, const Lobe& lobe, int size,
+                              const glm::mat3& source_from_target = glm::mat3(1.0f),
+                              const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

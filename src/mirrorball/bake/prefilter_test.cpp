@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <random>
 #include <string>
@@ -304,13 +305,64 @@ TEST(Prefilter, SizesThatAreNoPowersOfTwoHaveAllLevels) {
   }
 }
 
+/// Stops whatever it is told the progress of once half of the steps are done, and counts how often it is asked after.
+class StopHalfway {
+ public:
+  ProgressFunction progress() {
+    return [this](std::size_t done, std::size_t total) {
+      if (is_told_) ++asked_after_;
+      if (2 * done >= total) is_told_ = true;
+      return !is_told_;
+    };
+  }
+  bool isTold() const { return is_told_; }
+  int askedAfter() const { return asked_after_; }
+
+ private:
+  std::atomic<bool> is_told_ = false;
+  std::atomic<int> asked_after_ = 0;
+};
+
+/// `work(progress)` fails as it should, and soon after it was told to.
+template <typename Work>
+void expectToStop(const Work& work) {
+  StopHalfway stop;
+  const auto stopped = work(stop.progress());
+  EXPECT_TRUE(stop.isTold());
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+  // What other threads, or the other orders of a piece, were about before.
+  EXPECT_LE(stop.askedAfter(), 64);
+}
+
 TEST(Prefilter, StopsWhenItIsTold) {
   const Environment sky = *builtinEnvironment("sky");
   const std::vector<PrefilterLevel> levels = prefilterLevels({.size = 32});
-  const auto light = LightHarmonics::make(sky, lobesOf(levels));
-  const auto stopped = prefilter(sky, *light, levels, [](std::size_t done, std::size_t) { return done < 2; });
-  ASSERT_FALSE(stopped);
-  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+  const std::vector<Lobe> lobes = lobesOf(levels);
+  expectToStop([&](const ProgressFunction& progress) { return LightHarmonics::make(sky, lobes, progress); });
+  const LightHarmonics light = *LightHarmonics::make(sky, lobes);
+  expectToStop(
+      [&](const ProgressFunction& progress) { return prefilter(sky, light, levels, glm::mat3(1.0f), progress); });
+  expectToStop([&](const ProgressFunction& progress) { return light.blurred(lobes.front(), progress); });
+  expectToStop(
+      [&](const ProgressFunction& progress) { return cubeOf(light, lobes.front(), 64, glm::mat3(1.0f), progress); });
+}
+
+TEST(Prefilter, TellsItsProgressToTheEnd) {
+  const Environment sky = *builtinEnvironment("sky");
+  const std::vector<PrefilterLevel> levels = prefilterLevels({.size = 32});
+  std::atomic<std::size_t> most = 0;
+  std::atomic<std::size_t> all = 0;
+  const ProgressFunction progress = [&](std::size_t done, std::size_t total) {
+    for (std::size_t before = most; before < done && !most.compare_exchange_weak(before, done);) continue;
+    all = total;
+    return true;
+  };
+  const LightHarmonics light = *LightHarmonics::make(sky, lobesOf(levels), progress);
+  EXPECT_EQ(most, all);
+  most = 0;
+  ASSERT_TRUE(prefilter(sky, light, levels, glm::mat3(1.0f), progress));
+  EXPECT_EQ(most, all);
 }
 
 TEST(MipMappings, EndAtRoughnessOneAndGrow) {

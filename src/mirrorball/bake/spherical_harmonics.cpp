@@ -35,27 +35,30 @@ int bandOf(std::size_t index) { return static_cast<int>(std::sqrt(static_cast<do
 
 }  // namespace
 
-Harmonics radianceHarmonics(const LightHarmonics& light, int degree) {
+Harmonics radianceHarmonics(const LightHarmonics& light, int degree, const glm::mat3& source_from_target) {
   assert(degree >= 0 && degree <= 4 && degree < light.coefficients().bands());
   // The transform's pole is +Y, the harmonics' is +Z. What both say of a band is the same function, so that it is projected
   // again, by a rule that is exact for products of two harmonics.
   constexpr int kMeridians = 10;
   const QuadratureRule rule = gaussLegendre(5);
+  const glm::mat3 target_from_source = glm::transpose(source_from_target);
   std::vector<glm::dvec3> sums(static_cast<std::size_t>((degree + 1) * (degree + 1)), glm::dvec3(0.0));
   for (std::size_t ring = 0; ring < rule.places.size(); ++ring)
     for (int meridian = 0; meridian < kMeridians; ++meridian) {
       const double cosine = rule.places[ring];
       const double sine = std::sqrt(1.0 - cosine * cosine);
       const double phi = 2.0 * std::numbers::pi * meridian / kMeridians;
-      const glm::vec3 direction(sine * std::sin(phi), cosine, -sine * std::cos(phi));
+      const glm::vec3 direction = target_from_source * glm::vec3(sine * std::sin(phi), cosine, -sine * std::cos(phi));
       const glm::dvec3 value = valueAt(light.coefficients(), degree, cosine, phi) * rule.weights[ring] *
                                (2.0 * std::numbers::pi / kMeridians);
       for (std::size_t i = 0; i < sums.size(); ++i)
         sums[i] += value * static_cast<double>(formula::harmonic(static_cast<int>(i), direction));
     }
-  for (const PointOfLight& point : light.bright().points)
+  for (const PointOfLight& point : light.bright().points) {
+    const glm::vec3 direction = target_from_source * point.direction;
     for (std::size_t i = 0; i < sums.size(); ++i)
-      sums[i] += glm::dvec3(point.flux) * static_cast<double>(formula::harmonic(static_cast<int>(i), point.direction));
+      sums[i] += glm::dvec3(point.flux) * static_cast<double>(formula::harmonic(static_cast<int>(i), direction));
+  }
   return Harmonics(sums.begin(), sums.end());
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <glm/vec3.hpp>
+#include <glm/glm.hpp>
 
 #include "mirrorball/bake/blurred_light.h"
 
@@ -14,8 +14,10 @@ using Harmonics = std::vector<glm::vec3>;
 /// The radiance of an environment in harmonics up to `degree`: ∫ radiance · harmonic.
 ///
 /// degree   0 to 4
+/// source_from_target   turns the harmonics' directions into the environment's: a rotation
 /// cost     microseconds
-Harmonics radianceHarmonics(const LightHarmonics& light, int degree);
+Harmonics radianceHarmonics(const LightHarmonics& light, int degree,
+                            const glm::mat3& source_from_target = glm::mat3(1.0f));
 
 /// Irradiance [W/m²] instead of radiance: each band times what the cosine lobe leaves of it.
 Harmonics irradianceOf(Harmonics radiance);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
+
+#include "mirrorball/base/result.h"
 
 namespace mirrorball {
 
@@ -10,5 +13,32 @@ namespace mirrorball {
 /// done     how many steps are finished, from 0
 /// total    how many there are
 using ProgressFunction = std::function<bool(std::size_t done, std::size_t total)>;
+
+/// What a part of some work calls: its own steps, told as steps of the whole.
+///
+/// first, count   those of the whole's `total` steps that are this part's
+/// returns        nothing for nothing
+ProgressFunction partOf(const ProgressFunction& whole, std::size_t first, std::size_t count, std::size_t total);
+
+/// The steps of some work, finished by several threads in any order. Once it was told to stop, it stays so.
+class ProgressCounter {
+ public:
+  /// progress   must outlive it; nothing: never stops
+  ProgressCounter(const ProgressFunction& progress, std::size_t total) : progress_(progress), total_(total) {}
+
+  /// Tells that some more steps are finished; of 0 steps only asks whether to go on.
+  void advance(std::size_t steps = 1);
+
+  bool stopped() const { return stopped_; }
+
+  /// errors   interrupted, if it was told to stop
+  Result<void> result() const;
+
+ private:
+  const ProgressFunction& progress_;
+  std::size_t total_;
+  std::atomic<std::size_t> done_ = 0;
+  std::atomic<bool> stopped_ = false;
+};
 
 }  // namespace mirrorball

@@ -52,9 +52,9 @@ tl::unexpected<Error> unknownFormat(Span bytes, const std::string& name, std::st
                                        begins + "); use " + std::string(known));
 }
 
-Result<DecodedImage> decodeByMagic(Span bytes, const std::string& name) {
+Result<DecodedImage> decodeByMagic(Span bytes, const std::string& name, const ProgressFunction& progress) {
   if (isHdr(bytes)) return decodeHdr(bytes, name);
-  if (isExr(bytes)) return decodeExr(bytes, name);
+  if (isExr(bytes)) return decodeExr(bytes, name, progress);
   if (isPng(bytes)) return decodePng(bytes, name);
   if (isJpeg(bytes)) return decodeJpeg(bytes, name);
   return unknownFormat(bytes, name, "Radiance HDR, OpenEXR, PNG or JPEG");
@@ -93,12 +93,12 @@ Result<DecodedImage> readImage(const std::filesystem::path& path) {
   const std::string name = path.string();
   return withinMemory<DecodedImage>(name, [&]() -> Result<DecodedImage> {
     MIRRORBALL_TRY(bytes, readFile(path));
-    return decodeByMagic(bytes, name);
+    return decodeByMagic(bytes, name, {});
   });
 }
 
-Result<DecodedImage> decodeImage(Span bytes, const std::string& name) {
-  return withinMemory<DecodedImage>(name, [&] { return decodeByMagic(bytes, name); });
+Result<DecodedImage> decodeImage(Span bytes, const std::string& name, const ProgressFunction& progress) {
+  return withinMemory<DecodedImage>(name, [&] { return decodeByMagic(bytes, name, progress); });
 }
 
 Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options) {

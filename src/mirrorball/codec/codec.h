@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/image/image.h"
 
@@ -41,7 +42,10 @@ struct ImageWriteOptions {
 Result<DecodedImage> readImage(const std::filesystem::path& path);
 
 /// The same from memory. `name` is for messages.
-Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name);
+///
+/// errors   also interrupted, when `progress` says so: of OpenEXR, whose compressions take seconds for large pictures
+Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
+                                 const ProgressFunction& progress = {});
 
 /// Writes linear light by the name's extension: .exr .hdr as it is, .png .jpg encoded to sRGB and
 /// clipped to [0, 1]. PNG keeps straight alpha, EXR premultiplied (the caller's samples are taken

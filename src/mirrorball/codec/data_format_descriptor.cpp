@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <span>
 #include <vector>
 
 #include "mirrorball/codec/byte_order.h"
@@ -33,13 +34,15 @@ struct Sample {
   std::uint32_t upper;  ///< what stands for 1
 };
 
+constexpr std::array<std::uint8_t, 4> kFloatChannels{0, 1, 2, kAlpha};
+
 const std::uint32_t kOne = std::bit_cast<std::uint32_t>(1.0f);
 const std::uint32_t kMinusOne = std::bit_cast<std::uint32_t>(-1.0f);
 
-/// Four floats one behind the other.
-std::vector<Sample> floatSamples(std::uint8_t bits) {
+/// Floats one behind the other: red, green, blue and alpha, or the first few of them.
+std::vector<Sample> floatSamples(std::uint8_t bits, int channels) {
   std::vector<Sample> samples;
-  for (const std::uint8_t channel : {std::uint8_t{0}, std::uint8_t{1}, std::uint8_t{2}, kAlpha})
+  for (const std::uint8_t channel : std::span(kFloatChannels).first(std::size_t(channels)))
     samples.push_back({static_cast<std::uint16_t>(bits * samples.size()), bits,
                        static_cast<std::uint8_t>(channel | kFloat | kSigned), kMinusOne, kOne});
   return samples;
@@ -48,9 +51,13 @@ std::vector<Sample> floatSamples(std::uint8_t bits) {
 std::vector<Sample> samplesOf(TexelFormat format) {
   switch (format) {
     case TexelFormat::half:
-      return floatSamples(16);
+      return floatSamples(16, 4);
     case TexelFormat::float32:
-      return floatSamples(32);
+      return floatSamples(32, 4);
+    case TexelFormat::rg_half:
+      return floatSamples(16, 2);
+    case TexelFormat::rg_float32:
+      return floatSamples(32, 2);
     case TexelFormat::b10g11r11:
       return {{0, 11, kFloat | 0, 0, kOne}, {11, 11, kFloat | 1, 0, kOne}, {22, 10, kFloat | 2, 0, kOne}};
     default: {

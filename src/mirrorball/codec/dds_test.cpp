@@ -53,6 +53,17 @@ TEST(Dds, ASmallCubeByHand) {
   EXPECT_EQ(ddsOf(cube, {.format = TexelFormat::b10g11r11}), expected);
 }
 
+TEST(Dds, TwoChannelsAreRedAndGreen) {
+  const Bytes file = ddsOf(ImageSet(Image(3, 1, 2, 2.0f)), {.format = TexelFormat::rg_half});
+  ASSERT_EQ(file.size(), 148u + 3 * 4);
+  EXPECT_EQ(littleU32(file.data() + 20), 12u) << "dwPitchOrLinearSize";
+  EXPECT_EQ(littleU32(file.data() + 128), 34u) << "DXGI_FORMAT_R16G16_FLOAT";
+  EXPECT_EQ(littleU32(file.data() + 144), 3u) << "opaque";
+  EXPECT_EQ(Bytes(file.end() - 4, file.end()), (Bytes{0, 0x40, 0, 0x40}));
+  const Bytes floats = ddsOf(ImageSet(Image(3, 1, 2, 2.0f)), {.format = TexelFormat::rg_float32});
+  EXPECT_EQ(littleU32(floats.data() + 128), 16u) << "DXGI_FORMAT_R32G32_FLOAT";
+}
+
 TEST(Dds, LevelsOfAFaceStandTogether) {
   ImageSet cube(2, 6);
   for (int level = 0; level < 2; ++level)

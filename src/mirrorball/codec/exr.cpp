@@ -53,7 +53,20 @@ void readChroma(std::span<const std::uint8_t> bytes, const std::string& name, co
   }
 }
 
-Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const std::string& name) {
+/// All rows, in blocks between which the progress is told; no compression packs more rows together.
+Result<void> readRows(const ExrPart& part, const ProgressFunction& progress, Image& image) {
+  constexpr int kRowsOfBlock = 256;
+  ProgressCounter rows(progress, std::size_t(part.height()));
+  for (int first = 0; first < part.height() && !rows.stopped(); first += kRowsOfBlock) {
+    const int count = std::min(kRowsOfBlock, part.height() - first);
+    part.readRows(first, count, image.row(first).data());
+    rows.advance(std::size_t(count));
+  }
+  return rows.result();
+}
+
+Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const std::string& name,
+                            const ProgressFunction& progress) {
   MIRRORBALL_TRY_VOID(checkExrSizes(bytes, bytes.size(), name));
   MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrInput>(bytes, name), name));
   MIRRORBALL_TRY_VOID(checkImageMemory(name, part.width(), part.height(), part.channels()));
@@ -62,7 +75,7 @@ Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const std::stri
   if (part.hasChroma())
     readChroma(bytes, name, part, decoded.image);
   else
-    part.readRows(0, part.height(), decoded.image.samples().data());
+    MIRRORBALL_TRY_VOID(readRows(part, progress, decoded.image));
   convertToRec709(decoded.image, part.primaries());
   decoded.metadata = part.metadata();
   decoded.format = part.describe();
@@ -126,8 +139,9 @@ bool isExr(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
 }
 
-Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const std::string& name) {
-  return decodingExr<DecodedImage>(name, [&] { return decode(bytes, name); });
+Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const std::string& name,
+                               const ProgressFunction& progress) {
+  return decodingExr<DecodedImage>(name, [&] { return decode(bytes, name, progress); });
 }
 
 Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options, const std::string& name) {

@@ -18,8 +18,9 @@ bool isExr(std::span<const std::uint8_t> bytes);
 /// ("layer.R"). Chromaticities other than Rec.709's are converted. Alpha is premultiplied.
 ///
 /// errors   bad_file (also when part of the texels is missing); too_large; unsupported (no colour,
-///          deep data)
-Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const std::string& name);
+///          deep data); interrupted (when `progress` says so)
+Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const std::string& name,
+                               const ProgressFunction& progress = {});
 
 /// Encodes 1 (Y), 3 or 4 channels as scan lines with ZIP compression. NaN and infinity are kept;
 /// with `half`, finite values beyond ±65504 become ±65504.

@@ -180,5 +180,18 @@ TEST(Exr, RealFileWithDwab) {
   EXPECT_GT(wall.g, 1.5f * wall.b);
 }
 
+TEST(Exr, StopsWhenItIsTold) {
+  const Bytes file = *encodeExr(Image(8, 1000, 3, 1.0f), {}, "memory");
+  std::vector<std::size_t> told;
+  const auto stopped = decodeExr(file, "memory", [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, 1000u);
+    told.push_back(done);
+    return done < 512;
+  });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+  EXPECT_EQ(told, (std::vector<std::size_t>{256, 512}));
+}
+
 }  // namespace
 }  // namespace mirrorball

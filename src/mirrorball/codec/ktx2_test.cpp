@@ -103,9 +103,25 @@ TEST(Ktx2, DescriptorsOfThePackedFormats) {
                                                       27, 0, 4, 0x22, 0, 0, 0, 0, 15, 0, 0, 0, 31, 0,    0, 0}));
 }
 
+TEST(Ktx2, TwoChannelsAreRedAndGreen) {
+  const Bytes file = ktx2Of(ImageSet(Image(1, 1, 2, 2.0f)), {.format = TexelFormat::rg_half});
+  EXPECT_EQ(littleU32(file.data() + 12), 83u) << "VK_FORMAT_R16G16_SFLOAT";
+  EXPECT_EQ(littleU32(file.data() + 16), 2u) << "typeSize";
+  const std::size_t at = littleU32(file.data() + 48);
+  EXPECT_EQ(littleU32(file.data() + at), 4u + 24 + 2 * 16) << "dfdTotalSize";
+  EXPECT_EQ(file[at + 20], 4) << "bytesPlane0";
+  EXPECT_EQ(
+      Bytes(file.begin() + static_cast<std::ptrdiff_t>(at + 28), file.begin() + static_cast<std::ptrdiff_t>(at + 60)),
+      (Bytes{0,  0, 15, 0xc0, 0, 0, 0, 0, 0, 0, 0x80, 0xbf, 0, 0, 0x80, 0x3f,  //
+             16, 0, 15, 0xc1, 0, 0, 0, 0, 0, 0, 0x80, 0xbf, 0, 0, 0x80, 0x3f}));
+  EXPECT_EQ(Bytes(file.end() - 4, file.end()), (Bytes{0, 0x40, 0, 0x40}));
+  const Bytes floats = ktx2Of(ImageSet(Image(1, 1, 2, 2.0f)), {.format = TexelFormat::rg_float32});
+  EXPECT_EQ(littleU32(floats.data() + 12), 103u) << "VK_FORMAT_R32G32_SFLOAT";
+}
+
 TEST(Ktx2, LevelsStandAtMultiplesOfTheirTexel) {
-  for (const TexelFormat format :
-       {TexelFormat::half, TexelFormat::float32, TexelFormat::b10g11r11, TexelFormat::e5b9g9r9}) {
+  for (const TexelFormat format : {TexelFormat::half, TexelFormat::float32, TexelFormat::b10g11r11,
+                                   TexelFormat::e5b9g9r9, TexelFormat::rg_half, TexelFormat::rg_float32}) {
     // The metadata's length moves the levels' beginning by every remainder.
     for (int extra = 0; extra < 16; ++extra) {
       const Bytes file =

@@ -140,23 +140,25 @@ bool packPacked(TexelFormat format, std::span<const float> samples, std::size_t 
   return all_fit;
 }
 
-/// Calls `pack(rgba, bytes)` for pieces of the texels, with red, green, blue and alpha.
+/// Calls `pack(channels, bytes)` for pieces of the texels, with the first `to` of red, green, blue and alpha of each.
 template <typename Pack>
-bool packAsRgba(std::span<const float> samples, std::size_t channels, std::size_t texel_size,
-                std::span<std::uint8_t> bytes, const Pack& pack) {
+bool packChannels(std::span<const float> samples, std::size_t from, std::size_t to, std::span<std::uint8_t> bytes,
+                  const Pack& pack) {
+  assert(from != 2 || to == 2);
   constexpr std::size_t kTexels = 256;
-  std::array<float, 4 * kTexels> rgba;
-  const std::size_t texels = samples.size() / channels;
+  std::array<float, 4 * kTexels> piece;
+  const std::size_t texels = samples.size() / from;
+  const std::size_t texel_size = bytes.size() / std::max<std::size_t>(texels, 1);
   bool all_fit = true;
   for (std::size_t begin = 0; begin < texels; begin += kTexels) {
     const std::size_t count = std::min(kTexels, texels - begin);
-    const float* texel = samples.data() + begin * channels;
-    for (std::size_t i = 0; i < count; ++i, texel += channels) {
-      for (std::size_t c = 0; c < 3; ++c) rgba[4 * i + c] = texel[channels == 1 ? 0 : c];
-      rgba[4 * i + 3] = channels == 4 ? texel[3] : 1.0f;
+    const float* texel = samples.data() + begin * from;
+    for (std::size_t i = 0; i < count; ++i, texel += from) {
+      for (std::size_t c = 0; c < std::min<std::size_t>(to, 3); ++c) piece[to * i + c] = texel[from == 1 ? 0 : c];
+      if (to == 4) piece[4 * i + 3] = from == 4 ? texel[3] : 1.0f;
     }
     all_fit &=
-        pack(std::span<const float>(rgba).first(4 * count), bytes.subspan(begin * texel_size, count * texel_size));
+        pack(std::span<const float>(piece).first(to * count), bytes.subspan(begin * texel_size, count * texel_size));
   }
   return all_fit;
 }
@@ -175,6 +177,10 @@ StoredFormat storedFormat(TexelFormat format) {
       return {SampleType::float32, 4};
     case TexelFormat::b10g11r11:
       return {SampleType::b10g11r11, 3};
+    case TexelFormat::rg_half:
+      return {SampleType::half, 2};
+    case TexelFormat::rg_float32:
+      return {SampleType::float32, 2};
     default:
       return {SampleType::e5b9g9r9, 3};
   }
@@ -238,19 +244,20 @@ Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::s
 }
 
 bool packTexels(TexelFormat format, std::span<const float> samples, int channels, std::span<std::uint8_t> bytes) {
+  const StoredFormat stored = storedFormat(format);
   const std::size_t from = std::size_t(channels);
-  const std::size_t texel_size = texelSize(storedFormat(format));
-  assert(bytes.size() == samples.size() / from * texel_size);
-  switch (format) {
-    case TexelFormat::half:
-      if (channels == 3) return rgbaHalvesFromRgb(samples, asHalves(bytes));
-      if (channels == 4) return halvesFromFloats(samples, asHalves(bytes));
-      return packAsRgba(samples, from, texel_size, bytes, [](std::span<const float> rgba, std::span<std::uint8_t> to) {
-        return halvesFromFloats(rgba, asHalves(to));
+  const std::size_t to = std::size_t(stored.channels);
+  assert(bytes.size() == samples.size() / from * texelSize(stored));
+  switch (stored.type) {
+    case SampleType::half:
+      if (from == to) return halvesFromFloats(samples, asHalves(bytes));
+      if (from == 3 && to == 4) return rgbaHalvesFromRgb(samples, asHalves(bytes));
+      return packChannels(samples, from, to, bytes, [](std::span<const float> piece, std::span<std::uint8_t> packed) {
+        return halvesFromFloats(piece, asHalves(packed));
       });
-    case TexelFormat::float32:
-      return packAsRgba(samples, from, texel_size, bytes, [](std::span<const float> rgba, std::span<std::uint8_t> to) {
-        std::memcpy(to.data(), rgba.data(), to.size());
+    case SampleType::float32:
+      return packChannels(samples, from, to, bytes, [](std::span<const float> piece, std::span<std::uint8_t> packed) {
+        std::memcpy(packed.data(), piece.data(), packed.size());
         return true;
       });
     default:
@@ -261,6 +268,7 @@ bool packTexels(TexelFormat format, std::span<const float> samples, int channels
 std::string rangeOf(TexelFormat format) {
   switch (format) {
     case TexelFormat::half:
+    case TexelFormat::rg_half:
       return "half floats hold -65504 to 65504";
     case TexelFormat::b10g11r11:
       return "b10g11r11 holds 0 to 65024 (blue 64512)";

@@ -51,8 +51,8 @@ Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::s
 
 /// Encodes texels. What does not fit the format leaves unspecified bytes.
 ///
-/// samples  1 (grey), 3 or 4 channels a texel; alpha is 1 where the format has it and the samples do not, and is
-///          dropped where it is the other way round
+/// samples  1 (grey), 3 or 4 channels a texel, or 2 for the formats that have two; alpha is 1 where the format has it and
+///          the samples do not, and what the format has no place for is dropped
 /// bytes    texelSize bytes a texel
 /// returns  whether every value fits: finite ones within the format's range, infinity and NaN only where it has them
 bool packTexels(TexelFormat format, std::span<const float> samples, int channels, std::span<std::uint8_t> bytes);

@@ -100,6 +100,10 @@ TEST(StoredFormat, GreyAndAlphaFindTheirPlaces) {
   EXPECT_EQ(packed(TexelFormat::half, {2.0f, 2.0f, 2.0f}, 3), grey);
   EXPECT_EQ(packed(TexelFormat::half, {2.0f, 2.0f, 2.0f, 0.5f}, 4),
             (Bytes{0x00, 0x40, 0x00, 0x40, 0x00, 0x40, 0x00, 0x38}));
+  const Bytes red_and_green{0x00, 0x40, 0x00, 0x38};
+  EXPECT_EQ(packed(TexelFormat::rg_half, {2.0f, 0.5f}, 2), red_and_green);
+  EXPECT_EQ(packed(TexelFormat::rg_half, {2.0f, 0.5f, 1e9f}, 3), red_and_green);
+  EXPECT_EQ(packed(TexelFormat::rg_half, {2.0f, 0.5f, 1.0f, 1.0f}, 4), red_and_green);
 }
 
 struct Stored {

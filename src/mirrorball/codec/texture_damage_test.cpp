@@ -81,6 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"Ktx2Half", [] { return bytesOfTexture(writeKtx2, textureOf(3, 6, 2, 3, 4, 4)); }},
         Kind{"Ktx2Packed",
              [] { return bytesOfTexture(writeKtx2, textureOf(2, 1, 1, 3, 5, 3), {.format = TexelFormat::e5b9g9r9}); }},
+        Kind{"Ktx2TwoChannels",
+             [] { return bytesOfTexture(writeKtx2, textureOf(2, 1, 1, 2, 5, 3), {.format = TexelFormat::rg_half}); }},
         Kind{"Ktx2Zstandard",
              [] { return bytesOfTexture(writeKtx2, textureOf(3, 6, 1, 4, 4, 4), {.zstandard_level = 3}); }},
         Kind{"Ktx1Cube", ktx1Cube},

@@ -7,6 +7,7 @@
 #include "mirrorball/codec/ktx1.h"
 #include "mirrorball/codec/ktx2.h"
 #include "mirrorball/codec/metadata.h"
+#include "mirrorball/codec/stored_format.h"
 #include "mirrorball/codec/texture_shape.h"
 #include "mirrorball/codec/within_memory.h"
 
@@ -27,13 +28,14 @@ std::string sizeText(const Image& image) {
          std::to_string(image.channels()) + " channels";
 }
 
-/// All images have the size that their level makes them, and the channels of the first.
-Result<void> checkShape(const ImageSet& images, const std::string& name) {
+/// All images have the size that their level makes them, and the channels of the first, which the format can hold.
+Result<void> checkShape(const ImageSet& images, TexelFormat format, const std::string& name) {
   if (images.empty() || images.at(0, 0).empty())
     return fail(ErrorCode::bad_shape, name + ": a texture of no texels cannot be written");
   const Image& first = images.at(0, 0);
-  if (first.channels() == 2)
-    return fail(ErrorCode::bad_shape, name + ": a texture of 2 channels cannot be written; give it 1, 3 or 4");
+  if (first.channels() == 2 && storedFormat(format).channels != 2)
+    return fail(ErrorCode::bad_shape,
+                name + ": a texture of 2 channels needs a format of two; give it one, or 1, 3 or 4 channels");
   auto shape = checkTextureShape(shapeOf(images), name);
   if (!shape) return fail(ErrorCode::bad_shape, std::move(shape.error().message));
   for (int level = 0; level < images.levels(); ++level)
@@ -84,7 +86,7 @@ Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& im
                            const TextureWriteOptions& options) {
   const std::string name = path.string();
   MIRRORBALL_TRY_VOID(checkTextureOptions(path, options));
-  MIRRORBALL_TRY_VOID(checkShape(images, name));
+  MIRRORBALL_TRY_VOID(checkShape(images, options.format, name));
   return withinMemory<void>(name, [&]() -> Result<void> {
     MIRRORBALL_TRY(writer, FileWriter::create(path));
     const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) {

@@ -15,10 +15,12 @@ namespace mirrorball {
 
 /// How texels stand in a texture file that is written. All hold linear light.
 enum class TexelFormat {
-  half,       ///< r16g16b16a16 sfloat, 8 bytes: ±65504
-  float32,    ///< r32g32b32a32 sfloat, 16 bytes
-  b10g11r11,  ///< b10g11r11 ufloat, 4 bytes: 6 bits of mantissa (blue 5), 0 to 65024 (blue 64512), no alpha
-  e5b9g9r9,   ///< e5b9g9r9 ufloat, 4 bytes: 9 bits of mantissa under a common exponent, 0 to 65408, no alpha
+  half,        ///< r16g16b16a16 sfloat, 8 bytes: ±65504
+  float32,     ///< r32g32b32a32 sfloat, 16 bytes
+  b10g11r11,   ///< b10g11r11 ufloat, 4 bytes: 6 bits of mantissa (blue 5), 0 to 65024 (blue 64512), no alpha
+  e5b9g9r9,    ///< e5b9g9r9 ufloat, 4 bytes: 9 bits of mantissa under a common exponent, 0 to 65408, no alpha
+  rg_half,     ///< r16g16 sfloat, 4 bytes: red and green only
+  rg_float32,  ///< r32g32 sfloat, 8 bytes
 };
 
 struct TextureWriteOptions {
@@ -55,8 +57,8 @@ bool isImageSet(std::span<const std::uint8_t> bytes);
 /// Writes a texture by the name's extension, .ktx2 or .dds. Values are rounded to the nearest that the format has,
 /// never clipped.
 ///
-/// images   1, 3 or 4 channels, the same in all; each level half the size of the one before, rounded down; 1 face, or
-///          6 square ones
+/// images   1, 3 or 4 channels, the same in all, or 2 for the formats that have two; each level half the size of the one
+///          before, rounded down; 1 face, or 6 square ones
 /// errors   usage (an unknown extension, a Zstandard level for DDS, metadata that cannot be stored); bad_shape; io;
 ///          out_of_range (the first texel that does not fit the format is named; where levels are compressed, the
 ///          first of the smallest level that has one); too_large

@@ -77,6 +77,35 @@ TEST_F(TextureFileTest, EveryFormatContainerAndShapeComesBack) {
             }
 }
 
+/// Two channels come back as red and green, of whatever was written; blue is 0.
+TEST_F(TextureFileTest, FormatsOfTwoChannelsKeepRedAndGreen) {
+  for (const char* file : {"a.ktx2", "a.dds"})
+    for (const TexelFormat format : {TexelFormat::rg_half, TexelFormat::rg_float32})
+      for (const int channels : {1, 2, 3, 4}) {
+        SCOPED_TRACE(file + std::string(" channels ") + std::to_string(channels));
+        const ImageSet images = textureOf(3, 6, 2, channels, 9, 9);
+        ASSERT_TRUE(writeImageSet(folder_ / file, images, {.format = format}));
+        const auto read = readImageSet(folder_ / file);
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_THAT(read->format, HasSubstr(format == TexelFormat::rg_half ? ", r16g16 sfloat" : ", r32g32 sfloat"));
+        for (int level = 0; level < 3; ++level)
+          for (int y = 0; y < images.at(level, 5, 1).height(); ++y) {
+            const float* texel = images.at(level, 5, 1).texel(0, y);
+            EXPECT_EQ(rgbaAt(read->images.at(level, 5, 1), 0, y),
+                      glm::vec4(texel[0], texel[channels == 1 ? 0 : 1], 0.0f, 1.0f));
+          }
+      }
+}
+
+TEST_F(TextureFileTest, TwoChannelsNeedAFormatOfTwo) {
+  for (const TexelFormat format : {TexelFormat::half, TexelFormat::float32, TexelFormat::b10g11r11}) {
+    const auto result = writeImageSet(folder_ / "a.ktx2", textureOf(1, 1, 1, 2, 3, 3), {.format = format});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::bad_shape);
+    EXPECT_THAT(result.error().message, HasSubstr("2 channels"));
+  }
+}
+
 /// Large enough for many pieces and threads, and rows that do not end where a piece ends.
 TEST_F(TextureFileTest, LargeImagesComeBack) {
   const ImageSet images = textureOf(2, 1, 1, 3, 1021, 517);
@@ -118,7 +147,10 @@ TEST_F(TextureFileTest, WhatDoesNotFitIsRefusedAndNamed) {
   EXPECT_EQ(errorOf({0.0f, kInfinity, 0.0f}, TexelFormat::e5b9g9r9).code, ErrorCode::out_of_range);
   EXPECT_EQ(errorOf({0.0f, 0.0f, kNan}, TexelFormat::e5b9g9r9).code, ErrorCode::out_of_range);
 
+  EXPECT_EQ(errorOf({0.0f, 65505.0f, 0.0f}, TexelFormat::rg_half).code, ErrorCode::out_of_range);
+
   // What fits, up to the brim.
+  EXPECT_EQ(errorOf({65504.0f, -65504.0f, 1e6f}, TexelFormat::rg_half).message, "");
   EXPECT_EQ(errorOf({65504.0f, -65504.0f, kInfinity}, TexelFormat::half).message, "");
   EXPECT_EQ(errorOf({1e38f, kNan, -kInfinity}, TexelFormat::float32).message, "");
   EXPECT_EQ(errorOf({65024.0f, kInfinity, 64512.0f}, TexelFormat::b10g11r11).message, "");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <variant>
@@ -26,6 +27,9 @@ class Environment {
   /// The images, when it is held in some.
   const EnvironmentMap* map() const { return std::get_if<EnvironmentMap>(&light_); }
   EnvironmentMap* map() { return std::get_if<EnvironmentMap>(&light_); }
+
+  /// The memory of its images.
+  std::uint64_t bytes() const;
 
   /// The size that shows all its detail in that projection.
   int naturalSize(Projection projection) const;

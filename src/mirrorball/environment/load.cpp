@@ -140,7 +140,7 @@ Result<LoadedEnvironment> loadCubeTexture(const std::string& name, DecodedImageS
 Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoadOptions& options) {
   MIRRORBALL_TRY(bytes, readFile(name));
   if (!isImageSet(bytes)) {
-    MIRRORBALL_TRY(decoded, decodeImage(bytes, name));
+    MIRRORBALL_TRY(decoded, decodeImage(bytes, name, options.progress));
     return loadPicture(name, std::move(decoded), options);
   }
   MIRRORBALL_TRY(texture, decodeImageSet(bytes, name));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "mirrorball/base/progress.h"
 #include "mirrorball/codec/row_reader.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/environment/recognize.h"
@@ -13,9 +14,10 @@ namespace mirrorball {
 
 /// How to read an environment.
 struct EnvironmentLoadOptions {
-  FormHint from = {};     ///< overrides what is recognised
-  bool repair = false;    ///< replace NaN and infinite texels by their neighbours' mean
-  bool keep_bad = false;  ///< leave them as they are: for `info`, which only counts them
+  FormHint from = {};              ///< overrides what is recognised
+  bool repair = false;             ///< replace NaN and infinite texels by their neighbours' mean
+  bool keep_bad = false;           ///< leave them as they are: for `info`, which only counts them
+  ProgressFunction progress = {};  ///< told while one picture is decoded
 };
 
 /// An environment and what is known about where it came from.
@@ -35,7 +37,7 @@ struct LoadedEnvironment {
 /// files (face_files.h), if most of them are there, and that of the folder that holds them stand for all six.
 ///
 /// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel; --repair mends it);
-///          whatever the codec finds
+///          interrupted; whatever the codec finds
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {});
 
 /// A panorama that is read by rows while it is converted (convert_rows.h).

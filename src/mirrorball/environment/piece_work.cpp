@@ -1,5 +1,6 @@
 #include "mirrorball/environment/piece_work.h"
 
+#include <atomic>
 #include <mutex>
 #include <optional>
 
@@ -31,11 +32,11 @@ class FirstFailure {
 }  // namespace
 
 Result<void> PieceWork::run(const Environment& source, std::span<const Piece> pieces) {
-  std::atomic<bool> stopped = false;
+  std::atomic<bool> failed = false;
   FirstFailure failure;
   parallelFor(pieces.size(), kPiecesPerTask, [&](std::size_t begin, std::size_t end) {
     Image texels;
-    for (std::size_t index = begin; index < end && !stopped; ++index) {
+    for (std::size_t index = begin; index < end && !failed && !steps_.stopped(); ++index) {
       const Piece& piece = pieces[index];
       const glm::ivec2 size = piece.size();
       if (texels.width() != size.x || texels.height() != size.y)
@@ -43,15 +44,13 @@ Result<void> PieceWork::run(const Environment& source, std::span<const Piece> pi
       conversion_.fill(source, piece, texels);
       if (const auto taken = take_(piece.face, piece.begin, texels); !taken) {
         failure.add(index, taken.error());
-        stopped = true;
+        failed = true;
       }
     }
-    const std::size_t done = done_ += end - begin;
-    if (progress_ && !progress_(done, total_)) stopped = true;
+    steps_.advance(end - begin);
   });
   if (failure.error()) return tl::unexpected<Error>(std::move(*failure.error()));
-  if (stopped) return fail(ErrorCode::interrupted, "interrupted; nothing was written");
-  return {};
+  return steps_.result();
 }
 
 }  // namespace mirrorball

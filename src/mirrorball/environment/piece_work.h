@@ -1,9 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <span>
 
+#include "mirrorball/base/progress.h"
 #include "mirrorball/environment/conversion.h"
 
 namespace mirrorball {
@@ -13,7 +13,7 @@ class PieceWork {
  public:
   /// total    how many pieces there will be in all runs together, for `progress`
   PieceWork(const Conversion& conversion, const TakeTexels& take, const ProgressFunction& progress, std::size_t total)
-      : conversion_(conversion), take_(take), progress_(progress), total_(total) {}
+      : conversion_(conversion), take_(take), steps_(progress, total) {}
 
   /// errors   interrupted; of the pieces that could not be taken the first one's
   Result<void> run(const Environment& source, std::span<const Piece> pieces);
@@ -21,9 +21,7 @@ class PieceWork {
  private:
   const Conversion& conversion_;
   const TakeTexels& take_;
-  const ProgressFunction& progress_;
-  std::size_t total_;
-  std::atomic<std::size_t> done_ = 0;
+  ProgressCounter steps_;
 };
 
 }  // namespace mirrorball

@@ -45,7 +45,7 @@ Result<Prefiltered> prefiltered(const Environment& environment) {
   lobes.push_back(Lobe::cosine());
   MIRRORBALL_TRY(light, LightHarmonics::make(environment, lobes));
   MIRRORBALL_TRY(chain, prefilter(environment, light, levels));
-  MIRRORBALL_TRY(irradiance, cubeOf(light.blurred(lobes.back()), kIrradianceSide));
+  MIRRORBALL_TRY(irradiance, cubeOf(light, lobes.back(), kIrradianceSide));
   return Prefiltered{std::move(chain), std::move(irradiance).takeImages()};
 }
 

@@ -1,0 +1,152 @@
+#include "cli/bake_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <future>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "cli/command_line.h"
+#include "cli/files.h"
+#include "cli/terminal.h"
+#include "mirrorball/base/memory.h"
+#include "mirrorball/environment/load.h"
+
+namespace mirrorball::cli {
+namespace {
+
+/// The environment, which may not be one of the outputs.
+Result<LoadedEnvironment> loadLight(const BakeRequest& request, std::span<const std::string> outputs) {
+  MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
+  MIRRORBALL_TRY(loaded,
+                 loadEnvironment(request.environment,
+                                 {.from = hint, .repair = request.options.repair, .progress = progressBar("read")}));
+  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
+  EnvironmentMap* map = loaded.environment.map();
+  const std::size_t count = map ? raiseNegativeLight(*map) : 0;
+  if (count > 0)
+    remark(loaded.name + ": " + std::to_string(count) + " values are negative, which light cannot be; taken as 0");
+  return loaded;
+}
+
+std::vector<PrefilterLevel> levelsOf(const BakeRequest& request) {
+  const BakeOptions& options = request.options;
+  if (options.levels == 0 && lastLevel(options.size) == 0)
+    remark("a chain of " + std::to_string(options.size) +
+           " texels a side has level 0 only, the environment itself; --levels asks for more");
+  return prefilterLevels({.size = options.size,
+                          .distribution = options.distribution,
+                          .mip_mapping = mipMappingOf(options.mip_mapping),
+                          .levels = options.levels});
+}
+
+std::uint64_t bytesOfTable(const BakeOptions& options) {
+  return std::uint64_t(options.brdf_size) * std::uint64_t(options.brdf_size) * std::uint64_t(options.brdf_channels) *
+         sizeof(float);
+}
+
+/// The BRDF table, made on threads of its own. It stops soon when it goes away before it was asked for.
+class LaterTable {
+ public:
+  LaterTable(const BakeOptions& options, StageClock& clock)
+      : table_(std::async(std::launch::async, [this, &options, &clock] {
+          return clock.time("BRDF table", [&] { return make(options); });
+        })) {}
+  LaterTable(const LaterTable&) = delete;
+  LaterTable& operator=(const LaterTable&) = delete;
+  ~LaterTable() { is_wanted_ = false; }
+
+  Result<Image> get() { return table_.get(); }
+
+ private:
+  Result<Image> make(const BakeOptions& options) const {
+    const BrdfTableOptions table{.size = options.brdf_size,
+                                 .channels = options.brdf_channels,
+                                 .distribution = options.distribution,
+                                 .axes = options.brdf_axes};
+    return brdfTable(table, [this, bar = progressBar("BRDF table")](std::size_t done, std::size_t total) {
+      return is_wanted_ && bar(done, total);
+    });
+  }
+
+  std::atomic<bool> is_wanted_ = true;
+  std::future<Result<Image>> table_;  // waits for its threads, and so is the first to go
+};
+
+/// A table that is so small that it may be made beside the reading of an environment whose size is not known yet.
+constexpr std::uint64_t kSmallTable_bytes = std::uint64_t{4} << 20;
+
+Result<LightHarmonics> analysed(const Environment& environment, const std::vector<Lobe>& lobes, StageClock& clock) {
+  return clock.time("harmonics: analyse",
+                    [&] { return LightHarmonics::make(environment, lobes, progressBar("analyse light")); });
+}
+
+Result<ImageSet> prefiltered(Environment environment, const LightHarmonics& light,
+                             const std::vector<PrefilterLevel>& levels, const glm::mat3& source_from_target,
+                             StageClock& clock) {
+  return clock.time("specular: prefilter", [&] {
+    return prefilter(std::move(environment), light, levels, source_from_target, progressBar("prefilter"));
+  });
+}
+
+std::uint64_t bytesOfChain(const std::vector<PrefilterLevel>& levels) {
+  std::uint64_t bytes = 0;
+  for (const PrefilterLevel& level : levels) bytes += cubeBytes(level.size);
+  return bytes;
+}
+
+}  // namespace
+
+Result<ImageSet> bakeChain(const BakeRequest& request, const MapOutput& output, StageClock& clock) {
+  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request, output.paths()); }));
+  const std::vector<PrefilterLevel> levels = levelsOf(request);
+  const std::uint64_t written = bytesOfChain(levels) + output.memoryToWrite(request.options.size);
+  MIRRORBALL_TRY_VOID(checkMemory("the chain of " + loaded.name,
+                                  std::max(prefilterMemory(loaded.environment, levels, Lobe::cosine(), 0), written)));
+  MIRRORBALL_TRY(light, analysed(loaded.environment, lobesOf(levels), clock));
+  return prefiltered(std::move(loaded.environment), light, levels, sourceFromRotated(request.options.rotate_deg),
+                     clock);
+}
+
+Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, StageClock& clock) {
+  const BakeOptions& options = request.options;
+  const std::uint64_t table_bytes = bytesOfTable(options);
+  MIRRORBALL_TRY_VOID(checkMemory("the BRDF table", table_bytes));
+  // The table needs no environment; reading one leaves cores idle.
+  std::optional<LaterTable> table;
+  if (table_bytes <= kSmallTable_bytes) table.emplace(options, clock);
+  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {
+    return loadLight(request,
+                     std::array{files.specular.paths().front(), files.irradiance.paths().front(), files.brdf.path});
+  }));
+
+  BakedSet set;
+  set.inputs = loaded.files;
+  set.levels = clock.time("lobes: bands", [&] { return levelsOf(request); });
+  std::vector<Lobe> lobes = lobesOf(set.levels);
+  lobes.push_back(Lobe::cosine());
+  const std::uint64_t made = prefilterMemory(loaded.environment, set.levels, lobes.back(), options.irradiance_size);
+  const std::uint64_t written =
+      bytesOfChain(set.levels) + cubeBytes(options.irradiance_size) +
+      std::max(files.specular.memoryToWrite(options.size), files.irradiance.memoryToWrite(options.irradiance_size));
+  MIRRORBALL_TRY_VOID(checkMemory("baking " + loaded.name, table_bytes + std::max(made, written)));
+
+  if (!table) table.emplace(options, clock);
+  MIRRORBALL_TRY(brdf, table->get());
+  set.brdf = std::move(brdf);
+  MIRRORBALL_TRY(light, analysed(loaded.environment, lobes, clock));
+  const glm::mat3 source_from_target = sourceFromRotated(options.rotate_deg);
+  MIRRORBALL_TRY(specular, prefiltered(std::move(loaded.environment), light, set.levels, source_from_target, clock));
+  set.specular = std::move(specular);
+  MIRRORBALL_TRY(irradiance, clock.time("irradiance: cube", [&] {
+    return cubeOf(light, lobes.back(), options.irradiance_size, source_from_target, progressBar("irradiance"));
+  }));
+  set.irradiance = std::move(irradiance);
+  set.radiance = radianceHarmonics(light, options.harmonics_degree, source_from_target);
+  return set;
+}
+
+}  // namespace mirrorball::cli

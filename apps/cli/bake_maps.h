@@ -1,0 +1,17 @@
+#pragma once
+
+#include "cli/baked_set.h"
+#include "cli/stage_clock.h"
+
+namespace mirrorball::cli {
+
+/// Loads the environment and makes its specular chain.
+///
+/// output   that the chain is for: may not be the input itself, and what writing it takes is counted
+/// errors   as loadEnvironment's; usage (the output is the input); too_large; interrupted
+Result<ImageSet> bakeChain(const BakeRequest& request, const MapOutput& output, StageClock& clock);
+
+/// The same for all that a folder has.
+Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, StageClock& clock);
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,23 @@
+#include "mirrorball/base/progress.h"
+
+namespace mirrorball {
+
+ProgressFunction partOf(const ProgressFunction& whole, std::size_t first, std::size_t count, std::size_t total) {
+  if (!whole) return {};
+  return [=](std::size_t part_done, std::size_t part_total) {
+    const std::size_t done = part_total > 0 ? count * part_done / part_total : 0;
+    return whole(first + done, total);
+  };
+}
+
+void ProgressCounter::advance(std::size_t steps) {
+  const std::size_t done = done_ += steps;
+  if (progress_ && !progress_(done, total_)) stopped_ = true;
+}
+
+Result<void> ProgressCounter::result() const {
+  if (stopped_) return fail(ErrorCode::interrupted, "interrupted; nothing was written");
+  return {};
+}
+
+}  // namespace mirrorball

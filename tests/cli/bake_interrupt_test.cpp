@@ -1,0 +1,89 @@
+// bake: Ctrl-C in each of its stages, and failures that do not wait for long work.
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "cli/cli_testing.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+
+class BakeInterruptTest : public CliTest {
+ protected:
+  BakeInterruptTest() { write("map.exr", noisyPanorama()); }
+
+  /// Presses Ctrl-C when the terminal shows a text; returns what it showed in the end. The program must stop soon.
+  std::string interruptAt(const std::string& shown, const std::string& line) const {
+    Program program({.arguments = Arguments(line).words, .folder = path(""), .cores = 1, .on_terminal = true});
+    program.waitUntilShown(shown);
+    EXPECT_TRUE(program.running()) << line << ": was done before it could be interrupted";
+    const auto pressed = std::chrono::steady_clock::now();
+    program.interrupt();
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 1) << line << "\nended by signal " << outcome.signal;
+    EXPECT_THAT(outcome.err, HasSubstr(shown)) << line;
+    // Some tenths of a second where nothing else runs.
+    EXPECT_LT(std::chrono::steady_clock::now() - pressed, std::chrono::seconds(3)) << line;
+    return outcome.err;
+  }
+};
+
+constexpr const char* kNothing = "\r\033[Kmirrorball: interrupted; nothing was written";
+
+TEST_F(BakeInterruptTest, NoStageLeavesAnything) {
+  for (const auto& [stage, line] : std::vector<std::pair<std::string, std::string>>{
+           {"BRDF table [", "bake white -o new/out --size 4 --brdf-size 4096 --distribution charlie"},
+           {"analyse light [", "bake map.exr -o new/out --size 8192 --brdf-size 2"},
+           {"prefilter [", "bake white -o new/out --size 8192 --brdf-size 2"},
+           {"irradiance [", "bake map.exr -o new/out --size 4 --brdf-size 2 --irradiance-size 1024"},
+           {"analyse light [", "bake map.exr -o chain.ktx2 --size 8192"},
+           {"prefilter [", "bake white -o chain.dds --size 8192"}}) {
+    EXPECT_THAT(interruptAt(stage, line), HasSubstr(kNothing)) << line;
+    EXPECT_THAT(files(), ElementsAre("map.exr")) << line;
+  }
+}
+
+TEST_F(BakeInterruptTest, AnOlderSetStaysWholeUntilTheNewOneIsWritten) {
+  succeed("bake white -o out --size 8 --brdf-size 4");
+  const std::vector<std::string> before = files();
+  const Bytes manifest = bytes("out/manifest.json");
+  const Bytes specular = bytes("out/specular.ktx2");
+  interruptAt("prefilter [", "bake white -o out --size 8192 --brdf-size 2");
+  EXPECT_EQ(files(), before);
+  EXPECT_EQ(bytes("out/manifest.json"), manifest);
+  EXPECT_EQ(bytes("out/specular.ktx2"), specular);
+}
+
+// Zstandard takes seconds for the irradiance that is written after the chain.
+TEST_F(BakeInterruptTest, WritingStopsBetweenFiles) {
+  const std::string line = "bake map.exr --size 8 --brdf-size 2 --irradiance-size 256 --zstd 22 -o ";
+  EXPECT_THAT(interruptAt("wrote new/out/specular.ktx2", line + "new/out"),
+              HasSubstr("mirrorball: interrupted; nothing was written"));
+  EXPECT_THAT(files(), ElementsAre("map.exr"));
+
+  succeed("bake white -o out --size 8 --brdf-size 4");
+  EXPECT_THAT(interruptAt("wrote out/specular.ktx2", line + "out"),
+              HasSubstr("mirrorball: interrupted; out has only some of the new files, and no manifest"));
+  EXPECT_THAT(files(), AllOf(IsSupersetOf({"out/brdf.ktx2", "out/sh.h", "out/sh.json", "out/specular.ktx2"}),
+                             Not(Contains("out/manifest.json")), Not(Contains(HasSubstr(".part")))));
+}
+
+TEST_F(BakeInterruptTest, WhatCannotBeReadIsToldAtOnce) {
+  write("broken.exr", std::string("no picture"));
+  for (const std::string name : {"missing.exr", "broken.exr"}) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_THAT(refuse(1, "bake " + name + " -o out --brdf-size 4096 --distribution charlie"), HasSubstr(name));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

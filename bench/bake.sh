@@ -7,6 +7,8 @@
 # together: what depends less on what else runs), both as multiples of ours, and the most memory. TASKs, such as "ours
 # cmgen", leave out the others. Needs GNU time (Debian's package `time`).
 set -eu
+# shellcheck source=bench/rounds.sh
+. "$(dirname -- "$0")/rounds.sh"
 program=$(realpath -- "$1")
 runs=$2
 panorama=$(realpath -- "${3-sky}" 2>/dev/null || echo sky)
@@ -18,8 +20,6 @@ cd "$folder"
 # Others do not read every compression of OpenEXR; what a map was compressed with is not what is timed.
 "$program" convert "$panorama" --to equirect -o in.exr
 "$program" convert "$panorama" --to equirect -o in.hdr
-
-has() { command -v "$1" >/dev/null; }
 
 # The command line of each task; what it does is written beside it in docs/performance.md.
 commandOf() {
@@ -42,19 +42,10 @@ has cmft && tasks="$tasks cmft cmft_irradiance"
 has texturec && tasks="$tasks texturec"
 [ $# -le 3 ] || { shift 3 && tasks=$*; }
 
-run=0
-while [ "$run" -le "$runs" ]; do
-  for task in $tasks; do
-    begin=$(date +%s%N)
-    # shellcheck disable=SC2046 # a command line of words without spaces
-    command time -q -f '%U %S %M' -o spent $(commandOf "$task") >/dev/null 2>"$task.log" ||
-      echo "$task failed: $(head -n 1 "$task.log")" >&2
-    end=$(date +%s%N)
-    # The first round only brings files and programs into the system's cache.
-    [ "$run" -eq 0 ] || echo "$(((end - begin) / 100000)) $(cat spent)" >>"$task.times"
-  done
-  run=$((run + 1))
-done
+# shellcheck disable=SC2046 # a command line of words without spaces
+runTask() { command time -q -f '%U %S %M' -o spent $(commandOf "$1"); }
+# shellcheck disable=SC2086 # tasks are words
+timeInRounds "$runs" $tasks
 
 median() { sort -n | awk '{ t[NR] = $1 } END { print t[int((NR + 1) / 2)] }'; }
 

@@ -8,6 +8,8 @@
 # and the slowest in milliseconds, and for ours and the copy the bytes read and written a second at the median. TASKs,
 # such as "copy ours", leave out the others.
 set -eu
+# shellcheck source=bench/rounds.sh
+. "$(dirname -- "$0")/rounds.sh"
 program=$1
 runs=$2
 panorama=$(realpath -- "${3-studio}" 2>/dev/null || echo studio)
@@ -21,8 +23,6 @@ cd "$folder"
 "$program" convert in.hdr --to equirect -o in.png
 "$program" convert in.hdr --to cube --size 1024 -o cube.ktx2
 bytes=$(($(wc -c <in.hdr) + $(wc -c <cube.ktx2)))
-
-has() { command -v "$1" >/dev/null; }
 
 # What is timed: each prints nothing and overwrites what it wrote before.
 copy() { cat in.hdr >copy.hdr && cat cube.ktx2 >copy.ktx2; }
@@ -46,16 +46,9 @@ has texturec && tasks="$tasks texturec_cube"
 has envutil && tasks="$tasks envutil_cube"
 [ $# -le 3 ] || { shift 3 && tasks=$*; }
 
-run=0
-while [ "$run" -le "$runs" ]; do
-  for task in $tasks; do
-    begin=$(date +%s%N)
-    "$task" >/dev/null 2>"$task.log" || echo "$task failed: $(head -n 1 "$task.log")" >&2
-    # The first round only brings files and programs into the system's cache.
-    [ "$run" -eq 0 ] || echo $((($(date +%s%N) - begin) / 100000)) >>"$task.times"
-  done
-  run=$((run + 1))
-done
+runTask() { "$1"; }
+# shellcheck disable=SC2086 # tasks are words
+timeInRounds "$runs" $tasks
 
 for task in $tasks; do
   sort -n "$task.times" | awk -v name="$task" -v bytes="$bytes" '{ t[NR] = $1 / 10 } END {

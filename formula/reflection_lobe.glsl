@@ -3,7 +3,7 @@
 // symmetric about them; it is a function of
 //   s = sin²(θ/2) = (1 − cos θ) / 2 = |l − n|² / 4,  θ the angle between the light l and the mirror direction n,
 // which is also sin² of the half vector's angle, and exact for small angles where cos θ is not. Each lobe is D(h) (n·l)₊,
-// Phong's excepted, scaled to be at most 1; whoever uses it divides by its integral. Needs: microfacet.
+// Phong's excepted, scaled to be at most 1; whoever uses it divides by its integral.
 
 FN float cosineOfLobe(float s) { return max(1.0f - 2.0f * s, 0.0f); }
 
@@ -36,8 +36,5 @@ FN float charlieLobe(float alpha, float s) { return pow(min(2.0f * s, 1.0f), 0.5
 FN float blinnExponent(float alpha) { return 2.0f / (alpha * alpha) - 2.0f; }
 
 // The exponent of the Phong lobe that is as wide as a GGX lobe: a quarter of Blinn's for the half vector, since the
-// reflected ray turns twice as fast.
-FN float phongExponent(float perceptual_roughness) {
-  float alpha = max(alphaFromPerceptualRoughness(perceptual_roughness), 0.01f);
-  return max(blinnExponent(alpha) / 4.0f, 1.0f);
-}
+// reflected ray turns twice as fast. At least 1.
+FN float phongExponent(float alpha) { return max(blinnExponent(alpha) / 4.0f, 1.0f); }

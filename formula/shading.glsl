@@ -117,7 +117,8 @@ FN vec3 shadedByEnvironment(Surface s, vec3 ray, vec3 reflected, vec3 refracted,
 FN vec3 shadedByPointLight(Surface s, vec3 ray, vec3 light, vec3 color) {
   float facing = dot(s.normal, light);
   if (facing <= 0.0f) return vec3(0.0f);
-  float exponent = phongExponent(s.perceptual_roughness);
+  // A point has no width of its own: on a perfect mirror nothing of it would be seen.
+  float exponent = phongExponent(max(alphaFromPerceptualRoughness(s.perceptual_roughness), 0.01f));
   float mirrored = max(dot(reflect(ray, s.normal), light), 0.0f);
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
   Reflectance reflectance = specularReflectance(s, cosine);

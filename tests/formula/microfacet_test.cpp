@@ -67,8 +67,8 @@ TEST(Shading, AMixtureOfMetalAndDielectricLosesNothing) {
 }
 
 TEST(Microfacet, PhongsExponentFollowsTheLobe) {
-  // alpha = ½: (2 / ¼ − 2) / 4.
-  EXPECT_NEAR(phongExponent(std::sqrt(0.5f)), 1.5f, 1e-4f);
+  EXPECT_NEAR(phongExponent(0.5f), 1.5f, 1e-6f) << "(2 / ¼ − 2) / 4";
+  EXPECT_EQ(phongExponent(1.0f), 1.0f);
   EXPECT_GT(phongExponent(0.1f), phongExponent(0.2f));
 }
 

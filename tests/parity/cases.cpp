@@ -184,7 +184,7 @@ const Case kCases[] = {
     PARITY(phongLobe, unit, kTranscendental, vec4(phongLobe(1.0f + 32.0f * p.y, p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(charlieLobe, unit, kTranscendental, vec4(charlieLobe(0.0625f + p.y, p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(blinnExponent, unit, kTight, vec4(blinnExponent(0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(phongExponent, unit, kTight, vec4(phongExponent(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(phongExponent, unit, kTight, vec4(phongExponent(0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
 
     // sampling
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),

@@ -108,8 +108,7 @@ Lobe Lobe::reflection(Distribution distribution, float perceptual_roughness) {
   assert(alpha >= kLeastAlpha);
   switch (distribution) {
     case Distribution::phong:
-      // Not formula::phongExponent, which is bounded for point lights.
-      return Lobe({distribution, std::max(formula::blinnExponent(alpha) / 4.0f, 1.0f)}, alpha);
+      return Lobe({distribution, formula::phongExponent(alpha)}, alpha);
     case Distribution::blinn:
       return Lobe({distribution, formula::blinnExponent(alpha)}, alpha);
     case Distribution::charlie:

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,10 +37,20 @@ Result<gl::Texture> cubeTexture(const ImageSet& images, bool needs_floats) {
   return cube;
 }
 
-Result<Prefiltered> prefiltered(const Environment& environment) {
+/// Of the chain's level 0, which prefiltered() leaves out.
+int prefilteredSide(const Environment& environment) {
   const auto side = static_cast<unsigned>(cubeSideFor(environment.texelDensity()));
-  std::vector<PrefilterLevel> levels = prefilterLevels(
-      {.size = std::clamp(static_cast<int>(std::bit_ceil(side)), kLeastPrefilteredSide, kMostPrefilteredSide)});
+  return std::clamp(static_cast<int>(std::bit_ceil(side)), kLeastPrefilteredSide, kMostPrefilteredSide);
+}
+
+PrefilteredShape prefilteredShape(int side) {
+  PrefilteredShape shape{{}, {kIrradianceSide}};
+  for (int level = 1; level <= lastLevel(side); ++level) shape.chain.push_back(levelSide(side, level));
+  return shape;
+}
+
+Result<Prefiltered> prefiltered(const Environment& environment, int side) {
+  std::vector<PrefilterLevel> levels = prefilterLevels({.size = side});
   levels.erase(levels.begin());
   std::vector<Lobe> lobes = lobesOf(levels);
   lobes.push_back(Lobe::cosine());
@@ -47,6 +58,17 @@ Result<Prefiltered> prefiltered(const Environment& environment) {
   MIRRORBALL_TRY(chain, prefilter(environment, light, levels));
   MIRRORBALL_TRY(irradiance, cubeOf(light, lobes.back(), kIrradianceSide));
   return Prefiltered{std::move(chain), std::move(irradiance).takeImages()};
+}
+
+/// From the cache, or else made and kept there. Either way it has the values that a texture will hold.
+Result<Prefiltered> prefilteredOnce(const Environment& environment, const PreparedEnvironment& prepared,
+                                    const PrefilterCache& cache) {
+  const int side = prefilteredSide(environment);
+  const std::string key = PrefilterCache::keyOf(prepared.chain);
+  if (std::optional<Prefiltered> found = cache.find(key, prefilteredShape(side))) return std::move(*found);
+  MIRRORBALL_TRY(made, prefiltered(environment, side));
+  cache.keep(key, made, prepared.needs_floats ? TexelFormat::float32 : TexelFormat::half);
+  return made;
 }
 
 }  // namespace
@@ -68,15 +90,10 @@ Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
     prepared.chain = mipChain(cube);
   }
   prepared.needs_floats = greatestSample(prepared.chain) > kLargestHalf;
-  std::optional<Prefiltered> blurred;
-  if (cache) blurred = cache->find(prepared.chain);
-  if (!blurred) {
-    MIRRORBALL_TRY(made, prefiltered(environment));
-    blurred = std::move(made);
-    if (cache) cache->keep(prepared.chain, *blurred);
-  }
-  prepared.prefiltered = std::move(blurred->chain);
-  prepared.irradiance = std::move(blurred->irradiance);
+  MIRRORBALL_TRY(blurred, cache ? prefilteredOnce(environment, prepared, *cache)
+                                : prefiltered(environment, prefilteredSide(environment)));
+  prepared.prefiltered = std::move(blurred.chain);
+  prepared.irradiance = std::move(blurred.irradiance);
   return prepared;
 }
 

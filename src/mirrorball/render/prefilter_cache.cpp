@@ -11,34 +11,13 @@
 
 #include <xxhash.h>
 
-#include "mirrorball/codec/texture_file.h"
-
 namespace mirrorball {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Goes up whenever prefiltering gives other values.
-constexpr std::uint32_t kVersion = 3;
 constexpr int kKeyDigits = 32;
 constexpr const char* kExtension = ".ktx2";
-
-/// kKeyDigits hexadecimal digits of the cube's texels and size.
-std::string keyOf(const ImageSet& cube) {
-  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
-  XXH3_128bits_reset_withSeed(state.get(), kVersion);
-  const int side = cube.at(0, 0).width();
-  XXH3_128bits_update(state.get(), &side, sizeof side);
-  for (int face = 0; face < cube.faces(); ++face) {
-    const std::span<const float> samples = cube.at(0, face).samples();
-    XXH3_128bits_update(state.get(), samples.data(), samples.size_bytes());
-  }
-  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
-  char digits[kKeyDigits + 1];
-  std::snprintf(digits, sizeof digits, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                static_cast<unsigned long long>(hash.low64));
-  return digits;
-}
 
 fs::path chainPath(const fs::path& folder, const std::string& key) { return folder / (key + "-chain" + kExtension); }
 fs::path irradiancePath(const fs::path& folder, const std::string& key) {
@@ -54,19 +33,23 @@ bool isOurs(const fs::path& path) {
   return path == chainPath(path.parent_path(), key) || path == irradiancePath(path.parent_path(), key);
 }
 
-/// A cube that was written by `write`, now the most recently used.
-std::optional<ImageSet> read(const fs::path& path) {
+bool hasShape(const ImageSet& images, const std::vector<int>& sides) {
+  if (images.faces() != 6 || images.layers() != 1 || images.levels() != static_cast<int>(sides.size())) return false;
+  for (int level = 0; level < images.levels(); ++level) {
+    const Image& image = images.at(level, 0);  // a file's faces are alike
+    if (image.width() != sides[std::size_t(level)] || image.height() != image.width()) return false;
+  }
+  return true;
+}
+
+/// A cube that was kept, now the most recently used.
+std::optional<ImageSet> read(const fs::path& path, const std::vector<int>& sides) {
   std::error_code status;
   if (!fs::exists(path, status)) return {};
   auto decoded = readImageSet(path);
-  if (!decoded || decoded->images.faces() != 6) return {};
+  if (!decoded || !hasShape(decoded->images, sides)) return {};
   fs::last_write_time(path, fs::file_time_type::clock::now(), status);
   return std::move(decoded->images);
-}
-
-void write(const fs::path& path, const ImageSet& images) {
-  if (!writeImageSet(path, images, {.format = TexelFormat::half}))
-    static_cast<void>(writeImageSet(path, images, {.format = TexelFormat::float32}));
 }
 
 }  // namespace
@@ -85,22 +68,37 @@ std::optional<PrefilterCache> PrefilterCache::ofUser() {
   return {};
 }
 
-std::optional<Prefiltered> PrefilterCache::find(const ImageSet& cube) const {
-  const std::string key = keyOf(cube);
-  std::optional<ImageSet> chain = read(chainPath(folder_, key));
+std::string PrefilterCache::keyOf(const ImageSet& cube) {
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
+  XXH3_128bits_reset_withSeed(state.get(), kVersion);
+  const int side = cube.at(0, 0).width();
+  XXH3_128bits_update(state.get(), &side, sizeof side);
+  for (int face = 0; face < cube.faces(); ++face) {
+    const std::span<const float> samples = cube.at(0, face).samples();
+    XXH3_128bits_update(state.get(), samples.data(), samples.size_bytes());
+  }
+  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
+  char digits[kKeyDigits + 1];
+  std::snprintf(digits, sizeof digits, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                static_cast<unsigned long long>(hash.low64));
+  return digits;
+}
+
+std::optional<Prefiltered> PrefilterCache::find(const std::string& key, const PrefilteredShape& shape) const {
+  std::optional<ImageSet> chain = read(chainPath(folder_, key), shape.chain);
   if (!chain) return {};
-  std::optional<ImageSet> irradiance = read(irradiancePath(folder_, key));
+  std::optional<ImageSet> irradiance = read(irradiancePath(folder_, key), shape.irradiance);
   if (!irradiance) return {};
   return Prefiltered{std::move(*chain), std::move(*irradiance)};
 }
 
-void PrefilterCache::keep(const ImageSet& cube, const Prefiltered& prefiltered) const {
+void PrefilterCache::keep(const std::string& key, const Prefiltered& prefiltered, TexelFormat format) const {
   std::error_code status;
   fs::create_directories(folder_, status);
   if (status) return;
-  const std::string key = keyOf(cube);
-  write(irradiancePath(folder_, key), prefiltered.irradiance);
-  write(chainPath(folder_, key), prefiltered.chain);
+  // What cannot be written is not kept.
+  static_cast<void>(writeImageSet(irradiancePath(folder_, key), prefiltered.irradiance, {.format = format}));
+  static_cast<void>(writeImageSet(chainPath(folder_, key), prefiltered.chain, {.format = format}));
   dropOldest();
 }
 

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "mirrorball/codec/texture_file.h"
 #include "mirrorball/image/image_set.h"
 
 namespace mirrorball {
@@ -15,10 +17,18 @@ struct Prefiltered {
   ImageSet irradiance;
 };
 
+/// The sides of those cubes' levels.
+struct PrefilteredShape {
+  std::vector<int> chain;
+  std::vector<int> irradiance;
+};
+
 /// Prefiltered environments in a folder, found by the content of the environment's cube. It is only a convenience: what
 /// cannot be read or written there is made anew.
 class PrefilterCache {
  public:
+  /// Goes up whenever prefiltering gives other values, or files hold them otherwise: nothing older is found then.
+  static constexpr std::uint32_t kVersion = 4;
   static constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 
   /// folder   made when something is first written
@@ -29,11 +39,19 @@ class PrefilterCache {
   /// empty or there is none.
   static std::optional<PrefilterCache> ofUser();
 
-  /// cube     of the environment, its largest level
-  std::optional<Prefiltered> find(const ImageSet& cube) const;
+  /// What an environment is found by: hexadecimal digits.
+  ///
+  /// cube     of the environment; its largest level counts
+  /// cost     one pass over its texels
+  static std::string keyOf(const ImageSet& cube);
+
+  /// returns  nothing where there is none of that shape
+  std::optional<Prefiltered> find(const std::string& key, const PrefilteredShape& shape) const;
   /// Keeps them, and drops what has not been used for longest while all that was kept
   /// takes more than `most_bytes`.
-  void keep(const ImageSet& cube, const Prefiltered& prefiltered) const;
+  ///
+  /// format   that holds all values, half or float32
+  void keep(const std::string& key, const Prefiltered& prefiltered, TexelFormat format) const;
 
  private:
   void dropOldest() const;

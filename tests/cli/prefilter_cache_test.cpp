@@ -1,0 +1,78 @@
+// Prefiltered environments in the user's cache folder: `render` takes them from there, `bake` never does.
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "cli/cli_testing.h"
+
+namespace mirrorball::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PrefilterCacheCliTest : public RenderCliTest {
+ protected:
+  /// Gives the program a cache folder of that name.
+  Start withCache(const std::string& name) const {
+    return {.environment = {{"MIRRORBALL_CACHE", path(name).string()}}};
+  }
+
+  /// The middle of a ball of rough metal, which shows the prefiltered environment.
+  glm::vec3 drawMetal(const std::string& options = {}) const {
+    succeed("render sphere -e map.exr --material rough-metal --size 33x33 --samples 1 -o metal.exr " + options,
+            withCache("cache"));
+    return rgbAt(image("metal.exr"), 16, 16);
+  }
+
+  /// Each file's name and bytes.
+  std::map<std::string, Bytes> filesOf(const std::string& folder) const {
+    std::map<std::string, Bytes> all;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path(folder))) {
+      const std::string name = entry.path().filename().string();
+      all[name] = bytes(folder + "/" + name);
+    }
+    return all;
+  }
+
+  /// Makes all light of a cache red, of a radiance that is nowhere in the map.
+  void makeRed(const std::string& folder) const {
+    for (const auto& [name, unused] : filesOf(folder)) {
+      ImageSet images = texture(folder + "/" + name);
+      forEachImage(images, [](Image& image) {
+        for (int y = 0; y < image.height(); ++y)
+          for (int x = 0; x < image.width(); ++x)
+            for (int c = 0; c < 3; ++c) image.texel(x, y)[c] = c == 0 ? 50.0f : 0.0f;
+      });
+      ASSERT_TRUE(writeImageSet(path(folder) / name, images));
+    }
+  }
+};
+
+TEST_F(PrefilterCacheCliTest, RenderReadsItUnlessToldNotTo) {
+  write("map.exr", smoothPanorama());
+  const glm::vec3 fresh = drawMetal();
+  EXPECT_EQ(filesOf("cache").size(), 2u);
+  EXPECT_LT(glm::distance(drawMetal(), fresh), 1e-3f) << "from the cache";
+  makeRed("cache");
+  const glm::vec3 wrong = drawMetal();
+  EXPECT_GT(wrong.x, 10.0f);
+  EXPECT_LT(wrong.y, 0.01f);
+  EXPECT_EQ(drawMetal("--no-cache"), fresh);
+}
+
+TEST_F(PrefilterCacheCliTest, BakeNeitherReadsNorFillsIt) {
+  write("map.exr", smoothPanorama());
+  const std::string bake = "bake map.exr --size 32 --irradiance-size 8 --brdf-size 8 -o ";
+  succeed(bake + "before", withCache("unused"));
+  EXPECT_FALSE(fs::exists(path("unused")));
+  drawMetal();
+  makeRed("cache");
+  const std::map<std::string, Bytes> cached = filesOf("cache");
+  succeed(bake + "after", withCache("cache"));
+  EXPECT_EQ(filesOf("after"), filesOf("before"));
+  EXPECT_EQ(filesOf("cache"), cached);
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

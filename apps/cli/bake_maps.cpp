@@ -21,9 +21,8 @@ namespace {
 /// The environment, which may not be one of the outputs.
 Result<LoadedEnvironment> loadLight(const BakeRequest& request, std::span<const std::string> outputs) {
   MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
-  MIRRORBALL_TRY(loaded,
-                 loadEnvironment(request.environment,
-                                 {.from = hint, .repair = request.options.repair, .progress = progressBar("read")}));
+  MIRRORBALL_TRY(loaded, loadEnvironment(request.environment, {.from = hint, .repair = request.options.repair},
+                                         progressBar("read")));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
   EnvironmentMap* map = loaded.environment.map();
   const std::size_t count = map ? raiseNegativeLight(*map) : 0;

@@ -137,10 +137,11 @@ Result<LoadedEnvironment> loadCubeTexture(const std::string& name, DecodedImageS
                 recognizeFaces(texture.metadata, options.from, "its texture, a cube"), bad, {name}, options);
 }
 
-Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoadOptions& options) {
+Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoadOptions& options,
+                                   const ProgressFunction& progress) {
   MIRRORBALL_TRY(bytes, readFile(name));
   if (!isImageSet(bytes)) {
-    MIRRORBALL_TRY(decoded, decodeImage(bytes, name, options.progress));
+    MIRRORBALL_TRY(decoded, decodeImage(bytes, name, progress));
     return loadPicture(name, std::move(decoded), options);
   }
   MIRRORBALL_TRY(texture, decodeImageSet(bytes, name));
@@ -154,7 +155,8 @@ Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoa
 
 }  // namespace
 
-Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options) {
+Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options,
+                                          const ProgressFunction& progress) {
   std::error_code status;
   const bool exists = fs::exists(name_or_path, status);
   // A folder that happens to be called "studio" is no map.
@@ -180,7 +182,7 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
                                       ": name one of the six faces, whose names end in _px _nx _py _ny _pz _nz "
                                       "or as docs/conventions.md says");
   if (!exists) return tl::unexpected<Error>(noSuchEnvironment(name_or_path));
-  return loadFile(name_or_path, options);
+  return loadFile(name_or_path, options, progress);
 }
 
 Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,

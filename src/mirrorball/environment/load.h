@@ -14,10 +14,9 @@ namespace mirrorball {
 
 /// How to read an environment.
 struct EnvironmentLoadOptions {
-  FormHint from = {};              ///< overrides what is recognised
-  bool repair = false;             ///< replace NaN and infinite texels by their neighbours' mean
-  bool keep_bad = false;           ///< leave them as they are: for `info`, which only counts them
-  ProgressFunction progress = {};  ///< told while one picture is decoded
+  FormHint from = {};     ///< overrides what is recognised
+  bool repair = false;    ///< replace NaN and infinite texels by their neighbours' mean
+  bool keep_bad = false;  ///< leave them as they are: for `info`, which only counts them
 };
 
 /// An environment and what is known about where it came from.
@@ -36,9 +35,11 @@ struct LoadedEnvironment {
 /// states another curve; of a texture its largest level, of an array its first element). The name of one of a cube's six
 /// files (face_files.h), if most of them are there, and that of the folder that holds them stand for all six.
 ///
+/// progress told while a picture is decoded, if it is OpenEXR's
 /// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel; --repair mends it);
 ///          interrupted; whatever the codec finds
-Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {});
+Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
+                                          const ProgressFunction& progress = {});
 
 /// A panorama that is read by rows while it is converted (convert_rows.h).
 struct PanoramaRows {

@@ -334,9 +334,11 @@ TEST(Prefilter, StopsWhenItIsTold) {
   const std::vector<Lobe> lobes = lobesOf(levels);
   expectToStop([&](const ProgressFunction& progress) { return LightHarmonics::make(sky, lobes, progress); });
   const LightHarmonics light = *LightHarmonics::make(sky, lobes);
-  expectToStop([&](const ProgressFunction& progress) { return prefilter(sky, light, levels, glm::mat3(1.0f), progress); });
+  expectToStop(
+      [&](const ProgressFunction& progress) { return prefilter(sky, light, levels, glm::mat3(1.0f), progress); });
   expectToStop([&](const ProgressFunction& progress) { return light.blurred(lobes.front(), progress); });
-  expectToStop([&](const ProgressFunction& progress) { return cubeOf(light, lobes.front(), 64, glm::mat3(1.0f), progress); });
+  expectToStop(
+      [&](const ProgressFunction& progress) { return cubeOf(light, lobes.front(), 64, glm::mat3(1.0f), progress); });
 }
 
 TEST(Prefilter, TellsItsProgressToTheEnd) {

@@ -197,21 +197,21 @@ void removeOlderSet(const BakedFiles& files, const std::vector<std::string>& inp
 }  // namespace
 
 Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& options) {
-  MIRRORBALL_TRY(folder, OutputFolder::make(files.folder));
-  const auto go_on = [&]() -> Result<void> {
+  const auto go_on = [](const std::string& what_is_left) -> Result<void> {
     if (!interrupted()) return {};
-    return fail(ErrorCode::interrupted, folder.isNew() ? "interrupted; nothing was written"
-                                                       : "interrupted; " + files.folder +
-                                                             " has only some of the new files, and "
-                                                             "no manifest");
+    return fail(ErrorCode::interrupted, "interrupted; " + what_is_left);
   };
+  const std::string nothing = "nothing was written";
+  MIRRORBALL_TRY_VOID(go_on(nothing));
+  MIRRORBALL_TRY(folder, OutputFolder::make(files.folder));
+  const std::string some = folder.isNew() ? nothing : files.folder + " has only some of the new files, and no manifest";
   removeOlderSet(files, set.inputs);
   MIRRORBALL_TRY(specular, files.specular.writeLevels(std::move(set.specular)));
-  MIRRORBALL_TRY_VOID(go_on());
+  MIRRORBALL_TRY_VOID(go_on(some));
   MIRRORBALL_TRY(irradiance, files.irradiance.writeLevels(std::move(set.irradiance).takeImages()));
-  MIRRORBALL_TRY_VOID(go_on());
+  MIRRORBALL_TRY_VOID(go_on(some));
   MIRRORBALL_TRY_VOID(writeBrdf(std::move(set.brdf), files.brdf));
-  MIRRORBALL_TRY_VOID(go_on());
+  MIRRORBALL_TRY_VOID(go_on(some));
   const std::string path = files.folder + "/";
   MIRRORBALL_TRY_VOID(writeText(path + "sh.json", textOf(harmonicsJson(set.radiance, options))));
   MIRRORBALL_TRY_VOID(writeText(path + "sh.h", harmonicsHeader(set.radiance, files.source)));

@@ -20,9 +20,9 @@ constexpr int kFewBrightLights = 64;
 constexpr std::array kMoreBrightLights{512, 4096};
 constexpr float kHighContrast = 2.0f;
 
-/// What may be missing at the darkest part of a map, by the bound of lightContrast: 1 %. What is missing in fact is ten
-/// to thirty times less (docs/prefiltering.md).
-constexpr float kTolerance = 1e-2f;
+/// What may be missing at the darkest part of a map, as a root mean square, by the estimate of lightContrast; errors of
+/// single texels in maps of rooms and landscapes were a hundred times less to as much (docs/prefiltering.md).
+constexpr float kTolerance = 5e-3f;
 
 /// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier transform
 /// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5. And a row has at least as many texels as wide lobes have
@@ -149,10 +149,14 @@ LightHarmonics::Memory LightHarmonics::memoryFor(const Environment& environment,
   return {laid_out + std::max(laid_out + environment.bytes(), analysed), kept};
 }
 
+GridDensity LightHarmonics::gridDensityFor(const Lobe& lobe) {
+  return lobe.shape().distribution == Distribution::ggx ? GridDensity::sparse : GridDensity::dense;
+}
+
 Result<BlurredLight> LightHarmonics::blurred(const Lobe& lobe, const ProgressFunction& progress) const {
   std::vector<float> weights = lobe.bands();
   weights.resize(static_cast<std::size_t>(std::min(lobe.bandsFor(tolerance_), coefficients_.bands())));
-  MIRRORBALL_TRY(grid, synthesize(coefficients_, weights, progress));
+  MIRRORBALL_TRY(grid, synthesize(coefficients_, weights, gridDensityFor(lobe), progress));
   return BlurredLight(lobe, std::move(grid), bright_);
 }
 

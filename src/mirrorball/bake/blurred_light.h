@@ -61,6 +61,9 @@ class LightHarmonics {
   /// errors   interrupted (when `progress` says so)
   Result<BlurredLight> blurred(const Lobe& lobe, const ProgressFunction& progress = {}) const;
 
+  /// GGX's long tail covers small errors far from a lamp, and leaves little of high bands; other lobes have neither.
+  static GridDensity gridDensityFor(const Lobe& lobe);
+
   const HarmonicCoefficients& coefficients() const { return coefficients_; }
   /// What the coefficients lack.
   const BrightLights& bright() const { return *bright_; }

@@ -167,10 +167,12 @@ void forEachOrder(int orders, ProgressCounter& steps, const Visit& visit) {
   });
 }
 
-/// The grid that so many bands are synthesized on. Of a narrow lobe half of the bands are weighed so lightly that what
-/// interpolation does to them is not seen; of light that was found to be smooth they hold nothing.
-glm::ivec2 gridSizeFor(int bands) {
-  return {quickLength(std::max(2 * bands + 2, 32)), quickLength(std::max(bands * 9 / 8, 16))};
+/// Columns and rings for so many bands.
+glm::ivec2 gridSizeFor(int bands, GridDensity density) {
+  const bool is_dense = density == GridDensity::dense;
+  const int columns = (is_dense ? 4 : 2) * bands + 2;
+  const int rings = is_dense ? 2 * bands : bands * 9 / 8;
+  return {quickLength(std::max(columns, 32)), quickLength(std::max(rings, 16))};
 }
 
 /// l and m < bands, each order rounded up to whole stretches.
@@ -201,8 +203,8 @@ std::uint64_t harmonicBytes(int bands) {
 
 std::uint64_t analysisBytes(int bands) { return std::uint64_t(bands) * RingSpectra::kPairs * sizeof(RingPair); }
 
-std::uint64_t synthesisBytes(int bands) {
-  const glm::ivec2 size = gridSizeFor(bands);
+std::uint64_t synthesisBytes(int bands, GridDensity density) {
+  const glm::ivec2 size = gridSizeFor(bands, density);
   const std::uint64_t grid = std::uint64_t(size.x) * std::uint64_t(size.y) * sizeof(glm::vec4);
   return harmonicCount(bands) * sizeof(Coefficient) + analysisBytes(bands) + grid;
 }
@@ -231,14 +233,14 @@ Result<HarmonicCoefficients> analyse(const EnvironmentMap& panorama, const Brigh
 }
 
 Result<SphereGrid> synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights,
-                              const ProgressFunction& progress) {
+                              GridDensity density, const ProgressFunction& progress) {
   const int bands = static_cast<int>(weights.size());
   assert(bands <= coefficients.bands());
   std::vector<std::vector<Coefficient>> weighted(weights.size());
   forEachOrder(bands, [&](int m) {
     weighted[static_cast<std::size_t>(m)] = weightedOrder(coefficients.order(m), coefficients.legendre(m), weights);
   });
-  const glm::ivec2 size = gridSizeFor(bands);
+  const glm::ivec2 size = gridSizeFor(bands, density);
   SphereGrid grid(size.y, size.x);
   const GridTransform transform(grid, bands);
   const Rings rings(grid.rings());

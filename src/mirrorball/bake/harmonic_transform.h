@@ -14,6 +14,12 @@
 
 namespace mirrorball {
 
+/// How close the points of a grid lie, between which a function is interpolated.
+enum class GridDensity {
+  sparse,  ///< 9/8 rings and 2 columns a band: for weights that leave next to nothing of the upper half of the bands
+  dense,   ///< 2 rings and 4 columns a band
+};
+
 /// A function on the sphere in spherical harmonics about +Y: of red, green, blue and of what a white map of the same
 /// texels has, for which only order 0 is kept.
 class HarmonicCoefficients {
@@ -44,7 +50,7 @@ std::uint64_t harmonicBytes(int bands);
 
 /// What analyse takes beside the coefficients, and synthesize with the grid that it returns.
 std::uint64_t analysisBytes(int bands);
-std::uint64_t synthesisBytes(int bands);
+std::uint64_t synthesisBytes(int bands, GridDensity density);
 
 /// The harmonics of a panorama's texels, each a point of light at its centre with the flux of its area,
 /// (cos θ₀ − cos θ₁) 2π / width. So no rule of quadrature stands between the map and its coefficients: they are
@@ -65,8 +71,8 @@ Result<HarmonicCoefficients> analyse(const EnvironmentMap& panorama, const Brigh
 /// weights    at most coefficients.bands() count
 /// returns    colour and, as the fourth channel, one over white
 /// errors     interrupted (when `progress` says so)
-/// cost       9/16 · bands steps for each m and l, and a Fourier transform of each ring
+/// cost       half of a ring for each m and l, and a Fourier transform of each ring
 Result<SphereGrid> synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights,
-                              const ProgressFunction& progress = {});
+                              GridDensity density, const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

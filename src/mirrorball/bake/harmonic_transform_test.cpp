@@ -67,7 +67,7 @@ float roundTripError(int height) {
     return glm::vec3(1.0f + d.x * d.y * d.z, 2.0f + std::pow(d.y, 5.0f) - d.x, 0.5f + d.x * d.x * d.z * d.z * d.y);
   };
   const EnvironmentMap panorama = panoramaOf(2 * height, height, light);
-  const SphereGrid grid = *synthesize(*analyse(panorama, {}, 12), std::vector<float>(12, 1.0f));
+  const SphereGrid grid = *synthesize(*analyse(panorama, {}, 12), std::vector<float>(12, 1.0f), GridDensity::sparse);
   float error = 0.0f;
   PointBatch points;
   points.count = PointBatch::kCapacity;

@@ -158,7 +158,8 @@ std::uint64_t prefilterMemory(const Environment& environment, const std::vector<
   std::uint64_t cubes = 0;
   const auto addCube = [&](const Lobe& of, int side) {
     cubes += cubeBytes(side);
-    most = std::max(most, light.kept + cubes + synthesisBytes(static_cast<int>(of.bands().size())));
+    most = std::max(most, light.kept + cubes +
+                              synthesisBytes(static_cast<int>(of.bands().size()), LightHarmonics::gridDensityFor(of)));
   };
   for (const PrefilterLevel& level : levels) {
     if (level.lobe) {

@@ -16,6 +16,9 @@ using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
 
+/// Some tenths of a second where nothing else runs; all of the work takes a minute.
+constexpr std::chrono::seconds kSoon(10);
+
 class BakeInterruptTest : public CliTest {
  protected:
   BakeInterruptTest() { write("map.exr", noisyPanorama()); }
@@ -30,8 +33,7 @@ class BakeInterruptTest : public CliTest {
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.exit_code, 1) << line << "\nended by signal " << outcome.signal;
     EXPECT_THAT(outcome.err, HasSubstr(shown)) << line;
-    // Some tenths of a second where nothing else runs.
-    EXPECT_LT(std::chrono::steady_clock::now() - pressed, std::chrono::seconds(3)) << line;
+    EXPECT_LT(std::chrono::steady_clock::now() - pressed, kSoon) << line;
     return outcome.err;
   }
 };
@@ -81,7 +83,7 @@ TEST_F(BakeInterruptTest, WhatCannotBeReadIsToldAtOnce) {
   for (const std::string name : {"missing.exr", "broken.exr"}) {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_THAT(refuse(1, "bake " + name + " -o out --brdf-size 4096 --distribution charlie"), HasSubstr(name));
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2)) << name;
+    EXPECT_LT(std::chrono::steady_clock::now() - start, kSoon) << name;
   }
 }
 

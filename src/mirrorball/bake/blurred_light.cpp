@@ -22,7 +22,7 @@ constexpr float kHighContrast = 2.0f;
 
 /// What may be missing at the darkest part of a map, as a root mean square, by the estimate of lightContrast; errors of
 /// single texels in maps of rooms and landscapes were a hundred times less to as much (docs/prefiltering.md).
-constexpr float kTolerance = 5e-3f;
+constexpr float kTolerance = 7e-3f;
 
 /// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier transform
 /// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5. And a row has at least as many texels as wide lobes have

@@ -18,6 +18,17 @@
 namespace mirrorball::cli {
 namespace {
 
+/// So that sums over the whole sphere are finite floats too.
+Result<void> refuseTooBright(const std::string& name, const EnvironmentMap& map) {
+  constexpr float kBrightest = 1e36f;
+  std::size_t count = 0;
+  for (int face = 0; face < map.faces(); ++face)
+    for (const float sample : map.face(face).samples()) count += sample > kBrightest ? 1 : 0;
+  if (count == 0) return {};
+  return fail(ErrorCode::out_of_range, name + ": " + std::to_string(count) +
+                                           " values are above 1e36, too bright to be summed; scale the picture down");
+}
+
 /// The environment, which may not be one of the outputs.
 Result<LoadedEnvironment> loadLight(const BakeRequest& request, std::span<const std::string> outputs) {
   MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
@@ -25,6 +36,7 @@ Result<LoadedEnvironment> loadLight(const BakeRequest& request, std::span<const 
                                          progressBar("read")));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
   EnvironmentMap* map = loaded.environment.map();
+  if (map) MIRRORBALL_TRY_VOID(refuseTooBright(loaded.name, *map));
   const std::size_t count = map ? raiseNegativeLight(*map) : 0;
   if (count > 0)
     remark(loaded.name + ": " + std::to_string(count) + " values are negative, which light cannot be; taken as 0");
@@ -101,7 +113,7 @@ std::uint64_t bytesOfChain(const std::vector<PrefilterLevel>& levels) {
 
 Result<ImageSet> bakeChain(const BakeRequest& request, const MapOutput& output, StageClock& clock) {
   MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request, output.paths()); }));
-  const std::vector<PrefilterLevel> levels = levelsOf(request);
+  const std::vector<PrefilterLevel> levels = clock.time("lobes: bands", [&] { return levelsOf(request); });
   const std::uint64_t written = bytesOfChain(levels) + output.memoryToWrite(request.options.size);
   MIRRORBALL_TRY_VOID(checkMemory("the chain of " + loaded.name,
                                   std::max(prefilterMemory(loaded.environment, levels, Lobe::cosine(), 0), written)));
@@ -117,10 +129,7 @@ Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, St
   // The table needs no environment; reading one leaves cores idle.
   std::optional<LaterTable> table;
   if (table_bytes <= kSmallTable_bytes) table.emplace(options, clock);
-  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {
-    return loadLight(request,
-                     std::array{files.specular.paths().front(), files.irradiance.paths().front(), files.brdf.path});
-  }));
+  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request, files.paths()); }));
 
   BakedSet set;
   set.inputs = loaded.files;

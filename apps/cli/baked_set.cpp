@@ -196,6 +196,11 @@ void removeOlderSet(const BakedFiles& files, const std::vector<std::string>& inp
 
 }  // namespace
 
+std::vector<std::string> BakedFiles::paths() const {
+  return {specular.paths().front(), irradiance.paths().front(), brdf.path,
+          folder + "/sh.json",      folder + "/sh.h",           folder + "/manifest.json"};
+}
+
 Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& options) {
   const auto go_on = [](const std::string& what_is_left) -> Result<void> {
     if (!interrupted()) return {};

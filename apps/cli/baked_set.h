@@ -35,6 +35,9 @@ struct BakedFiles {
   MapOutput specular;
   MapOutput irradiance;
   BrdfFile brdf;
+
+  /// Of all that is written.
+  std::vector<std::string> paths() const;
 };
 
 /// Writes specular, irradiance and BRDF table as textures, the harmonics as sh.json and sh.h, and at last manifest.json,

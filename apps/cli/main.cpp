@@ -80,7 +80,7 @@ int run(int argc, char** argv) {
   if (program.get_subcommands().empty()) return report(missingCommand(argc, argv, names));
   if (const auto extras = program.remaining(); !extras.empty())
     return report({ErrorCode::usage, "'" + extras.front() + "' was not expected; mirrorball --help tells what may be"});
-  catchInterrupt();
+  catchSignals();
   for (const auto& [name, action] : commands) {
     const CLI::App* command = program.get_subcommand(name);
     if (!command->parsed()) continue;

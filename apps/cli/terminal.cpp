@@ -43,7 +43,10 @@ void drawBar(const std::string& what, std::size_t done, std::size_t total, doubl
 
 }  // namespace
 
-void catchInterrupt() { std::signal(SIGINT, onInterrupt); }
+void catchSignals() {
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
 
 bool interrupted() { return interrupt_seen != 0; }
 

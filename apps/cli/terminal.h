@@ -7,7 +7,8 @@
 namespace mirrorball::cli {
 
 /// From now on Ctrl-C asks long work to stop at its next step, so that no half file stays; a second one ends the program.
-void catchInterrupt();
+/// And a file beyond the limit for files (ulimit -f) is an error of writing, as on a full disk.
+void catchSignals();
 
 /// Whether Ctrl-C was pressed.
 bool interrupted();

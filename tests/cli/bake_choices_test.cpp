@@ -73,7 +73,7 @@ TEST_F(BakeChoicesTest, APictureOfTheTableHasThreeChannels) {
 
 TEST_F(BakeChoicesTest, AnEngineHasItsOwnMipMapping) {
   const auto mappingOf = [&](const std::string& options) {
-    succeed(std::string(kSmall) + options);
+    EXPECT_EQ(run(std::string(kSmall) + options).exit_code, 0) << options;
     return json("out/manifest.json")["specular"]["mip_mapping"].get<std::string>();
   };
   EXPECT_EQ(mappingOf(""), "filament");
@@ -86,7 +86,9 @@ TEST_F(BakeChoicesTest, AnEngineHasItsOwnMipMapping) {
 }
 
 TEST_F(BakeChoicesTest, TheLevelsHaveTheRoughnessThatTheEngineLooksUp) {
-  succeed("bake white -o out --size 32 --irradiance-size 4 --brdf-size 2 --for unity");
+  const Outcome outcome = run("bake white -o out --size 32 --irradiance-size 4 --brdf-size 2 --for unity");
+  EXPECT_THAT(outcome.err, HasSubstr("Unity looks for roughness 1 in level 6, and this chain has it in level 3"));
+  succeed("bake white -o six --size 64 --levels 7 --irradiance-size 4 --brdf-size 2 --for unity");
   const nlohmann::json levels = json("out/manifest.json")["specular"]["levels"];
   ASSERT_EQ(levels.size(), 4u);
   for (int level = 1; level < 4; ++level) {

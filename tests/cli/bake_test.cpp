@@ -72,11 +72,11 @@ TEST_F(BakeTest, ThePublishedSumIsInTheFiles) {
 }
 
 TEST_F(BakeTest, TheManifestSaysWhatIsWhat) {
-  succeed("bake sky -o out --size 16 --mip-mapping unity --distribution charlie --brdf-size 8 --sh-degree 4");
+  succeed("bake sky -o out --size 16 --mip-mapping frostbite --distribution charlie --brdf-size 8 --sh-degree 4");
   const nlohmann::json manifest = json("out/manifest.json");
   EXPECT_EQ(manifest["source"], "sky");
   EXPECT_EQ(manifest["specular"]["file"], "specular.ktx2");
-  EXPECT_EQ(manifest["specular"]["mip_mapping"], "unity");
+  EXPECT_EQ(manifest["specular"]["mip_mapping"], "frostbite");
   EXPECT_EQ(manifest["specular"]["distribution"], "charlie");
   EXPECT_EQ(manifest["specular"]["levels"].size(), 3u);
   EXPECT_EQ(manifest["specular"]["levels"][0]["perceptual_roughness"], 0.0);
@@ -183,6 +183,26 @@ TEST_F(BakeTest, ABlackMapAndOneOfTwoTexelsAreBaked) {
   for (int level = 0; level < 3; ++level) {
     EXPECT_EQ(rgbAt(black.at(level, 2), 1, 1).x, 0.0f);
     EXPECT_NEAR(rgbAt(two.at(level, 2), 1, 1).x, 0.25f, 2e-4f);
+  }
+}
+
+TEST_F(BakeTest, LightThatCannotBeSummedIsRefused) {
+  write("bright.exr", Image(64, 32, 3, 1e38f));
+  EXPECT_THAT(refuse(1, "bake bright.exr --size 16 -o out"), AllOf(HasSubstr("bright.exr"), HasSubstr("too bright")));
+  write("bright.exr", Image(64, 32, 3, 1e35f));
+  run("bake bright.exr --size 16 --brdf-size 8 -o out");  // says that half floats do not hold it
+  const ImageSet irradiance = texture("out/irradiance.ktx2");
+  EXPECT_NEAR(rgbAt(irradiance.at(0, 2), 1, 1).x, 1e35f, 1e31f);
+  EXPECT_TRUE(json("out/sh.json")["irradiance"][0][0].is_number());
+}
+
+TEST_F(BakeTest, NoFileOfASetOverwritesTheInput) {
+  write("map.exr", smoothPanorama());
+  std::filesystem::create_directory(path("out"));
+  for (const std::string name : {"sh.json", "sh.h", "manifest.json"}) {
+    std::filesystem::copy_file(path("map.exr"), path("out/" + name));
+    EXPECT_THAT(refuse(2, "bake out/" + name + " --size 8 --brdf-size 8 -o out"), HasSubstr("is the input itself"));
+    std::filesystem::remove(path("out/" + name));
   }
 }
 

@@ -58,9 +58,8 @@ void keepCores(int count) {
   sched_setaffinity(0, sizeof allowed, &allowed);
 }
 
-/// As on a full disk, a write beyond the limit is an error; without this it would be a signal.
+/// As ulimit -f does.
 void limitFiles(std::uintmax_t largest) {
-  std::signal(SIGXFSZ, SIG_IGN);
   const rlimit limit{largest, largest};
   setrlimit(RLIMIT_FSIZE, &limit);
 }

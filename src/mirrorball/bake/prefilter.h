@@ -46,8 +46,8 @@ struct PrefilterLevel {
   std::optional<Lobe> lobe;  ///< nothing: the environment itself
 };
 
-/// The levels from 0 on, of which the last is for roughness 1. The first is the environment itself, and so are those after it whose lobe would be
-/// narrower than Lobe::kLeastAlpha.
+/// The levels from 0 on, of which the last is for roughness 1. The first is the environment itself, and so are those after
+/// it whose lobe would be narrower than Lobe::kLeastAlpha.
 ///
 /// cost     2 ms, for the bands of narrow lobes
 std::vector<PrefilterLevel> prefilterLevels(const PrefilterOptions& options);

@@ -17,7 +17,7 @@ namespace mirrorball {
 /// The brightest texels become points of light, whose lobes are exact (render/light_split.h); of the mip levels of the
 /// rest each texel of the chain takes weighted reads (render/lobe_taps.h): about 64 in the two finest levels, up to
 /// kMostTaps in the others, which have few texels. For wide lobes the light is split a second time, in a coarse mip
-/// level, where a point stands for many texels. docs/prefiltering.md tells how far all that is from the exact
+/// level, where a point stands for many texels. docs/prefiltering_gpu.md tells how far all that is from the exact
 /// chain.
 class GpuPrefilter {
  public:

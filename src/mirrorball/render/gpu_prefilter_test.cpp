@@ -129,7 +129,7 @@ class GpuPrefilterTest : public gl::GlTest {
 };
 MIRRORBALL_WITH_BOTH_APIS(GpuPrefilterTest);
 
-// Bounds: about one and a half times what was measured (docs/prefiltering.md has the table).
+// Bounds: about one and a half times what was measured (docs/prefiltering_gpu.md has the table).
 TEST_P(GpuPrefilterTest, IsCloseToTheExactChain) {
   struct Bound {
     const char* name;

@@ -26,7 +26,7 @@ struct LobeTap {
 /// rings      at least 1, of `points` taps each
 /// returns    weights of at least 0 and sum 1; ring after ring from the inside
 /// cost       rings² · points · the lobe's bands, about 1 ms
-/// from       docs/prefiltering.md; Bayesian quadrature (O'Hagan 1991)
+/// from       docs/prefiltering_gpu.md; Bayesian quadrature (O'Hagan 1991)
 std::vector<LobeTap> lobeTaps(const Lobe& lobe, float texel_rad, int rings, int points);
 
 }  // namespace mirrorball

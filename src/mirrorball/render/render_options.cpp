@@ -99,9 +99,9 @@ const std::array<Option<RenderOptions>, 19> kOptions{{
      &RenderOptions::env_intensity},
     {{.name = "blur",
       .choices = "exact|gpu|mip|cone",
-      .help =
-          "how rough surfaces blur the environment: prefiltered exactly, by a coarser mip level, or by the mean of 64 "
-          "rays in a cone",
+      .help = "how rough surfaces blur the environment: prefiltered exactly, prefiltered on the GPU in a few "
+              "milliseconds, by a "
+              "coarser mip level, or by the mean of 64 rays in a cone",
       .group = "Look"},
      choiceField<&RenderOptions::blur>},
     {{.name = "mapping",

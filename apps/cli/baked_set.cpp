@@ -85,6 +85,23 @@ std::string writtenValue(const BakeOptions& options, std::string_view name) {
   return {};
 }
 
+/// Where a shader finds a roughness r, M being the last level.
+constexpr std::string_view lookUpOf(MipMapping mapping) {
+  switch (mapping) {
+    case MipMapping::linear:
+      return "lod = M r";
+    case MipMapping::unreal:
+      return "lod = M + 1.2 log2(r)";
+    case MipMapping::unity:
+      return "lod = M r (1.7 - 0.7 r)";
+    case MipMapping::frostbite:
+      return "lod = M sqrt(r)";
+    case MipMapping::filament:
+      break;
+  }
+  return "lod = M r (2 - r)";
+}
+
 Json specularJson(const BakedSet& set, const BakedFiles& files, const BakeOptions& options, TexelFormat format) {
   Json json;
   json["file"] = std::filesystem::path(files.specular.paths().front()).filename();
@@ -93,6 +110,8 @@ Json specularJson(const BakedSet& set, const BakedFiles& files, const BakeOption
       "radiance, prefiltered with n = v = r: the mean under the lobe of each level; level 0 is the environment";
   json["distribution"] = writtenValue(options, "distribution");
   json["mip_mapping"] = writtenValue(options, "mip-mapping");
+  json["look_up"] = std::string(lookUpOf(mipMappingOf(options.mip_mapping))) +
+                    ", r the perceptual roughness, M = " + std::to_string(set.levels.size() - 1);
   for (const PrefilterLevel& level : set.levels)
     json["levels"].push_back({{"size", level.size},
                               {"perceptual_roughness", level.perceptual_roughness},

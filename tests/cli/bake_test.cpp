@@ -77,6 +77,7 @@ TEST_F(BakeTest, TheManifestSaysWhatIsWhat) {
   EXPECT_EQ(manifest["source"], "sky");
   EXPECT_EQ(manifest["specular"]["file"], "specular.ktx2");
   EXPECT_EQ(manifest["specular"]["mip_mapping"], "frostbite");
+  EXPECT_EQ(manifest["specular"]["look_up"], "lod = M sqrt(r), r the perceptual roughness, M = 2");
   EXPECT_EQ(manifest["specular"]["distribution"], "charlie");
   EXPECT_EQ(manifest["specular"]["levels"].size(), 3u);
   EXPECT_EQ(manifest["specular"]["levels"][0]["perceptual_roughness"], 0.0);

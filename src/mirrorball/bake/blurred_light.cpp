@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mirrorball/bake/light_check.h"
 #include "mirrorball/bake/light_contrast.h"
 #include "mirrorball/bake/point_light_batch.h"
 #include "mirrorball/environment/convert.h"
@@ -22,7 +23,12 @@ constexpr float kHighContrast = 2.0f;
 
 /// What may be missing at the darkest part of a map, as a root mean square, by the estimate of lightContrast; errors of
 /// single texels in maps of rooms and landscapes were a hundred times less to as much (docs/prefiltering.md).
-constexpr float kTolerance = 7e-3f;
+constexpr float kTolerance = 6e-3f;
+
+/// What errors may be in the directions where they are looked for (light_check.h), so that nowhere they are 0.2 % in the
+/// mean or 1 %: regular detail is no noise, and estimated too low.
+constexpr double kMostMeanError = 1e-3;
+constexpr float kMostError = 8e-3f;
 
 /// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier transform
 /// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5. And a row has at least as many texels as wide lobes have
@@ -121,6 +127,36 @@ Result<SplitLight> splitLight(const Environment& environment, int rows, const Pr
   return light;
 }
 
+/// Whether a lobe's means of a map are right although some bands are left out, as far as some directions tell.
+bool isRightWithout(const SplitLight& light, const HarmonicCoefficients& coefficients, const Lobe& lobe, int bands) {
+  const EnvironmentMap& panorama = light.own ? *light.own : light.laid_out;
+  const std::vector<glm::vec3> directions = doubtfulDirections(panorama);
+  std::vector<glm::vec3> truth = sumOverTexels(panorama, lobe, directions);
+  std::vector<float> weights = lobe.bands();
+  weights.resize(static_cast<std::size_t>(bands));
+  std::vector<glm::vec3> found = evaluate(coefficients, weights, directions);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    PointBatch point;
+    point.count = 1;
+    point.x[0] = directions[i].x;
+    point.y[0] = directions[i].y;
+    point.z[0] = directions[i].z;
+    const LightChannels channels = lightOfPoints(light.bright.points, lobe, point);
+    const glm::vec3 points(channels.channel[0][0], channels.channel[1][0], channels.channel[2][0]);
+    found[i] += points;
+    if (!light.own) truth[i] += points;
+  }
+  double mean = 0.0;
+  float greatest = 0.0f;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const float error = std::abs(found[i][c] - truth[i][c]) / std::max(truth[i][c], 1e-30f);
+      mean += static_cast<double>(error) / (3.0 * static_cast<double>(directions.size()));
+      greatest = std::max(greatest, error);
+    }
+  return mean < kMostMeanError && greatest < kMostError;
+}
+
 }  // namespace
 
 Result<LightHarmonics> LightHarmonics::make(const Environment& environment, const std::vector<Lobe>& lobes,
@@ -131,10 +167,22 @@ Result<LightHarmonics> LightHarmonics::make(const Environment& environment, cons
   const float tolerance = kTolerance / light.contrast;
   int bands = 1;
   for (const Lobe& lobe : lobes) bands = std::max(bands, lobe.bandsFor(tolerance));
-  const ProgressFunction rest = partOf(progress, kSteps / 4, kSteps * 3 / 4, kSteps);
-  MIRRORBALL_TRY(coefficients,
-                 light.own ? analyse(*light.own, light.bright, bands, rest) : analyse(light.laid_out, {}, bands, rest));
-  return LightHarmonics(tolerance, std::move(coefficients), std::move(light.bright));
+  const auto analyseBands = [&](int count, std::size_t part) {
+    const ProgressFunction steps = partOf(progress, kSteps / 4 + part * kSteps * 3 / 8, kSteps * 3 / 8, kSteps);
+    return light.own ? analyse(*light.own, light.bright, count, steps) : analyse(light.laid_out, {}, count, steps);
+  };
+  MIRRORBALL_TRY(coefficients, analyseBands(bands, 0));
+  const bool is_right = std::ranges::all_of(lobes, [&](const Lobe& lobe) {
+    const int taken = lobe.bandsFor(tolerance);
+    return taken == static_cast<int>(lobe.bands().size()) || isRightWithout(light, coefficients, lobe, taken);
+  });
+  if (is_right) {
+    if (progress && !progress(kSteps, kSteps)) return fail(ErrorCode::interrupted, "interrupted");
+    return LightHarmonics(tolerance, std::move(coefficients), std::move(light.bright));
+  }
+  for (const Lobe& lobe : lobes) bands = std::max(bands, static_cast<int>(lobe.bands().size()));
+  MIRRORBALL_TRY(all_coefficients, analyseBands(bands, 1));
+  return LightHarmonics(0.0f, std::move(all_coefficients), std::move(light.bright));
 }
 
 LightHarmonics::Memory LightHarmonics::memoryFor(const Environment& environment, const std::vector<Lobe>& lobes) {

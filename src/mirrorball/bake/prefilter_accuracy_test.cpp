@@ -130,6 +130,36 @@ INSTANTIATE_TEST_SUITE_P(Maps, PrefilterAccuracy,
                            return std::string(std::get<Reflection>(test.param).name) + std::get<Light>(test.param).name;
                          });
 
+// What repeats itself every few texels has all its light in a few bands, beyond those that noise of that strength would
+// ask for.
+class RegularDetail : public testing::TestWithParam<Light> {};
+
+TEST_P(RegularDetail, OfASmoothLevelIsTheSumOverAllTexels) {
+  const EnvironmentMap panorama = panoramaOf(2048, 1024, GetParam().at);
+  const PrefilterOptions options{.size = 256};
+  const auto roughness = static_cast<double>(prefilterLevels(options)[1].perceptual_roughness);
+  const Error error = errorOfCube(panorama, chainOf(Environment(panorama), options), 1, ggxKernel(roughness));
+  EXPECT_LT(error.mean, kLimit.mean);
+  EXPECT_LT(error.greatest, kLimit.greatest);
+}
+
+float longitudeOf(glm::vec3 d) { return std::atan2(d.x, -d.z); }
+
+glm::vec3 grating(glm::vec3 d) { return glm::vec3(1.0f + 0.95f * std::cos(200.0f * longitudeOf(d))); }
+
+glm::vec3 rings(glm::vec3 d) { return glm::vec3(1.0f + 0.95f * std::sin(300.0f * std::acos(d.y))); }
+
+glm::vec3 windowWithBlinds(glm::vec3 d) {
+  const bool is_window = d.z > 0.0f && std::abs(d.x) < 0.3f * d.z && std::abs(d.y) < 0.3f * d.z;
+  if (!is_window) return glm::vec3(1.0f);
+  return glm::vec3(std::fmod((d.y + 1.0f) * 200.0f, 2.0f) < 1.0f ? 3.0f : 0.3f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps, RegularDetail,
+                         testing::Values(Light{"Grating", grating}, Light{"Rings", rings},
+                                         Light{"WindowWithBlinds", windowWithBlinds}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
 class IrradianceAccuracy : public testing::TestWithParam<Light> {};
 
 TEST_P(IrradianceAccuracy, IsTheSumOverAllTexels) {

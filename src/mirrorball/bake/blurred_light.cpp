@@ -82,6 +82,8 @@ struct SplitLight {
   EnvironmentMap laid_out;              ///< without the bright lights
   const EnvironmentMap* own = nullptr;  ///< or the environment's, which still has them
   float contrast = 0.0f;                ///< of the panorama without them
+
+  const EnvironmentMap& panorama() const { return own ? *own : laid_out; }
 };
 
 /// Single texels are points of light in the map that they come from; converted they would be smeared. But of a map of
@@ -127,24 +129,20 @@ Result<SplitLight> splitLight(const Environment& environment, int rows, const Pr
   return light;
 }
 
-/// Whether a lobe's means of a map are right although some bands are left out, as far as some directions tell.
-bool isRightWithout(const SplitLight& light, const HarmonicCoefficients& coefficients, const Lobe& lobe, int bands) {
-  const EnvironmentMap& panorama = light.own ? *light.own : light.laid_out;
-  const std::vector<glm::vec3> directions = doubtfulDirections(panorama);
-  std::vector<glm::vec3> truth = sumOverTexels(panorama, lobe, directions);
-  std::vector<float> weights = lobe.bands();
-  weights.resize(static_cast<std::size_t>(bands));
-  std::vector<glm::vec3> found = evaluate(coefficients, weights, directions);
+std::vector<float> firstBands(const Lobe& lobe, int count) {
+  return {lobe.bands().begin(), lobe.bands().begin() + count};
+}
+
+/// Whether a lobe's means of a map are right although some bands are left out, as far as these directions tell.
+bool isRightWithout(const SplitLight& light, const HarmonicCoefficients& coefficients, const Lobe& lobe, int bands,
+                    const std::vector<glm::vec3>& directions) {
+  std::vector<glm::vec3> truth = sumOverTexels(light.panorama(), lobe, directions);
+  std::vector<glm::vec3> found = evaluate(coefficients, firstBands(lobe, bands), directions);
+  const LightChannels points = lightOfPoints(light.bright.points, lobe, batchOf(directions));
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    PointBatch point;
-    point.count = 1;
-    point.x[0] = directions[i].x;
-    point.y[0] = directions[i].y;
-    point.z[0] = directions[i].z;
-    const LightChannels channels = lightOfPoints(light.bright.points, lobe, point);
-    const glm::vec3 points(channels.channel[0][0], channels.channel[1][0], channels.channel[2][0]);
-    found[i] += points;
-    if (!light.own) truth[i] += points;
+    const glm::vec3 bright(points.channel[0][i], points.channel[1][i], points.channel[2][i]);
+    found[i] += bright;
+    if (!light.own) truth[i] += bright;
   }
   double mean = 0.0;
   float greatest = 0.0f;
@@ -155,6 +153,18 @@ bool isRightWithout(const SplitLight& light, const HarmonicCoefficients& coeffic
       greatest = std::max(greatest, error);
     }
   return mean < kMostMeanError && greatest < kMostError;
+}
+
+/// The same for all lobes that have bands left out.
+bool isRightWithout(const SplitLight& light, const HarmonicCoefficients& coefficients, const std::vector<Lobe>& lobes,
+                    float tolerance) {
+  std::vector<glm::vec3> directions;
+  return std::ranges::all_of(lobes, [&](const Lobe& lobe) {
+    const int taken = lobe.bandsFor(tolerance);
+    if (taken == static_cast<int>(lobe.bands().size())) return true;
+    if (directions.empty()) directions = doubtfulDirections(light.panorama());
+    return isRightWithout(light, coefficients, lobe, taken, directions);
+  });
 }
 
 }  // namespace
@@ -172,14 +182,11 @@ Result<LightHarmonics> LightHarmonics::make(const Environment& environment, cons
     return light.own ? analyse(*light.own, light.bright, count, steps) : analyse(light.laid_out, {}, count, steps);
   };
   MIRRORBALL_TRY(coefficients, analyseBands(bands, 0));
-  const bool is_right = std::ranges::all_of(lobes, [&](const Lobe& lobe) {
-    const int taken = lobe.bandsFor(tolerance);
-    return taken == static_cast<int>(lobe.bands().size()) || isRightWithout(light, coefficients, lobe, taken);
-  });
-  if (is_right) {
+  if (isRightWithout(light, coefficients, lobes, tolerance)) {
     if (progress && !progress(kSteps, kSteps)) return fail(ErrorCode::interrupted, "interrupted");
     return LightHarmonics(tolerance, std::move(coefficients), std::move(light.bright));
   }
+  coefficients = HarmonicCoefficients(1);  // their memory is needed
   for (const Lobe& lobe : lobes) bands = std::max(bands, static_cast<int>(lobe.bands().size()));
   MIRRORBALL_TRY(all_coefficients, analyseBands(bands, 1));
   return LightHarmonics(0.0f, std::move(all_coefficients), std::move(light.bright));
@@ -202,8 +209,7 @@ GridDensity LightHarmonics::gridDensityFor(const Lobe& lobe) {
 }
 
 Result<BlurredLight> LightHarmonics::blurred(const Lobe& lobe, const ProgressFunction& progress) const {
-  std::vector<float> weights = lobe.bands();
-  weights.resize(static_cast<std::size_t>(std::min(lobe.bandsFor(tolerance_), coefficients_.bands())));
+  const std::vector<float> weights = firstBands(lobe, std::min(lobe.bandsFor(tolerance_), coefficients_.bands()));
   MIRRORBALL_TRY(grid, synthesize(coefficients_, weights, gridDensityFor(lobe), progress));
   return BlurredLight(lobe, std::move(grid), bright_);
 }

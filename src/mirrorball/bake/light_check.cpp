@@ -101,8 +101,7 @@ std::vector<glm::vec3> doubtfulDirections(const EnvironmentMap& panorama) {
   return directions;
 }
 
-std::vector<glm::vec3> sumOverTexels(const EnvironmentMap& panorama, const Lobe& lobe,
-                                     const std::vector<glm::vec3>& directions) {
+PointBatch batchOf(const std::vector<glm::vec3>& directions) {
   PointBatch points;
   points.count = static_cast<int>(directions.size());
   for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -110,6 +109,12 @@ std::vector<glm::vec3> sumOverTexels(const EnvironmentMap& panorama, const Lobe&
     points.y[i] = directions[i].y;
     points.z[i] = directions[i].z;
   }
+  return points;
+}
+
+std::vector<glm::vec3> sumOverTexels(const EnvironmentMap& panorama, const Lobe& lobe,
+                                     const std::vector<glm::vec3>& directions) {
+  const PointBatch points = batchOf(directions);
   const glm::ivec2 extent = panorama.extent();
   std::vector<LightChannels> rows(std::size_t(extent.y));
   parallelFor(rows.size(), 8, [&](std::size_t begin, std::size_t end) {

@@ -6,6 +6,7 @@
 
 #include "mirrorball/bake/lobe.h"
 #include "mirrorball/environment/environment_map.h"
+#include "mirrorball/environment/point_batch.h"
 
 namespace mirrorball {
 
@@ -16,6 +17,9 @@ namespace mirrorball {
 /// returns    16 unit directions, none near a pole
 /// cost       one pass over a quarter of the texels
 std::vector<glm::vec3> doubtfulDirections(const EnvironmentMap& panorama);
+
+/// At most PointBatch::kCapacity of them.
+PointBatch batchOf(const std::vector<glm::vec3>& directions);
 
 /// The mean of a panorama under a lobe around some directions, by a sum over all texels, each a point of light at its
 /// centre with the flux of its area.

@@ -14,7 +14,6 @@
 #include "cli/files.h"
 #include "cli/map_output.h"
 #include "cli/stage_clock.h"
-#include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball::cli {
@@ -179,11 +178,6 @@ Result<void> bake(BakeRequest request) {
   if (request.options.levels > mostLevels(request.options.size))
     return fail(ErrorCode::usage, "--levels: " + std::to_string(request.options.size) + " texels halve to 1 in " +
                                       std::to_string(mostLevels(request.options.size)) + " levels; ask for no more");
-  const int last = request.options.levels > 0 ? request.options.levels - 1 : lastLevel(request.options.size);
-  constexpr int kLastLevelOfUnity = 6;  // UNITY_SPECCUBE_LOD_STEPS
-  if (request.options.mip_mapping == MipMappingChoice::unity && last != kLastLevelOfUnity)
-    remark("Unity looks for roughness 1 in level 6, and this chain has it in level " + std::to_string(last) +
-           "; --levels 7 mends it");
   StageClock clock;
   const bool is_file = !isFolder(output) && std::filesystem::path(output).has_extension();
   const Result<void> done = is_file ? bakeFile(request, clock) : bakeFolder(request, clock);

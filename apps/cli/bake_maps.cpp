@@ -13,20 +13,46 @@
 #include "cli/files.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/environment/load.h"
 
 namespace mirrorball::cli {
 namespace {
 
-/// So that sums over the whole sphere are finite floats too.
-Result<void> refuseTooBright(const std::string& name, const EnvironmentMap& map) {
-  constexpr float kBrightest = 1e36f;
-  std::size_t count = 0;
-  for (int face = 0; face < map.faces(); ++face)
-    for (const float sample : map.face(face).samples()) count += sample > kBrightest ? 1 : 0;
-  if (count == 0) return {};
-  return fail(ErrorCode::out_of_range, name + ": " + std::to_string(count) +
-                                           " values are above 1e36, too bright to be summed; scale the picture down");
+/// How many values of a map are so large.
+struct ValueCounts {
+  std::size_t all = 0;
+  std::size_t lit = 0;
+  std::size_t clear = 0;       ///< half floats hold all their digits of what is eight times darker too
+  std::size_t too_bright = 0;  ///< sums over the whole sphere would not be finite floats
+
+  explicit ValueCounts(const EnvironmentMap& map) {
+    constexpr float kClear = 0x1p-11f;
+    constexpr float kBrightest = 1e36f;
+    for (int face = 0; face < map.faces(); ++face)
+      for (const float sample : map.face(face).samples()) {
+        ++all;
+        lit += sample > 0.0f ? 1 : 0;
+        clear += sample > kClear ? 1 : 0;
+        too_bright += sample > kBrightest ? 1 : 0;
+      }
+  }
+};
+
+/// Mends what light cannot be, and says what half floats do not hold.
+///
+/// errors   out_of_range: too bright
+Result<void> checkLight(const std::string& name, const std::string& format, EnvironmentMap& map) {
+  const ValueCounts counts(map);
+  if (counts.too_bright > 0)
+    return fail(ErrorCode::out_of_range, name + ": " + countedAre(counts.too_bright, "value") +
+                                             " above 1e36, too bright to be summed; scale the picture down");
+  if (const std::size_t negative = raiseNegativeLight(map); negative > 0)
+    remark(name + ": " + countedAre(negative, "value") + " negative, which light cannot be; taken as 0");
+  const bool in_halves = format == "auto" || format == "half";
+  if (in_halves && counts.lit > 0 && counts.clear < counts.all / 100)
+    remark(name + ": is so dark that half floats hold few of its digits; --format float32 holds them all");
+  return {};
 }
 
 /// The environment, which may not be one of the outputs.
@@ -36,22 +62,25 @@ Result<LoadedEnvironment> loadLight(const BakeRequest& request, std::span<const 
                                          progressBar("read")));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
   EnvironmentMap* map = loaded.environment.map();
-  if (map) MIRRORBALL_TRY_VOID(refuseTooBright(loaded.name, *map));
-  const std::size_t count = map ? raiseNegativeLight(*map) : 0;
-  if (count > 0)
-    remark(loaded.name + ": " + std::to_string(count) + " values are negative, which light cannot be; taken as 0");
+  if (map) MIRRORBALL_TRY_VOID(checkLight(loaded.name, request.output.format, *map));
   return loaded;
 }
 
 std::vector<PrefilterLevel> levelsOf(const BakeRequest& request) {
   const BakeOptions& options = request.options;
-  if (options.levels == 0 && lastLevel(options.size) == 0)
+  std::vector<PrefilterLevel> levels = prefilterLevels({.size = options.size,
+                                                        .distribution = options.distribution,
+                                                        .mip_mapping = mipMappingOf(options.mip_mapping),
+                                                        .levels = options.levels});
+  const std::size_t last = levels.size() - 1;
+  if (options.levels == 0 && last == 0)
     remark("a chain of " + std::to_string(options.size) +
            " texels a side has level 0 only, the environment itself; --levels asks for more");
-  return prefilterLevels({.size = options.size,
-                          .distribution = options.distribution,
-                          .mip_mapping = mipMappingOf(options.mip_mapping),
-                          .levels = options.levels});
+  constexpr std::size_t kLastLevelOfUnity = 6;  // UNITY_SPECCUBE_LOD_STEPS
+  if (options.mip_mapping == MipMappingChoice::unity && last != kLastLevelOfUnity)
+    remark("Unity looks for roughness 1 in level 6, and this chain has it in level " + std::to_string(last) +
+           "; --levels 7 mends it");
+  return levels;
 }
 
 std::uint64_t bytesOfTable(const BakeOptions& options) {

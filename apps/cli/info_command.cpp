@@ -50,11 +50,7 @@ void printFile(const LoadedEnvironment& loaded) {
   } else {
     std::printf("  projection   none: a function of the direction\n");
   }
-  if (loaded.bad_texels.count > 0)
-    std::printf("  bad texels   %zu are NaN or infinite, the first at (%d, %d)\n", loaded.bad_texels.count,
-                loaded.bad_texels.first.x, loaded.bad_texels.first.y);
-  else
-    std::printf("  bad texels   none\n");
+  std::printf("  bad texels   %s\n", loaded.bad_texels.count > 0 ? textOf(loaded.bad_texels).c_str() : "none");
 }
 
 void printStatistics(const RadianceStatistics& statistics) {

@@ -181,7 +181,7 @@ TEST_F(BadTexelTest, AreToldByTheFaceThatHasThem) {
   face.texel(2, 3)[0] = std::numeric_limits<float>::quiet_NaN();
   write("room_py.exr", face);
   EXPECT_THAT(refuse(1, "convert room_px.exr --to equirect -o out.exr"),
-              StartsWith("room_py.exr: 1 texels are NaN or infinite, the first at (2, 3)"));
+              StartsWith("room_py.exr: 1 texel is NaN or infinite, the first at (2, 3)"));
 }
 
 }  // namespace

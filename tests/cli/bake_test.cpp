@@ -151,11 +151,21 @@ TEST_F(BakeTest, NegativeLightIsTakenAsDarkAndTold) {
   write("negative.exr", map);
   const Outcome outcome = run("bake negative.exr --size 16 -o chain.ktx2");
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("negative.exr: 1 values are negative"), HasSubstr("taken as 0")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("negative.exr: 1 value is negative"), HasSubstr("taken as 0")));
   const ImageSet chain = texture("chain.ktx2");
   for (int level = 0; level < chain.levels(); ++level)
     for (int face = 0; face < 6; ++face)
       for (const float sample : chain.at(level, face).samples()) EXPECT_GE(sample, 0.0f);
+}
+
+TEST_F(BakeTest, TooDarkForHalfFloatsIsTold) {
+  Image map(64, 32, 3, 1e-6f);
+  map.texel(3, 3)[1] = 1.0f;
+  write("dark.exr", map);
+  const Outcome outcome = run("bake dark.exr --size 16 -o chain.ktx2");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("dark.exr: is so dark that half floats hold few of its digits; --format float32"));
+  EXPECT_EQ(run("bake dark.exr --size 16 --format float32 -o chain.ktx2").err.find("so dark"), std::string::npos);
 }
 
 // A manifest is JSON, which is UTF-8.

@@ -98,7 +98,7 @@ TEST_F(InfoTest, CountsBadTexelsAndRefusesNothing) {
   map.texel(5, 2)[2] = std::numeric_limits<float>::infinity();
   write("map.exr", map);
   const std::string said = succeed("info map.exr");
-  EXPECT_THAT(said, HasSubstr("bad texels   2 are NaN or infinite, the first at (3, 1)\n"));
+  EXPECT_THAT(said, HasSubstr("bad texels   2 texels are NaN or infinite, the first at (3, 1)\n"));
   EXPECT_THAT(said, HasSubstr("range        2 2 2 to 2 2 2\n"));
   EXPECT_THAT(said, HasSubstr("mean         2 2 2 over the sphere\n"));
 }

@@ -133,10 +133,11 @@ std::vector<float> firstBands(const Lobe& lobe, int count) {
   return {lobe.bands().begin(), lobe.bands().begin() + count};
 }
 
-/// Whether a lobe's means of a map are right although some bands are left out, as far as these directions tell.
+/// Whether a lobe's means of a map are right although some bands are left out, as far as these texels tell.
 bool isRightWithout(const SplitLight& light, const HarmonicCoefficients& coefficients, const Lobe& lobe, int bands,
-                    const std::vector<glm::vec3>& directions) {
-  std::vector<glm::vec3> truth = sumOverTexels(light.panorama(), lobe, directions);
+                    const std::vector<glm::ivec2>& texels) {
+  std::vector<glm::vec3> truth = sumOverTexels(light.panorama(), lobe, texels);
+  const std::vector<glm::vec3> directions = directionsOf(texels, light.panorama().extent());
   std::vector<glm::vec3> found = evaluate(coefficients, firstBands(lobe, bands), directions);
   const LightChannels points = lightOfPoints(light.bright.points, lobe, batchOf(directions));
   for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -158,12 +159,12 @@ bool isRightWithout(const SplitLight& light, const HarmonicCoefficients& coeffic
 /// The same for all lobes that have bands left out.
 bool isRightWithout(const SplitLight& light, const HarmonicCoefficients& coefficients, const std::vector<Lobe>& lobes,
                     float tolerance) {
-  std::vector<glm::vec3> directions;
+  std::vector<glm::ivec2> texels;
   return std::ranges::all_of(lobes, [&](const Lobe& lobe) {
     const int taken = lobe.bandsFor(tolerance);
     if (taken == static_cast<int>(lobe.bands().size())) return true;
-    if (directions.empty()) directions = doubtfulDirections(light.panorama());
-    return isRightWithout(light, coefficients, lobe, taken, directions);
+    if (texels.empty()) texels = doubtfulTexels(light.panorama());
+    return isRightWithout(light, coefficients, lobe, taken, texels);
   });
 }
 

@@ -139,8 +139,9 @@ void synthesizeOrder(const std::vector<Coefficient>& weighted, const Rings& ring
   const std::span<RingPair> pairs = spectra.order(order.m);
   std::fill(pairs.begin(), pairs.end(), kNoLight);
   forEachStretch(order, spectra.orders(), rings, first, [&](int place, int l, const float* legendre) {
+    const auto count = static_cast<std::size_t>(std::min(kLegendreBlock, rings.pairs() - first - place));
     for (std::size_t parity = 0; parity < 2; ++parity)
-      for (std::size_t ring = 0; ring < kLegendreBlock; ring += kRows) {
+      for (std::size_t ring = 0; ring < count; ring += kRows) {
         RingPair& pair = pairs[static_cast<std::size_t>(place) + ring];
         HWY_DYNAMIC_DISPATCH(addProducts)
         (legendre + parity * kLegendreBlock + ring, 1, 2 * kLegendreBlock,

@@ -60,13 +60,14 @@ TEST(Legendre, AddsUpToTheSumOfABandNearThePoleAndFarFromIt) {
   }
 }
 
+/// Has no band beyond l = 6, and all orders.
+glm::vec3 bandLimited(glm::vec3 d) {
+  return {1.0f + d.x * d.y * d.z, 2.0f + std::pow(d.y, 5.0f) - d.x, 0.5f + d.x * d.x * d.z * d.z * d.y};
+}
+
 /// The greatest difference between a band-limited panorama and what synthesis makes of its coefficients.
 float roundTripError(int height) {
-  // Band-limited to l = 6, with all orders.
-  const auto light = [](glm::vec3 d) {
-    return glm::vec3(1.0f + d.x * d.y * d.z, 2.0f + std::pow(d.y, 5.0f) - d.x, 0.5f + d.x * d.x * d.z * d.z * d.y);
-  };
-  const EnvironmentMap panorama = panoramaOf(2 * height, height, light);
+  const EnvironmentMap panorama = panoramaOf(2 * height, height, bandLimited);
   const SphereGrid grid = *synthesize(*analyse(panorama, {}, 12), std::vector<float>(12, 1.0f), GridDensity::sparse);
   float error = 0.0f;
   PointBatch points;
@@ -79,7 +80,7 @@ float roundTripError(int height) {
   std::array<glm::vec4, PointBatch::kCapacity> values;
   grid.sample(points, values.data());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const glm::vec3 truth = light(directionAt(Projection::equirect, {0, {points.u[i], points.v[i]}}));
+    const glm::vec3 truth = bandLimited(directionAt(Projection::equirect, {0, {points.u[i], points.v[i]}}));
     for (int c = 0; c < 3; ++c) error = std::max(error, std::abs(values[i][c] - truth[c]));
     error = std::max(error, std::abs(values[i].w - 1.0f));
   }
@@ -94,6 +95,21 @@ TEST(HarmonicTransform, GivesABandLimitedPanoramaBack) {
 TEST(HarmonicTransform, TakesOddAndPrimeSizes) {
   EXPECT_LT(roundTripError(199), 1e-3f);
   EXPECT_LT(roundTripError(127), 2e-3f);
+}
+
+TEST(HarmonicTransform, IsTheSameWithoutAGrid) {
+  const HarmonicCoefficients coefficients = *analyse(panoramaOf(400, 200, bandLimited), {}, 12);
+  std::vector<glm::vec3> directions;
+  for (int i = 0; i < 41; ++i) {  // no whole number of blocks, in no order, on both sides of the equator
+    const float y = std::cos(2.6f * static_cast<float>(i));
+    const float longitude = 1.7f * static_cast<float>(i);
+    const float radius = std::sqrt(1.0f - y * y);
+    directions.emplace_back(radius * std::cos(longitude), y, radius * std::sin(longitude));
+  }
+  directions.push_back(directions.front() * glm::vec3(1.0f, -1.0f, 1.0f));
+  const std::vector<glm::vec3> found = evaluate(coefficients, std::vector<float>(12, 1.0f), directions);
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[i][c], bandLimited(directions[i])[c], 1e-3f) << i;
 }
 
 TEST(HarmonicTransform, LeavesTheExcessOfBrightTexelsOut) {

@@ -48,39 +48,44 @@ Detail detailOf(const Image& image, glm::ivec2 begin, glm::ivec2 end) {
 }
 
 /// Evenly scattered over a sphere without its poles: golden angles.
-std::vector<glm::vec3> scatteredDirections() {
-  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
-  std::vector<glm::vec3> directions;
+std::vector<glm::ivec2> scatteredTexels(glm::ivec2 extent) {
+  constexpr double kGolden = 0.3819660112501051;  // of a turn
+  std::vector<glm::ivec2> texels;
   for (int i = 0; i < kScattered; ++i) {
-    const double y = 0.95 * ((2.0 * i + 1.0) / kScattered - 1.0);
-    const double radius = std::sqrt(1.0 - y * y);
-    directions.emplace_back(radius * std::sin(golden * i), y, -radius * std::cos(golden * i));
+    const double turns = kGolden * i;
+    const double y = 0.95 * (1.0 - (2.0 * i + 1.0) / kScattered);
+    const double down = std::acos(y) / std::numbers::pi;
+    texels.emplace_back(extent.x * (turns - std::floor(turns)), extent.y * down);
   }
-  return directions;
+  return texels;
 }
 
-/// The texels of a row as points of light.
-void lightOfRow(const EnvironmentMap& panorama, int y, std::vector<PointOfLight>& texels) {
-  const glm::ivec2 extent = panorama.extent();
-  const float solid_angle = texelSolidAngle(Projection::equirect, extent, {0, y});
-  texels.clear();
-  PointBatch batch;
-  batch.v.fill((static_cast<float>(y) + 0.5f) / static_cast<float>(extent.y));
-  for (int begin = 0; begin < extent.x; begin += PointBatch::kCapacity) {
-    batch.count = std::min(PointBatch::kCapacity, extent.x - begin);
-    for (int i = 0; i < batch.count; ++i)
-      batch.u[std::size_t(i)] = (static_cast<float>(begin + i) + 0.5f) / static_cast<float>(extent.x);
-    directionsAt(Projection::equirect, batch);
-    for (int i = 0; i < batch.count; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      texels.push_back({{batch.x[at], batch.y[at], batch.z[at]}, rgbAt(panorama.face(0), begin + i, y) * solid_angle});
-    }
+/// sin²(φ/2) for the angles between two columns of so many, one after the other, twice around and a vector more.
+std::vector<float> haversines(int columns) {
+  std::vector<float> values;
+  for (int i = 0; i < 2 * columns + static_cast<int>(TexelRow::kVector); ++i) {
+    const double sine = std::sin(std::numbers::pi * (i % columns) / columns);
+    values.push_back(static_cast<float>(sine * sine));
   }
+  return values;
+}
+
+/// Where a row of texels lies on the sphere.
+struct Ring {
+  double angle;  ///< [rad] from the pole
+  double sine;
+
+  Ring(int y, int height) : angle(std::numbers::pi * (y + 0.5) / height), sine(std::sin(angle)) {}
+};
+
+void load(const Image& image, int y, TexelRow& row) {
+  for (int x = 0; x < image.width(); ++x)
+    for (int c = 0; c < 3; ++c) row.channel[std::size_t(c)][std::size_t(x)] = rgbAt(image, x, y)[c];
 }
 
 }  // namespace
 
-std::vector<glm::vec3> doubtfulDirections(const EnvironmentMap& panorama) {
+std::vector<glm::ivec2> doubtfulTexels(const EnvironmentMap& panorama) {
   const Image& image = panorama.face(0);
   const glm::ivec2 extent = panorama.extent();
   const glm::ivec2 parts(kPartsAcross, kPartsDown);
@@ -94,10 +99,15 @@ std::vector<glm::vec3> doubtfulDirections(const EnvironmentMap& panorama) {
     }
   });
   std::ranges::stable_sort(details, std::greater(), &Detail::share);
-  std::vector<glm::vec3> directions = scatteredDirections();
-  for (std::size_t i = 0; i < kDetailed; ++i)
-    directions.push_back(
-        directionAt(Projection::equirect, {0, (glm::vec2(details[i].texel) + 0.5f) / glm::vec2(extent)}));
+  std::vector<glm::ivec2> texels = scatteredTexels(extent);
+  for (std::size_t i = 0; i < kDetailed; ++i) texels.push_back(details[i].texel);
+  return texels;
+}
+
+std::vector<glm::vec3> directionsOf(const std::vector<glm::ivec2>& texels, glm::ivec2 extent) {
+  std::vector<glm::vec3> directions;
+  for (const glm::ivec2 texel : texels)
+    directions.push_back(directionAt(Projection::equirect, {0, (glm::vec2(texel) + 0.5f) / glm::vec2(extent)}));
   return directions;
 }
 
@@ -113,21 +123,32 @@ PointBatch batchOf(const std::vector<glm::vec3>& directions) {
 }
 
 std::vector<glm::vec3> sumOverTexels(const EnvironmentMap& panorama, const Lobe& lobe,
-                                     const std::vector<glm::vec3>& directions) {
-  const PointBatch points = batchOf(directions);
-  const glm::ivec2 extent = panorama.extent();
-  std::vector<LightChannels> rows(std::size_t(extent.y));
-  parallelFor(rows.size(), 8, [&](std::size_t begin, std::size_t end) {
-    std::vector<PointOfLight> texels;
+                                     const std::vector<glm::ivec2>& points) {
+  const Image& image = panorama.face(0);
+  const std::vector<float> columns = haversines(image.width());
+  const std::size_t count = points.size();
+  std::vector<glm::vec3> of_rows(std::size_t(image.height()) * count);
+  parallelFor(std::size_t(image.height()), 8, [&](std::size_t begin, std::size_t end) {
+    TexelRow texels;
+    texels.resize(image.width());
     for (std::size_t y = begin; y < end; ++y) {
-      lightOfRow(panorama, static_cast<int>(y), texels);
-      rows[y] = lightOfPoints(texels, lobe, points);
+      load(image, static_cast<int>(y), texels);
+      const Ring ring(static_cast<int>(y), image.height());
+      const float solid_angle = texelSolidAngle(Projection::equirect, panorama.extent(), {0, y});
+      for (std::size_t i = 0; i < count; ++i) {
+        const Ring to(points[i].y, image.height());
+        const double half = std::sin((ring.angle - to.angle) / 2.0);
+        of_rows[y * count + i] = solid_angle * lightOfRow(texels, lobe,
+                                                          {.least = static_cast<float>(half * half),
+                                                           .growth = static_cast<float>(ring.sine * to.sine),
+                                                           .haversines = columns.data() + image.width() - points[i].x});
+      }
     }
   });
   std::vector<glm::vec3> sums;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     glm::dvec3 sum(0.0);
-    for (const LightChannels& row : rows) sum += glm::dvec3(row.channel[0][i], row.channel[1][i], row.channel[2][i]);
+    for (std::size_t at = i; at < of_rows.size(); at += count) sum += glm::dvec3(of_rows[at]);
     sums.emplace_back(sum);
   }
   return sums;

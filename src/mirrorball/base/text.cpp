@@ -53,6 +53,10 @@ std::string join(std::span<const std::string_view> words, std::string_view separ
   return joined;
 }
 
+std::string countedAre(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? " is" : "s are");
+}
+
 std::string formatNumber(double number) {
   char buffer[32];
   const auto short_number = static_cast<float>(number);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,9 @@ std::vector<std::string> split(std::string_view text, char separator);
 
 /// "a, b, c"
 std::string join(std::span<const std::string_view> words, std::string_view separator = ", ");
+
+/// "1 texel is", "3 texels are"
+std::string countedAre(std::size_t count, std::string_view noun);
 
 /// The shortest text that reads back as the same float: "0.3", "1000000", "1e-07".
 std::string formatNumber(double number);

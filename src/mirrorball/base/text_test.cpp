@@ -23,6 +23,12 @@ TEST(Split, KeepsEmptyParts) {
   EXPECT_THAT(split("", ','), ElementsAre(""));
 }
 
+TEST(CountedAre, AgreesWithTheNumber) {
+  EXPECT_EQ(countedAre(1, "texel"), "1 texel is");
+  EXPECT_EQ(countedAre(0, "texel"), "0 texels are");
+  EXPECT_EQ(countedAre(12, "texel"), "12 texels are");
+}
+
 TEST(FormatNumber, ReadsBackAsTheSameFloat) {
   for (const float number : {0.1f, 1.0f / 3.0f, 65504.0f, 1e-20f})
     EXPECT_EQ(static_cast<float>(*parseNumber(formatNumber(number))), number);

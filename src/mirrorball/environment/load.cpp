@@ -19,10 +19,7 @@ namespace fs = std::filesystem;
 Result<NonFinite> checkNonFinite(const std::string& name, const Image& image, const EnvironmentLoadOptions& options) {
   const NonFinite bad = findNonFinite(image);
   if (bad.count == 0 || options.keep_bad || options.repair) return bad;
-  return fail(ErrorCode::non_finite, name + ": " + std::to_string(bad.count) +
-                                         " texels are NaN or infinite, the first at (" + std::to_string(bad.first.x) +
-                                         ", " + std::to_string(bad.first.y) +
-                                         "); --repair replaces them by their neighbours");
+  return fail(ErrorCode::non_finite, name + ": " + textOf(bad) + "; --repair replaces them by their neighbours");
 }
 
 /// Mends each image of a map, so that nothing from beside a face in its picture gets in.

@@ -76,7 +76,8 @@ Result<MapForm> formFor(const Preset& preset, Projection projection, CubeLayout 
     return fail(ErrorCode::usage, "for " + program + " only cubes and panoramas are known, no map of projection " +
                                       std::string(nameOf(projection)) + "; leave '" + std::string(preset.name) +
                                       "' out");
-  if (!preset.cube) return fail(ErrorCode::usage, program + " has no cube maps; give it a panorama: --to equirect");
+  if (!preset.cube)
+    return fail(ErrorCode::usage, program + " has no cube maps; give it a panorama (convert --to equirect)");
   if (form.has_texels_on_edges && layout != CubeLayout::faces && layout != preset.layout)
     return fail(ErrorCode::usage, program + " has cubes in the layout " + std::string(nameOf(preset.layout)) +
                                       " (or faces) only, not " + std::string(nameOf(layout)));

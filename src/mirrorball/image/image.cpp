@@ -8,6 +8,7 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
 
 namespace mirrorball {
 namespace {
@@ -76,6 +77,11 @@ NonFinite findNonFinite(const Image& image) {
     for (int x = 0; x < image.width(); ++x)
       if (!isFinite(image, x, y) && found.count++ == 0) found.first = {x, y};
   return found;
+}
+
+std::string textOf(const NonFinite& bad) {
+  return countedAre(bad.count, "texel") + " NaN or infinite, the first at (" + std::to_string(bad.first.x) + ", " +
+         std::to_string(bad.first.y) + ")";
 }
 
 Result<void> repairNonFinite(Image& image) {

@@ -89,6 +89,9 @@ struct NonFinite {
 };
 NonFinite findNonFinite(const Image& image);
 
+/// "2 texels are NaN or infinite, the first at (3, 1)"
+std::string textOf(const NonFinite& bad);
+
 /// Replaces every texel that holds NaN or infinity by the mean of its nearest finite neighbours, ring by ring.
 ///
 /// errors   non_finite when no texel is finite

@@ -20,9 +20,7 @@ Result<Photograph> readPhotograph(const std::filesystem::path& path) {
   }
   MIRRORBALL_TRY(decoded, decodeImage(bytes, photograph.name));
   if (const NonFinite bad = findNonFinite(decoded.image); bad.count > 0)
-    return fail(ErrorCode::non_finite, photograph.name + ": " + std::to_string(bad.count) +
-                                           " texels are NaN or infinite, the first at (" + std::to_string(bad.first.x) +
-                                           ", " + std::to_string(bad.first.y) + ")");
+    return fail(ErrorCode::non_finite, photograph.name + ": " + textOf(bad));
   photograph.light = std::move(decoded.image);
   return photograph;
 }

@@ -1,6 +1,7 @@
 #include "mirrorball/bake/harmonic_transform.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <functional>
@@ -12,6 +13,20 @@
 #include "mirrorball/bake/legendre.h"
 #include "mirrorball/bake/ring_spectra.h"
 #include "mirrorball/base/parallel.h"
+
+#ifndef MIRRORBALL_BAND_VALUES
+#define MIRRORBALL_BAND_VALUES
+namespace mirrorball {
+
+/// Red, green and blue of a band, and their imaginary parts; order 0 has none, and white in their place.
+constexpr std::size_t kBandChannels = 6;
+using BandValues = std::array<float, kBandChannels>;
+
+/// Each of them on the rings of a block.
+using RingSums = std::array<std::array<float, kLegendreBlock>, kBandChannels>;
+
+}  // namespace mirrorball
+#endif
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/bake/harmonic_transform.cpp"
@@ -58,6 +73,35 @@ void addProducts(const float* legendre, std::size_t step_i, std::size_t step_k, 
   }
 }
 
+/// sums[c][ring] += Σ_k legendre[k · step + ring] · values[2 k][c] for the first `rings` of a block, rounded up.
+void addBands(const float* legendre, std::size_t step, const BandValues* values, std::size_t count, std::size_t rings,
+              RingSums& sums) {
+  const hn::CappedTag<float, 8> d;
+  const std::size_t lanes = hn::Lanes(d);
+  // Two vectors of each channel, so that no product waits for another; all stay in registers.
+  for (std::size_t ring = 0; ring < rings; ring += 2 * lanes) {
+    hn::Vec<decltype(d)> a[kBandChannels];
+    hn::Vec<decltype(d)> b[kBandChannels];
+    for (std::size_t c = 0; c < kBandChannels; ++c) {
+      a[c] = hn::Load(d, &sums[c][ring]);
+      b[c] = hn::Load(d, &sums[c][ring + lanes]);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto legendre_a = hn::Load(d, legendre + k * step + ring);
+      const auto legendre_b = hn::Load(d, legendre + k * step + ring + lanes);
+      for (std::size_t c = 0; c < kBandChannels; ++c) {
+        const auto value = hn::Set(d, values[2 * k][c]);
+        a[c] = hn::MulAdd(legendre_a, value, a[c]);
+        b[c] = hn::MulAdd(legendre_b, value, b[c]);
+      }
+    }
+    for (std::size_t c = 0; c < kBandChannels; ++c) {
+      hn::Store(a[c], d, &sums[c][ring]);
+      hn::Store(b[c], d, &sums[c][ring + lanes]);
+    }
+  }
+}
+
 }  // namespace mirrorball::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -66,6 +110,7 @@ namespace mirrorball {
 namespace {
 
 HWY_EXPORT(addProducts);
+HWY_EXPORT(addBands);
 
 using Coefficient = HarmonicCoefficients::Value;
 static_assert(sizeof(Coefficient) == 8 * sizeof(float) && sizeof(RingPair) == 16 * sizeof(float));
@@ -96,70 +141,80 @@ struct Rings {
   int pairs() const { return static_cast<int>(cosines.size()); }
 };
 
-/// Calls `visit(place of the first pair, l − m, legendre)` for each stretch of bands on each block of the rings from
-/// `first` on that an order reaches; legendre holds [band][ring].
+/// Calls `visit(place of the first pair, how many, Legendre functions at l = m)` for each block of the rings from `first`
+/// on that an order reaches.
 template <typename Visit>
-void forEachStretch(const LegendreOrder& order, int bands, const Rings& rings, int first, const Visit& visit) {
-  alignas(64) float legendre[kLegendreStretch * kLegendreBlock];
+void forEachBlock(const LegendreOrder& order, int bands, const Rings& rings, int first, const Visit& visit) {
   const int end = std::min(first + RingSpectra::kPairs, rings.pairs());
   for (int begin = first; begin < end; begin += kLegendreBlock) {
     const int count = std::min(kLegendreBlock, end - begin);
     if (vanishes(order.m, bands, rings.sines[static_cast<std::size_t>(begin + count - 1)])) continue;
     LegendreBlock block(order, rings.cosines.data() + begin, rings.log2_sines.data() + begin, count);
-    for (int l = 0; order.m + l < bands; l += kLegendreStretch) {
-      advance(order, l, block, legendre);
-      visit(begin - first, l, legendre);
-    }
+    visit(begin - first, count, block);
   }
 }
 
 constexpr std::size_t kRows = 8;  // that addProducts takes at once
 
-float* floatsOf(RingPair::Value& value) { return &value.real.x; }
 const float* floatsOf(const RingPair::Value& value) { return &value.real.x; }
 
 /// Σ over the rings of one order; every other band meets the even or the odd part of the pairs.
 void analyseOrder(const RingSpectra& spectra, int first, const Rings& rings, const LegendreOrder& order,
                   std::vector<Coefficient>& coefficients) {
-  forEachStretch(order, spectra.orders(), rings, first, [&](int place, int l, const float* legendre) {
+  forEachBlock(order, spectra.orders(), rings, first, [&](int place, int, LegendreBlock& block) {
+    alignas(64) float legendre[kLegendreStretch * kLegendreBlock];
     const RingPair& pair = spectra.order(order.m)[static_cast<std::size_t>(place)];
-    for (std::size_t parity = 0; parity < 2; ++parity)
-      for (std::size_t k = parity; k < kLegendreStretch; k += 2 * kRows) {
-        float* rows = &coefficients[static_cast<std::size_t>(l) + k].real.x;
-        HWY_DYNAMIC_DISPATCH(addProducts)
-        (legendre + k * kLegendreBlock, 2 * kLegendreBlock, 1, floatsOf(parity == 0 ? pair.even : pair.odd), 16,
-         kLegendreBlock, rows, 16);
-      }
-  });
-}
-
-/// Σ over the bands of one order, on every ring.
-void synthesizeOrder(const std::vector<Coefficient>& weighted, const Rings& rings, const LegendreOrder& order,
-                     int first, RingSpectra& spectra) {
-  const std::span<RingPair> pairs = spectra.order(order.m);
-  std::fill(pairs.begin(), pairs.end(), kNoLight);
-  forEachStretch(order, spectra.orders(), rings, first, [&](int place, int l, const float* legendre) {
-    const auto count = static_cast<std::size_t>(std::min(kLegendreBlock, rings.pairs() - first - place));
-    for (std::size_t parity = 0; parity < 2; ++parity)
-      for (std::size_t ring = 0; ring < count; ring += kRows) {
-        RingPair& pair = pairs[static_cast<std::size_t>(place) + ring];
-        HWY_DYNAMIC_DISPATCH(addProducts)
-        (legendre + parity * kLegendreBlock + ring, 1, 2 * kLegendreBlock,
-         &weighted[static_cast<std::size_t>(l) + parity].real.x, 16, kLegendreStretch / 2,
-         floatsOf(parity == 0 ? pair.even : pair.odd), 16);
-      }
+    for (int l = 0; order.m + l < spectra.orders(); l += kLegendreStretch) {
+      advance(order, l, block, legendre);
+      for (std::size_t parity = 0; parity < 2; ++parity)
+        for (std::size_t k = parity; k < kLegendreStretch; k += 2 * kRows)
+          HWY_DYNAMIC_DISPATCH(addProducts)
+          (legendre + k * kLegendreBlock, 2 * kLegendreBlock, 1, floatsOf(parity == 0 ? pair.even : pair.odd), 16,
+           kLegendreBlock, &coefficients[static_cast<std::size_t>(l) + k].real.x, 16);
+    }
   });
 }
 
 /// The coefficients of one order, each times its band's weight and `scale`.
-std::vector<Coefficient> weightedOrder(const std::vector<Coefficient>& coefficients, const LegendreOrder& order,
-                                       const std::vector<float>& weights) {
-  std::vector<Coefficient> weighted(order.scale.size(), Coefficient{glm::vec4(0.0f), glm::vec4(0.0f)});
+std::vector<BandValues> weightedOrder(const std::vector<Coefficient>& coefficients, const LegendreOrder& order,
+                                      const std::vector<float>& weights) {
+  std::vector<BandValues> weighted(order.scale.size(), BandValues{});
   for (std::size_t i = 0; i + static_cast<std::size_t>(order.m) < weights.size(); ++i) {
     const float weight = weights[i + static_cast<std::size_t>(order.m)] * static_cast<float>(order.scale[i]);
-    weighted[i] = {coefficients[i].real * weight, coefficients[i].imaginary * weight};
+    const glm::vec4 real = coefficients[i].real * weight;
+    const glm::vec3 other =
+        order.m == 0 ? glm::vec3(real.w, 0.0f, 0.0f) : glm::vec3(coefficients[i].imaginary * weight);
+    weighted[i] = {real.x, real.y, real.z, other.x, other.y, other.z};
   }
   return weighted;
+}
+
+RingPair::Value valueOf(const RingSums& sums, std::size_t ring, bool is_order_0) {
+  const glm::vec3 real(sums[0][ring], sums[1][ring], sums[2][ring]);
+  const glm::vec3 other(sums[3][ring], sums[4][ring], sums[5][ring]);
+  if (is_order_0) return {glm::vec4(real, other.x), glm::vec4(0.0f)};
+  return {glm::vec4(real, 0.0f), glm::vec4(other, 0.0f)};
+}
+
+/// Σ over the bands of one order, on every ring.
+void synthesizeOrder(const std::vector<BandValues>& weighted, const Rings& rings, const LegendreOrder& order, int first,
+                     RingSpectra& spectra) {
+  const std::span<RingPair> pairs = spectra.order(order.m);
+  std::fill(pairs.begin(), pairs.end(), kNoLight);
+  forEachBlock(order, spectra.orders(), rings, first, [&](int place, int count, LegendreBlock& block) {
+    alignas(64) float legendre[kLegendreStretch * kLegendreBlock];
+    alignas(64) std::array<RingSums, 2> sums{};
+    for (int l = 0; order.m + l < spectra.orders(); l += kLegendreStretch) {
+      advance(order, l, block, legendre);
+      for (std::size_t parity = 0; parity < 2; ++parity)
+        HWY_DYNAMIC_DISPATCH(addBands)
+        (legendre + parity * kLegendreBlock, 2 * kLegendreBlock, &weighted[static_cast<std::size_t>(l) + parity],
+         kLegendreStretch / 2, static_cast<std::size_t>(count), sums[parity]);
+    }
+    for (std::size_t ring = 0; ring < static_cast<std::size_t>(count); ++ring)
+      pairs[static_cast<std::size_t>(place) + ring] = {valueOf(sums[0], ring, order.m == 0),
+                                                       valueOf(sums[1], ring, order.m == 0)};
+  });
 }
 
 /// Calls `visit(m)` for all orders on all cores.
@@ -249,7 +304,7 @@ Result<SphereGrid> synthesize(const HarmonicCoefficients& coefficients, const st
                               GridDensity density, const ProgressFunction& progress) {
   const int bands = static_cast<int>(weights.size());
   assert(bands <= coefficients.bands());
-  std::vector<std::vector<Coefficient>> weighted(weights.size());
+  std::vector<std::vector<BandValues>> weighted(weights.size());
   forEachOrder(bands, [&](int m) {
     weighted[static_cast<std::size_t>(m)] = weightedOrder(coefficients.order(m), coefficients.legendre(m), weights);
   });

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "mirrorball/bake/light_check.h"
 #include "mirrorball/bake/light_contrast.h"
 #include "mirrorball/bake/point_light_batch.h"
 #include "mirrorball/environment/convert.h"
@@ -24,11 +23,6 @@ constexpr float kHighContrast = 2.0f;
 /// What may be missing at the darkest part of a map, as a root mean square, by the estimate of lightContrast; errors of
 /// single texels in maps of rooms and landscapes were a hundred times less to as much (docs/prefiltering.md).
 constexpr float kTolerance = 6e-3f;
-
-/// What errors may be in the directions where they are looked for (light_check.h), so that nowhere they are 0.2 % in the
-/// mean or 1 %: regular detail is no noise, and estimated too low.
-constexpr double kMostMeanError = 1e-3;
-constexpr float kMostError = 8e-3f;
 
 /// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier transform
 /// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5. And a row has at least as many texels as wide lobes have
@@ -82,8 +76,6 @@ struct SplitLight {
   EnvironmentMap laid_out;              ///< without the bright lights
   const EnvironmentMap* own = nullptr;  ///< or the environment's, which still has them
   float contrast = 0.0f;                ///< of the panorama without them
-
-  const EnvironmentMap& panorama() const { return own ? *own : laid_out; }
 };
 
 /// Single texels are points of light in the map that they come from; converted they would be smeared. But of a map of
@@ -129,68 +121,21 @@ Result<SplitLight> splitLight(const Environment& environment, int rows, const Pr
   return light;
 }
 
-std::vector<float> firstBands(const Lobe& lobe, int count) {
-  return {lobe.bands().begin(), lobe.bands().begin() + count};
-}
-
-/// Whether a lobe's means of a map are right although some bands are left out, as far as these texels tell.
-bool isRightWithout(const SplitLight& light, const HarmonicCoefficients& coefficients, const Lobe& lobe, int bands,
-                    const std::vector<glm::ivec2>& texels) {
-  std::vector<glm::vec3> truth = sumOverTexels(light.panorama(), lobe, texels);
-  const std::vector<glm::vec3> directions = directionsOf(texels, light.panorama().extent());
-  std::vector<glm::vec3> found = evaluate(coefficients, firstBands(lobe, bands), directions);
-  const LightChannels points = lightOfPoints(light.bright.points, lobe, batchOf(directions));
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const glm::vec3 bright(points.channel[0][i], points.channel[1][i], points.channel[2][i]);
-    found[i] += bright;
-    if (!light.own) truth[i] += bright;
-  }
-  double mean = 0.0;
-  float greatest = 0.0f;
-  for (std::size_t i = 0; i < directions.size(); ++i)
-    for (int c = 0; c < 3; ++c) {
-      const float error = std::abs(found[i][c] - truth[i][c]) / std::max(truth[i][c], 1e-30f);
-      mean += static_cast<double>(error) / (3.0 * static_cast<double>(directions.size()));
-      greatest = std::max(greatest, error);
-    }
-  return mean < kMostMeanError && greatest < kMostError;
-}
-
-/// The same for all lobes that have bands left out.
-bool isRightWithout(const SplitLight& light, const HarmonicCoefficients& coefficients, const std::vector<Lobe>& lobes,
-                    float tolerance) {
-  std::vector<glm::ivec2> texels;
-  return std::ranges::all_of(lobes, [&](const Lobe& lobe) {
-    const int taken = lobe.bandsFor(tolerance);
-    if (taken == static_cast<int>(lobe.bands().size())) return true;
-    if (texels.empty()) texels = doubtfulTexels(light.panorama());
-    return isRightWithout(light, coefficients, lobe, taken, texels);
-  });
-}
-
 }  // namespace
 
 Result<LightHarmonics> LightHarmonics::make(const Environment& environment, const std::vector<Lobe>& lobes,
                                             const ProgressFunction& progress) {
   // Analysing takes a few times as long as laying out.
   constexpr std::size_t kSteps = 4000;
-  MIRRORBALL_TRY(light, splitLight(environment, leastRows(lobes), partOf(progress, 0, kSteps / 4, kSteps)));
+  constexpr std::size_t kLaidOut = kSteps / 4;
+  MIRRORBALL_TRY(light, splitLight(environment, leastRows(lobes), partOf(progress, 0, kLaidOut, kSteps)));
   const float tolerance = kTolerance / light.contrast;
   int bands = 1;
   for (const Lobe& lobe : lobes) bands = std::max(bands, lobe.bandsFor(tolerance));
-  const auto analyseBands = [&](int count, std::size_t part) {
-    const ProgressFunction steps = partOf(progress, kSteps / 4 + part * kSteps * 3 / 8, kSteps * 3 / 8, kSteps);
-    return light.own ? analyse(*light.own, light.bright, count, steps) : analyse(light.laid_out, {}, count, steps);
-  };
-  MIRRORBALL_TRY(coefficients, analyseBands(bands, 0));
-  if (isRightWithout(light, coefficients, lobes, tolerance)) {
-    if (progress && !progress(kSteps, kSteps)) return fail(ErrorCode::interrupted, "interrupted");
-    return LightHarmonics(tolerance, std::move(coefficients), std::move(light.bright));
-  }
-  coefficients = HarmonicCoefficients(1);  // their memory is needed
-  for (const Lobe& lobe : lobes) bands = std::max(bands, static_cast<int>(lobe.bands().size()));
-  MIRRORBALL_TRY(all_coefficients, analyseBands(bands, 1));
-  return LightHarmonics(0.0f, std::move(all_coefficients), std::move(light.bright));
+  const ProgressFunction steps = partOf(progress, kLaidOut, kSteps - kLaidOut, kSteps);
+  MIRRORBALL_TRY(coefficients, light.own ? analyse(*light.own, light.bright, bands, steps)
+                                         : analyse(light.laid_out, {}, bands, steps));
+  return LightHarmonics(tolerance, std::move(coefficients), std::move(light.bright));
 }
 
 LightHarmonics::Memory LightHarmonics::memoryFor(const Environment& environment, const std::vector<Lobe>& lobes) {
@@ -210,7 +155,8 @@ GridDensity LightHarmonics::gridDensityFor(const Lobe& lobe) {
 }
 
 Result<BlurredLight> LightHarmonics::blurred(const Lobe& lobe, const ProgressFunction& progress) const {
-  const std::vector<float> weights = firstBands(lobe, std::min(lobe.bandsFor(tolerance_), coefficients_.bands()));
+  const std::vector<float>& bands = lobe.bands();
+  const std::vector<float> weights(bands.begin(), bands.begin() + lobe.bandsFor(tolerance_));
   MIRRORBALL_TRY(grid, synthesize(coefficients_, weights, gridDensityFor(lobe), progress));
   return BlurredLight(lobe, std::move(grid), bright_);
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -130,14 +129,6 @@ struct Rings {
     }
   }
 
-  /// Of these cos θ ≥ 0, which fall.
-  explicit Rings(std::vector<double> falling_cosines) : cosines(std::move(falling_cosines)) {
-    for (const double cosine : cosines) {
-      sines.push_back(std::sqrt((1.0 - cosine) * (1.0 + cosine)));
-      log2_sines.push_back(std::log2(std::max(sines.back(), 1e-300)));
-    }
-  }
-
   int pairs() const { return static_cast<int>(cosines.size()); }
 };
 
@@ -167,10 +158,9 @@ void analyseOrder(const RingSpectra& spectra, int first, const Rings& rings, con
     for (int l = 0; order.m + l < spectra.orders(); l += kLegendreStretch) {
       advance(order, l, block, legendre);
       for (std::size_t parity = 0; parity < 2; ++parity)
-        for (std::size_t k = parity; k < kLegendreStretch; k += 2 * kRows)
-          HWY_DYNAMIC_DISPATCH(addProducts)
-          (legendre + k * kLegendreBlock, 2 * kLegendreBlock, 1, floatsOf(parity == 0 ? pair.even : pair.odd), 16,
-           kLegendreBlock, &coefficients[static_cast<std::size_t>(l) + k].real.x, 16);
+        for (std::size_t k = parity; k < kLegendreStretch; k += 2 * kRows) HWY_DYNAMIC_DISPATCH(addProducts)
+      (legendre + k * kLegendreBlock, 2 * kLegendreBlock, 1, floatsOf(parity == 0 ? pair.even : pair.odd), 16,
+       kLegendreBlock, &coefficients[static_cast<std::size_t>(l) + k].real.x, 16);
     }
   });
 }
@@ -206,10 +196,9 @@ void synthesizeOrder(const std::vector<BandValues>& weighted, const Rings& rings
     alignas(64) std::array<RingSums, 2> sums{};
     for (int l = 0; order.m + l < spectra.orders(); l += kLegendreStretch) {
       advance(order, l, block, legendre);
-      for (std::size_t parity = 0; parity < 2; ++parity)
-        HWY_DYNAMIC_DISPATCH(addBands)
-        (legendre + parity * kLegendreBlock, 2 * kLegendreBlock, &weighted[static_cast<std::size_t>(l) + parity],
-         kLegendreStretch / 2, static_cast<std::size_t>(count), sums[parity]);
+      for (std::size_t parity = 0; parity < 2; ++parity) HWY_DYNAMIC_DISPATCH(addBands)
+      (legendre + parity * kLegendreBlock, 2 * kLegendreBlock, &weighted[static_cast<std::size_t>(l) + parity],
+       kLegendreStretch / 2, static_cast<std::size_t>(count), sums[parity]);
     }
     for (std::size_t ring = 0; ring < static_cast<std::size_t>(count); ++ring)
       pairs[static_cast<std::size_t>(place) + ring] = {valueOf(sums[0], ring, order.m == 0),
@@ -323,43 +312,6 @@ Result<SphereGrid> synthesize(const HarmonicCoefficients& coefficients, const st
   }
   grid.close();
   return grid;
-}
-
-std::vector<glm::vec3> evaluate(const HarmonicCoefficients& coefficients, const std::vector<float>& weights,
-                                const std::vector<glm::vec3>& directions) {
-  assert(directions.size() <= RingSpectra::kPairs);
-  const int bands = static_cast<int>(weights.size());
-  std::vector<std::size_t> from_pole(directions.size());
-  std::iota(from_pole.begin(), from_pole.end(), std::size_t{0});
-  std::ranges::stable_sort(from_pole, std::greater(), [&](std::size_t i) { return std::abs(directions[i].y); });
-  std::vector<double> cosines;
-  for (const std::size_t i : from_pole) cosines.push_back(std::abs(static_cast<double>(directions[i].y)));
-  const Rings rings(std::move(cosines));
-  RingSpectra spectra(bands);
-  forEachOrder(bands, [&](int m) {
-    const LegendreOrder& order = coefficients.legendre(m);
-    synthesizeOrder(weightedOrder(coefficients.order(m), order, weights), rings, order, 0, spectra);
-  });
-
-  std::vector<glm::vec3> values(directions.size());
-  for (std::size_t place = 0; place < directions.size(); ++place) {
-    const glm::vec3 direction = directions[from_pole[place]];
-    const double longitude =
-        2.0 * std::numbers::pi * static_cast<double>(positionOf(Projection::equirect, direction).uv.x);
-    const float odd_sign = direction.y < 0.0f ? -1.0f : 1.0f;
-    glm::dvec4 sum(0.0);
-    for (int m = 0; m < bands; ++m) {
-      const RingPair& pair = spectra.order(m)[place];
-      const glm::dvec4 real = glm::dvec4(pair.even.real + odd_sign * pair.odd.real);
-      const glm::dvec4 imaginary = glm::dvec4(pair.even.imaginary + odd_sign * pair.odd.imaginary);
-      sum += (m > 0 ? 2.0 : 1.0) * (std::cos(m * longitude) * real - std::sin(m * longitude) * imaginary);
-    }
-    // White is in order 0 alone.
-    const RingPair& mean = spectra.order(0)[place];
-    const float white = mean.even.real.w + odd_sign * mean.odd.real.w;
-    values[from_pole[place]] = glm::vec3(sum) / white;
-  }
-  return values;
 }
 
 }  // namespace mirrorball

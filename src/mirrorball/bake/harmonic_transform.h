@@ -75,12 +75,4 @@ Result<HarmonicCoefficients> analyse(const EnvironmentMap& panorama, const Brigh
 Result<SphereGrid> synthesize(const HarmonicCoefficients& coefficients, const std::vector<float>& weights,
                               GridDensity density, const ProgressFunction& progress = {});
 
-/// The same in a few directions alone, without a grid.
-///
-/// directions   at most RingSpectra::kPairs, unit
-/// returns      colour
-/// cost         a step for each m and l for up to kLegendreBlock directions
-std::vector<glm::vec3> evaluate(const HarmonicCoefficients& coefficients, const std::vector<float>& weights,
-                                const std::vector<glm::vec3>& directions);
-
 }  // namespace mirrorball

@@ -97,21 +97,6 @@ TEST(HarmonicTransform, TakesOddAndPrimeSizes) {
   EXPECT_LT(roundTripError(127), 2e-3f);
 }
 
-TEST(HarmonicTransform, IsTheSameWithoutAGrid) {
-  const HarmonicCoefficients coefficients = *analyse(panoramaOf(400, 200, bandLimited), {}, 12);
-  std::vector<glm::vec3> directions;
-  for (int i = 0; i < 41; ++i) {  // no whole number of blocks, in no order, on both sides of the equator
-    const float y = std::cos(2.6f * static_cast<float>(i));
-    const float longitude = 1.7f * static_cast<float>(i);
-    const float radius = std::sqrt(1.0f - y * y);
-    directions.emplace_back(radius * std::cos(longitude), y, radius * std::sin(longitude));
-  }
-  directions.push_back(directions.front() * glm::vec3(1.0f, -1.0f, 1.0f));
-  const std::vector<glm::vec3> found = evaluate(coefficients, std::vector<float>(12, 1.0f), directions);
-  for (std::size_t i = 0; i < directions.size(); ++i)
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[i][c], bandLimited(directions[i])[c], 1e-3f) << i;
-}
-
 TEST(HarmonicTransform, LeavesTheExcessOfBrightTexelsOut) {
   EnvironmentMap panorama = panoramaOf(64, 32, [](glm::vec3) { return glm::vec3(1.0f); });
   const HarmonicCoefficients expected = *analyse(panorama, {}, 8);

@@ -18,34 +18,36 @@ namespace mirrorball {
 /// times as long: all transforms took twice as long with them.
 inline constexpr double kLeastValue = 0x1p-64;
 
-/// The stretch on one ring, where it may have an exponent of its own.
-inline void advanceRing(const double* step, LegendreBlock& block, std::size_t ring, float* values) {
-  const double cosine = block.cosine[ring];
-  double before = block.before[ring];
-  double here = block.here[ring];
-  int& exponent = block.exponent[ring];
-  for (std::size_t k = 0; k < kLegendreStretch; ++k) {
-    const bool counts = exponent == 0 && std::abs(here) > kLeastValue;
-    values[k * kLegendreBlock + ring] = counts ? static_cast<float>(here) : 0.0f;
-    const double next = step[k] * cosine * here - before;
-    before = here;
-    here = next;
-    if (exponent < 0 && std::abs(here) > 0x1p480) {
-      before *= 0x1p-960;
-      here *= 0x1p-960;
-      ++exponent;
-    }
-  }
-  block.before[ring] = before;
-  block.here[ring] = here;
-}
-
 }  // namespace mirrorball
 #endif
 
 HWY_BEFORE_NAMESPACE();
 namespace mirrorball::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// The stretch on a vector of rings, some of which have an exponent of their own.
+void advanceScaled(const double* step, LegendreBlock& block, std::size_t ring, float* values) {
+  const hn::CappedTag<double, 8> d;
+  const hn::Rebind<float, decltype(d)> narrow;
+  const auto none = hn::Zero(d);
+  const auto cosine = hn::Load(d, &block.cosine[ring]);
+  auto before = hn::Load(d, &block.before[ring]);
+  auto here = hn::Load(d, &block.here[ring]);
+  auto exponent = hn::Load(d, &block.exponent[ring]);
+  for (std::size_t k = 0; k < kLegendreStretch; ++k) {
+    const auto counts = hn::And(exponent == none, hn::Abs(here) > hn::Set(d, kLeastValue));
+    hn::Store(hn::DemoteTo(narrow, hn::IfThenElseZero(counts, here)), narrow, values + k * kLegendreBlock + ring);
+    const auto next = hn::MulSub(hn::Mul(hn::Set(d, step[k]), cosine), here, before);
+    const auto has_grown = hn::And(exponent<none, hn::Abs(next)> hn::Set(d, 0x1p480));
+    const auto scale = hn::IfThenElse(has_grown, hn::Set(d, 0x1p-960), hn::Set(d, 1.0));
+    before = hn::Mul(here, scale);
+    here = hn::Mul(next, scale);
+    exponent = hn::Add(exponent, hn::IfThenElseZero(has_grown, hn::Set(d, 1.0)));
+  }
+  hn::Store(before, d, &block.before[ring]);
+  hn::Store(here, d, &block.here[ring]);
+  hn::Store(exponent, d, &block.exponent[ring]);
+}
 
 /// Four vectors of rings at once, since each step waits for the one before.
 void advanceRings(const double* step, LegendreBlock& block, float* values) {
@@ -61,8 +63,8 @@ void advanceRings(const double* step, LegendreBlock& block, float* values) {
     const std::size_t r1 = ring + lanes;
     const std::size_t r2 = ring + 2 * lanes;
     const std::size_t r3 = ring + 3 * lanes;
-    if (std::any_of(&block.exponent[ring], &block.exponent[ring] + 4 * lanes, [](int e) { return e < 0; })) {
-      for (std::size_t i = 0; i < 4 * lanes; ++i) advanceRing(step, block, ring + i, values);
+    if (std::any_of(&block.exponent[ring], &block.exponent[ring] + 4 * lanes, [](double e) { return e < 0.0; })) {
+      for (const std::size_t first : {ring, r1, r2, r3}) advanceScaled(step, block, first, values);
       continue;
     }
     const auto cosine0 = hn::Load(d, &block.cosine[ring]);
@@ -156,7 +158,7 @@ LegendreBlock::LegendreBlock(const LegendreOrder& order, const double* cosines, 
   for (std::size_t ring = 0; ring < static_cast<std::size_t>(count); ++ring) {
     cosine[ring] = cosines[ring];
     const double log2_value = order.log2_seed + order.m * log2_sines[ring];
-    exponent[ring] = std::min(static_cast<int>(std::round(log2_value / 960.0)), 0);
+    exponent[ring] = std::min(std::round(log2_value / 960.0), 0.0);
     here[ring] = std::exp2(log2_value - 960.0 * exponent[ring]);
   }
 }

@@ -29,7 +29,7 @@ struct LegendreOrder {
 };
 
 /// Q_l on up to kLegendreBlock rings. sin^m θ leaves the range of a double far from the equator; such values have an
-/// exponent of their own, and count as 0 until they have grown to 2^−480.
+/// exponent of their own. They count as 0 until they have grown to 2^−64.
 struct LegendreBlock {
   /// Begins at l = m.
   ///
@@ -40,9 +40,9 @@ struct LegendreBlock {
   using Rings = std::array<Value, kLegendreBlock>;
 
   alignas(64) Rings<double> cosine{};
-  alignas(64) Rings<double> before{};  ///< Q_{l−1}
-  alignas(64) Rings<double> here{};    ///< Q_l
-  Rings<int> exponent{};               ///< of 2^960; 0 or less
+  alignas(64) Rings<double> before{};    ///< Q_{l−1}
+  alignas(64) Rings<double> here{};      ///< Q_l
+  alignas(64) Rings<double> exponent{};  ///< of 2^960; 0 or less
 };
 
 /// Q_l of the next kLegendreStretch bands.

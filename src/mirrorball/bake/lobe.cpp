@@ -97,7 +97,8 @@ int Lobe::bandsFor(float tolerance) const {
   while (l > kCheapBands) {
     const auto band = static_cast<double>(bands_[l - 1]);
     left_out += (2.0 * static_cast<double>(l) - 1.0) / (4.0 * std::numbers::pi) * band * band;
-    if (std::sqrt(left_out) > static_cast<double>(tolerance)) break;
+    if (std::abs(band) > static_cast<double>(kMostLeftOut) || std::sqrt(left_out) > static_cast<double>(tolerance))
+      break;
     --l;
   }
   return static_cast<int>(l);

@@ -39,8 +39,9 @@ class Lobe {
   /// less than kLeastBand, or from kCheapBands on kLeastFurtherBand.
   const std::vector<float>& bands() const { return bands_; }
 
-  /// How many of them leave out no more than that of noise that has the power 1 in every harmonic, but not fewer than the
-  /// first kCheapBands: of low bands light has more than noise.
+  /// How many of them leave out no more than that of noise that has the power 1 in every harmonic; but not fewer than the
+  /// first kCheapBands, since of low bands light has more than noise, and no band above kMostLeftOut, since what repeats
+  /// itself every few texels may have all its light in one.
   ///
   /// tolerance   root mean square over the sphere
   int bandsFor(float tolerance) const;
@@ -52,6 +53,7 @@ class Lobe {
   static constexpr float kLeastAlpha = 0.002f;
 
   static constexpr int kCheapBands = 256;
+  static constexpr float kMostLeftOut = 1e-3f;
   static constexpr float kLeastBand = 1e-5f;
   /// 2 α l K₁(2 α l), GGX's bands for small α, fall below it at l = 5.5 / α. More bands gain nothing: the rounding of
   /// floats is as much.

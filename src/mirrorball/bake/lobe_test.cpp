@@ -76,7 +76,15 @@ TEST(Lobe, LessToleranceTakesMoreBands) {
   const Lobe lobe = Lobe::reflection(Distribution::ggx, 0.09f);
   EXPECT_GT(lobe.bandsFor(1e-4f), lobe.bandsFor(1e-2f));
   EXPECT_EQ(lobe.bandsFor(0.0f), static_cast<int>(lobe.bands().size()));
-  EXPECT_EQ(lobe.bandsFor(1e3f), Lobe::kCheapBands);
+  EXPECT_EQ(Lobe::reflection(Distribution::ggx, 0.14f).bandsFor(1e3f), Lobe::kCheapBands);
+}
+
+TEST(Lobe, NoToleranceLeavesOutWhatPatternsMayHaveAllTheirLightIn) {
+  const Lobe lobe = Lobe::reflection(Distribution::ggx, 0.09f);
+  const auto taken = static_cast<std::size_t>(lobe.bandsFor(1e3f));
+  ASSERT_LT(taken, lobe.bands().size());
+  EXPECT_GT(lobe.bands()[taken - 1], Lobe::kMostLeftOut);
+  for (std::size_t l = taken; l < lobe.bands().size(); ++l) EXPECT_LE(std::abs(lobe.bands()[l]), Lobe::kMostLeftOut);
 }
 
 }  // namespace

@@ -78,37 +78,6 @@ void add(const PointOfLight& point, const LobeShape& shape, float scale, const P
   }
 }
 
-template <Distribution kDistribution>
-HWY_INLINE void sumOf(const TexelRow& row, float parameter, const RowDistance& distance, float* sums) {
-  const Lanes d;
-  Floats red = hn::Zero(d);
-  Floats green = hn::Zero(d);
-  Floats blue = hn::Zero(d);
-  for (std::size_t x = 0; x < row.channel[0].size(); x += hn::Lanes(d)) {
-    const Floats s = hn::MulAdd(set(distance.growth), hn::LoadU(d, distance.haversines + x), set(distance.least));
-    const Floats received = shapeAt<kDistribution>(parameter, s);
-    red = hn::MulAdd(received, hn::LoadU(d, &row.channel[0][x]), red);
-    green = hn::MulAdd(received, hn::LoadU(d, &row.channel[1][x]), green);
-    blue = hn::MulAdd(received, hn::LoadU(d, &row.channel[2][x]), blue);
-  }
-  sums[0] = hn::GetLane(hn::SumOfLanes(d, red));
-  sums[1] = hn::GetLane(hn::SumOfLanes(d, green));
-  sums[2] = hn::GetLane(hn::SumOfLanes(d, blue));
-}
-
-void sum(const TexelRow& row, const LobeShape& shape, const RowDistance& distance, float* sums) {
-  switch (shape.distribution) {
-    case Distribution::phong:
-      return sumOf<Distribution::phong>(row, shape.parameter, distance, sums);
-    case Distribution::blinn:
-      return sumOf<Distribution::blinn>(row, shape.parameter, distance, sums);
-    case Distribution::charlie:
-      return sumOf<Distribution::charlie>(row, shape.parameter, distance, sums);
-    case Distribution::ggx:
-      return sumOf<Distribution::ggx>(row, shape.parameter, distance, sums);
-  }
-}
-
 }  // namespace mirrorball::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -116,24 +85,12 @@ HWY_AFTER_NAMESPACE();
 namespace mirrorball {
 
 HWY_EXPORT(add);
-HWY_EXPORT(sum);
 
 LightChannels lightOfPoints(const std::vector<PointOfLight>& lights, const Lobe& lobe, const PointBatch& points) {
   LightChannels light;
   const auto add_light = HWY_DYNAMIC_DISPATCH(add);
   for (const PointOfLight& point : lights) add_light(point, lobe.shape(), lobe.scale(), points, light);
   return light;
-}
-
-void TexelRow::resize(int width) {
-  for (std::vector<float>& values : channel)
-    values.assign((std::size_t(width) + kVector - 1) / kVector * kVector, 0.0f);
-}
-
-glm::vec3 lightOfRow(const TexelRow& row, const Lobe& lobe, const RowDistance& distance) {
-  glm::vec3 light;
-  HWY_DYNAMIC_DISPATCH(sum)(row, lobe.shape(), distance, &light.x);
-  return light * lobe.scale();
 }
 
 }  // namespace mirrorball

@@ -155,8 +155,15 @@ glm::vec3 windowWithBlinds(glm::vec3 d) {
   return glm::vec3(std::fmod((d.y + 1.0f) * 200.0f, 2.0f) < 1.0f ? 3.0f : 0.3f);
 }
 
+/// Each dot bright in the dark, so close together that all that is left of them lies in bands just left out.
+glm::vec3 dots(glm::vec3 d) {
+  const float across = 0.5f + 0.5f * std::cos(390.0f * longitudeOf(d));
+  const float down = 0.5f + 0.5f * std::cos(390.0f * std::acos(d.y));
+  return glm::vec3(0.01f + std::pow(across * down, 8.0f));
+}
+
 INSTANTIATE_TEST_SUITE_P(Maps, RegularDetail,
-                         testing::Values(Light{"Grating", grating}, Light{"Rings", rings},
+                         testing::Values(Light{"Grating", grating}, Light{"Rings", rings}, Light{"Dots", dots},
                                          Light{"WindowWithBlinds", windowWithBlinds}),
                          [](const auto& test) { return std::string(test.param.name); });
 

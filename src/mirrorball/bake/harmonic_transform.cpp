@@ -24,7 +24,16 @@ using BandValues = std::array<float, kBandChannels>;
 /// Each of them on the rings of a block.
 using RingSums = std::array<std::array<float, kLegendreBlock>, kBandChannels>;
 
+/// From the values of one ring to the next one's, and from one coefficient to the next but one.
+constexpr std::size_t kFloatsApart = 16;
+constexpr std::size_t kRows = 8;  ///< of coefficients, that products are added to at once
+
 }  // namespace mirrorball
+#endif
+
+// There are no arrays of ARM's vectors of unknown size; NEON's take their place.
+#ifndef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #endif
 
 #undef HWY_TARGET_INCLUDE
@@ -36,45 +45,25 @@ HWY_BEFORE_NAMESPACE();
 namespace mirrorball::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// rows_of_8[i] += Σ_k legendre[k · step_k + i · step_i] · values[k], for eight rows at once: each value is eight floats.
-void addProducts(const float* legendre, std::size_t step_i, std::size_t step_k, const float* values,
-                 std::size_t values_step, std::size_t count, float* rows, std::size_t rows_step) {
+/// Of every other band a row: rows[i] += Σ_k legendre[2 i][k] · values[k] over the rings of a block. Rows are two apart;
+/// each, and each value, is eight floats.
+void addProducts(const float* legendre, const float* values, float* rows) {
   const hn::CappedTag<float, 8> d;
   for (std::size_t lane = 0; lane < 8; lane += hn::Lanes(d)) {
-    auto a = hn::LoadU(d, rows + lane);
-    auto b = hn::LoadU(d, rows + rows_step + lane);
-    auto c = hn::LoadU(d, rows + 2 * rows_step + lane);
-    auto e = hn::LoadU(d, rows + 3 * rows_step + lane);
-    auto f = hn::LoadU(d, rows + 4 * rows_step + lane);
-    auto g = hn::LoadU(d, rows + 5 * rows_step + lane);
-    auto h = hn::LoadU(d, rows + 6 * rows_step + lane);
-    auto i = hn::LoadU(d, rows + 7 * rows_step + lane);
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto value = hn::LoadU(d, values + k * values_step + lane);
-      const float* p = legendre + k * step_k;
-      a = hn::MulAdd(hn::Set(d, p[0]), value, a);
-      b = hn::MulAdd(hn::Set(d, p[step_i]), value, b);
-      c = hn::MulAdd(hn::Set(d, p[2 * step_i]), value, c);
-      e = hn::MulAdd(hn::Set(d, p[3 * step_i]), value, e);
-      f = hn::MulAdd(hn::Set(d, p[4 * step_i]), value, f);
-      g = hn::MulAdd(hn::Set(d, p[5 * step_i]), value, g);
-      h = hn::MulAdd(hn::Set(d, p[6 * step_i]), value, h);
-      i = hn::MulAdd(hn::Set(d, p[7 * step_i]), value, i);
+    hn::Vec<decltype(d)> sums[kRows];
+    for (std::size_t i = 0; i < kRows; ++i) sums[i] = hn::LoadU(d, rows + i * kFloatsApart + lane);
+    for (std::size_t k = 0; k < kLegendreBlock; ++k) {
+      const auto value = hn::LoadU(d, values + k * kFloatsApart + lane);
+      for (std::size_t i = 0; i < kRows; ++i)
+        sums[i] = hn::MulAdd(hn::Set(d, legendre[2 * i * kLegendreBlock + k]), value, sums[i]);
     }
-    hn::StoreU(a, d, rows + lane);
-    hn::StoreU(b, d, rows + rows_step + lane);
-    hn::StoreU(c, d, rows + 2 * rows_step + lane);
-    hn::StoreU(e, d, rows + 3 * rows_step + lane);
-    hn::StoreU(f, d, rows + 4 * rows_step + lane);
-    hn::StoreU(g, d, rows + 5 * rows_step + lane);
-    hn::StoreU(h, d, rows + 6 * rows_step + lane);
-    hn::StoreU(i, d, rows + 7 * rows_step + lane);
+    for (std::size_t i = 0; i < kRows; ++i) hn::StoreU(sums[i], d, rows + i * kFloatsApart + lane);
   }
 }
 
-/// sums[c][ring] += Σ_k legendre[k · step + ring] · values[2 k][c] for the first `rings` of a block, rounded up.
-void addBands(const float* legendre, std::size_t step, const BandValues* values, std::size_t count, std::size_t rings,
-              RingSums& sums) {
+/// Of every other band of a stretch: sums[c][ring] += Σ_k legendre[2 k][ring] · values[2 k][c], for the first `rings` of a
+/// block, rounded up.
+void addBands(const float* legendre, const BandValues* values, std::size_t rings, RingSums& sums) {
   const hn::CappedTag<float, 8> d;
   const std::size_t lanes = hn::Lanes(d);
   // Two vectors of each channel, so that no product waits for another; all stay in registers.
@@ -85,11 +74,11 @@ void addBands(const float* legendre, std::size_t step, const BandValues* values,
       a[c] = hn::Load(d, &sums[c][ring]);
       b[c] = hn::Load(d, &sums[c][ring + lanes]);
     }
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto legendre_a = hn::Load(d, legendre + k * step + ring);
-      const auto legendre_b = hn::Load(d, legendre + k * step + ring + lanes);
+    for (std::size_t k = 0; k < kLegendreStretch; k += 2) {
+      const auto legendre_a = hn::Load(d, legendre + k * kLegendreBlock + ring);
+      const auto legendre_b = hn::Load(d, legendre + k * kLegendreBlock + ring + lanes);
       for (std::size_t c = 0; c < kBandChannels; ++c) {
-        const auto value = hn::Set(d, values[2 * k][c]);
+        const auto value = hn::Set(d, values[k][c]);
         a[c] = hn::MulAdd(legendre_a, value, a[c]);
         b[c] = hn::MulAdd(legendre_b, value, b[c]);
       }
@@ -112,7 +101,8 @@ HWY_EXPORT(addProducts);
 HWY_EXPORT(addBands);
 
 using Coefficient = HarmonicCoefficients::Value;
-static_assert(sizeof(Coefficient) == 8 * sizeof(float) && sizeof(RingPair) == 16 * sizeof(float));
+static_assert(2 * sizeof(Coefficient) == kFloatsApart * sizeof(float) &&
+              sizeof(RingPair) == kFloatsApart * sizeof(float));
 
 /// The northern rings of so many equally spaced ones, half a space from the poles.
 struct Rings {
@@ -145,22 +135,19 @@ void forEachBlock(const LegendreOrder& order, int bands, const Rings& rings, int
   }
 }
 
-constexpr std::size_t kRows = 8;  // that addProducts takes at once
-
-const float* floatsOf(const RingPair::Value& value) { return &value.real.x; }
-
 /// Σ over the rings of one order; every other band meets the even or the odd part of the pairs.
 void analyseOrder(const RingSpectra& spectra, int first, const Rings& rings, const LegendreOrder& order,
                   std::vector<Coefficient>& coefficients) {
   forEachBlock(order, spectra.orders(), rings, first, [&](int place, int, LegendreBlock& block) {
     alignas(64) float legendre[kLegendreStretch * kLegendreBlock];
     const RingPair& pair = spectra.order(order.m)[static_cast<std::size_t>(place)];
+    const auto add_products = HWY_DYNAMIC_DISPATCH(addProducts);
     for (int l = 0; order.m + l < spectra.orders(); l += kLegendreStretch) {
       advance(order, l, block, legendre);
       for (std::size_t parity = 0; parity < 2; ++parity)
-        for (std::size_t k = parity; k < kLegendreStretch; k += 2 * kRows) HWY_DYNAMIC_DISPATCH(addProducts)
-      (legendre + k * kLegendreBlock, 2 * kLegendreBlock, 1, floatsOf(parity == 0 ? pair.even : pair.odd), 16,
-       kLegendreBlock, &coefficients[static_cast<std::size_t>(l) + k].real.x, 16);
+        for (std::size_t k = parity; k < kLegendreStretch; k += 2 * kRows)
+          add_products(legendre + k * kLegendreBlock, parity == 0 ? &pair.even.real.x : &pair.odd.real.x,
+                       &coefficients[static_cast<std::size_t>(l) + k].real.x);
     }
   });
 }
@@ -194,11 +181,12 @@ void synthesizeOrder(const std::vector<BandValues>& weighted, const Rings& rings
   forEachBlock(order, spectra.orders(), rings, first, [&](int place, int count, LegendreBlock& block) {
     alignas(64) float legendre[kLegendreStretch * kLegendreBlock];
     alignas(64) std::array<RingSums, 2> sums{};
+    const auto add_bands = HWY_DYNAMIC_DISPATCH(addBands);
     for (int l = 0; order.m + l < spectra.orders(); l += kLegendreStretch) {
       advance(order, l, block, legendre);
-      for (std::size_t parity = 0; parity < 2; ++parity) HWY_DYNAMIC_DISPATCH(addBands)
-      (legendre + parity * kLegendreBlock, 2 * kLegendreBlock, &weighted[static_cast<std::size_t>(l) + parity],
-       kLegendreStretch / 2, static_cast<std::size_t>(count), sums[parity]);
+      for (std::size_t parity = 0; parity < 2; ++parity)
+        add_bands(legendre + parity * kLegendreBlock, &weighted[static_cast<std::size_t>(l) + parity],
+                  static_cast<std::size_t>(count), sums[parity]);
     }
     for (std::size_t ring = 0; ring < static_cast<std::size_t>(count); ++ring)
       pairs[static_cast<std::size_t>(place) + ring] = {valueOf(sums[0], ring, order.m == 0),

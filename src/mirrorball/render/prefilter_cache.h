@@ -28,7 +28,7 @@ struct PrefilteredShape {
 class PrefilterCache {
  public:
   /// Goes up whenever prefiltering gives other values, or files hold them otherwise: nothing older is found then.
-  static constexpr std::uint32_t kVersion = 6;
+  static constexpr std::uint32_t kVersion = 7;
   static constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 
   /// folder   made when something is first written

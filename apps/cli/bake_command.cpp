@@ -176,8 +176,9 @@ Result<void> bake(BakeRequest request) {
   if (request.options.mip_mapping == MipMappingChoice::as_for)
     request.options.mip_mapping = mipMappingFor(request.output.program);
   if (request.options.levels > mostLevels(request.options.size))
-    return fail(ErrorCode::usage, "--levels: " + std::to_string(request.options.size) + " texels halve to 1 in " +
-                                      std::to_string(mostLevels(request.options.size)) + " levels; ask for no more");
+    return fail(ErrorCode::usage, "--levels: --size " + std::to_string(request.options.size) + " has at most " +
+                                      std::to_string(mostLevels(request.options.size)) +
+                                      ", the last of one texel a face; ask for no more");
   StageClock clock;
   const bool is_file = !isFolder(output) && std::filesystem::path(output).has_extension();
   const Result<void> done = is_file ? bakeFile(request, clock) : bakeFolder(request, clock);

@@ -29,13 +29,18 @@ struct ValueCounts {
   explicit ValueCounts(const EnvironmentMap& map) {
     constexpr float kClear = 0x1p-11f;
     constexpr float kBrightest = 1e36f;
-    for (int face = 0; face < map.faces(); ++face)
-      for (const float sample : map.face(face).samples()) {
-        ++all;
-        lit += sample > 0.0f ? 1 : 0;
-        clear += sample > kClear ? 1 : 0;
-        too_bright += sample > kBrightest ? 1 : 0;
-      }
+    for (int index = 0; index < map.faces(); ++index) {
+      const Image& face = map.face(index);
+      const auto channels = static_cast<std::size_t>(face.channels());
+      for (std::size_t c = 0; c < std::min<std::size_t>(channels, 3); ++c)
+        for (std::size_t at = c; at < face.samples().size(); at += channels) {
+          const float sample = face.samples()[at];
+          ++all;
+          lit += sample > 0.0f ? 1 : 0;
+          clear += sample > kClear ? 1 : 0;
+          too_bright += sample > kBrightest ? 1 : 0;
+        }
+    }
   }
 };
 
@@ -50,7 +55,7 @@ Result<void> checkLight(const std::string& name, const std::string& format, Envi
   if (const std::size_t negative = raiseNegativeLight(map); negative > 0)
     remark(name + ": " + countedAre(negative, "value") + " negative, which light cannot be; taken as 0");
   const bool in_halves = format == "auto" || format == "half";
-  if (in_halves && counts.lit > 0 && counts.clear < counts.all / 100)
+  if (in_halves && counts.lit > 0 && 100 * counts.clear < counts.all)
     remark(name + ": is so dark that half floats hold few of its digits; --format float32 holds them all");
   return {};
 }
@@ -74,8 +79,8 @@ std::vector<PrefilterLevel> levelsOf(const BakeRequest& request) {
                                                         .levels = options.levels});
   const std::size_t last = levels.size() - 1;
   if (options.levels == 0 && last == 0)
-    remark("a chain of " + std::to_string(options.size) +
-           " texels a side has level 0 only, the environment itself; --levels asks for more");
+    remark("a chain of --size " + std::to_string(options.size) +
+           " has level 0 only, the environment itself; --levels asks for more");
   constexpr std::size_t kLastLevelOfUnity = 6;  // UNITY_SPECCUBE_LOD_STEPS
   if (options.mip_mapping == MipMappingChoice::unity && last != kLastLevelOfUnity)
     remark("Unity looks for roughness 1 in level 6, and this chain has it in level " + std::to_string(last) +

@@ -12,6 +12,7 @@
 #include "mirrorball/bake/legendre.h"
 #include "mirrorball/bake/ring_spectra.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/vector_targets.h"
 
 #ifndef MIRRORBALL_BAND_VALUES
 #define MIRRORBALL_BAND_VALUES
@@ -31,11 +32,6 @@ constexpr std::size_t kRows = 8;  ///< of coefficients, that products are added 
 }  // namespace mirrorball
 #endif
 
-// There are no arrays of ARM's vectors of unknown size; NEON's take their place.
-#ifndef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
-#endif
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/bake/harmonic_transform.cpp"
 #include <hwy/foreach_target.h>
@@ -51,13 +47,16 @@ void addProducts(const float* legendre, const float* values, float* rows) {
   const hn::CappedTag<float, 8> d;
   for (std::size_t lane = 0; lane < 8; lane += hn::Lanes(d)) {
     hn::Vec<decltype(d)> sums[kRows];
-    for (std::size_t i = 0; i < kRows; ++i) sums[i] = hn::LoadU(d, rows + i * kFloatsApart + lane);
+    for (std::size_t i = 0; i < kRows; ++i) sums[i] = hn::Zero(d);
     for (std::size_t k = 0; k < kLegendreBlock; ++k) {
       const auto value = hn::LoadU(d, values + k * kFloatsApart + lane);
       for (std::size_t i = 0; i < kRows; ++i)
         sums[i] = hn::MulAdd(hn::Set(d, legendre[2 * i * kLegendreBlock + k]), value, sums[i]);
     }
-    for (std::size_t i = 0; i < kRows; ++i) hn::StoreU(sums[i], d, rows + i * kFloatsApart + lane);
+    for (std::size_t i = 0; i < kRows; ++i) {
+      float* row = rows + i * kFloatsApart + lane;
+      hn::StoreU(hn::Add(hn::LoadU(d, row), sums[i]), d, row);
+    }
   }
 }
 
@@ -71,8 +70,8 @@ void addBands(const float* legendre, const BandValues* values, std::size_t rings
     hn::Vec<decltype(d)> a[kBandChannels];
     hn::Vec<decltype(d)> b[kBandChannels];
     for (std::size_t c = 0; c < kBandChannels; ++c) {
-      a[c] = hn::Load(d, &sums[c][ring]);
-      b[c] = hn::Load(d, &sums[c][ring + lanes]);
+      a[c] = hn::Zero(d);
+      b[c] = hn::Zero(d);
     }
     for (std::size_t k = 0; k < kLegendreStretch; k += 2) {
       const auto legendre_a = hn::Load(d, legendre + k * kLegendreBlock + ring);
@@ -84,8 +83,8 @@ void addBands(const float* legendre, const BandValues* values, std::size_t rings
       }
     }
     for (std::size_t c = 0; c < kBandChannels; ++c) {
-      hn::Store(a[c], d, &sums[c][ring]);
-      hn::Store(b[c], d, &sums[c][ring + lanes]);
+      hn::Store(hn::Add(hn::Load(d, &sums[c][ring]), a[c]), d, &sums[c][ring]);
+      hn::Store(hn::Add(hn::Load(d, &sums[c][ring + lanes]), b[c]), d, &sums[c][ring + lanes]);
     }
   }
 }
@@ -251,7 +250,7 @@ std::uint64_t analysisBytes(int bands) { return std::uint64_t(bands) * RingSpect
 std::uint64_t synthesisBytes(int bands, GridDensity density) {
   const glm::ivec2 size = gridSizeFor(bands, density);
   const std::uint64_t grid = std::uint64_t(size.x) * std::uint64_t(size.y) * sizeof(glm::vec4);
-  return harmonicCount(bands) * sizeof(Coefficient) + analysisBytes(bands) + grid;
+  return harmonicCount(bands) * sizeof(BandValues) + analysisBytes(bands) + grid;
 }
 
 Result<HarmonicCoefficients> analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands,

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "mirrorball/base/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/bake/legendre.cpp"
 #include <hwy/foreach_target.h>

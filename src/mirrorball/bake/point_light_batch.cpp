@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "mirrorball/base/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/bake/point_light_batch.cpp"
 // Highway needs its headers in this order.

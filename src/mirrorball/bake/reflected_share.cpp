@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "mirrorball/bake/gauss_legendre.h"
+#include "mirrorball/base/vector_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/bake/reflected_share.cpp"

@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 
+#include "mirrorball/base/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/bake/sphere_grid.cpp"
 #include <hwy/foreach_target.h>

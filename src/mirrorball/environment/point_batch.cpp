@@ -3,6 +3,8 @@
 
 #include "mirrorball/environment/point_batch.h"
 
+#include "mirrorball/base/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/environment/point_batch.cpp"
 // Highway needs its headers in this order.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mirrorball/base/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mirrorball/environment/sample_batch.cpp"
 #include <hwy/foreach_target.h>

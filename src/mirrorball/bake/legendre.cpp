@@ -40,7 +40,8 @@ void advanceScaled(const double* step, LegendreBlock& block, std::size_t ring, f
     const auto counts = hn::And(exponent == none, hn::Abs(here) > hn::Set(d, kLeastValue));
     hn::Store(hn::DemoteTo(narrow, hn::IfThenElseZero(counts, here)), narrow, values + k * kLegendreBlock + ring);
     const auto next = hn::MulSub(hn::Mul(hn::Set(d, step[k]), cosine), here, before);
-    const auto has_grown = hn::And(exponent<none, hn::Abs(next)> hn::Set(d, 0x1p480));
+    const auto is_scaled = exponent < none;
+    const auto has_grown = hn::And(is_scaled, hn::Abs(next) > hn::Set(d, 0x1p480));
     const auto scale = hn::IfThenElse(has_grown, hn::Set(d, 0x1p-960), hn::Set(d, 1.0));
     before = hn::Mul(here, scale);
     here = hn::Mul(next, scale);

@@ -192,12 +192,11 @@ std::span<const Option<BakeOptions>> bakeOptions() { return kOptions; }
 
 Action addBakeCommand(CLI::App& program) {
   auto request = std::make_shared<BakeRequest>();
-  CLI::App* command = program.add_subcommand(
-      "bake", "Prefilters an environment for an engine: rough reflections, irradiance, harmonics, BRDF table");
-  command->add_option("ENV", request->environment, "a map, as convert takes it, or a built-in: studio sky uv white")
-      ->required();
-  addOptions(*command, bakeOptions(), request->options);
-  addOptions(*command, textureOutputOptions(), request->output);
+  CLI::App& command = addCommand(
+      program, "bake", "Prefilters an environment for an engine: rough reflections, irradiance, harmonics, BRDF table");
+  addArgument(command, "ENV", request->environment, "a map, as convert takes it, or a built-in: studio sky uv white");
+  addOptions(command, bakeOptions(), request->options);
+  addOptions(command, textureOutputOptions(), request->output);
   return [request] { return bake(*request); };
 }
 

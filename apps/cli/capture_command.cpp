@@ -142,12 +142,12 @@ std::span<const Option<RenderOptions>> captureLookOptions() {
 
 Action addCaptureCommand(CLI::App& program) {
   auto request = std::make_shared<CaptureRequest>();
-  CLI::App* command = program.add_subcommand("capture", "Makes a map of the light around a point of a scene");
-  addModel(*command, "SCENE", request->scene);
-  addOptions(*command, sceneOptions(), request->scene);
-  addOptions(*command, captureOptions(), request->options);
-  addOptions(*command, mapOutputOptions(), request->output);
-  addOptions(*command, captureLookOptions(), request->look);
+  CLI::App& command = addCommand(program, "capture", "Makes a map of the light around a point of a scene");
+  addModel(command, "SCENE", request->scene);
+  addOptions(command, sceneOptions(), request->scene);
+  addOptions(command, captureOptions(), request->options);
+  addOptions(command, mapOutputOptions(), request->output);
+  addOptions(command, captureLookOptions(), request->look);
   return [request] { return capture(*request); };
 }
 

@@ -1,10 +1,31 @@
 #include "cli/command_line.h"
 
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/convert.h"
 
 namespace mirrorball::cli {
+
+CLI::App& addCommand(CLI::App& program, const std::string& name, const std::string& help) {
+  return *program.add_subcommand(name, help);
+}
+
+void addArgument(CLI::App& command, const std::string& name, std::string& target, const std::string& help) {
+  command.add_option(name, target, help)->required();
+}
+
+void addArgument(CLI::App& command, const std::string& name, std::vector<std::string>& target,
+                 const std::string& help) {
+  command.add_option(name, target, help)->required();
+}
+
+void addOptionalArgument(CLI::App& command, const std::string& name, std::string& target, const std::string& help) {
+  command.add_option(name, target, help);
+}
 
 std::string describe(const OptionText& text, const std::string& default_value) {
   std::string description(text.help);

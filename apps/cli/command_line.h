@@ -1,18 +1,33 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <glm/mat3x3.hpp>
 
 #include "mirrorball/base/option.h"
 #include "mirrorball/base/result.h"
 
+namespace CLI {
+class App;  // CLI11 is included by command_line.cpp and main.cpp only: it takes seconds to compile
+}
+
 namespace mirrorball::cli {
+
+/// Adds a subcommand.
+///
+/// help     one sentence
+CLI::App& addCommand(CLI::App& program, const std::string& name, const std::string& help);
+
+/// Adds an argument without a name to a subcommand, which takes them in the order in which they are added; the second
+/// takes one or more. `target` must outlive the parsing.
+void addArgument(CLI::App& command, const std::string& name, std::string& target, const std::string& help);
+void addArgument(CLI::App& command, const std::string& name, std::vector<std::string>& target, const std::string& help);
+
+/// The same for one that may be left out: `target` then stays as it is.
+void addOptionalArgument(CLI::App& command, const std::string& name, std::string& target, const std::string& help);
 
 /// The text of an option for help: its sentence, choices, unit, range and default.
 std::string describe(const OptionText& text, const std::string& default_value);

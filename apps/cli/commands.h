@@ -1,10 +1,8 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/command_line.h"
 #include "mirrorball/base/result.h"
 
 namespace mirrorball::cli {

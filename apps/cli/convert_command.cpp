@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "cli/command_line.h"
@@ -102,14 +103,12 @@ Action addConvertCommand(CLI::App& program) {
     MapOutputOptions output;
   };
   auto request = std::make_shared<Request>();
-  CLI::App* command = program.add_subcommand("convert", "Lays environment maps out in another projection");
-  command
-      ->add_option("IN", request->inputs,
-                   "maps (.hdr .exr .png .jpg .ktx2 .ktx .dds), one of a cube's six files or their folder, or a "
-                   "built-in: studio sky uv white")
-      ->required();
-  addOptions(*command, convertOptions(), request->options);
-  addOptions(*command, mapOutputOptions(), request->output);
+  CLI::App& command = addCommand(program, "convert", "Lays environment maps out in another projection");
+  addArgument(command, "IN", request->inputs,
+              "maps (.hdr .exr .png .jpg .ktx2 .ktx .dds), one of a cube's six files or their folder, or a built-in: "
+              "studio sky uv white");
+  addOptions(command, convertOptions(), request->options);
+  addOptions(command, mapOutputOptions(), request->output);
   return [request] { return convertInputs(request->inputs, request->options, request->output); };
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -133,13 +134,10 @@ Action addInfoCommand(CLI::App& program) {
     InfoOptions options;
   };
   auto request = std::make_shared<Request>();
-  CLI::App* command =
-      program.add_subcommand("info", "Says what an environment map is, or where a direction lies in it");
-  command
-      ->add_option("FILE", request->input,
-                   "a map (.hdr .exr .png .jpg .ktx2 .ktx .dds) or a built-in: studio sky uv white")
-      ->required();
-  addOptions(*command, infoOptions(), request->options);
+  CLI::App& command = addCommand(program, "info", "Says what an environment map is, or where a direction lies in it");
+  addArgument(command, "FILE", request->input,
+              "a map (.hdr .exr .png .jpg .ktx2 .ktx .dds) or a built-in: studio sky uv white");
+  addOptions(command, infoOptions(), request->options);
   return [request] { return info(request->input, request->options); };
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <optional>
 
 #include "cli/command_line.h"
@@ -279,12 +280,11 @@ Action addPhotoCommand(CLI::App& program) {
     MapOutputOptions output;
   };
   auto request = std::make_shared<Request>();
-  CLI::App* command =
-      program.add_subcommand("photo", "Unwraps a photograph of a mirror ball, or a series of exposures, into a map");
-  command->add_option("PHOTO", request->inputs, "photographs of one exposure series (.jpg .png), or one of .hdr .exr")
-      ->required();
-  addOptions(*command, mapOutputOptions(), request->output);
-  addOptions(*command, photoOptions(), request->options);
+  CLI::App& command =
+      addCommand(program, "photo", "Unwraps a photograph of a mirror ball, or a series of exposures, into a map");
+  addArgument(command, "PHOTO", request->inputs, "photographs of one exposure series (.jpg .png), or one of .hdr .exr");
+  addOptions(command, mapOutputOptions(), request->output);
+  addOptions(command, photoOptions(), request->options);
   return [request] { return photo(request->inputs, request->options, request->output); };
 }
 

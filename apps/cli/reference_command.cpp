@@ -88,7 +88,7 @@ Result<void> printReference() {
 }  // namespace
 
 Action addReferenceCommand(CLI::App& program) {
-  program.add_subcommand("reference", "Prints all options and parameters as Markdown");
+  addCommand(program, "reference", "Prints all options and parameters as Markdown");
   return printReference;
 }
 

@@ -112,11 +112,11 @@ std::span<const Option<RenderFiles>> renderFileOptions() { return kFileOptions; 
 
 Action addRenderCommand(CLI::App& program) {
   auto request = std::make_shared<RenderRequest>();
-  CLI::App* command = program.add_subcommand("render", "Shows a model in an environment");
-  addModel(*command, "MODEL", request->scene);
-  addOptions(*command, sceneOptions(), request->scene);
-  addOptions(*command, renderFileOptions(), request->files);
-  addOptions(*command, renderOptions(), request->options);
+  CLI::App& command = addCommand(program, "render", "Shows a model in an environment");
+  addModel(command, "MODEL", request->scene);
+  addOptions(command, sceneOptions(), request->scene);
+  addOptions(command, renderFileOptions(), request->files);
+  addOptions(command, renderOptions(), request->options);
   return [request] { return render(*request); };
 }
 

@@ -51,9 +51,9 @@ Result<Scene> loadScene(const std::string& model, const RenderOptions& options) 
 std::span<const Option<SceneRequest>> sceneOptions() { return kOptions; }
 
 void addModel(CLI::App& command, const std::string& name, SceneRequest& request) {
-  command.add_option(name, request.model,
-                     "a file (.glb .gltf .obj .ply .stl) or a built-in: none sphere torus knot teapot plane cube "
-                     "showcase (default showcase)");
+  addOptionalArgument(command, name, request.model,
+                      "a file (.glb .gltf .obj .ply .stl) or a built-in: none sphere torus knot teapot plane cube "
+                      "showcase (default showcase)");
 }
 
 Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions& options,

@@ -16,7 +16,10 @@ set(CMAKE_EXE_LINKER_FLAGS_DEV "")
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# The rooms may end up in a shared library, so all code is position independent; as much of it is inlined as if it were
+# not. In programs too: precompiled headers only serve what is compiled with the same options.
+add_compile_options(-fPIC -fno-semantic-interposition)
 
 # Results must not depend on whether a compiler fuses a multiplication with an addition.
 add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor)

@@ -6,7 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "formula/formula.h"
+#include "formula/bsdf.h"
+#include "formula/constants.h"
+#include "formula/prefilter.h"
 #include "mirrorball/bake/mip_chain.h"
 #include "mirrorball/bake/prefilter.h"
 #include "mirrorball/bake/spherical_harmonics.h"

@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "blur_methods.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/environment/load.h"
@@ -79,14 +77,12 @@ Result<void> printError(const std::string& environment, const std::string& argum
 }  // namespace mirrorball::bench
 
 int main(int argc, char** argv) {
-  std::string environment;
-  std::vector<std::string> maps;
-  CLI::App program("Error of prefiltered maps against the sum over all texels of their environment");
-  program.add_option("ENV", environment, "what they were made of")->required();
-  program.add_option("MAP", maps, "FILE=ROUGHNESS (perceptual, GGX) or FILE=irradiance (divided by pi)")->required();
-  CLI11_PARSE(program, argc, argv);
-  for (const std::string& map : maps)
-    if (const auto printed = mirrorball::bench::printError(environment, map); !printed) {
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: %s ENV MAP…\n", argv[0]);
+    return 2;
+  }
+  for (int i = 2; i < argc; ++i)
+    if (const auto printed = mirrorball::bench::printError(argv[1], argv[i]); !printed) {
       std::fprintf(stderr, "%s\n", printed.error().message.c_str());
       return 1;
     }

@@ -14,7 +14,7 @@ install(TARGETS ${mirrorball_rooms} EXPORT mirrorballTargets ARCHIVE DESTINATION
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/mirrorball" DESTINATION "${mirrorball_include_dir}"
         FILES_MATCHING PATTERN "*.h" PATTERN "*_testing.h" EXCLUDE)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/formula" DESTINATION "${mirrorball_include_dir}"
-        FILES_MATCHING PATTERN "*.h" PATTERN "*.glsl")
+        FILES_MATCHING PATTERN "*.h" PATTERN "*.inc" PATTERN "*.glsl")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 install(EXPORT mirrorballTargets NAMESPACE mirrorball:: DESTINATION "${mirrorball_package_dir}")

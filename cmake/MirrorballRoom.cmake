@@ -1,10 +1,13 @@
-# mirrorball_room(NAME SOURCES … DEPENDS … [TESTS …] [TEST_DEPENDS …] [LABELS …])
+# mirrorball_room(NAME SOURCES … DEPENDS … [TESTS …] [ACCURACY_TESTS …])
 #
 # One room of the house (docs/architecture.md): the static library mirrorball_NAME, aliased
-# mirrorball::NAME, with one test program beside it. DEPENDS are the targets that the room's own
-# headers or sources use.
+# mirrorball::NAME, with its test programs beside it. DEPENDS are the targets that the room's own
+# headers or sources use. ACCURACY_TESTS hold results to brute force, over many inputs.
+#
+# What is in the rooms, their tests and the packages that they use are collected in the properties MIRRORBALL_…, for the
+# package (MirrorballInstall.cmake) and for the sanitizers (tests/sanitized).
 function(mirrorball_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;TESTS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;TESTS;ACCURACY_TESTS" ${ARGN})
   set(target mirrorball_${name})
   add_library(${target} STATIC ${ROOM_SOURCES})
   add_library(mirrorball::${name} ALIAS ${target})
@@ -15,29 +18,67 @@ function(mirrorball_room name)
   target_link_libraries(${target} PUBLIC ${ROOM_DEPENDS})
   target_compile_features(${target} PUBLIC cxx_std_20)
   mirrorball_use_precompiled_headers(${target})
+
+  list(TRANSFORM ROOM_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  list(FILTER ROOM_DEPENDS EXCLUDE REGEX "^mirrorball::")
   set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOMS ${target})
+  set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_SOURCES ${ROOM_SOURCES})
+  set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_PACKAGES ${ROOM_DEPENDS})
   if(MIRRORBALL_TESTS AND ROOM_TESTS)
-    mirrorball_test(${name}_test SOURCES ${ROOM_TESTS} DEPENDS ${target} ${ROOM_TEST_DEPENDS})
+    mirrorball_test(${name} SOURCES ${ROOM_TESTS} DEPENDS ${target})
+    set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_TESTS ${name}_test_code)
+  endif()
+  if(MIRRORBALL_TESTS AND ROOM_ACCURACY_TESTS)
+    mirrorball_test(${name}_accuracy SOURCES ${ROOM_ACCURACY_TESTS} DEPENDS ${target} LABELS accuracy)
   endif()
 endfunction()
 
 # mirrorball_test(NAME SOURCES … DEPENDS … [LABELS …])
 #
-# A GoogleTest program, each of whose tests CTest runs by name, under the labels given (unit unless told).
-# A test that GoogleTest skips (no GL driver, no shared data) is counted by CTest as skipped.
+# A GoogleTest program, NAME_test, of which CTest runs each suite as NAME.Suite under the labels given (unit unless told).
+# A suite all of whose tests skip themselves (no GL driver, no shared data) is counted by CTest as skipped. Its code is an
+# object library, NAME_test_code.
 function(mirrorball_test name)
   cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
   if(NOT TEST_LABELS)
     set(TEST_LABELS unit)
   endif()
-  add_executable(${name} ${TEST_SOURCES})
-  target_link_libraries(${name} PRIVATE ${TEST_DEPENDS} GTest::gtest_main GTest::gmock)
-  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
-  mirrorball_use_precompiled_headers(${name} TEST)
-  target_compile_definitions(${name} PRIVATE
-    MIRRORBALL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  if(MIRRORBALL_SANITIZE)
-    target_sources(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests/keep_drivers_loaded.cpp")
+  add_library(${name}_test_code OBJECT ${TEST_SOURCES})
+  target_link_libraries(${name}_test_code PUBLIC ${TEST_DEPENDS} GTest::gmock)
+  target_include_directories(${name}_test_code PUBLIC "${PROJECT_SOURCE_DIR}/tests")
+  target_compile_definitions(${name}_test_code PRIVATE MIRRORBALL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_compile_options(${name}_test_code PRIVATE ${mirrorball_test_options})
+  mirrorball_use_precompiled_headers(${name}_test_code TEST)
+  add_executable(${name}_test $<TARGET_OBJECTS:mirrorball_test_main>)
+  target_link_libraries(${name}_test PRIVATE ${name}_test_code)
+  mirrorball_discover_suites(${name}_test ${name} LABELS ${TEST_LABELS})
+endfunction()
+
+# mirrorball_discover_suites(PROGRAM NAME LABELS … [AFTER TARGET] [ENVIRONMENT …] [EXCEPT …])
+#
+# Tells CTest the suites of a GoogleTest program, as NAME.Suite: after it is built, or after another target that needs it.
+# EXCEPT leaves tests out, as GoogleTest's filter has them.
+function(mirrorball_discover_suites program name)
+  cmake_parse_arguments(SUITES "" "AFTER" "LABELS;ENVIRONMENT;EXCEPT" ${ARGN})
+  if(NOT SUITES_AFTER)
+    set(SUITES_AFTER ${program})
   endif()
-  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${TEST_LABELS}" TIMEOUT 600)
+  set(suites "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
+  add_custom_command(TARGET ${SUITES_AFTER} POST_BUILD
+    COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${program}>" -DNAME=${name} "-DLABELS=${SUITES_LABELS}"
+            "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}" "-DOUTPUT=${suites}"
+            -P "${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake"
+    BYPRODUCTS "${suites}"
+    VERBATIM)
+  # A program that is not built has no suites; that is a failed test, not none.
+  set(include "${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake")
+  file(CONFIGURE OUTPUT "${include}" @ONLY CONTENT [=[
+if(EXISTS "@suites@")
+  include("@suites@")
+else()
+  add_test(@name@.IsNotBuilt @program@)
+  set_tests_properties(@name@.IsNotBuilt PROPERTIES LABELS "@SUITES_LABELS@")
+endif()
+]=])
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${include}")
 endfunction()

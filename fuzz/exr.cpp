@@ -1,7 +1,7 @@
 #include "fuzz.h"
 #include "mirrorball/codec/codec.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MIRRORBALL_HARNESS(exr) {
   mirrorball::fuzz::checkError(mirrorball::decodeImage({data, size}, "a.exr"), "a.exr");
   return 0;
 }

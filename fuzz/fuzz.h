@@ -9,10 +9,21 @@
 
 #include "mirrorball/base/result.h"
 
-/// What a fuzzer and the replay of its corpus call, once an input.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+/// `MIRRORBALL_HARNESS(png) { … return 0; }` is what a fuzzer calls once an input, `data` and `size`. The replay of the
+/// corpora has all harnesses in one program, each under its decoder's name.
+#ifdef MIRRORBALL_REPLAY
+#define MIRRORBALL_HARNESS(decoder)                                                                \
+  static int decoder##Input(const std::uint8_t* data, std::size_t size);                           \
+  static const bool decoder##_is_known = ::mirrorball::fuzz::addHarness(#decoder, decoder##Input); \
+  static int decoder##Input(const std::uint8_t* data, std::size_t size)
+#else
+#define MIRRORBALL_HARNESS(decoder) extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+#endif
 
 namespace mirrorball::fuzz {
+
+/// Of the replay: returns true.
+bool addHarness(const char* decoder, int (*harness)(const std::uint8_t* data, std::size_t size));
 
 /// What every decoder owes its caller for bytes that it refuses: one line that begins with the file's name. Anything
 /// else ends the program, which libFuzzer reports as a finding.

@@ -2,7 +2,7 @@
 
 #include "fuzz.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MIRRORBALL_HARNESS(gltf) {
   mirrorball::fuzz::checkError(mirrorball::decodeGltf({data, size}, "a.gltf"), "a.gltf");
   return 0;
 }

@@ -1,7 +1,7 @@
 #include "fuzz.h"
 #include "mirrorball/codec/codec.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MIRRORBALL_HARNESS(hdr) {
   mirrorball::fuzz::checkError(mirrorball::decodeImage({data, size}, "a.hdr"), "a.hdr");
   return 0;
 }

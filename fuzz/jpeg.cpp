@@ -2,7 +2,7 @@
 #include "mirrorball/codec/codec.h"
 
 /// Both ways to read it: to light, and to samples as stored.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MIRRORBALL_HARNESS(jpeg) {
   mirrorball::fuzz::checkError(mirrorball::decodeImage({data, size}, "a.jpeg"), "a.jpeg");
   mirrorball::fuzz::checkError(mirrorball::decodeTexture({data, size}, "a.jpeg"), "a.jpeg");
   return 0;

@@ -1,7 +1,7 @@
 #include "fuzz.h"
 #include "mirrorball/codec/texture_file.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MIRRORBALL_HARNESS(ktx1) {
   mirrorball::fuzz::checkError(mirrorball::decodeImageSet({data, size}, "a.ktx1"), "a.ktx1");
   return 0;
 }

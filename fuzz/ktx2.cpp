@@ -1,7 +1,7 @@
 #include "fuzz.h"
 #include "mirrorball/codec/texture_file.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MIRRORBALL_HARNESS(ktx2) {
   mirrorball::fuzz::checkError(mirrorball::decodeImageSet({data, size}, "a.ktx2"), "a.ktx2");
   return 0;
 }

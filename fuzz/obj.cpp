@@ -2,7 +2,7 @@
 
 #include "fuzz.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MIRRORBALL_HARNESS(obj) {
   mirrorball::fuzz::checkError(mirrorball::decodeObj({data, size}, "a.obj"), "a.obj");
   return 0;
 }

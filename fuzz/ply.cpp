@@ -2,7 +2,7 @@
 
 #include "fuzz.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MIRRORBALL_HARNESS(ply) {
   mirrorball::fuzz::checkError(mirrorball::decodePly({data, size}, "a.ply"), "a.ply");
   return 0;
 }

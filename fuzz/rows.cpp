@@ -41,7 +41,7 @@ bool isPartOf(const Image& part, const Image& whole, int first) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MIRRORBALL_HARNESS(rows) {
   const std::span<const std::uint8_t> bytes(data, size);
   const MemoryFile file(bytes);
   const auto rows = openRows(file.path());

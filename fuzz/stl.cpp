@@ -2,7 +2,7 @@
 
 #include "fuzz.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MIRRORBALL_HARNESS(stl) {
   mirrorball::fuzz::checkError(mirrorball::decodeStl({data, size}, "a.stl"), "a.stl");
   return 0;
 }

@@ -17,4 +17,7 @@ inline std::optional<std::filesystem::path> sharedData(const char* name) {
   return path;
 }
 
+/// Whether the code under test is built with the sanitizers (tests/sanitized).
+inline bool isSanitized() { return std::getenv("MIRRORBALL_SANITIZED") != nullptr; }
+
 }  // namespace mirrorball::testing

@@ -12,7 +12,7 @@
 
 #include "cli/files.h"
 #include "cli/terminal.h"
-#include "formula/formula.h"
+#include "formula/bsdf.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/stored_format.h"
 #include "mirrorball/environment/cube_arrangement.h"

@@ -1,6 +1,8 @@
 #include "cli/command_line.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -79,6 +81,9 @@ void addOption(CLI::App& command, const OptionText& text, const std::string& def
   if (!text.group.empty()) option->group(std::string(text.group));
 }
 
+namespace {
+
+/// The error for arguments that no option or positional takes: suggests the nearest option.
 Error unexpectedArgument(const CLI::App& command, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
   if (!name.starts_with('-'))
@@ -90,6 +95,66 @@ Error unexpectedArgument(const CLI::App& command, const std::string& argument) {
   std::string message = "there is no option " + name;
   if (const auto nearest = nearestWord(name, views)) message += "; did you mean " + std::string(*nearest) + "?";
   return {ErrorCode::usage, message + " (mirrorball " + command.get_name() + " --help lists them)"};
+}
+
+/// The one line of a CLI11 error: without the name of the exception that it puts in front of its own.
+Error parseError(const CLI::ParseError& error) {
+  std::string message = error.what();
+  if (const std::size_t colon = message.find("--: "); colon == 0) message.erase(0, 4);
+  return {ErrorCode::usage, message};
+}
+
+/// The error for a command line without a subcommand, or with a wrong one.
+Error missingCommand(int argc, char** argv, const std::vector<std::string_view>& names) {
+  constexpr const char* kHelp = "; mirrorball --help tells what each does";
+  if (argc < 2) return {ErrorCode::usage, "name a command: " + join(names) + kHelp};
+  Error error = argv[1][0] == '-'
+                    ? unknownName("option", argv[1], std::array<std::string_view, 2>{"--help", "--version"})
+                    : unknownName("command", argv[1], names);
+  error.message += kHelp;
+  return error;
+}
+
+/// errors   usage: no subcommand, or what nothing takes
+Result<void> checkRest(const CLI::App& program, const std::vector<CLI::App*>& commands, int argc, char** argv) {
+  if (program.get_subcommands().empty()) {
+    std::vector<std::string_view> names;
+    for (const CLI::App* command : commands) names.emplace_back(command->get_name());
+    return tl::unexpected<Error>(missingCommand(argc, argv, names));
+  }
+  if (const auto extras = program.remaining(); !extras.empty())
+    return fail(ErrorCode::usage, "'" + extras.front() + "' was not expected; mirrorball --help tells what may be");
+  for (const CLI::App* command : program.get_subcommands())
+    if (const auto extras = command->remaining(); !extras.empty())
+      return tl::unexpected<Error>(unexpectedArgument(*command, extras.front()));
+  return {};
+}
+
+}  // namespace
+
+Result<Action> readCommandLine(int argc, char** argv, std::span<const AddCommand> add_commands) {
+  CLI::App program("Environment mapping: what mirrors, glass, rough metal and bumpy surfaces look like in a place");
+  program.name("mirrorball");
+  const std::string version = std::string("mirrorball ") + MIRRORBALL_VERSION;
+  program.set_version_flag("--version", version);
+  program.set_help_flag("-h,--help", "Print this help");
+  std::vector<Action> actions;
+  for (const AddCommand add : add_commands) actions.push_back(add(program));
+  // In the order in which they were added.
+  const std::vector<CLI::App*> commands = program.get_subcommands([](CLI::App*) { return true; });
+  for (CLI::App* command : commands) command->allow_extras()->set_version_flag("--version", version);
+  program.allow_extras()->require_subcommand(0, 1);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    program.exit(help_or_version);
+    return Action([]() -> Result<void> { return {}; });
+  } catch (const CLI::ParseError& error) {
+    return tl::unexpected<Error>(parseError(error));
+  }
+  MIRRORBALL_TRY_VOID(checkRest(program, commands, argc, argv));
+  const auto parsed = std::ranges::find_if(commands, [](const CLI::App* command) { return command->parsed(); });
+  return std::move(actions[static_cast<std::size_t>(parsed - commands.begin())]);
 }
 
 }  // namespace mirrorball::cli

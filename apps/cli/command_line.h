@@ -11,10 +11,22 @@
 #include "mirrorball/base/result.h"
 
 namespace CLI {
-class App;  // CLI11 is included by command_line.cpp and main.cpp only: it takes seconds to compile
+class App;  // CLI11 is included by command_line.cpp only: it takes seconds to compile
 }
 
 namespace mirrorball::cli {
+
+/// What a subcommand does once the command line is read; its Error becomes the exit code.
+using Action = std::function<Result<void>()>;
+
+/// Adds a subcommand with all its options to the program and returns what it does.
+using AddCommand = Action (*)(CLI::App& program);
+
+/// Reads the command line of a program with these subcommands. Prints help or the version where they are asked for.
+///
+/// returns  what is to be done
+/// errors   usage
+Result<Action> readCommandLine(int argc, char** argv, std::span<const AddCommand> commands);
 
 /// Adds a subcommand.
 ///
@@ -71,8 +83,5 @@ void addOptions(CLI::App& command, std::span<const Option<Target>> table, Target
               std::holds_alternative<std::vector<std::string> Target::*>(option.field),
               [&option, &target](const std::string& value) { return assign(option, target, value); });
 }
-
-/// The error for arguments that no option or positional takes: suggests the nearest option.
-Error unexpectedArgument(const CLI::App& command, const std::string& argument);
 
 }  // namespace mirrorball::cli

@@ -1,14 +1,8 @@
 #pragma once
 
-#include <functional>
-
 #include "cli/command_line.h"
-#include "mirrorball/base/result.h"
 
 namespace mirrorball::cli {
-
-/// What a subcommand does once the command line is read; its Error becomes the exit code.
-using Action = std::function<Result<void>()>;
 
 /// Each adds its subcommand with all options to the program and returns what it does.
 Action addRenderCommand(CLI::App& program);

@@ -7,7 +7,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "formula/formula.h"
+#include "formula/constants.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/load.h"
 #include "mirrorball/environment/statistics.h"

@@ -14,6 +14,7 @@
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/texture_file.h"
 #include "mirrorball/environment/load.h"
+#include "test_data.h"
 
 namespace mirrorball::testing {
 
@@ -78,18 +79,12 @@ class RenderCliTest : public CliTest {
   void SetUp() override;
 };
 
-/// What a process takes at most says nothing where the address sanitizer keeps what was given back.
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr bool kPeakIsTheSanitizers = true;
-#else
-inline constexpr bool kPeakIsTheSanitizers = false;
-#endif
-
-/// The same for what measures memory.
+/// The same for what measures memory: what a process takes at most says nothing where the address sanitizer keeps what was
+/// given back.
 class PeakMemoryTest : public CliTest {
  protected:
   void SetUp() override {
-    if (kPeakIsTheSanitizers) GTEST_SKIP() << "the address sanitizer's own memory is larger than what is measured";
+    if (isSanitized()) GTEST_SKIP() << "the address sanitizer's own memory is larger than what is measured";
   }
 };
 

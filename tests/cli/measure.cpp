@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/render/render_options.h"
 
 namespace mirrorball::testing {

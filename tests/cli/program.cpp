@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 #include <thread>
@@ -29,7 +30,7 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
 
 /// A cache for this very build of the program, so that what it prefilters otherwise than before is not taken from there.
 std::string cacheOfThisBuild() {
-  const std::filesystem::path program(MIRRORBALL_PROGRAM);
+  const std::filesystem::path program = programFile();
   const auto built = std::filesystem::last_write_time(program).time_since_epoch().count();
   return (program.parent_path() / ("test_cache_" + std::to_string(built))).string();
 }
@@ -80,10 +81,15 @@ bool catchesInterrupts(pid_t process) {
 
 }  // namespace
 
+std::filesystem::path programFile() {
+  const char* other = std::getenv("MIRRORBALL_PROGRAM");
+  return other != nullptr ? other : MIRRORBALL_PROGRAM;
+}
+
 Program::Program(const Start& start) : out_(std::tmpfile()), err_(std::tmpfile()) {
   if (start.on_terminal) std::tie(terminal_, err_) = openTerminal();
   // All memory is taken before the fork: a child of a process with threads may only make system calls.
-  std::vector<std::string> arguments{MIRRORBALL_PROGRAM};
+  std::vector<std::string> arguments{programFile().string()};
   arguments.insert(arguments.end(), start.arguments.begin(), start.arguments.end());
   std::vector<std::string> variables = environmentWith(start.environment);
   const std::vector<char*> argument_pointers = pointersTo(arguments);

@@ -12,6 +12,9 @@
 
 namespace mirrorball::testing {
 
+/// The program's file: $MIRRORBALL_PROGRAM, else the one that was built beside the tests.
+std::filesystem::path programFile();
+
 /// How the program is started.
 struct Start {
   std::vector<std::string> arguments = {};

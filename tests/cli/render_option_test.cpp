@@ -7,7 +7,7 @@
 
 #include "cli/cli_testing.h"
 #include "cli/measure.h"
-#include "formula/formula.h"
+#include "formula/color.h"
 
 namespace mirrorball::testing {
 namespace {

@@ -1,8 +1,8 @@
+#include "formula/color.h"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
-
-#include "formula/formula.h"
 
 namespace mirrorball::formula {
 namespace {

@@ -1,9 +1,9 @@
+#include "formula/surface.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
-
-#include "formula/formula.h"
 
 namespace mirrorball::formula {
 namespace {

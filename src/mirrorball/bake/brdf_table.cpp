@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "formula/formula.h"
+#include "formula/bsdf.h"
 #include "mirrorball/bake/reflected_share.h"
 #include "mirrorball/base/parallel.h"
 

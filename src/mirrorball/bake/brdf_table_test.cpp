@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
-#include "formula/formula.h"
+#include "formula/bsdf.h"
 #include "mirrorball/bake/reflected_share.h"
 
 namespace mirrorball {

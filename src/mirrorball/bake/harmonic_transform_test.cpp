@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/prefilter.h"
 #include "mirrorball/bake/legendre.h"
 #include "mirrorball/bake/prefilter_testing.h"
 #include "mirrorball/bake/spherical_harmonics.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "formula/formula.h"
+#include "formula/bsdf.h"
 #include "mirrorball/bake/gauss_legendre.h"
 
 namespace mirrorball {

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "formula/formula.h"
+#include "formula/bsdf.h"
+#include "formula/prefilter.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/environment/convert.h"
 

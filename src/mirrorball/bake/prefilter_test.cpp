@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "formula/formula.h"
+#include "formula/prefilter.h"
 #include "mirrorball/bake/prefilter_testing.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"

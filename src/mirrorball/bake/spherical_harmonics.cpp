@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "formula/formula.h"
+#include "formula/prefilter.h"
 #include "mirrorball/bake/gauss_legendre.h"
 
 namespace mirrorball {

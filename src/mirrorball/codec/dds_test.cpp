@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/texture_testing.h"
 

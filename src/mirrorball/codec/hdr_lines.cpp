@@ -6,7 +6,7 @@
 #include <cstring>
 #include <optional>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/parallel.h"
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/codec/codec_testing.h"
 #include "test_data.h"
 

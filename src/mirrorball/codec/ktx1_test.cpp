@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/codec/texture_testing.h"
 
 namespace mirrorball {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/codec/codec_testing.h"
 #include "mirrorball/codec/icc_testing.h"
 #include "mirrorball/codec/srgb.h"

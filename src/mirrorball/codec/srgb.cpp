@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/base/parallel.h"
 
 namespace mirrorball {

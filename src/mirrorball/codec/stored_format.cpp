@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/shared_exponent.h"

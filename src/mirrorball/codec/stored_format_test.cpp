@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/codec/shared_exponent.h"
 #include "mirrorball/image/small_float.h"
 

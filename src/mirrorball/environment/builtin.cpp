@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "formula/formula.h"
+#include "formula/constants.h"
+#include "formula/sky.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/uv_environment.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formula/formula.h"
+#include "formula/projection.h"
 
 namespace mirrorball {
 namespace {

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <limits>
 
-#include "formula/formula.h"
+#include "formula/projection.h"
 
 namespace mirrorball {
 namespace {

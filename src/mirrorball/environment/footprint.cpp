@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "formula/formula.h"
+#include "formula/constants.h"
 
 namespace mirrorball {
 namespace {

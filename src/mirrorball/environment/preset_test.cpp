@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/constants.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 

@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "formula/formula.h"
+#include "formula/constants.h"
+#include "formula/projection.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball {

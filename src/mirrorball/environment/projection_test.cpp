@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/projection.h"
 #include "mirrorball/environment/environment_testing.h"
 
 namespace mirrorball {

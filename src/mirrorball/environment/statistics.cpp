@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 
 namespace mirrorball {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "formula/formula.h"
+#include "formula/constants.h"
 #include "mirrorball/environment/projection.h"
 
 namespace mirrorball {

@@ -7,7 +7,7 @@
 
 #include <glm/glm.hpp>
 
-#include "formula/formula.h"
+#include "formula/projection.h"
 
 namespace mirrorball {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <epoxy/gl.h>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 
 namespace mirrorball::gl {
 namespace {

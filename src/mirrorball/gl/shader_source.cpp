@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <regex>
+#include <cstdio>
 
 #include "shaders/embedded_text.h"
 
@@ -18,7 +18,7 @@ constexpr std::string_view kEmbeddedVersion =
     "precision highp samplerCube;\n";
 
 // The shader's half of the agreement that lets a formula file be GLSL and C++; the other half is
-// formula/formula.h.
+// formula/glsl_begin.inc.
 constexpr std::string_view kPrelude =
     "#define FN\n"
     "#define CUBE_SAMPLER samplerCube\n"
@@ -92,22 +92,40 @@ Result<ShaderSource> shaderSource(Api api, std::string_view entry, std::span<con
   return source;
 }
 
-std::string namedLog(std::string_view log, std::span<const std::string> files) {
+namespace {
+
+/// The place that a message of a driver's compiler begins with, and where in the message it stands.
+struct Place {
+  std::size_t file = 0;
+  int line = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;  ///< of the colon behind it
+};
+
+std::optional<Place> placeIn(const std::string& message) {
+  Place place;
+  for (const std::string_view kind : {"ERROR: ", "WARNING: "})
+    if (message.starts_with(kind)) place.begin = kind.size();
   // "0:12(5): error" is Mesa's form, "0(12) : error" NVIDIA's, "ERROR: 0:12:" that of most others.
-  static const std::regex kPlace(R"(^(ERROR: |WARNING: )?(\d{1,9})(?::(\d+)(?:\(\d+\))?|\((\d+)\) ?):)");
+  for (const char* form : {"%9zu:%9d(%*9d)%n", "%9zu:%9d%n", "%9zu(%9d) %n"}) {
+    int length = 0;
+    if (std::sscanf(message.c_str() + place.begin, form, &place.file, &place.line, &length) != 2) continue;
+    place.end = place.begin + static_cast<std::size_t>(length);
+    if (length > 0 && message[place.end] == ':') return place;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string namedLog(std::string_view log, std::span<const std::string> files) {
   std::string named;
   while (!log.empty()) {
     const std::size_t end = std::min(log.find('\n'), log.size());
     std::string line(log.substr(0, end));
     log.remove_prefix(std::min(end + 1, log.size()));
-    std::smatch place;
-    if (std::regex_search(line, place, kPlace)) {
-      const std::size_t file = std::stoul(place[2]);
-      if (file < files.size()) {
-        const std::string at = place[3].matched ? place[3].str() : place[4].str();
-        line = place[1].str() + files[file] + ':' + at + ':' + place.suffix().str();
-      }
-    }
+    if (const auto place = placeIn(line); place && place->file < files.size())
+      line.replace(place->begin, place->end - place->begin, files[place->file] + ':' + std::to_string(place->line));
     if (line.find_first_not_of(" \t\r") != std::string::npos) {
       if (!named.empty()) named += '\n';
       named += line;

@@ -10,7 +10,7 @@
 
 #include <epoxy/gl.h>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/gl/half.h"
 #include "mirrorball/gl/read_pixels.h"

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 
 namespace mirrorball {
 namespace {

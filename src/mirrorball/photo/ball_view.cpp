@@ -4,7 +4,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "formula/formula.h"
+#include "formula/projection.h"
 
 namespace mirrorball {
 BallView::BallView(const Lens& lens, const Circle& rim) : lens_(lens), rim_(rim) {

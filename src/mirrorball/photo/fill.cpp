@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "formula/formula.h"
+#include "formula/projection.h"
 #include "mirrorball/base/parallel.h"
 
 namespace mirrorball {

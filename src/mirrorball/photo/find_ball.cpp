@@ -4,7 +4,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/photo/rim_fit.h"
 #include "mirrorball/photo/rim_votes.h"

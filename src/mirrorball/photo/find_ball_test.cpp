@@ -40,12 +40,12 @@ RadianceFunction clutter(unsigned seed, bool with_discs = true) {
   }
   return [things](glm::vec3 ray) {
     const glm::vec2 p(ray.x / -ray.z, ray.y / -ray.z);
-    glm::vec3 color(0.2f);
-    for (const Thing& thing : things) {
-      const glm::vec2 away = glm::abs(p - thing.middle) / thing.half;
-      if (thing.is_disc ? glm::dot(away, away) < 1.0f : std::max(away.x, away.y) < 1.0f) color = thing.color;
+    // The last one lies on top.
+    for (auto thing = things.rbegin(); thing != things.rend(); ++thing) {
+      const glm::vec2 away = glm::abs(p - thing->middle) / thing->half;
+      if (thing->is_disc ? glm::dot(away, away) < 1.0f : std::max(away.x, away.y) < 1.0f) return thing->color;
     }
-    return color;
+    return glm::vec3(0.2f);
   };
 }
 

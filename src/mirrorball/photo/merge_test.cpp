@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/photo/photo_testing.h"
 
 namespace mirrorball {

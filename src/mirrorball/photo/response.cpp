@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 
 namespace mirrorball {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <glm/gtc/constants.hpp>
 
@@ -93,21 +95,27 @@ class Votes {
 
   /// The mean of 3 × 3 × 3 cells, as a share of the rim: a full one has about 2πr edges.
   Votes smoothed() const {
-    Votes result(width_ - 2 * kBorder, height_ - 2 * kBorder);
-    for (int radius = 0; radius < kRadii; ++radius)
-      for (int y = 0; y < height_; ++y)
-        for (int x = 0; x < width_; ++x) {
-          float sum = 0.0f;
-          for (int k = -1; k <= 1; ++k)
-            for (int j = -1; j <= 1; ++j)
-              for (int i = -1; i <= 1; ++i) sum += at(x + i, y + j, radius + k);
-          const float rim = glm::two_pi<float>() * static_cast<float>(radius + kLeastRadius);
-          result.cells_[std::size_t((radius * height_ + y) * width_ + x)] = sum / rim;
-        }
+    Votes result = *this;
+    const auto row = std::size_t(width_), level = row * std::size_t(height_);
+    // Votes are whole numbers, so that their sums are exact in any order.
+    for (const auto& [step, count] :
+         {std::pair(std::size_t{1}, row), std::pair(row, level), std::pair(level, result.cells_.size())})
+      addNeighbours(result.cells_, step, count);
+    for (std::size_t cell = 0; cell < result.cells_.size(); ++cell)
+      result.cells_[cell] /= glm::two_pi<float>() * static_cast<float>(int(cell / level) + kLeastRadius);
     return result;
   }
 
  private:
+  /// Adds to each cell those `step` before and behind it, where they are in the same stretch of `count` cells.
+  static void addNeighbours(std::vector<float>& cells, std::size_t step, std::size_t count) {
+    const std::vector<float> before = cells;
+    for (std::size_t begin = 0; begin < cells.size(); begin += count) {
+      for (std::size_t i = begin + step; i < begin + count; ++i) cells[i] += before[i - step];
+      for (std::size_t i = begin; i + step < begin + count; ++i) cells[i] += before[i + step];
+    }
+  }
+
   int width_;
   int height_;
   std::vector<float> cells_;

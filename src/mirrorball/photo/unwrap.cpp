@@ -7,7 +7,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/image/filter.h"
 #include "mirrorball/photo/fill.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/constants.h"
 #include "mirrorball/codec/jpeg.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"

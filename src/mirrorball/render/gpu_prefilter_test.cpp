@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/prefilter.h"
 #include "mirrorball/bake/prefilter.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball {

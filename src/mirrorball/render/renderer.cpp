@@ -9,7 +9,10 @@
 #include <epoxy/gl.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "formula/formula.h"
+#include "formula/bsdf.h"
+#include "formula/prefilter.h"
+#include "formula/projection.h"
+#include "formula/surface.h"
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/render/gpu_prefilter.h"
 #include "mirrorball/render/scene_buffers.h"

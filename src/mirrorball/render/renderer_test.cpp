@@ -8,7 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/bsdf.h"
+#include "formula/color.h"
 #include "mirrorball/bake/reflected_share.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formula/formula.h"
+#include "formula/projection.h"
 #include "mirrorball/base/parallel.h"
 
 namespace mirrorball {

@@ -5,7 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "formula/formula.h"
+#include "formula/projection.h"
 
 namespace mirrorball {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/projection.h"
 
 namespace mirrorball {
 namespace {

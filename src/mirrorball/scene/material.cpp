@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "formula/formula.h"
+#include "formula/bsdf.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball {

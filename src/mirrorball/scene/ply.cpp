@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "formula/formula.h"
+#include "formula/color.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/scene/polygon.h"
 #include "mirrorball/scene/text_scanner.h"

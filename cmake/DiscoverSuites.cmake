@@ -1,0 +1,26 @@
+# cmake -DPROGRAM=… -DNAME=… -DLABELS=… -DENVIRONMENT=… -DEXCEPT=… -DOUTPUT=… -P DiscoverSuites.cmake
+#
+# Writes the file from which CTest learns the suites of a GoogleTest program: each is one test, NAME.Suite, in a process of
+# its own. Suites and not single tests, since a process of its own costs more than most tests do (a GL driver is started,
+# shaders are compiled), and so that the tests of a suite can share what is dear to make.
+#
+# EXCEPT is a list of tests that are left out, as GoogleTest's filter has them.
+list(JOIN EXCEPT ":" except)
+execute_process(COMMAND "${PROGRAM}" --gtest_list_tests "--gtest_filter=*-${except}" OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
+
+# Lines that are not indented name a suite, "Suite." or "Suite.  # TypeParam = …".
+string(REGEX MATCHALL "(^|\n)[^ \n]+\\." suites "${listing}")
+if(NOT suites)
+  message(FATAL_ERROR "${PROGRAM} lists no tests")
+endif()
+
+set(properties "LABELS [==[${LABELS}]==] ENVIRONMENT [==[${ENVIRONMENT}]==] TIMEOUT 600 SKIP_RETURN_CODE 77")
+set(tests "")
+foreach(suite IN LISTS suites)
+  string(STRIP "${suite}" suite)
+  string(REGEX REPLACE "\\.$" "" suite "${suite}")
+  set(test "[==[${NAME}.${suite}]==]")
+  string(APPEND tests "add_test(${test} [==[${PROGRAM}]==] [==[--gtest_filter=${suite}.*-${except}]==])\n"
+    "set_tests_properties(${test} PROPERTIES ${properties})\n")
+endforeach()
+file(WRITE "${OUTPUT}" "${tests}")

@@ -1,0 +1,11 @@
+#pragma once
+
+/// Colour: luminance, transfer curves, tone maps. How these files are read: formula/formula.h.
+
+#include "formula/glsl_begin.inc"
+
+namespace mirrorball::formula {
+#include "formula/color.glsl"
+}  // namespace mirrorball::formula
+
+#include "formula/glsl_end.inc"

@@ -1,0 +1,21 @@
+#pragma once
+
+/// What a pixel of a surface shows: bumps, the light that it sees, how it answers. How these files are read:
+/// formula/formula.h.
+
+#include "formula/bsdf.h"
+#include "formula/color.h"
+#include "formula/prefilter.h"
+//
+#include "formula/glsl_begin.inc"
+
+namespace mirrorball::formula {
+#include "formula/height.glsl"
+#include "formula/sampling.glsl"
+#include "formula/tangent.glsl"
+//
+#include "formula/blur.glsl"
+#include "formula/shading.glsl"
+}  // namespace mirrorball::formula
+
+#include "formula/glsl_end.inc"

@@ -1,16 +1,18 @@
 #!/bin/sh
-# usage: setup.sh PRESET GROUP…
+# usage: setup.sh PRESET[:TARGET] GROUP…
 #
-# Installs the packages of the groups given (packages.txt) that are missing, then configures and builds one preset of
-# CMakePresets.json and leaves the stamp build/PRESET/.built. Exit code 0 or 1. Writes to stderr only: stdout belongs to
-# the program that is built.
+# Installs the packages of the groups given (packages.txt) that are missing, then configures one preset of
+# CMakePresets.json and builds it, or only the target given. Leaves the stamp build/PRESET/.built when all was built. Exit
+# code 0 or 1. Writes to stderr only: stdout belongs to the program that is built.
 #
 #   MIRRORBALL_NO_INSTALL=1      installs nothing: prints the command, and builds if CMake finds all it needs
 #   MIRRORBALL_OS_RELEASE=FILE   is read instead of /etc/os-release, to try another system's way
 
 set -eu
 exec >&2
-preset=$1
+preset=${1%%:*}
+target=${1#"$preset"}
+target=${target#:}
 shift
 groups=$*
 cd -P -- "$(dirname -- "$0")/.."
@@ -133,11 +135,11 @@ buildPreset() {
     say "CMake could not configure the build; its messages are above"
     exit 1
   fi
-  if ! NINJA_STATUS='[%p %es] ' cmake --build --preset "$preset"; then
+  if ! NINJA_STATUS='[%p %es] ' cmake --build --preset "$preset" --target "${target:-all}"; then
     say "the build failed; the compiler's messages are above"
     exit 1
   fi
-  mv "$build/.begun" "$build/.built"
+  if [ "${target:-all}" = all ]; then mv "$build/.begun" "$build/.built"; fi
   say "built in $(($(date +%s) - begin)) s"
 }
 

@@ -13,6 +13,7 @@
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/render_testing.h"
 #include "mirrorball/scene/builtin_shapes.h"
 
 namespace mirrorball {
@@ -118,7 +119,7 @@ class CubeCaptureTest : public gl::GlTest {
 
   Result<EnvironmentMap> tryCapture(const Scene& scene, const Environment& environment, const CaptureSettings& settings,
                                     const ProgressFunction& progress) const {
-    MIRRORBALL_TRY(prepared, prepareEnvironment(environment));
+    MIRRORBALL_TRY(prepared, testing::prepareOnce(environment));
     MIRRORBALL_TRY(renderer, Renderer::make(context(), scene, environment, prepared));
     return captureEnvironment(renderer, settings, progress);
   }
@@ -232,18 +233,20 @@ TEST_P(CubeCaptureTest, ALampIsSeenInItsDirectionAndNowhereElse) {
 // that is seen is off by less than 1e-3. A texel's mean of smooth light is off its centre's by as much.
 TEST_P(CubeCaptureTest, AnEnclosingSphereIsSeenAtTheRightPlacesAndWithoutASeam) {
   const Scene scene = paintedSphere();
-  for (const glm::vec3 position : {glm::vec3(0.0f), glm::vec3(0.5f, -0.3f, 0.4f), glm::vec3(-0.1f, 0.9f, 0.0f)})
+  for (const glm::vec3 position : {glm::vec3(0.0f), glm::vec3(0.5f, -0.3f, 0.4f), glm::vec3(-0.1f, 0.9f, 0.0f)}) {
+    const auto expected = [&](glm::vec3 d) { return testing::smoothRadiance(onUnitSphere(position, d)); };
+    const auto everywhere = [](glm::vec3) { return true; };
+    const EnvironmentMap exact = *convert(Environment(expected, 256), Projection::cube, 64);
+    const float largest_step = testing::largestStep(exact, everywhere);
     for (const int samples : {1, 4, 5}) {
       CaptureSettings settings = at(position);
       settings.frame.samples = samples;
       const EnvironmentMap map = capture(scene, Environment(white, 8), settings);
-      const auto expected = [&](glm::vec3 d) { return testing::smoothRadiance(onUnitSphere(position, d)); };
       EXPECT_LT(greatestError(map, expected), 5e-3f) << samples;
       // A jump over an edge would be a step many times as large as those of the exact map.
-      const auto everywhere = [](glm::vec3) { return true; };
-      const EnvironmentMap exact = *convert(Environment(expected, 256), Projection::cube, 64);
-      EXPECT_LT(testing::largestStep(map, everywhere), 1.2f * testing::largestStep(exact, everywhere)) << samples;
+      EXPECT_LT(testing::largestStep(map, everywhere), 1.2f * largest_step) << samples;
     }
+  }
 }
 
 // Each of two faces would put another of these veils in front, were it to sort them by their depths.

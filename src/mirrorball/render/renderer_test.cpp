@@ -14,6 +14,7 @@
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/render_testing.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball {
@@ -29,7 +30,7 @@ struct Shot {
 class Studio {
  public:
   Studio(const gl::Context& context, Environment environment)
-      : context_(context), environment_(std::move(environment)), prepared_(*prepareEnvironment(environment_)) {}
+      : context_(context), environment_(std::move(environment)), prepared_(*testing::prepareOnce(environment_)) {}
 
   Image radiance(const Shot& shot) {
     Image image;

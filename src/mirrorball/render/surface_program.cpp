@@ -127,8 +127,9 @@ void setLights(gl::Program& program, const std::vector<PointLight>& lights) {
 }  // namespace
 
 Result<Image> surfaceBrdfTable() {
-  // Textures have one, three or four channels.
-  return brdfTable({.channels = 3, .axes = BrdfAxes::warped});
+  // The same for every renderer. Textures have one, three or four channels.
+  static const Result<Image> table = brdfTable({.channels = 3, .axes = BrdfAxes::warped});
+  return table;
 }
 
 Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_table) {

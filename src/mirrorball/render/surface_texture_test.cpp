@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/render_testing.h"
 #include "mirrorball/render/renderer.h"
 
 namespace mirrorball {
@@ -155,7 +156,7 @@ class SurfaceTextureTest : public ::testing::TestWithParam<gl::Api> {
 
  private:
   Result<Image> radiance(const Scene& scene, const Environment& environment, const FrameSettings& settings) const {
-    MIRRORBALL_TRY(prepared, prepareEnvironment(environment));
+    MIRRORBALL_TRY(prepared, testing::prepareOnce(environment));
     MIRRORBALL_TRY(renderer, Renderer::make(*context_, scene, environment, prepared));
     MIRRORBALL_TRY_VOID(renderer.draw(settings));
     return renderer.radiance();

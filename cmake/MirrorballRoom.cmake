@@ -1,13 +1,13 @@
-# mirrorball_room(NAME SOURCES … DEPENDS … [TESTS …] [ACCURACY_TESTS …])
+# mirrorball_room(NAME [COMPUTES] SOURCES … DEPENDS … [TESTS …] [ACCURACY_TESTS …])
 #
 # One room of the house (docs/architecture.md): the static library mirrorball_NAME, aliased
 # mirrorball::NAME, with its test programs beside it. DEPENDS are the targets that the room's own
-# headers or sources use. ACCURACY_TESTS hold results to brute force, over many inputs.
+# headers or sources use. One that COMPUTES is optimised further. ACCURACY_TESTS hold results to brute force, over many inputs.
 #
 # What is in the rooms, their tests and the packages that they use are collected in the properties MIRRORBALL_…, for the
 # package (MirrorballInstall.cmake) and for the sanitizers (tests/sanitized).
 function(mirrorball_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;TESTS;ACCURACY_TESTS" ${ARGN})
+  cmake_parse_arguments(ROOM "COMPUTES" "" "SOURCES;DEPENDS;TESTS;ACCURACY_TESTS" ${ARGN})
   set(target mirrorball_${name})
   add_library(${target} STATIC ${ROOM_SOURCES})
   add_library(mirrorball::${name} ALIAS ${target})
@@ -17,12 +17,21 @@ function(mirrorball_room name)
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mirrorball>")
   target_link_libraries(${target} PUBLIC ${ROOM_DEPENDS})
   target_compile_features(${target} PUBLIC cxx_std_20)
-  mirrorball_use_precompiled_headers(${target})
+  if(ROOM_COMPUTES)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3>)
+    mirrorball_use_precompiled_headers(${target} COMPUTES)
+  else()
+    mirrorball_use_precompiled_headers(${target})
+  endif()
 
   list(TRANSFORM ROOM_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
   list(FILTER ROOM_DEPENDS EXCLUDE REGEX "^mirrorball::")
   set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOMS ${target})
-  set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_SOURCES ${ROOM_SOURCES})
+  if(ROOM_COMPUTES)
+    set_property(GLOBAL APPEND PROPERTY MIRRORBALL_COMPUTING_SOURCES ${ROOM_SOURCES})
+  else()
+    set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_SOURCES ${ROOM_SOURCES})
+  endif()
   set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_PACKAGES ${ROOM_DEPENDS})
   if(MIRRORBALL_TESTS AND ROOM_TESTS)
     mirrorball_test(${name} SOURCES ${ROOM_TESTS} DEPENDS ${target})

@@ -9,6 +9,8 @@ set(MIRRORBALL_SANITIZE "" CACHE STRING "Sanitizers to build with, for example a
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
+# -O3 is for the rooms that compute (mirrorball_room): of the others it would only make the compiler's work a quarter more.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 # Dev is Release with assertions and line numbers: fast enough to run every test with.
 set(CMAKE_CXX_FLAGS_DEV "-O2 -g1")
 set(CMAKE_EXE_LINKER_FLAGS_DEV "")

@@ -6,104 +6,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mirrorball/codec/jpeg.h"
-#include "mirrorball/environment/builtin.h"
-#include "mirrorball/photo/photo_testing.h"
+#include "mirrorball/photo/find_ball_testing.h"
 #include "mirrorball/photo/rim_fit.h"
 
 namespace mirrorball {
 namespace {
 
 using testing::BallScene;
+using testing::builtin;
+using testing::clutter;
+using testing::expectFound;
 using ::testing::HasSubstr;
-
-RadianceFunction builtin(const char* name) {
-  return [environment = *builtinEnvironment(name)](glm::vec3 d) { return environment.radiance(d); };
-}
-
-/// Overlapping rectangles and elliptic discs of all sizes and shades, with hard edges; the same for a seed.
-RadianceFunction clutter(unsigned seed, bool with_discs = true) {
-  struct Thing {
-    glm::vec2 middle, half;
-    glm::vec3 color;
-    bool is_disc;
-  };
-  std::mt19937 random(seed);
-  const auto uniform = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
-  std::vector<Thing> things;
-  for (int i = 0; i < 120; ++i) {
-    const float size = std::pow(10.0f, uniform(-2.2f, -0.9f));
-    things.push_back({{uniform(-0.45f, 0.45f), uniform(-0.35f, 0.35f)},
-                      {size * uniform(0.5f, 1.5f), size * uniform(0.5f, 1.5f)},
-                      {uniform(0.02f, 0.9f), uniform(0.02f, 0.9f), uniform(0.02f, 0.9f)},
-                      with_discs && i % 3 == 0});
-  }
-  return [things](glm::vec3 ray) {
-    const glm::vec2 p(ray.x / -ray.z, ray.y / -ray.z);
-    // The last one lies on top.
-    for (auto thing = things.rbegin(); thing != things.rend(); ++thing) {
-      const glm::vec2 away = glm::abs(p - thing->middle) / thing->half;
-      if (thing->is_disc ? glm::dot(away, away) < 1.0f : std::max(away.x, away.y) < 1.0f) return thing->color;
-    }
-    return glm::vec3(0.2f);
-  };
-}
-
-/// What a camera makes of light: sRGB codes, through JPEG, and back.
-Image throughJpeg(const Image& light) {
-  const Bytes bytes = *encodeJpeg(pictureFromLinear(light, 3), {}, "test.jpg");
-  return decodeJpeg(bytes, "test.jpg")->image;
-}
-
-/// The greatest distance of the true outline from the found rim.
-double outlineError_px(const BallScene& scene, const FoundBall& found) {
-  double greatest = 0.0;
-  for (const glm::dvec2 position : scene.outline(180)) {
-    const glm::dvec2 plane = found.view.lens().planeFromPicture(position);
-    greatest =
-        std::max(greatest, std::abs(glm::distance(plane, found.view.rim().center_px) - found.view.rim().radius_px));
-  }
-  return greatest;
-}
-
-// The bound of 0.3 px is what is promised. A shift of 0.3 px moves the light in the middle of a ball of 100 px radius
-// by 0.3°.
-constexpr double kPromised_px = 0.3;
-
-/// How much of it is in the picture becomes `visible`.
-void expectFound(const BallScene& scene, const Image& photograph, double bound_px = kPromised_px,
-                 double* visible = nullptr) {
-  const auto found = findBall(photograph, {.distance = 0.0, .focal_px = scene.focal_px}, "test");
-  ASSERT_TRUE(found) << found.error().message;
-  EXPECT_LT(outlineError_px(scene, *found), bound_px);
-  EXPECT_GT(found->share, 0.5);
-  if (visible) *visible = found->visible;
-}
-
-TEST(FindBall, EveryBuiltinEnvironmentThroughJpeg) {
-  for (const char* name : {"studio", "sky", "uv"}) {
-    SCOPED_TRACE(name);
-    BallScene scene;
-    scene.environment = builtin(name);
-    Image photograph = scene.photograph();
-    testing::addNoise(photograph, 0.01f, 0.003f);
-    // The grid of "uv" is mirrored as lines within a pixel along the rim, on a background hardly brighter than they.
-    expectFound(scene, throughJpeg(photograph), std::string_view(name) == "uv" ? 1.0 : kPromised_px);
-  }
-}
-
-TEST(FindBall, ClutterBehindTheBall) {
-  for (unsigned seed = 1; seed <= 6; ++seed) {
-    SCOPED_TRACE(seed);
-    BallScene scene;
-    scene.environment = builtin(seed % 2 ? "studio" : "sky");
-    scene.background = clutter(seed);
-    scene.center = {0.6 * std::sin(seed), 0.4 * std::cos(2.0 * seed), -8.0};
-    Image photograph = scene.photograph();
-    testing::addNoise(photograph, 0.02f, 0.005f, seed);
-    expectFound(scene, throughJpeg(photograph));
-  }
-}
+using testing::kPromised_px;
+using testing::outlineError_px;
+using testing::throughJpeg;
 
 TEST(FindBall, FarBesideTheMiddleTheRimIsAnEllipse) {
   BallScene scene;
@@ -132,19 +48,6 @@ TEST(FindBall, DistanceTellsTheFieldOfView) {
   EXPECT_NEAR(found->view.lens().focal_px, scene.focal_px, 0.003 * scene.focal_px);
 }
 
-TEST(FindBall, SizesFromATinyBallToOneThatFillsThePicture) {
-  for (const double distance : {3.5, 6.0, 12.0, 24.0, 40.0}) {
-    SCOPED_TRACE(distance);
-    BallScene scene;
-    scene.size = {600, 450};
-    scene.focal_px = 700.0;
-    scene.center = {0.05 * distance, 0.0, -distance};
-    scene.environment = builtin("studio");
-    // Within a pixel of a small ball's rim it mirrors all that lies 30° around the blind cone: its edge is less clear.
-    expectFound(scene, throughJpeg(scene.photograph()), distance < 20.0 ? kPromised_px : 0.6);
-  }
-}
-
 TEST(FindBall, PartOfTheRimIsHiddenByAStand) {
   BallScene scene;
   scene.environment = builtin("studio");
@@ -155,22 +58,6 @@ TEST(FindBall, PartOfTheRimIsHiddenByAStand) {
     return {};
   };
   expectFound(scene, throughJpeg(scene.photograph()));
-}
-
-TEST(FindBall, TouchesOrCrossesTheBorder) {
-  for (const double right : {1.02, 1.12, 1.25}) {  // of half the picture's width, where the rim ends
-    SCOPED_TRACE(right);
-    BallScene scene;
-    scene.environment = builtin("studio");
-    scene.background = clutter(5);
-    const double radius = scene.focal_px / 8.0;
-    scene.center = {(right * 240.0 - radius) / scene.focal_px * 8.0, 0.0, -8.0};
-    const Image photograph = throughJpeg(scene.photograph());
-    // Up to a quarter of the diameter lies outside, where the error of the rest of the rim is extrapolated.
-    double visible = 1.0;
-    expectFound(scene, photograph, right < 1.1 ? kPromised_px : 0.6, &visible);
-    EXPECT_LT(visible, 1.0);
-  }
 }
 
 TEST(FindBall, LowContrastOnOneSide) {

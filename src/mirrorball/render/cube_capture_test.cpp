@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -238,7 +239,8 @@ TEST_P(CubeCaptureTest, AnEnclosingSphereIsSeenAtTheRightPlacesAndWithoutASeam) 
     const auto everywhere = [](glm::vec3) { return true; };
     const EnvironmentMap exact = *convert(Environment(expected, 256), Projection::cube, 64);
     const float largest_step = testing::largestStep(exact, everywhere);
-    for (const int samples : {1, 4, 5}) {
+    // Odd and even numbers of samples lie otherwise in a pixel, wherever it looks from.
+    for (const int samples : position == glm::vec3(0.0f) ? std::vector{1, 4, 5} : std::vector{4}) {
       CaptureSettings settings = at(position);
       settings.frame.samples = samples;
       const EnvironmentMap map = capture(scene, Environment(white, 8), settings);

@@ -1,13 +1,15 @@
-# mirrorball_room(NAME [COMPUTES] SOURCES … DEPENDS … [TESTS …] [ACCURACY_TESTS …])
+# mirrorball_room(NAME [COMPUTES] [UNITY] SOURCES … DEPENDS … [TESTS …] [ACCURACY_TESTS …])
 #
 # One room of the house (docs/architecture.md): the static library mirrorball_NAME, aliased
 # mirrorball::NAME, with its test programs beside it. DEPENDS are the targets that the room's own
-# headers or sources use. One that COMPUTES is optimised further. ACCURACY_TESTS hold results to brute force, over many inputs.
+# headers or sources use. One that COMPUTES is optimised further. One with UNITY is compiled as a
+# single file, which is for few small files that share most headers. ACCURACY_TESTS hold results to brute force, over many
+# inputs.
 #
 # What is in the rooms, their tests and the packages that they use are collected in the properties MIRRORBALL_…, for the
 # package (MirrorballInstall.cmake) and for the sanitizers (tests/sanitized).
 function(mirrorball_room name)
-  cmake_parse_arguments(ROOM "COMPUTES" "" "SOURCES;DEPENDS;TESTS;ACCURACY_TESTS" ${ARGN})
+  cmake_parse_arguments(ROOM "COMPUTES;UNITY" "" "SOURCES;DEPENDS;TESTS;ACCURACY_TESTS" ${ARGN})
   set(target mirrorball_${name})
   add_library(${target} STATIC ${ROOM_SOURCES})
   add_library(mirrorball::${name} ALIAS ${target})
@@ -17,6 +19,7 @@ function(mirrorball_room name)
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mirrorball>")
   target_link_libraries(${target} PUBLIC ${ROOM_DEPENDS})
   target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROOM_UNITY} UNITY_BUILD_BATCH_SIZE 0)
   if(ROOM_COMPUTES)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3>)
     mirrorball_use_precompiled_headers(${target} COMPUTES)

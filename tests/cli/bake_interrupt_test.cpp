@@ -40,6 +40,7 @@ class BakeInterruptTest : public CliTest {
 
 constexpr const char* kNothing = "\r\033[Kmirrorball: interrupted; nothing was written";
 
+// Takes seconds: each stage must be long enough to be met by Ctrl-C on any machine.
 TEST_F(BakeInterruptTest, NoStageLeavesAnything) {
   for (const auto& [stage, line] : std::vector<std::pair<std::string, std::string>>{
            {"BRDF table [", "bake white -o new/out --size 4 --brdf-size 4096 --distribution charlie"},

@@ -23,6 +23,8 @@ class BakeMemoryTest : public PeakMemoryTest {
   }
 };
 
+// Takes seconds: a peak above the program's own needs chains of some hundred MB.
+//
 // Not counted: large pages, which round a face up by as much as 2 MB, and what the C library keeps of the small pieces
 // that it is given back.
 TEST_F(BakeMemoryTest, ThePeakIsBelowWhatWasAskedFor) {

@@ -119,6 +119,7 @@ void expectTheSameAgain(const std::function<void(const std::string& output, Star
   EXPECT_TRUE(bytes("all") == bytes("one")) << "one core gives another file";
 }
 
+// Takes seconds: fifteen runs, five of them on one core.
 TEST_F(OutputTest, EveryRunGivesTheSameBytes) {
   if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "there is one core only";
   const std::vector<std::pair<std::string, std::string>> commands{

@@ -12,10 +12,6 @@
 #include <epoxy/gl.h>
 
 namespace mirrorball::gl {
-namespace {
-
-constexpr const char* kHowToInstall =
-    "on Debian install libegl1 libopengl0 libgles2 libgl1-mesa-dri, which draw without a GPU too";
 
 /// A display that is initialised, for as long as a context on it lives.
 struct Display {
@@ -25,6 +21,11 @@ struct Display {
   Display& operator=(const Display&) = delete;
   ~Display() { eglTerminate(handle); }
 };
+
+namespace {
+
+constexpr const char* kHowToInstall =
+    "on Debian install libegl1 libopengl0 libgles2 libgl1-mesa-dri, which draw without a GPU too";
 
 /// A way to reach a driver, which costs nothing until it is opened.
 struct Candidate {

@@ -16,13 +16,21 @@
 set -eu
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 source_dir=$PWD
-if [ $# -lt 2 ]; then
-  sed -n '2,/^$/s/^# \{0,1\}//p; /^set/q' "${BASH_SOURCE[0]}" | head -n 16
+usage() {
+  sed -n '2,/^set/s/^# \{0,1\}//p' "bench/${BASH_SOURCE[0]##*/}" >&2
   exit 2
-fi
+}
+[ $# -ge 2 ] || usage
 rows=$1
 shift
+for name in ${rows//,/ }; do
+  case $name in
+    all | picture | formula | room | quick | test) ;;
+    *) usage ;;
+  esac
+done
 commits=("$@")
+exit_code=0
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export CCACHE_DISABLE=1 MIRRORBALL_CACHE=
@@ -34,7 +42,7 @@ fi
 wanted() { [[ $rows = all || ,$rows, == *,$1,* ]]; }
 
 clone() { # of commit $1, without a build
-  rm -rf "$scratch/$1"
+  rm -rf "${scratch:?}/$1"
   git clone -q "$source_dir" "$scratch/$1"
   git -C "$scratch/$1" checkout -q "$(git rev-parse "$1")"
 }
@@ -47,6 +55,7 @@ timed() { # runs a command in the clone of commit $1 and sets `cell`
     cell=$(awk '{ printf "%.1f / %.1f", $1, $2 + $3 }' <<<"$spent")
   else
     cell=failed
+    exit_code=1
     { echo "$commit: $* failed:" && tail -n 5 "$scratch/log"; } >&2
   fi
 }
@@ -102,3 +111,4 @@ if wanted room; then
   done
 fi
 if wanted test; then row "\`./test\`, fresh clone" whole; fi
+exit "$exit_code"

@@ -78,7 +78,8 @@ Result<void> printError(const std::string& environment, const std::string& argum
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fprintf(stderr, "usage: %s ENV MAP…\n", argv[0]);
+    std::fprintf(stderr, "usage: %s ENV MAP…, where MAP is FILE=ROUGHNESS (perceptual, GGX) or FILE=irradiance\n",
+                 argv[0]);
     return 2;
   }
   for (int i = 2; i < argc; ++i)

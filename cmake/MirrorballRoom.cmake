@@ -66,30 +66,36 @@ function(mirrorball_test name)
   mirrorball_discover_suites(${name}_test ${name} LABELS ${TEST_LABELS})
 endfunction()
 
-# mirrorball_discover_suites(PROGRAM NAME LABELS … [AFTER TARGET] [ENVIRONMENT …] [EXCEPT …])
+# mirrorball_discover_suites(PROGRAM NAME LABELS … [ENVIRONMENT …] [EXCEPT …] [CONFIGURATION …])
 #
-# Tells CTest the suites of a GoogleTest program, as NAME.Suite: after it is built, or after another target that needs it.
-# EXCEPT leaves tests out, as GoogleTest's filter has them.
+# Tells CTest the suites of a GoogleTest program, as NAME.Suite: the target NAME_suites lists them anew when the program has
+# changed. EXCEPT leaves tests out, as GoogleTest's filter has them. With CONFIGURATION only `ctest -C CONFIGURATION` knows
+# them, and only what names the target builds them.
 function(mirrorball_discover_suites program name)
-  cmake_parse_arguments(SUITES "" "AFTER" "LABELS;ENVIRONMENT;EXCEPT" ${ARGN})
-  if(NOT SUITES_AFTER)
-    set(SUITES_AFTER ${program})
-  endif()
+  cmake_parse_arguments(SUITES "" "CONFIGURATION" "LABELS;ENVIRONMENT;EXCEPT" ${ARGN})
   set(suites "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
-  add_custom_command(TARGET ${SUITES_AFTER} POST_BUILD
+  set(script "${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake")
+  add_custom_command(OUTPUT "${suites}"
     COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${program}>" -DNAME=${name} "-DLABELS=${SUITES_LABELS}"
-            "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}" "-DOUTPUT=${suites}"
-            -P "${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake"
-    BYPRODUCTS "${suites}"
+            "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}" "-DOUTPUT=${suites}" -P "${script}"
+    DEPENDS ${program} "${script}"
+    COMMENT "Listing the tests of ${program}"
     VERBATIM)
+  if(SUITES_CONFIGURATION)
+    add_custom_target(${name}_suites DEPENDS "${suites}")
+  else()
+    add_custom_target(${name}_suites ALL DEPENDS "${suites}")
+  endif()
   # A program that is not built has no suites; that is a failed test, not none.
   set(include "${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake")
   file(CONFIGURE OUTPUT "${include}" @ONLY CONTENT [=[
-if(EXISTS "@suites@")
-  include("@suites@")
-else()
-  add_test(@name@.IsNotBuilt @program@)
-  set_tests_properties(@name@.IsNotBuilt PROPERTIES LABELS "@SUITES_LABELS@")
+if("@SUITES_CONFIGURATION@" STREQUAL "" OR CTEST_CONFIGURATION_TYPE STREQUAL "@SUITES_CONFIGURATION@")
+  if(EXISTS "@suites@")
+    include("@suites@")
+  else()
+    add_test(@name@.IsNotBuilt @program@)
+    set_tests_properties(@name@.IsNotBuilt PROPERTIES LABELS "@SUITES_LABELS@")
+  endif()
 endif()
 ]=])
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${include}")

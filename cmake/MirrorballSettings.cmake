@@ -10,13 +10,15 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
 # -O3 is for the rooms that compute (mirrorball_room): of the others it would only make the compiler's work a quarter more.
-set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+if(CMAKE_CXX_FLAGS_RELEASE STREQUAL "-O3 -DNDEBUG")  # CMake's own choice
+  set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+endif()
 # Dev is Release with assertions and line numbers: fast enough to run every test with.
 set(CMAKE_CXX_FLAGS_DEV "-O2 -g1")
 set(CMAKE_EXE_LINKER_FLAGS_DEV "")
 
 # Of the tests' own code: most of it runs once, and takes longer to compile than to run.
-set(mirrorball_test_options -O1)
+set(mirrorball_test_options $<$<NOT:$<CONFIG:Debug>>:-O1>)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)

@@ -12,9 +12,9 @@
 /// `MIRRORBALL_HARNESS(png) { … return 0; }` is what a fuzzer calls once an input, `data` and `size`. The replay of the
 /// corpora has all harnesses in one program, each under its decoder's name.
 #ifdef MIRRORBALL_REPLAY
-#define MIRRORBALL_HARNESS(decoder)                                                                \
-  static int decoder##Input(const std::uint8_t* data, std::size_t size);                           \
-  static const bool decoder##_is_known = ::mirrorball::fuzz::addHarness(#decoder, decoder##Input); \
+#define MIRRORBALL_HARNESS(decoder)                                                                                 \
+  static int decoder##Input(const std::uint8_t* data, std::size_t size);                                            \
+  [[maybe_unused]] static const bool decoder##_is_known = ::mirrorball::fuzz::addHarness(#decoder, decoder##Input); \
   static int decoder##Input(const std::uint8_t* data, std::size_t size)
 #else
 #define MIRRORBALL_HARNESS(decoder) extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

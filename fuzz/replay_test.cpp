@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "fuzz.h"
 #include "mirrorball/base/file.h"
@@ -24,34 +26,51 @@ std::map<std::string, Harness>& harnesses() {
   return all;
 }
 
-class Corpus : public ::testing::Test {
+std::vector<std::string> decoders() {
+  std::vector<std::string> names;
+  for (const auto& [decoder, harness] : harnesses()) names.push_back(decoder);
+  return names;
+}
+
+fs::path corpora() { return fs::path(MIRRORBALL_SOURCE_DIR) / "fuzz/corpus"; }
+
+class Corpus : public ::testing::TestWithParam<std::string> {
  protected:
   // A model may name files beside it: there are none.
-  void SetUp() override {
-    const fs::path empty = fs::path(::testing::TempDir()) / "mirrorball_empty";
-    fs::create_directories(empty);
-    fs::current_path(empty);
+  Corpus() {
+    fs::create_directories(empty_);
+    fs::current_path(empty_);
   }
+  ~Corpus() override {
+    fs::current_path(before_);
+    fs::remove_all(empty_);
+  }
+
+ private:
+  fs::path before_ = fs::current_path();
+  fs::path empty_ = fs::path(::testing::TempDir()) / ("mirrorball_corpus_" + std::to_string(::getpid()));
 };
 
-TEST_F(Corpus, EveryInputIsSurvived) {
-  const fs::path corpora = fs::path(MIRRORBALL_SOURCE_DIR) / "fuzz/corpus";
+TEST_P(Corpus, EveryInputIsSurvived) {
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(corpora))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+  for (const fs::directory_entry& entry : fs::directory_iterator(corpora() / GetParam())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  std::map<std::string, int> tried;
+  EXPECT_FALSE(files.empty());
   for (const fs::path& file : files) {
-    const std::string decoder = file.parent_path().filename().string();
-    ASSERT_TRUE(harnesses().contains(decoder)) << file << " has no harness";
     const auto bytes = readFile(file);
     ASSERT_TRUE(bytes) << bytes.error().message;
-    std::printf("%s\n", file.c_str());
+    std::printf("%s\n", file.filename().c_str());
     std::fflush(stdout);
-    harnesses().at(decoder)(bytes->data(), bytes->size());
-    ++tried[decoder];
+    harnesses().at(GetParam())(bytes->data(), bytes->size());
   }
-  for (const auto& [decoder, harness] : harnesses()) EXPECT_GT(tried[decoder], 0) << decoder << " has no corpus";
+}
+
+INSTANTIATE_TEST_SUITE_P(OfADecoder, Corpus, ::testing::ValuesIn(decoders()),
+                         [](const auto& instance) { return instance.param; });
+
+TEST(Corpora, AllHaveAHarness) {
+  for (const fs::directory_entry& folder : fs::directory_iterator(corpora()))
+    EXPECT_THAT(decoders(), ::testing::Contains(folder.path().filename().string()));
 }
 
 }  // namespace

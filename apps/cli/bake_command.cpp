@@ -19,7 +19,7 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<BakeOptions>, 17> kOptions{{
+const std::array<Option<BakeOptions>, 17> kBakeOptions{{
     {{.name = "output",
       .value = "OUT",
       .help = "needed: a folder, for all maps and a manifest; or a .ktx2 or .dds file, for the specular chain only",
@@ -131,7 +131,7 @@ Result<void> refuseOptionsOfFolders(const BakeOptions& options) {
   constexpr std::array<std::string_view, 7> kOfFolders{"irradiance-size", "sh-degree", "brdf-size",     "brdf-channels",
                                                        "brdf-axes",       "extension", "brdf-extension"};
   const BakeOptions defaults;
-  for (const Option<BakeOptions>& option : kOptions)
+  for (const Option<BakeOptions>& option : kBakeOptions)
     if (std::ranges::find(kOfFolders, option.text.name) != kOfFolders.end() &&
         written(option, options) != written(option, defaults))
       return fail(ErrorCode::usage, options.output + ": holds the specular chain only, and --" +
@@ -188,7 +188,7 @@ Result<void> bake(BakeRequest request) {
 
 }  // namespace
 
-std::span<const Option<BakeOptions>> bakeOptions() { return kOptions; }
+std::span<const Option<BakeOptions>> bakeOptions() { return kBakeOptions; }
 
 Action addBakeCommand(CLI::App& program) {
   auto request = std::make_shared<BakeRequest>();

@@ -22,7 +22,7 @@ namespace {
 /// Of a face, where nothing else is said; in other projections as much detail.
 constexpr int kUsualSize = 256;
 
-const std::array<Option<CaptureOptions>, 4> kOptions{{
+const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
     {{.name = "at",
       .value = "X,Y,Z",
       .unit = "world units",
@@ -127,7 +127,7 @@ Result<void> capture(const CaptureRequest& request) {
 
 }  // namespace
 
-std::span<const Option<CaptureOptions>> captureOptions() { return kOptions; }
+std::span<const Option<CaptureOptions>> captureOptions() { return kCaptureOptions; }
 
 std::span<const Option<RenderOptions>> captureLookOptions() {
   static const std::vector<Option<RenderOptions>> look = [] {

@@ -116,7 +116,7 @@ Error missingCommand(int argc, char** argv, const std::vector<std::string_view>&
 }
 
 /// errors   usage: no subcommand, or what nothing takes
-Result<void> checkRest(const CLI::App& program, const std::vector<CLI::App*>& commands, int argc, char** argv) {
+Result<void> checkAllTaken(const CLI::App& program, const std::vector<CLI::App*>& commands, int argc, char** argv) {
   if (program.get_subcommands().empty()) {
     std::vector<std::string_view> names;
     for (const CLI::App* command : commands) names.emplace_back(command->get_name());
@@ -152,7 +152,7 @@ Result<Action> readCommandLine(int argc, char** argv, std::span<const AddCommand
   } catch (const CLI::ParseError& error) {
     return tl::unexpected<Error>(parseError(error));
   }
-  MIRRORBALL_TRY_VOID(checkRest(program, commands, argc, argv));
+  MIRRORBALL_TRY_VOID(checkAllTaken(program, commands, argc, argv));
   const auto parsed = std::ranges::find_if(commands, [](const CLI::App* command) { return command->parsed(); });
   return std::move(actions[static_cast<std::size_t>(parsed - commands.begin())]);
 }

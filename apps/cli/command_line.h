@@ -33,8 +33,8 @@ Result<Action> readCommandLine(int argc, char** argv, std::span<const AddCommand
 /// help     one sentence
 CLI::App& addCommand(CLI::App& program, const std::string& name, const std::string& help);
 
-/// Adds an argument without a name to a subcommand, which takes them in the order in which they are added; the second
-/// takes one or more. `target` must outlive the parsing.
+/// Adds an argument without a name to a subcommand, which takes them in the order in which they are added; that of a list
+/// takes one or more words. `target` must outlive the parsing.
 void addArgument(CLI::App& command, const std::string& name, std::string& target, const std::string& help);
 void addArgument(CLI::App& command, const std::string& name, std::vector<std::string>& target, const std::string& help);
 

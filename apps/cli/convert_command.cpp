@@ -15,7 +15,7 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<ConvertOptions>, 9> kOptions{{
+const std::array<Option<ConvertOptions>, 9> kConvertOptions{{
     {{.name = "to",
       .value = "PROJECTION",
       .help =
@@ -94,7 +94,7 @@ Result<void> convertInputs(const std::vector<std::string>& inputs, const Convert
 
 }  // namespace
 
-std::span<const Option<ConvertOptions>> convertOptions() { return kOptions; }
+std::span<const Option<ConvertOptions>> convertOptions() { return kConvertOptions; }
 
 Action addConvertCommand(CLI::App& program) {
   struct Request {

@@ -15,7 +15,7 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<InfoOptions>, 3> kOptions{{
+const std::array<Option<InfoOptions>, 3> kInfoOptions{{
     {{.name = "direction",
       .value = "X,Y,Z",
       .fewest = 3,
@@ -126,7 +126,7 @@ Result<void> info(const std::string& input, const InfoOptions& options) {
 
 }  // namespace
 
-std::span<const Option<InfoOptions>> infoOptions() { return kOptions; }
+std::span<const Option<InfoOptions>> infoOptions() { return kInfoOptions; }
 
 Action addInfoCommand(CLI::App& program) {
   struct Request {

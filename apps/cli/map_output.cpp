@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 5> kFormats{"auto", "half", "float32", "b
 
 // First those that any texture of a cube may be asked for.
 constexpr std::size_t kTextureOptions = 7;
-const std::array<Option<MapOutputOptions>, 10> kOptions{{
+const std::array<Option<MapOutputOptions>, 10> kMapOutputOptions{{
     {{.name = "output",
       .value = "OUT",
       .help = "needed: .exr .hdr (linear radiance), .ktx2 .dds (textures; cubes as such), .png .jpg (sRGB, clipped to "
@@ -84,7 +84,7 @@ Result<CubeArrangement> changedBy(const MapOutputOptions& options, CubeArrangeme
 
 }  // namespace
 
-std::span<const Option<MapOutputOptions>> mapOutputOptions() { return kOptions; }
+std::span<const Option<MapOutputOptions>> mapOutputOptions() { return kMapOutputOptions; }
 
 std::span<const Option<MapOutputOptions>> textureOutputOptions() {
   return mapOutputOptions().subspan(1, kTextureOptions - 1);

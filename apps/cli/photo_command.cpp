@@ -25,7 +25,7 @@ namespace {
 constexpr ChoiceField<PhotoOptions> kResponseField{[](const PhotoOptions& options) { return options.response; },
                                                    [](PhotoOptions& options, int index) { options.response = index; }};
 
-const std::array<Option<PhotoOptions>, 13> kOptions{{
+const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
     {{.name = "to",
       .value = "PROJECTION",
       .help =
@@ -271,7 +271,7 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
 
 }  // namespace
 
-std::span<const Option<PhotoOptions>> photoOptions() { return kOptions; }
+std::span<const Option<PhotoOptions>> photoOptions() { return kPhotoOptions; }
 
 Action addPhotoCommand(CLI::App& program) {
   struct Request {

@@ -13,7 +13,7 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<SceneRequest>, 6> kOptions{{
+const std::array<Option<SceneRequest>, 6> kSceneOptions{{
     {{.name = "env",
       .value = "ENV",
       .help = "the environment: a panorama, sphere map or cube (.hdr .exr .png .jpg .ktx2 .dds), or studio, "
@@ -48,7 +48,7 @@ Result<Scene> loadScene(const std::string& model, const RenderOptions& options) 
 
 }  // namespace
 
-std::span<const Option<SceneRequest>> sceneOptions() { return kOptions; }
+std::span<const Option<SceneRequest>> sceneOptions() { return kSceneOptions; }
 
 void addModel(CLI::App& command, const std::string& name, SceneRequest& request) {
   addOptionalArgument(command, name, request.model,

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/bsdf.h"
+#include "formula/surface.h"
 
 namespace mirrorball::formula {
 namespace {

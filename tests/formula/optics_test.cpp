@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "formula/formula.h"
+#include "formula/bsdf.h"
 
 namespace mirrorball::formula {
 namespace {

@@ -9,5 +9,5 @@ if ! command -v "$1" >/dev/null; then
   exit 77
 fi
 cd -- "$2"
-find . \( -path './.*' -o -path ./build \) -prune -o \( -name '*.h' -o -name '*.cpp' \) \
+find . \( -path './.*' -o -path ./build \) -prune -o \( -name '*.h' -o -name '*.inc' -o -name '*.cpp' \) \
   -exec "$1" --dry-run --Werror {} +

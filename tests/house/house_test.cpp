@@ -60,7 +60,7 @@ bool isOneOf(const std::string& extension, const std::set<std::string>& extensio
 
 std::vector<SourceFile> readTree() {
   const fs::path root = MIRRORBALL_SOURCE_DIR;
-  const std::set<std::string> extensions = {".h", ".cpp", ".glsl", ".vert", ".frag", ".cmake", ".sh"};
+  const std::set<std::string> extensions = {".h", ".inc", ".cpp", ".glsl", ".vert", ".frag", ".cmake", ".sh"};
   std::vector<SourceFile> files;
   for (const char* folder : {"apps", "src", "formula", "shaders", "cmake", "tests", "bench", "fuzz", "examples"}) {
     if (!fs::exists(root / folder)) continue;

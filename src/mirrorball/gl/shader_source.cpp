@@ -1,6 +1,7 @@
 #include "mirrorball/gl/shader_source.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstdio>
 
@@ -106,6 +107,9 @@ std::optional<Place> placeIn(const std::string& message) {
   Place place;
   for (const std::string_view kind : {"ERROR: ", "WARNING: "})
     if (message.starts_with(kind)) place.begin = kind.size();
+  const std::size_t separator = message.find_first_not_of("0123456789", place.begin);
+  if (separator == place.begin || separator == std::string::npos || !std::isdigit(message[separator + 1]))
+    return std::nullopt;
   // "0:12(5): error" is Mesa's form, "0(12) : error" NVIDIA's, "ERROR: 0:12:" that of most others.
   for (const char* form : {"%9zu:%9d(%*9d)%n", "%9zu:%9d%n", "%9zu(%9d) %n"}) {
     int length = 0;

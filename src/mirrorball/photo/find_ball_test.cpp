@@ -60,6 +60,16 @@ TEST(FindBall, PartOfTheRimIsHiddenByAStand) {
   expectFound(scene, throughJpeg(scene.photograph()));
 }
 
+TEST(FindBall, CrossesTheBorder) {
+  BallScene scene;
+  scene.environment = builtin("studio");
+  scene.center = {(1.25 * 240.0 - scene.focal_px / 8.0) / scene.focal_px * 8.0, 0.0, -8.0};
+  double visible = 1.0;
+  // A quarter of the diameter lies outside, where the error of the rest of the rim is extrapolated.
+  expectFound(scene, throughJpeg(scene.photograph()), 0.6, &visible);
+  EXPECT_LT(visible, 1.0);
+}
+
 TEST(FindBall, LowContrastOnOneSide) {
   BallScene scene;
   scene.environment = builtin("studio");

@@ -16,6 +16,8 @@ inline Result<PreparedEnvironment> prepareOnce(const Environment& environment) {
   struct Folder {
     std::filesystem::path path =
         std::filesystem::path(::testing::TempDir()) / ("mirrorball_prepared_" + std::to_string(::getpid()));
+    // A run that crashed may have left the folder of another process of that number.
+    Folder() { std::filesystem::remove_all(path); }
     ~Folder() {
       std::error_code status;
       std::filesystem::remove_all(path, status);

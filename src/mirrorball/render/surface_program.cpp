@@ -127,7 +127,7 @@ void setLights(gl::Program& program, const std::vector<PointLight>& lights) {
 }  // namespace
 
 Result<Image> surfaceBrdfTable() {
-  // The same for every renderer. Textures have one, three or four channels.
+  // Made once, since it is the same for every renderer and all its inputs stand here. Textures have one, three or four channels.
   static const Result<Image> table = brdfTable({.channels = 3, .axes = BrdfAxes::warped});
   return table;
 }

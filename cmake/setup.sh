@@ -130,6 +130,8 @@ buildPreset() {
   # The stamp has the time at which the build began: a source saved meanwhile is newer than it.
   rm -f "$build/.built"
   : >"$build/.begun"
+  # Ninja's own choice, two more than there are cores, only makes compilers push each other out of the caches.
+  export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"
   say "building $build"
   if ! configureIfNeeded; then
     say "CMake could not configure the build; its messages are above"

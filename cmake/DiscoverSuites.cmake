@@ -6,7 +6,8 @@
 #
 # EXCEPT is a list of tests that are left out, as GoogleTest's filter has them.
 list(JOIN EXCEPT ":" except)
-execute_process(COMMAND "${PROGRAM}" --gtest_list_tests "--gtest_filter=*-${except}" OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${PROGRAM}" --gtest_list_tests "--gtest_filter=*-${except}"
+  OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 
 # Lines that are not indented name a suite, "Suite." or "Suite.  # TypeParam = …".
 string(REGEX MATCHALL "(^|\n)[^ \n]+\\." suites "${listing}")

@@ -17,6 +17,14 @@ std::array<float, 4> risingProducts(float t) {
   return {1.0f, t, t * (t - 1.0f) / 2.0f, t * (t - 1.0f) * (t - 2.0f) / 6.0f};
 }
 
+constexpr TexelRange kNoTexels{glm::vec3(std::numeric_limits<float>::max()),
+                               glm::vec3(std::numeric_limits<float>::lowest())};
+
+void include(TexelRange& range, glm::vec3 texel) {
+  range.least = glm::min(range.least, texel);
+  range.most = glm::max(range.most, texel);
+}
+
 }  // namespace
 
 EnvironmentMap::EnvironmentMap(Projection projection, ImageSet images)
@@ -62,20 +70,23 @@ constexpr int kLeastSizeOfCubic = 4;
 glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolation) const {
   if (projection_ == Projection::hemioctahedral && direction.z < 0.0f) return glm::vec3(0.0f);
   const MapPosition place = positionOf(projection_, direction);
-  const glm::vec2 extent(extent_);
-  glm::vec2 position = place.uv * extent;
+  const glm::vec2 position = place.uv * glm::vec2(extent_);
   // Of the fewest texels a cubic would reach over several borders.
   if (interpolation == Interpolation::bicubic && hasCharts(projection_) && size() < kLeastSizeOfCubic)
     interpolation = Interpolation::bilinear;
   if (interpolation == Interpolation::bicubic && hasCharts(projection_)) {
-    const Chart chart(projection_, size(), place);
-    return glm::vec3(bicubic(position, [&](int x, int y) { return fetchOnChart(chart, x, y); }));
+    return cubicOnChart(place, position);
   }
-  const auto fetch_texel = [&](int x, int y) { return fetch(place.face, x, y); };
+  return radianceBetweenTexels(place.face, position, interpolation);
+}
+
+/// Between the texels of an image and of its neighbours, wherever they come from.
+glm::vec3 EnvironmentMap::radianceBetweenTexels(int face_index, glm::vec2 position, Interpolation interpolation) const {
+  const auto fetch_texel = [&](int x, int y) { return fetch(face_index, x, y); };
   glm::vec4 light = interpolate(interpolation, position, fetch_texel);
   // On a rim all four neighbours may lie beside the disc: then the position moves inwards until one does not.
   while (light.w == 0.0f) {
-    position += glm::normalize(extent / 2.0f - position) * 0.5f;
+    position += glm::normalize(glm::vec2(extent_) / 2.0f - position) * 0.5f;
     light = interpolate(interpolation, position, fetch_texel);
   }
   return glm::vec3(light);
@@ -144,6 +155,24 @@ glm::vec4 EnvironmentMap::fetchTowards(int face_index, int x, int y) const {
   return glm::vec4(glm::vec3(light), light.w > 0.0f ? 1.0f : 0.0f);
 }
 
+/// Between the texels of one chart. Near its border there are stand-ins for texels among them, and where contrast is high
+/// those do not keep the sum of a sun's light; the map's own texels do.
+glm::vec3 EnvironmentMap::cubicOnChart(const MapPosition& place, glm::vec2 position) const {
+  const Chart chart(projection_, size(), place);
+  bool has_left_chart = false;
+  TexelRange all = kNoTexels;
+  const auto fetch_texel = [&](int x, int y) {
+    has_left_chart = has_left_chart || !chart.holds(centerOf(x, y));
+    const glm::vec4 texel = fetchOnChart(chart, x, y);
+    include(all, glm::vec3(texel));
+    return texel;
+  };
+  const glm::vec3 cubic(bicubic(position, fetch_texel));
+  const float share = has_left_chart ? shareByContrast(all) : 1.0f;
+  if (share == 1.0f) return cubic;
+  return glm::mix(radianceBetweenTexels(place.face, position), cubic, share);
+}
+
 /// A texel for `bicubic` as if the chart went on beyond its border. There the chart that shows the same direction answers
 /// with a cubic through texels of its own, for across the border between them texels lie on a line with a kink.
 glm::vec4 EnvironmentMap::fetchOnChart(const Chart& chart, int x, int y) const {
@@ -153,30 +182,36 @@ glm::vec4 EnvironmentMap::fetchOnChart(const Chart& chart, int x, int y) const {
   const MapPosition place = chart.placeOf(center);
   const glm::vec2 position = place.uv * side;
   if (const auto texels = Chart(projection_, size(), place).tenTexels(position))
-    return glm::vec4(cubicThrough(place.face, *texels), 1.0f);
+    return glm::vec4(cubicThrough(place.face, *texels, radianceBetweenTexels(place.face, position)), 1.0f);
   return bilinear(position, [&](int i, int j) { return fetch(place.face, i, j); });
 }
 
 /// The polynomial of the third degree in two variables through ten texels (Lagrange's on the triangle's lattice). A little
-/// beside them it holds too; since it swings there, it is kept from leaving their range by more than half of it, and as in
-/// `bicubic` from falling below zero.
-glm::vec3 EnvironmentMap::cubicThrough(int face_index, const TenTexels& texels) const {
+/// beside them it holds too; since it swings there, it is kept within their range and from high contrast.
+///
+/// straight  the answer of bilinear interpolation
+glm::vec3 EnvironmentMap::cubicThrough(int face_index, const TenTexels& texels, glm::vec3 straight) const {
   const std::array<float, 4> across = risingProducts(texels.inside.x);
   const std::array<float, 4> down = risingProducts(texels.inside.y);
   const std::array<float, 4> rest = risingProducts(3.0f - texels.inside.x - texels.inside.y);
   glm::vec3 sum(0.0f);
-  glm::vec3 least(std::numeric_limits<float>::max());
-  glm::vec3 most(std::numeric_limits<float>::lowest());
-  for (int j = 0; j <= 3; ++j)
-    for (int i = 0; i + j <= 3; ++i) {
+  TexelRange all = kNoTexels;
+  for (std::size_t j = 0; j <= 3; ++j)
+    for (std::size_t i = 0; i + j <= 3; ++i) {
       const glm::ivec2 place = texels.first + texels.step * glm::ivec2(i, j);
       const glm::vec3 texel = rgbAt(face(face_index), place.x, place.y);
-      sum += across[std::size_t(i)] * down[std::size_t(j)] * rest[std::size_t(3 - i - j)] * texel;
-      least = glm::min(least, texel);
-      most = glm::max(most, texel);
+      sum += across[i] * down[j] * rest[3 - i - j] * texel;
+      include(all, texel);
     }
-  const glm::vec3 half_range = (most - least) / 2.0f;
-  return glm::clamp(sum, glm::max(least - half_range, glm::min(least, 0.0f)), most + half_range);
+  include(all, straight);
+  TexelRange range = all;
+  // Beyond the edge of one half there is nothing that light could come from: it goes on as it went among the texels.
+  const bool is_beyond = projection_ == Projection::hemioctahedral && std::min(texels.inside.x, texels.inside.y) < 0.0f;
+  if (is_beyond) {
+    const glm::vec3 half = (all.most - all.least) / 2.0f;
+    range = {glm::max(all.least - half, glm::min(all.least, 0.0f)), all.most + half};
+  }
+  return glm::clamp(straight + shareByContrast(all) * (sum - straight), range.least, range.most);
 }
 
 std::size_t raiseNegativeLight(EnvironmentMap& map) {

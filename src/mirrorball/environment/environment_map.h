@@ -65,8 +65,11 @@ class EnvironmentMap {
   glm::vec4 fetchFolded(int x, int y) const;
   glm::vec4 fetchCovered(int face, int x, int y) const;
   glm::vec4 fetchTowards(int face, int x, int y) const;
+  glm::vec3 radianceBetweenTexels(int face, glm::vec2 position,
+                                  Interpolation interpolation = Interpolation::bilinear) const;
+  glm::vec3 cubicOnChart(const MapPosition& place, glm::vec2 position) const;
   glm::vec4 fetchOnChart(const Chart& chart, int x, int y) const;
-  glm::vec3 cubicThrough(int face, const TenTexels& texels) const;
+  glm::vec3 cubicThrough(int face, const TenTexels& texels, glm::vec3 straight) const;
 
   Projection projection_ = Projection::equirect;
   bool has_disc_ = false;

@@ -80,40 +80,176 @@ struct MapTexels {
 
 HWY_BEFORE_NAMESPACE();
 namespace mirrorball::HWY_NAMESPACE {
+#if HWY_TARGET == HWY_SCALAR
+
+// Without vectors of four there is nothing to gain.
+void sampleInside(const MapTexels&, Interpolation, const PointBatch&, LightBatch&,
+                  std::array<bool, PointBatch::kCapacity>&) {}
+
+#else
+
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Texel = hn::CappedTag<float, 4>;  // r, g, b and whatever follows
+using Texel = hn::CappedTag<float, 4>;    // r, g, b and whatever follows
+using Texels = hn::CappedTag<float, 16>;  // one, two or four texels side by side
+template <class D>
+using Indices = decltype(hn::SetTableIndices(D(), static_cast<const int32_t*>(nullptr)));
 
-/// The sum of kCount × kCount texels, each weighed by the product of its column's and its row's weight.
-template <int kCount>
-hn::Vec<Texel> weighted(const float* corner, std::size_t channels, std::size_t row, const float* across,
-                        const float* down) {
+/// The four texels around the point, each weighed by the product of its column's and its row's weight.
+hn::Vec<Texel> bilinearInside(const float* corner, std::size_t channels, std::size_t row, glm::vec2 t) {
   const Texel d;
-  auto sum = hn::Zero(d);
-  for (int j = 0; j < kCount; ++j, corner += row) {
-    auto line = hn::Zero(d);
-    for (int i = 0; i < kCount; ++i)
-      line = hn::MulAdd(hn::Set(d, across[i]), hn::LoadU(d, corner + static_cast<std::size_t>(i) * channels), line);
-    sum = hn::MulAdd(hn::Set(d, down[j]), line, sum);
+  const auto line = [&](const float* left) {
+    return hn::MulAdd(hn::Set(d, t.x), hn::LoadU(d, left + channels),
+                      hn::Mul(hn::Set(d, 1.0f - t.x), hn::LoadU(d, left)));
+  };
+  return hn::MulAdd(hn::Set(d, t.y), line(corner + row), hn::Mul(hn::Set(d, 1.0f - t.y), line(corner)));
+}
+
+/// The greatest of each texel's four lanes, in all of them.
+template <class V>
+V mostOfTexel(V v) {
+  const V pairs = hn::Max(v, hn::Shuffle2301(v));
+  return hn::Max(pairs, hn::Shuffle1032(pairs));
+}
+template <class V>
+V leastOfTexel(V v) {
+  const V pairs = hn::Min(v, hn::Shuffle2301(v));
+  return hn::Min(pairs, hn::Shuffle1032(pairs));
+}
+
+/// image/filter.h, shareByContrast, for as many texels as there are side by side; each one's fourth lane holds its third.
+template <class D, class V = hn::Vec<D>>
+V shareByContrast(D d, V least, V most) {
+  const V zero = hn::Zero(d);
+  const V little = hn::Mul(hn::Max(mostOfTexel(most), zero), hn::Set(d, 1.0f / 64.0f));
+  const V dark = hn::Add(least, little);
+  const V margin = hn::NegMulAdd(hn::Add(most, little), hn::Set(d, 1.0f / 16.0f), dark);
+  const V half_dark = hn::Max(hn::Mul(dark, hn::Set(d, 0.5f)), hn::Set(d, 1e-30f));
+  return hn::Min(leastOfTexel(hn::Div(hn::Max(margin, zero), half_dark)), hn::Set(d, 1.0f));
+}
+
+/// image/filter.h, limitedCubic, likewise.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V limitedCubic(D d, V before, V first, V second, V after, V t, V share, V& crossing_share) {
+  const V zero = hn::Zero(d);
+  const V half = hn::Set(d, 0.5f);
+  const V slope = hn::Sub(second, first);
+  const V half_slope = hn::Mul(half, slope);
+  const V from_first = hn::Sub(before, first);
+  const V from_second = hn::Sub(after, second);
+  const V bend = hn::MulAdd(half, from_first, half_slope);
+  const V next_bend = hn::MulSub(half, from_second, half_slope);
+  const V arch = hn::NegMulAdd(t, t, t);
+  const V rest = hn::Sub(hn::Set(d, 1.0f), t);
+  const V straight = hn::MulAdd(t, slope, first);
+  const V change = hn::Mul(hn::Neg(arch), hn::MulAdd(t, next_bend, hn::Mul(rest, bend)));
+
+  const V least = hn::Min(first, second);
+  const V most = hn::Max(first, second);
+  const V darkest = hn::Min(least, hn::Min(before, after));
+  const V brightest = hn::Max(most, hn::Max(before, after));
+  // Most texels have so little contrast, which is quickly seen.
+  if (!hn::AllTrue(d, brightest <= hn::Mul(darkest, hn::Set(d, 8.0f)))) {
+    share = hn::Mul(share, shareByContrast(d, darkest, brightest));
+    const V near_before = hn::MulAdd(rest, from_first, first);
+    const V near_after = hn::MulAdd(t, from_second, second);
+    crossing_share = shareByContrast(d, hn::Min(least, hn::Min(near_before, near_after)),
+                                     hn::Max(most, hn::Max(near_before, near_after)));
   }
-  return sum;
+  const V trough = hn::Max(hn::Min(hn::Min(bend, next_bend), hn::Min(from_first, from_second)), zero);
+  const V peak = hn::Min(hn::Max(hn::Max(bend, next_bend), hn::Max(from_first, from_second)), zero);
+  const V twice = hn::Add(arch, arch);
+  const V lowest = hn::Max(hn::NegMulAdd(twice, trough, least), hn::Min(least, zero));
+  const V highest = hn::NegMulAdd(twice, peak, most);
+  return hn::Min(hn::Max(hn::MulAdd(share, change, straight), lowest), highest);
 }
 
-/// As image/filter.h, bicubic: what falls below zero is raised.
-hn::Vec<Texel> raised(hn::Vec<Texel> sum, const float* corner, std::size_t channels, std::size_t row) {
-  const Texel d;
-  auto least = hn::Zero(d);
-  for (int j = 0; j < 4; ++j, corner += row)
-    for (int i = 0; i < 4; ++i) least = hn::Min(least, hn::LoadU(d, corner + static_cast<std::size_t>(i) * channels));
-  return hn::Max(sum, least);
-}
+/// `bicubic` of image/filter.h for several points at a time: down the columns point by point, four texels side by side;
+/// then across, as many points side by side.
+class BicubicInside {
+ public:
+  BicubicInside(std::size_t channels, std::size_t row)
+      : channels_(channels), row_(row), loaded_(hn::FirstN(Texels(), channels * kTexels)), order_(orderOf(channels)) {}
+
+  /// corner   the first of the point's 16 texels
+  /// t        where among the inner four it lies
+  /// index    of the point in the batch
+  void add(const float* corner, glm::vec2 t, std::size_t index) {
+    const Texels d;
+    const auto down = hn::Set(d, t.y);
+    const auto whole = hn::Set(d, 1.0f);
+    auto share = whole;
+    HWY_ALIGN std::array<float, 16> columns;
+    for (std::size_t column = 0; column < 4; column += kTexels) {
+      const float* top = corner + column * channels_;
+      auto crossing_share = whole;
+      const auto light = limitedCubic(d, load(top), load(top + row_), load(top + 2 * row_), load(top + 3 * row_), down,
+                                      whole, crossing_share);
+      hn::Store(light, d, columns.data() + column * 4);
+      share = hn::Min(share, crossing_share);
+    }
+    if (!hn::AllTrue(d, share == whole)) share = hn::MinOfLanes(d, share);
+    const Texel one;
+    hn::Store(hn::Set(one, hn::GetLane(share)), one, shares_.data() + 4 * count_);
+    for (std::size_t column = 0; column < 4; ++column)
+      hn::Store(hn::Load(one, columns.data() + 4 * column), one, columns_[column].data() + 4 * count_);
+    hn::Store(hn::Set(one, t.x), one, across_.data() + 4 * count_);
+    indices_[count_++] = index;
+  }
+
+  /// Answers for all points that were added.
+  void finish(LightBatch& light) const {
+    const Texels d;
+    HWY_ALIGN std::array<float, 4 * kTexels> answers;
+    for (std::size_t begin = 0; begin < count_; begin += kTexels) {
+      const auto column = [&](std::size_t number) { return hn::Load(d, columns_[number].data() + 4 * begin); };
+      const auto across = hn::Load(d, across_.data() + 4 * begin);
+      const auto share = hn::Load(d, shares_.data() + 4 * begin);
+      auto crossing_share = share;  // by nothing
+      hn::Store(limitedCubic(d, column(0), column(1), column(2), column(3), across, share, crossing_share), d,
+                answers.data());
+      const Texel one;
+      for (std::size_t point = 0; point < std::min(kTexels, count_ - begin); ++point)
+        hn::StoreU(hn::Load(one, answers.data() + 4 * point), one, &light[indices_[begin + point]].x);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kTexels = hn::MaxLanes(Texels()) / 4;
+  using Lanes = std::array<float, 4 * PointBatch::kCapacity>;
+
+  /// Each texel's red, green, blue and blue again: what else follows must not count in its contrast.
+  static Indices<Texels> orderOf(std::size_t channels) {
+    HWY_ALIGN std::array<int32_t, 4 * kTexels> order;
+    for (std::size_t lane = 0; lane < order.size(); ++lane)
+      order[lane] = static_cast<int32_t>(lane / 4 * channels + std::min<std::size_t>(lane % 4, 2));
+    return hn::SetTableIndices(Texels(), order.data());
+  }
+
+  /// Four texels of three channels fill 12 of 16 lanes: what lies behind them may not be there to be read.
+  hn::Vec<Texels> load(const float* texels) const {
+    const Texels d;
+    const auto lanes = kTexels == 4 ? hn::MaskedLoad(loaded_, d, texels) : hn::LoadU(d, texels);
+    return hn::TableLookupLanes(lanes, order_);
+  }
+
+  std::size_t channels_;
+  std::size_t row_;
+  hn::Mask<Texels> loaded_;
+  Indices<Texels> order_;
+  HWY_ALIGN std::array<Lanes, 4> columns_;
+  HWY_ALIGN Lanes across_;
+  HWY_ALIGN Lanes shares_;
+  std::array<std::size_t, PointBatch::kCapacity> indices_;
+  std::size_t count_ = 0;
+};
 
 void sampleInside(const MapTexels& map, Interpolation interpolation, const PointBatch& batch, LightBatch& light,
                   std::array<bool, PointBatch::kCapacity>& inside) {
-  const Texel d;
   const Reach reach = reachOf(interpolation);
   const auto channels = static_cast<std::size_t>(map.channels);
   const std::size_t row = channels * static_cast<std::size_t>(map.width);
+  BicubicInside bicubic_inside(channels, row);
   for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
     const float px = batch.u[i] * static_cast<float>(map.width) - 0.5f;
     const float py = batch.v[i] * static_cast<float>(map.height) - 0.5f;
@@ -122,24 +258,19 @@ void sampleInside(const MapTexels& map, Interpolation interpolation, const Point
     const int y = static_cast<int>(py + 1.0f) - 1;
     inside[i] = map.isInside(x, y, reach) && !(map.is_half && batch.z[i] < 0.0f);
     if (!inside[i]) continue;
-    const float tx = px - static_cast<float>(x);
-    const float ty = py - static_cast<float>(y);
+    const glm::vec2 t(px - static_cast<float>(x), py - static_cast<float>(y));
     const float* corner = map.faces[static_cast<std::size_t>(batch.face[i])] +
                           static_cast<std::size_t>(y + reach.first - map.rows.begin) * row +
                           static_cast<std::size_t>(x + reach.first) * channels;
-    if (interpolation == Interpolation::bilinear) {
-      const float across[2] = {1.0f - tx, tx};
-      const float down[2] = {1.0f - ty, ty};
-      hn::StoreU(weighted<2>(corner, channels, row, across, down), d, &light[i].x);
-      continue;
-    }
-    const std::array<float, 4> across = catmullRomWeights(tx);
-    const std::array<float, 4> down = catmullRomWeights(ty);
-    auto sum = weighted<4>(corner, channels, row, across.data(), down.data());
-    if (!hn::AllFalse(d, sum < hn::Zero(d))) sum = raised(sum, corner, channels, row);
-    hn::StoreU(sum, d, &light[i].x);
+    if (interpolation == Interpolation::bicubic)
+      bicubic_inside.add(corner, t, i);
+    else
+      hn::StoreU(bilinearInside(corner, channels, row, t), Texel(), &light[i].x);
   }
+  bicubic_inside.finish(light);
 }
+
+#endif
 
 }  // namespace mirrorball::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

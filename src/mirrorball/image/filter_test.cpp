@@ -1,5 +1,7 @@
 #include "mirrorball/image/filter.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace mirrorball {
@@ -15,20 +17,33 @@ TEST(Bicubic, IsExactOnParabolas) {
   for (float x = 2.0f; x < 6.0f; x += 0.125f) EXPECT_NEAR(atColumn(x + 0.5f, parabola), parabola(x), 1e-5f) << x;
 }
 
-TEST(Bicubic, WeightsSumToOneAndAreOneTexelsAtItsCentre) {
-  for (float t = 0.0f; t <= 1.0f; t += 0.0625f) {
-    const auto weights = catmullRomWeights(t);
-    EXPECT_NEAR(weights[0] + weights[1] + weights[2] + weights[3], 1.0f, 1e-6f);
-  }
-  EXPECT_EQ(catmullRomWeights(0.0f), (std::array<float, 4>{0.0f, 1.0f, 0.0f, 0.0f}));
-}
-
-TEST(Bicubic, BesideABrightTexelNothingIsNegative) {
+TEST(Bicubic, BesideABrightTexelNothingIsDarkerThanTheTexels) {
   const auto sun = [](float x) { return x == 4.0f ? 1e5f : 0.25f; };
-  for (float x = 1.0f; x < 8.0f; x += 0.0625f) EXPECT_GE(atColumn(x, sun), 0.0f) << x;
-  // Where the texels themselves are negative, so may be what lies between them.
+  for (float x = 1.0f; x < 8.0f; x += 0.0625f) {
+    EXPECT_GE(atColumn(x, sun), 0.25f) << x;
+    EXPECT_LE(atColumn(x, sun), 1e5f) << x;
+  }
   const auto negative = [](float) { return -2.0f; };
   EXPECT_NEAR(atColumn(4.3f, negative), -2.0f, 1e-5f);
+  const auto greatest = [](float x) { return x == 4.0f ? 3e38f : 1.0f; };
+  for (float x = 1.0f; x < 8.0f; x += 0.25f) EXPECT_TRUE(std::isfinite(atColumn(x, greatest))) << x;
+}
+
+TEST(Bicubic, NoneOfTheColoursOfASunsEdgeIsMissing) {
+  const auto fetch = [](int x, int) {
+    return x < 4 ? glm::vec4(0.2f, 0.5f, 1.0f, 1.0f) : glm::vec4(1e5f, 2e4f, 1.5f, 1.0f);
+  };
+  for (float x = 1.0f; x < 8.0f; x += 0.0625f) {
+    const glm::vec4 light = bicubic({x, 3.0f}, fetch);
+    const float share = (light.x - 0.2f) / (1e5f - 0.2f);
+    EXPECT_NEAR(light.y, glm::mix(0.5f, 2e4f, share), 0.01f) << x;
+    EXPECT_NEAR(light.z, glm::mix(1.0f, 1.5f, share), 1e-4f) << x;
+  }
+}
+
+TEST(Bicubic, APeakBetweenTexelsRisesAboveThem) {
+  const auto peak = [](float x) { return 2.0f - 0.1f * (x - 4.5f) * (x - 4.5f); };
+  EXPECT_NEAR(atColumn(5.0f, peak), 2.0f, 1e-6f);
 }
 
 TEST(Bicubic, IsBilinearWhereATexelIsMissing) {

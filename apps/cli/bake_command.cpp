@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,16 +16,16 @@
 #include "cli/map_output.h"
 #include "cli/stage_clock.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_format.h"
 
 namespace mirrorball::cli {
 namespace {
 
+const std::string kBakedHelp = "needed: a folder, for all maps and a manifest; or a " +
+                               writtenExtensions(Holds::texture, " or ") + " file, for the specular chain only";
+
 const std::array<Option<BakeOptions>, 17> kBakeOptions{{
-    {{.name = "output",
-      .value = "OUT",
-      .help = "needed: a folder, for all maps and a manifest; or a .ktx2 or .dds file, for the specular chain only",
-      .letter = "o"},
-     &BakeOptions::output},
+    {{.name = "output", .value = "OUT", .help = kBakedHelp, .letter = "o"}, &BakeOptions::output},
     {{.name = "size",
       .value = "N",
       .unit = "texels",
@@ -116,7 +117,8 @@ Result<BakedFiles> filesOf(const BakeRequest& request) {
   while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
   std::error_code status;
   if (fs::exists(folder, status) && !fs::is_directory(folder, status))
-    return fail(ErrorCode::usage, folder + ": is a file; name a folder, or a .ktx2 or .dds file for the chain only");
+    return fail(ErrorCode::usage, folder + ": is a file; name a folder, or a " +
+                                      writtenExtensions(Holds::texture, " or ") + " file for the chain only");
   MapOutputOptions output = request.output;
   output.output = folder + "/specular." + options.extension;
   MIRRORBALL_TRY(specular, MapOutput::resolve(output, Projection::cube));
@@ -144,9 +146,9 @@ Result<void> bakeFile(const BakeRequest& request, StageClock& clock) {
   MapOutputOptions to_file = request.output;
   to_file.output = request.options.output;
   if (!isTexturePath(to_file.output))
-    return fail(ErrorCode::usage, to_file.output +
-                                      ": a prefiltered chain goes into .ktx2 or .dds; or name a folder, "
-                                      "without an extension");
+    return fail(ErrorCode::usage, to_file.output + ": a prefiltered chain goes into " +
+                                      writtenExtensions(Holds::texture, " or ") +
+                                      "; or name a folder, without an extension");
   MIRRORBALL_TRY_VOID(refuseOptionsOfFolders(request.options));
   MIRRORBALL_TRY(output, MapOutput::resolve(to_file, Projection::cube));
   MIRRORBALL_TRY_VOID(checkFolder(to_file.output));
@@ -171,7 +173,9 @@ MipMappingChoice mipMappingFor(std::string_view program) {
 
 Result<void> bake(BakeRequest request) {
   const std::string& output = request.options.output;
-  if (output.empty()) return fail(ErrorCode::usage, "bake needs an output: -o FOLDER, or a .ktx2 or .dds file");
+  if (output.empty())
+    return fail(ErrorCode::usage,
+                "bake needs an output: -o FOLDER, or a " + writtenExtensions(Holds::texture, " or ") + " file");
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
   if (request.options.mip_mapping == MipMappingChoice::as_for)
     request.options.mip_mapping = mipMappingFor(request.output.program);

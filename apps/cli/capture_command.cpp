@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "cli/command_line.h"
@@ -13,6 +14,7 @@
 #include "cli/scene_inputs.h"
 #include "cli/terminal.h"
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/render/cube_capture.h"
 
@@ -21,6 +23,11 @@ namespace {
 
 /// Of a face, where nothing else is said; in other projections as much detail.
 constexpr int kUsualSize = 256;
+
+const std::string kProjectionHelp =
+    "any projection of convert: equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, "
+    "equal-area or eac; else cube in " +
+    writtenExtensions(Holds::texture, " and ") + ", equirect in other files";
 
 const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
     {{.name = "at",
@@ -42,12 +49,7 @@ const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
               "where the scene begins",
       .group = "Capture"},
      &CaptureOptions::nearest},
-    {{.name = "to",
-      .value = "PROJECTION",
-      .help = "any projection of convert: equirect, sphere, angular, cube, ball, paraboloid, octahedral, "
-              "hemioctahedral, equal-area or eac; else cube in .ktx2 and .dds, equirect in other files",
-      .group = "Output"},
-     &CaptureOptions::to},
+    {{.name = "to", .value = "PROJECTION", .help = kProjectionHelp, .group = "Output"}, &CaptureOptions::to},
     {{.name = "size",
       .value = "N",
       .unit = "texels",

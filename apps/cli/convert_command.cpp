@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "cli/command_line.h"
@@ -11,9 +12,13 @@
 #include "cli/files.h"
 #include "cli/map_output.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_format.h"
 
 namespace mirrorball::cli {
 namespace {
+
+const std::string kExtensionHelp =
+    "of the files in an output folder: " + writtenExtensions(" or ") + "; else each input's own";
 
 const std::array<Option<ConvertOptions>, 9> kConvertOptions{{
     {{.name = "to",
@@ -48,10 +53,7 @@ const std::array<Option<ConvertOptions>, 9> kConvertOptions{{
       .help = "the input's direction that comes to the centre, +Z, before --rotate; up stays up"},
      &ConvertOptions::centre},
     {kRotateText, &ConvertOptions::rotate_deg},
-    {{.name = "extension",
-      .value = "EXT",
-      .help = "of the files in an output folder: exr, hdr, ktx2, dds, png or jpg; else each input's own"},
-     &ConvertOptions::extension},
+    {{.name = "extension", .value = "EXT", .help = kExtensionHelp}, &ConvertOptions::extension},
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &ConvertOptions::repair},
     {kMaxMemoryText, &ConvertOptions::max_memory},
 }};
@@ -105,8 +107,8 @@ Action addConvertCommand(CLI::App& program) {
   auto request = std::make_shared<Request>();
   CLI::App& command = addCommand(program, "convert", "Lays environment maps out in another projection");
   addArgument(command, "IN", request->inputs,
-              "maps (.hdr .exr .png .jpg .ktx2 .ktx .dds), one of a cube's six files or their folder, or a built-in: "
-              "studio sky uv white");
+              "maps (" + std::string(readExtensions()) +
+                  "), one of a cube's six files or their folder, or a built-in: studio sky uv white");
   addOptions(command, convertOptions(), request->options);
   addOptions(command, mapOutputOptions(), request->output);
   return [request] { return convertInputs(request->inputs, request->options, request->output); };

@@ -11,6 +11,7 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert_rows.h"
 
@@ -104,8 +105,8 @@ Result<std::string> pathFor(const std::string& input, const std::string& folder,
   const std::string path = (fs::path(folder) / (name.stem().string() + ending)).string();
   if (isTexturePath(path) || checkWritable(path)) return path;
   return fail(ErrorCode::usage, input + " would become " + path +
-                                    ", which is nothing that is written; --extension names what is: exr, hdr, ktx2, "
-                                    "dds, png or jpg");
+                                    ", which is not a format that Mirrorball writes; --extension names one: " +
+                                    writtenExtensions(" or "));
 }
 
 /// Every input's output; no two may be the same file.

@@ -8,6 +8,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "formula/constants.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/load.h"
 #include "mirrorball/environment/statistics.h"
@@ -136,7 +137,7 @@ Action addInfoCommand(CLI::App& program) {
   auto request = std::make_shared<Request>();
   CLI::App& command = addCommand(program, "info", "Says what an environment map is, or where a direction lies in it");
   addArgument(command, "FILE", request->input,
-              "a map (.hdr .exr .png .jpg .ktx2 .ktx .dds) or a built-in: studio sky uv white");
+              "a map (" + std::string(readExtensions()) + ") or a built-in: studio sky uv white");
   addOptions(command, infoOptions(), request->options);
   return [request] { return info(request->input, request->options); };
 }

@@ -8,6 +8,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/stored_format.h"
 #include "mirrorball/environment/recognize.h"
 
@@ -16,16 +17,16 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kFormats{"auto", "half", "float32", "b10g11r11", "e5b9g9r9"};
 
+const std::string kMapHelp = "needed: " + writtenExtensions(Holds::light) + " (linear radiance), " +
+                             writtenExtensions(Holds::texture) + " (textures; cubes as such), " +
+                             writtenExtensions(Holds::picture) +
+                             " (sRGB, clipped to [0, 1]); for several inputs of convert a folder";
+const std::string kMipsHelp = "all mip levels, in " + writtenExtensions(Holds::texture, " and ");
+
 // First those that any texture of a cube may be asked for.
 constexpr std::size_t kTextureOptions = 7;
 const std::array<Option<MapOutputOptions>, 10> kMapOutputOptions{{
-    {{.name = "output",
-      .value = "OUT",
-      .help = "needed: .exr .hdr (linear radiance), .ktx2 .dds (textures; cubes as such), .png .jpg (sRGB, clipped to "
-              "[0, 1]); for several inputs of convert a folder",
-      .letter = "o",
-      .group = "Output"},
-     &MapOutputOptions::output},
+    {{.name = "output", .value = "OUT", .help = kMapHelp, .letter = "o", .group = "Output"}, &MapOutputOptions::output},
     {{.name = "for",
       .value = "PROGRAM",
       .help = "as that program wants it: opengl vulkan directx unity unreal godot three blender renderman openexr",
@@ -64,7 +65,7 @@ const std::array<Option<MapOutputOptions>, 10> kMapOutputOptions{{
               "it, or hcross",
       .group = "Output"},
      &MapOutputOptions::layout},
-    {{.name = "mips", .help = "all mip levels, in .ktx2 and .dds", .group = "Output"}, &MapOutputOptions::mips},
+    {{.name = "mips", .help = kMipsHelp, .group = "Output"}, &MapOutputOptions::mips},
     {{.name = "mip",
       .choices = "solid-angle|box",
       .help = "how a mip level's texels weigh: by their solid angle, or all alike (plain 2 x 2 boxes)",
@@ -139,7 +140,9 @@ Result<void> MapOutput::setFormat(const MapOutputOptions& options) {
   if (!options.mips && options.mip_weights != MipWeights::solid_angle)
     return fail(ErrorCode::usage, "--mip says how mip levels are made, and there are none without --mips; add it");
   if (!options.mips) return {};
-  if (!is_texture_) return fail(ErrorCode::usage, output_ + ": has no mip levels; use .ktx2 or .dds for --mips");
+  if (!is_texture_)
+    return fail(ErrorCode::usage,
+                output_ + ": has no mip levels; use " + writtenExtensions(Holds::texture, " or ") + " for --mips");
   if (hasDisc(form_.projection))
     return fail(ErrorCode::usage, "--mips of " + std::string(nameOf(form_.projection)) +
                                       " would mix in what lies beside the disc; use --to cube or equirect");
@@ -151,7 +154,7 @@ Result<MapOutput> MapOutput::resolve(const MapOutputOptions& options, Projection
   MapOutput output;
   output.output_ = options.output;
   output.is_texture_ = isTexturePath(options.output);
-  if (!output.is_texture_) MIRRORBALL_TRY_VOID(checkWritable(options.output));
+  MIRRORBALL_TRY_VOID(formatToWrite(options.output, {Holds::light, Holds::texture, Holds::picture}));
   MIRRORBALL_TRY_VOID(output.setForm(options, projection));
   MIRRORBALL_TRY_VOID(output.setFormat(options));
   return output;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -13,6 +14,7 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/photo/find_ball.h"
 #include "mirrorball/photo/merge.h"
@@ -24,6 +26,9 @@ namespace {
 
 constexpr ChoiceField<PhotoOptions> kResponseField{[](const PhotoOptions& options) { return options.response; },
                                                    [](PhotoOptions& options, int index) { options.response = index; }};
+
+const std::string kOutlineHelp =
+    "write the photograph with the ball's rim drawn over it, " + writtenExtensions(Holds::picture, " or ");
 
 const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
     {{.name = "to",
@@ -41,11 +46,7 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .help = "a cube face's side, a disc's diameter or a panorama's height; 0 keeps the photograph's detail",
       .group = "Output"},
      &PhotoOptions::size},
-    {{.name = "debug",
-      .value = "FILE",
-      .help = "write the photograph with the ball's rim drawn over it, .png or .jpg",
-      .group = "Output"},
-     &PhotoOptions::debug},
+    {{.name = "debug", .value = "FILE", .help = kOutlineHelp, .group = "Output"}, &PhotoOptions::debug},
     {{.name = "circle",
       .value = "X,Y,R",
       .unit = "pixels",
@@ -282,7 +283,9 @@ Action addPhotoCommand(CLI::App& program) {
   auto request = std::make_shared<Request>();
   CLI::App& command =
       addCommand(program, "photo", "Unwraps a photograph of a mirror ball, or a series of exposures, into a map");
-  addArgument(command, "PHOTO", request->inputs, "photographs of one exposure series (.jpg .png), or one of .hdr .exr");
+  addArgument(command, "PHOTO", request->inputs,
+              "photographs of one exposure series (" + readExtensions(Holds::picture) + "), or one that holds light (" +
+                  readExtensions(Holds::light) + ")");
   addOptions(command, mapOutputOptions(), request->output);
   addOptions(command, photoOptions(), request->options);
   return [request] { return photo(request->inputs, request->options, request->output); };

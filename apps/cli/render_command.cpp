@@ -13,18 +13,17 @@
 #include "cli/stage_clock.h"
 #include "cli/terminal.h"
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/render/renderer.h"
 
 namespace mirrorball::cli {
 namespace {
 
+const std::string kPictureHelp =
+    writtenExtensions(Holds::picture) + " (tone mapped) or " + writtenExtensions(Holds::light) + " (linear radiance)";
+
 const std::array<Option<RenderFiles>, 1> kFileOptions{{
-    {{.name = "output",
-      .value = "OUT",
-      .help = ".png .jpg (tone mapped) or .exr .hdr (linear radiance)",
-      .letter = "o",
-      .group = "Files"},
-     &RenderFiles::output},
+    {{.name = "output", .value = "OUT", .help = kPictureHelp, .letter = "o", .group = "Files"}, &RenderFiles::output},
 }};
 
 /// All that `render` was told.

@@ -7,20 +7,18 @@
 #include <utility>
 
 #include "cli/files.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/load.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
 namespace {
 
+const std::string kEnvironmentHelp = "the environment: a panorama, sphere map or cube (" +
+                                     std::string(readExtensions()) + "), or studio, sky[:elevation=20,…], uv, white";
+
 const std::array<Option<SceneRequest>, 6> kSceneOptions{{
-    {{.name = "env",
-      .value = "ENV",
-      .help = "the environment: a panorama, sphere map or cube (.hdr .exr .png .jpg .ktx2 .dds), or studio, "
-              "sky[:elevation=20,…], "
-              "uv, white",
-      .letter = "e",
-      .group = "Files"},
+    {{.name = "env", .value = "ENV", .help = kEnvironmentHelp, .letter = "e", .group = "Files"},
      &SceneRequest::environment},
     {{.name = "from",
       .value = "FORM",

@@ -76,7 +76,7 @@ TEST_F(BadConvertOptionTest, WhatAFileCannotHoldIsToldWithWhatCan) {
       {"--to sphere -o a.ktx2 --mips", {"--mips", "sphere", "cube or equirect"}},
       {"--to paraboloid -o a.dds --mips", {"--mips", "paraboloid"}},
       {"--to cube -o a.ktx2 --mip box", {"--mip", "--mips"}},
-      {"--to cube -o a.ktx", {"a.ktx: ", ".exr or .hdr"}},
+      {"--to cube -o a.ktx", {"a.ktx: is not a format that Mirrorball writes", ".hdr or .exr", ".ktx2 or .dds"}},
   });
 }
 
@@ -108,7 +108,7 @@ TEST_F(BadConvertOptionTest, AnExtensionIsForFolders) {
   EXPECT_THAT(refuse(2, "convert white --to cube -o a.exr --extension ktx2"),
               AllOf(HasSubstr("--extension is for an output folder"), HasSubstr("a.exr")));
   EXPECT_THAT(refuse(2, "convert white --to cube -o a --extension tga"),
-              AllOf(StartsWith("white would become a/white.tga"), HasSubstr("exr, hdr, ktx2, dds, png or jpg")));
+              AllOf(StartsWith("white would become a/white.tga"), HasSubstr(".hdr, .exr, .png, .jpg, .ktx2 or .dds")));
   EXPECT_THAT(refuse(2, "convert white --to cube -o a/"), AllOf(StartsWith("white "), HasSubstr("--extension")));
 }
 

@@ -64,8 +64,14 @@ TEST_F(BadOutputTest, AFullDisk) {
 }
 
 TEST_F(BadOutputTest, AnExtensionThatNamesNoFormat) {
-  for (const std::string output : {"out.tga", "out", "out.", ".png", "exr"})
-    refuseOutput(2, output, ".exr or .hdr for linear light, .png or .jpg");
+  for (const std::string output : {"out.tga", "out.tif", "out.gif", "out", "out.", ".png", "exr"}) {
+    refuseOutput(2, output, "; use .hdr or .exr for linear light, ");
+    refuseOutput(2, output, ".png or .jpg for pictures");
+  }
+  for (const std::string output : {"out.tga", "out.tif", "out.gif"})
+    refuseOutput(2, output, "is not a format that Mirrorball writes");
+  EXPECT_THAT(refuse(2, "convert map.exr --to sphere -o out.tif"), HasSubstr(".ktx2 or .dds for textures"));
+  EXPECT_THAT(refuse(2, "render none -e map.exr -o out.dds"), HasSubstr("would hold textures; use .hdr or .exr"));
 }
 
 TEST_F(BadOutputTest, NoNameAtAll) {

@@ -168,7 +168,7 @@ TEST_F(CaptureTest, WhatIsMissingOrWrongIsTold) {
   EXPECT_THAT(refuse(2, start + "--mapping sphere"), HasSubstr("reflection or normal"));
   EXPECT_THAT(refuse(2, start + "--layout faces"), HasSubstr("for cubes"));
   EXPECT_THAT(refuse(2, start + "--material glas"), HasSubstr("did you mean 'glass'?"));
-  EXPECT_THAT(refuse(2, "capture none -e white --at 0,0,0 -o out.tga"), HasSubstr(".exr or .hdr"));
+  EXPECT_THAT(refuse(2, "capture none -e white --at 0,0,0 -o out.tga"), HasSubstr(".hdr or .exr"));
   EXPECT_THAT(refuse(1, "capture none -e white --at 0,0,0 -o none/out.exr"), HasSubstr("check that the folder exists"));
   EXPECT_THAT(refuse(1, "capture nothing -e white --at 0,0,0 -o out.exr"), HasSubstr("'nothing'"));
   EXPECT_THAT(refuse(1, start + "--to cube --size 32768"), HasSubstr("--max-memory"));

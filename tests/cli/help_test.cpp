@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/cli_testing.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/render/render_options.h"
 
@@ -75,6 +76,20 @@ TEST_F(HelpTest, TheReferenceHasEveryOptionAndParameter) {
                   reference.find("| `" + option + "`") != std::string::npos)
           << option << " of " << command;
   }
+}
+
+TEST_F(HelpTest, ListsOfFormatsAreTheTables) {
+  const std::string read(readExtensions());
+  for (const std::string command : {"info", "convert", "render", "capture"})
+    EXPECT_THAT(succeed(command + " --help"), HasSubstr(read)) << command;
+  EXPECT_THAT(succeed("render --help"), HasSubstr(writtenExtensions(Holds::picture)));
+  for (const std::string command : {"convert", "capture", "photo"})
+    EXPECT_THAT(succeed(command + " --help"), HasSubstr(writtenExtensions(Holds::texture) + " (textures")) << command;
+  const auto readme = readFile(std::filesystem::path(MIRRORBALL_SOURCE_DIR) / "README.md");
+  ASSERT_TRUE(readme) << readme.error().message;
+  EXPECT_THAT(std::string(readme->begin(), readme->end()), HasSubstr("Maps: `" + read + "`"));
+  EXPECT_THAT(refuse(1, "info " + std::string(MIRRORBALL_SOURCE_DIR) + "/README.md"),
+              HasSubstr("use " + readFormatNames()));
 }
 
 TEST_F(HelpTest, TheDocumentationHasTheReferenceAsItIs) {

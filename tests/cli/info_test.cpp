@@ -5,6 +5,9 @@
 #include <vector>
 
 #include "cli/cli_testing.h"
+#include "mirrorball/codec/picture_testing.h"
+#include "mirrorball/codec/tiff_testing.h"
+#include "mirrorball/codec/webp_testing.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -13,6 +16,32 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 using InfoTest = CliTest;
+
+// The formats that are read only; what is in them is the codecs' tests' business.
+TEST_F(InfoTest, EveryFormatIsAMap) {
+  const Bytes texels(4 * 2 * 3, 255);
+  const std::string plain(texels.begin(), texels.end());
+  write("map.tif", tiffOf({.width = 4, .height = 2}, texels));
+  write("map.webp", webpOf(Image8(4, 2, 3, 255), 101));
+  write("map.tga", tgaOf({.width = 4, .height = 2}, texels));
+  write("map.bmp", bmpOf({.width = 4, .height = 2}, texels));
+  write("map.ppm", "P6 4 2 255\n" + plain);
+  std::string floats = "Pf 4 2 1\n";
+  for (int texel = 0; texel < 4 * 2; ++texel) floats += std::string("\x3f\x80\0\0", 4);  // 1, high byte first
+  write("map.pfm", floats);
+  for (const auto& [name, format] : {std::pair("map.tif", "TIFF, 8 bit"),
+                                     {"map.webp", "WebP, lossless"},
+                                     {"map.tga", "TGA, 24 bit"},
+                                     {"map.bmp", "BMP, 24 bit"},
+                                     {"map.ppm", "PPM, 0 to 255"},
+                                     {"map.pfm", "PFM, big-endian"}}) {
+    const std::string said = succeed(std::string("info ") + name);
+    EXPECT_THAT(said, HasSubstr(std::string("format       ") + format + "\n"));
+    EXPECT_THAT(said, HasSubstr("projection   equirect (told by its shape, 2:1)\n"));
+    succeed(std::string("convert ") + name + " --to equirect --size 2 -o " + name + ".exr");
+    EXPECT_EQ(image(std::string(name) + ".exr").samples()[0], 1.0f) << name;
+  }
+}
 
 // Texel (1, 0) of a panorama of 4 × 2: u = 1.5/4, v = 0.5/2, so the longitude is 135° and the latitude from +Y 45°;
 // d = (sin 45° sin 135°, cos 45°, −sin 45° cos 135°) = (½, 0.70711, ½).

@@ -2,14 +2,26 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <string_view>
+#include <utility>
 
+#include "mirrorball/codec/bmp.h"
+#include "mirrorball/codec/dds.h"
 #include "mirrorball/codec/exr.h"
 #include "mirrorball/codec/hdr.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/jpeg.h"
+#include "mirrorball/codec/ktx1.h"
+#include "mirrorball/codec/ktx2.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/png.h"
+#include "mirrorball/codec/pnm.h"
 #include "mirrorball/codec/srgb.h"
+#include "mirrorball/codec/texture_file.h"
+#include "mirrorball/codec/tga.h"
+#include "mirrorball/codec/tiff.h"
+#include "mirrorball/codec/webp.h"
 #include "mirrorball/codec/within_memory.h"
 
 namespace mirrorball {
@@ -17,24 +29,7 @@ namespace {
 
 using Span = std::span<const std::uint8_t>;
 
-enum class Format { exr, hdr, png, jpeg };
-
-struct Extension {
-  std::string_view text;
-  Format format;
-};
-constexpr std::array<Extension, 5> kExtensions{
-    {{"exr", Format::exr}, {"hdr", Format::hdr}, {"png", Format::png}, {"jpg", Format::jpeg}, {"jpeg", Format::jpeg}}};
-
-/// The format that the name asks for.
-Result<Format> formatOf(const std::filesystem::path& path) {
-  const std::string extension = extensionOf(path);
-  for (const Extension& known : kExtensions)
-    if (extension == known.text) return known.format;
-  return fail(ErrorCode::usage, path.string() +
-                                    ": its extension names no format that is written; use .exr or .hdr "
-                                    "for linear light, .png or .jpg for pictures");
-}
+constexpr std::initializer_list<Holds> kPicturesAndLight{Holds::light, Holds::picture};
 
 /// The error for bytes that no codec takes.
 tl::unexpected<Error> unknownFormat(Span bytes, const std::string& name, std::string_view known) {
@@ -52,30 +47,79 @@ tl::unexpected<Error> unknownFormat(Span bytes, const std::string& name, std::st
                                        begins + "); use " + std::string(known));
 }
 
+/// The largest level of a texture of one face: its first picture, if it is an array.
+Result<DecodedImage> decodeTexturePicture(Span bytes, const std::string& name) {
+  MIRRORBALL_TRY(texture, decodeImageSet(bytes, name));
+  if (texture.images.faces() != 1)
+    return fail(ErrorCode::bad_shape, name + ": is the texture of a cube, where one picture is wanted");
+  return DecodedImage{std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(texture.format),
+                      std::move(texture.color)};
+}
+
+/// How a format is told by a file's first bytes, and read.
+struct Decoder {
+  bool (*begins)(Span bytes);
+  Result<DecodedImage> (*decode)(Span bytes, const std::string& name, const ProgressFunction& progress);
+  /// To 8-bit RGBA as stored; nothing where the format has no integers, or is none of pictures.
+  Result<Image8> (*decode_texture)(Span bytes, const std::string& name);
+};
+
+template <Result<DecodedImage> (*decode)(Span, const std::string&)>
+Result<DecodedImage> withoutProgress(Span bytes, const std::string& name, const ProgressFunction&) {
+  return decode(bytes, name);
+}
+
+/// In the order of kImageFormats. TGA has no first bytes of its own, and is asked for last.
+constexpr std::array<Decoder, kImageFormats.size()> kDecoders{{
+    {isHdr, withoutProgress<decodeHdr>, nullptr},
+    {isExr, decodeExr, nullptr},
+    {isPng, withoutProgress<decodePng>, decodePngTexture},
+    {isJpeg, withoutProgress<decodeJpeg>, decodeJpegTexture},
+    {isKtx2, withoutProgress<decodeTexturePicture>, nullptr},
+    {isKtx1, withoutProgress<decodeTexturePicture>, nullptr},
+    {isDds, withoutProgress<decodeTexturePicture>, nullptr},
+    {isTiff, decodeTiff, decodeTiffTexture},
+    {isWebp, withoutProgress<decodeWebp>, decodeWebpTexture},
+    {isTga, withoutProgress<decodeTga>, decodeTgaTexture},
+    {isBmp, withoutProgress<decodeBmp>, decodeBmpTexture},
+    {isPnm, withoutProgress<decodePnm>, decodePnmTexture},
+    {isPfm, withoutProgress<decodePfm>, nullptr},
+}};
+
+/// The decoder for these bytes; nullptr where there is none.
+const Decoder* decoderFor(Span bytes) {
+  const Decoder& tga = kDecoders[static_cast<std::size_t>(ImageFormatId::tga)];
+  for (const Decoder& decoder : kDecoders)
+    if (&decoder != &tga && decoder.begins(bytes)) return &decoder;
+  return tga.begins(bytes) ? &tga : nullptr;
+}
+
 Result<DecodedImage> decodeByMagic(Span bytes, const std::string& name, const ProgressFunction& progress) {
-  if (isHdr(bytes)) return decodeHdr(bytes, name);
-  if (isExr(bytes)) return decodeExr(bytes, name, progress);
-  if (isPng(bytes)) return decodePng(bytes, name);
-  if (isJpeg(bytes)) return decodeJpeg(bytes, name);
-  return unknownFormat(bytes, name, "Radiance HDR, OpenEXR, PNG or JPEG");
+  if (const Decoder* decoder = decoderFor(bytes)) return decoder->decode(bytes, name, progress);
+  return unknownFormat(bytes, name, readFormatNames());
 }
 
 Result<Image8> decodeTextureByMagic(Span bytes, const std::string& name) {
-  if (isPng(bytes)) return decodePngTexture(bytes, name);
-  if (isJpeg(bytes)) return decodeJpegTexture(bytes, name);
-  return unknownFormat(bytes, name, "PNG or JPEG for textures");
+  const Decoder* decoder = decoderFor(bytes);
+  const std::string right = readFormatNames(Holds::picture) + " for textures";
+  if (!decoder) return unknownFormat(bytes, name, right);
+  if (decoder->decode_texture) return decoder->decode_texture(bytes, name);
+  const ImageFormat& format = kImageFormats[static_cast<std::size_t>(decoder - kDecoders.data())];
+  return fail(ErrorCode::unsupported,
+              name + ": is " + std::string(format.name) + ", which no texture of a model is; use " + right);
 }
 
-Result<Bytes> encodePicture(Format format, const Image8& picture, const Metadata& metadata, const std::string& name) {
-  if (format == Format::png) return encodePng(picture, metadata, name);
+Result<Bytes> encodePicture(ImageFormatId format, const Image8& picture, const Metadata& metadata,
+                            const std::string& name) {
+  if (format == ImageFormatId::png) return encodePng(picture, metadata, name);
   return encodeJpeg(picture, metadata, name);
 }
 
-Result<Bytes> encodeImage(Format format, const Image& image, const ImageWriteOptions& options,
+Result<Bytes> encodeImage(ImageFormatId format, const Image& image, const ImageWriteOptions& options,
                           const std::string& name) {
-  if (format == Format::exr) return encodeExr(image, options, name);
-  if (format == Format::hdr) return encodeHdr(image, options.metadata);
-  const int channels = format == Format::jpeg ? std::min(image.channels(), 3) : image.channels();
+  if (format == ImageFormatId::exr) return encodeExr(image, options, name);
+  if (format == ImageFormatId::hdr) return encodeHdr(image, options.metadata);
+  const int channels = format == ImageFormatId::jpeg ? std::min(image.channels(), 3) : image.channels();
   return encodePicture(format, pictureFromLinear(image, channels), options.metadata, name);
 }
 
@@ -103,7 +147,7 @@ Result<DecodedImage> decodeImage(Span bytes, const std::string& name, const Prog
 
 Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options) {
   const std::string name = path.string();
-  MIRRORBALL_TRY(format, formatOf(path));
+  MIRRORBALL_TRY(format, formatToWrite(path, kPicturesAndLight));
   MIRRORBALL_TRY_VOID(checkShape(image, name));
   MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
   MIRRORBALL_TRY(bytes, withinMemory<Bytes>(name, [&] { return encodeImage(format, image, options, name); }));
@@ -116,23 +160,23 @@ Result<Image8> decodeTexture(Span bytes, const std::string& name) {
 
 Result<void> writePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata) {
   const std::string name = path.string();
-  MIRRORBALL_TRY(format, formatOf(path));
-  if (format != Format::png && format != Format::jpeg)
-    return fail(ErrorCode::usage, name + ": holds linear light, not a picture; use .png or .jpg");
+  MIRRORBALL_TRY(format, formatToWrite(path, {Holds::picture}));
   MIRRORBALL_TRY_VOID(checkShape(picture, name));
   MIRRORBALL_TRY_VOID(checkMetadata(metadata));
   MIRRORBALL_TRY(bytes, withinMemory<Bytes>(name, [&] { return encodePicture(format, picture, metadata, name); }));
   return writeFile(path, bytes);
 }
 
+bool holdsCodes(Span bytes) {
+  const Decoder* decoder = decoderFor(bytes);
+  return decoder && decoder->decode_texture && (!isTiff(bytes) || isTiffOfIntegers(bytes));
+}
+
 Result<void> checkWritable(const std::filesystem::path& path) {
-  MIRRORBALL_TRY_VOID(formatOf(path));
+  MIRRORBALL_TRY_VOID(formatToWrite(path, kPicturesAndLight));
   return {};
 }
 
-bool storesLinearLight(const std::filesystem::path& path) {
-  const auto format = formatOf(path);
-  return format && (*format == Format::exr || *format == Format::hdr);
-}
+bool storesLinearLight(const std::filesystem::path& path) { return formatToWrite(path, {Holds::light}).has_value(); }
 
 }  // namespace mirrorball

@@ -35,15 +35,17 @@ struct ImageWriteOptions {
   Metadata metadata;
 };
 
-/// Reads .hdr .exr .png .jpg by their first bytes, not by their name. PNG and JPEG are decoded to
-/// linear light, from sRGB unless a PNG states another curve. NaN and infinity are kept: whoever needs light asks findNonFinite.
+/// Reads every format of image_format.h by its first bytes, not by its name. Integers are decoded to linear light, from
+/// sRGB unless a PNG states another curve; floats are linear light. Of a texture of one face it is the largest level. NaN
+/// and infinity are kept: whoever needs light asks findNonFinite.
 ///
 /// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported
 Result<DecodedImage> readImage(const std::filesystem::path& path);
 
 /// The same from memory. `name` is for messages.
 ///
-/// errors   also interrupted, when `progress` says so: of OpenEXR, whose compressions take seconds for large pictures
+/// errors   also interrupted, when `progress` says so: of OpenEXR and TIFF, whose compressions take seconds for large
+///          pictures
 Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
                                  const ProgressFunction& progress = {});
 
@@ -51,15 +53,18 @@ Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const std:
 /// clipped to [0, 1]. PNG keeps straight alpha, EXR premultiplied (the caller's samples are taken
 /// as the format wants them), HDR and JPEG drop it.
 ///
-/// errors   usage (an unknown extension: the known ones are listed); io; bad_shape (a channel count
+/// errors   usage (an extension of nothing that is written: those that are are listed); io; bad_shape (a channel count
 /// it cannot hold)
 Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options = {});
 
-/// Decodes a PNG or JPEG texture to its 8-bit samples as stored (no colour conversion); 16-bit PNG
-/// is rounded.
+/// Decodes a texture of integers (PNG, JPEG, TIFF, WebP, TGA, BMP, PNM) to its 8-bit samples as stored (no colour
+/// conversion); more bits are rounded.
 ///
-/// returns  4 channels; alpha 255 where the file has none
+/// returns  4 channels, alpha straight; alpha 255 where the file has none
 Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Whether the bytes begin as a format of integers that decodeTexture takes, and a TIFF does hold integers.
+bool holdsCodes(std::span<const std::uint8_t> bytes);
 
 /// Writes an encoded picture of 3 or 4 channels (straight alpha; JPEG drops it) as .png or .jpg.
 Result<void> writePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata = {});

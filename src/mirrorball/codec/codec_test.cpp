@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/codec/codec_testing.h"
+#include "mirrorball/codec/texture_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -124,12 +125,24 @@ TEST_F(CodecFile, ForeignMetadataIsRefused) {
   EXPECT_EQ(write("envmap", "sphere").error().code, ErrorCode::usage);
 }
 
+TEST(Codec, ATextureOfOneFaceIsAPicture) {
+  const ImageSet levels = testing::textureOf(2, 1, 1, 4, 4, 2);
+  const auto image = decodeImage(testing::bytesOfTexture(writeKtx2, levels), "a.ktx2");
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_THAT(image->image.samples(), ::testing::ElementsAreArray(levels.at(0, 0).samples()));
+  const auto cube = decodeImage(testing::bytesOfTexture(writeDds, testing::textureOf(1, 6, 1, 3, 2, 2)), "a.dds");
+  ASSERT_FALSE(cube);
+  EXPECT_EQ(cube.error().code, ErrorCode::bad_shape);
+}
+
 TEST(Codec, WhatIsNoImageIsNamed) {
   EXPECT_THAT(decodeImage({}, "a.hdr").error().message, HasSubstr("a.hdr: is empty"));
   EXPECT_THAT(decodeImage(bytesOf("GIF89a"), "a.gif").error().message,
               AllOf(HasSubstr("47 49 46 38"), HasSubstr("OpenEXR")));
   EXPECT_EQ(decodeImage(bytesOf("#"), "a").error().code, ErrorCode::bad_file);
-  EXPECT_THAT(decodeTexture(bytesOf("#?RADIANCE\n\n-Y 1 +X 1\n1234"), "a").error().message, HasSubstr("PNG or JPEG"));
+  EXPECT_THAT(decodeTexture(bytesOf("#?RADIANCE\n\n-Y 1 +X 1\n1234"), "a").error().message,
+              AllOf(HasSubstr("is Radiance HDR"), HasSubstr("BMP or PNM for textures")));
+  EXPECT_THAT(decodeTexture(bytesOf("GIF89a"), "a").error().message, HasSubstr("use PNG, JPEG"));
   EXPECT_EQ(readImage("no such file.hdr").error().code, ErrorCode::not_found);
 }
 

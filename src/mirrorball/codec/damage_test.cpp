@@ -15,8 +15,10 @@
 #include "mirrorball/codec/exr_stream.h"
 #include "mirrorball/codec/hdr.h"
 #include "mirrorball/codec/jpeg.h"
+#include "mirrorball/codec/picture_testing.h"
 #include "mirrorball/codec/png.h"
 #include "mirrorball/codec/srgb.h"
+#include "mirrorball/codec/webp_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -52,6 +54,13 @@ Bytes scanLineExr(Imf::Compression compression, Imf::RgbaChannels channels) {
 }
 
 Image8 picture() { return pictureFromLinear(gradient(13, 11, 3), 3); }
+
+/// Packets of one and of two texels of 24 bits.
+Bytes colorRuns(int texels) {
+  Bytes packets;
+  for (int i = 0; i < texels; i += 3) packets.insert(packets.end(), {129, 9, 8, 7, 0, 1, 2, 3});
+  return packets;
+}
 
 struct Format {
   const char* name;
@@ -118,30 +127,42 @@ TEST_P(Damage, GarbageBehindTheMagicIsAnError) {
 
 INSTANTIATE_TEST_SUITE_P(
     Files, Damage,
-    ::testing::Values(Format{"HdrNewRle",
-                             [] {
-                               return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}});
-                             }},
-                      Format{"HdrOldRle", oldRleHdr},
-                      Format{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}, "a"); }},
-                      Format{"ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }},
-                      Format{"ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }},
-                      Format{"ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }},
-                      Format{"ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }},
-                      Format{"ExrChroma", [] { return scanLineExr(Imf::ZIP_COMPRESSION, Imf::WRITE_YC); }},
-                      Format{"ExrTiled",
-                             [] {
-                               return foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8,
-                                                                           Imf::ONE_LEVEL);
-                             }},
-                      Format{"Png",
-                             [] {
-                               return *encodePng(picture(), {{"envmap", "cube"}}, "a");
-                             }},
-                      Format{"Jpeg",
-                             [] {
-                               return *encodeJpeg(picture(), {{"envmap", "cube"}}, "a");
-                             }}),
+    ::testing::Values(
+        Format{"HdrNewRle",
+               [] {
+                 return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}});
+               }},
+        Format{"HdrOldRle", oldRleHdr}, Format{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}, "a"); }},
+        Format{"ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }},
+        Format{"ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }},
+        Format{"ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }},
+        Format{"ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }},
+        Format{"ExrChroma", [] { return scanLineExr(Imf::ZIP_COMPRESSION, Imf::WRITE_YC); }},
+        Format{"ExrTiled",
+               [] {
+                 return foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8,
+                                                             Imf::ONE_LEVEL);
+               }},
+        Format{"Png",
+               [] {
+                 return *encodePng(picture(), {{"envmap", "cube"}}, "a");
+               }},
+        Format{"Tga", [] { return testing::tgaOf({.type = 10, .width = 9, .height = 4}, colorRuns(36)); }},
+        Format{"Bmp", [] { return testing::bmpOf({.width = 9, .height = 4}, Bytes(4 * 28, 77)); }},
+        Format{"BmpRle",
+               [] {
+                 return testing::bmpOf({.width = 3, .height = 2, .bits = 8, .compression = 1, .palette = {0, 0xff}},
+                                       {0, 3, 1, 0, 1, 0, 0, 0, 2, 1, 0, 1});
+               }},
+        Format{"Pgm", [] { return bytesOf("P5 5 3 65535\n" + std::string(30, 'x')); }},
+        Format{"PpmText", [] { return bytesOf("P3\n2 2\n255\n1 2 3 4 5 6 7 8 9 10 11 5"); }},
+        Format{"Pfm", [] { return bytesOf("PF  3  2  -1\n" + std::string(72, 'x')); }},
+        Format{"WebpLossy", [] { return testing::webpOf(picture(), 80); }},
+        Format{"WebpLossless", [] { return testing::webpOf(picture(), 101); }},
+        Format{"Jpeg",
+               [] {
+                 return *encodeJpeg(picture(), {{"envmap", "cube"}}, "a");
+               }}),
     [](const auto& format) { return std::string(format.param.name); });
 
 }  // namespace

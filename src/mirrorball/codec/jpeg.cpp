@@ -12,6 +12,7 @@
 //
 #include <jerror.h>
 
+#include "mirrorball/codec/coded_picture.h"
 #include "mirrorball/codec/icc_profile.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/srgb.h"
@@ -160,10 +161,7 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
       checkImageMemory(name, static_cast<int>(codec.image_width), static_cast<int>(codec.image_height), 3));
   const std::size_t texels = std::size_t(codec.image_width) * codec.image_height;
   if (texels / kMostTexelsPerByte > bytes.size())
-    return fail(ErrorCode::bad_file, name + ": says its size is " + std::to_string(codec.image_width) + "x" +
-                                         std::to_string(codec.image_height) + ", which its " +
-                                         std::to_string(bytes.size()) +
-                                         " bytes cannot hold; the file is truncated or damaged");
+    return cannotHold(name, codec.image_width, codec.image_height, bytes.size());
   if (codec.jpeg_color_space == JCS_CMYK || codec.jpeg_color_space == JCS_YCCK)
     return fail(ErrorCode::unsupported, name + ": is a CMYK JPEG; save it as RGB");
   return {};

@@ -11,6 +11,7 @@
 #include <png.h>
 #include <zlib.h>
 
+#include "mirrorball/codec/coded_picture.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/png_color.h"
 #include "mirrorball/codec/srgb.h"
@@ -184,9 +185,7 @@ Result<void> readHeader(Reader& reader, const std::string& name, Pixels& pixels)
   MIRRORBALL_TRY_VOID(checkImageMemory(name, static_cast<int>(width), static_cast<int>(height), 4));
   const std::size_t stored = png_get_rowbytes(reader.png, reader.info) * std::size_t(height);
   if (stored / kMostBytesPerByte > reader.context.in.size())
-    return fail(ErrorCode::bad_file,
-                name + ": says its size is " + std::to_string(width) + "x" + std::to_string(height) + ", which its " +
-                    std::to_string(reader.context.in.size()) + " bytes cannot hold; the file is truncated or damaged");
+    return cannotHold(name, width, height, reader.context.in.size());
   pixels.width = static_cast<int>(width);
   pixels.height = static_cast<int>(height);
   pixels.stored_bits = png_get_bit_depth(reader.png, reader.info);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "mirrorball/codec/dds.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/ktx1.h"
 #include "mirrorball/codec/ktx2.h"
 #include "mirrorball/codec/metadata.h"
@@ -56,8 +57,7 @@ bool isDdsPath(const std::filesystem::path& path) { return extensionOf(path) == 
 
 Result<void> checkTextureOptions(const std::filesystem::path& path, const TextureWriteOptions& options) {
   const std::string name = path.string();
-  if (!isTexturePath(path))
-    return fail(ErrorCode::usage, name + ": its extension names no texture file that is written; use .ktx2 or .dds");
+  MIRRORBALL_TRY_VOID(formatToWrite(path, {Holds::texture}));
   if (options.zstandard_level < 0 || options.zstandard_level > kHighestZstandardLevel)
     return fail(ErrorCode::usage, name + ": there is no Zstandard level " + std::to_string(options.zstandard_level) +
                                       "; use 0 (none) to " + std::to_string(kHighestZstandardLevel));
@@ -137,9 +137,6 @@ Result<void> TextureWriter::write(int face, glm::ivec2 begin, const Image& texel
   return {};
 }
 
-bool isTexturePath(const std::filesystem::path& path) {
-  const std::string extension = extensionOf(path);
-  return extension == "ktx2" || extension == "dds";
-}
+bool isTexturePath(const std::filesystem::path& path) { return formatToWrite(path, {Holds::texture}).has_value(); }
 
 }  // namespace mirrorball

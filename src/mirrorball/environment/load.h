@@ -31,11 +31,11 @@ struct LoadedEnvironment {
   std::vector<std::string> files = {};     ///< that were read
 };
 
-/// Loads a built-in by its name (builtin.h), else a file (.hdr .exr .png .jpg .ktx2 .ktx .dds; LDR as sRGB unless it
-/// states another curve; of a texture its largest level, of an array its first element). The name of one of a cube's six
-/// files (face_files.h), if most of them are there, and that of the folder that holds them stand for all six.
+/// Loads a built-in by its name (builtin.h), else a file of any format that is read (codec/image_format.h): of a texture its
+/// largest level, of an array its first element. The name of one of a cube's six files (face_files.h), if most of them are
+/// there, and that of the folder that holds them stand for all six.
 ///
-/// progress told while a picture is decoded, if it is OpenEXR's
+/// progress told while a picture is decoded, if it is OpenEXR's or TIFF's
 /// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel; --repair mends it);
 ///          interrupted; whatever the codec finds
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},

@@ -5,7 +5,7 @@
 
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/jpeg.h"
-#include "mirrorball/codec/png.h"
+#include "mirrorball/image/upright.h"
 
 namespace mirrorball {
 
@@ -13,7 +13,7 @@ Result<Photograph> readPhotograph(const std::filesystem::path& path) {
   Photograph photograph{.name = path.string(), .codes = {}, .light = {}, .exif = {}};
   MIRRORBALL_TRY(bytes, readFile(path));
   if (isJpeg(bytes)) photograph.exif = readExif(bytes);
-  if (isJpeg(bytes) || isPng(bytes)) {
+  if (holdsCodes(bytes)) {
     MIRRORBALL_TRY(codes, decodeTexture(bytes, photograph.name));
     photograph.codes = upright(std::move(codes), photograph.exif.orientation);
     return photograph;

@@ -15,15 +15,15 @@ namespace mirrorball {
 /// curve (response.h), or already linear light.
 struct Photograph {
   std::string name;  ///< the file, for messages
-  Image8 codes;      ///< 4 channels, RGB as stored; empty for .exr and .hdr
-  Image light;       ///< linear light of .exr and .hdr; else empty
+  Image8 codes;      ///< 4 channels, RGB as stored; empty where the file holds floats
+  Image light;       ///< linear light of such a file; else empty
   Exif exif;
 
   int width() const { return codes.empty() ? light.width() : codes.width(); }
   int height() const { return codes.empty() ? light.height() : codes.height(); }
 };
 
-/// Reads a photograph and applies its EXIF orientation. PNG with 16 bits is rounded to 8.
+/// Reads a photograph and applies its EXIF orientation. Integers of 16 bits are rounded to 8.
 ///
 /// errors   whatever the codec finds; non_finite in linear light
 Result<Photograph> readPhotograph(const std::filesystem::path& path);

@@ -6,6 +6,7 @@
 
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/jpeg.h"
+#include "mirrorball/codec/tiff_testing.h"
 #include "mirrorball/photo/exif_testing.h"
 
 namespace mirrorball {
@@ -64,6 +65,20 @@ TEST_F(PhotographTest, ZeroIsNoValue) {
                {.exposure_time_s = 0.0, .f_number = {}, .iso = 0.0, .focal_length_35mm = 0.0, .orientation = 0}));
   EXPECT_FALSE(read.exposure_time_s || read.iso || read.focal_length_35mm);
   EXPECT_EQ(read.orientation, 1);
+}
+
+TEST_F(PhotographTest, ATiffIsCodesOrLight) {
+  testing::TiffForm form{.width = 2, .height = 1, .orientation = 3};
+  const auto codes = readPhotograph(write("codes.tif", testing::tiffOf(form, {1, 2, 3, 4, 5, 6})));
+  ASSERT_TRUE(codes) << codes.error().message;
+  EXPECT_THAT(codes->codes.samples(), ::testing::ElementsAre(4, 5, 6, 255, 1, 2, 3, 255));
+  form.bits = 32;
+  form.kind = SAMPLEFORMAT_IEEEFP;
+  const auto light = readPhotograph(
+      write("light.tif", testing::tiffOf(form, testing::bytesOfNumbers(std::vector<float>{1, 2, 3, 4, 5, 6}))));
+  ASSERT_TRUE(light) << light.error().message;
+  EXPECT_TRUE(light->codes.empty());
+  EXPECT_THAT(light->light.samples(), ::testing::ElementsAre(4, 5, 6, 1, 2, 3));
 }
 
 TEST_F(PhotographTest, ADamagedSegmentIsNoReasonToStop) {

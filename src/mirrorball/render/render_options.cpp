@@ -3,15 +3,20 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <string>
 
 #include "formula/color.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_format.h"
 
 namespace mirrorball {
 namespace {
 
 constexpr int kMostLights = 8;
 constexpr int kLongestSide = 16384;
+
+const std::string kExposureHelp =
+    "brightness of a tone-mapped picture; " + writtenExtensions(Holds::light, " and ") + " keep radiance as it is";
 
 const std::array<Option<RenderOptions>, 19> kOptions{{
     {{.name = "size", .value = "WxH", .unit = "pixels", .help = "size of the picture", .group = "Picture"},
@@ -35,7 +40,7 @@ const std::array<Option<RenderOptions>, 19> kOptions{{
       .unit = "stops",
       .minimum = -30,
       .maximum = 30,
-      .help = "brightness of a tone-mapped picture; .exr and .hdr keep radiance as it is",
+      .help = kExposureHelp,
       .group = "Picture"},
      &RenderOptions::exposure_ev},
     {{.name = "tone-map",

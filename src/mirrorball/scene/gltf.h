@@ -12,8 +12,8 @@ namespace mirrorball {
 /// Loads a glTF 2.0 file, .gltf or .glb: the default scene, or every node that has no parent where the file names none.
 ///
 /// Read are the core's metallic-roughness materials with all their textures, KHR_texture_transform, the factors of
-/// KHR_materials_ior, _specular, _transmission, _dispersion and _emissive_strength, KHR_mesh_quantization and
-/// KHR_draco_mesh_compression.
+/// KHR_materials_ior, _specular, _transmission, _dispersion and _emissive_strength, KHR_mesh_quantization,
+/// KHR_draco_mesh_compression and EXT_texture_webp. Pictures may have any format that codec.h's decodeTexture takes.
 /// Animations, skins, morph targets, points and lines are left out, with a warning in the scene.
 ///
 /// returns  one mesh a primitive; an instance whose node mirrors gets a copy of its mesh with turned triangles, so that

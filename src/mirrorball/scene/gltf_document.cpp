@@ -13,10 +13,10 @@
 namespace mirrorball::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 8> kKnownExtensions = {
+constexpr std::array<std::string_view, 9> kKnownExtensions = {
     "KHR_draco_mesh_compression", "KHR_mesh_quantization",           "KHR_texture_transform",
     "KHR_materials_ior",          "KHR_materials_specular",          "KHR_materials_transmission",
-    "KHR_materials_dispersion",   "KHR_materials_emissive_strength",
+    "KHR_materials_dispersion",   "KHR_materials_emissive_strength", "EXT_texture_webp",
 };
 
 float share(const JsonReader& value, float otherwise) {
@@ -90,7 +90,11 @@ Sampler parseSampler(const JsonReader& json) {
   return {wrap(json["wrapS"]), wrap(json["wrapT"]), json["magFilter"].index() == kNearest};
 }
 
-Texture parseTexture(const JsonReader& json) { return {json["source"].index(), json["sampler"].index()}; }
+/// EXT_texture_webp names the picture itself, and its source beside the extension one for readers that do not know WebP.
+Texture parseTexture(const JsonReader& json) {
+  const int webp = json["extensions"]["EXT_texture_webp"]["source"].index();
+  return {webp >= 0 ? webp : json["source"].index(), json["sampler"].index()};
+}
 
 TextureSlot parseSlot(const JsonReader& json) {
   TextureSlot slot;

@@ -7,6 +7,8 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/picture_testing.h"
+#include "mirrorball/codec/tiff_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -107,6 +109,24 @@ TEST(Obj, ReadsMaterialsAndTheirPictures) {
   EXPECT_THAT(scene->warnings, Contains(HasSubstr("no_such.png")));
   EXPECT_THAT(scene->warnings, Contains(HasSubstr("'bumps.png' is left out")));
   EXPECT_THAT(scene->warnings, Contains(HasSubstr("'unheard'")));
+}
+
+// The formats that .mtl files name most beside PNG and JPEG.
+TEST(Obj, PicturesMayBeTgaTiffBmpOrPpm) {
+  const testing::TiffForm tiff{.width = 1, .height = 1};
+  const std::vector<std::pair<std::string, Bytes>> pictures{
+      {"colour.tga", testing::tgaOf({.width = 1, .height = 1}, {3, 2, 1})},
+      {"colour.bmp", testing::bmpOf({.width = 1, .height = 1}, {3, 2, 1, 0})},
+      {"colour.tif", testing::tiffOf(tiff, {1, 2, 3})},
+      {"colour.ppm", {'P', '6', ' ', '1', ' ', '1', ' ', '2', '5', '5', '\n', 1, 2, 3}}};
+  for (const auto& [name, bytes] : pictures) {
+    ASSERT_TRUE(writeFile(std::filesystem::path(::testing::TempDir()) / name, bytes));
+    writeText("obj_formats.mtl", "newmtl painted\nmap_Kd " + name + "\n");
+    const Result<Scene> scene = decode("mtllib obj_formats.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl painted\nf 1 2 3\n");
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_THAT(scene->warnings, ::testing::IsEmpty());
+    EXPECT_THAT(scene->textures.at(0).image.samples(), ::testing::ElementsAre(1, 2, 3, 255)) << name;
+  }
 }
 
 TEST(Obj, WithoutItsMaterialsIsAWarning) {

@@ -16,7 +16,7 @@ struct EncodedPicture {
   std::span<const std::uint8_t> bytes;
 };
 
-/// Decodes PNG and JPEG pictures, several at the same time: with large textures this is where a model's loading time
+/// Decodes pictures (codec.h: decodeTexture), several at the same time: with large textures this is where a model's loading time
 /// goes.
 ///
 /// returns  for each picture its image of 4 channels as stored, or why it cannot be read

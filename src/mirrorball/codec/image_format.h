@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "mirrorball/base/result.h"
+
+namespace mirrorball {
+
+/// What the files of a format hold.
+enum class Holds {
+  light,    ///< linear radiance, in floats
+  picture,  ///< integers, encoded as sRGB unless the file says otherwise
+  either,   ///< integers as pictures have them, or floats that are light
+  texture,  ///< images as a GPU has them: mip levels, cubes, arrays
+};
+
+/// The formats that are read, some of which are written; a format's number is its place in kImageFormats.
+enum class ImageFormatId { hdr, exr, png, jpeg, ktx2, ktx, dds, tiff, webp, tga, bmp, pnm, pfm };
+
+struct ImageFormat {
+  ImageFormatId id;
+  std::string_view name;        ///< "Radiance HDR"
+  std::string_view extensions;  ///< "jpg jpeg": in names of files, the usual one first
+  Holds holds;
+  bool is_written;
+  std::string_view what;  ///< what is read of it, for the documentation
+};
+
+/// The one list of formats: every message, help text and page that names some is made from it, in its order.
+inline constexpr std::array<ImageFormat, 13> kImageFormats{{
+    {ImageFormatId::hdr, "Radiance HDR", "hdr", Holds::light, true,
+     "RGBE and XYZE; run-length coded, old and new, or flat; any orientation"},
+    {ImageFormatId::exr, "OpenEXR", "exr", Holds::light, true,
+     "half, float and integers; scan lines and tiles; every compression of OpenEXR 3; luminance and chroma"},
+    {ImageFormatId::png, "PNG", "png", Holds::picture, true, "every kind and depth; `gAMA`, `cHRM`, `sRGB`"},
+    {ImageFormatId::jpeg, "JPEG", "jpg jpeg", Holds::picture, true, "grey and RGB, baseline and progressive"},
+    {ImageFormatId::ktx2, "KTX2", "ktx2", Holds::texture, true,
+     "8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9; Zstandard"},
+    {ImageFormatId::ktx, "KTX", "ktx", Holds::texture, false, "the same formats, in either byte order"},
+    {ImageFormatId::dds, "DDS", "dds", Holds::texture, true, "the same formats, and masks of older files"},
+    {ImageFormatId::tiff, "TIFF", "tif tiff", Holds::either, false,
+     "integers of up to 16 bits and of 32, floats of 16, 32 and 64; grey, RGB, palette, LogLuv; plain, LZW, deflate, "
+     "PackBits, Zstandard, JPEG; strips and tiles, BigTIFF"},
+    {ImageFormatId::webp, "WebP", "webp", Holds::picture, false, "lossy and lossless, alpha; no animations"},
+    {ImageFormatId::tga, "TGA", "tga", Holds::picture, false,
+     "grey, palette, 15, 16, 24 and 32 bits; run-length coded or not"},
+    {ImageFormatId::bmp, "BMP", "bmp", Holds::picture, false, "palettes, RLE4, RLE8, 16, 24 and 32 bits, masks, alpha"},
+    {ImageFormatId::pnm, "PNM", "pnm ppm pgm pbm pam", Holds::picture, false, "P1 to P7, text or bytes, up to 16 bits"},
+    {ImageFormatId::pfm, "PFM", "pfm", Holds::light, false, "grey and RGB, either byte order"},
+}};
+
+/// Whether the format has files that hold that: TIFF has pictures and light.
+constexpr bool mayHold(const ImageFormat& format, Holds what) {
+  return format.holds == what || (format.holds == Holds::either && (what == Holds::light || what == Holds::picture));
+}
+
+/// The usual extensions of all formats that are read: ".hdr .exr .png".
+std::string_view readExtensions();
+
+/// The same of those that may hold one thing.
+std::string readExtensions(Holds what);
+
+/// The usual extensions of all formats that are written: ".hdr .exr .png"; ".hdr, .exr or .png".
+std::string writtenExtensions(std::string_view before_last = " ");
+
+/// The same of those that hold one thing.
+std::string writtenExtensions(Holds what, std::string_view before_last = " ");
+
+/// "Radiance HDR, OpenEXR, PNG or JPEG": the formats that are read.
+std::string readFormatNames();
+
+/// The same of those that may hold one thing.
+std::string readFormatNames(Holds what);
+
+/// The format that is written under a name with that extension.
+///
+/// wanted   what the format may hold; the message lists them in this order
+/// errors   usage: it is none of those
+Result<ImageFormatId> formatToWrite(const std::filesystem::path& path, std::initializer_list<Holds> wanted);
+
+}  // namespace mirrorball

@@ -1,0 +1,37 @@
+#include "mirrorball/codec/image_format.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace mirrorball {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(ImageFormat, ListsAreMadeFromTheTable) {
+  EXPECT_EQ(readExtensions(), ".hdr .exr .png .jpg .ktx2 .ktx .dds .tif .webp .tga .bmp .pnm .pfm");
+  EXPECT_EQ(readExtensions(Holds::light), ".hdr .exr .tif .pfm");
+  EXPECT_EQ(readExtensions(Holds::picture), ".png .jpg .tif .webp .tga .bmp .pnm");
+  EXPECT_EQ(writtenExtensions(), ".hdr .exr .png .jpg .ktx2 .dds");
+  EXPECT_EQ(writtenExtensions(Holds::texture, " or "), ".ktx2 or .dds");
+  EXPECT_EQ(readFormatNames(), "Radiance HDR, OpenEXR, PNG, JPEG, KTX2, KTX, DDS, TIFF, WebP, TGA, BMP, PNM or PFM");
+}
+
+TEST(ImageFormat, TheExtensionTellsWhatIsWritten) {
+  EXPECT_EQ(*formatToWrite("b/a.EXR", {Holds::light}), ImageFormatId::exr);
+  EXPECT_EQ(*formatToWrite("a.jpeg", {Holds::light, Holds::picture}), ImageFormatId::jpeg);
+  const auto message = [](const char* path, std::initializer_list<Holds> wanted) {
+    const auto refused = formatToWrite(path, wanted);
+    EXPECT_FALSE(refused) << path;
+    return refused ? "" : refused.error().message;
+  };
+  for (const char* path : {"x.tif", "x.ktx", "x.gif", "x.hdr.gz"})
+    EXPECT_EQ(message(path, {Holds::light, Holds::picture}),
+              path + std::string(": is not a format that Mirrorball writes; use .hdr or .exr for linear light, .png or "
+                                 ".jpg for pictures"));
+  EXPECT_EQ(message("x.dds", {Holds::picture}), "x.dds: would hold textures; use .png or .jpg");
+  EXPECT_EQ(message("x", {Holds::texture}), "x: has no extension to tell its format by; use .ktx2 or .dds");
+}
+
+}  // namespace
+}  // namespace mirrorball

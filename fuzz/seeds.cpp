@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <tuple>
 
 #include <ImfHeader.h>
 #include <ImfRgbaFile.h>
@@ -21,9 +22,12 @@
 #include "mirrorball/codec/hdr.h"
 #include "mirrorball/codec/icc_testing.h"
 #include "mirrorball/codec/jpeg.h"
+#include "mirrorball/codec/picture_testing.h"
 #include "mirrorball/codec/png.h"
 #include "mirrorball/codec/srgb.h"
 #include "mirrorball/codec/texture_testing.h"
+#include "mirrorball/codec/tiff_testing.h"
+#include "mirrorball/codec/webp_testing.h"
 #include "mirrorball/scene/gltf_testing.h"
 
 namespace mirrorball {
@@ -168,6 +172,100 @@ void addImages(Corpus& corpus) {
   }
 }
 
+void addTiffs(Corpus& corpus) {
+  const auto add = [&](const std::string& seed, testing::TiffForm form) {
+    form.width = form.width == 5 ? 9 : form.width;
+    corpus.add("tiff", seed, testing::tiffOf(form, testing::tiffSamples(form)));
+  };
+  add("lzw", {.compression = COMPRESSION_LZW, .predictor = PREDICTOR_HORIZONTAL});
+  add("planes_big_endian", {.bits = 16, .compression = COMPRESSION_ADOBE_DEFLATE, .is_by_planes = true, .mode = "wb"});
+  add("tiles", {.bits = 32,
+                .kind = SAMPLEFORMAT_IEEEFP,
+                .compression = COMPRESSION_ZSTD,
+                .predictor = PREDICTOR_FLOATINGPOINT,
+                .tile = 16});
+  add("half", {.bits = 16, .kind = SAMPLEFORMAT_IEEEFP, .compression = COMPRESSION_PACKBITS});
+  add("double_grey", {.samples = 1, .bits = 64, .kind = SAMPLEFORMAT_IEEEFP, .photometric = PHOTOMETRIC_MINISBLACK});
+  add("palette", {.samples = 1,
+                  .bits = 2,
+                  .photometric = PHOTOMETRIC_PALETTE,
+                  .palette = {0, 1, 2, 3, 0, 10, 20, 30, 0, 100, 200, 255}});
+  add("bits", {.samples = 1, .bits = 1, .photometric = PHOTOMETRIC_MINISWHITE});
+  add("twelve_bits", {.samples = 1, .bits = 12, .photometric = PHOTOMETRIC_MINISBLACK});
+  add("alpha", {.samples = 4,
+                .orientation = ORIENTATION_LEFTBOT,
+                .mode = "w8",
+                .extras = {EXTRASAMPLE_ASSOCALPHA},
+                .profile = testing::iccProfile("Adobe RGB (1998)")});
+  add("primaries", {.primaries = {0.3127f, 0.329f, 0.708f, 0.292f, 0.17f, 0.797f, 0.131f, 0.046f}});
+  add("jpeg", {.width = 16, .height = 16, .compression = COMPRESSION_JPEG, .rows_per_strip = 16});
+  for (const auto& [name, samples, photometric, compression] :
+       {std::tuple("log_luv", 3, PHOTOMETRIC_LOGLUV, COMPRESSION_SGILOG),
+        std::tuple("log_luv_24", 3, PHOTOMETRIC_LOGLUV, COMPRESSION_SGILOG24),
+        std::tuple("log_l", 1, PHOTOMETRIC_LOGL, COMPRESSION_SGILOG)}) {
+    const testing::TiffForm form{.samples = static_cast<std::uint16_t>(samples),
+                                 .bits = 32,
+                                 .kind = SAMPLEFORMAT_IEEEFP,
+                                 .photometric = static_cast<std::uint16_t>(photometric),
+                                 .compression = static_cast<std::uint16_t>(compression)};
+    corpus.add("tiff", name, testing::tiffOf(form, testing::bytesOfNumbers(testing::tiffFloats(form))));
+  }
+}
+
+void addWebps(Corpus& corpus) {
+  for (const int channels : {3, 4}) {
+    const Image8 picture = pictureFromLinear(gradient(9, 7, channels), channels);
+    for (const float quality : {80.0f, 101.0f})
+      corpus.add("webp", (quality > 100 ? "lossless_" : "lossy_") + std::to_string(channels),
+                 testing::webpOf(picture, quality));
+    corpus.add("webp", "profile_" + std::to_string(channels),
+               testing::extendedWebp(picture, channels == 4 ? 0x30 : 0x20, "ICCP", testing::iccProfile("Display P3")));
+  }
+}
+
+/// TGA, BMP, and Netpbm's.
+void addPlainPictures(Corpus& corpus) {
+  const Bytes texels(64, 99);
+  corpus.add("tga", "colors", testing::tgaOf({.id = "name"}, texels));
+  corpus.add("tga", "alpha", testing::withTgaFooter(testing::tgaOf({.bits = 32, .descriptor = 0x18}, texels), 4));
+  corpus.add("tga", "short_colors",
+             testing::tgaOf({.type = 10, .bits = 16, .descriptor = 1}, {131, 1, 2, 1, 3, 4, 5, 6}));
+  corpus.add("tga", "grey", testing::tgaOf({.type = 11, .bits = 8}, {1, 9, 8, 131, 7}));
+  corpus.add("tga", "grey_alpha", testing::tgaOf({.type = 3, .bits = 16}, texels));
+  corpus.add("tga", "palette",
+             testing::tgaOf({.type = 1, .bits = 8, .palette_first = 1, .palette_length = 2, .palette_bits = 24},
+                            {1, 2, 3, 4, 5, 6, 1, 2, 1, 2, 1, 2}));
+
+  corpus.add("bmp", "colors", testing::bmpOf({}, texels));
+  corpus.add("bmp", "core", testing::bmpOf({.header = 12, .bits = 1, .palette = {0, 0xffffff}}, texels));
+  corpus.add("bmp", "palette", testing::bmpOf({.height = -2, .bits = 4, .palette = {1, 2, 3, 4, 5, 6, 7}}, texels));
+  const std::vector<std::uint32_t> colors{0, 0xff0000, 0xff00, 0xff};
+  corpus.add("bmp", "rle8",
+             testing::bmpOf({.bits = 8, .compression = 1, .palette = colors},
+                            {2, 1, 1, 2, 0, 0, 0, 2, 1, 0, 0, 3, 1, 2, 3, 0, 0, 1}));
+  corpus.add("bmp", "rle4",
+             testing::bmpOf({.bits = 4, .compression = 2, .palette = colors}, {3, 0x12, 0, 0, 0, 3, 0x12, 0x30, 0, 1}));
+  corpus.add("bmp", "masks",
+             testing::bmpOf({.header = 124,
+                             .bits = 32,
+                             .compression = 3,
+                             .masks = {0x3ff00000, 0xffc00, 0x3ff, 0xc0000000},
+                             .profile = testing::iccProfile("Display P3")},
+                            texels));
+  corpus.add("bmp", "short_colors", testing::bmpOf({.bits = 16}, texels));
+
+  corpus.add("pnm", "pbm_text", bytesOf("P1 # one\n3 2\n1 0 1\n010"));
+  corpus.add("pnm", "pgm_text", bytesOf("P2\n3 2 15\n1 2 3 4 5 15\n"));
+  corpus.add("pnm", "ppm_text", bytesOf("P3 1 2 1000 0 1 2 3 4 1000"));
+  corpus.add("pnm", "pbm", bytesOf("P4 3 2\nab"));
+  corpus.add("pnm", "pgm", bytesOf("P5 3 2 65535\nabcdefghijkl"));
+  corpus.add("pnm", "ppm", bytesOf("P6 1 2 255\nabcdef"));
+  corpus.add("pnm", "pam",
+             bytesOf("P7\nWIDTH 3\nHEIGHT 1\nDEPTH 2\nMAXVAL 255\nTUPLTYPE GRAYSCALE_ALPHA\nENDHDR\nabcdef"));
+  corpus.add("pfm", "color", bytesOf("PF\n1 2\n-2.5\nabcdefghijklabcdefghijkl"));
+  corpus.add("pfm", "grey", bytesOf("Pf 2 1 1.0\nabcdefgh"));
+}
+
 /// One triangle, with all that a format has to say about it.
 void addModels(Corpus& corpus) {
   corpus.add("obj", "triangle",
@@ -271,6 +369,9 @@ int main(int count, char** arguments) {
   mirrorball::addTextures(corpus);
   mirrorball::addImages(corpus);
   mirrorball::addColoredPngs(corpus);
+  mirrorball::addTiffs(corpus);
+  mirrorball::addWebps(corpus);
+  mirrorball::addPlainPictures(corpus);
   mirrorball::addModels(corpus);
   mirrorball::addDracoModels(corpus);
   return corpus.failed ? 1 : 0;

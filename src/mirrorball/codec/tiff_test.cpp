@@ -286,6 +286,8 @@ TEST(Tiff, WhatCannotBeReadIsNamed) {
   EXPECT_THAT(refused(tiffOf(form, tiffSamples(form))).message, HasSubstr("L*a*b*"));
   form = {.samples = 1, .photometric = PHOTOMETRIC_CFA};
   EXPECT_THAT(refused(tiffOf(form, tiffSamples(form))).message, HasSubstr("raw picture"));
+  form = {.is_dng = true};
+  EXPECT_THAT(refused(tiffOf(form, tiffSamples(form))).message, HasSubstr("raw picture"));
   form = {.bits = 16, .kind = SAMPLEFORMAT_INT};
   EXPECT_EQ(refused(tiffOf(form, tiffSamples(form))).code, ErrorCode::unsupported);
   form = {.compression = COMPRESSION_LZMA};

@@ -9,15 +9,24 @@ namespace {
 
 constexpr double kUnbounded = 1e29;
 
-std::vector<std::string_view> choicesOf(const OptionText& text) {
-  std::vector<std::string_view> choices;
-  std::string_view rest = text.choices;
+/// The parts of a text between '|'; none of an empty one.
+std::vector<std::string_view> partsOf(std::string_view rest) {
+  std::vector<std::string_view> parts;
   while (!rest.empty()) {
     const std::size_t end = rest.find('|');
-    choices.push_back(rest.substr(0, end));
+    parts.push_back(rest.substr(0, end));
     rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
   }
-  return choices;
+  return parts;
+}
+
+std::vector<Alias> aliasesOf(const OptionText& text) {
+  std::vector<Alias> aliases;
+  for (const std::string_view part : partsOf(text.aliases)) {
+    const std::size_t equals = part.find('=');
+    aliases.push_back({part.substr(0, equals), part.substr(equals + 1)});
+  }
+  return aliases;
 }
 
 /// "--fov takes a number of degrees (1 … 170); it was given 'wide'"
@@ -71,10 +80,11 @@ Result<int> parseInteger(const OptionText& text, std::string_view written) {
   return static_cast<int>(*number);
 }
 
+std::vector<std::string_view> choicesOf(const OptionText& text) { return partsOf(text.choices); }
+
 Result<int> parseChoice(const OptionText& text, std::string_view written) {
   const auto choices = choicesOf(text);
-  for (std::size_t index = 0; index < choices.size(); ++index)
-    if (choices[index] == written) return static_cast<int>(index);
+  if (const auto index = indexOfName(written, choices, aliasesOf(text))) return static_cast<int>(*index);
   Error error = unknownName("value", written, choices);
   error.message = std::string(text.name) + ": " + error.message;
   return tl::unexpected<Error>(error);

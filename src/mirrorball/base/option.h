@@ -24,10 +24,15 @@ struct OptionText {
   int fewest = 1;  ///< how many numbers a list takes
   int most = 1;
   std::string_view choices = {};  ///< "exact|schlick|empirical": the values of an enumeration, in its order
+  std::string_view aliases = {};  ///< "linear=bilinear|cubic=bicubic": other ways to write a choice
   std::string_view help = {};     ///< one sentence
   std::string_view letter = {};   ///< "o" where -o is a short form
   std::string_view implied = {};  ///< what is meant when the option is given without a value; empty: it needs one
   std::string_view group = {};    ///< heading in help
+  std::string_view also = {};     ///< "env-rotation": the option's other name
+  bool takes_path = false;        ///< the value is a file's or a folder's name
+  /// The names that a text may be, or begin with; they complete it on the command line.
+  std::span<const std::string_view> (*names)() = nullptr;
 };
 
 /// An enumeration field of `Target` as an index into its choices.
@@ -72,7 +77,10 @@ Result<glm::vec3> parseVector(const OptionText& text, std::string_view written);
 /// A whole number in the option's range.
 Result<int> parseInteger(const OptionText& text, std::string_view written);
 
-/// The index of one of the option's choices.
+/// The option's choices, in their order.
+std::vector<std::string_view> choicesOf(const OptionText& text);
+
+/// The index of one of the option's choices, as indexOfName finds it.
 Result<int> parseChoice(const OptionText& text, std::string_view written);
 
 /// "yes/no", "true/false", "on/off" or "1/0".

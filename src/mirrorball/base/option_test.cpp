@@ -54,6 +54,17 @@ TEST(Option, AssignSetsTheField) {
   EXPECT_THAT(camera.lights, ElementsAre("a", "b"));
 }
 
+TEST(Option, AChoiceMayBeWrittenInCapitalsOrByAnAlias) {
+  const Option<Camera> lens{{.name = "lens", .choices = "wide|tele", .aliases = "broad=wide|telephoto=tele"},
+                            choiceField<&Camera::lens>};
+  Camera camera;
+  EXPECT_TRUE(assign(lens, camera, "Wide"));
+  EXPECT_EQ(camera.lens, Lens::wide);
+  EXPECT_TRUE(assign(lens, camera, "TELEPHOTO"));
+  EXPECT_EQ(camera.lens, Lens::tele);
+  EXPECT_FALSE(assign(lens, camera, "broader"));
+}
+
 TEST(Option, WrongValuesAreNamedWithUnitAndRange) {
   Camera camera;
   for (const char* wrong : {"", "wide", "0", "171", "nan", "inf", "45 ", "45,46"}) {

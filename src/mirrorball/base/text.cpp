@@ -1,27 +1,53 @@
 #include "mirrorball/base/text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace mirrorball {
 namespace {
 
-/// Levenshtein's distance with one row of memory (Wagner & Fischer 1974).
+/// Small letters, and '-' for '_': what is the same for indexOfName.
+std::string folded(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](unsigned char letter) {
+    return letter == '_' ? '-' : static_cast<char>(std::tolower(letter));
+  });
+  return result;
+}
+
+/// How many letters have to be put in, left out, replaced or swapped with their neighbours: Damerau's distance without
+/// edits inside swapped pairs (optimal string alignment), with three rows of memory.
 std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before_last(b.size() + 1);
+  std::vector<std::size_t> last(b.size() + 1);
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    before_last = std::exchange(last, row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+      row[j] = std::min({last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1), last[j] + 1, row[j - 1] + 1});
+      const bool is_swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (is_swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
     }
   }
   return row.back();
+}
+
+/// An option's name without its dashes.
+std::string_view withoutDashes(std::string_view name) {
+  return name.substr(std::min(name.find_first_not_of('-'), name.size()));
+}
+
+/// Whether a word is made of parts between '-', of which `text` is one.
+bool isPart(std::string_view text, const std::string& word) {
+  constexpr std::size_t kShortestPart = 3;
+  const std::vector<std::string> parts = split(word, '-');
+  return text.size() >= kShortestPart && std::ranges::find(parts, text) != parts.end();
 }
 
 }  // namespace
@@ -53,6 +79,14 @@ std::string join(std::span<const std::string_view> words, std::string_view separ
   return joined;
 }
 
+std::size_t columnsOf(std::string_view text) {
+  // Bytes 10xxxxxx continue a code point. U+0300 to U+036F, which mark the letter before, begin with 0xCC or 0xCD.
+  constexpr unsigned char kContinues = 0x80;
+  constexpr unsigned char kTopBits = 0xC0;
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](unsigned char byte) { return (byte & kTopBits) != kContinues && byte != 0xCC && byte != 0xCD; }));
+}
+
 std::string countedAre(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? " is" : "s are");
 }
@@ -76,17 +110,30 @@ std::string printable(std::string_view text) {
   return clean;
 }
 
+std::optional<std::size_t> indexOfName(std::string_view written, std::span<const std::string_view> names,
+                                       std::span<const Alias> aliases) {
+  std::string wanted = folded(written);
+  for (const Alias& alias : aliases)
+    if (wanted == folded(alias.written)) wanted = folded(alias.name);
+  for (std::size_t index = 0; index < names.size(); ++index)
+    if (wanted == folded(names[index])) return index;
+  return std::nullopt;
+}
+
 std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words) {
+  constexpr std::size_t kMostEdits = 3;
+  const std::string given = folded(withoutDashes(text));
   std::optional<std::string_view> nearest;
-  // Two letters swapped count as two edits.
-  std::size_t least = std::clamp<std::size_t>(text.size() / 2, 1, 3) + 1;
+  std::size_t least = std::clamp<std::size_t>(given.size() / 3, given.size() > 1 ? 1 : 0, kMostEdits) + 1;
   for (const std::string_view word : words) {
-    const std::size_t distance = editDistance(text, word);
+    const std::size_t distance = editDistance(given, folded(withoutDashes(word)));
     if (distance < least) {
       least = distance;
       nearest = word;
     }
   }
+  for (const std::string_view word : words)
+    if (!nearest && isPart(given, folded(word))) nearest = word;
   return nearest;
 }
 

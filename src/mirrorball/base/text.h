@@ -20,6 +20,9 @@ std::vector<std::string> split(std::string_view text, char separator);
 /// "a, b, c"
 std::string join(std::span<const std::string_view> words, std::string_view separator = ", ");
 
+/// How many columns UTF-8 text takes on a terminal: its code points, but for those that only mark the letter before them.
+std::size_t columnsOf(std::string_view text);
+
 /// "1 texel is", "3 texels are"
 std::string countedAre(std::size_t count, std::string_view noun);
 
@@ -29,7 +32,19 @@ std::string formatNumber(double number);
 /// A foreign file's text as it may stand in a message: one line, with '?' for every control character.
 std::string printable(std::string_view text);
 
-/// The word nearest to `text` by edit distance, if one is near enough to be a slip of the finger.
+/// Another way to write a name.
+struct Alias {
+  std::string_view written;
+  std::string_view name;
+};
+
+/// The place of a name in a list: in small or capital letters, with '_' or '-', or as one of the aliases, which go to names
+/// of the list.
+std::optional<std::size_t> indexOfName(std::string_view written, std::span<const std::string_view> names,
+                                       std::span<const Alias> aliases = {});
+
+/// The word that `text` may be a slip of the finger for: at most a third of its letters are wrong, missing, too many or
+/// swapped with their neighbours. Else the first of which it is a part, as "roughness" is of "perceptual_roughness".
 std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words);
 
 /// The error for a name that is not in a list: names the thing, suggests the nearest and lists the right ones.

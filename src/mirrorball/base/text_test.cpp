@@ -43,8 +43,39 @@ TEST(UnknownName, SuggestsTheNearestAndListsAll) {
   constexpr std::array<std::string_view, 3> kNames{"mirror", "chrome", "gold"};
   EXPECT_EQ(nearestWord("miror", kNames), "mirror");
   EXPECT_EQ(nearestWord("zzzzzz", kNames), std::nullopt);
+  EXPECT_EQ(nearestWord("MIRORR", kNames), "mirror") << "case does not count, swapped letters are one slip";
   EXPECT_EQ(unknownName("material", "glod", kNames).message,
             "no material is named 'glod'; did you mean 'gold'? (there are: mirror, chrome, gold)");
+}
+
+TEST(Text, OnlyWhatIsCloseIsSuggested) {
+  constexpr std::array<std::string_view, 4> kOptions{"--from", "--size", "--env-rotation", "-o"};
+  EXPECT_EQ(nearestWord("--siez", kOptions), "--size");
+  EXPECT_EQ(nearestWord("--siz", kOptions), "--size");
+  EXPECT_EQ(nearestWord("--json", kOptions), std::nullopt) << "three of four letters are wrong";
+  EXPECT_EQ(nearestWord("-x", kOptions), std::nullopt);
+  EXPECT_EQ(nearestWord("--rotation", kOptions), "--env-rotation") << "it is a part of that";
+  constexpr std::array<std::string_view, 2> kParameters{"metallic", "perceptual_roughness"};
+  EXPECT_EQ(nearestWord("roughness", kParameters), "perceptual_roughness");
+  EXPECT_EQ(nearestWord("", kParameters), std::nullopt);
+}
+
+TEST(Text, ANameIsFoundInAnyCaseAndByItsAliases) {
+  constexpr std::array<Alias, 2> kAliases{{{"Latlong", "equirect"}, {"dx", "direct-x"}}};
+  constexpr std::array<std::string_view, 3> kForms{"equirect", "equal-area", "direct-x"};
+  EXPECT_EQ(indexOfName("equirect", kForms, kAliases), 0u);
+  EXPECT_EQ(indexOfName("Equal_Area", kForms, kAliases), 1u);
+  EXPECT_EQ(indexOfName("LATLONG", kForms, kAliases), 0u);
+  EXPECT_EQ(indexOfName("DX", kForms, kAliases), 2u);
+  EXPECT_EQ(indexOfName("dx", kForms), std::nullopt);
+  EXPECT_EQ(indexOfName("", kForms, kAliases), std::nullopt);
+}
+
+TEST(Text, ColumnsAreCodePoints) {
+  EXPECT_EQ(columnsOf(""), 0u);
+  EXPECT_EQ(columnsOf("T,T,…"), 5u);
+  EXPECT_EQ(columnsOf("schön"), 5u);
+  EXPECT_EQ(columnsOf("scho\u0308n"), 5u) << "o and a mark";
 }
 
 }  // namespace

@@ -148,14 +148,15 @@ std::span<const Option<SkyParameters>> skyParameters() { return kSkyParameters; 
 std::span<const std::string_view> builtinEnvironmentNames() { return kNames; }
 
 bool isBuiltinEnvironment(std::string_view name) {
-  return std::find(kNames.begin(), kNames.end(), name.substr(0, name.find(':'))) != kNames.end();
+  return indexOfName(name.substr(0, name.find(':')), kNames).has_value();
 }
 
 Result<Environment> builtinEnvironment(std::string_view name) {
   const std::size_t colon = name.find(':');
-  const std::string_view base = name.substr(0, colon);
+  const auto index = indexOfName(name.substr(0, colon), kNames);
+  if (!index) return tl::unexpected<Error>(noSuchEnvironment(name));
+  const std::string_view base = kNames[*index];
   const std::string_view written = colon == std::string_view::npos ? std::string_view{} : name.substr(colon + 1);
-  if (!isBuiltinEnvironment(base)) return tl::unexpected<Error>(noSuchEnvironment(name));
   if (base == "sky") {
     MIRRORBALL_TRY(parameters, parseSky(written));
     return skyEnvironment(parameters);

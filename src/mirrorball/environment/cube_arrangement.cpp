@@ -128,10 +128,12 @@ bool isComplete(const CubeArrangement& arrangement) {
   return std::all_of(seen.begin(), seen.end(), [](bool is_seen) { return is_seen; });
 }
 
+std::span<const std::string_view> flipNames() { return kFlipNames; }
+
 Result<Flip> flipNamed(std::string_view name) {
-  const auto found = std::find(kFlipNames.begin(), kFlipNames.end(), name);
-  if (found == kFlipNames.end()) return tl::unexpected<Error>(unknownName("flip", name, kFlipNames));
-  return static_cast<Flip>(found - kFlipNames.begin());
+  const auto found = indexOfName(name, kFlipNames);
+  if (!found) return tl::unexpected<Error>(unknownName("flip", name, kFlipNames));
+  return static_cast<Flip>(*found);
 }
 
 CubeArrangement flipped(CubeArrangement arrangement, Flip flip) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -55,7 +56,9 @@ bool isComplete(const CubeArrangement& arrangement);
 /// How each image is turned over, like a sheet of paper: its columns, its rows or both in the opposite order.
 enum class Flip { none, horizontal, vertical, both };
 
-/// errors   usage: lists none, horizontal, vertical, both
+/// "none", "horizontal", "vertical", "both": the enumeration's order.
+std::span<const std::string_view> flipNames();
+/// errors   usage: lists the names
 Result<Flip> flipNamed(std::string_view name);
 
 CubeArrangement flipped(CubeArrangement arrangement, Flip flip);

@@ -61,9 +61,9 @@ std::span<const std::string_view> cubeLayoutNames() { return kNames; }
 std::string_view nameOf(CubeLayout layout) { return tableOf(layout).name; }
 
 Result<CubeLayout> cubeLayoutNamed(std::string_view name) {
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) return tl::unexpected<Error>(unknownName("cube layout", name, kNames));
-  return static_cast<CubeLayout>(found - kNames.begin());
+  const auto found = indexOfName(name, kNames);
+  if (!found) return tl::unexpected<Error>(unknownName("cube layout", name, kNames));
+  return static_cast<CubeLayout>(*found);
 }
 
 glm::ivec2 cellsOf(CubeLayout layout) { return tableOf(layout).cells; }

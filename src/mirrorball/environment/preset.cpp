@@ -10,6 +10,17 @@
 namespace mirrorball {
 namespace {
 
+constexpr std::array<Alias, 10> kAliases{{{"gl", "opengl"},
+                                          {"vk", "vulkan"},
+                                          {"dx", "directx"},
+                                          {"d3d", "directx"},
+                                          {"direct3d", "directx"},
+                                          {"ue", "unreal"},
+                                          {"ue5", "unreal"},
+                                          {"threejs", "three"},
+                                          {"three.js", "three"},
+                                          {"exr", "openexr"}}};
+
 /// OpenGL's table in the axes by which a program looks its cubes up.
 CubeArrangement tableIn(const WorldAxes& axes) { return inWorld(CubeArrangement{}, axes); }
 
@@ -56,12 +67,18 @@ const std::array<Preset, 10>& table() {
 
 std::span<const Preset> presets() { return table(); }
 
+std::span<const std::string_view> presetNames() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const Preset& preset : presets()) all.push_back(preset.name);
+    return all;
+  }();
+  return names;
+}
+
 Result<Preset> presetNamed(std::string_view name) {
-  const auto found = std::ranges::find(presets(), name, &Preset::name);
-  if (found != presets().end()) return *found;
-  std::vector<std::string_view> names;
-  for (const Preset& preset : presets()) names.push_back(preset.name);
-  return tl::unexpected<Error>(unknownName("program", name, names));
+  if (const auto index = indexOfName(name, presetNames(), kAliases)) return presets()[*index];
+  return tl::unexpected<Error>(unknownName("program", name, presetNames()));
 }
 
 Result<MapForm> formFor(const Preset& preset, Projection projection, CubeLayout layout) {

@@ -25,6 +25,11 @@ struct Preset {
 /// opengl, vulkan, directx, unity, unreal, godot, three, blender, renderman, openexr
 std::span<const Preset> presets();
 
+/// Their names, in that order.
+std::span<const std::string_view> presetNames();
+
+/// Also by other names of the programs: "threejs", "dx".
+///
 /// errors   usage: lists the names
 Result<Preset> presetNamed(std::string_view name);
 

@@ -14,6 +14,16 @@ namespace {
 constexpr std::array<std::string_view, 10> kNames{"equirect",   "sphere",     "angular",        "cube",       "ball",
                                                   "paraboloid", "octahedral", "hemioctahedral", "equal-area", "eac"};
 
+constexpr std::array<Alias, 9> kAliases{{{"equirectangular", "equirect"},
+                                         {"latlong", "equirect"},
+                                         {"lat-long", "equirect"},
+                                         {"panorama", "equirect"},
+                                         {"cubemap", "cube"},
+                                         {"mirror-ball", "ball"},
+                                         {"dual-paraboloid", "paraboloid"},
+                                         {"octahedron", "octahedral"},
+                                         {"equiangular", "eac"}}};
+
 constexpr std::string_view kBallParameter = "distance=";
 
 /// The image's v grows downwards, OpenGL's t of a sphere map upwards.
@@ -46,9 +56,9 @@ Result<Projection> ballAtDistance(std::string_view written) {
 
 Result<Projection> projectionNamed(std::string_view name) {
   const std::size_t colon = name.find(':');
-  const auto found = std::find(kNames.begin(), kNames.end(), name.substr(0, colon));
-  if (found == kNames.end()) return tl::unexpected<Error>(unknownName("projection", name, kNames));
-  const auto kind = static_cast<Projection::Kind>(found - kNames.begin());
+  const auto found = indexOfName(name.substr(0, colon), kNames, kAliases);
+  if (!found) return tl::unexpected<Error>(unknownName("projection", name, kNames));
+  const auto kind = static_cast<Projection::Kind>(*found);
   if (colon == std::string_view::npos) return kind;
   const std::string_view parameter = name.substr(colon + 1);
   if (kind != Projection::ball || !parameter.starts_with(kBallParameter))

@@ -59,7 +59,7 @@ std::string_view nameOf(Projection projection);
 /// The name, and a ball's distance: "ball:distance=20". projectionNamed reads it back.
 std::string textOf(Projection projection);
 
-/// The projection of a name; a ball's may be followed by ":distance=D", D in ball radii.
+/// The projection of a name, also by what others call it: "equirectangular", "latlong". A ball's may be followed by ":distance=D", D in ball radii.
 ///
 /// errors   usage: lists the names; a distance that is no number or too small
 Result<Projection> projectionNamed(std::string_view name);

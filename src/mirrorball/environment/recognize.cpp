@@ -50,7 +50,7 @@ Result<void> applyWord(const std::string& word, FormHint& hint) {
   const std::string key = word.substr(0, word.find('='));
   const std::string value = key.size() < word.size() ? word.substr(key.size() + 1) : std::string();
   if (key == "for") return applyPreset(value, hint);
-  if (key == "centre" && hint.projection == Projection::equirect) {
+  if ((key == "centre" || key == "center") && hint.projection == Projection::equirect) {
     MIRRORBALL_TRY(centre, centreNamed(value));
     hint.centre = centre;
     return {};
@@ -155,12 +155,13 @@ Result<FormHint> formHintNamed(std::string_view name) {
   const std::size_t colon = name.find(':');
   const std::string_view base = name.substr(0, colon);
   FormHint hint;
-  if (base == nameOf(Projection::ball)) {
+  const auto projection = projectionNamed(base);
+  if (projection && *projection == Projection::ball) {
     MIRRORBALL_TRY(ball, projectionNamed(name));
     hint.projection = ball;
     return hint;
   }
-  if (const auto projection = projectionNamed(base)) {
+  if (projection) {
     hint.projection = *projection;
   } else if (const auto layout = cubeLayoutNamed(base)) {
     hint.layout = *layout;

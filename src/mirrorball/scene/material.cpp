@@ -161,6 +161,8 @@ constexpr std::array<NamedMaterial, 9> kMaterials{{
     {"orange", orange},
 }};
 
+constexpr std::array<Alias, 2> kAliases{{{"chromium", "chrome"}, {"mirror-ball", "mirror"}}};
+
 constexpr auto kNames = [] {
   std::array<std::string_view, kMaterials.size()> names;
   for (std::size_t index = 0; index < names.size(); ++index) names[index] = kMaterials[index].name;
@@ -174,31 +176,29 @@ std::span<const Option<Material>> materialParameters() { return kParameters; }
 std::span<const std::string_view> materialNames() { return kNames; }
 
 Result<Material> materialNamed(std::string_view name) {
-  for (const NamedMaterial& entry : kMaterials) {
-    if (entry.name != name) continue;
-    Material material = entry.make();
-    material.name = name;
-    return material;
-  }
-  return tl::unexpected<Error>(unknownName("material", name, kNames));
+  const auto index = indexOfName(name, kNames, kAliases);
+  if (!index) return tl::unexpected<Error>(unknownName("material", name, kNames));
+  Material material = kMaterials[*index].make();
+  material.name = kNames[*index];
+  return material;
 }
 
 Result<void> setParameter(Material& material, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string_view key = assignment.substr(0, equals);
-  for (const Option<Material>& parameter : kParameters) {
-    if (parameter.text.name != key) continue;
-    if (equals == std::string_view::npos)
-      return fail(ErrorCode::usage, "the material parameter " + std::string(key) +
-                                        " needs a value: " + std::string(key) + "=" + written(parameter, material));
-    MIRRORBALL_TRY_VOID(assign(parameter, material, assignment.substr(equals + 1)));
-    // Who asks for an opacity wants to look through.
-    if (material.opacity < 1.0f && material.alpha_mode == AlphaMode::opaque) material.alpha_mode = AlphaMode::blend;
-    return {};
-  }
   std::vector<std::string_view> names;
   for (const auto& parameter : kParameters) names.push_back(parameter.text.name);
-  return tl::unexpected<Error>(unknownName("material parameter", key, names));
+  const auto index = indexOfName(key, names);
+  if (!index) return tl::unexpected<Error>(unknownName("material parameter", key, names));
+  const Option<Material>& parameter = kParameters[*index];
+  const std::string name(parameter.text.name);
+  if (equals == std::string_view::npos)
+    return fail(ErrorCode::usage,
+                "the material parameter " + name + " needs a value: " + name + "=" + written(parameter, material));
+  MIRRORBALL_TRY_VOID(assign(parameter, material, assignment.substr(equals + 1)));
+  // Who asks for an opacity wants to look through.
+  if (material.opacity < 1.0f && material.alpha_mode == AlphaMode::opaque) material.alpha_mode = AlphaMode::blend;
+  return {};
 }
 
 }  // namespace mirrorball

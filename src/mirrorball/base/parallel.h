@@ -14,4 +14,12 @@ namespace mirrorball {
 void parallelFor(std::size_t count, std::size_t grain,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+/// How many threads compute at a time: as many as there are cores, or as setThreadLimit said.
+int threadLimit();
+
+/// Changes it for the whole process, before it computes anything. Results do not depend on it.
+///
+/// threads  at least 1
+void setThreadLimit(int threads);
+
 }  // namespace mirrorball

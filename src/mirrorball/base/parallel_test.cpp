@@ -1,6 +1,12 @@
 #include "mirrorball/base/parallel.h"
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
 #include <numeric>
+#include <set>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,6 +22,30 @@ TEST(ParallelFor, VisitsEveryItemOnce) {
     });
     EXPECT_EQ(std::accumulate(visits.begin(), visits.end(), std::size_t{0}), count);
     for (const int times : visits) EXPECT_EQ(times, 1);
+  }
+}
+
+// The last of this file: the limit is the whole process's.
+TEST(ParallelFor, KeepsToItsLimitOfThreads) {
+  EXPECT_GE(threadLimit(), 1);
+  for (const int limit : {1, 2}) {
+    setThreadLimit(limit);
+    EXPECT_EQ(threadLimit(), limit);
+    std::mutex mutex;
+    std::set<std::thread::id> seen;
+    std::atomic<int> now = 0;
+    std::atomic<int> most = 0;
+    parallelFor(64, 1, [&](std::size_t, std::size_t) {
+      most = std::max(most.load(), ++now);
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+      --now;
+      const std::lock_guard lock(mutex);
+      seen.insert(std::this_thread::get_id());
+    });
+    EXPECT_LE(most, limit);
+    if (limit == 1) {
+      EXPECT_EQ(seen, std::set{std::this_thread::get_id()});
+    }
   }
 }
 

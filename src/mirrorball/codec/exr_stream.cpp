@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cstring>
 #include <mutex>
-#include <thread>
 
 #include <Iex.h>
 #include <ImfThreading.h>
+
+#include "mirrorball/base/parallel.h"
 
 namespace mirrorball {
 
@@ -37,9 +38,8 @@ void ExrOutput::write(const char from[], int count) {
 void useExrThreads() {
   static std::once_flag once;
   std::call_once(once, [] {
-    constexpr unsigned kMostThreads = 16;  // each takes the memory of two chunks
-    if (Imf::globalThreadCount() == 0)
-      Imf::setGlobalThreadCount(static_cast<int>(std::min(std::thread::hardware_concurrency(), kMostThreads)));
+    constexpr int kMostThreads = 16;  // each takes the memory of two chunks
+    if (Imf::globalThreadCount() == 0) Imf::setGlobalThreadCount(std::min(threadLimit(), kMostThreads));
   });
 }
 

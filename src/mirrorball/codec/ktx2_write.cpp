@@ -1,10 +1,10 @@
 #include <cstring>
 #include <memory>
 #include <numeric>
-#include <thread>
 
 #include <zstd.h>
 
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/codec/data_format_descriptor.h"
 #include "mirrorball/codec/format_numbers.h"
 #include "mirrorball/codec/ktx2.h"
@@ -77,8 +77,7 @@ Result<Bytes> compress(std::span<const std::uint8_t> texels, int level, const st
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
   // A library built without threads refuses this and compresses on one core. At least one worker even on one core, so
   // that the bytes are the same everywhere.
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_nbWorkers,
-                         std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_nbWorkers, threadLimit());
   Bytes packed(ZSTD_compressBound(texels.size()));
   const std::size_t size = ZSTD_compress2(context.get(), packed.data(), packed.size(), texels.data(), texels.size());
   if (ZSTD_isError(size))

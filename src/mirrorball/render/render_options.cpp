@@ -8,6 +8,7 @@
 #include "formula/color.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/environment/convert.h"
 
 namespace mirrorball {
 namespace {
@@ -90,10 +91,12 @@ const std::array<Option<RenderOptions>, 19> kOptions{{
      &RenderOptions::orthographic},
 
     {{.name = "env-rotation",
-      .value = "DEG",
+      .value = "YAW[,PITCH[,ROLL]]",
       .unit = "degrees",
-      .help = "turns the environment about +Y, +Z towards +X",
-      .group = "Environment"},
+      .most = 3,
+      .help = "turns the environment about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, +Z towards +X",
+      .group = "Environment",
+      .also = "rotate"},
      &RenderOptions::env_rotation_deg},
     {{.name = "env-intensity",
       .value = "FACTOR",
@@ -130,7 +133,8 @@ const std::array<Option<RenderOptions>, 19> kOptions{{
     {{.name = "material",
       .value = "NAME",
       .help = "gives every surface this material: mirror chrome gold glass water diamond rough-metal plastic orange",
-      .group = "Material"},
+      .group = "Material",
+      .names = materialNames},
      &RenderOptions::material},
     {{.name = "set",
       .value = "KEY=VALUE",
@@ -232,7 +236,10 @@ Result<FrameSettings> frameSettings(const RenderOptions& options) {
     return misused("camera", "a distance above 0", formatNumber(*settings.camera.distance));
   settings.exposure = std::exp2(options.exposure_ev);
   settings.tone_map = options.tone_map;
-  settings.env_rotation_rad = glm::radians(options.env_rotation_deg);
+  const std::vector<float>& turn_deg = options.env_rotation_deg;
+  settings.env_rotation_rad = glm::radians(turn_deg[0]);
+  settings.env_tilt = turnedBy(0.0f, turn_deg.size() > 1 ? glm::radians(turn_deg[1]) : 0.0f,
+                               turn_deg.size() > 2 ? glm::radians(turn_deg[2]) : 0.0f);
   settings.env_intensity = options.env_intensity;
   MIRRORBALL_TRY_VOID(parseBackground(options.background, settings));
   settings.samples = options.samples;

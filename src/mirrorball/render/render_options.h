@@ -37,7 +37,7 @@ struct RenderOptions {
   std::vector<float> orthographic;
   float exposure_ev = 0.0f;
   ToneMap tone_map = ToneMap::neutral;
-  float env_rotation_deg = 0.0f;
+  std::vector<float> env_rotation_deg{0.0f};  ///< yaw, pitch and roll
   float env_intensity = 1.0f;
   std::string background = "env";
   int samples = 4;
@@ -60,7 +60,8 @@ struct FrameSettings {
   CameraOptions camera;
   float exposure = 1.0f;  ///< factor, 2^EV
   ToneMap tone_map = ToneMap::neutral;
-  float env_rotation_rad = 0.0f;
+  float env_rotation_rad = 0.0f;  ///< about +Y, +Z towards +X
+  glm::mat3 env_tilt{1.0f};       ///< pitch and roll, which turn it before that: world from environment
   float env_intensity = 1.0f;
   BackgroundKind background = BackgroundKind::environment;
   glm::vec3 background_color{0.0f};  ///< linear

@@ -139,7 +139,7 @@ Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings,
   MIRRORBALL_TRY(chain, state.prefilteredChain(settings.blur));
   frame.prefiltered = chain;
   frame.camera = camera;
-  frame.environment_from_world = environmentFromWorld(settings.env_rotation_rad);
+  frame.environment_from_world = glm::transpose(settings.env_tilt) * environmentFromWorld(settings.env_rotation_rad);
   frame.texture_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
   if (settings.mapping == Mapping::sphere) MIRRORBALL_TRY_VOID(state.makeSphereMap(frame));
 

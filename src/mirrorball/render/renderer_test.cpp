@@ -247,11 +247,29 @@ TEST_F(RendererTest, EnvRotationTurnsPlusZTowardsPlusX) {
   Studio lamp(context(), Environment([](glm::vec3 d) { return glm::vec3(d.z > 0.9f ? 1.0f : 0.0f); }, 128));
   Shot shot = smallShot("none", "");
   shot.options.size = "33x33";
-  shot.options.env_rotation_deg = 90.0f;
+  shot.options.env_rotation_deg = {90.0f};
   shot.options.camera = {270, 0};  // stands on −X and looks along +X
   EXPECT_NEAR(rgbAt(lamp.radiance(shot), 16, 16).x, 1.0f, 1e-3f);
   shot.options.camera = {90, 0};
   EXPECT_EQ(rgbAt(lamp.radiance(shot), 16, 16).x, 0.0f);
+}
+
+// The lamp over +Z: pitched by 90 degrees it stands below, and a turn by 90 degrees after that does not move it. One over
+// +X, rolled by 90 degrees, stands over +Y, and pitch brings that to +Z, yaw to +X.
+TEST_F(RendererTest, PitchAndRollTurnTheEnvironmentBeforeItsYaw) {
+  const auto lightOf = [&](const Environment& lamp, std::vector<float> turn_deg, std::vector<float> camera) {
+    Studio studio(context(), lamp);
+    Shot shot = smallShot("none", "");
+    shot.options.size = "33x33";
+    shot.options.env_rotation_deg = std::move(turn_deg);
+    shot.options.camera = std::move(camera);
+    return rgbAt(studio.radiance(shot), 16, 16).x;
+  };
+  const Environment over_z([](glm::vec3 d) { return glm::vec3(d.z > 0.9f ? 1.0f : 0.0f); }, 128);
+  EXPECT_NEAR(lightOf(over_z, {90.0f, 90.0f}, {0, 90}), 1.0f, 1e-3f) << "the camera stands on +Y and looks down";
+  EXPECT_EQ(lightOf(over_z, {90.0f, 90.0f}, {270, 0}), 0.0f);
+  const Environment over_x([](glm::vec3 d) { return glm::vec3(d.x > 0.9f ? 1.0f : 0.0f); }, 128);
+  EXPECT_NEAR(lightOf(over_x, {90.0f, 90.0f, 90.0f}, {270, 0}), 1.0f, 1e-3f);
 }
 
 TEST_F(RendererTest, RefractionBendsBySnellsLawAndReflectsPastTheCriticalAngle) {

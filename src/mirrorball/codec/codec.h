@@ -18,6 +18,7 @@ namespace mirrorball {
 ///   "mirrorball:arrangement"    how the images of a cube lie: environment/cube_arrangement.h
 ///   "mirrorball:centre"         what is in the middle of a panorama: "+x", "-x" or "-z"
 ///   "mirrorball:texels"         "on-edges" for OpenEXR's registration
+///   "mirrorball:table"          "brdf" of a BRDF table, and what it is of in "mirrorball:brdf_…": apps/cli/brdf_file.h
 ///   "envmap"                    OpenEXR's own attribute, read as "latlong" or "cube"
 using Metadata = std::map<std::string, std::string>;
 
@@ -48,6 +49,9 @@ Result<DecodedImage> readImage(const std::filesystem::path& path);
 ///          pictures
 Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
                                  const ProgressFunction& progress = {});
+
+/// Whether the bytes begin as one of the files that decodeImage takes.
+bool isImage(std::span<const std::uint8_t> bytes);
 
 /// Writes linear light by the name's extension: .exr .hdr as it is, .png .jpg encoded to sRGB and
 /// clipped to [0, 1]. PNG keeps straight alpha, EXR premultiplied (the caller's samples are taken

@@ -2,12 +2,16 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/texture_file.h"
 #include "mirrorball/scene/builtin_shapes.h"
 #include "mirrorball/scene/gltf.h"
 #include "mirrorball/scene/obj.h"
@@ -52,13 +56,36 @@ constexpr auto kBuiltinNames = [] {
   return names;
 }();
 
-/// The loader for a file name's extension.
-Result<Scene> (*loaderFor(const std::filesystem::path& path))(const std::filesystem::path&) {
+/// A kind of file.
+struct ModelFormat {
+  std::string_view extension;
+  std::string_view name;   ///< with its article
+  std::string_view magic;  ///< the first bytes; empty where they do not tell
+  Result<Scene> (*load)(const std::filesystem::path&);
+};
+constexpr std::array<ModelFormat, 5> kFormats{{{"glb", "a glTF", "glTF", loadGltf},
+                                               {"gltf", "a glTF", "", loadGltf},
+                                               {"obj", "an OBJ", "", loadObj},
+                                               {"ply", "a PLY", "ply", loadPly},
+                                               {"stl", "an STL", "", loadStl}}};
+
+/// The first bytes of a file: as many as tell what it is.
+std::vector<std::uint8_t> firstBytes(const std::string& path) {
+  std::vector<std::uint8_t> bytes(16);
+  const auto file = FileReader::open(path);
+  const auto count = file ? file->readAt(0, bytes) : Result<std::size_t>(0);
+  bytes.resize(count ? *count : 0);
+  return bytes;
+}
+
+/// The format of a file by its name, else by its first bytes.
+const ModelFormat* formatOf(const std::string& path, std::span<const std::uint8_t> begin) {
   const std::string extension = extensionOf(path);
-  if (extension == "glb" || extension == "gltf") return loadGltf;
-  if (extension == "obj") return loadObj;
-  if (extension == "ply") return loadPly;
-  if (extension == "stl") return loadStl;
+  for (const ModelFormat& format : kFormats)
+    if (extension == format.extension) return &format;
+  const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
+  for (const ModelFormat& format : kFormats)
+    if (!format.magic.empty() && text.starts_with(format.magic)) return &format;
   return nullptr;
 }
 
@@ -76,20 +103,30 @@ Result<void> checkExtent(const Scene& scene, const std::string& name) {
 std::span<const std::string_view> builtinModelNames() { return kBuiltinNames; }
 
 Result<Scene> loadModel(const std::string& name_or_path) {
-  for (const BuiltinModel& builtin : kBuiltins)
-    if (name_or_path == builtin.name) return builtin.make();
+  if (const auto index = indexOfName(name_or_path, kBuiltinNames)) return kBuiltins[*index].make();
 
-  if (const auto load = loaderFor(name_or_path)) {
-    MIRRORBALL_TRY(scene, load(name_or_path));
+  const std::vector<std::uint8_t> begin = firstBytes(name_or_path);
+  if (const ModelFormat* format = formatOf(name_or_path, begin)) {
+    MIRRORBALL_TRY(scene, format->load(name_or_path));
     MIRRORBALL_TRY_VOID(checkExtent(scene, name_or_path));
     return scene;
   }
+  if (isImage(begin) || isImageSet(begin))
+    return fail(
+        ErrorCode::unsupported,
+        name_or_path + ": is a picture, no model; for the light in it try `mirrorball render -e " + name_or_path + "`");
   std::error_code status;
   if (std::filesystem::exists(name_or_path, status))
     return fail(ErrorCode::unsupported,
                 name_or_path + ": is no model that can be read (" + std::string(kExtensions) + ")");
   std::string message = unknownName("model", name_or_path, builtinModelNames()).message;
   return fail(ErrorCode::not_found, message + ", nor is there such a file (" + std::string(kExtensions) + ")");
+}
+
+std::optional<std::string_view> modelFormatOf(const std::string& path) {
+  const std::vector<std::uint8_t> begin = firstBytes(path);
+  const ModelFormat* format = begin.empty() ? nullptr : formatOf(path, begin);
+  return format == nullptr ? std::nullopt : std::optional(format->name);
 }
 
 }  // namespace mirrorball

@@ -15,17 +15,25 @@
 #include "cli/files.h"
 #include "cli/map_output.h"
 #include "cli/stage_clock.h"
+#include "cli/standard_streams.h"
+#include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/environment/builtin.h"
+#include "mirrorball/environment/preset.h"
 
 namespace mirrorball::cli {
 namespace {
 
-const std::string kBakedHelp = "needed: a folder, for all maps and a manifest; or a " +
-                               writtenExtensions(Holds::texture, " or ") + " file, for the specular chain only";
+const std::string kBakedHelp =
+    "needed: a folder, for all maps and a manifest; for several environments one with a folder for each; or a " +
+    writtenExtensions(Holds::texture, " or ") + " file, for one's specular chain only (-.ktx2: standard output)";
+
+constexpr std::array<std::string_view, 2> kCubeExtensions{"ktx2", "dds"};
+constexpr std::array<std::string_view, 3> kBrdfExtensions{"ktx2", "dds", "exr"};
 
 const std::array<Option<BakeOptions>, 17> kBakeOptions{{
-    {{.name = "output", .value = "OUT", .help = kBakedHelp, .letter = "o"}, &BakeOptions::output},
+    {{.name = "output", .value = "OUT", .help = kBakedHelp, .letter = "o", .takes_path = true}, &BakeOptions::output},
     {{.name = "size",
       .value = "N",
       .unit = "texels",
@@ -78,12 +86,20 @@ const std::array<Option<BakeOptions>, 17> kBakeOptions{{
       .help = "linear in n.v and perceptual roughness as engines have it, or warped so that look-ups are right near "
               "grazing angles too"},
      choiceField<&BakeOptions::brdf_axes>},
-    {{.name = "brdf-extension", .value = "ktx2|dds|exr", .help = "of the BRDF table's file"},
+    {{.name = "brdf-extension",
+      .value = "ktx2|dds|exr",
+      .help = "of the BRDF table's file; else as --extension",
+      .names = [] { return std::span<const std::string_view>(kBrdfExtensions); }},
      &BakeOptions::brdf_extension},
-    {{.name = "extension", .value = "ktx2|dds", .help = "of the cubes' files in a folder"}, &BakeOptions::extension},
+    {{.name = "extension",
+      .value = "ktx2|dds",
+      .help = "of the files in a folder",
+      .names = [] { return std::span<const std::string_view>(kCubeExtensions); }},
+     &BakeOptions::extension},
     {{.name = "from",
       .value = "FORM",
-      .help = "the environment's form, where it is not recognised: see convert --from"},
+      .help = "the environment's form, where it is not recognised: see convert --from",
+      .names = projectionNames},
      &BakeOptions::from},
     {kRotateText, &BakeOptions::rotate_deg},
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &BakeOptions::repair},
@@ -92,27 +108,33 @@ const std::array<Option<BakeOptions>, 17> kBakeOptions{{
 }};
 
 /// The table as the cubes are stored, but for formats that would round it to a percent.
-BrdfFile brdfFile(const std::string& path, const BakeOptions& options, const MapOutputOptions& output) {
-  BrdfFile file{path};
+BrdfFile brdfFile(const std::string& stem, std::string_view extension, const BakeOptions& options,
+                  const MapOutputOptions& output) {
+  BrdfFile file{
+      .path = stem + "." + std::string(extension),
+      .facts = {writtenValue(options, "distribution"), writtenValue(options, "brdf-axes"), options.brdf_channels}};
   // Pictures are in 32-bit floats unless told otherwise, as everywhere.
   const bool in_floats = output.format == "float32" || (output.format != "half" && !file.isTexture());
   if (file.isTexture() && options.brdf_channels == 2)
     file.format = in_floats ? TexelFormat::rg_float32 : TexelFormat::rg_half;
   else
     file.format = in_floats ? TexelFormat::float32 : TexelFormat::half;
-  if (options.brdf_extension == "ktx2") file.zstandard_level = output.zstandard_level;
+  if (extension == "ktx2") file.zstandard_level = output.zstandard_level;
   return file;
+}
+
+Result<std::string_view> extensionNamed(const std::string& name, std::span<const std::string_view> known) {
+  if (const auto index = indexOfName(name, known)) return known[*index];
+  return tl::unexpected<Error>(unknownName("extension", name, known));
 }
 
 /// errors   usage: no such folder can be, or no such files
 Result<BakedFiles> filesOf(const BakeRequest& request) {
   namespace fs = std::filesystem;
   const BakeOptions& options = request.options;
-  for (const auto& [extension, known] :
-       {std::pair(options.extension, std::vector<std::string_view>{"ktx2", "dds"}),
-        std::pair(options.brdf_extension, std::vector<std::string_view>{"ktx2", "dds", "exr"})})
-    if (std::find(known.begin(), known.end(), extension) == known.end())
-      return tl::unexpected<Error>(unknownName("extension", extension, known));
+  MIRRORBALL_TRY(extension, extensionNamed(options.extension, kCubeExtensions));
+  const bool has_own = !options.brdf_extension.empty();
+  MIRRORBALL_TRY(brdf_extension, extensionNamed(has_own ? options.brdf_extension : options.extension, kBrdfExtensions));
   std::string folder = options.output;
   while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
   std::error_code status;
@@ -120,12 +142,12 @@ Result<BakedFiles> filesOf(const BakeRequest& request) {
     return fail(ErrorCode::usage, folder + ": is a file; name a folder, or a " +
                                       writtenExtensions(Holds::texture, " or ") + " file for the chain only");
   MapOutputOptions output = request.output;
-  output.output = folder + "/specular." + options.extension;
+  output.output = folder + "/specular." + std::string(extension);
   MIRRORBALL_TRY(specular, MapOutput::resolve(output, Projection::cube));
-  output.output = folder + "/irradiance." + options.extension;
+  output.output = folder + "/irradiance." + std::string(extension);
   MIRRORBALL_TRY(irradiance, MapOutput::resolve(output, Projection::cube));
   return BakedFiles{request.environment, folder, std::move(specular), std::move(irradiance),
-                    brdfFile(folder + "/brdf." + options.brdf_extension, options, request.output)};
+                    brdfFile(folder + "/brdf", brdf_extension, options, request.output)};
 }
 
 /// errors   usage: an option that says something about what only a folder has
@@ -171,37 +193,104 @@ MipMappingChoice mipMappingFor(std::string_view program) {
   return MipMappingChoice::filament;
 }
 
-Result<void> bake(BakeRequest request) {
+/// Whether an output is one file rather than a folder.
+bool isFile(const std::string& output) { return !isFolder(output) && std::filesystem::path(output).has_extension(); }
+
+Result<void> bakeOne(const BakeRequest& request) {
+  StageClock clock;
+  const Result<void> done = isFile(request.options.output) ? bakeFile(request, clock) : bakeFolder(request, clock);
+  if (request.options.timings) clock.print();
+  return done;
+}
+
+/// One after the other, since each keeps all cores busy and may need all memory.
+Result<void> bakeMany(const std::vector<std::string>& inputs, BakeRequest request) {
+  const std::string parent = request.options.output;
+  if (isFile(parent))
+    return fail(ErrorCode::usage, parent + ": is one file, and there are " + std::to_string(inputs.size()) +
+                                      " environments; give -o a folder");
+  MIRRORBALL_TRY(folders, namesInFolder(inputs, parent, [](const auto&) { return Result<std::string>(""); }));
+  request.options.output = folders.front();
+  // What is wrong with the options is told once, before anything is made.
+  MIRRORBALL_TRY_VOID(filesOf(request));
+  MIRRORBALL_TRY_VOID(makeFolder(parent));
+  std::size_t failed = 0;
+  for (std::size_t index = 0; index < inputs.size() && !interrupted(); ++index) {
+    request.environment = inputs[index];
+    request.options.output = folders[index];
+    const Result<void> done = bakeOne(request);
+    if (done || done.error().code == ErrorCode::interrupted) continue;
+    ++failed;
+    complain(done.error());
+  }
+  return outcomeOfMany(failed, inputs.size(), "baked", parent);
+}
+
+Result<void> bake(const std::vector<std::string>& inputs, BakeRequest request) {
   const std::string& output = request.options.output;
-  if (output.empty())
+  if (output.empty()) {
+    MIRRORBALL_TRY_VOID(refuseUnnamedOutput(inputs, [](const std::string& name) {
+      return isTexturePath(name) || name.ends_with('/') || !std::filesystem::path(name).has_extension();
+    }));
     return fail(ErrorCode::usage,
                 "bake needs an output: -o FOLDER, or a " + writtenExtensions(Holds::texture, " or ") + " file");
+  }
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
-  if (request.options.mip_mapping == MipMappingChoice::as_for)
-    request.options.mip_mapping = mipMappingFor(request.output.program);
+  if (request.options.mip_mapping == MipMappingChoice::as_for) {
+    std::string_view program;
+    if (!request.output.program.empty()) {
+      MIRRORBALL_TRY(preset, presetNamed(request.output.program));
+      program = preset.name;
+    }
+    request.options.mip_mapping = mipMappingFor(program);
+  }
   if (request.options.levels > mostLevels(request.options.size))
     return fail(ErrorCode::usage, "--levels: --size " + std::to_string(request.options.size) + " has at most " +
                                       std::to_string(mostLevels(request.options.size)) +
                                       ", the last of one texel a face; ask for no more");
-  StageClock clock;
-  const bool is_file = !isFolder(output) && std::filesystem::path(output).has_extension();
-  const Result<void> done = is_file ? bakeFile(request, clock) : bakeFolder(request, clock);
-  if (request.options.timings) clock.print();
-  return done;
+  if (inputs.size() > 1) return bakeMany(inputs, std::move(request));
+  request.environment = inputs.front();
+  return bakeOne(request);
 }
 
 }  // namespace
 
 std::span<const Option<BakeOptions>> bakeOptions() { return kBakeOptions; }
 
-Action addBakeCommand(CLI::App& program) {
-  auto request = std::make_shared<BakeRequest>();
-  CLI::App& command = addCommand(
-      program, "bake", "Prefilters an environment for an engine: rough reflections, irradiance, harmonics, BRDF table");
-  addArgument(command, "ENV", request->environment, "a map, as convert takes it, or a built-in: studio sky uv white");
-  addOptions(command, bakeOptions(), request->options);
-  addOptions(command, textureOutputOptions(), request->output);
-  return [request] { return bake(*request); };
+std::string writtenValue(const BakeOptions& options, std::string_view name) {
+  const auto* const option = std::ranges::find(kBakeOptions, name, [](const auto& row) { return row.text.name; });
+  return written(*option, options);
+}
+
+Command bakeCommand() {
+  struct Request {
+    std::vector<std::string> inputs;
+    BakeRequest bake;
+  };
+  auto request = std::make_shared<Request>();
+  Command command{
+      .name = "bake",
+      .help = "Prefilters environments for an engine: rough reflections, irradiance, harmonics, BRDF table",
+      .about =
+          "ENV is a map, a built-in environment, or - for standard input. OUT is a folder, for all maps (of several "
+          "environments one that gets a folder for each), or a .ktx2 or .dds file, for the specular chain only.",
+      .examples = {{"bake room.hdr -o room/", "all maps of an environment, and a manifest that says what is what"},
+                   {"bake maps/*.hdr --for unreal --size 512 -o baked/",
+                    "a folder for each panorama, with Unreal's faces and levels"}}};
+  addArgument(command,
+              {.name = "ENV",
+               .help = "maps, as convert takes them, a built-in: studio sky uv white, or - for standard input",
+               .missing = "name an input map",
+               .names = builtinEnvironmentNames,
+               .takes_path = true},
+              request->inputs);
+  addOptions(command, bakeOptions(), request->bake.options);
+  addOptions(command, textureOutputOptions(), request->bake.output);
+  command.action = [request] {
+    return withStandardStreams(pointersTo(request->inputs), request->bake.options.output,
+                               [&] { return bake(request->inputs, request->bake); });
+  };
+  return command;
 }
 
 }  // namespace mirrorball::cli

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/map_output.h"
@@ -33,7 +34,7 @@ struct BakeOptions {
   int brdf_size = 128;
   int brdf_channels = 3;
   BrdfAxes brdf_axes = BrdfAxes::linear;
-  std::string brdf_extension = "ktx2";
+  std::string brdf_extension;
   std::string extension = "ktx2";
   bool timings = false;
   std::string max_memory;
@@ -41,7 +42,10 @@ struct BakeOptions {
 
 std::span<const Option<BakeOptions>> bakeOptions();
 
-/// All that `bake` was told.
+/// How the value of one of them is written on the command line.
+std::string writtenValue(const BakeOptions& options, std::string_view name);
+
+/// All that `bake` was told of one environment.
 struct BakeRequest {
   std::string environment;
   BakeOptions options;

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "cli/common_options.h"
 #include "cli/files.h"
+#include "cli/map_inputs.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
@@ -63,8 +65,8 @@ Result<void> checkLight(const std::string& name, const std::string& format, Envi
 /// The environment, which may not be one of the outputs.
 Result<LoadedEnvironment> loadLight(const BakeRequest& request, std::span<const std::string> outputs) {
   MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
-  MIRRORBALL_TRY(loaded, loadEnvironment(request.environment, {.from = hint, .repair = request.options.repair},
-                                         progressBar("read")));
+  MIRRORBALL_TRY(loaded,
+                 loadMap(request.environment, {.from = hint, .repair = request.options.repair}, progressBar("read")));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
   EnvironmentMap* map = loaded.environment.map();
   if (map) MIRRORBALL_TRY_VOID(checkLight(loaded.name, request.output.format, *map));
@@ -97,7 +99,7 @@ std::uint64_t bytesOfTable(const BakeOptions& options) {
 class LaterTable {
  public:
   LaterTable(const BakeOptions& options, StageClock& clock)
-      : table_(std::async(std::launch::async, [this, &options, &clock] {
+      : table_(std::async(besideOthers(), [this, &options, &clock] {
           return clock.time("BRDF table", [&] { return make(options); });
         })) {}
   LaterTable(const LaterTable&) = delete;

@@ -78,13 +78,6 @@ std::string harmonicsHeader(const Harmonics& radiance, const std::string& source
 
 std::string nameOf(TexelFormat format) { return nameOf(storedFormat(format)); }
 
-/// An option's value as it is written on the command line.
-std::string writtenValue(const BakeOptions& options, std::string_view name) {
-  for (const Option<BakeOptions>& option : bakeOptions())
-    if (option.text.name == name) return written(option, options);
-  return {};
-}
-
 /// Where a shader finds a roughness r, M being the last level.
 constexpr std::string_view lookUpOf(MipMapping mapping) {
   switch (mapping) {
@@ -127,7 +120,7 @@ Json brdfJson(const BakedFiles& files, const BakeOptions& options) {
                    : files.brdf.format == TexelFormat::half ? "three channels of half floats"
                                                             : "three channels of 32-bit floats";
   json["size"] = options.brdf_size;
-  json["distribution"] = writtenValue(options, "distribution");
+  json["distribution"] = files.brdf.facts.distribution;
   json["channels"] = {"scale of f0", "bias of f0"};
   if (options.brdf_channels == 3) json["channels"].push_back("mean over all directions, for multiple scattering");
   json["axes"] = options.brdf_axes == BrdfAxes::linear
@@ -140,7 +133,7 @@ Json manifestOf(const BakedSet& set, const BakedFiles& files, const BakeOptions&
                 TexelFormat irradiance) {
   Json json;
   json["made_by"] = std::string("mirrorball ") + MIRRORBALL_VERSION + " bake";
-  json["source"] = files.source;
+  json["source"] = shown(files.source);
   if (!options.rotate_deg.empty()) json["rotate_deg"] = options.rotate_deg;
   const std::string arrangement = textOf(files.specular.form().arrangement);
   json["faces"] = arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
@@ -161,27 +154,6 @@ Result<void> writeText(const std::string& path, const std::string& text) {
   const std::string_view view(text);
   MIRRORBALL_TRY_VOID(writeFile(path, {reinterpret_cast<const std::uint8_t*>(view.data()), view.size()}));
   announce(path);
-  return {};
-}
-
-/// Pictures have one or three channels: of two, the third is black.
-Image withThreeChannels(const Image& image) {
-  if (image.channels() == 3) return image;
-  Image wide(image.width(), image.height(), 3);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      for (int c = 0; c < image.channels(); ++c) wide.texel(x, y)[c] = image.texel(x, y)[c];
-  return wide;
-}
-
-Result<void> writeBrdf(Image table, const BrdfFile& file) {
-  if (file.isTexture())
-    MIRRORBALL_TRY_VOID(writeImageSet(file.path, ImageSet(std::move(table)),
-                                      {.format = file.format, .zstandard_level = file.zstandard_level}));
-  else
-    MIRRORBALL_TRY_VOID(
-        writeImage(file.path, withThreeChannels(table), {.half = file.format == TexelFormat::half, .metadata = {}}));
-  announce(file.path);
   return {};
 }
 
@@ -238,7 +210,7 @@ Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& 
   MIRRORBALL_TRY_VOID(go_on(some));
   const std::string path = files.folder + "/";
   MIRRORBALL_TRY_VOID(writeText(path + "sh.json", textOf(harmonicsJson(set.radiance, options))));
-  MIRRORBALL_TRY_VOID(writeText(path + "sh.h", harmonicsHeader(set.radiance, files.source)));
+  MIRRORBALL_TRY_VOID(writeText(path + "sh.h", harmonicsHeader(set.radiance, shown(files.source))));
   MIRRORBALL_TRY_VOID(writeText(path + "manifest.json", textOf(manifestOf(set, files, options, specular, irradiance))));
   folder.keep();
   return {};

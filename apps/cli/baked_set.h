@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/bake_command.h"
+#include "cli/brdf_file.h"
 #include "cli/map_output.h"
 #include "mirrorball/bake/spherical_harmonics.h"
 
@@ -17,15 +18,6 @@ struct BakedSet {
   EnvironmentMap irradiance;  ///< divided by π
   Harmonics radiance;
   Image brdf;
-};
-
-/// Where the BRDF table goes, and how.
-struct BrdfFile {
-  std::string path;
-  TexelFormat format = TexelFormat::half;  ///< of a picture: half or float32
-  int zstandard_level = 0;
-
-  bool isTexture() const { return isTexturePath(path); }
 };
 
 /// Where the files of a set lie, and how.

@@ -12,6 +12,7 @@
 #include "cli/files.h"
 #include "cli/map_output.h"
 #include "cli/scene_inputs.h"
+#include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/image_format.h"
@@ -49,7 +50,8 @@ const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
               "where the scene begins",
       .group = "Capture"},
      &CaptureOptions::nearest},
-    {{.name = "to", .value = "PROJECTION", .help = kProjectionHelp, .group = "Output"}, &CaptureOptions::to},
+    {{.name = "to", .value = "PROJECTION", .help = kProjectionHelp, .group = "Output", .names = projectionNames},
+     &CaptureOptions::to},
     {{.name = "size",
       .value = "N",
       .unit = "texels",
@@ -78,10 +80,6 @@ Result<FrameSettings> lookOf(const RenderOptions& options) {
   MIRRORBALL_TRY(frame, frameSettings(options));
   if (frame.background == BackgroundKind::transparent)
     return fail(ErrorCode::usage, "a map has light for every direction; --background 0,0,0 leaves it dark");
-  if (frame.mapping == Mapping::sphere)
-    return fail(ErrorCode::usage,
-                "--mapping sphere is right for one viewing direction, and a capture looks into all; use reflection or "
-                "normal");
   return frame;
 }
 
@@ -137,20 +135,41 @@ std::span<const Option<RenderOptions>> captureLookOptions() {
     std::ranges::copy_if(renderOptions(), std::back_inserter(kept), [](const Option<RenderOptions>& option) {
       return std::ranges::find(kOptionsOfPictures, option.text.name) == kOptionsOfPictures.end();
     });
+    for (Option<RenderOptions>& option : kept) {
+      // A sphere map is right for one viewing direction, and a capture looks into all. The mappings that are left are the
+      // first of the enumeration.
+      if (option.text.name == "mapping") {
+        option.text.choices = "reflection|normal";
+        option.text.help = "what looks the map up: the reflected ray, or the surface normal";
+      }
+      if (option.text.name == "background") option.text.value = "env|blur|COLOR";
+    }
     return kept;
   }();
   return look;
 }
 
-Action addCaptureCommand(CLI::App& program) {
+Command captureCommand() {
   auto request = std::make_shared<CaptureRequest>();
-  CLI::App& command = addCommand(program, "capture", "Makes a map of the light around a point of a scene");
+  Command command{
+      .name = "capture",
+      .help = "Makes a map of the light around a point of a scene",
+      .about =
+          "SCENE is a file (.glb .gltf .obj .ply .stl), a built-in, or - for standard input. `--at` and `--output` "
+          "are needed.",
+      .examples = {{"capture room.glb --at 0,1.5,0 -e sky -o probe.exr", "a panorama of a room, from eye height"},
+                   {"capture room.glb --at 0,1.5,0 --to cube --size 256 --mips -o probe.ktx2",
+                    "the same as a cube map for an engine"}}};
   addModel(command, "SCENE", request->scene);
   addOptions(command, sceneOptions(), request->scene);
   addOptions(command, captureOptions(), request->options);
   addOptions(command, mapOutputOptions(), request->output);
   addOptions(command, captureLookOptions(), request->look);
-  return [request] { return capture(*request); };
+  command.action = [request] {
+    return withStandardStreams({&request->scene.model, &request->scene.environment}, request->output.output,
+                               [&] { return capture(*request); });
+  };
+  return command;
 }
 
 }  // namespace mirrorball::cli

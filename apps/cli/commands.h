@@ -1,16 +1,22 @@
 #pragma once
 
-#include "cli/command_line.h"
+#include <vector>
+
+#include "cli/command.h"
 
 namespace mirrorball::cli {
 
-/// Each adds its subcommand with all options to the program and returns what it does.
-Action addRenderCommand(CLI::App& program);
-Action addConvertCommand(CLI::App& program);
-Action addBakeCommand(CLI::App& program);
-Action addCaptureCommand(CLI::App& program);
-Action addInfoCommand(CLI::App& program);
-Action addPhotoCommand(CLI::App& program);
-Action addReferenceCommand(CLI::App& program);
+/// Each makes one subcommand with all its options.
+Command renderCommand();
+Command convertCommand();
+Command bakeCommand();
+Command captureCommand();
+Command infoCommand();
+Command photoCommand();
+Command cacheCommand();
+Command referenceCommand();
+
+/// All of them, in the order of the help, with the options that every one has.
+std::vector<Command> allCommands();
 
 }  // namespace mirrorball::cli

@@ -3,7 +3,9 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/command_line.h"
@@ -11,8 +13,10 @@
 #include "cli/convert_files.h"
 #include "cli/files.h"
 #include "cli/map_output.h"
+#include "cli/standard_streams.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/environment/builtin.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -20,18 +24,29 @@ namespace {
 const std::string kExtensionHelp =
     "of the files in an output folder: " + writtenExtensions(" or ") + "; else each input's own";
 
+std::span<const std::string_view> extensionNames() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> written;
+    for (const ImageFormat& format : kImageFormats)
+      if (format.is_written) written.push_back(format.extensions.substr(0, format.extensions.find(' ')));
+    return written;
+  }();
+  return names;
+}
+
 const std::array<Option<ConvertOptions>, 9> kConvertOptions{{
     {{.name = "to",
       .value = "PROJECTION",
-      .help =
-          "needed: equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, equal-area or eac; "
-          "ball:distance=20 says how many ball radii the camera stands from the ball"},
+      .help = "equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, equal-area or eac; "
+              "ball:distance=20 says how many ball radii the camera stands from the ball; else the input's own",
+      .names = projectionNames},
      &ConvertOptions::to},
     {{.name = "from",
       .value = "FORM",
       .help =
           "the input's form, where it is not recognised: a projection, or a cube's layout; then, after a colon, how "
-          "it lies in the file, as in cube:for=unity, hcross:as-seen or equirect:for=blender"},
+          "it lies in the file, as in cube:for=unity, hcross:as-seen or equirect:for=blender",
+      .names = projectionNames},
      &ConvertOptions::from},
     {{.name = "size",
       .value = "N",
@@ -43,6 +58,7 @@ const std::array<Option<ConvertOptions>, 9> kConvertOptions{{
      &ConvertOptions::size},
     {{.name = "filter",
       .choices = "bilinear|bicubic",
+      .aliases = "linear=bilinear|cubic=bicubic",
       .help =
           "what is seen between the input's texels; where the output is coarser, all that a texel covers is averaged"},
      choiceField<&ConvertOptions::filter>},
@@ -50,10 +66,12 @@ const std::array<Option<ConvertOptions>, 9> kConvertOptions{{
       .value = "X,Y,Z",
       .fewest = 3,
       .most = 3,
-      .help = "the input's direction that comes to the centre, +Z, before --rotate; up stays up"},
+      .help = "the input's direction that comes to the centre, +Z, before --rotate; up stays up",
+      .also = "center"},
      &ConvertOptions::centre},
     {kRotateText, &ConvertOptions::rotate_deg},
-    {{.name = "extension", .value = "EXT", .help = kExtensionHelp}, &ConvertOptions::extension},
+    {{.name = "extension", .value = "EXT", .help = kExtensionHelp, .names = extensionNames},
+     &ConvertOptions::extension},
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &ConvertOptions::repair},
     {kMaxMemoryText, &ConvertOptions::max_memory},
 }};
@@ -69,13 +87,14 @@ Resampling resamplingOf(const ConvertOptions& options) {
 /// errors   usage: what convert cannot do without is missing or wrong
 Result<ConvertRequest> requestOf(const ConvertOptions& options, const MapOutputOptions& output) {
   if (output.output.empty()) return fail(ErrorCode::usage, "convert needs an output: -o FILE");
-  if (options.to.empty())
-    return fail(ErrorCode::usage, "convert needs a projection: --to " + join(projectionNames(), "|"));
-  MIRRORBALL_TRY(to, projectionNamed(options.to));
   if (!options.centre.empty() &&
       glm::length(glm::vec3(options.centre[0], options.centre[1], options.centre[2])) == 0.0f)
     return fail(ErrorCode::usage, "--centre takes a vector that has a length");
-  ConvertRequest request{to, options.size, resamplingOf(options), {.repair = options.repair}, output};
+  ConvertRequest request{std::nullopt, options.size, resamplingOf(options), {.repair = options.repair}, output};
+  if (!options.to.empty()) {
+    MIRRORBALL_TRY(to, projectionNamed(options.to));
+    request.to = to;
+  }
   if (!options.from.empty()) {
     MIRRORBALL_TRY(hint, formHintNamed(options.from));
     request.load.from = hint;
@@ -86,6 +105,7 @@ Result<ConvertRequest> requestOf(const ConvertOptions& options, const MapOutputO
 Result<void> convertInputs(const std::vector<std::string>& inputs, const ConvertOptions& options,
                            const MapOutputOptions& output) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
+  if (output.output.empty()) MIRRORBALL_TRY_VOID(refuseUnnamedOutput(inputs, isOutputName));
   MIRRORBALL_TRY(request, requestOf(options, output));
   if (inputs.size() > 1 || isFolder(output.output)) return convertMany(inputs, options.extension, request);
   if (options.extension.empty()) return convertFile(inputs.front(), request);
@@ -98,20 +118,52 @@ Result<void> convertInputs(const std::vector<std::string>& inputs, const Convert
 
 std::span<const Option<ConvertOptions>> convertOptions() { return kConvertOptions; }
 
-Action addConvertCommand(CLI::App& program) {
+namespace {
+
+/// As that of every command that writes a map, and for many inputs a folder.
+std::span<const Option<MapOutputOptions>> convertOutputOption() {
+  static const std::string help = std::string(mapOutputOptions().front().text.help) + "; for several inputs a folder";
+  static const Option<MapOutputOptions> option = [] {
+    Option<MapOutputOptions> output = mapOutputOptions().front();
+    output.text.help = help;
+    return output;
+  }();
+  return {&option, 1};
+}
+
+}  // namespace
+
+Command convertCommand() {
   struct Request {
     std::vector<std::string> inputs;
     ConvertOptions options;
     MapOutputOptions output;
   };
   auto request = std::make_shared<Request>();
-  CLI::App& command = addCommand(program, "convert", "Lays environment maps out in another projection");
-  addArgument(command, "IN", request->inputs,
-              "maps (" + std::string(readExtensions()) +
-                  "), one of a cube's six files or their folder, or a built-in: studio sky uv white");
+  const std::string maps =
+      "(" + std::string(readExtensions()) + "), one of a cube's six files or their folder, a built-in";
+  Command command{.name = "convert",
+                  .help = "Lays environment maps out in another projection, size or format",
+                  .about = "IN is a map " + maps + " environment, or - for standard input. `--output` is needed.",
+                  .examples = {{"convert room.hdr --to cube --size 512 --mips -o room.ktx2",
+                                "a panorama as a cube map with all its mip levels"},
+                               {"convert maps/*.hdr --to cube --for unity --extension exr -o cubes/",
+                                "a folder of panoramas, six faces each, as Unity has them"}}};
+  addArgument(command,
+              {.name = "IN",
+               .help = "maps " + maps + ": studio sky uv white, or - for standard input",
+               .missing = "name an input map",
+               .names = builtinEnvironmentNames,
+               .takes_path = true},
+              request->inputs);
   addOptions(command, convertOptions(), request->options);
-  addOptions(command, mapOutputOptions(), request->output);
-  return [request] { return convertInputs(request->inputs, request->options, request->output); };
+  addOptions(command, convertOutputOption(), request->output);
+  addOptions(command, mapOutputOptions().subspan(1), request->output);
+  command.action = [request] {
+    return withStandardStreams(pointersTo(request->inputs), request->output.output,
+                               [&] { return convertInputs(request->inputs, request->options, request->output); });
+  };
+  return command;
 }
 
 }  // namespace mirrorball::cli

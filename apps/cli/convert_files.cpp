@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "cli/files.h"
+#include "cli/map_inputs.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert_rows.h"
 
 namespace mirrorball::cli {
@@ -32,6 +32,32 @@ std::uint64_t bytesOfMap(Projection projection, int size) {
   return bytesOf(imageSize(projection, size), convertedChannels(projection) * faceCount(projection));
 }
 
+/// A map, as far as it decides whether its texels can stay as they are.
+struct MapShape {
+  Projection projection;
+  int size;
+  int channels;
+};
+
+/// Whether each texel would only be looked up at its own centre. On a disc alpha has to be there already.
+bool keepsTexels(const MapShape& map, Projection to, int size, const Resampling& resampling) {
+  const int channels = convertedChannels(to);
+  return map.projection == to && map.size == size && (map.channels == channels || channels == 3) &&
+         resampling.source_from_target == glm::mat3(1.0f);
+}
+
+/// Hands on an image's texels as they are, without alpha where the converted map has none.
+Result<void> copyTexels(const Image& image, Projection to, int face, int row, const TakeTexels& take) {
+  if (image.channels() == convertedChannels(to)) return take(face, {0, row}, image);
+  Image light(image.width(), image.height(), 3);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec3 rgb = rgbAt(image, x, y);
+      std::copy_n(&rgb.x, 3, light.texel(x, y));
+    }
+  return take(face, {0, row}, light);
+}
+
 /// Writes what `convert_to` converts, as it comes or as a whole.
 Result<void> writeConverted(const MapOutput& output, int size, std::uint64_t source_bytes,
                             const std::function<Result<void>(const TakeTexels&)>& convert_to) {
@@ -43,13 +69,33 @@ Result<void> writeConverted(const MapOutput& output, int size, std::uint64_t sou
   return output.write(EnvironmentMap(to, std::move(images)));
 }
 
+/// Hands on the rows of a panorama as they are.
+Result<void> copyRows(RowReader& rows, const std::string& name, const TakeTexels& take,
+                      const ProgressFunction& progress) {
+  constexpr int kRowsAtATime = 64;
+  const int height = rows.description().height;
+  for (int y = 0; y < height; y += kRowsAtATime) {
+    MIRRORBALL_TRY(texels, rows.read(std::min(kRowsAtATime, height - y)));
+    if (NonFinite bad = findNonFinite(texels); bad.count > 0) {
+      bad.first.y += y;
+      return fail(ErrorCode::non_finite, name + ": " + textOf(bad) + "; --repair replaces them by their neighbours");
+    }
+    MIRRORBALL_TRY_VOID(copyTexels(texels, Projection::equirect, 0, y, take));
+    if (!progress(std::size_t(y + texels.height()), std::size_t(height)))
+      return fail(ErrorCode::interrupted, "interrupted; nothing was written");
+  }
+  return {};
+}
+
 Result<void> convertByRows(const std::string& input, std::optional<PanoramaRows> panorama,
                            const ConvertRequest& request, const MapOutput& output, const ProgressFunction& progress) {
-  const int height = panorama->rows->description().height;
-  const int size = request.size > 0 ? request.size : equivalentSize(Projection::equirect, height, request.to);
+  const Projection to = output.form().projection;
+  const RowReader::Description picture = panorama->rows->description();
+  const int size = request.size > 0 ? request.size : equivalentSize(Projection::equirect, picture.height, to);
   Resampling resampling = request.resampling;
   resampling.source_from_target = panorama->picture_from_world * resampling.source_from_target;
-  const std::uint64_t target = output.takesPieces() ? 0 : bytesOfMap(request.to, size);
+  const bool is_copy = keepsTexels({Projection::equirect, picture.height, picture.channels}, to, size, resampling);
+  const std::uint64_t target = output.takesPieces() ? 0 : bytesOfMap(to, size);
   const std::uint64_t window = memoryLimit() > target ? memoryLimit() - target : 0;
   return writeConverted(output, size, 0, [&](const TakeTexels& take) -> Result<void> {
     // A second time the file is read from its beginning once more.
@@ -58,7 +104,8 @@ Result<void> convertByRows(const std::string& input, std::optional<PanoramaRows>
       panorama = std::move(again);
     }
     const PanoramaRows once = *std::exchange(panorama, std::nullopt);
-    return convertRows(*once.rows, input, window, request.to, size, resampling, take, progress);
+    if (is_copy) return copyRows(*once.rows, input, take, progress);
+    return convertRows(*once.rows, input, window, to, size, resampling, take, progress);
   });
 }
 
@@ -71,78 +118,92 @@ bool isLarge(const PanoramaRows& panorama) {
 /// Where an input goes.
 ///
 /// errors   usage: as MapOutput::resolve's, or it would overwrite the input
-Result<MapOutput> outputOf(const std::string& input, const ConvertRequest& request, const std::string& path) {
-  MapOutputOptions options = request.output;
+Result<MapOutput> outputOf(const std::string& input, MapOutputOptions options, const std::string& path,
+                           Projection projection) {
   options.output = path;
-  MIRRORBALL_TRY(output, MapOutput::resolve(options, request.to));
+  MIRRORBALL_TRY(output, MapOutput::resolve(options, projection));
   MIRRORBALL_TRY_VOID(refuseOverwriting({&input, 1}, output.paths()));
   return output;
 }
 
-Result<void> convertInput(const std::string& input, const ConvertRequest& request, const MapOutput& output,
+/// Refuses, before anything is read, what can be refused by then.
+Result<void> checkOutput(const std::string& input, const ConvertRequest& request, const std::string& path) {
+  if (request.to) {
+    MIRRORBALL_TRY_VOID(outputOf(input, request.output, path, *request.to));
+  } else if (!isTexturePath(path)) {
+    MIRRORBALL_TRY_VOID(checkWritable(path));
+  }
+  return {};
+}
+
+/// The output of an input that is loaded, which may have to keep its projection.
+Result<MapOutput> outputOf(const LoadedEnvironment& loaded, const std::string& input, const ConvertRequest& request,
+                           const std::string& path) {
+  if (request.to) return outputOf(input, request.output, path, *request.to);
+  if (!loaded.recognition)
+    return fail(ErrorCode::usage,
+                input + ": is light from every direction, in no projection yet; say which it gets: --to " +
+                    join(projectionNames(), "|"));
+  const MapForm& form = loaded.recognition->form;
+  MapOutputOptions options = request.output;
+  // A texture's cube has no layout of its own.
+  const bool has_layout = faceCount(form.projection) == 6 && !isTexturePath(input) && !isTexturePath(path);
+  if (has_layout && options.layout.empty() && options.program.empty()) options.layout = nameOf(form.layout);
+  return outputOf(input, options, path, form.projection);
+}
+
+/// Hands on the texels of a map as they are.
+Result<void> copyMap(const EnvironmentMap& map, const TakeTexels& take) {
+  for (int face = 0; face < map.faces(); ++face)
+    MIRRORBALL_TRY_VOID(copyTexels(map.face(face), map.projection(), face, 0, take));
+  return {};
+}
+
+Result<void> convertInput(const std::string& input, const ConvertRequest& request, const std::string& path,
                           const ProgressFunction& progress) {
   MIRRORBALL_TRY(panorama, openPanorama(input, request.load));
-  if (panorama && isLarge(*panorama)) return convertByRows(input, std::move(panorama), request, output, progress);
-  MIRRORBALL_TRY(loaded, loadEnvironment(input, request.load));
+  if (panorama && isLarge(*panorama)) {
+    MIRRORBALL_TRY(output, outputOf(input, request.output, path, request.to.value_or(Projection::equirect)));
+    return convertByRows(input, std::move(panorama), request, output, progress);
+  }
+  MIRRORBALL_TRY(loaded, loadMap(input, request.load));
+  MIRRORBALL_TRY(output, outputOf(loaded, input, request, path));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
-  const int size = request.size > 0 ? request.size : loaded.environment.naturalSize(request.to);
+  const Projection to = output.form().projection;
+  const int size = request.size > 0 ? request.size : loaded.environment.naturalSize(to);
+  const EnvironmentMap* map = loaded.environment.map();
+  const bool is_copy =
+      map && keepsTexels({map->projection(), map->size(), map->face(0).channels()}, to, size, request.resampling);
   return writeConverted(output, size, loaded.environment.bytes(), [&](const TakeTexels& take) {
-    return convertPiecewise(loaded.environment, request.to, size, request.resampling, take, progress);
+    if (is_copy) return copyMap(*map, take);
+    return convertPiecewise(loaded.environment, to, size, request.resampling, take, progress);
   });
 }
 
 /// "exr", also of ".exr".
 std::string withoutDot(const std::string& extension) { return extension.substr(extension.starts_with('.') ? 1 : 0); }
 
-/// The path in the folder that an input is converted to.
+/// Every input's path in the folder; no two may be the same.
 ///
-/// errors   usage: it has no extension, and none is named
-Result<std::string> pathFor(const std::string& input, const std::string& folder, const std::string& extension) {
-  const fs::path whole(isBuiltinEnvironment(input) ? input.substr(0, input.find(':')) : input);
-  // "room/" is a folder with a cube's six files.
-  const fs::path name = whole.has_filename() ? whole : whole.parent_path();
-  const std::string ending = extension.empty() ? name.extension().string() : "." + withoutDot(extension);
-  const std::string path = (fs::path(folder) / (name.stem().string() + ending)).string();
-  if (isTexturePath(path) || checkWritable(path)) return path;
-  return fail(ErrorCode::usage, input + " would become " + path +
-                                    ", which is not a format that Mirrorball writes; --extension names one: " +
-                                    writtenExtensions(" or "));
-}
-
-/// Every input's output; no two may be the same file.
-///
-/// errors   usage
-Result<std::vector<MapOutput>> outputsFor(const std::vector<std::string>& inputs, const std::string& extension,
-                                          const ConvertRequest& request) {
-  std::vector<MapOutput> outputs;
-  std::map<std::string, std::string> input_of;
-  for (const std::string& input : inputs) {
-    MIRRORBALL_TRY(path, pathFor(input, request.output.output, extension));
-    const auto [place, is_new] = input_of.emplace(path, input);
-    if (!is_new)
-      return fail(ErrorCode::usage, place->second + " and " + input + " would both become " + path +
-                                        "; convert them in two runs, to two folders");
-    MIRRORBALL_TRY(output, outputOf(input, request, path));
-    outputs.push_back(std::move(output));
-  }
-  return outputs;
-}
-
-/// What there is to say at the end of many.
-Result<void> summary(std::size_t failed, std::size_t all, const std::string& folder) {
-  if (interrupted()) return fail(ErrorCode::interrupted, "interrupted; what was finished stays in " + folder);
-  if (failed == 0) return {};
-  if (failed == all) return fail(ErrorCode::bad_file, "none of " + std::to_string(all) + " inputs could be converted");
-  return fail(ErrorCode::bad_file, std::to_string(failed) + " of " + std::to_string(all) +
-                                       " inputs could not be converted; the others are in " + folder);
+/// errors   usage: one has no extension that can be written, and none is named
+Result<std::vector<std::string>> pathsFor(const std::vector<std::string>& inputs, const std::string& folder,
+                                          const std::string& extension) {
+  return namesInFolder(inputs, folder, [&](const fs::path& name) -> Result<std::string> {
+    const std::string ending = extension.empty() ? name.extension().string() : "." + withoutDot(extension);
+    const std::string path = (fs::path(folder) / (name.stem().string() + ending)).string();
+    if (isTexturePath(path) || checkWritable(path)) return ending;
+    return fail(ErrorCode::usage, " would become " + path +
+                                      ", which is not a format that Mirrorball writes; --extension names one: " +
+                                      writtenExtensions(" or "));
+  });
 }
 
 }  // namespace
 
 Result<void> convertFile(const std::string& input, const ConvertRequest& request) {
   MIRRORBALL_TRY_VOID(checkFolder(request.output.output));
-  MIRRORBALL_TRY(output, outputOf(input, request, request.output.output));
-  return convertInput(input, request, output, progressBar("convert"));
+  MIRRORBALL_TRY_VOID(checkOutput(input, request, request.output.output));
+  return convertInput(input, request, request.output.output, progressBar("convert"));
 }
 
 Result<void> convertMany(const std::vector<std::string>& inputs, const std::string& extension,
@@ -151,10 +212,12 @@ Result<void> convertMany(const std::vector<std::string>& inputs, const std::stri
   if (!isFolder(folder) && fs::path(folder).has_extension())
     return fail(ErrorCode::usage,
                 folder + ": is one file, and there are " + std::to_string(inputs.size()) + " inputs; give -o a folder");
-  MIRRORBALL_TRY(outputs, outputsFor(inputs, extension, request));
+  MIRRORBALL_TRY(paths, pathsFor(inputs, folder, extension));
+  for (std::size_t index = 0; index < inputs.size(); ++index)
+    MIRRORBALL_TRY_VOID(checkOutput(inputs[index], request, paths[index]));
   MIRRORBALL_TRY_VOID(makeFolder(folder));
   const ProgressFunction bar = progressBar("convert");
-  if (inputs.size() == 1) return convertInput(inputs.front(), request, outputs.front(), bar);
+  if (inputs.size() == 1) return convertInput(inputs.front(), request, paths.front(), bar);
 
   std::atomic<std::size_t> done = 0;
   std::atomic<std::size_t> failed = 0;
@@ -162,14 +225,14 @@ Result<void> convertMany(const std::vector<std::string>& inputs, const std::stri
   parallelFor(inputs.size(), 1, [&](std::size_t index, std::size_t) {
     if (interrupted()) return;
     const auto converted =
-        convertInput(inputs[index], request, outputs[index], [](std::size_t, std::size_t) { return !interrupted(); });
+        convertInput(inputs[index], request, paths[index], [](std::size_t, std::size_t) { return !interrupted(); });
     if (!converted && converted.error().code != ErrorCode::interrupted) {
       ++failed;
-      remark(converted.error().message);
+      complain(converted.error());
     }
     bar(++done, inputs.size());
   });
-  return summary(failed, inputs.size(), folder);
+  return outcomeOfMany(failed, inputs.size(), "converted", folder);
 }
 
 }  // namespace mirrorball::cli

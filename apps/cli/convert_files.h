@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace mirrorball::cli {
 
 /// One conversion of `convert`, for any input.
 struct ConvertRequest {
-  Projection to;
-  int size = 0;  ///< 0: what keeps the input's detail
+  std::optional<Projection> to;  ///< nothing: the input's own, and a cube's layout too where no other is asked for
+  int size = 0;                  ///< 0: what keeps the input's detail
   Resampling resampling;
   EnvironmentLoadOptions load;
   MapOutputOptions output;

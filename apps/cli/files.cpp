@@ -1,6 +1,11 @@
 #include "cli/files.h"
 
 #include <filesystem>
+#include <map>
+
+#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/texture_file.h"
+#include "mirrorball/environment/builtin.h"
 
 namespace mirrorball::cli {
 
@@ -14,7 +19,7 @@ Result<void> refuseOverwriting(std::span<const std::string> inputs, std::span<co
 }
 
 Result<void> checkFolder(const std::string& output) {
-  if (output.empty()) return fail(ErrorCode::usage, "the output has no name: -o FILE");
+  if (output.empty()) return fail(ErrorCode::usage, "--output needs a file name");
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   std::error_code status;
   if (folder.empty() || std::filesystem::is_directory(folder, status)) return {};
@@ -47,6 +52,36 @@ Result<OutputFolder> OutputFolder::make(const std::string& folder) {
 OutputFolder::~OutputFolder() {
   std::error_code status;
   if (isNew()) std::filesystem::remove_all(made_, status);
+}
+
+Result<std::vector<std::string>> namesInFolder(
+    const std::vector<std::string>& inputs, const std::string& folder,
+    const std::function<Result<std::string>(const std::filesystem::path& name)>& ending) {
+  std::vector<std::string> names;
+  std::map<std::string, std::string> input_of;
+  for (const std::string& input : inputs) {
+    const std::filesystem::path whole(isBuiltinEnvironment(input) ? input.substr(0, input.find(':')) : input);
+    // "room/" is a folder with a cube's six files.
+    const std::filesystem::path own = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+    auto end = ending(own);
+    if (!end) return fail(end.error().code, input + end.error().message);
+    const std::string name = (std::filesystem::path(folder) / (own.stem().string() + *end)).string();
+    const auto [place, is_new] = input_of.emplace(name, input);
+    if (!is_new)
+      return fail(ErrorCode::usage, place->second + " and " + input + " would both become " + name +
+                                        "; take them in two runs, to two folders");
+    names.push_back(name);
+  }
+  return names;
+}
+
+bool isOutputName(const std::string& name) { return isTexturePath(name) || checkWritable(name).has_value(); }
+
+Result<void> refuseUnnamedOutput(const std::vector<std::string>& inputs,
+                                 const std::function<bool(const std::string&)>& is_output) {
+  std::error_code status;
+  if (inputs.size() < 2 || std::filesystem::exists(inputs.back(), status) || !is_output(inputs.back())) return {};
+  return fail(ErrorCode::usage, inputs.back() + ": there is no such file; to write it say -o " + inputs.back());
 }
 
 std::string suffixed(const std::string& path, const std::string& suffix) {

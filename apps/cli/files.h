@@ -1,8 +1,11 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "mirrorball/base/result.h"
 
@@ -44,6 +47,25 @@ class OutputFolder {
 
   std::string made_;  // the uppermost folder that was made
 };
+
+/// A name in a folder for each of many inputs: its own, without the folders before it and its extension, and an ending. Of
+/// a folder with a cube's six files it is the folder's, of a built-in environment that without parameters.
+///
+/// ending   of an input's own name: ".exr", or nothing
+/// errors   usage: two inputs would get the same
+Result<std::vector<std::string>> namesInFolder(
+    const std::vector<std::string>& inputs, const std::string& folder,
+    const std::function<Result<std::string>(const std::filesystem::path& name)>& ending);
+
+/// Whether a name ends as a file that can be written does.
+bool isOutputName(const std::string& name);
+
+/// Refuses `IN OUT`, without -o: the last of several words is no file, and a name for one.
+///
+/// is_output  whether such a name could be an output's
+/// errors     usage
+Result<void> refuseUnnamedOutput(const std::vector<std::string>& inputs,
+                                 const std::function<bool(const std::string&)>& is_output);
 
 /// "turn_007.png" of "turn.png": the name with a suffix before its extension.
 std::string suffixed(const std::string& path, const std::string& suffix);

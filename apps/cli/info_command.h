@@ -8,9 +8,10 @@
 
 namespace mirrorball::cli {
 
-/// What `info` is told beside its input.
+/// What `info` is told beside its inputs.
 struct InfoOptions {
   std::vector<float> direction;
+  bool json = false;
   std::string from;
   std::string max_memory;
 };

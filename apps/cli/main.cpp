@@ -1,7 +1,7 @@
-#include <array>
 #include <cstdio>
 #include <new>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/terminal.h"
 
@@ -12,13 +12,8 @@ constexpr int kDone = 0;
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 
-constexpr std::array<AddCommand, 7> kCommands{addRenderCommand,   addConvertCommand, addBakeCommand,
-                                              addCaptureCommand,  addInfoCommand,    addPhotoCommand,
-                                              addReferenceCommand};
-
 int report(const Error& error) {
-  clearProgress();
-  std::fprintf(stderr, "mirrorball: %s\n", error.message.c_str());
+  complain(error);
   return error.code == ErrorCode::usage ? kWrongUsage : kFailed;
 }
 
@@ -31,13 +26,16 @@ Result<void> withinMemory(const Action& action) {
   }
 }
 
-int run(int argc, char** argv) {
-  const Result<Action> action = readCommandLine(argc, argv, kCommands);
+int run(int argc, const char* const* argv) {
+  const std::vector<Command> commands = allCommands();
+  const Result<Action> action = readCommandLine(argc, argv, commands);
   if (!action) return report(action.error());
   catchSignals();
   const Result<void> done = withinMemory(*action);
   clearProgress();
-  return done ? kDone : report(done.error());
+  const int exit_code = done ? kDone : report(done.error());
+  endByCaughtSignal();
+  return exit_code;
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "cli/map_output.h"
 
-#include <algorithm>
 #include <array>
 
 #include "cli/files.h"
@@ -16,21 +15,24 @@ namespace mirrorball::cli {
 namespace {
 
 constexpr std::array<std::string_view, 5> kFormats{"auto", "half", "float32", "b10g11r11", "e5b9g9r9"};
+std::span<const std::string_view> formatNames() { return kFormats; }
 
 const std::string kMapHelp = "needed: " + writtenExtensions(Holds::light) + " (linear radiance), " +
                              writtenExtensions(Holds::texture) + " (textures; cubes as such), " +
                              writtenExtensions(Holds::picture) +
-                             " (sRGB, clipped to [0, 1]); for several inputs of convert a folder";
+                             " (sRGB, clipped to [0, 1]); -.exr is standard output, in any of these formats";
 const std::string kMipsHelp = "all mip levels, in " + writtenExtensions(Holds::texture, " and ");
 
 // First those that any texture of a cube may be asked for.
 constexpr std::size_t kTextureOptions = 7;
 const std::array<Option<MapOutputOptions>, 10> kMapOutputOptions{{
-    {{.name = "output", .value = "OUT", .help = kMapHelp, .letter = "o", .group = "Output"}, &MapOutputOptions::output},
+    {{.name = "output", .value = "OUT", .help = kMapHelp, .letter = "o", .group = "Output", .takes_path = true},
+     &MapOutputOptions::output},
     {{.name = "for",
       .value = "PROGRAM",
       .help = "as that program wants it: opengl vulkan directx unity unreal godot three blender renderman openexr",
-      .group = "Output"},
+      .group = "Output",
+      .names = presetNames},
      &MapOutputOptions::program},
     {{.name = "as-seen",
       .help = "cube faces as pictures seen from inside, not by OpenGL's left-handed table",
@@ -39,7 +41,8 @@ const std::array<Option<MapOutputOptions>, 10> kMapOutputOptions{{
     {{.name = "flip",
       .value = "none|horizontal|vertical|both",
       .help = "turns each cube face over, after --for and --as-seen",
-      .group = "Output"},
+      .group = "Output",
+      .names = flipNames},
      &MapOutputOptions::flip},
     {{.name = "face-order",
       .value = "ORDER",
@@ -50,7 +53,8 @@ const std::array<Option<MapOutputOptions>, 10> kMapOutputOptions{{
       .value = "FORMAT",
       .help = "of texels: half or float32 in .exr; half, float32, b10g11r11 or e5b9g9r9 in .ktx2 and .dds; auto is "
               "float32 in .exr, in textures half where it holds all values",
-      .group = "Output"},
+      .group = "Output",
+      .names = formatNames},
      &MapOutputOptions::format},
     {{.name = "zstd",
       .value = "LEVEL",
@@ -63,7 +67,8 @@ const std::array<Option<MapOutputOptions>, 10> kMapOutputOptions{{
       .value = "LAYOUT",
       .help = "of a cube in pictures: faces (six files), hcross, vcross, hstrip, vstrip, 3x2, seed; else as --for has "
               "it, or hcross",
-      .group = "Output"},
+      .group = "Output",
+      .names = cubeLayoutNames},
      &MapOutputOptions::layout},
     {{.name = "mips", .help = kMipsHelp, .group = "Output"}, &MapOutputOptions::mips},
     {{.name = "mip",
@@ -124,10 +129,9 @@ Result<void> MapOutput::setForm(const MapOutputOptions& options, Projection proj
 }
 
 Result<void> MapOutput::setFormat(const MapOutputOptions& options) {
-  const auto* const found = std::find(kFormats.begin(), kFormats.end(), options.format);
-  if (found == kFormats.end()) return tl::unexpected<Error>(unknownName("format", options.format, kFormats));
-  const auto index = found - kFormats.begin();
-  if (index > 0) format_ = static_cast<TexelFormat>(index - 1);
+  const auto index = indexOfName(options.format, kFormats);
+  if (!index) return tl::unexpected<Error>(unknownName("format", options.format, kFormats));
+  if (*index > 0) format_ = static_cast<TexelFormat>(*index - 1);
   half_ = format_ == TexelFormat::half;
   const bool is_exr = extensionOf(output_) == "exr";
   const bool has_choice = is_texture_ || (is_exr && (half_ || format_ == TexelFormat::float32));
@@ -157,6 +161,8 @@ Result<MapOutput> MapOutput::resolve(const MapOutputOptions& options, Projection
   MIRRORBALL_TRY_VOID(formatToWrite(options.output, {Holds::light, Holds::texture, Holds::picture}));
   MIRRORBALL_TRY_VOID(output.setForm(options, projection));
   MIRRORBALL_TRY_VOID(output.setFormat(options));
+  if (isStandardOutputTaken() && output.paths().size() > 1)
+    return fail(ErrorCode::usage, "standard output takes one file, and --layout faces writes six; name another layout");
   return output;
 }
 

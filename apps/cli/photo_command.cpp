@@ -6,11 +6,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/map_output.h"
+#include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/codec.h"
@@ -36,7 +38,8 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .help =
           "any projection of convert: equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, "
           "equal-area or eac",
-      .group = "Output"},
+      .group = "Output",
+      .names = projectionNames},
      &PhotoOptions::to},
     {{.name = "size",
       .value = "N",
@@ -46,7 +49,8 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .help = "a cube face's side, a disc's diameter or a panorama's height; 0 keeps the photograph's detail",
       .group = "Output"},
      &PhotoOptions::size},
-    {{.name = "debug", .value = "FILE", .help = kOutlineHelp, .group = "Output"}, &PhotoOptions::debug},
+    {{.name = "debug", .value = "FILE", .help = kOutlineHelp, .group = "Output", .takes_path = true},
+     &PhotoOptions::debug},
     {{.name = "circle",
       .value = "X,Y,R",
       .unit = "pixels",
@@ -85,7 +89,8 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
     {{.name = "second",
       .value = "FILE",
       .help = "a photograph from another side, which sees what the first does not; repeated for a series",
-      .group = "Second side"},
+      .group = "Second side",
+      .takes_path = true},
      &PhotoOptions::second},
     {{.name = "second-rotation",
       .value = "DEG",
@@ -137,7 +142,18 @@ struct Side {
   std::string debug;
 };
 
-void note(const std::string& text) { std::fprintf(stderr, "mirrorball: note: %s\n", text.c_str()); }
+/// A line of what was found out, with numbers as printf takes them.
+template <typename... Values>
+void tellf(const char* format, Values... values) {
+  std::array<char, 512> line{};
+  std::snprintf(line.data(), line.size(), format, values...);
+  tell(line.data());
+}
+
+/// "30475 pixels are white even in the shortest exposure"
+std::string pixelsAre(std::size_t count, const std::string& what, bool is_series, const std::string& exposure) {
+  return countedAre(count, "pixel") + " " + what + (is_series ? " even in the " + exposure + " exposure" : "");
+}
 
 /// Reads and merges a series, and says what there is to say about it.
 ///
@@ -156,20 +172,21 @@ Result<Image> readLight(const Side& side, const PhotoOptions& options, Exif& exi
   MIRRORBALL_TRY(merged, mergePhotographs(photographs, how));
   if (merged.curve) curve = merged.curve;
   exif = photographs[merged.reference].exif;
-  if (photographs.size() > 1)
-    std::printf("light      %zu photographs merged as aligned, response %s, scale of %s\n", photographs.size(),
-                merged.response.c_str(), photographs[merged.reference].name.c_str());
-  else
-    std::printf("light      one photograph, response %s\n", merged.response.c_str());
+  const bool is_series = photographs.size() > 1;
+  tell(is_series ? "light      " + std::to_string(photographs.size()) + " photographs merged as aligned, response " +
+                       merged.response + ", scale of " + photographs[merged.reference].name
+                 : "light      one photograph, response " + merged.response);
   if (merged.clipped > 0)
-    std::printf("clipped    %zu pixels even in the shortest exposure, which decides there: they are too dark\n",
-                merged.clipped);
-  if (merged.black > 0) std::printf("black      %zu pixels even in the longest exposure\n", merged.black);
+    remark(pixelsAre(merged.clipped, "white", is_series, "shortest") +
+           ": light there is brighter than recorded; add a shorter exposure");
+  if (merged.black > 0)
+    remark(pixelsAre(merged.black, "black", is_series, "longest") +
+           ": what light there is was not recorded; add a longer exposure");
   for (std::size_t i = 0; i < photographs.size(); ++i)
     if (const double stops = merged.contradicts_stops[i]; std::abs(stops) > kContradiction_stops)
-      note(photographs[i].name + " contradicts the others by " + formatNumber(std::round(std::abs(stops) * 10) / 10) +
-           " stops: it is too " + (stops > 0 ? "bright" : "dark") +
-           " for its exposure; is that right, and did nothing move?");
+      remark(photographs[i].name + " contradicts the others by " + formatNumber(std::round(std::abs(stops) * 10) / 10) +
+             " stops: it is too " + (stops > 0 ? "bright" : "dark") +
+             " for its exposure; is that right, and did nothing move?");
   return std::move(merged.light);
 }
 
@@ -187,32 +204,31 @@ Result<Perspective> perspectiveOf(const PhotoOptions& options, const Exif& exif,
   return Perspective{.distance = 0.0, .focal_px = focalLengthFromExif(exif, light.width(), light.height())};
 }
 
-void printBall(const FoundBall& ball, const Image& light, bool is_given) {
+void tellBall(const FoundBall& ball, const Image& light, bool is_given) {
   const BallView& view = ball.view;
   const Circle circle = circleInPicture(view);
-  std::printf("ball       circle %.2f,%.2f,%.2f px", circle.center_px.x, circle.center_px.y, circle.radius_px);
-  if (is_given)
-    std::printf(", as given\n");
-  else
-    std::printf(", found: an edge along %.0f %% of its rim, %.2f px RMS off it%s\n", 100.0 * ball.share, ball.rms_px,
-                ball.visible < 1.0 ? "; cut by the picture's border" : "");
+  std::array<char, 160> how{};
+  std::snprintf(how.data(), how.size(), ", found: an edge along %.0f %% of its rim, %.2f px RMS off it%s",
+                100.0 * ball.share, ball.rms_px, ball.visible < 1.0 ? "; cut by the picture's border" : "");
+  tellf("ball       circle %.2f,%.2f,%.2f px%s", circle.center_px.x, circle.center_px.y, circle.radius_px,
+        is_given ? ", as given" : how.data());
   if (view.lens().isOrthographic()) {
-    std::printf("camera     taken as infinitely far away; --distance or --fov would say how far it is\n");
+    tell("camera     taken as infinitely far away; --distance or --fov would say how far it is");
     return;
   }
   const double fov = 2.0 * std::atan(light.height() / 2.0 / view.lens().focal_px);
-  std::printf("camera     %.2f ball radii from the ball's centre, vertical field of view %.2f degrees\n",
-              view.distance(), glm::degrees(fov));
+  tellf("camera     %.2f ball radii from the ball's centre, vertical field of view %.2f degrees", view.distance(),
+        glm::degrees(fov));
 }
 
 double capSolidAngle(double half_angle_rad) { return 2.0 * glm::radians(180.0) * (1.0 - std::cos(half_angle_rad)); }
 
-void printBlindCone(const BallView& view) {
+void tellBlindCone(const BallView& view) {
   const double blind = view.blindHalfAngle_rad();
   const double unseen = view.unseenHalfAngle_rad(rimMargin_px(view));
-  std::printf(
+  tellf(
       "blind      a cone of half-angle %.2f degrees behind the ball (%.4f sr); with %.1f px along the rim left out "
-      "%.2f degrees (%.4f sr)\n",
+      "%.2f degrees (%.4f sr)",
       glm::degrees(blind), capSolidAngle(blind), rimMargin_px(view), glm::degrees(unseen), capSolidAngle(unseen));
 }
 
@@ -227,8 +243,8 @@ Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, s
                         perspective);
   };
   MIRRORBALL_TRY(ball, findOrTake());
-  printBall(ball, light, is_given);
-  printBlindCone(ball.view);
+  tellBall(ball, light, is_given);
+  tellBlindCone(ball.view);
   if (!side.debug.empty()) MIRRORBALL_TRY_VOID(writePicture(side.debug, outlinePicture(light, ball.view)));
   return BallPhotograph{std::move(light), ball.view, side.turn_deg};
 }
@@ -242,7 +258,10 @@ Result<void> checkFiles(const std::vector<std::string>& inputs, const PhotoOptio
 
 Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& options,
                    const MapOutputOptions& output_options) {
-  if (output_options.output.empty()) return fail(ErrorCode::usage, "photo needs an output: -o FILE");
+  if (output_options.output.empty()) {
+    MIRRORBALL_TRY_VOID(refuseUnnamedOutput(inputs, isOutputName));
+    return fail(ErrorCode::usage, "photo needs an output: -o FILE");
+  }
   MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
   MIRRORBALL_TRY(to, projectionNamed(options.to));
   MIRRORBALL_TRY_VOID(checkFolder(output_options.output));
@@ -261,10 +280,9 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
     sides.push_back(std::move(second));
   }
   MIRRORBALL_TRY(unwrapped, unwrapBall(std::move(sides)));
-  if (unwrapped.gains.size() > 1)
-    std::printf("second     its light times %.3f agrees with the first\n", unwrapped.gains[1]);
-  std::printf("filled     %.4f sr (%.2f %% of all directions) continued smoothly\n", unwrapped.filled_sr,
-              unwrapped.filled_sr / (4.0 * glm::radians(180.0)) * 100.0);
+  if (unwrapped.gains.size() > 1) tellf("second     its light times %.3f agrees with the first", unwrapped.gains[1]);
+  tellf("filled     %.4f sr (%.2f %% of all directions) continued smoothly", unwrapped.filled_sr,
+        unwrapped.filled_sr / (4.0 * glm::radians(180.0)) * 100.0);
   const int size = options.size > 0 ? options.size : unwrapped.environment.naturalSize(to);
   MIRRORBALL_TRY(map, convert(unwrapped.environment, to, size, {}, progressBar("unwrap")));
   return output.write(std::move(map));
@@ -274,21 +292,39 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
 
 std::span<const Option<PhotoOptions>> photoOptions() { return kPhotoOptions; }
 
-Action addPhotoCommand(CLI::App& program) {
+Command photoCommand() {
   struct Request {
     std::vector<std::string> inputs;
     PhotoOptions options;
     MapOutputOptions output;
   };
   auto request = std::make_shared<Request>();
-  CLI::App& command =
-      addCommand(program, "photo", "Unwraps a photograph of a mirror ball, or a series of exposures, into a map");
-  addArgument(command, "PHOTO", request->inputs,
-              "photographs of one exposure series (" + readExtensions(Holds::picture) + "), or one that holds light (" +
-                  readExtensions(Holds::light) + ")");
+  const std::string of_pictures = readExtensions(Holds::picture);
+  const std::string of_light = readExtensions(Holds::light);
+  Command command{.name = "photo",
+                  .help = "Unwraps a photograph of a mirror ball, or a series of exposures, into a map",
+                  .about = "PHOTO is a photograph of a mirror ball with integers (" + of_pictures + ") or light (" +
+                           of_light + "), or several with integers, of one exposure series. `--output` is needed.",
+                  .examples = {{"photo ball.jpg --fov 40 --debug rim.png -o room.exr",
+                                "one photograph as a panorama, and a picture of the rim that was found"},
+                               {"photo dark.jpg middle.jpg bright.jpg --exposures 1/250,1/60,1/15 -o room.exr",
+                                "a series of exposures, which recovers the light of lamps"}}};
+  addArgument(command,
+              {.name = "PHOTO",
+               .help = "photographs of one exposure series (" + of_pictures + "), or one that holds light (" +
+                       of_light + "); - is standard input",
+               .missing = "name a photograph",
+               .takes_path = true},
+              request->inputs);
   addOptions(command, mapOutputOptions(), request->output);
   addOptions(command, photoOptions(), request->options);
-  return [request] { return photo(request->inputs, request->options, request->output); };
+  command.action = [request] {
+    std::vector<std::string*> inputs = pointersTo(request->inputs);
+    for (std::string* second : pointersTo(request->options.second)) inputs.push_back(second);
+    return withStandardStreams(inputs, request->output.output,
+                               [&] { return photo(request->inputs, request->options, request->output); });
+  };
+  return command;
 }
 
 }  // namespace mirrorball::cli

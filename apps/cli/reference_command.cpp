@@ -1,23 +1,44 @@
+#include <algorithm>
+#include <array>
 #include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
 
-#include "cli/bake_command.h"
-#include "cli/capture_command.h"
-#include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/convert_command.h"
-#include "cli/info_command.h"
-#include "cli/map_output.h"
-#include "cli/photo_command.h"
-#include "cli/render_command.h"
-#include "cli/scene_inputs.h"
+#include "cli/common_options.h"
+#include "cli/reference_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin.h"
-#include "mirrorball/render/render_options.h"
 #include "mirrorball/scene/material.h"
 
 namespace mirrorball::cli {
 namespace {
+
+enum class ReferenceFormat { markdown, man, bash, zsh, fish };
+
+struct ReferenceRequest {
+  ReferenceFormat format = ReferenceFormat::markdown;
+};
+
+const std::array<Option<ReferenceRequest>, 1> kReferenceOptions{{
+    {{.name = "format",
+      .choices = "markdown|man|bash|zsh|fish",
+      .help = "a page of documentation, a page for man, or what completes command lines in a shell"},
+     choiceField<&ReferenceRequest::format>},
+}};
+
+template <typename Target>
+std::vector<CommandOption> rowsOf(std::span<const Option<Target>> table) {
+  const Target defaults{};
+  std::vector<CommandOption> rows;
+  for (const Option<Target>& option : table)
+    rows.push_back({.text = option.text,
+                    .default_value = written(option, defaults),
+                    .is_flag = std::holds_alternative<bool Target::*>(option.field)});
+  return rows;
+}
 
 /// "a|b" would end a cell of a Markdown table.
 std::string escaped(std::string_view text) {
@@ -29,22 +50,18 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-void printHeading(const char* title, const std::string& prefix_meaning) {
-  std::printf("\n## %s\n\n%s\n\n| name | value | unit | range | default | meaning |\n|---|---|---|---|---|---|\n",
-              title, prefix_meaning.c_str());
-}
-
-template <typename Target>
-void printRows(std::span<const Option<Target>> table, const char* prefix) {
-  const Target defaults{};
-  for (const Option<Target>& option : table) {
-    const OptionText& text = option.text;
+std::string tableText(std::span<const CommandOption> rows, std::string_view prefix) {
+  std::string table = "| name | value | unit | range | default | meaning |\n|---|---|---|---|---|---|\n";
+  for (const CommandOption& row : rows) {
+    const OptionText& text = row.text;
     const std::string_view value = text.value.empty() ? text.choices : text.value;
-    const std::string letter = text.letter.empty() ? "" : " -" + std::string(text.letter);
-    std::printf("| `%s%s`%s | %s | %s | %s | %s | %s |\n", prefix, std::string(text.name).c_str(), letter.c_str(),
-                escaped(value).c_str(), std::string(text.unit).c_str(), rangeText(text).c_str(),
-                escaped(written(option, defaults)).c_str(), escaped(text.help).c_str());
+    table += "| `" + std::string(prefix) + std::string(text.name) + "`";
+    if (!text.letter.empty()) table += " -" + std::string(text.letter);
+    if (!text.also.empty()) table += " `" + std::string(prefix) + std::string(text.also) + "`";
+    table += " | " + escaped(value) + " | " + std::string(text.unit) + " | " + rangeText(text) + " | " +
+             escaped(row.default_value) + " | " + escaped(text.help) + " |\n";
   }
+  return table;
 }
 
 std::string_view contentsOf(Holds what) {
@@ -61,66 +78,74 @@ std::string_view contentsOf(Holds what) {
   return {};
 }
 
-void printFormats() {
-  std::printf(
+std::string formatsText() {
+  std::string page =
       "\n## Formats of pictures\n\nTold by their first bytes when they are read, by the extension when they are "
-      "written.\n\n| format | extensions | holds | written | read |\n|---|---|---|---|---|\n");
+      "written.\n\n| format | extensions | holds | written | read |\n|---|---|---|---|---|\n";
   for (const ImageFormat& format : kImageFormats) {
     std::string extensions;
     for (const std::string& extension : split(format.extensions, ' '))
       extensions += (extensions.empty() ? "`." : " `.") + extension + "`";
-    std::printf("| %s | %s | %s | %s | %s |\n", std::string(format.name).c_str(), extensions.c_str(),
-                std::string(contentsOf(format.holds)).c_str(), format.is_written ? "yes" : "",
-                std::string(format.what).c_str());
+    page += "| " + std::string(format.name) + " | " + extensions + " | " + std::string(contentsOf(format.holds)) +
+            " | " + (format.is_written ? "yes" : "") + " | " + std::string(format.what) + " |\n";
   }
+  return page;
 }
 
-Result<void> printReference() {
-  std::printf(
-      "# Options\n\nMade by `mirrorball reference` from the tables that the command line itself is made from; "
-      "a test holds this page to them.\n");
-  printHeading("mirrorball render [MODEL]", "MODEL is a file (.glb .gltf .obj .ply .stl) or a built-in.");
-  printRows(sceneOptions(), "--");
-  printRows(renderFileOptions(), "--");
-  printRows(renderOptions(), "--");
-  printHeading("mirrorball convert IN…",
-               "IN is a map (" + std::string(readExtensions()) +
-                   "), one of a cube's six files or their folder, or a built-in environment. `--to` and `--output` "
-                   "are needed.");
-  printRows(convertOptions(), "--");
-  printRows(mapOutputOptions(), "--");
-  printHeading("mirrorball bake ENV", "ENV is a map or a built-in environment. OUT is a folder, for all maps, or a " +
-                                          writtenExtensions(Holds::texture, " or ") +
-                                          " file, for the specular chain only.");
-  printRows(bakeOptions(), "--");
-  printRows(textureOutputOptions(), "--");
-  printHeading("mirrorball capture [SCENE]",
-               "SCENE is a file (.glb .gltf .obj .ply .stl) or a built-in. `--at` and `--output` are needed.");
-  printRows(sceneOptions(), "--");
-  printRows(captureOptions(), "--");
-  printRows(mapOutputOptions(), "--");
-  printRows(captureLookOptions(), "--");
-  printHeading("mirrorball info FILE", "FILE is a map or a built-in environment.");
-  printRows(infoOptions(), "--");
-  printHeading("mirrorball photo PHOTO…",
-               "PHOTO is a photograph of a mirror ball with integers (" + readExtensions(Holds::picture) +
-                   ") or light (" + readExtensions(Holds::light) +
-                   "), or several with integers, of one exposure series. `--output` is needed.");
-  printRows(mapOutputOptions(), "--");
-  printRows(photoOptions(), "--");
-  printFormats();
-  printHeading("Material parameters", "For `--set key=value`.");
-  printRows(materialParameters(), "");
-  printHeading("Parameters of the sky", "For `sky:key=value,key=value`.");
-  printRows(skyParameters(), "");
+Result<void> printReference(ReferenceFormat format) {
+  const std::vector<Command> commands = allCommands();
+  std::string text;
+  if (format == ReferenceFormat::markdown) text = markdownOf(makeReference());
+  if (format == ReferenceFormat::man) text = manualOf(makeReference());
+  if (format == ReferenceFormat::bash) text = bashCompletionOf(commands);
+  if (format == ReferenceFormat::zsh) text = zshCompletionOf(commands);
+  if (format == ReferenceFormat::fish) text = fishCompletionOf(commands);
+  std::fputs(text.c_str(), stdout);
   return {};
 }
 
 }  // namespace
 
-Action addReferenceCommand(CLI::App& program) {
-  addCommand(program, "reference", "Prints all options and parameters as Markdown");
-  return printReference;
+Reference makeReference() {
+  Reference reference{allCommands(),
+                      {{"Every command", "All commands take these too, and `--help`.", "--", rowsOf(commonOptions())},
+                       {"Material parameters", "For `--set key=value`.", "", rowsOf(materialParameters())},
+                       {"Parameters of the sky", "For `sky:key=value,key=value`.", "", rowsOf(skyParameters())}}};
+  const std::vector<CommandOption>& common = reference.tables.front().rows;
+  for (Command& command : reference.commands)
+    std::erase_if(command.options, [&](const CommandOption& option) {
+      return std::ranges::any_of(common, [&](const CommandOption& row) { return row.text.name == option.text.name; });
+    });
+  return reference;
+}
+
+std::string markdownOf(const Reference& reference) {
+  std::string page =
+      "# Options\n\nMade by `mirrorball reference` from the tables that the command line itself is made from; "
+      "a test holds this page to them.\n";
+  for (const Command& command : reference.commands) {
+    page += "\n## mirrorball " + synopsisOf(command) + "\n\n" + std::string(command.help) + ". " +
+            std::string(command.about) + "\n";
+    if (!command.options.empty()) page += "\n" + tableText(command.options, "--");
+  }
+  page += formatsText();
+  for (const ReferenceTable& table : reference.tables)
+    page += "\n## " + std::string(table.title) + "\n\n" + std::string(table.about) + "\n\n" +
+            tableText(table.rows, table.prefix);
+  return page;
+}
+
+Command referenceCommand() {
+  auto request = std::make_shared<ReferenceRequest>();
+  Command command{.name = "reference",
+                  .help = "Prints all options and parameters",
+                  .about = "The manual's page and the completions that are installed are made by it.",
+                  .examples = {{"reference | less", "all options as Markdown"},
+                               {"reference --format bash >~/.local/share/bash-completion/completions/mirrorball",
+                                "completion for a program that is not installed"}}};
+  addOptions(command, std::span<const Option<ReferenceRequest>>(kReferenceOptions), *request);
+  command.action = [request] { return printReference(request->format); };
+  return command;
 }
 
 }  // namespace mirrorball::cli

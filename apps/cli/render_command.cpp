@@ -11,6 +11,7 @@
 #include "cli/files.h"
 #include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
+#include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/image_format.h"
@@ -19,11 +20,13 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::string kPictureHelp =
-    writtenExtensions(Holds::picture) + " (tone mapped) or " + writtenExtensions(Holds::light) + " (linear radiance)";
+const std::string kPictureHelp = writtenExtensions(Holds::picture) + " (tone mapped) or " +
+                                 writtenExtensions(Holds::light) +
+                                 " (linear radiance); -.png is standard output, in any of these formats";
 
 const std::array<Option<RenderFiles>, 1> kFileOptions{{
-    {{.name = "output", .value = "OUT", .help = kPictureHelp, .letter = "o", .group = "Files"}, &RenderFiles::output},
+    {{.name = "output", .value = "OUT", .help = kPictureHelp, .letter = "o", .group = "Files", .takes_path = true},
+     &RenderFiles::output},
 }};
 
 /// All that `render` was told.
@@ -70,9 +73,7 @@ Result<void> renderTurntable(Renderer& renderer, FrameSettings settings, const s
     const Result<void> drawn = renderFrame(renderer, settings, paths[frame], clock, untilInterrupted);
     if (!drawn && drawn.error().code != ErrorCode::interrupted) return drawn;
     const std::size_t whole = drawn ? frame + 1 : frame;
-    if (!drawn || !progress(whole, frames))
-      return fail(ErrorCode::interrupted, "interrupted after " + std::to_string(whole) + " of " +
-                                              std::to_string(frames) + " pictures; those are whole");
+    if (!drawn || !progress(whole, frames)) return fail(ErrorCode::interrupted, interruptedAfter(whole, frames));
   }
   return {};
 }
@@ -93,6 +94,8 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY(settings, frameSettings(request.options));
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
   const std::vector<std::string> outputs = outputPaths(request);
+  if (isStandardOutputTaken() && request.options.frames > 0)
+    return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.options, outputs, clock));
   MIRRORBALL_TRY(renderer, clock.time("GL: upload, compile", [&] {
     return Renderer::make(inputs.context, inputs.scene, inputs.environment, inputs.prepared);
@@ -109,14 +112,24 @@ Result<void> render(const RenderRequest& request) {
 
 std::span<const Option<RenderFiles>> renderFileOptions() { return kFileOptions; }
 
-Action addRenderCommand(CLI::App& program) {
+Command renderCommand() {
   auto request = std::make_shared<RenderRequest>();
-  CLI::App& command = addCommand(program, "render", "Shows a model in an environment");
+  Command command{
+      .name = "render",
+      .help = "Shows a model in an environment",
+      .about = "MODEL is a file (.glb .gltf .obj .ply .stl), a built-in, or - for standard input.",
+      .examples = {{"render teapot --material gold -e room.hdr -o gold.png", "a gold teapot in a room"},
+                   {"render helmet.glb -e sky:elevation=20 --background transparent --size 800x800 -o helmet.png",
+                    "a model under an evening sun, cut out"}}};
   addModel(command, "MODEL", request->scene);
   addOptions(command, sceneOptions(), request->scene);
   addOptions(command, renderFileOptions(), request->files);
   addOptions(command, renderOptions(), request->options);
-  return [request] { return render(*request); };
+  command.action = [request] {
+    return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
+                               [&] { return render(*request); });
+  };
+  return command;
 }
 
 }  // namespace mirrorball::cli

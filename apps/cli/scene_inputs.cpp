@@ -1,13 +1,17 @@
 #include "cli/scene_inputs.h"
 
 #include <array>
-#include <cstdio>
 #include <future>
 #include <optional>
 #include <utility>
 
+#include "cli/command_line.h"
+#include "cli/common_options.h"
 #include "cli/files.h"
+#include "cli/map_inputs.h"
+#include "cli/terminal.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/load.h"
 #include "mirrorball/scene/load_model.h"
 
@@ -18,13 +22,20 @@ const std::string kEnvironmentHelp = "the environment: a panorama, sphere map or
                                      std::string(readExtensions()) + "), or studio, sky[:elevation=20,…], uv, white";
 
 const std::array<Option<SceneRequest>, 6> kSceneOptions{{
-    {{.name = "env", .value = "ENV", .help = kEnvironmentHelp, .letter = "e", .group = "Files"},
+    {{.name = "env",
+      .value = "ENV",
+      .help = kEnvironmentHelp,
+      .letter = "e",
+      .group = "Files",
+      .takes_path = true,
+      .names = builtinEnvironmentNames},
      &SceneRequest::environment},
     {{.name = "from",
       .value = "FORM",
       .help = "the environment's form, where it is not recognised: a projection (see convert --to), "
               "or a cube's layout",
-      .group = "Files"},
+      .group = "Files",
+      .names = projectionNames},
      &SceneRequest::from},
     {{.name = "repair",
       .help = "replace NaN and infinite texels of the environment by their neighbours",
@@ -48,10 +59,15 @@ Result<Scene> loadScene(const std::string& model, const RenderOptions& options) 
 
 std::span<const Option<SceneRequest>> sceneOptions() { return kSceneOptions; }
 
-void addModel(CLI::App& command, const std::string& name, SceneRequest& request) {
-  addOptionalArgument(command, name, request.model,
-                      "a file (.glb .gltf .obj .ply .stl) or a built-in: none sphere torus knot teapot plane cube "
-                      "showcase (default showcase)");
+void addModel(Command& command, std::string_view name, SceneRequest& request) {
+  addArgument(
+      command,
+      {.name = name,
+       .help = "a file (.glb .gltf .obj .ply .stl), - for standard input, or a built-in: none sphere torus knot "
+               "teapot plane cube showcase (default showcase)",
+       .names = builtinModelNames,
+       .takes_path = true},
+      request.model);
 }
 
 Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions& options,
@@ -62,16 +78,21 @@ Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions&
   Scene no_scene;
   MIRRORBALL_TRY_VOID(applyMaterialOptions(options, no_scene));
 
+  std::optional<PrefilterCache> cache;
+  if (!request.is_uncached) {
+    MIRRORBALL_TRY(of_user, PrefilterCache::ofUser());
+    cache = std::move(of_user);
+  }
+
   // None of the three needs the others.
   auto scene_later = std::async(
-      std::launch::async, [&] { return clock.time("model: read", [&] { return loadScene(request.model, options); }); });
+      besideOthers(), [&] { return clock.time("model: read", [&] { return loadScene(request.model, options); }); });
   auto environment_later =
-      std::async(std::launch::async, [&]() -> Result<std::pair<LoadedEnvironment, PreparedEnvironment>> {
+      std::async(besideOthers(), [&]() -> Result<std::pair<LoadedEnvironment, PreparedEnvironment>> {
         MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {
-          return loadEnvironment(request.environment, {.from = hint, .repair = request.repair});
+          return loadMap(request.environment, {.from = hint, .repair = request.repair});
         }));
         if (EnvironmentMap* map = loaded.environment.map()) raiseNegativeLight(*map);
-        const std::optional<PrefilterCache> cache = request.is_uncached ? std::nullopt : PrefilterCache::ofUser();
         MIRRORBALL_TRY(prepared, clock.time("environment: cube, mips, prefiltering",
                                             [&] { return prepareEnvironment(loaded.environment, cache); }));
         return std::pair(std::move(loaded), std::move(prepared));
@@ -88,7 +109,7 @@ Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions&
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
   MIRRORBALL_TRY_VOID(refuseOverwriting(scene->files, outputs));
   MIRRORBALL_TRY_VOID(refuseOverwriting(std::span(&request.model, 1), outputs));
-  for (const std::string& warning : scene->warnings) std::fprintf(stderr, "mirrorball: note: %s\n", warning.c_str());
+  for (const std::string& warning : scene->warnings) remark(warning);
   return SceneInputs{std::move(*scene), std::move(loaded.environment), std::move(prepared), std::move(*context)};
 }
 

@@ -2,8 +2,9 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
-#include "cli/command_line.h"
+#include "cli/command.h"
 #include "cli/stage_clock.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/context.h"
@@ -28,7 +29,7 @@ struct SceneRequest {
 std::span<const Option<SceneRequest>> sceneOptions();
 
 /// Adds the model, which may be left out, as a positional argument of that name.
-void addModel(CLI::App& command, const std::string& name, SceneRequest& request);
+void addModel(Command& command, std::string_view name, SceneRequest& request);
 
 /// What there is to draw, and what draws it.
 struct SceneInputs {

@@ -1,9 +1,11 @@
 #include "cli/terminal.h"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <mutex>
 
@@ -14,12 +16,28 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-volatile std::sig_atomic_t interrupt_seen = 0;
+constexpr std::array<int, 3> kInterrupts{SIGINT, SIGTERM, SIGHUP};
+volatile std::sig_atomic_t caught_signal = 0;  // 0: none yet
 std::atomic<bool> bar_shown = false;
+std::atomic<bool> is_quiet = false;
+std::atomic<bool> output_is_taken = false;
 
-void onInterrupt(int) {
-  interrupt_seen = 1;
-  std::signal(SIGINT, SIG_DFL);
+/// What stands in messages for which path; filled before any work begins.
+std::map<std::string, std::string>& shownNames() {
+  static std::map<std::string, std::string> names;
+  return names;
+}
+
+void onInterrupt(int signal) {
+  caught_signal = signal;
+  std::signal(signal, SIG_DFL);
+}
+
+bool isTerminal() { return ::isatty(STDERR_FILENO) == 1 && !is_quiet; }
+
+void say(std::FILE* stream, const std::string& line) {
+  clearProgress();
+  std::fprintf(stream, "%s\n", shown(line).c_str());
 }
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -44,14 +62,43 @@ void drawBar(const std::string& what, std::size_t done, std::size_t total, doubl
 }  // namespace
 
 void catchSignals() {
-  std::signal(SIGINT, onInterrupt);
+  for (const int signal : kInterrupts)
+    if (std::signal(signal, onInterrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-bool interrupted() { return interrupt_seen != 0; }
+bool interrupted() { return caught_signal != 0; }
+
+void endByCaughtSignal() {
+  if (!interrupted()) return;
+  std::fflush(nullptr);
+  std::signal(caught_signal, SIG_DFL);
+  std::raise(caught_signal);
+}
+
+std::string interruptedAfter(std::size_t whole, std::size_t all) {
+  if (whole == 0) return "interrupted; no picture was written";
+  return "interrupted after " + std::to_string(whole) + " of " + std::to_string(all) + " pictures; " +
+         (whole == 1 ? "that one is whole" : "those are whole");
+}
+
+void beQuiet() { is_quiet = true; }
+
+void showAs(const std::string& path, const std::string& name) { shownNames()[path] = name; }
+
+std::string shown(std::string text) {
+  for (const auto& [path, name] : shownNames())
+    for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at + name.size()))
+      text.replace(at, path.size(), name);
+  return text;
+}
+
+void keepStandardOutputFree() { output_is_taken = true; }
+
+bool isStandardOutputTaken() { return output_is_taken; }
 
 ProgressFunction progressBar(const std::string& what) {
-  const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
+  const bool on_terminal = isTerminal();
   auto state = std::make_shared<BarState>();
   return [=](std::size_t done, std::size_t total) {
     if (!on_terminal || done == 0 || total == 0) return !interrupted();
@@ -67,13 +114,28 @@ ProgressFunction progressBar(const std::string& what) {
 }
 
 void announce(const std::string& path) {
-  clearProgress();
-  if (::isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "wrote %s\n", path.c_str());
+  if (isTerminal()) say(stderr, "wrote " + path);
+}
+
+void tell(const std::string& line) {
+  if (!is_quiet) say(output_is_taken ? stderr : stdout, line);
 }
 
 void remark(const std::string& text) {
-  clearProgress();
-  std::fprintf(stderr, "mirrorball: %s\n", text.c_str());
+  if (!is_quiet) say(stderr, "mirrorball: note: " + text);
+}
+
+void complain(const Error& error) { say(stderr, "mirrorball: " + error.message); }
+
+Result<void> outcomeOfMany(std::size_t failed, std::size_t all, const std::string& done, const std::string& folder) {
+  const std::string where = folder.empty() ? "" : "; the others are in " + folder;
+  if (interrupted())
+    return fail(ErrorCode::interrupted,
+                folder.empty() ? std::string("interrupted") : "interrupted; what was finished stays in " + folder);
+  if (failed == 0) return {};
+  if (failed == all) return fail(ErrorCode::bad_file, "none of " + std::to_string(all) + " inputs could be " + done);
+  return fail(ErrorCode::bad_file,
+              std::to_string(failed) + " of " + std::to_string(all) + " inputs could not be " + done + where);
 }
 
 void clearProgress() {

@@ -1,26 +1,62 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "mirrorball/base/progress.h"
+#include "mirrorball/base/result.h"
 
 namespace mirrorball::cli {
 
-/// From now on Ctrl-C asks long work to stop at its next step, so that no half file stays; a second one ends the program.
+/// From now on Ctrl-C, SIGTERM and a terminal that goes away (SIGHUP) ask long work to stop at its next step, so that no
+/// half file stays; a second one ends the program. Those that whoever started the program had ignored stay ignored (nohup).
 /// And a file beyond the limit for files (ulimit -f) is an error of writing, as on a full disk.
 void catchSignals();
 
-/// Whether Ctrl-C was pressed.
+/// Whether one of them came.
 bool interrupted();
 
-/// A progress bar with the time left, on standard error if that is a terminal; else silent. Stops the work on Ctrl-C.
+/// Ends the program by the signal that came, if one did: whoever started it, a loop of a shell, then knows why.
+void endByCaughtSignal();
+
+/// "interrupted after 3 of 200 pictures; those are whole"
+std::string interruptedAfter(std::size_t whole, std::size_t all);
+
+/// From now on nothing is said but errors, and no progress is shown.
+void beQuiet();
+
+/// From now on whatever is said has `name` where it would have `path`.
+void showAs(const std::string& path, const std::string& name);
+
+/// A text as it is said: with the names of showAs.
+std::string shown(std::string text);
+
+/// From now on standard output belongs to a file, and what `tell` says goes to standard error.
+void keepStandardOutputFree();
+bool isStandardOutputTaken();
+
+/// A progress bar with the time left, on standard error if that is a terminal; else silent. Stops the work when the program
+/// is interrupted.
 ProgressFunction progressBar(const std::string& what);
 
 /// Says on standard error what was written, if that is a terminal.
 void announce(const std::string& path);
 
-/// Says on standard error what the user did not ask for but should know.
+/// Says what was found out on the way to a file, a line on standard output.
+void tell(const std::string& line);
+
+/// Says on standard error what the user did not ask for but should know: "note: …".
 void remark(const std::string& text);
+
+/// Says on standard error what is wrong.
+void complain(const Error& error);
+
+/// What there is to say at the end of many files.
+///
+/// done     what became of the others: "converted"
+/// folder   where they are; empty: nowhere
+/// errors   interrupted; bad_file: some failed
+Result<void> outcomeOfMany(std::size_t failed, std::size_t all, const std::string& done, const std::string& folder);
 
 /// Removes the bar, so that the next line starts clean.
 void clearProgress();

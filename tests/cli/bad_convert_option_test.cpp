@@ -34,7 +34,7 @@ TEST_F(BadConvertOptionTest, AWrongNameListsTheRightOnes) {
       {"--to cube -o a.ktx2 --format foo", {"'foo'", "auto, half, float32, b10g11r11, e5b9g9r9"}},
       {"--to cube -o a.ktx2 --mips --mip gauss", {"--mip", "'gauss'", "solid-angle, box"}},
       {"--to cube -o a.exr --flip sideways", {"'sideways'", "none, horizontal, vertical, both"}},
-      {"--to cube -o a.exr --filter cubic", {"--filter", "did you mean 'bicubic'?", "bilinear, bicubic"}},
+      {"--to cube -o a.exr --filter bicubik", {"--filter", "did you mean 'bicubic'?", "bilinear, bicubic"}},
       {"--to cube -o a.exr --layout cross", {"did you mean 'hcross'?", "hstrip, vstrip, 3x2, seed"}},
       {"--to cube -o a.exr --half", {"--half"}},
   });

@@ -43,7 +43,7 @@ TEST_F(BadOptionTest, AnUnknownCommandSuggestsTheRightOnes) {
 TEST_F(BadOptionTest, TooManyArgumentsOrTooFew) {
   EXPECT_THAT(refuse(2, "render none sphere -e white -o out.png"), HasSubstr("'sphere'"));
   EXPECT_THAT(refuse(2, "reference all"), HasSubstr("'all'"));
-  EXPECT_THAT(refuse(2, "info white convert"), HasSubstr("'convert'")) << "one command at a time";
+  EXPECT_THAT(refuse(2, "render none convert"), HasSubstr("'convert'")) << "one command at a time";
   EXPECT_THAT(refuse(2, "info"), HasSubstr("FILE"));
   EXPECT_THAT(refuse(2, "convert --to cube -o out.exr"), HasSubstr("IN"));
   EXPECT_THAT(refuse(2, "convert white -o out.exr"), AllOf(HasSubstr("--to"), HasSubstr("equirect|sphere")));

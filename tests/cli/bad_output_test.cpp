@@ -80,9 +80,10 @@ TEST_F(BadOutputTest, NoNameAtAll) {
   EXPECT_THAT(refuse(2, Words{"render", "none", "-e", "map.exr", "-o", ""}), HasSubstr("-o"));
 }
 
-TEST_F(BadOutputTest, JpegHasNoAlpha) {
-  EXPECT_THAT(refuse(2, "render sphere -e map.exr --size 8x8 --background transparent -o out.jpg"),
-              StartsWith("out.jpg: "));
+TEST_F(BadOutputTest, JpegAndHdrHaveNoAlpha) {
+  for (const std::string output : {"out.jpg", "out.hdr"})
+    EXPECT_THAT(refuse(2, "render sphere -e map.exr --size 8x8 --background transparent -o " + output),
+                AllOf(StartsWith(output + ": "), HasSubstr("write .png or .exr")));
 }
 
 TEST_F(BadOutputTest, TheInputIsNotOverwritten) {

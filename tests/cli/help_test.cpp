@@ -1,10 +1,12 @@
 // What the program says of itself: --help, --version and the reference.
 
+#include <iterator>
 #include <regex>
 #include <set>
 #include <string>
 
 #include "cli/cli_testing.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/render/render_options.h"
@@ -17,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
 using HelpTest = CliTest;
-const char* const kCommands[] = {"render", "convert", "capture", "info", "photo", "reference"};
+const char* const kCommands[] = {"render", "convert", "bake", "capture", "info", "photo", "cache", "reference"};
 
 std::set<std::string> optionsIn(const std::string& help) {
   std::set<std::string> options;
@@ -68,12 +70,13 @@ TEST_F(HelpTest, TheReferenceHasEveryOptionAndParameter) {
     EXPECT_THAT(reference, HasSubstr("| `" + std::string(parameter.text.name) + "` |"));
   for (const Option<SkyParameters>& parameter : skyParameters())
     EXPECT_THAT(reference, HasSubstr("| `" + std::string(parameter.text.name) + "` |"));
-  for (const std::string command : {"render", "convert", "capture", "info", "photo"}) {
-    const std::set<std::string> options = optionsIn(succeed(command + " --help"));
+  for (const std::string command : kCommands) {
+    const std::string help = succeed(command + " --help");
+    const std::set<std::string> options = optionsIn(help.substr(0, help.find("Examples:")));
     EXPECT_GE(options.size(), 3u) << command;
     for (const std::string& option : options)
       EXPECT_TRUE(option == "--help" || option == "--version" ||
-                  reference.find("| `" + option + "`") != std::string::npos)
+                  reference.find("`" + option + "`") != std::string::npos)
           << option << " of " << command;
   }
 }
@@ -90,6 +93,43 @@ TEST_F(HelpTest, ListsOfFormatsAreTheTables) {
   EXPECT_THAT(std::string(readme->begin(), readme->end()), HasSubstr("Maps: `" + read + "`"));
   EXPECT_THAT(refuse(1, "info " + std::string(MIRRORBALL_SOURCE_DIR) + "/README.md"),
               HasSubstr("use " + readFormatNames()));
+}
+
+TEST_F(HelpTest, HelpIsACommandToo) {
+  EXPECT_EQ(succeed("help"), succeed("--help"));
+  for (const std::string command : kCommands) EXPECT_EQ(succeed("help " + command), succeed(command + " --help"));
+  EXPECT_THAT(refuse(2, "help rendr"), HasSubstr("did you mean 'render'?"));
+}
+
+TEST_F(HelpTest, EveryHelpEndsWithTwoExamplesWhoseOptionsThereAre) {
+  for (const std::string command : kCommands) {
+    const std::string help = succeed(command + " --help");
+    const std::size_t begin = help.find("\nExamples:\n");
+    ASSERT_NE(begin, std::string::npos) << command;
+    const std::string examples = help.substr(begin);
+    const std::regex line("\n  mirrorball " + command + "( [^\n]*)?\n      [^ \n]");
+    EXPECT_EQ(std::distance(std::sregex_iterator(examples.begin(), examples.end(), line), {}), 2) << examples;
+    for (const std::string& option : optionsIn(examples))
+      EXPECT_TRUE(optionsIn(help.substr(0, begin)).contains(option)) << option << " of " << command;
+  }
+}
+
+// "T,T,…" is five columns wide, and seven bytes.
+TEST_F(HelpTest, ColumnsAreStraight) {
+  const std::string help = succeed("photo --help");
+  const auto columnOf = [&](const std::string& option, const std::string& meaning) {
+    const std::size_t begin = help.find(option);
+    return columnsOf(std::string_view(help).substr(begin, help.find(meaning, begin) - begin));
+  };
+  EXPECT_EQ(columnOf("--exposures T,T,…", "of a series"), columnOf("--circle X,Y,R", "the ball's centre"));
+}
+
+TEST_F(HelpTest, OutputSaysWhatIsTrueOfItsCommand) {
+  EXPECT_THAT(succeed("convert --help"), HasSubstr("for several inputs a folder"));
+  for (const std::string command : {"capture", "photo"})
+    EXPECT_THAT(succeed(command + " --help"), ::testing::Not(HasSubstr("several inputs"))) << command;
+  EXPECT_THAT(succeed("capture --help"), ::testing::AllOf(::testing::Not(HasSubstr("transparent")),
+                                                          ::testing::Not(HasSubstr("reflection|normal|sphere"))));
 }
 
 TEST_F(HelpTest, TheDocumentationHasTheReferenceAsItIs) {

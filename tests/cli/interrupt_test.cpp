@@ -1,6 +1,7 @@
 // Ctrl-C in the middle of long work.
 
 #include <chrono>
+#include <csignal>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,12 +19,27 @@ using ::testing::Not;
 class InterruptTest : public CliTest {
  protected:
   static void expectInterrupted(const Outcome& outcome) {
-    EXPECT_EQ(outcome.exit_code, 1) << "ended by signal " << outcome.signal;
+    EXPECT_EQ(outcome.signal, SIGINT) << "ended with " << outcome.exit_code;
     EXPECT_EQ(outcome.out, "");
     EXPECT_TRUE(outcome.err.starts_with("mirrorball: interrupted")) << outcome.err;
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
   }
 };
+
+// A loop of a shell goes on after a program that only says that it was interrupted, and ends with one that the signal ended.
+TEST_F(InterruptTest, EachSignalEndsItAfterItHasCleanedUp) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    Program program(
+        {.arguments = Arguments("convert sky -o out.exr --to cube --size 1024").words, .folder = path(""), .cores = 1});
+    program.waitUntilItCatchesInterrupts();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    program.interrupt(signal);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.signal, signal) << "ended with " << outcome.exit_code;
+    EXPECT_EQ(outcome.err, "mirrorball: interrupted; nothing was written\n");
+    EXPECT_THAT(files(), ElementsAre());
+  }
+}
 
 // On one core each conversion takes more than a second; they are interrupted after a tenth of one.
 TEST_F(InterruptTest, AConversionLeavesNothing) {
@@ -60,7 +76,7 @@ TEST_F(InterruptRenderTest, ATurntableLeavesWholePictures) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   program.interrupt();
   const Outcome outcome = program.wait();
-  EXPECT_EQ(outcome.exit_code, 1) << "ended by signal " << outcome.signal;
+  EXPECT_EQ(outcome.signal, SIGINT) << "ended with " << outcome.exit_code;
   const std::vector<std::string> left = files();
   EXPECT_GE(left.size(), 2u);
   EXPECT_EQ(outcome.err,
@@ -69,6 +85,16 @@ TEST_F(InterruptRenderTest, ATurntableLeavesWholePictures) {
     EXPECT_THAT(name, Not(HasSubstr(".part")));
     EXPECT_EQ(image(name).width(), 64) << name;
   }
+}
+
+TEST_F(InterruptRenderTest, ATurntableThatHasNoPictureYetSaysSo) {
+  const std::string line = "render showcase --size 512x512 --samples 4096 --frames 200 -o turn.png";
+  Program program({.arguments = Arguments(line).words, .folder = path(""), .cores = 1});
+  program.waitUntilItCatchesInterrupts();
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  program.interrupt();
+  EXPECT_EQ(program.wait().err, "mirrorball: interrupted; no picture was written\n");
+  EXPECT_THAT(files(), ElementsAre());
 }
 
 TEST_F(InterruptRenderTest, ATurntableShowsItsProgressOnATerminalAndClearsIt) {

@@ -61,6 +61,30 @@ TEST_F(PrefilterCacheCliTest, RenderReadsItUnlessToldNotTo) {
   EXPECT_EQ(drawMetal("--no-cache"), fresh);
 }
 
+TEST_F(PrefilterCacheCliTest, CacheShowsAndClearsIt) {
+  using ::testing::AllOf;
+  using ::testing::HasSubstr;
+  write("map.exr", smoothPanorama());
+  Start how = withCache("cache");
+  EXPECT_THAT(succeed("cache", how),
+              AllOf(HasSubstr("folder       " + path("cache").string()), HasSubstr("holds        nothing\n"),
+                    HasSubstr("at most      1.0 GB (MIRRORBALL_CACHE_SIZE)")));
+  drawMetal();
+  write("cache/mine.txt", std::string("no map"));
+  EXPECT_THAT(succeed("cache show", how), HasSubstr("holds        2 files, "));
+  EXPECT_THAT(succeed("cache clear", how), HasSubstr("removed      2 files, "));
+  EXPECT_EQ(filesOf("cache").size(), 1u) << "what is not ours stays";
+  how.environment["MIRRORBALL_CACHE_SIZE"] = "0";
+  EXPECT_THAT(succeed("cache", how), HasSubstr("at most      nothing"));
+  succeed("render sphere -e map.exr --material rough-metal --size 8x8 -o metal.exr", how);
+  EXPECT_EQ(filesOf("cache").size(), 1u) << "nothing is kept";
+  how.environment["MIRRORBALL_CACHE_SIZE"] = "much";
+  EXPECT_THAT(refuse(2, "cache", how), HasSubstr("MIRRORBALL_CACHE_SIZE: 'much'"));
+  EXPECT_THAT(refuse(2, "render sphere -e map.exr --size 8x8 -o metal.exr", how), HasSubstr("MIRRORBALL_CACHE_SIZE"));
+  EXPECT_THAT(refuse(2, "cache empty", withCache("cache")), HasSubstr("show, clear"));
+  EXPECT_THAT(succeed("cache", {.environment = {{"MIRRORBALL_CACHE", ""}}}), HasSubstr("there is no cache"));
+}
+
 TEST_F(PrefilterCacheCliTest, BakeNeitherReadsNorFillsIt) {
   write("map.exr", smoothPanorama());
   const std::string bake = "bake map.exr --size 32 --irradiance-size 8 --brdf-size 8 -o ";

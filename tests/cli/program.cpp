@@ -72,6 +72,17 @@ std::pair<File, File> openTerminal() {
   return {File(::fdopen(ours, "r")), File(std::fopen(::ptsname(ours), "w"))};
 }
 
+/// The reading end of a pipe that holds all of the bytes.
+int pipeOf(const std::vector<std::uint8_t>& bytes) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+  ::fcntl(ends[1], F_SETPIPE_SZ, static_cast<int>(bytes.size()) + 1);
+  const bool is_whole = ::write(ends[1], bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+  ::close(ends[1]);
+  if (!is_whole) throw std::runtime_error("more bytes than a pipe holds");
+  return ends[0];
+}
+
 bool catchesInterrupts(pid_t process) {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
   for (std::string line; std::getline(status, line);)
@@ -95,18 +106,22 @@ Program::Program(const Start& start) : out_(std::tmpfile()), err_(std::tmpfile()
   const std::vector<char*> argument_pointers = pointersTo(arguments);
   const std::vector<char*> variable_pointers = pointersTo(variables);
   const std::string folder = start.folder.string();
+  const int input = start.input ? pipeOf(*start.input) : ::open("/dev/null", O_RDONLY | O_CLOEXEC);
 
   process_ = ::fork();
   if (process_ < 0) throw std::runtime_error("fork failed");
   if (process_ > 0) {
     if (terminal_) err_.reset();  // the program's is the last hold on its end, so that reading ends when it does
+    ::close(input);
     return;
   }
-  ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
+  ::dup2(input, STDIN_FILENO);
   ::dup2(::fileno(out_.get()), STDOUT_FILENO);
   ::dup2(::fileno(err_.get()), STDERR_FILENO);
   if (start.cores > 0) keepCores(start.cores);
   if (start.largest_file > 0) limitFiles(start.largest_file);
+  // Whoever runs the tests in the background may have them ignored, and then the program does too.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_DFL);
   ::alarm(kLongestRun_s);
   if (::chdir(folder.c_str()) == 0) ::execve(argument_pointers[0], argument_pointers.data(), variable_pointers.data());
   ::_exit(127);
@@ -126,7 +141,7 @@ void Program::waitUntilShown(const std::string& text) {
   while (shown_.find(text) == std::string::npos && readTerminal()) continue;
 }
 
-void Program::interrupt() const { ::kill(process_, SIGINT); }
+void Program::interrupt(int signal) const { ::kill(process_, signal); }
 
 bool Program::running() const {
   siginfo_t state{};

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,7 @@ struct Start {
   std::map<std::string, std::string> environment = {};  ///< variables beside this process's own
   int cores = 0;                                        ///< that it may use; 0 leaves it all
   std::uintmax_t largest_file = 0;                      ///< [bytes] that it can write before its disk is full; 0: any
+  std::optional<std::vector<std::uint8_t>> input = {};  ///< what is piped into it; nothing: its input is empty
   bool on_terminal = false;                             ///< what it complains about goes to a (pseudo) terminal
 };
 
@@ -40,7 +43,7 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-/// The program itself, as it was built, in a process of its own; no shell between. Its input is empty. It is ended when
+/// The program itself, as it was built, in a process of its own; no shell between. It is ended when
 /// it runs for longer than two minutes, or when its owner goes away.
 class Program {
  public:
@@ -55,8 +58,8 @@ class Program {
   /// Returns when its terminal shows this text, or it has ended.
   void waitUntilShown(const std::string& text);
 
-  /// What Ctrl-C does.
-  void interrupt() const;
+  /// What Ctrl-C does, or another signal.
+  void interrupt(int signal = SIGINT) const;
 
   bool running() const;
 

@@ -13,6 +13,10 @@ rm -rf "$scratch"
 cmake --install "$build" --prefix "$prefix" >/dev/null
 "$prefix/bin/mirrorball" --version
 test -s "$prefix/share/doc/mirrorball/LICENSE"
+for page in man/man1/mirrorball.1 bash-completion/completions/mirrorball zsh/site-functions/_mirrorball \
+  fish/vendor_completions.d/mirrorball.fish; do
+  test -s "$prefix/share/$page"
+done
 
 cmake -S "$source_dir/examples/consumer" -B "$scratch/consumer" -G Ninja -DCMAKE_PREFIX_PATH="$prefix"
 cmake --build "$scratch/consumer"

@@ -124,7 +124,7 @@ std::optional<std::string_view> nearestWord(std::string_view text, std::span<con
   constexpr std::size_t kMostEdits = 3;
   const std::string given = folded(withoutDashes(text));
   std::optional<std::string_view> nearest;
-  std::size_t least = std::clamp<std::size_t>(given.size() / 3, given.size() > 1 ? 1 : 0, kMostEdits) + 1;
+  std::size_t least = std::clamp<std::size_t>((given.size() + 1) / 3, 0, kMostEdits) + 1;
   for (const std::string_view word : words) {
     const std::size_t distance = editDistance(given, folded(withoutDashes(word)));
     if (distance < least) {

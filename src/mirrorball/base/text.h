@@ -43,7 +43,7 @@ struct Alias {
 std::optional<std::size_t> indexOfName(std::string_view written, std::span<const std::string_view> names,
                                        std::span<const Alias> aliases = {});
 
-/// The word that `text` may be a slip of the finger for: at most a third of its letters are wrong, missing, too many or
+/// The word that `text` may be a slip of the finger for: about a third of its letters may be wrong, missing, too many or
 /// swapped with their neighbours. Else the first of which it is a part, as "roughness" is of "perceptual_roughness".
 std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words);
 

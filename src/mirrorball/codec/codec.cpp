@@ -145,7 +145,7 @@ Result<DecodedImage> decodeImage(Span bytes, const std::string& name, const Prog
   return withinMemory<DecodedImage>(name, [&] { return decodeByMagic(bytes, name, progress); });
 }
 
-bool isImage(Span bytes) { return isHdr(bytes) || isExr(bytes) || isPng(bytes) || isJpeg(bytes); }
+bool isImage(Span bytes) { return decoderFor(bytes) != nullptr; }
 
 Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options) {
   const std::string name = path.string();

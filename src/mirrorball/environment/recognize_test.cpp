@@ -152,7 +152,7 @@ TEST(Recognize, SixFacesAreWhatTheFirstSaysOrTheHint) {
 }
 
 TEST(Recognize, UnknownNamesListAll) {
-  const auto hint = formHintNamed("panorama");
+  const auto hint = formHintNamed("picture");
   ASSERT_FALSE(hint);
   EXPECT_THAT(hint.error().message,
               HasSubstr("equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, "

@@ -11,6 +11,8 @@
 
 #include <xxhash.h>
 
+#include "mirrorball/base/memory.h"
+
 namespace mirrorball {
 namespace {
 
@@ -24,8 +26,10 @@ fs::path irradiancePath(const fs::path& folder, const std::string& key) {
   return folder / (key + "-irradiance" + kExtension);
 }
 
-/// Whether it is one of the two files above: whatever else lies in the folder is not touched.
-bool isOurs(const fs::path& path) {
+/// Whether it is one of the two files above, or what is left of one that was never finished: whatever else lies in the
+/// folder is not touched.
+bool isOurs(fs::path path) {
+  if (path.extension().string().starts_with(".part")) path.replace_extension();
   const std::string name = path.filename().string();
   const auto isDigit = [](unsigned char letter) { return std::isxdigit(letter) != 0; };
   if (name.size() <= kKeyDigits || !std::all_of(name.begin(), name.begin() + kKeyDigits, isDigit)) return false;
@@ -52,20 +56,31 @@ std::optional<ImageSet> read(const fs::path& path, const std::vector<int>& sides
   return std::move(decoded->images);
 }
 
+std::optional<std::string> variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::optional<std::string>() : std::string(value);
+}
+
+std::optional<fs::path> folderOfUser() {
+  if (const auto folder = variable("MIRRORBALL_CACHE"))
+    return folder->empty() ? std::nullopt : std::optional<fs::path>(*folder);
+  if (const auto folder = variable("XDG_CACHE_HOME"); folder && fs::path(*folder).is_absolute())
+    return fs::path(*folder) / "mirrorball";
+  if (const auto home = variable("HOME"); home && !home->empty()) return fs::path(*home) / ".cache" / "mirrorball";
+  return {};
+}
+
 }  // namespace
 
-std::optional<PrefilterCache> PrefilterCache::ofUser() {
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);
-    return value == nullptr ? std::optional<std::string>() : std::string(value);
-  };
-  if (const auto folder = variable("MIRRORBALL_CACHE"))
-    return folder->empty() ? std::nullopt : std::optional(PrefilterCache(*folder));
-  if (const auto folder = variable("XDG_CACHE_HOME"); folder && fs::path(*folder).is_absolute())
-    return PrefilterCache(fs::path(*folder) / "mirrorball");
-  if (const auto home = variable("HOME"); home && !home->empty())
-    return PrefilterCache(fs::path(*home) / ".cache" / "mirrorball");
-  return {};
+Result<std::optional<PrefilterCache>> PrefilterCache::ofUser() {
+  const std::optional<fs::path> folder = folderOfUser();
+  if (!folder) return std::nullopt;
+  const auto written = variable("MIRRORBALL_CACHE_SIZE");
+  if (!written || written->empty()) return PrefilterCache(*folder);
+  if (*written == "0") return PrefilterCache(*folder, 0);
+  const auto bytes = parseBytes(*written);
+  if (!bytes) return fail(ErrorCode::usage, "MIRRORBALL_CACHE_SIZE: " + bytes.error().message);
+  return PrefilterCache(*folder, *bytes);
 }
 
 std::string PrefilterCache::keyOf(const ImageSet& cube) {
@@ -93,6 +108,7 @@ std::optional<Prefiltered> PrefilterCache::find(const std::string& key, const Pr
 }
 
 void PrefilterCache::keep(const std::string& key, const Prefiltered& prefiltered, TexelFormat format) const {
+  if (most_bytes_ == 0) return;
   std::error_code status;
   fs::create_directories(folder_, status);
   if (status) return;
@@ -102,25 +118,45 @@ void PrefilterCache::keep(const std::string& key, const Prefiltered& prefiltered
   dropOldest();
 }
 
-void PrefilterCache::dropOldest() const {
-  struct Kept {
-    fs::file_time_type used;
-    fs::path path;
-    std::uintmax_t bytes;
-  };
+std::vector<PrefilterCache::Kept> PrefilterCache::kept() const {
   std::vector<Kept> all;
-  std::uintmax_t bytes = 0;
   std::error_code status;
   for (fs::directory_iterator entry(folder_, status), end; !status && entry != end; entry.increment(status)) {
     if (!isOurs(entry->path())) continue;
-    all.push_back({entry->last_write_time(status), entry->path(), entry->file_size(status)});
-    bytes += all.back().bytes;
+    std::error_code gone;
+    const std::uintmax_t bytes = entry->file_size(gone);
+    if (!gone) all.push_back({entry->last_write_time(gone), entry->path(), bytes});
   }
+  return all;
+}
+
+PrefilterCache::Contents PrefilterCache::contents() const {
+  Contents contents;
+  for (const Kept& file : kept()) contents = {contents.files + 1, contents.bytes + file.bytes};
+  return contents;
+}
+
+Result<PrefilterCache::Contents> PrefilterCache::clear() const {
+  Contents removed;
+  for (const Kept& file : kept()) {
+    std::error_code status;
+    fs::remove(file.path, status);
+    if (status) return fail(ErrorCode::io, file.path.string() + ": cannot be removed: " + status.message());
+    removed = {removed.files + 1, removed.bytes + file.bytes};
+  }
+  return removed;
+}
+
+void PrefilterCache::dropOldest() const {
+  std::vector<Kept> all = kept();
+  std::uintmax_t bytes = 0;
+  for (const Kept& file : all) bytes += file.bytes;
   std::sort(all.begin(), all.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
-  for (const Kept& kept : all) {
+  for (const Kept& oldest : all) {
     if (bytes <= most_bytes_) return;
-    fs::remove(kept.path, status);
-    bytes -= kept.bytes;
+    std::error_code status;
+    fs::remove(oldest.path, status);
+    bytes -= oldest.bytes;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mirrorball/base/result.h"
 #include "mirrorball/codec/texture_file.h"
 #include "mirrorball/image/image_set.h"
 
@@ -36,8 +37,26 @@ class PrefilterCache {
       : folder_(std::move(folder)), most_bytes_(most_bytes) {}
 
   /// The user's own: $MIRRORBALL_CACHE, $XDG_CACHE_HOME/mirrorball or ~/.cache/mirrorball; nothing where the first is
-  /// empty or there is none.
-  static std::optional<PrefilterCache> ofUser();
+  /// empty or there is none. $MIRRORBALL_CACHE_SIZE, as in 500M or 2G, says how large it may grow, else it is kMostBytes.
+  ///
+  /// errors   usage: that is no size
+  static Result<std::optional<PrefilterCache>> ofUser();
+
+  const std::filesystem::path& folder() const { return folder_; }
+  std::uintmax_t mostBytes() const { return most_bytes_; }
+
+  /// What lies in it.
+  struct Contents {
+    std::size_t files = 0;
+    std::uintmax_t bytes = 0;
+  };
+  Contents contents() const;
+
+  /// Removes all of it, and nothing else that lies in the folder.
+  ///
+  /// returns  what was removed
+  /// errors   io: a file cannot be removed
+  Result<Contents> clear() const;
 
   /// What an environment is found by: hexadecimal digits.
   ///
@@ -54,6 +73,12 @@ class PrefilterCache {
   void keep(const std::string& key, const Prefiltered& prefiltered, TexelFormat format) const;
 
  private:
+  struct Kept {
+    std::filesystem::file_time_type used;
+    std::filesystem::path path;
+    std::uintmax_t bytes;
+  };
+  std::vector<Kept> kept() const;
   void dropOldest() const;
 
   std::filesystem::path folder_;

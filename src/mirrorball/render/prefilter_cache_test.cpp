@@ -1,9 +1,11 @@
 #include "mirrorball/render/prefilter_cache.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -164,6 +166,51 @@ TEST_F(PrefilterCacheTest, AnEnvironmentIsMadeAnewWhereFilesOfItsNameHoldAnother
   const auto itself = [](float sample) { return sample; };
   expectSameTexels(prepared->prefiltered, made->prefiltered, itself);
   expectSameTexels(prepared->irradiance, made->irradiance, itself);
+}
+
+TEST_F(PrefilterCacheTest, ClearRemovesWhatItKeptAndNothingElse) {
+  const PrefilterCache cache(folder_);
+  EXPECT_EQ(cache.contents().files, 0u) << "there is no folder yet";
+  ASSERT_TRUE(cache.clear());
+  cache.keep(keyOfValue(1.0f), {cubeOfValue(1.0f), cubeOfValue(2.0f)}, TexelFormat::half);
+  const std::string unfinished = keyOfValue(2.0f) + "-chain.ktx2.part123";
+  std::ofstream(folder_ / unfinished) << "half of it";
+  std::ofstream(folder_ / "holiday.ktx2") << "mine";
+  const auto contents = cache.contents();
+  EXPECT_EQ(contents.files, 3u);
+  EXPECT_GT(contents.bytes, 2u * 6 * 16 * 8);
+  const auto removed = cache.clear();
+  ASSERT_TRUE(removed) << removed.error().message;
+  EXPECT_EQ(removed->files, 3u);
+  EXPECT_EQ(removed->bytes, contents.bytes);
+  EXPECT_EQ(files(), 1u);
+  EXPECT_TRUE(fs::exists(folder_ / "holiday.ktx2"));
+}
+
+TEST_F(PrefilterCacheTest, TheUserSaysHowLargeItMayGrow) {
+  ::setenv("MIRRORBALL_CACHE", folder_.c_str(), 1);
+  const auto ofSize = [](const char* written) {
+    ::setenv("MIRRORBALL_CACHE_SIZE", written, 1);
+    return PrefilterCache::ofUser();
+  };
+  for (const auto& [written, bytes] : {std::pair<const char*, std::uintmax_t>{"500M", std::uintmax_t{500} << 20},
+                                       {"2G", std::uintmax_t{2} << 30},
+                                       {"0", 0},
+                                       {"", PrefilterCache::kMostBytes}}) {
+    const auto cache = ofSize(written);
+    ASSERT_TRUE(cache && *cache) << written;
+    EXPECT_EQ((*cache)->mostBytes(), bytes) << written;
+    EXPECT_EQ((*cache)->folder(), folder_);
+  }
+  const auto wrong = ofSize("much");
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().code, ErrorCode::usage);
+  EXPECT_NE(wrong.error().message.find("MIRRORBALL_CACHE_SIZE"), std::string::npos);
+  const auto none = ofSize("0");
+  (*none)->keep(keyOfValue(1.0f), {cubeOfValue(1.0f), cubeOfValue(2.0f)}, TexelFormat::half);
+  EXPECT_EQ(files(), 0u) << "of size 0 nothing is kept";
+  ::unsetenv("MIRRORBALL_CACHE_SIZE");
+  ::unsetenv("MIRRORBALL_CACHE");
 }
 
 // Means of smooth light under lobes are the same to 1e-4 however they are computed. Where these change, it is for another

@@ -71,7 +71,7 @@ constexpr std::array<ModelFormat, 5> kFormats{{{"glb", "a glTF", "glTF", loadGlt
 
 /// The first bytes of a file: as many as tell what it is.
 std::vector<std::uint8_t> firstBytes(const std::string& path) {
-  std::vector<std::uint8_t> bytes(16);
+  std::vector<std::uint8_t> bytes(64);
   const auto file = FileReader::open(path);
   const auto count = file ? file->readAt(0, bytes) : Result<std::size_t>(0);
   bytes.resize(count ? *count : 0);

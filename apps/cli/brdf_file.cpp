@@ -1,0 +1,117 @@
+#include "cli/brdf_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/terminal.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/text.h"
+
+namespace mirrorball::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kTableKey = "mirrorball:table";
+constexpr const char* kTableValue = "brdf";
+constexpr const char* kDistributionKey = "mirrorball:brdf_distribution";
+constexpr const char* kAxesKey = "mirrorball:brdf_axes";
+constexpr const char* kChannelsKey = "mirrorball:brdf_channels";
+
+Metadata metadataOf(const BrdfTableFacts& facts) {
+  return {{kTableKey, kTableValue},
+          {kDistributionKey, facts.distribution},
+          {kAxesKey, facts.axes},
+          {kChannelsKey, std::to_string(facts.channels)}};
+}
+
+std::optional<BrdfTableFacts> factsIn(const Metadata& metadata) {
+  const auto find = [&](const char* key) {
+    const auto entry = metadata.find(key);
+    return entry == metadata.end() ? std::string() : printable(entry->second);
+  };
+  if (find(kTableKey) != kTableValue) return {};
+  return BrdfTableFacts{find(kDistributionKey), find(kAxesKey), find(kChannelsKey) == "2" ? 2 : 3};
+}
+
+/// What the manifest in the file's folder says of it, for .dds, which has no place for words.
+std::optional<BrdfTableFacts> factsBeside(const std::filesystem::path& path) {
+  const auto text = readFile(path.parent_path() / "manifest.json");
+  if (!text) return {};
+  const Json manifest = Json::parse(text->begin(), text->end(), nullptr, false);
+  if (!manifest.is_object() || !manifest.contains(kTableValue) || !manifest[kTableValue].is_object()) return {};
+  const Json& brdf = manifest[kTableValue];
+  const auto word = [&](const char* key) {
+    return brdf.contains(key) && brdf[key].is_string() ? printable(brdf[key].get<std::string>()) : std::string();
+  };
+  if (word("file") != path.filename().string()) return {};
+  const std::string axes = word("axes");
+  const bool has_two = brdf.contains("channels") && brdf["channels"].is_array() && brdf["channels"].size() == 2;
+  return BrdfTableFacts{word("distribution"), axes.substr(0, axes.find(':')), has_two ? 2 : 3};
+}
+
+/// Whether a file says near its beginning, where formats have their words, that it is a table.
+bool saysThatItIsATable(const std::string& path) {
+  constexpr std::size_t kBeginning = std::size_t{1} << 16;
+  const auto file = FileReader::open(path);
+  if (!file) return false;
+  std::vector<std::uint8_t> bytes(std::min<std::uint64_t>(file->size(), kBeginning));
+  if (!file->readAt(0, bytes)) return false;
+  return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).find(kTableKey) !=
+         std::string_view::npos;
+}
+
+/// Pictures have one or three channels: of two, the third is black.
+Image withThreeChannels(const Image& image) {
+  if (image.channels() == 3) return image;
+  Image wide(image.width(), image.height(), 3);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; c < image.channels(); ++c) wide.texel(x, y)[c] = image.texel(x, y)[c];
+  return wide;
+}
+
+}  // namespace
+
+Result<void> writeBrdf(Image table, const BrdfFile& file) {
+  const Metadata metadata = metadataOf(file.facts);
+  if (file.isTexture())
+    MIRRORBALL_TRY_VOID(
+        writeImageSet(file.path, ImageSet(std::move(table)),
+                      {.format = file.format, .zstandard_level = file.zstandard_level, .metadata = metadata}));
+  else
+    MIRRORBALL_TRY_VOID(writeImage(file.path, withThreeChannels(table),
+                                   {.half = file.format == TexelFormat::half, .metadata = metadata}));
+  announce(file.path);
+  return {};
+}
+
+Result<std::optional<FoundBrdfTable>> brdfTableIn(const std::string& path) {
+  if (saysThatItIsATable(path)) {
+    std::vector<std::uint8_t> begin(16);
+    MIRRORBALL_TRY(file, FileReader::open(path));
+    MIRRORBALL_TRY_VOID(file.readAt(0, begin));
+    if (isImageSet(begin)) {
+      MIRRORBALL_TRY(texture, readImageSet(path));
+      if (auto facts = factsIn(texture.metadata))
+        return FoundBrdfTable{std::move(*facts), texture.format, std::move(texture.images.at(0, 0))};
+      return std::nullopt;
+    }
+    MIRRORBALL_TRY(picture, readImage(path));
+    if (auto facts = factsIn(picture.metadata))
+      return FoundBrdfTable{std::move(*facts), picture.format, std::move(picture.image)};
+    return std::nullopt;
+  }
+  if (extensionOf(path) != "dds") return std::nullopt;
+  auto facts = factsBeside(path);
+  if (!facts) return std::nullopt;
+  MIRRORBALL_TRY(texture, readImageSet(path));
+  return FoundBrdfTable{std::move(*facts), texture.format, std::move(texture.images.at(0, 0))};
+}
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,56 @@
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "cli/commands.h"
+#include "mirrorball/base/memory.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/render/prefilter_cache.h"
+
+namespace mirrorball::cli {
+namespace {
+
+constexpr std::array<std::string_view, 2> kActions{"show", "clear"};
+std::span<const std::string_view> cacheActionNames() { return kActions; }
+
+std::string contentsText(const PrefilterCache::Contents& contents) {
+  if (contents.files == 0) return "nothing";
+  return std::to_string(contents.files) + (contents.files == 1 ? " file, " : " files, ") + textOfBytes(contents.bytes);
+}
+
+Result<void> showOrClear(const std::string& what) {
+  const auto action = indexOfName(what, kActions);
+  if (!action) return tl::unexpected<Error>(unknownName("action of cache", what, kActions));
+  MIRRORBALL_TRY(cache, PrefilterCache::ofUser());
+  if (!cache) {
+    std::puts("there is no cache: MIRRORBALL_CACHE is empty, or there is no home folder");
+    return {};
+  }
+  std::printf("folder       %s\n", cache->folder().c_str());
+  if (kActions[*action] == "clear") {
+    MIRRORBALL_TRY(removed, cache->clear());
+    std::printf("removed      %s\n", contentsText(removed).c_str());
+    return {};
+  }
+  std::printf("holds        %s\n", contentsText(cache->contents()).c_str());
+  std::printf("at most      %s (MIRRORBALL_CACHE_SIZE); what was not used for longest goes first\n",
+              cache->mostBytes() == 0 ? "nothing" : textOfBytes(cache->mostBytes()).c_str());
+  return {};
+}
+
+}  // namespace
+
+Command cacheCommand() {
+  auto what = std::make_shared<std::string>("show");
+  Command command{.name = "cache",
+                  .help = "Shows or clears what render and capture keep of environments that they have prefiltered",
+                  .about = "ACTION is `show` (the default) or `clear`.",
+                  .examples = {{"cache show", "where it is, and how large"}, {"cache clear", "removes all of it"}}};
+  addArgument(command, {.name = "ACTION", .help = "show or clear (default show)", .names = cacheActionNames}, *what);
+  command.action = [what] { return showOrClear(*what); };
+  return command;
+}
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "mirrorball/base/option.h"
+#include "mirrorball/base/result.h"
+
+namespace mirrorball::cli {
+
+/// What a subcommand does once the command line is read; its Error becomes the exit code.
+using Action = std::function<Result<void>()>;
+
+/// What one option or argument does with a value; a flag is given "yes".
+using SetValue = std::function<Result<void>(const std::string& written)>;
+
+/// An option of a subcommand.
+struct CommandOption {
+  OptionText text;
+  std::string default_value;
+  bool is_flag = false;
+  bool may_repeat = false;
+  SetValue set = {};
+};
+
+/// A word of a subcommand that has no name before it. Words are taken in the order in which arguments are added.
+struct Argument {
+  std::string_view name;          ///< "MODEL"
+  std::string help;               ///< one sentence
+  std::string_view missing = {};  ///< what to say where it is missing: "name an input map"; empty: it may be left out
+  std::span<const std::string_view> (*names)() = nullptr;  ///< of what is built in
+  bool takes_path = false;
+  bool may_repeat = false;
+  SetValue set = {};
+};
+
+/// A command line to begin with.
+struct Example {
+  std::string_view line;  ///< without the program's name
+  std::string_view what;  ///< it does
+};
+
+/// A subcommand, as data: the command line, its help, docs/options.md, the manual and the completions are made from it.
+struct Command {
+  std::string_view name;
+  std::string help;        ///< one sentence
+  std::string about = {};  ///< more, for the reference
+  std::vector<Argument> arguments = {};
+  std::vector<CommandOption> options = {};
+  std::vector<Example> examples = {};
+  Action action = {};
+};
+
+/// Adds an argument that sets `target`, which must outlive the command's action.
+void addArgument(Command& command, Argument argument, std::string& target);
+/// The same for one or more words.
+void addArgument(Command& command, Argument argument, std::vector<std::string>& target);
+
+/// Adds a table of options that set the fields of `target`, which must outlive the command's action.
+template <typename Target>
+void addOptions(Command& command, std::span<const Option<Target>> table, Target& target) {
+  for (const Option<Target>& option : table)
+    command.options.push_back({option.text, written(option, target),
+                               std::holds_alternative<bool Target::*>(option.field),
+                               std::holds_alternative<std::vector<std::string> Target::*>(option.field),
+                               [&option, &target](const std::string& value) { return assign(option, target, value); }});
+}
+
+/// How the subcommand is written: "convert IN…", "render [MODEL]".
+std::string synopsisOf(const Command& command);
+
+/// The text of an option for help: its sentence, unit, range and default.
+std::string describe(const OptionText& text, const std::string& default_value);
+
+/// How the value of an option is written in help: "DEG", "ggx|phong"; a flag has none.
+std::string valueOf(const CommandOption& option);
+
+/// The words that a value may be: choices, or names; none for numbers and free texts.
+std::vector<std::string_view> wordsOf(const OptionText& text);
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,24 @@
+#include "cli/commands.h"
+
+#include <memory>
+#include <utility>
+
+#include "cli/common_options.h"
+
+namespace mirrorball::cli {
+
+std::vector<Command> allCommands() {
+  std::vector<Command> commands{renderCommand(), convertCommand(), bakeCommand(),  captureCommand(),
+                                infoCommand(),   photoCommand(),   cacheCommand(), referenceCommand()};
+  for (Command& command : commands) {
+    auto common = std::make_shared<CommonOptions>();
+    addOptions(command, commonOptions(), *common);
+    command.action = [common, work = std::move(command.action)] {
+      use(*common);
+      return work();
+    };
+  }
+  return commands;
+}
+
+}  // namespace mirrorball::cli

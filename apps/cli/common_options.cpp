@@ -1,0 +1,38 @@
+#include "cli/common_options.h"
+
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "cli/terminal.h"
+#include "mirrorball/base/parallel.h"
+
+namespace mirrorball::cli {
+namespace {
+
+const std::array<Option<CommonOptions>, 2> kCommonOptions{{
+    {{.name = "quiet", .help = "no progress and no remarks; errors are told all the same"}, &CommonOptions::quiet},
+    {{.name = "threads",
+      .value = "N",
+      .minimum = 0,
+      .maximum = 1024,
+      .help = "how many threads compute; 0: as many as there are cores. The result is the same for any number"},
+     &CommonOptions::threads},
+}};
+
+}  // namespace
+
+std::span<const Option<CommonOptions>> commonOptions() { return kCommonOptions; }
+
+void use(const CommonOptions& options) {
+  if (options.quiet) beQuiet();
+  if (options.threads == 0) return;
+  setThreadLimit(options.threads);
+  // Mesa's software driver has threads of its own, and goes by this variable.
+  constexpr int kKeepWhatIsSet = 0;
+  ::setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), kKeepWhatIsSet);
+}
+
+std::launch besideOthers() { return threadLimit() > 1 ? std::launch::async : std::launch::deferred; }
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,102 @@
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+
+#include "cli/map_info.h"
+
+namespace mirrorball::cli {
+namespace {
+
+constexpr std::array<const char*, 6> kFaceNames{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+
+/// As printf writes it.
+template <typename... Values>
+std::string formatted(const char* format, Values... values) {
+  std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), '\0');
+  std::snprintf(text.data(), text.size() + 1, format, values...);
+  return text;
+}
+
+std::string text(glm::vec3 v) { return formatted("%.5g %.5g %.5g", double(v.x), double(v.y), double(v.z)); }
+
+/// "  format       KTX2": a fact with its name.
+std::string line(const char* name, const std::string& fact) { return formatted("  %-12s ", name) + fact + "\n"; }
+
+std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
+
+std::string fileText(const MapInfo& map) {
+  const LoadedEnvironment& loaded = map.loaded;
+  std::string said = line("format", loaded.format) + line("colour", loaded.color);
+  if (loaded.recognition) {
+    said += line("size", sizeText(loaded.file_size));
+    said += line("projection", textOf(loaded.recognition->form) + " (told by " + loaded.recognition->told_by + ")");
+    if (map.covered < 1.0f)
+      said += line("covers", formatted("%.5g %% of the sphere: none of ", 100.0 * double(map.covered)) +
+                                 (loaded.recognition->form.projection == Projection::ball
+                                      ? "the cone that the ball hides behind it, around -Z"
+                                      : "the half with z < 0"));
+  } else {
+    said += line("projection", "none: a function of the direction");
+  }
+  return said + line("bad texels", loaded.bad_texels.count > 0 ? textOf(loaded.bad_texels) : "none");
+}
+
+std::string statisticsText(const RadianceStatistics& statistics) {
+  return line("range", text(statistics.least) + " to " + text(statistics.greatest)) +
+         line("mean", text(statistics.mean) + " over the sphere") +
+         line("brightest", text(statistics.brightest) + " from direction " + text(statistics.brightest_direction));
+}
+
+/// What the two numbers are, after the image that they lie in: "face -X, (s, t)", "front, (u, v)", "(u, v)".
+std::string coordinateText(Projection projection, int face) {
+  switch (faceCount(projection)) {
+    case 6:
+      return std::string("face ") + kFaceNames[static_cast<std::size_t>(face)] + ", (s, t)";
+    case 2:
+      return face == 0 ? "front, (u, v)" : "back, (u, v)";
+    default:
+      return projection == Projection::sphere ? "(s, t)" : "(u, v)";
+  }
+}
+
+std::string placeText(const DirectionPlace& place) {
+  if (!place.place) return "not in the map";
+  // OpenGL's t of a sphere map grows upwards, a cube's and an image's v downwards.
+  const glm::vec2 uv = place.place->uv;
+  const float second = place.projection == Projection::sphere ? 1.0f - uv.y : uv.y;
+  return coordinateText(place.projection, place.place->face) +
+         formatted(" = (%.4f, %.4f), texel (%d, %d) of ", double(uv.x), double(second), place.texel.x, place.texel.y) +
+         sizeText(place.size);
+}
+
+std::string directionText(const DirectionInfo& direction) {
+  std::string said = "direction " + text(direction.given) + ", unit " + text(direction.unit) + "\n";
+  for (const DirectionPlace& place : direction.places)
+    said += line(std::string(nameOf(place.projection)).c_str(), placeText(place));
+  return said + line("radiance", text(direction.radiance));
+}
+
+std::string textOf(const MapInfo& map) {
+  return map.direction ? directionText(*map.direction) : fileText(map) + statisticsText(map.statistics);
+}
+
+std::string textOf(const FoundBrdfTable& table) {
+  return line("format", table.format) + line("size", sizeText({table.table.width(), table.table.height()})) +
+         line("what", std::string("BRDF table of bake, no map of light: scale and bias of f0") +
+                          (table.facts.channels == 3 ? ", and the mean for multiple scattering" : "")) +
+         line("microfacets", table.facts.distribution) +
+         line("axes", table.facts.axes + ": n.v to the right, perceptual roughness downwards");
+}
+
+std::string textOf(const Error& error) { return line("error", error.message); }
+
+}  // namespace
+
+std::string textOf(const InputInfo& info) {
+  const auto* const map = std::get_if<MapInfo>(&info.what);
+  const std::string heading = map && map->direction ? "" : info.name + "\n";
+  return heading + std::visit([](const auto& what) { return textOf(what); }, info.what);
+}
+
+}  // namespace mirrorball::cli

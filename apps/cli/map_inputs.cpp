@@ -1,0 +1,17 @@
+#include "cli/map_inputs.h"
+
+#include "mirrorball/scene/load_model.h"
+
+namespace mirrorball::cli {
+
+Result<LoadedEnvironment> loadMap(const std::string& name_or_path, const EnvironmentLoadOptions& options,
+                                  const ProgressFunction& progress) {
+  auto loaded = loadEnvironment(name_or_path, options, progress);
+  if (loaded) return loaded;
+  const auto format = modelFormatOf(name_or_path);
+  if (!format) return loaded;
+  return fail(loaded.error().code, name_or_path + ": is " + std::string(*format) +
+                                       " model, no map; try `mirrorball render " + name_or_path + "`");
+}
+
+}  // namespace mirrorball::cli

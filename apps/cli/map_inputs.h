@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "mirrorball/environment/load.h"
+
+namespace mirrorball::cli {
+
+/// loadEnvironment, whose error names the command for a file that is a model.
+///
+/// errors   as loadEnvironment's
+Result<LoadedEnvironment> loadMap(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
+                                  const ProgressFunction& progress = {});
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,168 @@
+#include "cli/standard_streams.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <span>
+#include <utility>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "cli/terminal.h"
+#include "mirrorball/base/memory.h"
+
+namespace mirrorball::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
+constexpr const char* kInputName = "standard input";
+constexpr const char* kOutputName = "standard output";
+
+/// A file descriptor that is closed with its owner.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+tl::unexpected<Error> failed(const char* name, const char* what) {
+  return fail(ErrorCode::io, std::string(name) + ": " + what + ": " + std::strerror(errno));
+}
+
+Result<void> writeAll(int to, std::span<const std::uint8_t> bytes, const char* name) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(to, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return failed(name, "cannot be written");
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+  return {};
+}
+
+/// Copies all that there is to read.
+///
+/// errors   io; too_large: more than `most` bytes; interrupted
+Result<void> copyAll(int from, int to, const char* name, std::uint64_t most) {
+  std::array<std::uint8_t, kPieceBytes> piece;
+  std::uint64_t copied = 0;
+  while (true) {
+    // A signal ends the waiting, but not a read.
+    pollfd input{.fd = from, .events = POLLIN, .revents = 0};
+    const bool is_ready = ::poll(&input, 1, -1) > 0;
+    if (interrupted()) return fail(ErrorCode::interrupted, "interrupted; nothing was written");
+    if (!is_ready) continue;
+    const ssize_t count = ::read(from, piece.data(), piece.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return failed(name, "reading failed");
+    if (count == 0) return {};
+    copied += static_cast<std::uint64_t>(count);
+    if (copied > most) return checkMemory(name, copied);
+    MIRRORBALL_TRY_VOID(writeAll(to, std::span(piece).first(static_cast<std::size_t>(count)), name));
+  }
+}
+
+/// Makes a regular file of what is piped in, which then is standard input.
+Result<void> keepInMemory() {
+  struct stat status {};
+  if (::fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode)) return {};
+  const Descriptor memory(::memfd_create("standard input", MFD_CLOEXEC));
+  if (memory.number() < 0) return failed(kInputName, "cannot be kept");
+  MIRRORBALL_TRY_VOID(copyAll(STDIN_FILENO, memory.number(), kInputName, memoryLimit()));
+  if (::dup2(memory.number(), STDIN_FILENO) < 0) return failed(kInputName, "cannot be kept");
+  return {};
+}
+
+/// A folder for the time of its own life.
+class TemporaryFolder {
+ public:
+  static Result<TemporaryFolder> make() {
+    std::error_code status;
+    std::string path = (fs::temp_directory_path(status) / "mirrorball_XXXXXX").string();
+    if (status || ::mkdtemp(path.data()) == nullptr) return failed(kOutputName, "no temporary folder can be made");
+    return TemporaryFolder(std::move(path));
+  }
+  TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+  ~TemporaryFolder() { remove(); }
+
+  const std::string& path() const { return path_; }
+  void remove() {
+    std::error_code status;
+    if (!path_.empty()) fs::remove_all(std::exchange(path_, {}), status);
+  }
+
+ private:
+  explicit TemporaryFolder(std::string path) : path_(std::move(path)) {}
+  std::string path_;
+};
+
+}  // namespace
+
+Result<void> readStandardInput(const std::vector<std::string*>& inputs) {
+  const bool is_asked_for = std::ranges::any_of(inputs, [](const std::string* input) { return *input == "-"; });
+  if (!is_asked_for) return {};
+  if (::isatty(STDIN_FILENO) == 1)
+    return fail(ErrorCode::usage,
+                "- reads standard input, and nothing is piped into it; name a file, or write "
+                "mirrorball … - <FILE");
+  MIRRORBALL_TRY_VOID(keepInMemory());
+  constexpr const char* kPath = "/dev/stdin";
+  for (std::string* input : inputs)
+    if (*input == "-") *input = kPath;
+  showAs(kPath, kInputName);
+  showAs(std::string(" ") + kPath + "`", " -`");  // in a command to be typed
+  return {};
+}
+
+Result<void> writeStandardOutput(std::string& output, const std::function<Result<void>()>& work) {
+  if (output == "-")
+    return fail(ErrorCode::usage, "--output - tells no format; write its extension behind it, as in -o -.exr");
+  if (!output.starts_with("-.")) return work();
+  if (::isatty(STDOUT_FILENO) == 1)
+    return fail(ErrorCode::usage, "--output " + output +
+                                      " writes to standard output, and that is a terminal; redirect "
+                                      "it, or name a file");
+  MIRRORBALL_TRY(folder, TemporaryFolder::make());
+  const std::string path = folder.path() + "/output" + output.substr(1);
+  showAs(path, kOutputName);
+  keepStandardOutputFree();
+  output = path;
+  MIRRORBALL_TRY_VOID(work());
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0) return failed(kOutputName, "was not made");
+  // Whatever ends the program while somebody reads, nothing stays.
+  folder.remove();
+  return copyAll(file.number(), STDOUT_FILENO, kOutputName, UINT64_MAX);
+}
+
+Result<void> withStandardStreams(const std::vector<std::string*>& inputs, std::string& output,
+                                 const std::function<Result<void>()>& work) {
+  MIRRORBALL_TRY_VOID(readStandardInput(inputs));
+  return writeStandardOutput(output, work);
+}
+
+std::vector<std::string*> pointersTo(std::vector<std::string>& inputs) {
+  std::vector<std::string*> pointers;
+  for (std::string& input : inputs) pointers.push_back(&input);
+  return pointers;
+}
+
+}  // namespace mirrorball::cli

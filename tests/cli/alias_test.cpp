@@ -52,7 +52,7 @@ TEST_F(AliasTest, OnlyWhatIsCloseIsSuggested) {
   EXPECT_THAT(refuse(2, "convert map.exr --json -o out.exr"),
               AllOf(HasSubstr("--json"), Not(HasSubstr("did you mean"))));
   EXPECT_THAT(refuse(2, "info map.exr --jsno"), HasSubstr("did you mean --json?"));
-  EXPECT_THAT(refuse(2, "convert map.exr --rotation 3 -o out.exr"), HasSubstr("did you mean --env-rotation?"));
+  EXPECT_THAT(refuse(2, "convert map.exr --rotation 3 -o out.exr"), HasSubstr("did you mean --rotate?"));
 }
 
 using AliasRenderTest = RenderCliTest;

@@ -53,7 +53,7 @@ Result<void> checkLight(const std::string& name, const std::string& format, Envi
   const ValueCounts counts(map);
   if (counts.too_bright > 0)
     return fail(ErrorCode::out_of_range, name + ": " + countedAre(counts.too_bright, "value") +
-                                             " above 1e36, too bright to be summed; scale the picture down");
+                                             " above 1e36, too bright to be summed; --scale-light 1e-6 makes them fit");
   if (const std::size_t negative = raiseNegativeLight(map); negative > 0)
     remark(name + ": " + countedAre(negative, "value") + " negative, which light cannot be; taken as 0");
   const bool in_halves = format == "auto" || format == "half";
@@ -65,9 +65,11 @@ Result<void> checkLight(const std::string& name, const std::string& format, Envi
 /// The environment, which may not be one of the outputs.
 Result<LoadedEnvironment> loadLight(const BakeRequest& request, std::span<const std::string> outputs) {
   MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
-  MIRRORBALL_TRY(loaded,
-                 loadMap(request.environment, {.from = hint, .repair = request.options.repair}, progressBar("read")));
+  MIRRORBALL_TRY(loaded, loadMap(request.environment,
+                                 {.from = hint, .repair = request.options.repair, .light = lightLimits(request.output)},
+                                 progressBar("read")));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
+  tellClamped(loaded.name, loaded.lost);
   EnvironmentMap* map = loaded.environment.map();
   if (map) MIRRORBALL_TRY_VOID(checkLight(loaded.name, request.output.format, *map));
   return loaded;

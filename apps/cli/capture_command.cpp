@@ -120,6 +120,7 @@ Result<void> capture(const CaptureRequest& request) {
 
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.look, output.paths(), clock));
   MIRRORBALL_TRY(map, captureMap(inputs, to, size, std::move(settings), clock));
+  tellClamped(output.paths().front(), limitLight(map, lightLimits(request.output)));
   MIRRORBALL_TRY_VOID(clock.time("map: encode and write", [&] { return output.write(std::move(map)); }));
   if (request.scene.timings) clock.print();
   return {};

@@ -90,7 +90,11 @@ Result<ConvertRequest> requestOf(const ConvertOptions& options, const MapOutputO
   if (!options.centre.empty() &&
       glm::length(glm::vec3(options.centre[0], options.centre[1], options.centre[2])) == 0.0f)
     return fail(ErrorCode::usage, "--centre takes a vector that has a length");
-  ConvertRequest request{std::nullopt, options.size, resamplingOf(options), {.repair = options.repair}, output};
+  ConvertRequest request{std::nullopt,
+                         options.size,
+                         resamplingOf(options),
+                         {.repair = options.repair, .light = lightLimits(output)},
+                         output};
   if (!options.to.empty()) {
     MIRRORBALL_TRY(to, projectionNamed(options.to));
     request.to = to;

@@ -169,6 +169,7 @@ Result<void> convertInput(const std::string& input, const ConvertRequest& reques
   MIRRORBALL_TRY(loaded, loadMap(input, request.load));
   MIRRORBALL_TRY(output, outputOf(loaded, input, request, path));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
+  tellClamped(input, loaded.lost);
   const Projection to = output.form().projection;
   const int size = request.size > 0 ? request.size : loaded.environment.naturalSize(to);
   const EnvironmentMap* map = loaded.environment.map();

@@ -1,6 +1,9 @@
 #include "cli/map_output.h"
 
 #include <array>
+#include <cstdio>
+#include <limits>
+#include <mutex>
 
 #include "cli/files.h"
 #include "cli/terminal.h"
@@ -24,8 +27,8 @@ const std::string kMapHelp = "needed: " + writtenExtensions(Holds::light) + " (l
 const std::string kMipsHelp = "all mip levels, in " + writtenExtensions(Holds::texture, " and ");
 
 // First those that any texture of a cube may be asked for.
-constexpr std::size_t kTextureOptions = 7;
-const std::array<Option<MapOutputOptions>, 10> kMapOutputOptions{{
+constexpr std::size_t kTextureOptions = 9;
+const std::array<Option<MapOutputOptions>, 12> kMapOutputOptions{{
     {{.name = "output", .value = "OUT", .help = kMapHelp, .letter = "o", .group = "Output", .takes_path = true},
      &MapOutputOptions::output},
     {{.name = "for",
@@ -63,6 +66,21 @@ const std::array<Option<MapOutputOptions>, 10> kMapOutputOptions{{
       .help = "Zstandard compression of .ktx2: 1 fast … 22 small, 0 none",
       .group = "Output"},
      &MapOutputOptions::zstandard_level},
+    {{.name = "scale-light",
+      .value = "FACTOR",
+      .minimum = 1e-30,
+      .maximum = 1e30,
+      .help = "takes all light times FACTOR, before anything else is done with it",
+      .group = "Output"},
+     &MapOutputOptions::scale_light},
+    {{.name = "clamp-light",
+      .value = "MAX",
+      .unit = "radiance",
+      .minimum = 0,
+      .maximum = 1e38,
+      .help = "then lowers texels that are brighter in any channel to MAX, their hue kept; 0: none",
+      .group = "Output"},
+     &MapOutputOptions::clamp_light},
     {{.name = "layout",
       .value = "LAYOUT",
       .help = "of a cube in pictures: faces (six files), hcross, vcross, hstrip, vstrip, 3x2, seed; else as --for has "
@@ -88,12 +106,29 @@ Result<CubeArrangement> changedBy(const MapOutputOptions& options, CubeArrangeme
   return reordered(arrangement, order);
 }
 
+/// "5.8 %"
+std::string percentOf(const LostLight& light) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.2g %%", 100.0 * light.share());
+  return text.data();
+}
+
 }  // namespace
 
 std::span<const Option<MapOutputOptions>> mapOutputOptions() { return kMapOutputOptions; }
 
 std::span<const Option<MapOutputOptions>> textureOutputOptions() {
   return mapOutputOptions().subspan(1, kTextureOptions - 1);
+}
+
+LightLimits lightLimits(const MapOutputOptions& options) {
+  LightLimits limits{.scale = options.scale_light};
+  if (options.clamp_light > 0.0f) limits.most = options.clamp_light;
+  return limits;
+}
+
+void tellClamped(const std::string& name, const LostLight& light) {
+  if (light.lost > 0.0) remark(name + ": --clamp-light takes " + percentOf(light) + " of the light");
 }
 
 Result<void> MapOutput::setForm(const MapOutputOptions& options, Projection projection) {
@@ -179,6 +214,15 @@ bool MapOutput::takesPieces() const {
          form_.arrangement == CubeArrangement{} && form_.centre == SignedAxis::plus_z;
 }
 
+/// What a format that was asked for holds; one that is chosen holds all.
+float MapOutput::mostLight() const { return format_ ? mostOf(*format_) : std::numeric_limits<float>::infinity(); }
+
+void MapOutput::tellLost(const LostLight& light) const {
+  if (light.lost > 0.0)
+    remark(output_ + ": " + rangeOf(*format_) + ", and what is brighter was lowered to that: " + percentOf(light) +
+           " of the light is lost; --scale-light or --format float32 would keep it");
+}
+
 Result<TexelFormat> MapOutput::inFormat(const std::function<Result<void>(TexelFormat)>& write) const {
   const TexelFormat first = format_.value_or(TexelFormat::half);
   const Result<void> written = write(first);
@@ -191,15 +235,26 @@ Result<TexelFormat> MapOutput::inFormat(const std::function<Result<void>(TexelFo
 
 Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const {
   const Projection projection = form_.projection;
+  LostLight all_lost;
+  std::mutex lost_guard;
   const auto write = [&](TexelFormat format) -> Result<void> {
     MIRRORBALL_TRY(writer, TextureWriter::create(output_, imageSize(projection, size), faceCount(projection),
                                                  convertedChannels(projection),
                                                  {.format = format, .metadata = metadataOf(form_)}));
-    MIRRORBALL_TRY_VOID(
-        convert_to([&](int face, glm::ivec2 begin, const Image& texels) { return writer.write(face, begin, texels); }));
+    MIRRORBALL_TRY_VOID(convert_to([&](int face, glm::ivec2 begin, const Image& texels) -> Result<void> {
+      if (!format_) return writer.write(face, begin, texels);
+      Image limited = texels;
+      const LostLight lost = limitLight(projection, imageSize(projection, size), begin, mostLight(), limited);
+      {
+        const std::scoped_lock lock(lost_guard);
+        all_lost.add(lost);
+      }
+      return writer.write(face, begin, limited);
+    }));
     return writer.commit();
   };
   MIRRORBALL_TRY_VOID(inFormat(write));
+  tellLost(all_lost);
   announce(output_);
   return {};
 }
@@ -225,6 +280,14 @@ Result<TexelFormat> MapOutput::writeImages(const ImageSet& images) const {
 }
 
 Result<TexelFormat> MapOutput::writeLevels(ImageSet levels) const {
+  LostLight lost;
+  for (int level = 0; format_ && level < levels.levels(); ++level)
+    for (int face = 0; face < levels.faces(); ++face) {
+      Image& image = levels.at(level, face);
+      const LostLight here = limitLight(Projection::cube, {image.width(), image.height()}, {0, 0}, mostLight(), image);
+      if (level == 0) lost.add(here);
+    }
+  tellLost(lost);
   return writeImages(arranged(std::move(levels), form_.arrangement));
 }
 
@@ -236,6 +299,7 @@ std::uint64_t MapOutput::memoryToWrite(int size) const {
 }
 
 Result<void> MapOutput::write(EnvironmentMap map) const {
+  if (format_) tellLost(limitLight(map, {.most = mostLight()}));
   if (is_texture_) {
     MIRRORBALL_TRY(images, textureImages(std::move(map)));
     MIRRORBALL_TRY_VOID(writeImages(images));

@@ -10,6 +10,7 @@
 #include "mirrorball/base/option.h"
 #include "mirrorball/codec/texture_file.h"
 #include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/light_limits.h"
 #include "mirrorball/environment/preset.h"
 
 namespace mirrorball::cli {
@@ -24,6 +25,8 @@ struct MapOutputOptions {
   std::string flip = "none";
   std::string format = "auto";
   int zstandard_level = 0;
+  float scale_light = 1.0f;
+  float clamp_light = 0.0f;
   bool mips = false;
   MipWeights mip_weights = MipWeights::solid_angle;
 };
@@ -31,6 +34,12 @@ struct MapOutputOptions {
 std::span<const Option<MapOutputOptions>> mapOutputOptions();
 /// Those of them that a cube's texture may be asked for, without --output.
 std::span<const Option<MapOutputOptions>> textureOutputOptions();
+
+/// What --scale-light and --clamp-light ask for.
+LightLimits lightLimits(const MapOutputOptions& options);
+
+/// Says how much light --clamp-light took from a map, if any.
+void tellClamped(const std::string& name, const LostLight& light);
 
 /// Where a map goes, and in which form.
 class MapOutput {
@@ -46,7 +55,8 @@ class MapOutput {
   /// Whether the map can be written while it is converted: a texture of one level whose texels stay where they are.
   bool takesPieces() const;
 
-  /// Writes a map to its files, which say what form it has.
+  /// Writes a map to its files, which say what form it has. Light beyond a format that was asked for is lowered to the
+  /// most that it holds, with a remark.
   ///
   /// errors   as writeImage's and writeImageSet's
   Result<void> write(EnvironmentMap map) const;
@@ -69,6 +79,8 @@ class MapOutput {
   Result<void> setForm(const MapOutputOptions& options, Projection projection);
   Result<void> setFormat(const MapOutputOptions& options);
   Result<TexelFormat> writeImages(const ImageSet& images) const;
+  float mostLight() const;
+  void tellLost(const LostLight& light) const;
   Result<ImageSet> textureImages(EnvironmentMap map) const;
   /// Runs `write(format)`, once more in 32-bit floats where that is to be; returns the format.
   Result<TexelFormat> inFormat(const std::function<Result<void>(TexelFormat)>& write) const;

@@ -285,6 +285,7 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
         unwrapped.filled_sr / (4.0 * glm::radians(180.0)) * 100.0);
   const int size = options.size > 0 ? options.size : unwrapped.environment.naturalSize(to);
   MIRRORBALL_TRY(map, convert(unwrapped.environment, to, size, {}, progressBar("unwrap")));
+  tellClamped(inputs.front(), limitLight(map, lightLimits(output_options)));
   return output.write(std::move(map));
 }
 

@@ -265,6 +265,20 @@ bool packTexels(TexelFormat format, std::span<const float> samples, int channels
   }
 }
 
+float mostOf(TexelFormat format) {
+  switch (format) {
+    case TexelFormat::half:
+    case TexelFormat::rg_half:
+      return 65504.0f;
+    case TexelFormat::b10g11r11:
+      return 64512.0f;
+    case TexelFormat::e5b9g9r9:
+      return 65408.0f;
+    default:
+      return std::numeric_limits<float>::max();
+  }
+}
+
 std::string rangeOf(TexelFormat format) {
   switch (format) {
     case TexelFormat::half:

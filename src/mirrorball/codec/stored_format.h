@@ -57,6 +57,9 @@ Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::s
 /// returns  whether every value fits: finite ones within the format's range, infinity and NaN only where it has them
 bool packTexels(TexelFormat format, std::span<const float> samples, int channels, std::span<std::uint8_t> bytes);
 
+/// The greatest value that every channel of the format holds.
+float mostOf(TexelFormat format);
+
 /// "half floats hold −65504 to 65504": for the message where a value does not fit.
 std::string rangeOf(TexelFormat format);
 

@@ -150,10 +150,8 @@ Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoa
       options);
 }
 
-}  // namespace
-
-Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options,
-                                          const ProgressFunction& progress) {
+Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const EnvironmentLoadOptions& options,
+                                     const ProgressFunction& progress) {
   std::error_code status;
   const bool exists = fs::exists(name_or_path, status);
   // A folder that happens to be called "studio" is no map.
@@ -182,10 +180,20 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
   return loadFile(name_or_path, options, progress);
 }
 
+}  // namespace
+
+Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options,
+                                          const ProgressFunction& progress) {
+  MIRRORBALL_TRY(loaded, loadAsItIs(name_or_path, options, progress));
+  loaded.lost = limitLight(loaded.environment, options.light);
+  return loaded;
+}
+
 Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,
                                                  const EnvironmentLoadOptions& options) {
   std::error_code status;
-  if (options.repair || !fs::is_regular_file(name_or_path, status) || faceFilesBeside(name_or_path))
+  if (options.repair || !options.light.areNone() || !fs::is_regular_file(name_or_path, status) ||
+      faceFilesBeside(name_or_path))
     return std::nullopt;
   MIRRORBALL_TRY(rows, openRows(name_or_path));
   if (!rows) return std::nullopt;

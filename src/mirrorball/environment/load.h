@@ -7,6 +7,7 @@
 #include "mirrorball/base/progress.h"
 #include "mirrorball/codec/row_reader.h"
 #include "mirrorball/environment/environment.h"
+#include "mirrorball/environment/light_limits.h"
 #include "mirrorball/environment/recognize.h"
 #include "mirrorball/image/image.h"
 
@@ -14,9 +15,10 @@ namespace mirrorball {
 
 /// How to read an environment.
 struct EnvironmentLoadOptions {
-  FormHint from = {};     ///< overrides what is recognised
-  bool repair = false;    ///< replace NaN and infinite texels by their neighbours' mean
-  bool keep_bad = false;  ///< leave them as they are: for `info`, which only counts them
+  FormHint from = {};      ///< overrides what is recognised
+  bool repair = false;     ///< replace NaN and infinite texels by their neighbours' mean
+  bool keep_bad = false;   ///< leave them as they are: for `info`, which only counts them
+  LightLimits light = {};  ///< of the file's own texels, or of a built-in's light
 };
 
 /// An environment and what is known about where it came from.
@@ -29,6 +31,7 @@ struct LoadedEnvironment {
   glm::ivec2 file_size{0};                 ///< of the picture in the file (of one face where each has its own)
   NonFinite bad_texels;                    ///< as found, before any repair
   std::vector<std::string> files = {};     ///< that were read
+  LostLight lost = {};                     ///< by the limit of the light
 };
 
 /// Loads a built-in by its name (builtin.h), else a file of any format that is read (codec/image_format.h): of a texture its
@@ -51,7 +54,7 @@ struct PanoramaRows {
 /// Opens a panorama for being read by rows.
 ///
 /// returns  nothing where it has to be loaded as a whole: built-ins, cubes and other projections, formats that cannot be
-///          read so (openRows), and what is repaired or resampled when it is loaded
+///          read so (openRows), and what is repaired, limited or resampled when it is loaded
 /// errors   as loadEnvironment's
 Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,
                                                  const EnvironmentLoadOptions& options = {});

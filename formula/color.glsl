@@ -104,10 +104,25 @@ FN vec3 toneMap(int curve, vec3 light) {
   return toneMapLinear(light);
 }
 
-// Radiance with premultiplied alpha → a picture for a display: straight alpha, tone mapped, sRGB-encoded.
+// Radiance → what a display sends of it: linear light in [0, 1]; both with premultiplied alpha. The tone map takes the
+// light of the covered part alone, so that half of a lamp is half of the lamp's light and not all of a dimmer lamp's.
 //   exposure     factor on the radiance, 2^EV
-FN vec4 displayed(vec4 radiance, float exposure, int curve) {
+FN vec4 displayLight(vec4 radiance, float exposure, int curve) {
   if (radiance.w <= 0.0f) return vec4(0.0f, 0.0f, 0.0f, 0.0f);
   vec3 light = max(vec3(radiance) * (exposure / radiance.w), vec3(0.0f));
-  return vec4(srgbFromLinear(toneMap(curve, light)), radiance.w);
+  return vec4(toneMap(curve, light) * radiance.w, radiance.w);
+}
+
+// Light over a background; all premultiplied, and linear.
+FN vec4 laidOver(vec4 light, vec4 background) { return light + background * (1.0f - light.w); }
+
+// A display's light, premultiplied → a picture for it: straight alpha, sRGB-encoded.
+FN vec4 encodedPicture(vec4 light) {
+  if (light.w <= 0.0f) return vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  return vec4(srgbFromLinear(vec3(light) / light.w), light.w);
+}
+
+// Radiance with premultiplied alpha → a picture for a display: straight alpha, tone mapped, sRGB-encoded.
+FN vec4 displayed(vec4 radiance, float exposure, int curve) {
+  return encodedPicture(displayLight(radiance, exposure, curve));
 }

@@ -43,7 +43,7 @@ Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, cons
     const Image radiance = clock.time("frame: finish and read back", [&] { return renderer.radiance(); });
     return clock.time("picture: encode and write", [&] { return writeImage(output, radiance); });
   }
-  MIRRORBALL_TRY(picture, clock.time("frame: finish, tone map, read back", [&] { return renderer.picture(settings); }));
+  MIRRORBALL_TRY(picture, clock.time("frame: finish, tone map, read back", [&] { return renderer.picture(); }));
   return clock.time("picture: encode and write", [&] { return writePicture(output, picture); });
 }
 

@@ -49,6 +49,15 @@ TEST(Color, ToneMapsHaveTheirKnownValues) {
   EXPECT_NEAR(toneMapAces(vec3(0.18f)).y, 0.10f, 0.015f);
 }
 
+// An edge that half covers a white wall with a lamp 64 times as bright: on a display they are one white.
+TEST(Color, HalfOfALampIsHalfOfItsLight) {
+  const vec4 half = displayLight(vec4(32.0f, 32.0f, 32.0f, 0.5f), 1.0f, 4);
+  EXPECT_EQ(half, vec4(0.5f));
+  EXPECT_EQ(laidOver(half, vec4(1.0f)), vec4(1.0f));
+  EXPECT_EQ(laidOver(half, vec4(0.0f)), half);
+  EXPECT_NEAR(encodedPicture(laidOver(half, vec4(0.0f, 0.0f, 0.0f, 1.0f))).x, srgbFromLinear1(0.5f), 1e-6f);
+}
+
 TEST(Color, DisplayedUndoesThePremultiplication) {
   const vec4 half = displayed(vec4(0.25f, 0.25f, 0.25f, 0.5f), 1.0f, 4);
   EXPECT_NEAR(half.x, srgbFromLinear1(0.5f), 1e-6f);

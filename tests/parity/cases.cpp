@@ -76,6 +76,10 @@ const Case kCases[] = {
     PARITY(agxEncoded, light, kTranscendental, vec4(agxEncoded(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(toneMapAgx, light, kTranscendental, vec4(toneMapAgx(vec3(p)), 0.0f)),
     PARITY(toneMap, light, kTranscendental, vec4(toneMap(int(4.9375f * r.x), vec3(p)), 0.0f)),
+    PARITY(displayLight, light, kTranscendental,
+           displayLight(vec4(vec3(p), r.y), 0.25f + r.z, int(4.9375f * r.x))),
+    PARITY(laidOver, unit, kTight, laidOver(p, q)),
+    PARITY(encodedPicture, unit, kTranscendental, encodedPicture(vec4(vec3(p) * r.y, r.y))),
     PARITY(displayed, light, kTranscendental, displayed(vec4(vec3(p), r.y), 0.25f + r.z, int(4.9375f * r.x))),
 
     // cube

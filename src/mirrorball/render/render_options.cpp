@@ -51,7 +51,8 @@ const std::array<Option<RenderOptions>, 19> kOptions{{
      choiceField<&RenderOptions::tone_map>},
     {{.name = "background",
       .value = "env|blur|COLOR|transparent",
-      .help = "what is behind the model; COLOR is #rrggbb (sRGB) or R,G,B (linear)",
+      .help = "what is behind the model; COLOR is #rrggbb, which the picture shows as it is (a map or a picture of "
+              "radiance holds its linear light), or R,G,B, radiance that is exposed and tone mapped",
       .group = "Picture"},
      &RenderOptions::background},
 
@@ -184,8 +185,9 @@ Result<void> parseBackground(const std::string& text, FrameSettings& settings) {
   } else if (text == "transparent") {
     settings.background = BackgroundKind::transparent;
   } else {
-    settings.background = BackgroundKind::color;
+    settings.background = BackgroundKind::radiance;
     if (const auto color = parseHexColor(text)) {
+      settings.background = BackgroundKind::display_color;
       settings.background_color = *color;
     } else if (const auto numbers = parseVector({.name = "--background", .minimum = 0, .maximum = 1e6}, text)) {
       settings.background_color = *numbers;

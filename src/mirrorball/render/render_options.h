@@ -20,7 +20,13 @@ enum class Mapping { reflection, normal, sphere };
 enum class ReflectAt { vertex, fragment };
 enum class FresnelOverride { material, exact, schlick, empirical };
 enum class BlurKind { exact, gpu, mip, cone };
-enum class BackgroundKind { environment, blur, color, transparent };
+enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
+
+/// What is averaged over the samples of a pixel.
+enum class Resolve {
+  display,   ///< the light that a display sends, after the tone map: what is beyond a display's white counts as white
+  radiance,  ///< radiance, which is tone mapped afterwards
+};
 
 /// A point light, for Phong's model.
 struct PointLight {
@@ -64,7 +70,7 @@ struct FrameSettings {
   glm::mat3 env_tilt{1.0f};       ///< pitch and roll, which turn it before that: world from environment
   float env_intensity = 1.0f;
   BackgroundKind background = BackgroundKind::environment;
-  glm::vec3 background_color{0.0f};  ///< linear
+  glm::vec3 background_color{0.0f};  ///< linear: radiance, or a display's light in [0, 1]
   int samples = 4;
   BlurKind blur = BlurKind::exact;
   Mapping mapping = Mapping::reflection;

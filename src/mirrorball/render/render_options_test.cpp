@@ -46,10 +46,11 @@ TEST(RenderOptions, BackgroundsAreParsed) {
   RenderOptions options;
   options.background = "#ff8000";
   FrameSettings settings = *frameSettings(options);
-  EXPECT_EQ(settings.background, BackgroundKind::color);
+  EXPECT_EQ(settings.background, BackgroundKind::display_color);
   EXPECT_NEAR(settings.background_color.x, 1.0f, 1e-6f);
   EXPECT_NEAR(settings.background_color.y, 0.2158605f, 1e-5f) << "sRGB 128";
   options.background = "0.5,2,0";
+  EXPECT_EQ(frameSettings(options)->background, BackgroundKind::radiance);
   EXPECT_EQ(frameSettings(options)->background_color, glm::vec3(0.5f, 2.0f, 0.0f));
   options.background = "transparent";
   EXPECT_EQ(frameSettings(options)->background, BackgroundKind::transparent);

@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "formula/bsdf.h"
+#include "formula/color.h"
 #include "formula/prefilter.h"
 #include "formula/projection.h"
 #include "formula/surface.h"
@@ -34,8 +35,23 @@ Camera shifted(Camera camera, glm::vec2 offset_px, glm::ivec2 size) {
   return camera;
 }
 
+/// What is behind all that is drawn: a display's colour, or nothing.
+glm::vec4 backdropOf(const FrameSettings& settings) {
+  return settings.background == BackgroundKind::display_color ? glm::vec4(settings.background_color, 1.0f)
+                                                              : glm::vec4(0.0f);
+}
+
 /// How rough a mirror would blur the environment as `--background blur` does.
 constexpr float kBackgroundRoughness = 0.35f;
+
+/// Lays an image of four channels over a light that fills what is left of each texel.
+void layOver(Image& image, glm::vec4 backdrop) {
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec4 texel = formula::laidOver(rgbaAt(image, x, y), backdrop);
+      std::copy_n(&texel.x, 4, image.texel(x, y));
+    }
+}
 
 /// The middle of the box around a mesh, in its own frame.
 glm::vec3 centerOf(const Mesh& mesh) {
@@ -68,9 +84,9 @@ struct Renderer::State {
   std::optional<gl::Framebuffer> sample;  ///< one sample's picture
   std::optional<gl::Framebuffer> sum;     ///< the mean, when there is more than one
   std::optional<gl::Framebuffer> display;
-  int samples = 1;
+  FrameSettings last;  ///< the settings of the last frame
 
-  const gl::Framebuffer& result() const { return samples > 1 ? *sum : *sample; }
+  const gl::Framebuffer& result() const { return last.samples > 1 ? *sum : *sample; }
 
   Result<void> makeFramebuffers(const FrameSettings& settings);
   Result<PrefilteredChain> prefilteredChain(BlurKind blur);
@@ -120,7 +136,7 @@ Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, 
                                                    {},
                                                    {},
                                                    {},
-                                                   1}));
+                                                   {}}));
 }
 
 const BoundingSphere& Renderer::bounds() const { return state_->bounds; }
@@ -132,7 +148,7 @@ Result<void> Renderer::draw(const FrameSettings& settings, const ProgressFunctio
 
 Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress) {
   State& state = *state_;
-  state.samples = settings.samples;
+  state.last = settings;
   MIRRORBALL_TRY_VOID(state.makeFramebuffers(settings));
 
   FrameUniforms frame;
@@ -156,9 +172,13 @@ Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings,
   return {};
 }
 
-Image Renderer::radiance() const { return state_->result().readFloat(); }
+Image Renderer::radiance() const {
+  Image image = state_->result().readFloat();
+  if (const glm::vec4 backdrop = backdropOf(state_->last); backdrop.w > 0.0f) layOver(image, backdrop);
+  return image;
+}
 
-Result<Image8> Renderer::picture(const FrameSettings& settings) {
+Result<Image8> Renderer::picture() {
   State& state = *state_;
   const gl::Framebuffer& result = state.result();
   if (!state.display || state.display->width() != result.width() || state.display->height() != result.height()) {
@@ -169,8 +189,9 @@ Result<Image8> Renderer::picture(const FrameSettings& settings) {
   glDisable(GL_DEPTH_TEST);
   result.color().bind(TextureUnit::picture);
   state.tone_map.set("picture", TextureUnit::picture);
-  state.tone_map.set("exposure", settings.exposure);
-  state.tone_map.set("tone_map", static_cast<int>(settings.tone_map));
+  state.tone_map.set("exposure", state.last.exposure);
+  state.tone_map.set("tone_map", static_cast<int>(state.last.tone_map));
+  state.tone_map.set("backdrop", backdropOf(state.last));
   state.screen.draw(3);
   return state.display->readBytes();
 }
@@ -216,7 +237,7 @@ Result<void> Renderer::State::makeSphereMap(const FrameUniforms& frame) {
 
 Result<void> Renderer::State::drawSample(const FrameUniforms& frame, const FrameSettings& settings) {
   sample->bind();
-  const bool has_color = settings.background == BackgroundKind::color;
+  const bool has_color = settings.background == BackgroundKind::radiance;
   const glm::vec3 color = has_color ? settings.background_color : glm::vec3(0.0f);
   glClearColor(color.x, color.y, color.z, has_color ? 1.0f : 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -315,7 +336,7 @@ void Renderer::State::addSample(int index) {
   }
   sample->color().bind(TextureUnit::picture);
   accumulate.set("picture", TextureUnit::picture);
-  accumulate.set("share", 1.0f / static_cast<float>(samples));
+  accumulate.set("share", 1.0f / static_cast<float>(last.samples));
   screen.draw(3);
   glDisable(GL_BLEND);
 }

@@ -45,8 +45,9 @@ class Renderer {
   /// Linear radiance: 4 channels, premultiplied alpha, row 0 at the top.
   Image radiance() const;
 
-  /// Tone mapped and sRGB-encoded: 4 channels, straight alpha, row 0 at the top.
-  Result<Image8> picture(const FrameSettings& settings);
+  /// Exposed and tone mapped as the frame's settings say, over its background where that is a display's colour, and
+  /// sRGB-encoded: 4 channels, straight alpha, row 0 at the top.
+  Result<Image8> picture();
 
  private:
   struct State;

@@ -34,14 +34,14 @@ class Studio {
 
   Image radiance(const Shot& shot) {
     Image image;
-    take(shot, [&](Renderer& renderer, const FrameSettings&) { image = renderer.radiance(); });
+    take(shot, [&](Renderer& renderer) { image = renderer.radiance(); });
     return image;
   }
 
   Image8 picture(const Shot& shot) {
     Image8 image;
-    take(shot, [&](Renderer& renderer, const FrameSettings& settings) {
-      auto made = renderer.picture(settings);
+    take(shot, [&](Renderer& renderer) {
+      auto made = renderer.picture();
       if (made)
         image = std::move(*made);
       else
@@ -51,7 +51,7 @@ class Studio {
   }
 
  private:
-  void take(const Shot& shot, const std::function<void(Renderer&, const FrameSettings&)>& use) {
+  void take(const Shot& shot, const std::function<void(Renderer&)>& use) {
     auto scene = loadModel(shot.model);
     ASSERT_TRUE(scene) << scene.error().message;
     const auto applied = applyMaterialOptions(shot.options, *scene);
@@ -62,7 +62,7 @@ class Studio {
     ASSERT_TRUE(renderer) << renderer.error().message;
     const auto drawn = renderer->draw(*settings);
     ASSERT_TRUE(drawn) << drawn.error().message;
-    use(*renderer, *settings);
+    use(*renderer);
   }
 
   const gl::Context& context_;
@@ -331,6 +331,49 @@ TEST_F(RendererTest, ThePictureIsTheFormulaOfTheRadiance) {
           EXPECT_NEAR(picture.texel(x, y)[channel], shown[channel], 1.0f) << static_cast<int>(curve);
       }
   }
+}
+
+// Whatever the exposure and the curve, and where an edge covers half a pixel, half of its light.
+TEST_F(RendererTest, AColourOfTheDisplayIsThatColourInThePicture) {
+  Studio room = smallStudio("studio");
+  Shot shot = smallShot("knot", "gold");
+  shot.options.exposure_ev = 1.5f;
+  for (const ToneMap curve : {ToneMap::agx, ToneMap::aces, ToneMap::neutral, ToneMap::reinhard, ToneMap::linear}) {
+    shot.options.tone_map = curve;
+    shot.options.background = "transparent";
+    const Image8 cut_out = room.picture(shot);
+    for (const auto& [written, code] :
+         {std::pair{"#ffffff", glm::ivec3(255)}, {"#336699", glm::ivec3(0x33, 0x66, 0x99)}}) {
+      shot.options.background = written;
+      const Image8 picture = room.picture(shot);
+      for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+          const std::uint8_t* texel = picture.texel(x, y);
+          EXPECT_EQ(texel[3], 255);
+          const float alpha = static_cast<float>(cut_out.texel(x, y)[3]) / 255.0f;
+          for (int channel = 0; channel < 3; ++channel) {
+            if (alpha == 0.0f) ASSERT_EQ(texel[channel], code[channel]) << written;
+            const auto light = [](int of_code) {
+              return formula::linearFromSrgb1(static_cast<float>(of_code) / 255.0f);
+            };
+            const float mean = glm::mix(light(code[channel]), light(cut_out.texel(x, y)[channel]), alpha);
+            EXPECT_NEAR(texel[channel], 255.0f * formula::srgbFromLinear1(mean), 1.5f) << written << " alpha " << alpha;
+          }
+        }
+    }
+  }
+}
+
+TEST_F(RendererTest, AColourOfTheDisplayIsItsLinearLightAmongRadiance) {
+  Studio room = smallStudio("studio");
+  Shot shot = smallShot("knot", "gold");
+  shot.options.background = "#336699";
+  const Image of_display = room.radiance(shot);
+  shot.options.background = "0.0331048,0.1328683,0.3185468";  // IEC 61966-2-1
+  const Image of_radiance = room.radiance(shot);
+  ASSERT_EQ(of_display.samples().size(), of_radiance.samples().size());
+  for (std::size_t i = 0; i < of_display.samples().size(); ++i)
+    ASSERT_NEAR(of_display.samples()[i], of_radiance.samples()[i], 1e-5f);
 }
 
 TEST_F(RendererTest, APointLightLightsItsSideOnly) {

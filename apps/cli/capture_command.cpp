@@ -64,7 +64,7 @@ const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
 }};
 
 /// What has no meaning for a map of all directions, or a map's own option in its place.
-constexpr std::array<std::string_view, 8> kOptionsOfPictures{"size",   "frames", "exposure", "tone-map",
+constexpr std::array<std::string_view, 9> kOptionsOfPictures{"size",   "frames", "exposure", "tone-map",    "resolve",
                                                              "camera", "target", "fov",      "orthographic"};
 
 /// All that `capture` was told.

@@ -92,6 +92,7 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
 Result<void> render(const RenderRequest& request) {
   StageClock clock;
   MIRRORBALL_TRY(settings, frameSettings(request.options));
+  if (storesLinearLight(request.files.output)) settings.resolve = Resolve::radiance;
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
   const std::vector<std::string> outputs = outputPaths(request);
   if (isStandardOutputTaken() && request.options.frames > 0)

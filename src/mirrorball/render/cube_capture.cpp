@@ -23,6 +23,7 @@ Result<EnvironmentMap> captureEnvironment(Renderer& renderer, const CaptureSetti
   const DepthRange depths = depthsAround(settings.position, renderer.bounds(), settings.nearest);
   FrameSettings frame = settings.frame;
   frame.size = glm::ivec2(settings.size);
+  frame.resolve = Resolve::radiance;
   for (int face = 0; face < faces.faces(); ++face) {
     const auto ofAllFaces = [&](std::size_t done, std::size_t of_face) {
       return progress(static_cast<std::size_t>(face) * of_face + done, 6 * of_face);

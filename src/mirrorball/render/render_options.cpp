@@ -19,7 +19,7 @@ constexpr int kLongestSide = 16384;
 const std::string kExposureHelp =
     "brightness of a tone-mapped picture; " + writtenExtensions(Holds::light, " and ") + " keep radiance as it is";
 
-const std::array<Option<RenderOptions>, 19> kOptions{{
+const std::array<Option<RenderOptions>, 20> kOptions{{
     {{.name = "size", .value = "WxH", .unit = "pixels", .help = "size of the picture", .group = "Picture"},
      &RenderOptions::size},
     {{.name = "samples",
@@ -29,6 +29,12 @@ const std::array<Option<RenderOptions>, 19> kOptions{{
       .help = "samples of each pixel, evenly spread over its area",
       .group = "Picture"},
      &RenderOptions::samples},
+    {{.name = "resolve",
+      .choices = "display|radiance",
+      .help = "what is averaged over the samples: the light that a display shows of each, so that outlines of what is far "
+              "brighter than white are smooth, or radiance, which is then tone mapped; .exr and .hdr hold radiance",
+      .group = "Picture"},
+     choiceField<&RenderOptions::resolve>},
     {{.name = "frames",
       .value = "N",
       .minimum = 0,
@@ -245,6 +251,7 @@ Result<FrameSettings> frameSettings(const RenderOptions& options) {
   settings.env_intensity = options.env_intensity;
   MIRRORBALL_TRY_VOID(parseBackground(options.background, settings));
   settings.samples = options.samples;
+  settings.resolve = options.resolve;
   settings.blur = options.blur;
   settings.mapping = options.mapping;
   settings.reflect_at = options.reflect_at;

@@ -47,6 +47,7 @@ struct RenderOptions {
   float env_intensity = 1.0f;
   std::string background = "env";
   int samples = 4;
+  Resolve resolve = Resolve::display;
   std::string material;
   std::vector<std::string> set;
   FresnelOverride fresnel = FresnelOverride::material;
@@ -72,6 +73,7 @@ struct FrameSettings {
   BackgroundKind background = BackgroundKind::environment;
   glm::vec3 background_color{0.0f};  ///< linear: radiance, or a display's light in [0, 1]
   int samples = 4;
+  Resolve resolve = Resolve::display;
   BlurKind blur = BlurKind::exact;
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;

@@ -1,6 +1,7 @@
 #include "mirrorball/render/renderer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <future>
 #include <optional>
@@ -39,6 +40,18 @@ Camera shifted(Camera camera, glm::vec2 offset_px, glm::ivec2 size) {
 glm::vec4 backdropOf(const FrameSettings& settings) {
   return settings.background == BackgroundKind::display_color ? glm::vec4(settings.background_color, 1.0f)
                                                               : glm::vec4(0.0f);
+}
+
+/// Whether the mean of the samples is of a display's light. One sample is kept as radiance: there is nothing to average.
+bool isDisplayed(const FrameSettings& settings) {
+  return settings.resolve == Resolve::display && settings.samples > 1;
+}
+
+/// How a display shows radiance, for shaders/accumulate.frag and tone_map.frag.
+void setDisplay(gl::Program& program, const FrameSettings& settings) {
+  program.set("as_displayed", isDisplayed(settings) ? 1.0f : 0.0f);
+  program.set("exposure", settings.exposure);
+  program.set("tone_map", static_cast<int>(settings.tone_map));
 }
 
 /// How rough a mirror would blur the environment as `--background blur` does.
@@ -173,6 +186,7 @@ Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings,
 }
 
 Image Renderer::radiance() const {
+  assert(!isDisplayed(state_->last));
   Image image = state_->result().readFloat();
   if (const glm::vec4 backdrop = backdropOf(state_->last); backdrop.w > 0.0f) layOver(image, backdrop);
   return image;
@@ -189,8 +203,7 @@ Result<Image8> Renderer::picture() {
   glDisable(GL_DEPTH_TEST);
   result.color().bind(TextureUnit::picture);
   state.tone_map.set("picture", TextureUnit::picture);
-  state.tone_map.set("exposure", state.last.exposure);
-  state.tone_map.set("tone_map", static_cast<int>(state.last.tone_map));
+  setDisplay(state.tone_map, state.last);
   state.tone_map.set("backdrop", backdropOf(state.last));
   state.screen.draw(3);
   return state.display->readBytes();
@@ -336,6 +349,7 @@ void Renderer::State::addSample(int index) {
   }
   sample->color().bind(TextureUnit::picture);
   accumulate.set("picture", TextureUnit::picture);
+  setDisplay(accumulate, last);
   accumulate.set("share", 1.0f / static_cast<float>(last.samples));
   screen.draw(3);
   glDisable(GL_BLEND);

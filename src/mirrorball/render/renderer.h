@@ -16,7 +16,8 @@ namespace mirrorball {
 /// Draws a scene in an environment on the current GL context.
 ///
 /// A frame is: the background, the objects (each lit by the whole environment, and by point lights if there are any),
-/// drawn once for each sample of a pixel with the picture shifted within the pixel, and the mean of them all.
+/// drawn once for each sample of a pixel with the picture shifted within the pixel, and the mean of them all, as light of
+/// the display or as radiance.
 class Renderer {
  public:
   /// Uploads everything. `scene` and `environment` must outlive the renderer.
@@ -42,7 +43,7 @@ class Renderer {
   /// Of the scene.
   const BoundingSphere& bounds() const;
 
-  /// Linear radiance: 4 channels, premultiplied alpha, row 0 at the top.
+  /// Linear radiance: 4 channels, premultiplied alpha, row 0 at the top. Of a frame that was drawn with Resolve::radiance.
   Image radiance() const;
 
   /// Exposed and tone mapped as the frame's settings say, over its background where that is a display's colour, and

@@ -32,7 +32,8 @@ class Studio {
   Studio(const gl::Context& context, Environment environment)
       : context_(context), environment_(std::move(environment)), prepared_(*testing::prepareOnce(environment_)) {}
 
-  Image radiance(const Shot& shot) {
+  Image radiance(Shot shot) {
+    shot.options.resolve = Resolve::radiance;
     Image image;
     take(shot, [&](Renderer& renderer) { image = renderer.radiance(); });
     return image;
@@ -319,6 +320,7 @@ TEST_F(RendererTest, ThePictureIsTheFormulaOfTheRadiance) {
   Studio room = smallStudio("studio");
   Shot shot = smallShot("knot", "gold");
   shot.options.exposure_ev = 0.5f;
+  shot.options.resolve = Resolve::radiance;
   const Image radiance = room.radiance(shot);
   for (const ToneMap curve : {ToneMap::agx, ToneMap::aces, ToneMap::neutral, ToneMap::reinhard, ToneMap::linear}) {
     shot.options.tone_map = curve;
@@ -352,7 +354,9 @@ TEST_F(RendererTest, AColourOfTheDisplayIsThatColourInThePicture) {
           EXPECT_EQ(texel[3], 255);
           const float alpha = static_cast<float>(cut_out.texel(x, y)[3]) / 255.0f;
           for (int channel = 0; channel < 3; ++channel) {
-            if (alpha == 0.0f) ASSERT_EQ(texel[channel], code[channel]) << written;
+            if (alpha == 0.0f) {
+              ASSERT_EQ(texel[channel], code[channel]) << written;
+            }
             const auto light = [](int of_code) {
               return formula::linearFromSrgb1(static_cast<float>(of_code) / 255.0f);
             };
@@ -362,6 +366,33 @@ TEST_F(RendererTest, AColourOfTheDisplayIsThatColourInThePicture) {
         }
     }
   }
+}
+
+// A lamp a thousand times brighter than white: an edge pixel that it half covers is half as bright as the display can be.
+// The mean of radiance is white wherever one sample of 16 meets the lamp: such an edge has steps at any number of samples.
+TEST_F(RendererTest, TheOutlineOfALampIsAsSmoothAsItsCoverage) {
+  Studio dark(context(), Environment([](glm::vec3) { return glm::vec3(0.0f); }, 8));
+  Shot lamp = smallShot("sphere", "");
+  lamp.options.set = {"emission=1000"};
+  lamp.options.samples = 16;
+  lamp.options.background = "transparent";
+  const Image8 cut_out = dark.picture(lamp);
+  lamp.options.background = "0,0,0";
+  const Image8 resolved = dark.picture(lamp);
+  lamp.options.resolve = Resolve::radiance;
+  const Image8 averaged = dark.picture(lamp);
+  int partial = 0;
+  for (int y = 0; y < cut_out.height(); ++y)
+    for (int x = 0; x < cut_out.width(); ++x) {
+      const int alpha = cut_out.texel(x, y)[3];
+      const float coverage = static_cast<float>(alpha) / 255.0f;
+      EXPECT_NEAR(resolved.texel(x, y)[0], 255.0f * formula::srgbFromLinear1(coverage), 1.5f) << "covered " << coverage;
+      if (alpha == 0 || alpha == 255) continue;
+      ++partial;
+      EXPECT_EQ(cut_out.texel(x, y)[0], 255) << "the colour of the middle";
+      EXPECT_GE(averaged.texel(x, y)[0], 254) << "covered " << coverage;
+    }
+  EXPECT_GT(partial, 100);
 }
 
 TEST_F(RendererTest, AColourOfTheDisplayIsItsLinearLightAmongRadiance) {

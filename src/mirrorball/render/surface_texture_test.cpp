@@ -117,6 +117,7 @@ FrameSettings settingsOf(const View& view, const Scene& scene) {
   FrameSettings settings;
   settings.size = glm::ivec2(view.cells * kCellSide_px);
   settings.samples = 1;
+  settings.resolve = Resolve::radiance;
   settings.background = view.background ? BackgroundKind::radiance : BackgroundKind::transparent;
   settings.background_color = view.background.value_or(glm::vec3(0.0f));
   settings.camera.azimuth_deg = view.azimuth_deg;

@@ -16,6 +16,7 @@
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/render/renderer.h"
+#include "mirrorball/scene/framing.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -101,6 +102,10 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY(renderer, clock.time("GL: upload, compile", [&] {
     return Renderer::make(inputs.context, inputs.scene, inputs.environment, inputs.prepared);
   }));
+  if (request.options.frames > 0) {
+    const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
+    settings.camera = framed(inputs.scene, renderer.bounds(), settings.camera, aspect, FramingOf::whole_turn);
+  }
   Result<void> drawn = request.options.frames > 0
                            ? renderTurntable(renderer, settings, outputs, clock)
                            : renderFrame(renderer, settings, outputs.front(), clock, progressBar("samples"));

@@ -81,14 +81,33 @@ TEST_F(OutputTest, AnOpaquePictureHasAlpha1) {
 }
 
 TEST_F(OutputTest, ATurntableIsNumberedPicturesOnceRound) {
-  const std::string shot = "render cube --material mirror -e smooth.exr --size 32x32 --camera 10,20";
+  const std::string shot = "render cube --material mirror -e smooth.exr --size 32x32 --camera 10,20,4";
   succeed(shot + " --frames 4 -o turn.png");
   EXPECT_THAT(files(), ElementsAre("smooth.exr", "turn_000.png", "turn_001.png", "turn_002.png", "turn_003.png"));
   for (const auto& [frame, azimuth] : {std::pair{"0", "10"}, {"1", "100"}, {"2", "190"}, {"3", "280"}}) {
     succeed("render cube --material mirror -e smooth.exr --size 32x32 -o still.png --camera " + std::string(azimuth) +
-            ",20");
+            ",20,4");
     EXPECT_TRUE(bytes("still.png") == bytes(std::string("turn_00") + frame + ".png")) << "frame " << frame;
   }
+}
+
+// Each for itself they would be framed by what is seen then, and the model would shrink and grow while it turns.
+TEST_F(OutputTest, AllPicturesOfATurntableHaveOneFraming) {
+  const std::string shot = "render teapot -e white --size 64x48 --background transparent --orthographic --camera 0,0 ";
+  succeed(shot + "--frames 5 -o turn.exr");
+  const auto rowsOf = [&](const std::string& file) {
+    const Image picture = image(file);
+    std::vector<int> rows;
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 64; ++x)
+        if (rgbaAt(picture, x, y).w > 0.0f && (rows.empty() || rows.back() != y)) rows.push_back(y);
+    return rows;
+  };
+  const std::vector<int> first = rowsOf("turn_000.exr");
+  for (const char* other : {"turn_001.exr", "turn_002.exr", "turn_003.exr", "turn_004.exr"})
+    EXPECT_EQ(rowsOf(other), first) << other;
+  succeed(shot + "-o still.exr --camera 72,0");
+  EXPECT_GT(rowsOf("still.exr").size(), first.size()) << "seen from this side it is narrower than the whole turn";
 }
 
 TEST_F(OutputTest, AnOutputThatWasThereIsReplaced) {

@@ -20,6 +20,7 @@
 #include "mirrorball/render/scene_buffers.h"
 #include "mirrorball/render/sphere_map.h"
 #include "mirrorball/render/surface_program.h"
+#include "mirrorball/scene/framing.h"
 
 namespace mirrorball {
 namespace {
@@ -156,7 +157,8 @@ const BoundingSphere& Renderer::bounds() const { return state_->bounds; }
 
 Result<void> Renderer::draw(const FrameSettings& settings, const ProgressFunction& progress) {
   const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
-  return draw(makeCamera(settings.camera, state_->bounds, aspect), settings, progress);
+  const CameraOptions camera = framed(state_->scene, state_->bounds, settings.camera, aspect);
+  return draw(makeCamera(camera, state_->bounds, aspect), settings, progress);
 }
 
 Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress) {

@@ -12,8 +12,8 @@ namespace mirrorball {
 struct CameraOptions {
   float azimuth_deg = 30.0f;             ///< 0 stands on +Z and looks along −Z, 90 stands on +X
   float elevation_deg = 15.0f;           ///< 90 stands on +Y
-  std::optional<float> distance = {};    ///< from the target, in model radii; without it the model fills the picture
-  std::optional<glm::vec3> target = {};  ///< world; without it the model's centre
+  std::optional<float> distance = {};    ///< from the target, in model radii; without it a ball around the model does
+  std::optional<glm::vec3> target = {};  ///< world; without it the centre of that ball
   float fov_deg = 35.0f;                 ///< vertical angle of view
   std::optional<float> orthographic_height = {};  ///< of the view, in model radii; turns perspective off
 };
@@ -27,7 +27,7 @@ struct Camera {
   bool orthographic = false;
 };
 
-/// Puts a camera before a model.
+/// Puts a camera before a model. framed() (framing.h) chooses target and distance by the model's own outline.
 ///
 /// bounds   the model's bounding sphere
 /// aspect   width over height of the picture

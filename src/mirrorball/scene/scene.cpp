@@ -5,20 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "mirrorball/scene/positions.h"
+
 namespace mirrorball {
-namespace {
-
-/// Calls `visit` with the world position of every vertex, in double precision so that huge coordinates do not overflow.
-template <typename Visit>
-void forEachPosition(const Scene& scene, Visit&& visit) {
-  for (const Instance& instance : scene.instances) {
-    const glm::dmat4 world_from_object(instance.world_from_object);
-    for (const Vertex& vertex : scene.meshes[std::size_t(instance.mesh)].vertices)
-      visit(glm::dvec3(world_from_object * glm::dvec4(glm::dvec3(vertex.position), 1.0)));
-  }
-}
-
-}  // namespace
 
 Scene sceneOf(Mesh mesh, Material material) {
   Scene scene;
@@ -32,7 +21,7 @@ Scene sceneOf(Mesh mesh, Material material) {
 BoundingSphere boundingSphere(const Scene& scene) {
   glm::dvec3 least(std::numeric_limits<double>::infinity());
   glm::dvec3 most(-std::numeric_limits<double>::infinity());
-  forEachPosition(scene, [&](glm::dvec3 position) {
+  forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
     least = glm::min(least, position);
     most = glm::max(most, position);
   });
@@ -40,7 +29,7 @@ BoundingSphere boundingSphere(const Scene& scene) {
 
   const glm::dvec3 center = 0.5 * (least + most);
   double squared_radius = 0.0;
-  forEachPosition(scene, [&](glm::dvec3 position) {
+  forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
     const glm::dvec3 away = position - center;
     squared_radius = std::max(squared_radius, glm::dot(away, away));
   });

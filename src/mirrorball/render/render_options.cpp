@@ -31,8 +31,9 @@ const std::array<Option<RenderOptions>, 20> kOptions{{
      &RenderOptions::samples},
     {{.name = "resolve",
       .choices = "display|radiance",
-      .help = "what is averaged over the samples: the light that a display shows of each, so that outlines of what is far "
-              "brighter than white are smooth, or radiance, which is then tone mapped; .exr and .hdr hold radiance",
+      .help =
+          "what is averaged over the samples: the light that a display shows of each, so that outlines of what is far "
+          "brighter than white are smooth, or radiance, which is then tone mapped; .exr and .hdr hold radiance",
       .group = "Picture"},
      choiceField<&RenderOptions::resolve>},
     {{.name = "frames",

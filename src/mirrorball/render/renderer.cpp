@@ -44,9 +44,7 @@ glm::vec4 backdropOf(const FrameSettings& settings) {
 }
 
 /// Whether the mean of the samples is of a display's light. One sample is kept as radiance: there is nothing to average.
-bool isDisplayed(const FrameSettings& settings) {
-  return settings.resolve == Resolve::display && settings.samples > 1;
-}
+bool isDisplayed(const FrameSettings& settings) { return settings.resolve == Resolve::display && settings.samples > 1; }
 
 /// How a display shows radiance, for shaders/accumulate.frag and tone_map.frag.
 void setDisplay(gl::Program& program, const FrameSettings& settings) {

@@ -152,7 +152,8 @@ CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const Cam
     if (is_free) camera = {(x.plus.value - x.minus.value) / 2.0, (y.plus.value - y.minus.value) / 2.0, 0.0};
   } else {
     const double foremost = view.reach(0, 0.0, 1.0).plus.value;
-    camera.z = std::max({needed(x) / slopes.x, needed(y) / slopes.y, std::max(foremost, 0.0) + kLeastDistance * radius});
+    camera.z =
+        std::max({needed(x) / slopes.x, needed(y) / slopes.y, std::max(foremost, 0.0) + kLeastDistance * radius});
     if (is_free) {
       camera.x = centered(view, 0, camera.z);
       camera.y = centered(view, 1, camera.z);

@@ -4,26 +4,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "mirrorball/scene/corner_angle.h"
+
 namespace mirrorball {
 namespace {
 
-// Sums are taken in double precision: coordinates up to the largest float then neither overflow nor lose small triangles.
 using glm::dvec2;
 using glm::dvec3;
-
-/// A unit vector along `direction`, or `otherwise` where that has no length.
-dvec3 unitOr(dvec3 direction, dvec3 otherwise) {
-  const double length = glm::length(direction);
-  return length > 0.0 ? direction / length : otherwise;
-}
-
-/// The angle of the triangle at `corner`, in radians; 0 for a degenerate one.
-double angleAt(dvec3 corner, dvec3 next, dvec3 previous) {
-  const dvec3 a = next - corner;
-  const dvec3 b = previous - corner;
-  // atan2 stays exact near 0 and π, where the arc cosine of a dot product does not.
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 /// Some unit vector orthogonal to the unit vector `normal`.
 dvec3 anyOrthogonal(dvec3 normal) {

@@ -1,6 +1,7 @@
 #include "mirrorball/scene/obj.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <exception>
 #include <functional>
@@ -19,6 +20,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/obj_material.h"
 #include "mirrorball/scene/polygon.h"
+#include "mirrorball/scene/smoothing.h"
 
 namespace mirrorball {
 namespace {
@@ -44,10 +46,67 @@ struct Face {
   std::size_t first_corner;
   std::size_t corner_count;
   int material;  // of the .mtl; −1: none
+  int smoothing;
+};
+
+/// The file's bytes as a stream, without a copy.
+class ByteStream : private std::streambuf, public std::istream {
+ public:
+  explicit ByteStream(std::span<const std::uint8_t> bytes) : std::istream(static_cast<std::streambuf*>(this)) {
+    // A stream buffer takes pointers that it could write through; this one is only read.
+    char* begin = const_cast<char*>(reinterpret_cast<const char*>(bytes.data()));
+    setg(begin, begin, begin + bytes.size());
+  }
+
+  /// What was read of it.
+  std::string_view consumed() const { return {eback(), static_cast<std::size_t>(gptr() - eback())}; }
+};
+
+/// The lines `s N` and `s off`, which the parser does not tell of. It has read a face's line and none after it when it
+/// calls back, so that all of them before the face lie in what was consumed.
+class SmoothingLines {
+ public:
+  explicit SmoothingLines(const ByteStream& stream) : stream_(stream) {}
+
+  /// The group of a face that was read just now.
+  int here() {
+    const std::string_view text = stream_.consumed();
+    while (at_ < text.size()) {
+      const std::size_t end = std::min(text.find_first_of("\r\n", at_), text.size());
+      read(text.substr(at_, end - at_));
+      at_ = end + 1;
+    }
+    return group_;
+  }
+
+  bool hasAny() const { return has_any_; }
+
+ private:
+  void read(std::string_view line) {
+    const auto skipSpace = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
+    skipSpace();
+    if (line.size() < 2 || line[0] != 's' || (line[1] != ' ' && line[1] != '\t')) return;
+    line.remove_prefix(1);
+    skipSpace();
+    int group = 0;
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), group);
+    const bool is_number = error == std::errc{} && group >= 0;
+    if (!is_number && !line.starts_with("off")) return;
+    has_any_ = true;
+    group_ = is_number ? group : kFlat;
+  }
+
+  const ByteStream& stream_;
+  std::size_t at_ = 0;
+  int group_ = kFlat;  // "the default value for s is off" (Wavefront, Object Files)
+  bool has_any_ = false;
 };
 
 /// What the parser's callbacks collect.
 struct Geometry {
+  explicit Geometry(const ByteStream& stream) : smoothing(stream) {}
+
+  SmoothingLines smoothing;
   std::vector<glm::vec3> positions;
   std::vector<glm::vec2> uvs;
   std::vector<glm::vec3> normals;
@@ -90,7 +149,7 @@ void addFace(void* user_data, tinyobj::index_t* indices, int count) {
                       " has an index that is 0, no number, or before the first");
     geometry.corners.push_back(corner);
   }
-  geometry.faces.push_back({first, static_cast<std::size_t>(count), geometry.material});
+  geometry.faces.push_back({first, static_cast<std::size_t>(count), geometry.material, geometry.smoothing.here()});
 }
 
 tinyobj::callback_t callbacks() {
@@ -118,16 +177,6 @@ tinyobj::callback_t callbacks() {
   };
   return callback;
 }
-
-/// The file's bytes as a stream, without a copy.
-class ByteStream : private std::streambuf, public std::istream {
- public:
-  explicit ByteStream(std::span<const std::uint8_t> bytes) : std::istream(static_cast<std::streambuf*>(this)) {
-    // A stream buffer takes pointers that it could write through; this one is only read.
-    char* begin = const_cast<char*>(reinterpret_cast<const char*>(bytes.data()));
-    setg(begin, begin, begin + bytes.size());
-  }
-};
 
 /// Reads a .mtl beside the model.
 class MaterialReader : public tinyobj::MaterialReader {
@@ -184,29 +233,39 @@ void forEachTriangle(const Geometry& geometry, const Face& face, Take&& take) {
     take({face.first_corner + triangle[0], face.first_corner + triangle[1], face.first_corner + triangle[2]});
 }
 
-/// Smooth normals by position, so that a seam of the texture coordinates does not show.
-std::vector<glm::vec3> smoothNormals(const Geometry& geometry) {
-  Mesh mesh;
-  mesh.vertices.resize(geometry.positions.size());
-  for (std::size_t i = 0; i < geometry.positions.size(); ++i) mesh.vertices[i].position = geometry.positions[i];
-  for (const Face& face : geometry.faces)
-    forEachTriangle(geometry, face, [&](std::array<std::size_t, 3> triangle) {
-      for (const std::size_t corner : triangle)
-        mesh.indices.push_back(static_cast<std::uint32_t>(geometry.corners[corner].position));
-    });
-  computeNormals(mesh);
-  std::vector<glm::vec3> normals(mesh.vertices.size());
-  for (std::size_t i = 0; i < normals.size(); ++i) normals[i] = mesh.vertices[i].normal;
-  return normals;
+bool hasNormal(const Geometry& geometry, const Corner& corner) {
+  return corner.normal >= 0 && geometry.normals[std::size_t(corner.normal)] != glm::vec3(0.0f);
 }
 
-/// Builds the meshes, one for each material that is used.
+/// Gives normals to corners that have none. They go by position, so that a seam of the texture coordinates does not show.
+void addMissingNormals(Geometry& geometry) {
+  const auto lacks_normal = [&](const Corner& corner) { return !hasNormal(geometry, corner); };
+  if (std::none_of(geometry.corners.begin(), geometry.corners.end(), lacks_normal)) return;
+  std::vector<std::uint32_t> positions;
+  positions.reserve(geometry.corners.size());
+  for (const Corner& corner : geometry.corners) positions.push_back(static_cast<std::uint32_t>(corner.position));
+  std::vector<PolygonFace> faces;
+  for (const Face& face : geometry.faces)
+    if (face.corner_count >= 3)
+      faces.push_back({std::span(positions).subspan(face.first_corner, face.corner_count),
+                       geometry.smoothing.hasAny() ? face.smoothing : kSmoothByAngle});
+  const CornerNormals made = cornerNormals(geometry.positions, faces);
+
+  const std::size_t first_made = geometry.normals.size();
+  auto normal = made.of_corner.begin();
+  for (const Face& face : geometry.faces) {
+    if (face.corner_count < 3) continue;
+    for (std::size_t i = 0; i < face.corner_count; ++i, ++normal)
+      if (Corner& corner = geometry.corners[face.first_corner + i]; lacks_normal(corner))
+        corner.normal = static_cast<int>(first_made + *normal);
+  }
+  geometry.normals.insert(geometry.normals.end(), made.normals.begin(), made.normals.end());
+}
+
+/// Builds the meshes, one for each material that is used. All corners have normals.
 class MeshBuilder {
  public:
-  explicit MeshBuilder(const Geometry& geometry) : geometry_(geometry) {
-    const auto lacks_normal = [&](const Corner& corner) { return !hasNormal(corner); };
-    if (std::any_of(geometry.corners.begin(), geometry.corners.end(), lacks_normal)) smooth_ = smoothNormals(geometry);
-  }
+  explicit MeshBuilder(const Geometry& geometry) : geometry_(geometry) {}
 
   /// The meshes by material of the .mtl; −1: none.
   std::map<int, Mesh> build() {
@@ -232,24 +291,17 @@ class MeshBuilder {
     std::unordered_map<Corner, std::uint32_t, CornerHash> vertices;
   };
 
-  bool hasNormal(const Corner& corner) const {
-    return corner.normal >= 0 && geometry_.normals[std::size_t(corner.normal)] != glm::vec3(0.0f);
-  }
-
   std::uint32_t vertexOf(const Corner& corner, Part& part) {
     const auto [found, is_new] = part.vertices.emplace(corner, static_cast<std::uint32_t>(part.mesh.vertices.size()));
     if (!is_new) return found->second;
     Vertex& vertex = part.mesh.vertices.emplace_back();
     vertex.position = geometry_.positions[std::size_t(corner.position)];
     if (corner.uv >= 0) vertex.uv[0] = vertex.uv[1] = geometry_.uvs[std::size_t(corner.uv)];
-    vertex.normal = hasNormal(corner)
-                        ? glm::vec3(glm::normalize(glm::dvec3(geometry_.normals[std::size_t(corner.normal)])))
-                        : smooth_[std::size_t(corner.position)];
+    vertex.normal = glm::vec3(glm::normalize(glm::dvec3(geometry_.normals[std::size_t(corner.normal)])));
     return found->second;
   }
 
   const Geometry& geometry_;
-  std::vector<glm::vec3> smooth_;  // by position; empty where the file has all normals
   std::map<int, Part> parts_;
 };
 
@@ -259,9 +311,9 @@ Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesyst
   const std::string name = path.string();
   const std::filesystem::path folder = path.parent_path();
   Scene scene;
-  Geometry geometry;
-  MaterialReader reader(folder, scene);
   ByteStream stream(bytes);
+  Geometry geometry(stream);
+  MaterialReader reader(folder, scene);
   try {
     tinyobj::LoadObjWithCallback(stream, callbacks(), &geometry, &reader);
   } catch (const std::exception& exception) {
@@ -274,6 +326,7 @@ Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesyst
   for (const std::string& material : geometry.unknown_materials)
     scene.warnings.push_back(name + ": no .mtl has the material '" + material + "'");
 
+  addMissingNormals(geometry);
   std::map<int, Mesh> meshes = MeshBuilder(geometry).build();
   if (meshes.empty()) return fail(ErrorCode::bad_file, name + ": none of its faces has three corners");
   std::vector<tinyobj::material_t> used;

@@ -1,6 +1,11 @@
 #include "mirrorball/scene/obj.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 #include <random>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +14,7 @@
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/picture_testing.h"
 #include "mirrorball/codec/tiff_testing.h"
+#include "mirrorball/scene/builtin_shapes.h"
 
 namespace mirrorball {
 namespace {
@@ -53,13 +59,13 @@ TEST(Obj, CountsBackwardsAndForwards) {
   const Result<Scene> scene = decode("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 1 2 4\nv 0 0 1\n");
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_EQ(scene->meshes.at(0).indices.size(), 6u);
-  EXPECT_EQ(scene->meshes[0].vertices.at(3).position, glm::vec3(0, 0, 1));
+  EXPECT_EQ(scene->meshes[0].vertices.back().position, glm::vec3(0, 0, 1));
 }
 
 TEST(Obj, SmoothsAcrossSeamsOfTheTextureCoordinates) {
   // A fold of two faces that share an edge but not its texture coordinates.
   const Result<Scene> scene = decode(
-      "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 -1\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\n"
+      "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 -1\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\ns 1\n"
       "f 1/1 3/2 2/3\nf 1/4 2/2 4/3\n");
   ASSERT_TRUE(scene) << scene.error().message;
   const Mesh& mesh = scene->meshes.at(0);
@@ -70,6 +76,65 @@ TEST(Obj, SmoothsAcrossSeamsOfTheTextureCoordinates) {
       EXPECT_NEAR(vertex.normal.x, -0.70711f, 1e-4f);
     }
   }
+}
+
+/// A box of six squares, with `before` ahead of each face.
+std::string boxText(std::string_view before) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+  for (const char* face : {"4 3 2 1", "5 6 7 8", "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8"})
+    text += std::string(before) + "f " + face + "\n";
+  return text;
+}
+
+/// A ball of triangles, each of whose edges turns by 15° or less.
+std::string ballText(std::string_view before) {
+  const Mesh ball = sphereMesh(12, 24);
+  std::string text(before);
+  std::map<std::array<long, 3>, std::size_t> places;
+  std::string faces;
+  for (std::size_t i = 0; i < ball.indices.size(); ++i) {
+    const glm::vec3 position = glm::round(ball.vertices[ball.indices[i]].position * 1e5f);
+    const std::array place{std::lround(position.x), std::lround(position.y), std::lround(position.z)};
+    const auto [found, is_new] = places.emplace(place, places.size() + 1);
+    if (is_new)
+      text += "v " + std::to_string(position.x) + " " + std::to_string(position.y) + " " + std::to_string(position.z) +
+              "\n";
+    faces += (i % 3 == 0 ? "\nf " : " ") + std::to_string(found->second);
+  }
+  return text + faces + "\n";
+}
+
+/// The mean cosine between the normals of a model's vertices and the way from `center` to them.
+float roundness(const Scene& scene, glm::vec3 center) {
+  float sum = 0.0f;
+  for (const Vertex& vertex : scene.meshes.at(0).vertices)
+    sum += glm::dot(vertex.normal, glm::normalize(vertex.position - center));
+  return sum / static_cast<float>(scene.meshes[0].vertices.size());
+}
+
+TEST(Obj, WithoutNormalsABoxIsSharpAndABallIsSmooth) {
+  const Scene box = *decode(boxText(""));
+  EXPECT_EQ(box.meshes.at(0).vertices.size(), 24u);
+  for (const Vertex& vertex : box.meshes[0].vertices)
+    EXPECT_EQ(std::max({std::abs(vertex.normal.x), std::abs(vertex.normal.y), std::abs(vertex.normal.z)}), 1.0f);
+  const Scene ball = *decode(ballText(""));
+  EXPECT_EQ(ball.meshes.at(0).vertices.size(), 11u * 24u + 2u);
+  EXPECT_GT(roundness(ball, glm::vec3(0.0f)), 0.9999f);
+}
+
+TEST(Obj, SmoothingGroupsSayWhatIsSmooth) {
+  EXPECT_EQ(decode(boxText("s 7\n"))->meshes.at(0).vertices.size(), 8u) << "one group";
+  EXPECT_GT(roundness(*decode(boxText(" s\t7 \r\n")), glm::vec3(0.5f)), 0.999f);
+  EXPECT_EQ(decode("s 1\n" + boxText("s off\n"))->meshes.at(0).vertices.size(), 24u);
+  const std::size_t triangles = 24u * 22u;
+  EXPECT_EQ(decode(ballText("s off\n"))->meshes.at(0).vertices.size(), 3u * triangles);
+  EXPECT_EQ(decode(ballText("s 0\n"))->meshes.at(0).vertices.size(), 3u * triangles);
+  EXPECT_EQ(decode(ballText("s 2\n"))->meshes.at(0).vertices.size(), 11u * 24u + 2u);
+  // The four sides of the box are one group, top and bottom have others; before the first `s` all is off.
+  std::string groups = boxText("");
+  groups.insert(groups.find("f 1 2 6 5"), "s 3\n");
+  const Scene tube = *decode(groups);
+  EXPECT_EQ(tube.meshes.at(0).vertices.size(), 4u + 4u + 8u);
 }
 
 TEST(Obj, ReadsMaterialsAndTheirPictures) {

@@ -77,8 +77,8 @@ class CubeTexture {
     return glm::mix(light, levels_[finer + 1].radiance(direction), share);
   }
 
-  /// The level of 4² texels a face.
-  float roughestLevel() const { return std::log2(static_cast<float>(size()) / 4.0f); }
+  /// Of level 0, in the middle of a face.
+  float texelsPerRadian() const { return texelDensity(Projection::cube, size()); }
 
  private:
   std::vector<EnvironmentMap> levels_;
@@ -164,8 +164,10 @@ BlurMethod importanceSampling(unsigned count, bool of_mips) {
 Blur prepareMipLevel(const EnvironmentMap& panorama, const std::vector<BlurTarget>&) {
   const auto texture = std::make_shared<CubeTexture>(panorama, true);
   return [texture](const BlurTarget& target) {
-    const float lod = formula::lodOfLobe(target.perceptual_roughness, texture->roughestLevel());
-    return cubeThatShows(target.size, [&](glm::vec3 direction) { return texture->sample(direction, lod); });
+    return cubeThatShows(target.size, [&](glm::vec3 direction) {
+      return texture->sample(direction,
+                             formula::lodOfLobe(target.perceptual_roughness, texture->texelsPerRadian(), direction));
+    });
   };
 }
 

@@ -1,12 +1,12 @@
 // What a rough surface sees around its mirror direction: an environment blurred in one of three ways.
-// Needs: microfacet, mip_mapping, tangent.
+// Needs: microfacet, mip_mapping, reflection_lobe, tangent.
 
 struct Blur {
-  int kind;              // 0 prefiltered, 1 a mip level, 2 many rays in a cone
-  float first_level;     // of the prefiltered chain: the texture's level 0
-  float last_level;      // of the prefiltered chain: that of roughness 1
-  float roughest_level;  // of the mip levels: that of roughness 1
-  float coarser;         // levels by which the chain's level 0 would have fewer texels than the environment
+  int kind;                 // 0 prefiltered, 1 a mip level, 2 many rays in a cone
+  float first_level;        // of the prefiltered chain: the texture's level 0
+  float last_level;         // of the prefiltered chain: that of roughness 1
+  float texels_per_radian;  // of the environment, in the middle of a face
+  float coarser;            // levels by which the chain's level 0 would have fewer texels than the environment
 };
 
 // A chain of bake/prefilter.h. For the mirror's level 0 the environment itself stands in, with as many mip levels as a
@@ -51,7 +51,7 @@ FN vec4 coneLight(CUBE_SAMPLER environment, vec3 d, float perceptual_roughness, 
 FN vec4 blurredLight(Blur blur, CUBE_SAMPLER environment, CUBE_SAMPLER prefiltered, vec3 d,
                      float perceptual_roughness, float minified) {
   if (blur.kind == 1)
-    return sampleLod(environment, d, max(lodOfLobe(perceptual_roughness, blur.roughest_level), minified));
+    return sampleLod(environment, d, max(lodOfLobe(perceptual_roughness, blur.texels_per_radian, d), minified));
   if (blur.kind == 2) return coneLight(environment, d, perceptual_roughness, minified);
   return prefilteredLight(blur, environment, prefiltered, d, perceptual_roughness, minified);
 }

@@ -4,14 +4,6 @@ FN float alphaFromPerceptualRoughness(float perceptual_roughness) {
   return perceptual_roughness * perceptual_roughness;
 }
 
-// The level of a plain mip chain whose texels are alpha radians wide, about half the width at half maximum of the lobe
-// around the mirror direction (1.3 alpha: tan θ = 0.64 alpha for the half vector, twice that for the ray). `last` is the
-// level of 4² texels a face, each ½ rad wide, beyond which a cube would show. A larger map has more levels and looks the
-// same.
-FN float lodOfLobe(float perceptual_roughness, float last) {
-  return clamp(last + 1.0f + 2.0f * log2(max(perceptual_roughness, 1e-4f)), 0.0f, last);
-}
-
 // The share of white light that leaves a rough surface after two bounces or more between its facets (Fdez-Agüera 2019, "A
 // multiple-scattering microfacet model for real-time image-based lighting", eqs. 9 to 12). Of what does not leave at a
 // bounce, 1 − whole, the next facet reflects the mean share F, of which the part once / F leaves again, and so on: a

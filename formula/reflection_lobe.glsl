@@ -38,3 +38,25 @@ FN float blinnExponent(float alpha) { return 2.0f / (alpha * alpha) - 2.0f; }
 // The exponent of the Phong lobe that is as wide as a GGX lobe: a quarter of Blinn's for the half vector, since the
 // reflected ray turns twice as fast. At least 1.
 FN float phongExponent(float alpha) { return max(blinnExponent(alpha) / 4.0f, 1.0f); }
+
+// The angle about the mirror direction within which the GGX lobe has half of its weight [rad]: 2 r² for a smooth surface,
+// 45° for r = 1. Integrated over directions, 4π ds, the lobe is up to a factor
+//   W(s) = (1 + a²) (1/a² − 1/q) − 2 ln(q / a²),  a = r², q = a² + (1 − a²) s,
+// and W(s) = W(½) / 2 has no closed form. The fit s = a² / (1 + r³ (4.45 + 1.38 a)) gives the angle within 0.7 %.
+FN float ggxHalfAngle(float perceptual_roughness) {
+  float r = perceptual_roughness;
+  float a = r * r;
+  return 2.0f * atan(a / sqrt(1.0f + r * a * (4.45f + 1.38f * a) - a * a));  // tan² = s / (1 − s)
+}
+
+// The level of a plain mip chain of a cube that has half of its weight within the same angle as the lobe. A texel is a mean
+// over a square, and between texels and levels the hardware interpolates linearly; over all places within a texel that is
+// a square convolved with a tent twice as wide, of which half lies within 0.608 texels. Texels are narrower away from a
+// face's middle: their solid angle goes with the cube of the direction's longest component.
+//   texels_per_radian  of level 0 in the middle of a face
+//   direction          unit
+FN float lodOfLobe(float perceptual_roughness, float texels_per_radian, vec3 direction) {
+  float texels = ggxHalfAngle(perceptual_roughness) / 0.608f * texels_per_radian;
+  float longest = max(abs(direction.x), max(abs(direction.y), abs(direction.z)));
+  return max(log2(max(texels, 1e-6f)) - 1.5f * log2(longest), 0.0f);
+}

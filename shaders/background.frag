@@ -1,4 +1,5 @@
 // The environment behind everything.
+#include "reflection_lobe.glsl"
 #include "sampling.glsl"
 
 in vec2 screen;
@@ -12,6 +13,7 @@ uniform float orthographic;
 uniform float texels_per_radian;
 uniform float samples_per_pixel;
 uniform float least_level;
+uniform float lobe_roughness;  // blurs by the mip levels; 0: not
 
 out vec4 fragment;
 
@@ -21,6 +23,8 @@ void main() {
   vec3 ray = orthographic > 0.5 ? camera_forward : far_point.xyz / far_point.w - near_point.xyz / near_point.w;
   vec3 d = normalize(ray);
   float minified = footprintLod(dFdx(d), dFdy(d), texels_per_radian, samples_per_pixel);
-  vec3 light = sampleLod(environment, environment_from_world * d, max(least_level, minified)).xyz;
+  vec3 seen = environment_from_world * d;
+  float blurred = lobe_roughness > 0.0 ? lodOfLobe(lobe_roughness, texels_per_radian, seen) : least_level;
+  vec3 light = sampleLod(environment, seen, max(blurred, minified)).xyz;
   fragment = vec4(light * environment_intensity, 1.0);
 }

@@ -36,7 +36,6 @@ uniform samplerCube irradiance;  // divided by π
 uniform int blur_kind;
 uniform float first_level;
 uniform float last_level;
-uniform float roughest_level;
 uniform float coarser;
 uniform float texels_per_radian;
 uniform float samples_per_pixel;
@@ -154,7 +153,7 @@ Surface surfaceHere(vec3 n, vec3 color) {
   return s;
 }
 
-Blur blurHere() { return Blur(blur_kind, first_level, last_level, roughest_level, coarser); }
+Blur blurHere() { return Blur(blur_kind, first_level, last_level, texels_per_radian, coarser); }
 
 vec3 reflectedLight(Surface s, vec3 ray) {
 #ifdef SPHERE_MAPPING

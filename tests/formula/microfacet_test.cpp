@@ -3,18 +3,56 @@
 #include <gtest/gtest.h>
 
 #include "formula/bsdf.h"
+#include "formula/constants.h"
 #include "formula/surface.h"
 
 namespace mirrorball::formula {
 namespace {
 
-TEST(Microfacet, ALargerMapIsBlurredByAsManyLevelsMore) {
-  EXPECT_EQ(lodOfLobe(1.0f, 6.0f), 6.0f);
-  EXPECT_NEAR(lodOfLobe(std::sqrt(0.5f), 6.0f), 6.0f, 1e-5f) << "alpha ½ is as wide as a texel of 4² a face";
-  EXPECT_EQ(lodOfLobe(0.0f, 6.0f), 0.0f);
-  EXPECT_FLOAT_EQ(lodOfLobe(0.4f, 9.0f) - lodOfLobe(0.4f, 6.0f), 3.0f);
-  // Half the width, alpha / 2, is r / √2.
-  EXPECT_NEAR(lodOfLobe(0.6f, 8.0f) - lodOfLobe(0.6f / std::sqrt(2.0f), 8.0f), 1.0f, 1e-5f);
+TEST(LodOfLobe, HoldsHalfOfTheLobe) {
+  for (const double roughness : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0}) {
+    const auto alpha = static_cast<float>(roughness * roughness);
+    const double s_half = std::pow(std::sin(double(ggxHalfAngle(static_cast<float>(roughness))) / 2.0), 2.0);
+    // In steps of ln s, so that the narrow peak has enough of them.
+    double within = 0.0;
+    double whole = 0.0;
+    constexpr int kSteps = 40000;
+    for (int i = 0; i < kSteps; ++i) {
+      const double s = 0.5 * std::exp(-20.0 * (i + 0.5) / kSteps);
+      const double weight = double(ggxLobe(alpha, static_cast<float>(s))) * s;
+      whole += weight;
+      if (s <= s_half) within += weight;
+    }
+    EXPECT_NEAR(within / whole, 0.5, 0.005) << roughness;
+  }
+  EXPECT_NEAR(ggxHalfAngle(1.0f), kPi / 4.0f, 0.001f);
+  EXPECT_NEAR(ggxHalfAngle(0.01f), 2e-4f, 1e-6f);
+}
+
+// Where a trilinear read lies within its texel is chance: over all places it is a square convolved with a tent.
+TEST(LodOfLobe, ReadsTexelsThatHoldHalfOfTheirWeightThere) {
+  const vec3 middle(0, 0, 1);
+  const float texels = std::exp2(lodOfLobe(0.4f, 256.0f, middle));  // of level 0
+  const float half_angle_in_texels = ggxHalfAngle(0.4f) * 256.0f / texels;
+  const auto squareAndTent = [](float x) {
+    x = std::abs(x);
+    return x < 0.5f ? 0.75f - x * x : x < 1.5f ? 0.5f * (1.5f - x) * (1.5f - x) : 0.0f;
+  };
+  double within = 0.0;
+  double whole = 0.0;
+  for (float x = -1.495f; x < 1.5f; x += 0.01f)
+    for (float y = -1.495f; y < 1.5f; y += 0.01f) {
+      const double weight = double(squareAndTent(x) * squareAndTent(y));
+      whole += weight;
+      if (x * x + y * y < half_angle_in_texels * half_angle_in_texels) within += weight;
+    }
+  EXPECT_NEAR(within / whole, 0.5, 0.005);
+
+  EXPECT_EQ(lodOfLobe(0.0f, 256.0f, middle), 0.0f);
+  EXPECT_NEAR(lodOfLobe(0.4f, 1024.0f, middle) - lodOfLobe(0.4f, 128.0f, middle), 3.0f, 1e-5f) << "a larger map";
+  // In a corner a texel has 3^(−3/2) of the solid angle that it has in the middle.
+  EXPECT_NEAR(lodOfLobe(0.4f, 256.0f, normalize(vec3(1))) - lodOfLobe(0.4f, 256.0f, middle), 0.75f * std::log2(3.0f),
+              1e-5f);
 }
 
 TEST(Microfacet, WhatAWhiteSurfaceDoesNotReflectAtOnceItReflectsLater) {

@@ -38,14 +38,14 @@ constexpr float kAngleNearSun = 2e-3f;
 
 const Case kCases[] = {
     // blur
-    PARITY(
-        prefilteredLight, direction, kTight,
-        prefilteredLight(Blur(0, 1.0f, 6.0f, 7.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x, 4.0f * r.y)),
+    PARITY(prefilteredLight, direction, kTight,
+           prefilteredLight(Blur(0, 1.0f, 6.0f, 32.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x,
+                            4.0f * r.y)),
     PARITY(coneRay, unit, kTranscendental, vec4(coneRay(0.0625f + p.x, int(63.9375f * p.y), 64), 0.0f)),
     // The sum of 64 rays in a cube that is as bright as its direction.
     PARITY(coneLight, direction, kTranscendental, coneLight(SmoothCube(2.0f), vec3(p), 0.25f + 0.5f * r.x, r.y)),
     PARITY(blurredLight, direction, kTranscendental,
-           blurredLight(Blur(int(1.9375f * r.w), 1.0f, 6.0f, 7.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p),
+           blurredLight(Blur(int(1.9375f * r.w), 1.0f, 6.0f, 32.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p),
                         r.x, 4.0f * r.y)),
 
     // brdf_table
@@ -118,7 +118,6 @@ const Case kCases[] = {
 
     // microfacet
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(lodOfLobe, unit, kTranscendental, vec4(lodOfLobe(p.x, 1.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.25f + 0.75f * r.x), 0.0f)),
     PARITY(meanFresnel, unit, kTight, vec4(meanFresnel(vec3(p), p.w), 0.0f)),
 
@@ -188,6 +187,9 @@ const Case kCases[] = {
     PARITY(charlieLobe, unit, kTranscendental, vec4(charlieLobe(0.0625f + p.y, p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(blinnExponent, unit, kTight, vec4(blinnExponent(0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(phongExponent, unit, kTight, vec4(phongExponent(0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(ggxHalfAngle, unit, kTranscendental, vec4(ggxHalfAngle(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(lodOfLobe, direction, kTranscendental,
+           vec4(lodOfLobe(r.x, 64.0f + 256.0f * r.y, vec3(p)), 0.0f, 0.0f, 0.0f)),
 
     // sampling
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),
@@ -238,7 +240,7 @@ const Case kCases[] = {
     PARITY(diffuseAlbedo, direction, kTranscendental, vec4(diffuseAlbedo(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(refractedLight, direction, kTranscendental,
            vec4(refractedLight(testSurface(p, q, r), vec3(p), mat3(vec3(q), vec3(p), vec3(r)),
-                               Blur(int(1.9375f * r.w), 1.0f, 6.0f, 7.0f, 1.0f), SmoothCube(2.0f), SmoothCube(3.0f)),
+                               Blur(int(1.9375f * r.w), 1.0f, 6.0f, 32.0f, 1.0f), SmoothCube(2.0f), SmoothCube(3.0f)),
                 0.0f)),
     PARITY(shadedByEnvironment, direction, kTranscendental,
            vec4(shadedByEnvironment(testSurface(p, q, r), vec3(p), vec3(r), vec3(0.5f, 1.0f, 2.0f),

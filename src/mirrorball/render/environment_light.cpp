@@ -104,11 +104,6 @@ Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepa
   return EnvironmentLight(std::move(cube), std::move(prefiltered), std::move(irradiance));
 }
 
-float EnvironmentLight::roughestLevel() const {
-  const float last = static_cast<float>(cube_.levels() - 1);
-  return std::clamp(std::log2(static_cast<float>(cube_.width())) - 2.0f, 0.0f, last);
-}
-
 float EnvironmentLight::texelsPerRadian() const { return texelDensity(Projection::cube, cube_.width()); }
 
 }  // namespace mirrorball

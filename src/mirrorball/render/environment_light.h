@@ -45,9 +45,6 @@ class EnvironmentLight {
   const gl::Texture& prefiltered() const { return prefiltered_; }
   const gl::Texture& irradiance() const { return irradiance_; }
 
-  /// The mip level that stands for roughness 1: the one of 4² texels a face, or the last there is.
-  float roughestLevel() const;
-
   /// Of level 0, in the middle of a face.
   float texelsPerRadian() const;
 

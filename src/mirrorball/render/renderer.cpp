@@ -283,11 +283,10 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   background.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
   background.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
   background.set("samples_per_pixel", static_cast<float>(settings.samples));
-  const float blurred_level =
-      is_prefiltered ? formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
-                           static_cast<float>(chain.first_level)
-                     : formula::lodOfLobe(kBackgroundRoughness, light.roughestLevel());
-  background.set("least_level", blurred ? blurred_level : 0.0f);
+  const float prefiltered_level = formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
+                                  static_cast<float>(chain.first_level);
+  background.set("least_level", is_prefiltered ? prefiltered_level : 0.0f);
+  background.set("lobe_roughness", blurred && !is_prefiltered ? kBackgroundRoughness : 0.0f);
   screen.draw(3);
 }
 

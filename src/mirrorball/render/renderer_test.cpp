@@ -407,6 +407,30 @@ TEST_F(RendererTest, AColourOfTheDisplayIsItsLinearLightAmongRadiance) {
     ASSERT_NEAR(of_display.samples()[i], of_radiance.samples()[i], 1e-5f);
 }
 
+// A level whose texels were only as wide as the lobe's alpha left 0.5 to 1.2 here.
+TEST_F(RendererTest, AMipLevelBlursAsWideAsTheLobe) {
+  Studio room = smallStudio("studio");
+  Shot shot = smallShot("sphere", "mirror");
+  shot.options.orthographic = {2.0f};
+  shot.options.background = "0,0,0";
+  for (const char* roughness : {"0.3", "0.5", "0.7", "1"}) {
+    shot.options.set = {std::string("perceptual_roughness=") + roughness};
+    shot.options.blur = BlurKind::exact;
+    const Image exact = room.radiance(shot);
+    shot.options.blur = BlurKind::mip;
+    const Image level = room.radiance(shot);
+    double difference = 0.0;
+    double light = 0.0;
+    for (int y = 0; y < exact.height(); ++y)
+      for (int x = 0; x < exact.width(); ++x) {
+        const glm::vec3 apart = rgbAt(level, x, y) - rgbAt(exact, x, y);
+        difference += double(glm::dot(apart, apart));
+        light += double(glm::dot(rgbAt(exact, x, y), rgbAt(exact, x, y)));
+      }
+    EXPECT_LT(std::sqrt(difference / light), 0.3) << "roughness " << roughness;
+  }
+}
+
 TEST_F(RendererTest, APointLightLightsItsSideOnly) {
   Studio dark(context(), Environment([](glm::vec3) { return glm::vec3(0.0f); }, 8));
   Shot shot = smallShot("sphere", "");

@@ -104,7 +104,6 @@ void setFrame(gl::Program& program, const EnvironmentLight& light, const FrameUn
   program.set("blur_kind", blurKindOfFormula(settings.blur));
   program.set("first_level", static_cast<float>(chain.first_level));
   program.set("last_level", static_cast<float>(chain.lastLevel()));
-  program.set("roughest_level", light.roughestLevel());
   program.set("coarser", std::log2(static_cast<float>(light.cube().width()) / static_cast<float>(chain.size())));
   program.set("texels_per_radian", light.texelsPerRadian());
   program.set("samples_per_pixel", static_cast<float>(settings.samples));

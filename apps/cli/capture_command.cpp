@@ -64,8 +64,8 @@ const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
 }};
 
 /// What has no meaning for a map of all directions, or a map's own option in its place.
-constexpr std::array<std::string_view, 9> kOptionsOfPictures{"size",   "frames", "exposure", "tone-map",    "resolve",
-                                                             "camera", "target", "fov",      "orthographic"};
+constexpr std::array<std::string_view, 10> kOptionsOfPictures{
+    "size", "frames", "turn", "exposure", "tone-map", "resolve", "camera", "target", "fov", "orthographic"};
 
 /// All that `capture` was told.
 struct CaptureRequest {

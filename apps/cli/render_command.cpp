@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/render/renderer.h"
+#include "mirrorball/render/turntable.h"
 #include "mirrorball/scene/framing.h"
 
 namespace mirrorball::cli {
@@ -48,30 +50,66 @@ Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, cons
   return clock.time("picture: encode and write", [&] { return writePicture(output, picture); });
 }
 
+/// Where a file name has a picture's number: "%04d" as printf has it, or at least two "#", a digit each.
+struct NumberPlace {
+  std::size_t begin;
+  std::size_t length;
+  std::size_t digits;
+};
+
+std::vector<NumberPlace> numberPlaces(const std::string& path) {
+  static const std::regex kPlace("%(0([0-9]{1,2}))?d|##+");
+  std::vector<NumberPlace> places;
+  const std::size_t name = path.find_last_of('/') == std::string::npos ? 0 : path.find_last_of('/') + 1;
+  for (std::sregex_iterator found(path.begin() + static_cast<std::ptrdiff_t>(name), path.end(), kPlace), end;
+       found != end; ++found) {
+    const auto length = static_cast<std::size_t>(found->length());
+    const std::string digits = (*found)[2];
+    const bool is_printf = (*found)[0].str().front() == '%';
+    places.push_back({name + static_cast<std::size_t>(found->position()), length,
+                      !is_printf       ? length
+                      : digits.empty() ? std::size_t{1}
+                                       : static_cast<std::size_t>(std::stoul(digits))});
+  }
+  return places;
+}
+
+/// With a turning environment the model stands still before the camera.
+FramingOf turningOf(Turn turn) { return turn == Turn::environment ? FramingOf::still : FramingOf::whole_turn; }
+
 /// The pictures that are written: one, or a turntable's with their numbers.
-std::vector<std::string> outputPaths(const RenderRequest& request) {
-  const std::string& output = request.files.output;
+///
+/// errors   usage
+Result<std::vector<std::string>> outputPaths(const RenderRequest& request) {
+  std::string output = request.files.output;
   const int frames = request.options.frames;
-  if (frames == 0) return {output};
-  const int digits = std::max(3, static_cast<int>(std::to_string(frames - 1).size()));
+  if (frames == 0) return std::vector{output};
+  if (numberPlaces(output).empty()) {
+    const std::size_t digits = std::max<std::size_t>(3, std::to_string(frames - 1).size());
+    output = suffixed(output, "_" + std::string(digits, '#'));
+  }
+  const std::vector<NumberPlace> places = numberPlaces(output);
+  if (places.size() != 1)
+    return fail(ErrorCode::usage, "--output " + output + " has " + std::to_string(places.size()) +
+                                      " places for a picture's number; leave one");
   std::vector<std::string> paths;
   for (int frame = 0; frame < frames; ++frame) {
     std::string number = std::to_string(frame);
-    number.insert(0, static_cast<std::size_t>(digits) - number.size(), '0');
-    paths.push_back(suffixed(output, "_" + number));
+    if (number.size() < places[0].digits) number.insert(0, places[0].digits - number.size(), '0');
+    paths.push_back(std::string(output).replace(places[0].begin, places[0].length, number));
   }
   return paths;
 }
 
-Result<void> renderTurntable(Renderer& renderer, FrameSettings settings, const std::vector<std::string>& paths,
-                             StageClock& clock) {
+Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, Turn turn,
+                             const std::vector<std::string>& paths, StageClock& clock) {
   const ProgressFunction progress = progressBar("turntable");
   const ProgressFunction untilInterrupted = [](std::size_t, std::size_t) { return !interrupted(); };
-  const float start_deg = settings.camera.azimuth_deg;
   const std::size_t frames = paths.size();
   for (std::size_t frame = 0; frame < frames; ++frame) {
-    settings.camera.azimuth_deg = start_deg + 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
-    const Result<void> drawn = renderFrame(renderer, settings, paths[frame], clock, untilInterrupted);
+    const float angle_deg = 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
+    const Result<void> drawn =
+        renderFrame(renderer, turned(settings, turn, angle_deg), paths[frame], clock, untilInterrupted);
     if (!drawn && drawn.error().code != ErrorCode::interrupted) return drawn;
     const std::size_t whole = drawn ? frame + 1 : frame;
     if (!drawn || !progress(whole, frames)) return fail(ErrorCode::interrupted, interruptedAfter(whole, frames));
@@ -95,7 +133,7 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY(settings, frameSettings(request.options));
   if (storesLinearLight(request.files.output)) settings.resolve = Resolve::radiance;
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
-  const std::vector<std::string> outputs = outputPaths(request);
+  MIRRORBALL_TRY(outputs, outputPaths(request));
   if (isStandardOutputTaken() && request.options.frames > 0)
     return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.options, outputs, clock));
@@ -104,10 +142,10 @@ Result<void> render(const RenderRequest& request) {
   }));
   if (request.options.frames > 0) {
     const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
-    settings.camera = framed(inputs.scene, renderer.bounds(), settings.camera, aspect, FramingOf::whole_turn);
+    settings.camera = framed(inputs.scene, renderer.bounds(), settings.camera, aspect, turningOf(request.options.turn));
   }
   Result<void> drawn = request.options.frames > 0
-                           ? renderTurntable(renderer, settings, outputs, clock)
+                           ? renderTurntable(renderer, settings, request.options.turn, outputs, clock)
                            : renderFrame(renderer, settings, outputs.front(), clock, progressBar("samples"));
   if (request.scene.timings) clock.print();
   if (drawn) announce(outputs.size() == 1 ? outputs.front() : outputs.front() + " … " + outputs.back());

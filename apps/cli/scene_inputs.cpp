@@ -21,7 +21,7 @@ namespace {
 const std::string kEnvironmentHelp = "the environment: a panorama, sphere map or cube (" +
                                      std::string(readExtensions()) + "), or studio, sky[:elevation=20,…], uv, white";
 
-const std::array<Option<SceneRequest>, 6> kSceneOptions{{
+const std::array<Option<SceneRequest>, 7> kSceneOptions{{
     {{.name = "env",
       .value = "ENV",
       .help = kEnvironmentHelp,
@@ -37,6 +37,11 @@ const std::array<Option<SceneRequest>, 6> kSceneOptions{{
       .group = "Files",
       .names = projectionNames},
      &SceneRequest::from},
+    {{.name = "up",
+      .choices = "y|z",
+      .help = "the model's axis that points upwards: z in many .stl and CAD files, which else lie on their side",
+      .group = "Files"},
+     choiceField<&SceneRequest::up>},
     {{.name = "repair",
       .help = "replace NaN and infinite texels of the environment by their neighbours",
       .group = "Files"},
@@ -49,8 +54,9 @@ const std::array<Option<SceneRequest>, 6> kSceneOptions{{
     {kMaxMemoryText, &SceneRequest::max_memory},
 }};
 
-Result<Scene> loadScene(const std::string& model, const RenderOptions& options) {
-  MIRRORBALL_TRY(scene, loadModel(model));
+Result<Scene> loadScene(const SceneRequest& request, const RenderOptions& options) {
+  MIRRORBALL_TRY(scene, loadModel(request.model));
+  standUpright(scene, request.up);
   MIRRORBALL_TRY_VOID(applyMaterialOptions(options, scene));
   return scene;
 }
@@ -86,7 +92,7 @@ Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions&
 
   // None of the three needs the others.
   auto scene_later = std::async(
-      besideOthers(), [&] { return clock.time("model: read", [&] { return loadScene(request.model, options); }); });
+      besideOthers(), [&] { return clock.time("model: read", [&] { return loadScene(request, options); }); });
   auto environment_later =
       std::async(besideOthers(), [&]() -> Result<std::pair<LoadedEnvironment, PreparedEnvironment>> {
         MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {

@@ -19,6 +19,7 @@ struct SceneRequest {
   std::string model = "showcase";
   std::string environment = "studio";
   std::string from;
+  UpAxis up = UpAxis::y;
   bool repair = false;
   bool is_uncached = false;
   bool timings = false;

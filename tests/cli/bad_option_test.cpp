@@ -94,7 +94,7 @@ TEST_F(BadOptionTest, AWrongNumberIsToldWithWhatIsRight) {
                             Case{"--camera 1,100", "-90 to 90"},
                             Case{"--camera 1,2,0", "above 0"},
                             Case{"--target 1,2", "3 numbers"},
-                            Case{"--orthographic 0", "0.001"},
+                            Case{"--orthographic -1", "0 … 10000"},
                             Case{"--exposure 1000", "-30 … 30"},
                             Case{"--env-intensity -1", "0 …"},
                             Case{"--background green", "#rrggbb"},

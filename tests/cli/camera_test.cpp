@@ -78,9 +78,24 @@ TEST_F(CameraCliTest, TheDefaultDistanceFramesTheModel) {
   }
 }
 
+// A plane that lies in x and y stands upright when z is up.
+TEST_F(CameraCliTest, UpSaysWhichAxisOfTheModelPointsUpwards) {
+  const auto covered = [&](const std::string& up) {
+    const Image picture = draw("plane --background transparent --camera 0,0,3 --samples 16 " + up);
+    double sum = 0.0;
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) sum += double(rgbaAt(picture, x, y).w) / (64.0 * 64.0);
+    return sum;
+  };
+  EXPECT_LT(covered(""), 0.05) << "from its edge";
+  EXPECT_LT(covered("--up y"), 0.05);
+  EXPECT_GT(covered("--up z"), 0.2);
+  EXPECT_THAT(refuse(2, "render plane --up x -o a.png"), ::testing::HasSubstr("y"));
+}
+
 // A ball around it would leave a third of the picture's width empty.
 TEST_F(CameraCliTest, ATeapotFillsThePicture) {
-  for (const char* how : {"", " --orthographic", " --camera 120,-40"}) {
+  for (const char* how : {"", " --orthographic", " --camera 120,-40", " --up z"}) {
     const Image picture = draw(std::string("teapot --background transparent") + how);
     glm::ivec2 least(64);
     glm::ivec2 most(-1);

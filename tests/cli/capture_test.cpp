@@ -177,7 +177,8 @@ TEST_F(CaptureTest, WhatIsMissingOrWrongIsTold) {
 
 TEST_F(CaptureTest, HasNoOptionOfAPictureOrItsCamera) {
   const std::string help = succeed("capture --help");
-  for (const char* option : {"--camera", "--fov", "--tone-map", "--exposure", "--frames", "--orthographic", "--target"})
+  for (const char* option : {"--camera", "--fov", "--tone-map", "--exposure", "--frames", "--turn ", "--resolve",
+                             "--orthographic", "--target"})
     EXPECT_THAT(help, Not(HasSubstr(option)));
   for (const char* option :
        {"--samples", "--background", "--material", "--set", "--env-rotation", "--layout", "--mips"})

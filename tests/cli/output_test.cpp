@@ -12,7 +12,9 @@
 namespace mirrorball::testing {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 class OutputTest : public RenderCliTest {
  protected:
@@ -89,6 +91,31 @@ TEST_F(OutputTest, ATurntableIsNumberedPicturesOnceRound) {
             ",20,4");
     EXPECT_TRUE(bytes("still.png") == bytes(std::string("turn_00") + frame + ".png")) << "frame " << frame;
   }
+}
+
+TEST_F(OutputTest, ATurntableTurnsWhatItIsTold) {
+  const std::string shot = "render cube --material mirror -e smooth.exr --size 32x32 --camera 10,20,4 ";
+  const auto isStill = [&](const std::string& turning, const std::string& still) {
+    succeed(shot + "--frames 4 -o turn.png --turn " + turning);
+    succeed(shot + "-o still.png " + still);
+    return bytes("turn_001.png") == bytes("still.png");
+  };
+  EXPECT_TRUE(isStill("camera", "--camera 100,20,4"));
+  EXPECT_TRUE(isStill("environment", "--env-rotation 90"));
+  EXPECT_TRUE(isStill("model", "--camera -80,20,4 --env-rotation -90"));
+  // The environment stands still behind a turning model: corners of the picture show nothing else.
+  for (const char* frame : {"turn_001.png", "turn_002.png", "turn_003.png"})
+    EXPECT_LT(glm::length(rgbAt(image(frame), 0, 0) - rgbAt(image("turn_000.png"), 0, 0)), 0.01f) << frame;
+}
+
+TEST_F(OutputTest, ATurntablesNumbersStandWhereTheNameHasThem) {
+  const std::string shot = "render none -e white --size 8x8 --frames 2 -o ";
+  for (const char* output : {"a_%04d.png", "b##.png", "c_%d_end.png", "d#.png"}) succeed(shot + output);
+  EXPECT_THAT(files(), ElementsAre("a_0000.png", "a_0001.png", "b00.png", "b01.png", "c_0_end.png", "c_1_end.png",
+                                   "d#_000.png", "d#_001.png", "smooth.exr"));
+  EXPECT_THAT(refuse(2, shot + "%d_####.png"), HasSubstr("2 places"));
+  succeed("render none -e white --size 8x8 -o %04d.png");
+  EXPECT_THAT(files(), Contains("%04d.png")) << "one picture has no number";
 }
 
 // Each for itself they would be framed by what is seen then, and the model would shrink and grow while it turns.

@@ -19,7 +19,7 @@ constexpr int kLongestSide = 16384;
 const std::string kExposureHelp =
     "brightness of a tone-mapped picture; " + writtenExtensions(Holds::light, " and ") + " keep radiance as it is";
 
-const std::array<Option<RenderOptions>, 20> kOptions{{
+const std::array<Option<RenderOptions>, 21> kOptions{{
     {{.name = "size", .value = "WxH", .unit = "pixels", .help = "size of the picture", .group = "Picture"},
      &RenderOptions::size},
     {{.name = "samples",
@@ -40,9 +40,17 @@ const std::array<Option<RenderOptions>, 20> kOptions{{
       .value = "N",
       .minimum = 0,
       .maximum = 100000,
-      .help = "a turntable of N numbered pictures, the camera going once round",
+      .help =
+          "a turntable of N numbered pictures, once round; %04d or #### in the output's name stands for the number, "
+          "else it comes at the end",
       .group = "Picture"},
      &RenderOptions::frames},
+    {{.name = "turn",
+      .choices = "camera|model|environment",
+      .help =
+          "what goes round in a turntable, +Z towards +X; a turning model has its lights and background stand still",
+      .group = "Picture"},
+     choiceField<&RenderOptions::turn>},
     {{.name = "exposure",
       .value = "EV",
       .unit = "stops",

@@ -20,6 +20,7 @@ enum class Mapping { reflection, normal, sphere };
 enum class ReflectAt { vertex, fragment };
 enum class FresnelOverride { material, exact, schlick, empirical };
 enum class BlurKind { exact, gpu, mip, cone };
+enum class Turn { camera, model, environment };  ///< what goes round in a turntable
 enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
 
 /// What is averaged over the samples of a pixel.
@@ -56,6 +57,7 @@ struct RenderOptions {
   ReflectAt reflect_at = ReflectAt::fragment;
   std::vector<std::string> lights;
   int frames = 0;
+  Turn turn = Turn::camera;
 };
 
 /// The table of them.

@@ -25,11 +25,14 @@ glm::vec3 upOfCamera(float azimuth_rad, float elevation_rad) {
           -std::sin(elevation_rad) * std::cos(azimuth_rad)};
 }
 
-/// The distance in radii from which a ball of radius 1 fills the narrower side of the picture, with a small margin.
+/// How much more than a ball is seen where it fills the narrower side of the picture.
+constexpr float kFramingMargin = 1.06f;
+
+/// The distance in radii from which a ball of radius 1 does.
 float framingDistance(float fov_rad, float aspect) {
   const float half_height = std::tan(fov_rad / 2.0f);
   const float narrower = std::atan(half_height * std::min(aspect, 1.0f));
-  return 1.06f / std::sin(narrower);
+  return kFramingMargin / std::sin(narrower);
 }
 
 }  // namespace
@@ -53,7 +56,8 @@ Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, fl
   const float margin = bounds.radius * 1.01f;
   const float far_depth = std::max(center_depth + margin, bounds.radius * 0.01f);
   if (camera.orthographic) {
-    const float half_height = *options.orthographic_height * bounds.radius / 2.0f;
+    const float height = *options.orthographic_height;
+    const float half_height = (height > 0.0f ? height / 2.0f : kFramingMargin / std::min(aspect, 1.0f)) * bounds.radius;
     camera.clip_from_view = glm::ortho(-half_height * aspect, half_height * aspect, -half_height, half_height,
                                        center_depth - margin, center_depth + margin);
   } else {

@@ -15,7 +15,8 @@ struct CameraOptions {
   std::optional<float> distance = {};    ///< from the target, in model radii; without it a ball around the model does
   std::optional<glm::vec3> target = {};  ///< world; without it the centre of that ball
   float fov_deg = 35.0f;                 ///< vertical angle of view
-  std::optional<float> orthographic_height = {};  ///< of the view, in model radii; turns perspective off
+  /// Of the view, in model radii; turns perspective off. 0: as without a distance.
+  std::optional<float> orthographic_height = {};
 };
 
 /// A camera as the renderer needs it: right-handed view space, looking along −Z, +Y up.

@@ -72,6 +72,14 @@ TEST(Camera, OrthographicHeightTwoInscribesTheSphere) {
   expectNear(ndc(camera, {0, 5, 0}), {0, 1, 0}, 1e-4f);
 }
 
+TEST(Camera, WithoutAnOrthographicHeightTheBallFillsThePicture) {
+  const BoundingSphere bounds{{0, 1, 0}, 4.0f};
+  CameraOptions options{.azimuth_deg = 0, .elevation_deg = 0};
+  options.orthographic_height = 0.0f;
+  EXPECT_NEAR(ndc(makeCamera(options, bounds, 2.0f), {0, 5, 0}).y, 1.0f / 1.06f, 1e-5f);
+  EXPECT_NEAR(ndc(makeCamera(options, bounds, 0.5f), {4, 1, 0}).x, 1.0f / 1.06f, 1e-5f);
+}
+
 // Upwards in OpenGL's pictures is down in ours, and t of its table: no face is mirrored, which would turn its triangles
 // inside out.
 TEST(CubeFaceCamera, SeesItsFaceWithTUpwards) {

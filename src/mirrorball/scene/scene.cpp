@@ -18,6 +18,12 @@ Scene sceneOf(Mesh mesh, Material material) {
   return scene;
 }
 
+void standUpright(Scene& scene, UpAxis up) {
+  if (up == UpAxis::y) return;
+  const glm::mat4 y_from_z(glm::vec4(1, 0, 0, 0), glm::vec4(0, 0, -1, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 0, 1));
+  for (Instance& instance : scene.instances) instance.world_from_object = y_from_z * instance.world_from_object;
+}
+
 BoundingSphere boundingSphere(const Scene& scene) {
   glm::dvec3 least(std::numeric_limits<double>::infinity());
   glm::dvec3 most(-std::numeric_limits<double>::infinity());

@@ -50,6 +50,12 @@ struct Scene {
 /// A scene of one mesh where it is, with one material.
 Scene sceneOf(Mesh mesh, Material material = {});
 
+/// Which of a file's axes points upwards.
+enum class UpAxis { y, z };
+
+/// Turns a scene whose `up` axis points upwards so that +Y does: about +X, which stays on the right.
+void standUpright(Scene& scene, UpAxis up);
+
 /// The sphere about the middle of the bounding box through the farthest vertex; radius 1 about the origin for an empty
 /// scene, and never 0. Exact for a sphere about its own centre.
 BoundingSphere boundingSphere(const Scene& scene);

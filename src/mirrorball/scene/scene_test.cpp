@@ -8,6 +8,16 @@
 namespace mirrorball {
 namespace {
 
+TEST(StandUpright, TurnsZUpwardsAndLeavesXOnTheRight) {
+  Scene scene = sceneOf(cubeMesh());
+  scene.instances[0].world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(1, 2, 3));
+  standUpright(scene, UpAxis::y);
+  EXPECT_EQ(glm::vec3(scene.instances[0].world_from_object[3]), glm::vec3(1, 2, 3));
+  standUpright(scene, UpAxis::z);
+  EXPECT_EQ(glm::vec3(scene.instances[0].world_from_object[3]), glm::vec3(1, 3, -2));
+  EXPECT_EQ(glm::determinant(glm::mat3(scene.instances[0].world_from_object)), 1.0f) << "nothing is mirrored";
+}
+
 TEST(BoundingSphere, OfASphereIsExact) {
   const BoundingSphere bounds = boundingSphere(sceneOf(sphereMesh(16, 32)));
   EXPECT_EQ(bounds.center, glm::vec3(0.0f));

@@ -1,18 +1,4 @@
-// Height functions d(p) for bumps, given with their gradient: vec4(∇d, d).
-
-// A number in [0, 1) for each corner of the integer grid: pcg3d (Jarzynski & Olano 2020), whole numbers only, so that
-// every machine gives the same bits.
-FN vec3 gridRandom(ivec3 cell) {
-  uvec3 v = uvec3(cell) * 1664525u + 1013904223u;
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  v = v ^ (v >> 16u);
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  return vec3(v >> 8u) / 16777216.0f;
-}
+// Height functions d(p) for bumps, given with their gradient: vec4(∇d, d). Needs: grid_random.
 
 // The skin of an orange: a pit in each cell of the unit grid, at a random place, 1 deep and ½ in radius, with the
 // profile −(1 − 4 r²)³. A pit ends after ½, so that only the eight nearest cells can be felt.

@@ -1,13 +1,15 @@
 #pragma once
 
-/// The built-in sky. How these files are read: formula/formula.h.
+/// The built-in sky and the ground under it. How these files are read: formula/formula.h.
 
 #include "formula/color.h"
 #include "formula/constants.h"
+#include "formula/grid_random.h"
 //
 #include "formula/glsl_begin.inc"
 
 namespace mirrorball::formula {
+#include "formula/ground.glsl"
 #include "formula/sky.glsl"
 }  // namespace mirrorball::formula
 

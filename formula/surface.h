@@ -5,6 +5,7 @@
 
 #include "formula/bsdf.h"
 #include "formula/color.h"
+#include "formula/grid_random.h"
 #include "formula/prefilter.h"
 //
 #include "formula/glsl_begin.inc"

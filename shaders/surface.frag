@@ -1,6 +1,7 @@
 // A surface lit by its environment. #defines choose what the material needs; see render/surface_program.cpp.
 #include "constants.glsl"
 #include "color.glsl"
+#include "grid_random.glsl"
 #include "height.glsl"
 #include "microfacet.glsl"
 #include "mip_mapping.glsl"

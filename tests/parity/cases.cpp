@@ -112,8 +112,10 @@ const Case kCases[] = {
     PARITY(cosineLobeBand, unit, kTight, vec4(cosineLobeBand(int(4.9375f * r.x)), 0.0f, 0.0f, 0.0f)),
     PARITY(harmonicWindow, unit, kTranscendental, vec4(harmonicWindow(int(4.9375f * r.x), 4), 0.0f, 0.0f, 0.0f)),
 
-    // height
+    // grid_random
     PARITY(gridRandom, unit, kExact, vec4(gridRandom(ivec3(vec3(p) * 2048.0f - 1024.0f)), 0.0f)),
+
+    // height
     PARITY(orangeHeight, unit, kTight, orangeHeight(vec3(p) * 16.0f - 8.0f)),
 
     // microfacet
@@ -195,6 +197,18 @@ const Case kCases[] = {
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),
     PARITY(footprintLod, direction, kTight,
            vec4(footprintLod(vec3(p), vec3(q), 1.0f + 2048.0f * r.x, 1.0f + 16.0f * r.y), 0.0f, 0.0f, 0.0f)),
+
+    // ground
+    PARITY(groundPlace, direction, kTight, vec4(groundPlace(vec3(p.x, -0.0625f - abs(p.y), p.z)), 0.0f, 0.0f)),
+    PARITY(groundNoise, unit, kTight, vec4(groundNoise(vec2(p) * 64.0f - 32.0f), 0.0f, 0.0f, 0.0f)),
+    PARITY(groundDetail, unit, kTight, vec4(groundDetail(5.0f * p.x, p.y, 0.0625f), 0.0f, 0.0f, 0.0f)),
+    PARITY(groundOctave, unit, kTranscendental,
+           vec4(groundOctave(vec2(p) * 8.0f, 0.25f + p.w, 2.0f, p.z, 0.0039f), 0.0f, 0.0f, 0.0f)),
+    PARITY(groundPattern, unit, kTranscendental, vec4(groundPattern(vec2(p) * 8.0f, p.z, 0.0039f), 0.0f, 0.0f)),
+    PARITY(groundAlbedo, unit, kTight, vec4(groundAlbedo(vec2(p) - 0.5f), 0.0f)),
+    PARITY(groundRadiance, direction, kTranscendental,
+           vec4(groundRadiance(vec3(p.x, -0.0625f - abs(p.y), p.z), vec3(q), vec3(r), vec3(r.w), vec3(0.5f), 0.0625f),
+                0.0f)),
 
     // sky
     PARITY(perez, unit, kTranscendental,

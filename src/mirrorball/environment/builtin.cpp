@@ -46,21 +46,27 @@ float coverage(const SoftBox& box, glm::vec3 d) {
 }
 
 /// For a camera at azimuth 30°, elevation 15°: a large warm key on the upper left, a softer fill on the right, two
-/// strips behind the model that draw its edges, a ceiling box, over walls that grow lighter towards the horizon, and
-/// behind the camera more than behind the model.
+/// strips behind the model that draw its edges, a ceiling box and a grey reflector; a floor that a lamp lights behind the
+/// camera, and walls, with a halo on the backdrop. Floor and walls meet in a soft seam, and no two sides are alike, so that
+/// a mirror with flat sides stands out from what is behind it.
 glm::vec3 studioRadiance(glm::vec3 d) {
-  static const std::array<SoftBox, 5> kBoxes{{
+  static const std::array<SoftBox, 6> kBoxes{{
       {{-0.45f, 0.62f, 0.95f}, {0.40f, 0.40f}, glm::vec3(9.0f, 8.4f, 7.6f)},
       {{0.95f, 0.22f, 0.45f}, {0.28f, 0.40f}, glm::vec3(2.2f, 2.3f, 2.5f)},
       {{0.62f, 0.15f, -0.78f}, {0.12f, 0.70f}, glm::vec3(7.0f, 7.8f, 9.0f)},
       {{-0.98f, 0.10f, 0.15f}, {0.12f, 0.70f}, glm::vec3(6.0f, 6.2f, 6.6f)},
       {{0.0f, 1.0f, -0.15f}, {0.60f, 0.32f}, glm::vec3(4.5f, 4.5f, 4.5f)},
+      {{0.26f, -0.12f, -0.96f}, {0.13f, 0.42f}, glm::vec3(0.42f, 0.44f, 0.48f)},
   }};
-  const float height = glm::smoothstep(-0.8f, 0.8f, d.y);
   const float behind_camera = glm::smoothstep(-0.4f, 0.9f, glm::dot(d, glm::vec3(0.5f, 0.0f, 0.866f)));
-  const float horizon = glm::mix(0.45f, 1.5f, behind_camera) * std::exp(-8.0f * (d.y + 0.08f) * (d.y + 0.08f));
-  glm::vec3 light = glm::mix(glm::vec3(0.070f, 0.066f, 0.062f), glm::vec3(0.110f, 0.122f, 0.145f), height) +
-                    horizon * glm::vec3(0.300f, 0.300f, 0.310f);
+  const glm::vec3 wall =
+      glm::mix(glm::vec3(0.150f, 0.156f, 0.168f), glm::vec3(0.060f, 0.068f, 0.082f), glm::smoothstep(0.0f, 0.8f, d.y)) *
+      (1.0f + 1.6f * behind_camera);
+  const glm::vec3 from_halo = d - glm::normalize(glm::vec3(-0.5f, 0.22f, -0.866f));
+  const glm::vec3 halo = glm::vec3(0.26f, 0.27f, 0.29f) * std::exp(-5.0f * glm::dot(from_halo, from_halo));
+  const glm::vec3 floor = glm::mix(glm::vec3(0.085f, 0.080f, 0.075f), glm::vec3(0.34f, 0.32f, 0.29f), behind_camera) *
+                          glm::mix(1.0f, 0.45f, glm::smoothstep(0.25f, 0.95f, -d.y));
+  glm::vec3 light = glm::mix(floor, wall + halo, glm::smoothstep(-0.16f, -0.04f, d.y));
   for (const SoftBox& box : kBoxes) light = glm::mix(light, box.radiance, coverage(box, d));
   return light;
 }
@@ -90,6 +96,25 @@ float sunDisc(float angle_rad, float radius_rad) {
   return gain * glm::clamp((radius_rad + soft_rad - angle_rad) / (2.0f * soft_rad), 0.0f, 1.0f);
 }
 
+/// The irradiance of a level surface by what is above it: the mean of 32 × 64 directions, even in area and cosine.
+template <typename Radiance>
+glm::vec3 irradianceFromAbove(const Radiance& radiance) {
+  constexpr int kRings = 32;
+  constexpr int kPlaces = 64;
+  glm::vec3 sum(0.0f);
+  for (int ring = 0; ring < kRings; ++ring)
+    for (int place = 0; place < kPlaces; ++place) {
+      const float squared_sine = (static_cast<float>(ring) + 0.5f) / kRings;
+      const float turn = formula::kTwoPi * (static_cast<float>(place) + 0.5f) / kPlaces;
+      const float sine = std::sqrt(squared_sine);
+      sum += radiance(glm::vec3(sine * std::cos(turn), std::sqrt(1.0f - squared_sine), sine * std::sin(turn)));
+    }
+  return sum * (formula::kPi / (kRings * kPlaces));
+}
+
+/// Rows of a panorama that shows the sun's disc and the ground's grains.
+constexpr int kSkyHeight = 1024;
+
 Environment skyEnvironment(const SkyParameters& parameters) {
   constexpr float kKcdPerUnit = 20.0f;
   // 133.8 klx outside the air from a disc of 0.533° across.
@@ -102,22 +127,17 @@ Environment skyEnvironment(const SkyParameters& parameters) {
   const float turbidity = parameters.turbidity;
   const glm::vec3 sun_radiance =
       sunTransmittance(elevation, turbidity) * (kSunLuminance_kcd / kKcdPerUnit * parameters.sun);
-  // Ground of albedo 0.2 under half of the zenith's light and the sun's.
-  const glm::vec3 zenith = formula::skyLuminance({0, 1, 0}, sun, turbidity) / kKcdPerUnit;
   const float sun_solid_angle = formula::kPi * kSunRadius_rad * kSunRadius_rad;
-  const glm::vec3 ground = 0.2f * (zenith + sun_radiance * (sun_solid_angle * std::sin(elevation) / formula::kPi)) *
-                           glm::vec3(1.0f, 0.95f, 0.88f);
+  const glm::vec3 sun_irradiance = sun_radiance * (sun_solid_angle * std::sin(elevation));
+  const auto skyAlong = [=](glm::vec3 d) { return formula::skyLuminance(d, sun, turbidity) / kKcdPerUnit; };
+  const glm::vec3 sky_irradiance = irradianceFromAbove(skyAlong);
 
   const auto radiance = [=](glm::vec3 d) {
-    if (d.y < 0.0f) {
-      const glm::vec3 horizon =
-          formula::skyLuminance(glm::normalize(glm::vec3(d.x, 0.0f, d.z) + glm::vec3(0, 1e-4f, 0)), sun, turbidity);
-      return glm::mix(horizon / kKcdPerUnit, ground, glm::smoothstep(0.0f, 0.06f, -d.y));
-    }
-    const glm::vec3 sky = formula::skyLuminance(d, sun, turbidity) / kKcdPerUnit;
-    return sky + sun_radiance * sunDisc(glm::length(d - sun), kSunRadius_rad);
+    if (d.y >= 0.0f) return skyAlong(d) + sun_radiance * sunDisc(glm::length(d - sun), kSunRadius_rad);
+    const glm::vec3 horizon = skyAlong(glm::normalize(glm::vec3(d.x, 0.0f, d.z) + glm::vec3(0, 1e-4f, 0)));
+    return formula::groundRadiance(d, sun, sun_irradiance, sky_irradiance, horizon, formula::kPi / kSkyHeight);
   };
-  return Environment(radiance, 1024);
+  return Environment(radiance, kSkyHeight);
 }
 
 /// The parameters written after "sky:".

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -43,6 +44,42 @@ TEST(BuiltinEnvironment, TheSunStandsWhereItIsPut) {
   // A clear sky is blue away from the sun.
   const glm::vec3 zenith = sky.radiance({0, 1, 0});
   EXPECT_GT(zenith.z, 1.3f * zenith.x);
+}
+
+// A mirror ball shows the ground behind the camera before the ground that is behind the ball. Where both are the same, its
+// lower half vanishes.
+TEST(BuiltinEnvironment, TheSkysGroundIsNeitherBlackNorAlike) {
+  for (const char* elevation : {"2", "10", "45"}) {
+    const Environment sky = *builtinEnvironment("sky:azimuth=0,elevation=" + std::string(elevation));
+    const auto ground = [&](float azimuth, float below) {
+      double sum = 0.0;
+      for (float aside = -10.0f; aside <= 10.0f; aside += 0.5f)
+        for (float deeper = 0.0f; deeper <= 4.0f; deeper += 0.5f)
+          sum += double(formula::luminance(sky.radiance(directionOf(azimuth + aside, -below - deeper))));
+      return sum / (41 * 9);
+    };
+    const double sky_at_horizon = double(formula::luminance(sky.radiance(directionOf(90, 2))));
+    EXPECT_GT(ground(90, 25), 0.08 * sky_at_horizon) << elevation;
+    // At 2° the sun gives less light than the sky.
+    if (elevation != std::string("2")) {
+      EXPECT_GT(ground(180, 25), 1.08 * ground(0, 25)) << "brighter with the sun behind one, at " << elevation;
+    }
+    EXPECT_LT(ground(90, 82), 0.95 * ground(90, 25)) << "what stands there keeps the sky away, at " << elevation;
+    EXPECT_NEAR(formula::luminance(sky.radiance(directionOf(90, -0.01f))),
+                formula::luminance(sky.radiance(directionOf(90, 0.01f))), 0.05 * sky_at_horizon)
+        << "no edge at the horizon";
+  }
+}
+
+// The built-in cube, whose sides are at ±1/√3: in the middle of each of the three that are seen.
+TEST(BuiltinEnvironment, TheSidesOfAMirrorCubeStandOutInTheStudio) {
+  const Environment studio = *builtinEnvironment("studio");
+  const glm::vec3 camera = 3.0f * directionOf(30, 25);
+  for (const glm::vec3 normal : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
+    const glm::vec3 ray = glm::normalize(normal / std::sqrt(3.0f) - camera);
+    const float behind = formula::luminance(studio.radiance(ray));
+    EXPECT_GT(formula::luminance(studio.radiance(glm::reflect(ray, normal))), 1.5f * behind) << normal.x << normal.y;
+  }
 }
 
 TEST(BuiltinEnvironment, TheUvFacesHaveTheirColours) {

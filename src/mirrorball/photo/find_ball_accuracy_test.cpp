@@ -14,6 +14,8 @@ using testing::builtin;
 using testing::clutter;
 using testing::expectFound;
 using testing::kPromised_px;
+using testing::lampsInMist;
+using testing::skyOverPlainGround;
 using testing::throughJpeg;
 
 TEST(FindBallAccuracy, EveryBuiltinEnvironmentThroughJpeg) {
@@ -32,7 +34,7 @@ TEST(FindBallAccuracy, ClutterBehindTheBall) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE(seed);
     BallScene scene;
-    scene.environment = builtin(seed % 2 ? "studio" : "sky");
+    scene.environment = seed % 2 ? lampsInMist() : skyOverPlainGround();
     scene.background = clutter(seed);
     scene.center = {0.6 * std::sin(seed), 0.4 * std::cos(2.0 * seed), -8.0};
     Image photograph = scene.photograph();
@@ -48,7 +50,7 @@ TEST(FindBallAccuracy, SizesFromATinyBallToOneThatFillsThePicture) {
     scene.size = {600, 450};
     scene.focal_px = 700.0;
     scene.center = {0.05 * distance, 0.0, -distance};
-    scene.environment = builtin("studio");
+    scene.environment = lampsInMist();
     // Within a pixel of a small ball's rim it mirrors all that lies 30° around the blind cone: its edge is less clear.
     expectFound(scene, throughJpeg(scene.photograph()), distance < 20.0 ? kPromised_px : 0.6);
   }
@@ -58,7 +60,7 @@ TEST(FindBallAccuracy, TouchesOrCrossesTheBorder) {
   for (const double right : {1.02, 1.12, 1.25}) {  // of half the picture's width, where the rim ends
     SCOPED_TRACE(right);
     BallScene scene;
-    scene.environment = builtin("studio");
+    scene.environment = lampsInMist();
     scene.background = clutter(5);
     const double radius = scene.focal_px / 8.0;
     scene.center = {(right * 240.0 - radius) / scene.focal_px * 8.0, 0.0, -8.0};

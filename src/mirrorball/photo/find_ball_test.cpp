@@ -18,6 +18,7 @@ using testing::clutter;
 using testing::expectFound;
 using ::testing::HasSubstr;
 using testing::kPromised_px;
+using testing::lampsInMist;
 using testing::outlineError_px;
 using testing::throughJpeg;
 
@@ -25,7 +26,7 @@ TEST(FindBall, FarBesideTheMiddleTheRimIsAnEllipse) {
   BallScene scene;
   scene.focal_px = 420.0;
   scene.center = {2.6, -1.6, -7.0};
-  scene.environment = builtin("studio");
+  scene.environment = lampsInMist();
   scene.background = clutter(3);
   const Image photograph = throughJpeg(scene.photograph());
   expectFound(scene, photograph);
@@ -39,7 +40,7 @@ TEST(FindBall, DistanceTellsTheFieldOfView) {
   BallScene scene;
   scene.focal_px = 500.0;
   scene.center = {1.3, 0.9, -5.0};
-  scene.environment = builtin("studio");
+  scene.environment = lampsInMist();
   const auto found = findBall(throughJpeg(scene.photograph()), {.distance = scene.distance(), .focal_px = 0.0}, "test");
   ASSERT_TRUE(found) << found.error().message;
   EXPECT_LT(outlineError_px(scene, *found), kPromised_px);
@@ -50,7 +51,7 @@ TEST(FindBall, DistanceTellsTheFieldOfView) {
 
 TEST(FindBall, PartOfTheRimIsHiddenByAStand) {
   BallScene scene;
-  scene.environment = builtin("studio");
+  scene.environment = lampsInMist();
   scene.background = clutter(9);
   // A stand that is broader than half the ball, over the lowest sixth of its rim.
   scene.foreground = [](glm::dvec2 p) -> std::optional<glm::vec3> {
@@ -62,7 +63,7 @@ TEST(FindBall, PartOfTheRimIsHiddenByAStand) {
 
 TEST(FindBall, CrossesTheBorder) {
   BallScene scene;
-  scene.environment = builtin("studio");
+  scene.environment = lampsInMist();
   scene.center = {(1.25 * 240.0 - scene.focal_px / 8.0) / scene.focal_px * 8.0, 0.0, -8.0};
   double visible = 1.0;
   // A quarter of the diameter lies outside, where the error of the rest of the rim is extrapolated.
@@ -72,7 +73,7 @@ TEST(FindBall, CrossesTheBorder) {
 
 TEST(FindBall, LowContrastOnOneSide) {
   BallScene scene;
-  scene.environment = builtin("studio");
+  scene.environment = lampsInMist();
   // To the left the background is as bright as what the rim mirrors, to the right it is not.
   scene.background = [&scene](glm::vec3 ray) {
     const float share = glm::smoothstep(-0.05f, 0.05f, ray.x);
@@ -107,7 +108,7 @@ TEST(FindBall, PicturesWithoutABallAreRefused) {
   expectRefused(noise, "noise");
   BallScene scene;
   scene.center = {100.0, 0.0, -8.0};
-  scene.environment = builtin("studio");
+  scene.environment = lampsInMist();
   expectRefused(scene.photograph(), "a room");
   for (unsigned seed = 1; seed <= 5; ++seed) {
     scene.background = clutter(seed, false);

@@ -63,7 +63,13 @@ void addTextures(Corpus& corpus) {
                             {.format = TexelFormat::e5b9g9r9, .metadata = {{"envmap", "latlong"}}}));
   corpus.add("ktx2", "two_channels",
              bytesOfTexture(writeKtx2, textureOf(1, 1, 1, 2, 3, 2), {.format = TexelFormat::rg_half}));
+  corpus.add("ktx2", "bc6h_cube",
+             bytesOfTexture(writeKtx2, textureOf(2, 6, 1, 3, 5, 5), {.format = TexelFormat::bc6h}));
+  corpus.add(
+      "ktx2", "bc6h_zstandard",
+      bytesOfTexture(writeKtx2, textureOf(1, 1, 1, 3, 9, 5), {.format = TexelFormat::bc6h, .zstandard_level = 3}));
   corpus.add("dds", "half_cube", bytesOfTexture(writeDds, cube));
+  corpus.add("dds", "bc6h_array", bytesOfTexture(writeDds, textureOf(2, 1, 2, 3, 6, 5), {.format = TexelFormat::bc6h}));
   corpus.add("dds", "packed_array",
              bytesOfTexture(writeDds, textureOf(2, 1, 3, 3, 4, 3), {.format = TexelFormat::b10g11r11}));
   const testing::OldDds masks{

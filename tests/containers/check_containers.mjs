@@ -9,8 +9,9 @@ import { isDeepStrictEqual } from 'node:util';
 
 import * as ktx from 'ktx-parse';
 import parseDds from 'parse-dds';
-import { DataUtils, FloatType, HalfFloatType, LinearSRGBColorSpace, RGBAFormat, RGBFormat, RGFormat,
-  UnsignedInt101111Type, UnsignedInt5999Type } from 'three';
+import { DataUtils, FloatType, HalfFloatType, LinearSRGBColorSpace, RGB_BPTC_UNSIGNED_Format, RGBAFormat, RGBFormat,
+  RGFormat, UnsignedInt101111Type, UnsignedInt5999Type } from 'three';
+import { DDSLoader } from 'three/addons/loaders/DDSLoader.js';
 import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 import { ZSTDDecoder } from 'three/addons/libs/zstddec.module.js';
 
@@ -29,7 +30,11 @@ const formats = {
     decode: (view, at) => [...[0, 2].map((i) => DataUtils.fromHalfFloat(view.getUint16(at + i, true))), 0, 1] },
   rg_float32: { vk: ktx.VK_FORMAT_R32G32_SFLOAT, type: FloatType, format: RGFormat, word: 4, size: 8, bits: [32, 32],
     decode: (view, at) => [...[0, 4].map((i) => view.getFloat32(at + i, true)), 0, 1] },
+  // Its blocks are compared byte by byte.
+  bc6h: { vk: ktx.VK_FORMAT_BC6H_UFLOAT_BLOCK, word: 1, size: 16, bits: [128], side: 4,
+    decode: (view, at) => [...new Uint8Array(view.buffer, view.byteOffset + at, 16)] },
 };
+const KHR_DF_MODEL_BC6H = 133;  // ktx-parse has no name for it
 
 /// VK_FORMAT_B10G11R11_UFLOAT_PACK32: exponents of 5 bits with bias 15, above mantissas of 6, 6 and 5 bits. The test's
 /// values are normal.
@@ -51,20 +56,27 @@ function expectEqual(found, expected, what) {
   console.error(`${what}: found ${JSON.stringify(found)}, expected ${JSON.stringify(expected)}`);
 }
 
-/// Compares texels one behind the other with the part of the list that begins at texel `first`; returns its end.
+/// Compares texels, or blocks where they are compressed, one behind the other with the part of the list that begins at texel `first`; returns its end.
 function checkTexels(bytes, count, file, first, what) {
-  const { decode, size } = formats[file.format];
+  const { decode, size, side } = formats[file.format];
+  const numbers = side ? size : 4;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   expectEqual(bytes.byteLength, count * size, `${what}, bytes`);
   for (let i = 0; i < count && (i + 1) * size <= bytes.byteLength; ++i)
-    expectEqual(decode(view, i * size), file.texels.slice(4 * (first + i), 4 * (first + i + 1)), `${what}, texel ${i}`);
+    expectEqual(decode(view, i * size), file.texels.slice(numbers * (first + i), numbers * (first + i + 1)),
+      `${what}, texel ${i}`);
   return first + count;
 }
 
-const levelTexels = (file, level) => Math.max(1, file.width >> level) * Math.max(1, file.height >> level);
+/// How many texels a level's image has, or blocks.
+function levelTexels(file, level) {
+  const { side = 1 } = formats[file.format];
+  const along = (texels) => Math.ceil(Math.max(1, texels >> level) / side);
+  return along(file.width) * along(file.height);
+}
 
 async function checkKtx2(file, bytes) {
-  const { vk, word, size, bits, type, format } = formats[file.format];
+  const { vk, word, size, bits, type, format, side = 1 } = formats[file.format];
   const texture = ktx.read(bytes);
   const { name } = file;
   expectEqual(texture.vkFormat, vk, `${name}, vkFormat`);
@@ -78,7 +90,9 @@ async function checkKtx2(file, bytes) {
   expectEqual(texture.supercompressionScheme, scheme, `${name}, supercompressionScheme`);
 
   const [descriptor] = texture.dataFormatDescriptor;
-  expectEqual(descriptor.colorModel, ktx.KHR_DF_MODEL_RGBSDA, `${name}, colour model`);
+  const model = side > 1 ? KHR_DF_MODEL_BC6H : ktx.KHR_DF_MODEL_RGBSDA;
+  expectEqual(descriptor.colorModel, model, `${name}, colour model`);
+  expectEqual([...descriptor.texelBlockDimension], [side - 1, side - 1, 0, 0], `${name}, size of a block`);
   expectEqual(descriptor.colorPrimaries, ktx.KHR_DF_PRIMARIES_BT709, `${name}, primaries`);
   expectEqual(descriptor.transferFunction, ktx.KHR_DF_TRANSFER_LINEAR, `${name}, transfer function`);
   expectEqual([...descriptor.bytesPlane], [size, 0, 0, 0, 0, 0, 0, 0], `${name}, bytesPlane`);
@@ -99,8 +113,8 @@ async function checkKtx2(file, bytes) {
     first = checkTexels(data, count, file, first, `${name}, level ${i}`);
   });
 
-  // three.js makes no cubes and arrays of uncompressed files.
-  if (file.faces > 1 || file.layers > 1) return;
+  // three.js makes no cubes and arrays of uncompressed files, and takes BC6H from DDS only.
+  if (file.faces > 1 || file.layers > 1 || side > 1) return;
   const loader = new KTX2Loader();
   loader.workerConfig = {};  // what it asks a renderer for: compressed formats only
   const copy = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
@@ -113,6 +127,23 @@ async function checkKtx2(file, bytes) {
     const level = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
     first = checkTexels(level, width * height, file, first, `${name}, three.js' level ${i}`);
   });
+}
+
+/// three.js' reader, for what parse-dds does not take.
+function checkCompressedDds(file, bytes) {
+  const copy = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+  const texture = new DDSLoader().parse(copy, true);
+  expectEqual(texture.format, RGB_BPTC_UNSIGNED_Format, `${file.name}, format`);
+  expectEqual(texture.isCubemap, file.faces === 6, `${file.name}, cube`);
+  expectEqual([texture.width, texture.height], [file.width, file.height], `${file.name}, size`);
+  expectEqual(texture.mipmaps.length, file.faces * file.levels, `${file.name}, images`);
+  // As below: the list goes by level and face, the file by face and level.
+  let first = 0;
+  for (let level = 0; level < file.levels; ++level)
+    for (let face = 0; face < file.faces; ++face) {
+      const { data } = texture.mipmaps[face * file.levels + level];
+      first = checkTexels(data, levelTexels(file, level), file, first, `${file.name}, face ${face}, level ${level}`);
+    }
 }
 
 function checkDds(file, bytes) {
@@ -136,7 +167,7 @@ const folder = process.argv[2];
 const files = JSON.parse(readFileSync(join(folder, 'files.json'), 'utf8'));
 for (const file of files) {
   const bytes = readFileSync(join(folder, file.name));
-  if (file.name.endsWith('.dds')) checkDds(file, bytes);
+  if (file.name.endsWith('.dds')) (formats[file.format].side ? checkCompressedDds : checkDds)(file, bytes);
   else await checkKtx2(file, bytes);
 }
 console.log(`${files.length} files, ${faults} faults`);

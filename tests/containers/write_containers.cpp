@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "mirrorball/codec/bc6h.h"
 #include "mirrorball/codec/texture_file.h"
 #include "mirrorball/codec/texture_testing.h"
 
@@ -33,6 +34,18 @@ std::string texelList(const ImageSet& images) {
   return list;
 }
 
+/// The bytes of every block, by level, layer, face and row of blocks. Which texels they stand for is another matter, which
+/// bc6h_parity_test holds to a driver.
+std::string blockList(const ImageSet& images) {
+  std::string list;
+  forEachImage(images, [&](const Image& image) {
+    Bytes blocks(std::size_t((image.width() + 3) / 4) * std::size_t((image.height() + 3) / 4) * 16);
+    encodeBc6h(image.samples(), image.channels(), image.width(), blocks);
+    for (const std::uint8_t byte : blocks) list += (list.empty() ? "" : ",") + std::to_string(byte);
+  });
+  return list;
+}
+
 /// Formats of two channels drop it.
 void removeBlue(ImageSet& images) {
   forEachImage(images, [](Image& image) {
@@ -49,7 +62,8 @@ std::string describe(const File& file) {
   return "{\"name\":\"" + file.name + "\",\"format\":\"" + file.format + "\"" +
          number("width", images.at(0, 0).width()) + number("height", images.at(0, 0).height()) +
          number("levels", images.levels()) + number("layers", images.layers()) + number("faces", images.faces()) +
-         number("zstandard", file.options.zstandard_level) + ",\"texels\":[" + texelList(images) + "]}";
+         number("zstandard", file.options.zstandard_level) + ",\"texels\":[" +
+         (file.options.format == TexelFormat::bc6h ? blockList(images) : texelList(images)) + "]}";
 }
 
 }  // namespace
@@ -62,9 +76,10 @@ int main(int count, char** arguments) {
   constexpr struct {
     TexelFormat format;
     const char* name;
-  } kFormats[] = {{TexelFormat::half, "half"},           {TexelFormat::float32, "float32"},
-                  {TexelFormat::b10g11r11, "b10g11r11"}, {TexelFormat::e5b9g9r9, "e5b9g9r9"},
-                  {TexelFormat::rg_half, "rg_half"},     {TexelFormat::rg_float32, "rg_float32"}};
+  } kFormats[] = {
+      {TexelFormat::half, "half"},         {TexelFormat::float32, "float32"}, {TexelFormat::b10g11r11, "b10g11r11"},
+      {TexelFormat::e5b9g9r9, "e5b9g9r9"}, {TexelFormat::rg_half, "rg_half"}, {TexelFormat::rg_float32, "rg_float32"},
+      {TexelFormat::bc6h, "bc6h"}};
   std::vector<File> files;
   const auto add = [&](const std::string& name, const char* format, ImageSet images,
                        const TextureWriteOptions& options) {
@@ -86,6 +101,9 @@ int main(int count, char** arguments) {
   // parse-dds reads cubes of this format with all levels.
   add("float32_cube.dds", "float32", mirrorball::testing::textureOf(4, 6, 1, 4, 8, 8),
       {.format = TexelFormat::float32});
+
+  add("bc6h_cube.dds", "bc6h", mirrorball::testing::textureOf(4, 6, 1, 3, 8, 8), {.format = TexelFormat::bc6h});
+  add("bc6h_picture.dds", "bc6h", mirrorball::testing::textureOf(1, 1, 1, 3, 12, 8), {.format = TexelFormat::bc6h});
 
   const std::filesystem::path folder = arguments[1];
   std::string list;

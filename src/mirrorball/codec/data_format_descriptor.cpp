@@ -15,6 +15,7 @@ constexpr std::size_t kBlockSize = 24;  // the basic block without its samples
 constexpr std::size_t kSampleSize = 16;
 constexpr std::uint16_t kVersion = 2;  // KHR_DF_VERSIONNUMBER_1_3, which 1.4 keeps
 constexpr std::uint8_t kModelRgbsda = 1;
+constexpr std::uint8_t kModelBc6h = 133;
 constexpr std::uint8_t kPrimariesBt709 = 1;
 constexpr std::uint8_t kTransferLinear = 1;
 constexpr std::uint8_t kTransferSrgb = 2;
@@ -58,6 +59,8 @@ std::vector<Sample> samplesOf(TexelFormat format) {
       return floatSamples(16, 2);
     case TexelFormat::rg_float32:
       return floatSamples(32, 2);
+    case TexelFormat::bc6h:  // one sample, the colour, of all the block's bits
+      return {{0, 128, kFloat | 0, 0, kOne}};
     case TexelFormat::b10g11r11:
       return {{0, 11, kFloat | 0, 0, kOne}, {11, 11, kFloat | 1, 0, kOne}, {22, 10, kFloat | 2, 0, kOne}};
     default: {
@@ -127,18 +130,22 @@ Bytes dataFormatDescriptor(TexelFormat format) {
   writer.u32(0);  // Khronos, basic format
   writer.u16(kVersion);
   writer.u16(static_cast<std::uint16_t>(block_size));
-  writer.u8(kModelRgbsda);
+  const StoredFormat stored = storedFormat(format);
+  const auto side = static_cast<std::uint8_t>(blockSide(stored) - 1);
+  writer.u8(format == TexelFormat::bc6h ? kModelBc6h : kModelRgbsda);
   writer.u8(kPrimariesBt709);
   writer.u8(kTransferLinear);
   writer.u8(0);     // straight alpha
-  writer.zeros(4);  // the block is one texel
-  writer.u8(static_cast<std::uint8_t>(texelSize(storedFormat(format))));
+  writer.u8(side);  // of a block, less one: across, down, and in two more dimensions
+  writer.u8(side);
+  writer.zeros(2);
+  writer.u8(static_cast<std::uint8_t>(blockSize(stored)));
   writer.zeros(7);  // one plane only
   for (const Sample& sample : samples) {
     writer.u16(sample.bit_offset);
     writer.u8(static_cast<std::uint8_t>(sample.bits - 1));
     writer.u8(sample.channel_type);
-    writer.zeros(4);  // at the texel's corner
+    writer.zeros(4);  // at the block's corner
     writer.u32(sample.lower);
     writer.u32(sample.upper);
   }

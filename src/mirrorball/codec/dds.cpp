@@ -157,7 +157,7 @@ ImageSet readImages(const std::uint8_t* texels, const Header& header) {
   for (int layer = 0; layer < images.layers(); ++layer)
     for (int face = 0; face < images.faces(); ++face)
       for (int level = 0; level < images.levels(); ++level) {
-        const std::size_t row = std::size_t(shape.widthAt(level)) * texelSize(header.format);
+        const std::size_t row = rowSize(shape, header.format, level);
         images.at(level, face, layer) =
             unpackTexels(header.format, texels, row, shape.widthAt(level), shape.heightAt(level));
         texels += imageSize(shape, header.format, level);
@@ -172,10 +172,14 @@ Bytes encodeHeader(const TextureShape& shape, TexelFormat format, bool has_alpha
   LittleEndianWriter writer;
   writer.u32(kMagic);
   writer.u32(124);
-  writer.u32(kHasCaps | kHasHeight | kHasWidth | kHasPitch | kHasPixelFormat | (has_mips ? kHasMipCount : 0));
+  // Of compressed texels the size of the first level is stated, of others that of a row.
+  const StoredFormat stored = storedFormat(format);
+  const bool is_compressed = blockSide(stored) > 1;
+  writer.u32(kHasCaps | kHasHeight | kHasWidth | kHasPixelFormat | (is_compressed ? kHasLinearSize : kHasPitch) |
+             (has_mips ? kHasMipCount : 0));
   writer.u32(shape.height);
   writer.u32(shape.width);
-  writer.u32(static_cast<std::uint32_t>(shape.width * texelSize(storedFormat(format))));
+  writer.u32(static_cast<std::uint32_t>(is_compressed ? imageSize(shape, stored, 0) : rowSize(shape, stored, 0)));
   writer.u32(0);  // no depth
   writer.u32(shape.levels);
   writer.zeros(11 * 4);

@@ -26,6 +26,7 @@ inline constexpr std::uint32_t kHasWidth = 0x4;
 inline constexpr std::uint32_t kHasPitch = 0x8;
 inline constexpr std::uint32_t kHasPixelFormat = 0x1000;
 inline constexpr std::uint32_t kHasMipCount = 0x20000;
+inline constexpr std::uint32_t kHasLinearSize = 0x80000;
 
 // DDS_PIXELFORMAT.dwFlags
 inline constexpr std::uint32_t kPixelFourLetters = 0x4;

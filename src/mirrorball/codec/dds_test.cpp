@@ -142,8 +142,8 @@ TEST(Dds, WhatIsNotReadIsNamed) {
   expectUnsupported(oldDds({.flags = 4, .code = 113, .caps2 = 0x200000}, Bytes(8)), "three-dimensional");
   expectUnsupported(oldDds({.flags = 4, .code = 113, .caps2 = 0x0600}, Bytes(8)), "fewer than six faces");
   Bytes file = ddsOf(textureOf(1, 1, 1, 3, 2, 2));
-  file[128] = 95;  // DXGI_FORMAT_BC6H_UF16
-  expectUnsupported(file, "BC6H block compression");
+  file[128] = 98;  // DXGI_FORMAT_BC7_UNORM
+  expectUnsupported(file, "BC7 block compression");
   file[128] = 10;
   file[132] = 4;  // D3D10_RESOURCE_DIMENSION_TEXTURE3D
   expectUnsupported(file, "not two-dimensional");

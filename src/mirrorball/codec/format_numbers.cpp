@@ -42,6 +42,9 @@ constexpr Row kRows[] = {
     {{SampleType::float32, 4}, 109, 2},
     {{SampleType::b10g11r11, 3}, 122, 26},
     {{SampleType::e5b9g9r9, 3}, 123, 67},
+    {{SampleType::bc6h_unsigned, 3}, 143, 95},
+    {{SampleType::bc6h_signed, 3}, 144, 96},
+    {{SampleType::bc6h_unsigned, 3}, 0, 94},  // DXGI_FORMAT_BC6H_TYPELESS, which leaves the sign to whoever uses it
 };
 
 std::optional<StoredFormat> formatOf(std::uint32_t Row::*column, std::uint32_t number) {
@@ -69,7 +72,6 @@ constexpr Family kVulkanFamilies[] = {
     {137, 138, "BC3"},
     {139, 140, "BC4"},
     {141, 142, "BC5"},
-    {143, 144, "BC6H"},
     {145, 146, "BC7"},
     {147, 152, "ETC2"},
     {153, 156, "EAC"},
@@ -78,8 +80,7 @@ constexpr Family kVulkanFamilies[] = {
     {1000066000, 1000066013, "ASTC HDR"},
 };
 constexpr Family kDxgiFamilies[] = {
-    {70, 72, "BC1"}, {73, 75, "BC2"},  {76, 78, "BC3"}, {79, 81, "BC4"},
-    {82, 84, "BC5"}, {94, 96, "BC6H"}, {97, 99, "BC7"},
+    {70, 72, "BC1"}, {73, 75, "BC2"}, {76, 78, "BC3"}, {79, 81, "BC4"}, {82, 84, "BC5"}, {97, 99, "BC7"},
 };
 constexpr Family kGlFamilies[] = {
     {0x83f0, 0x83f3, "BC1 to BC3 (S3TC)"},

@@ -16,7 +16,7 @@ std::optional<StoredFormat> formatOfDxgi(std::uint32_t dxgi_format);
 std::uint32_t vulkanNumber(TexelFormat format);
 std::uint32_t dxgiNumber(TexelFormat format);
 
-/// What an unreadable format is called: "BC6H block compression", else "VkFormat 64", "DXGI_FORMAT 45".
+/// What an unreadable format is called: "BC7 block compression", else "VkFormat 64", "DXGI_FORMAT 45".
 std::string nameOfVulkan(std::uint32_t vk_format);
 std::string nameOfDxgi(std::uint32_t dxgi_format);
 
@@ -25,7 +25,7 @@ std::optional<std::string> blockCompressionOfGl(std::uint32_t gl_internal_format
 
 /// The error for a texture that is well-formed but not read.
 ///
-/// what     "BC6H block compression"
+/// what     "BC7 block compression"
 /// instead  the name of a format that is read, in the words of the container
 tl::unexpected<Error> unsupportedTexture(const std::string& name, const std::string& what, const std::string& instead);
 

@@ -162,7 +162,7 @@ Result<std::unique_ptr<std::uint8_t[]>> unpackZstandard(Span packed, std::uint64
 /// Decodes the images of one level into their places.
 void unpackLevel(const StoredFormat& format, const std::uint8_t* texels, int level, const TextureShape& shape,
                  ImageSet& images) {
-  const std::size_t row = std::size_t(shape.widthAt(level)) * texelSize(format);
+  const std::size_t row = rowSize(shape, format, level);
   const std::size_t size = imageSize(shape, format, level);
   for (int layer = 0; layer < images.layers(); ++layer)
     for (int face = 0; face < images.faces(); ++face, texels += size)

@@ -205,7 +205,7 @@ TEST(Ktx2, WhatIsNotReadIsNamed) {
     EXPECT_THAT(error.message, HasSubstr(what));
     EXPECT_THAT(error.message, HasSubstr("store it as r16g16b16a16 sfloat"));
   };
-  expectUnsupported(with(12, 143), "BC6H block compression");
+  expectUnsupported(with(12, 145), "BC7 block compression");
   expectUnsupported(with(12, 157), "ASTC block compression");
   expectUnsupported(with(12, 64), "VkFormat 64");
   expectUnsupported(with(44, 1), "Basis Universal");

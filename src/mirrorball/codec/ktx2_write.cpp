@@ -114,7 +114,7 @@ Result<void> compressLevels(const ImageSet& images, const TextureShape& shape, c
 
 TextureLayout ktx2Layout(const TextureShape& shape, const TextureWriteOptions& options) {
   const StoredFormat stored = storedFormat(options.format);
-  const std::uint64_t alignment = std::lcm(texelSize(stored), std::size_t{4});
+  const std::uint64_t alignment = std::lcm(blockSize(stored), std::size_t{4});
   std::vector<Level> levels(shape.levels);
   std::uint64_t at = header(shape, options, levels).size();
   for (std::size_t i = levels.size(); i-- > 0;) {

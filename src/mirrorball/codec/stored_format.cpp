@@ -12,6 +12,8 @@
 
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/codec/bc6h.h"
+#include "mirrorball/codec/bc6h_modes.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/shared_exponent.h"
 #include "mirrorball/image/small_float.h"
@@ -87,6 +89,7 @@ void unpackPacked(SampleType type, const std::uint8_t* bytes, std::size_t texels
 }
 
 bool isPacked(SampleType type) { return type == SampleType::b10g11r11 || type == SampleType::e5b9g9r9; }
+bool isBc6h(SampleType type) { return type == SampleType::bc6h_unsigned || type == SampleType::bc6h_signed; }
 
 /// One row, to the channels and the order of an image.
 void unpackRow(const StoredFormat& format, const std::uint8_t* bytes, std::span<float> row,
@@ -181,6 +184,8 @@ StoredFormat storedFormat(TexelFormat format) {
       return {SampleType::half, 2};
     case TexelFormat::rg_float32:
       return {SampleType::float32, 2};
+    case TexelFormat::bc6h:
+      return {SampleType::bc6h_unsigned, 3};
     default:
       return {SampleType::e5b9g9r9, 3};
   }
@@ -189,6 +194,8 @@ StoredFormat storedFormat(TexelFormat format) {
 std::string nameOf(const StoredFormat& format) {
   if (format.type == SampleType::b10g11r11) return "b10g11r11 ufloat";
   if (format.type == SampleType::e5b9g9r9) return "e5b9g9r9 ufloat";
+  if (format.type == SampleType::bc6h_unsigned) return "bc6h ufloat";
+  if (format.type == SampleType::bc6h_signed) return "bc6h sfloat";
   const std::string bits = std::to_string(8 * wordSize(format));
   const std::string letters = format.blue_first ? "bgra" : "rgba";
   std::string name;
@@ -209,6 +216,8 @@ std::size_t wordSize(const StoredFormat& format) {
   switch (format.type) {
     case SampleType::srgb8:
     case SampleType::unorm8:
+    case SampleType::bc6h_unsigned:
+    case SampleType::bc6h_signed:
       return 1;
     case SampleType::unorm16:
     case SampleType::half:
@@ -218,8 +227,16 @@ std::size_t wordSize(const StoredFormat& format) {
   }
 }
 
-std::size_t texelSize(const StoredFormat& format) {
+int blockSide(const StoredFormat& format) { return isBc6h(format.type) ? 4 : 1; }
+
+std::size_t blockSize(const StoredFormat& format) {
+  if (isBc6h(format.type)) return kBc6hBlockSize;
   return isPacked(format.type) ? 4 : wordSize(format) * std::size_t(format.channels);
+}
+
+std::uint64_t blocksAlong(const StoredFormat& format, std::uint64_t texels) {
+  const auto side = static_cast<std::uint64_t>(blockSide(format));
+  return (texels + side - 1) / side;
 }
 
 int imageChannels(const StoredFormat& format) {
@@ -234,6 +251,15 @@ TransferCurve curveOf(const StoredFormat& format) {
 Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, int width,
                    int height) {
   Image image(width, height, imageChannels(format));
+  if (isBc6h(format.type)) {
+    constexpr std::size_t kTexelsOfRow = 4;
+    parallelFor(blocksAlong(format, std::uint64_t(height)), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin; row < end; ++row)
+        decodeBc6hRow(bytes + row * row_pitch, format.type == SampleType::bc6h_signed,
+                      static_cast<int>(row * kTexelsOfRow), image);
+    });
+    return image;
+  }
   const std::size_t rows_per_piece = std::max<std::size_t>(kTexelsPerPiece / std::size_t(width), 1);
   parallelFor(std::size_t(height), rows_per_piece, [&](std::size_t begin, std::size_t end) {
     std::vector<float> scratch;
@@ -243,12 +269,14 @@ Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::s
   return image;
 }
 
-bool packTexels(TexelFormat format, std::span<const float> samples, int channels, std::span<std::uint8_t> bytes) {
+bool packTexels(TexelFormat format, std::span<const float> samples, int channels, int width,
+                std::span<std::uint8_t> bytes) {
   const StoredFormat stored = storedFormat(format);
   const std::size_t from = std::size_t(channels);
   const std::size_t to = std::size_t(stored.channels);
-  assert(bytes.size() == samples.size() / from * texelSize(stored));
   switch (stored.type) {
+    case SampleType::bc6h_unsigned:
+      return encodeBc6h(samples, channels, width, bytes);
     case SampleType::half:
       if (from == to) return halvesFromFloats(samples, asHalves(bytes));
       if (from == 3 && to == 4) return rgbaHalvesFromRgb(samples, asHalves(bytes));
@@ -274,9 +302,26 @@ float mostOf(TexelFormat format) {
       return 64512.0f;
     case TexelFormat::e5b9g9r9:
       return 65408.0f;
+    case TexelFormat::bc6h:
+      return kLargestBc6h;
     default:
       return std::numeric_limits<float>::max();
   }
+}
+
+std::size_t firstMisfit(TexelFormat format, std::span<const float> samples, int channels) {
+  const auto step = static_cast<std::size_t>(channels);
+  std::vector<std::uint8_t> bytes(blockSize(storedFormat(format)));
+  const auto fits = [&](std::span<const float> texel) {
+    return format == TexelFormat::bc6h ? fitsBc6h(texel, channels) : packTexels(format, texel, channels, 1, bytes);
+  };
+  std::size_t texel = 0;
+  while (fits(samples.subspan(texel * step, step))) ++texel;
+  return texel;
+}
+
+bool refusesNegativeLight(TexelFormat format) {
+  return format == TexelFormat::b10g11r11 || format == TexelFormat::e5b9g9r9 || format == TexelFormat::bc6h;
 }
 
 std::string rangeOf(TexelFormat format) {
@@ -286,6 +331,8 @@ std::string rangeOf(TexelFormat format) {
       return "half floats hold -65504 to 65504";
     case TexelFormat::b10g11r11:
       return "b10g11r11 holds 0 to 65024 (blue 64512)";
+    case TexelFormat::bc6h:
+      return "bc6h holds 0 to 65504";
     default:
       return "e5b9g9r9 holds 0 to 65408";
   }

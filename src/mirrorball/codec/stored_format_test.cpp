@@ -72,8 +72,8 @@ TEST(SharedExponent, DecodesEveryMantissaAndExponent) {
 }
 
 Bytes packed(TexelFormat format, std::vector<float> samples, int channels) {
-  Bytes bytes(samples.size() / std::size_t(channels) * texelSize(storedFormat(format)));
-  EXPECT_TRUE(packTexels(format, samples, channels, bytes));
+  Bytes bytes(samples.size() / std::size_t(channels) * blockSize(storedFormat(format)));
+  EXPECT_TRUE(packTexels(format, samples, channels, 1, bytes));
   return bytes;
 }
 
@@ -135,7 +135,7 @@ TEST(StoredFormat, DecodesEveryKind) {
       {{SampleType::e5b9g9r9, 3}, {0x00, 0x01, 0x01, 0x81}, {1.0f, 0.5f, 0.25f}},
   };
   for (const Stored& kind : kinds) {
-    ASSERT_EQ(kind.bytes.size(), texelSize(kind.format)) << nameOf(kind.format);
+    ASSERT_EQ(kind.bytes.size(), blockSize(kind.format)) << nameOf(kind.format);
     const Image image = unpackTexels(kind.format, kind.bytes.data(), kind.bytes.size(), 1, 1);
     EXPECT_EQ(std::vector<float>(image.samples().begin(), image.samples().end()), kind.light) << nameOf(kind.format);
   }

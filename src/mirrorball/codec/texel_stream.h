@@ -35,9 +35,6 @@ struct TextureLayout {
 Error misfit(const std::string& name, TexelFormat format, const std::string& place, glm::ivec2 texel,
              std::span<const float> samples);
 
-/// The first of some texels that does not fit the format, of which there must be one.
-std::size_t firstMisfit(TexelFormat format, std::span<const float> samples, int channels);
-
 /// Encodes images and writes them, rows tightly packed, without ever holding one of them as a whole.
 ///
 /// placed   in the order in which texels that do not fit are named

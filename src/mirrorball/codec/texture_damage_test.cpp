@@ -85,9 +85,13 @@ INSTANTIATE_TEST_SUITE_P(
              [] { return bytesOfTexture(writeKtx2, textureOf(2, 1, 1, 2, 5, 3), {.format = TexelFormat::rg_half}); }},
         Kind{"Ktx2Zstandard",
              [] { return bytesOfTexture(writeKtx2, textureOf(3, 6, 1, 4, 4, 4), {.zstandard_level = 3}); }},
+        Kind{"Ktx2Bc6h",
+             [] { return bytesOfTexture(writeKtx2, textureOf(3, 6, 1, 3, 9, 9), {.format = TexelFormat::bc6h}); }},
         Kind{"Ktx1Cube", ktx1Cube},
         Kind{"DdsCube",
              [] { return bytesOfTexture(writeDds, textureOf(2, 6, 2, 3, 4, 4), {.format = TexelFormat::b10g11r11}); }},
+        Kind{"DdsBc6h",
+             [] { return bytesOfTexture(writeDds, textureOf(2, 1, 2, 3, 6, 5), {.format = TexelFormat::bc6h}); }},
         Kind{"DdsMasks",
              [] {
                return testing::oldDds(

@@ -115,25 +115,31 @@ Result<TextureWriter> TextureWriter::create(const std::filesystem::path& path, g
 }
 
 Result<void> TextureWriter::write(int face, glm::ivec2 begin, const Image& texels) const {
-  const std::size_t texel_size = texelSize(storedFormat(format_));
-  const std::size_t row_bytes = std::size_t(texels.width()) * texel_size;
-  const auto bytes = std::make_unique_for_overwrite<std::uint8_t[]>(row_bytes * std::size_t(texels.height()));
-  const std::span<std::uint8_t> packed(bytes.get(), row_bytes * std::size_t(texels.height()));
-  if (!packTexels(format_, texels.samples(), texels.channels(), packed)) {
+  const StoredFormat stored = storedFormat(format_);
+  [[maybe_unused]] const glm::ivec2 end = begin + glm::ivec2(texels.width(), texels.height());
+  assert(begin % blockSide(stored) == glm::ivec2(0));
+  assert((end.x % blockSide(stored) == 0 || end.x == size_.x) && (end.y % blockSide(stored) == 0 || end.y == size_.y));
+  const std::size_t row_bytes = blocksAlong(stored, std::uint64_t(texels.width())) * blockSize(stored);
+  const std::size_t rows = blocksAlong(stored, std::uint64_t(texels.height()));
+  const auto bytes = std::make_unique_for_overwrite<std::uint8_t[]>(row_bytes * rows);
+  const std::span<std::uint8_t> packed(bytes.get(), row_bytes * rows);
+  if (!packTexels(format_, texels.samples(), texels.channels(), texels.width(), packed)) {
     const std::size_t index = firstMisfit(format_, texels.samples(), texels.channels());
     const glm::ivec2 texel(index % std::size_t(texels.width()), index / std::size_t(texels.width()));
     const TextureShape shape{.faces = static_cast<std::uint32_t>(offsets_.size())};
     return tl::unexpected<Error>(misfit(name_, format_, placeName(shape, 0, 0, face), begin + texel,
                                         {texels.texel(texel.x, texel.y), std::size_t(texels.channels())}));
   }
-  const auto offsetOf = [&](int row) {
+  const auto offsetOf = [&](std::size_t row) {
+    const std::uint64_t rows_above = blocksAlong(stored, std::uint64_t(begin.y)) + row;
     return offsets_[std::size_t(face)] +
-           (std::uint64_t(begin.y + row) * std::uint64_t(size_.x) + std::uint64_t(begin.x)) * texel_size;
+           (rows_above * blocksAlong(stored, std::uint64_t(size_.x)) + blocksAlong(stored, std::uint64_t(begin.x))) *
+               blockSize(stored);
   };
   // Rows as wide as the image follow each other in the file.
   if (texels.width() == size_.x) return file_.writeAt(offsetOf(0), packed);
-  for (int row = 0; row < texels.height(); ++row)
-    MIRRORBALL_TRY_VOID(file_.writeAt(offsetOf(row), packed.subspan(std::size_t(row) * row_bytes, row_bytes)));
+  for (std::size_t row = 0; row < rows; ++row)
+    MIRRORBALL_TRY_VOID(file_.writeAt(offsetOf(row), packed.subspan(row * row_bytes, row_bytes)));
   return {};
 }
 

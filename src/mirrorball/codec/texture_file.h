@@ -19,6 +19,7 @@ enum class TexelFormat {
   float32,     ///< r32g32b32a32 sfloat, 16 bytes
   b10g11r11,   ///< b10g11r11 ufloat, 4 bytes: 6 bits of mantissa (blue 5), 0 to 65024 (blue 64512), no alpha
   e5b9g9r9,    ///< e5b9g9r9 ufloat, 4 bytes: 9 bits of mantissa under a common exponent, 0 to 65408, no alpha
+  bc6h,        ///< bc6h ufloat, 16 bytes for 4 x 4 texels: 0 to 65504 with an error (docs/conventions.md), no alpha
   rg_half,     ///< r16g16 sfloat, 4 bytes: red and green only
   rg_float32,  ///< r32g32 sfloat, 8 bytes
 };
@@ -38,14 +39,14 @@ struct DecodedImageSet {
 };
 
 /// Reads .ktx2 .ktx .dds by their first bytes: two-dimensional textures and cubes, their mip levels and arrays, in
-/// 8- and 16-bit unorm, sRGB, half, float, b10g11r11 and e5b9g9r9. One channel stays one (grey), two become red and
+/// 8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9 and, but for .ktx, BC6H. One channel stays one (grey), two become red and
 /// green.
 /// sRGB formats, and 8-bit DDS files from before DX10, are decoded to linear light; unorm is taken as it stands.
 /// A picture stored bottom up or right to left (KTXorientation) is turned; the faces of a cube are left as a GPU
 /// would see them. Primaries that a KTX2 file names are converted to Rec.709.
 ///
-/// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported (block compression: the
-///          format is named; one- and three-dimensional textures)
+/// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported (other block
+///          compressions: the format is named; one- and three-dimensional textures)
 Result<DecodedImageSet> readImageSet(const std::filesystem::path& path);
 
 /// The same from memory. `name` is for messages.
@@ -54,15 +55,16 @@ Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes, cons
 /// Whether the bytes begin as one of the files that decodeImageSet takes.
 bool isImageSet(std::span<const std::uint8_t> bytes);
 
-/// Writes a texture by the name's extension, .ktx2 or .dds. Values are rounded to the nearest that the format has,
-/// never clipped.
+/// Writes a texture by the name's extension, .ktx2 or .dds. Values are rounded to the nearest that the format has, or
+/// compressed with some error, never clipped.
 ///
 /// images   1, 3 or 4 channels, the same in all, or 2 for the formats that have two; each level half the size of the one
 ///          before, rounded down; 1 face, or 6 square ones
 /// errors   usage (an unknown extension, a Zstandard level for DDS, metadata that cannot be stored); bad_shape; io;
 ///          out_of_range (the first texel that does not fit the format is named; where levels are compressed, the
 ///          first of the smallest level that has one); too_large
-/// cost     what writing the bytes costs: texels are converted on all cores on their way into the file
+/// cost     what writing the bytes costs: texels are converted on all cores on their way into the file; bc6h some
+///          15 million texels a second and core
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
                            const TextureWriteOptions& options = {});
 
@@ -80,7 +82,8 @@ class TextureWriter {
 
   /// Writes a rectangle of an image's texels; called from several threads at a time.
   ///
-  /// begin    where its first texel is in the image
+  /// begin    where its first texel is in the image; for bc6h both numbers are multiples of 4, and so are the rectangle's
+  ///          width and height but at the image's edges
   /// errors   io; out_of_range (the first texel that does not fit the format is named)
   Result<void> write(int face, glm::ivec2 begin, const Image& texels) const;
 

@@ -42,10 +42,14 @@ TextureShape shapeOf(const ImageSet& images) {
           static_cast<std::uint32_t>(images.faces())};
 }
 
+std::uint64_t rowSize(const TextureShape& shape, const StoredFormat& format, int level) {
+  return blocksAlong(format, std::uint64_t(shape.widthAt(level))) * blockSize(format);
+}
+
 std::uint64_t imageSize(const TextureShape& shape, const StoredFormat& format, int level, std::size_t row_alignment) {
-  const std::uint64_t row = std::uint64_t(shape.widthAt(level)) * texelSize(format);
+  const std::uint64_t row = rowSize(shape, format, level);
   const std::uint64_t pitch = (row + row_alignment - 1) / row_alignment * row_alignment;
-  return pitch * std::uint64_t(shape.heightAt(level));
+  return pitch * blocksAlong(format, std::uint64_t(shape.heightAt(level)));
 }
 
 std::string placeName(const TextureShape& shape, int level, int layer, int face) {

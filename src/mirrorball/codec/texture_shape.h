@@ -40,6 +40,9 @@ inline constexpr std::uint32_t kMostLayers = 1u << 16;
 /// The shape of a set whose images have been checked.
 TextureShape shapeOf(const ImageSet& images);
 
+/// Bytes of one row of an image's blocks, or texels where they are not compressed.
+std::uint64_t rowSize(const TextureShape& shape, const StoredFormat& format, int level);
+
 /// Bytes of one image whose rows are multiples of `row_alignment` bytes.
 std::uint64_t imageSize(const TextureShape& shape, const StoredFormat& format, int level,
                         std::size_t row_alignment = 1);

@@ -214,20 +214,23 @@ glm::vec3 EnvironmentMap::cubicThrough(int face_index, const TenTexels& texels, 
   return glm::clamp(straight + shareByContrast(all) * (sum - straight), range.least, range.most);
 }
 
+std::size_t raiseNegativeLight(Image& image) {
+  std::size_t count = 0;
+  const auto channels = static_cast<std::size_t>(image.channels());
+  const std::size_t colors = std::min<std::size_t>(channels, 3);
+  const std::span<float> samples = image.samples();
+  for (std::size_t texel = 0; texel < samples.size(); texel += channels)
+    for (float& sample : samples.subspan(texel, colors))
+      if (sample < 0.0f) {
+        sample = 0.0f;
+        ++count;
+      }
+  return count;
+}
+
 std::size_t raiseNegativeLight(EnvironmentMap& map) {
   std::size_t count = 0;
-  for (int index = 0; index < map.faces(); ++index) {
-    Image& face = map.face(index);
-    const auto channels = static_cast<std::size_t>(face.channels());
-    const std::size_t colors = std::min<std::size_t>(channels, 3);
-    const std::span<float> samples = face.samples();
-    for (std::size_t texel = 0; texel < samples.size(); texel += channels)
-      for (float& sample : samples.subspan(texel, colors))
-        if (sample < 0.0f) {
-          sample = 0.0f;
-          ++count;
-        }
-  }
+  for (int index = 0; index < map.faces(); ++index) count += raiseNegativeLight(map.face(index));
   return count;
 }
 

@@ -82,5 +82,6 @@ class EnvironmentMap {
 ///
 /// returns  how many values of red, green and blue there were
 std::size_t raiseNegativeLight(EnvironmentMap& map);
+std::size_t raiseNegativeLight(Image& image);
 
 }  // namespace mirrorball

@@ -17,7 +17,7 @@
 namespace mirrorball::cli {
 namespace {
 
-constexpr std::array<std::string_view, 5> kFormats{"auto", "half", "float32", "b10g11r11", "e5b9g9r9"};
+constexpr std::array<std::string_view, 6> kFormats{"auto", "half", "float32", "b10g11r11", "e5b9g9r9", "bc6h"};
 std::span<const std::string_view> formatNames() { return kFormats; }
 
 const std::string kMapHelp = "needed: " + writtenExtensions(Holds::light) + " (linear radiance), " +
@@ -54,8 +54,8 @@ const std::array<Option<MapOutputOptions>, 12> kMapOutputOptions{{
      &MapOutputOptions::face_order},
     {{.name = "format",
       .value = "FORMAT",
-      .help = "of texels: half or float32 in .exr; half, float32, b10g11r11 or e5b9g9r9 in .ktx2 and .dds; auto is "
-              "float32 in .exr, in textures half where it holds all values",
+      .help = "of texels: half or float32 in .exr; half, float32, b10g11r11, e5b9g9r9 or bc6h (compressed to a "
+              "byte a texel) in .ktx2 and .dds; auto is float32 in .exr, in textures half where it holds all values",
       .group = "Output",
       .names = formatNames},
      &MapOutputOptions::format},
@@ -233,9 +233,18 @@ Result<TexelFormat> MapOutput::inFormat(const std::function<Result<void>(TexelFo
   return TexelFormat::float32;
 }
 
+void MapOutput::remarkOnLosses(std::size_t negative) const {
+  if (!format_) return;
+  if (negative > 0)
+    remark(output_ + ": " + countedAre(negative, "value") + " negative, which the format does not hold; taken as 0");
+  if (convertedChannels(form_.projection) == 4 && storedFormat(*format_).channels < 4)
+    remark(output_ + ": the format holds no alpha; beside the disc is black");
+}
+
 Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const {
   const Projection projection = form_.projection;
   LostLight all_lost;
+  std::size_t all_negative = 0;
   std::mutex lost_guard;
   const auto write = [&](TexelFormat format) -> Result<void> {
     MIRRORBALL_TRY(writer, TextureWriter::create(output_, imageSize(projection, size), faceCount(projection),
@@ -245,9 +254,11 @@ Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(c
       if (!format_) return writer.write(face, begin, texels);
       Image limited = texels;
       const LostLight lost = limitLight(projection, imageSize(projection, size), begin, mostLight(), limited);
+      const std::size_t negative = refusesNegativeLight(format) ? raiseNegativeLight(limited) : 0;
       {
         const std::scoped_lock lock(lost_guard);
         all_lost.add(lost);
+        all_negative += negative;
       }
       return writer.write(face, begin, limited);
     }));
@@ -255,6 +266,7 @@ Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(c
   };
   MIRRORBALL_TRY_VOID(inFormat(write));
   tellLost(all_lost);
+  remarkOnLosses(all_negative);
   announce(output_);
   return {};
 }
@@ -294,15 +306,18 @@ Result<TexelFormat> MapOutput::writeLevels(ImageSet levels) const {
 std::uint64_t MapOutput::memoryToWrite(int size) const {
   if (zstandard_level_ == 0) return 0;
   // Whole levels are compressed, into as much memory as they have.
-  return 2 * 6 * std::uint64_t(size) * std::uint64_t(size) *
-         texelSize(storedFormat(format_.value_or(TexelFormat::float32)));
+  const StoredFormat format = storedFormat(format_.value_or(TexelFormat::float32));
+  const std::uint64_t blocks = blocksAlong(format, std::uint64_t(size));
+  return 2 * 6 * blocks * blocks * blockSize(format);
 }
 
 Result<void> MapOutput::write(EnvironmentMap map) const {
   if (format_) tellLost(limitLight(map, {.most = mostLight()}));
   if (is_texture_) {
+    const std::size_t negative = format_ && refusesNegativeLight(*format_) ? raiseNegativeLight(map) : 0;
     MIRRORBALL_TRY(images, textureImages(std::move(map)));
     MIRRORBALL_TRY_VOID(writeImages(images));
+    remarkOnLosses(negative);
     return {};
   }
   const ImageWriteOptions how{.half = half_, .metadata = metadataOf(form_)};

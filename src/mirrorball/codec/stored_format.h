@@ -53,7 +53,7 @@ TransferCurve curveOf(const StoredFormat& format);
 ///
 /// bytes    width · height texels, rows of blocks of `row_pitch` bytes, little-endian
 /// returns  imageChannels(format) channels
-/// cost     on all cores, at the speed of memory for half and float; bc6h some 100 million texels a second and core
+/// cost     on all cores, at the speed of memory for half and float; bc6h some 40 million texels a second and core
 Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::size_t row_pitch, int width, int height);
 
 /// Encodes rows of texels. What does not fit the format leaves unspecified bytes.

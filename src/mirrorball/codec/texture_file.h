@@ -64,7 +64,7 @@ bool isImageSet(std::span<const std::uint8_t> bytes);
 ///          out_of_range (the first texel that does not fit the format is named; where levels are compressed, the
 ///          first of the smallest level that has one); too_large
 /// cost     what writing the bytes costs: texels are converted on all cores on their way into the file; bc6h some
-///          15 million texels a second and core
+///          13 million texels a second and core
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
                            const TextureWriteOptions& options = {});
 

@@ -74,7 +74,7 @@ HWY_INLINE Mode modeOf(std::size_t number) {
 
 /// The finest mode that holds the lines, or would if it reached `slack` times as far.
 template <int kSubsets>
-HWY_INLINE Mode finestMode(const Lines& lines, float slack) {
+HWY_NOINLINE Mode finestMode(const Lines& lines, float slack) {
   V extent[3];
   for (int c = 0; c < 3; ++c) {
     extent[c] = set(0.0f);
@@ -132,7 +132,7 @@ HWY_INLINE V errorOf(const Texels& texels, std::size_t i, const V* from, const V
 ///
 /// returns  the error
 template <int kSubsets>
-HWY_INLINE V chooseIndices(const Texels& texels, const Lines& lines, VU code, V* indices) {
+HWY_NOINLINE V chooseIndices(const Texels& texels, const Lines& lines, VU code, V* indices) {
   V all_along[kSubsets][3];
   for (int s = 0; s < kSubsets; ++s)
     for (int c = 0; c < 3; ++c) all_along[s][c] = lines.end[2 * s + 1][c] - lines.end[2 * s][c];
@@ -184,7 +184,7 @@ HWY_INLINE Encoded nothingYet() {
   return none;
 }
 
-HWY_INLINE void keepBetter(const Encoded& other, Encoded& best) {
+HWY_NOINLINE void keepBetter(const Encoded& other, Encoded& best) {
   const M is_better = other.error < best.error;
   const auto is_better_bits = hn::RebindMask(DU(), is_better);
   best.error = hn::IfThenElse(is_better, other.error, best.error);
@@ -195,7 +195,7 @@ HWY_INLINE void keepBetter(const Encoded& other, Encoded& best) {
 }
 
 template <int kSubsets>
-HWY_INLINE Encoded encode(const Texels& texels, VU code, Lines lines, float slack) {
+HWY_NOINLINE Encoded encode(const Texels& texels, VU code, Lines lines, float slack) {
   Encoded made = nothingYet();
   const Mode mode = finestMode<kSubsets>(lines, slack);
   made.mode = mode.number;
@@ -206,7 +206,7 @@ HWY_INLINE Encoded encode(const Texels& texels, VU code, Lines lines, float slac
 }
 
 template <int kSubsets>
-HWY_INLINE void tryPartition(const Texels& texels, VU code, Encoded& best) {
+HWY_NOINLINE void tryPartition(const Texels& texels, VU code, Encoded& best) {
   Lines lines = linesThrough<kSubsets>(texels, code);
   const Encoded first = encode<kSubsets>(texels, code, lines, 1.0f);
   keepBetter(first, best);
@@ -216,7 +216,7 @@ HWY_INLINE void tryPartition(const Texels& texels, VU code, Encoded& best) {
 
 /// Fits ends once more, to the indices of the best.
 template <int kSubsets>
-HWY_INLINE void refine(const Texels& texels, Encoded& best) {
+HWY_NOINLINE void refine(const Texels& texels, Encoded& best) {
   const VU code = best.code;
   Lines lines;
   for (auto& end : lines.end)

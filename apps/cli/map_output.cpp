@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdio>
-#include <limits>
 #include <mutex>
 
 #include "cli/files.h"
@@ -106,10 +105,12 @@ Result<CubeArrangement> changedBy(const MapOutputOptions& options, CubeArrangeme
   return reordered(arrangement, order);
 }
 
-/// "5.8 %"
+/// "14 %", "5.8 %" or "less than 0.01 %"
 std::string percentOf(const LostLight& light) {
+  const double percent = 100.0 * light.share();
+  if (percent < 0.01) return "less than 0.01 %";
   std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.2g %%", 100.0 * light.share());
+  std::snprintf(text.data(), text.size(), percent < 10.0 ? "%.2g %%" : "%.0f %%", percent);
   return text.data();
 }
 
@@ -214,8 +215,19 @@ bool MapOutput::takesPieces() const {
          form_.arrangement == CubeArrangement{} && form_.centre == SignedAxis::plus_z;
 }
 
-/// What a format that was asked for holds; one that is chosen holds all.
-float MapOutput::mostLight() const { return format_ ? mostOf(*format_) : std::numeric_limits<float>::infinity(); }
+bool MapOutput::limitsLight() const { return format_ && *format_ != TexelFormat::float32; }
+
+LostLight MapOutput::limitLevels(ImageSet& levels) const {
+  LostLight lost;
+  for (int level = 0; limitsLight() && level < levels.levels(); ++level)
+    for (int face = 0; face < levels.faces(); ++face) {
+      Image& image = levels.at(level, face);
+      const glm::ivec2 extent(image.width(), image.height());
+      const LostLight here = limitLight(form_.projection, extent, {0, 0}, mostOf(*format_), image);
+      if (level == 0) lost.add(here);
+    }
+  return lost;
+}
 
 void MapOutput::tellLost(const LostLight& light) const {
   if (light.lost > 0.0)
@@ -251,9 +263,9 @@ Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(c
                                                  convertedChannels(projection),
                                                  {.format = format, .metadata = metadataOf(form_)}));
     MIRRORBALL_TRY_VOID(convert_to([&](int face, glm::ivec2 begin, const Image& texels) -> Result<void> {
-      if (!format_) return writer.write(face, begin, texels);
+      if (!limitsLight()) return writer.write(face, begin, texels);
       Image limited = texels;
-      const LostLight lost = limitLight(projection, imageSize(projection, size), begin, mostLight(), limited);
+      const LostLight lost = limitLight(projection, imageSize(projection, size), begin, mostOf(*format_), limited);
       const std::size_t negative = refusesNegativeLight(format) ? raiseNegativeLight(limited) : 0;
       {
         const std::scoped_lock lock(lost_guard);
@@ -277,8 +289,11 @@ Result<ImageSet> MapOutput::textureImages(EnvironmentMap map) const {
   const glm::ivec2 extent = map.extent();
   MIRRORBALL_TRY_VOID(checkMemory(output_, std::uint64_t(extent.x) * std::uint64_t(extent.y) *
                                                std::uint64_t(map.faces()) * 3 * sizeof(float) * 7 / 3));
-  if (map.faces() == 6) return arranged(mipChain(map, *mips_), form_.arrangement);
-  return mipChain(EnvironmentMap(form_.projection, imagesOf(std::move(map), form_)), *mips_);
+  const bool is_cube = map.faces() == 6;
+  ImageSet levels = is_cube ? mipChain(map, *mips_)
+                            : mipChain(EnvironmentMap(form_.projection, imagesOf(std::move(map), form_)), *mips_);
+  limitLevels(levels);  // the mean of the greatest values may be a rounding error above them
+  return is_cube ? arranged(std::move(levels), form_.arrangement) : std::move(levels);
 }
 
 Result<TexelFormat> MapOutput::writeImages(const ImageSet& images) const {
@@ -292,14 +307,7 @@ Result<TexelFormat> MapOutput::writeImages(const ImageSet& images) const {
 }
 
 Result<TexelFormat> MapOutput::writeLevels(ImageSet levels) const {
-  LostLight lost;
-  for (int level = 0; format_ && level < levels.levels(); ++level)
-    for (int face = 0; face < levels.faces(); ++face) {
-      Image& image = levels.at(level, face);
-      const LostLight here = limitLight(Projection::cube, {image.width(), image.height()}, {0, 0}, mostLight(), image);
-      if (level == 0) lost.add(here);
-    }
-  tellLost(lost);
+  tellLost(limitLevels(levels));
   return writeImages(arranged(std::move(levels), form_.arrangement));
 }
 
@@ -312,7 +320,7 @@ std::uint64_t MapOutput::memoryToWrite(int size) const {
 }
 
 Result<void> MapOutput::write(EnvironmentMap map) const {
-  if (format_) tellLost(limitLight(map, {.most = mostLight()}));
+  if (limitsLight()) tellLost(limitLight(map, {.most = mostOf(*format_)}));
   if (is_texture_) {
     const std::size_t negative = format_ && refusesNegativeLight(*format_) ? raiseNegativeLight(map) : 0;
     MIRRORBALL_TRY(images, textureImages(std::move(map)));

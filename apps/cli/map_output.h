@@ -79,7 +79,10 @@ class MapOutput {
   Result<void> setForm(const MapOutputOptions& options, Projection projection);
   Result<void> setFormat(const MapOutputOptions& options);
   Result<TexelFormat> writeImages(const ImageSet& images) const;
-  float mostLight() const;
+  /// Whether a format was asked for that does not hold all light.
+  bool limitsLight() const;
+  /// Lowers what that format does not hold; returns what is lost of the first level.
+  LostLight limitLevels(ImageSet& levels) const;
   void tellLost(const LostLight& light) const;
   Result<ImageSet> textureImages(EnvironmentMap map) const;
   /// Says what the format that was asked for does not hold: so many values below 0, alpha.

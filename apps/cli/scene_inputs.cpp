@@ -91,8 +91,8 @@ Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions&
   }
 
   // None of the three needs the others.
-  auto scene_later = std::async(
-      besideOthers(), [&] { return clock.time("model: read", [&] { return loadScene(request, options); }); });
+  auto scene_later = std::async(besideOthers(),
+                                [&] { return clock.time("model: read", [&] { return loadScene(request, options); }); });
   auto environment_later =
       std::async(besideOthers(), [&]() -> Result<std::pair<LoadedEnvironment, PreparedEnvironment>> {
         MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {

@@ -123,8 +123,8 @@ TEST_F(ConvertBc6hTest, WhatItDoesNotHoldIsSaid) {
 
   write("bright.exr", Image(8, 4, 3, 65505.0f));
   for (const std::string output : {"new.ktx2", "new.dds", "new.ktx2 --mips", "new.ktx2 --zstd 1"})
-    EXPECT_THAT(refuse(1, "convert bright.exr --to cube --size 4 --format bc6h -o " + output),
-                AllOf(HasSubstr("texel (0, 0)"), HasSubstr("bc6h holds 0 to 65504")));
+    EXPECT_THAT(run("convert bright.exr --to cube --size 4 --format bc6h -o " + output).err,
+                AllOf(HasSubstr("bc6h holds 0 to 65504"), HasSubstr("of the light is lost")));
   map.texel(3, 2)[1] = std::nanf("");
   write("nan.exr", map);
   EXPECT_THAT(refuse(1, "convert nan.exr --to cube --format bc6h -o new.ktx2"), HasSubstr("--repair"));

@@ -59,12 +59,12 @@ Result<std::vector<double>> exposuresOf(std::span<const Photograph> photographs,
   return exposures;
 }
 
-/// The one with the middle exposure.
+/// The one with the middle exposure, of two the brighter: so that a map is not opened black.
 std::size_t referenceOf(std::span<const double> exposures) {
   std::vector<std::size_t> order(exposures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return exposures[i]; });
-  return order[(order.size() - 1) / 2];
+  return order[order.size() / 2];
 }
 
 std::string nameOf(ResponseKind kind) {

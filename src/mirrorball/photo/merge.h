@@ -20,7 +20,7 @@ struct MergeOptions {
 /// The light of a series.
 struct MergedPhotographs {
   Image light;                            ///< 3 channels, linear; 1 is sRGB's white in the reference exposure
-  std::size_t reference = 0;              ///< index of the photograph with the middle exposure
+  std::size_t reference = 0;              ///< index of the photograph with the middle exposure, of two the brighter
   std::size_t clipped = 0;                ///< pixels with a channel that even the shortest exposure clips
   std::size_t black = 0;                  ///< pixels with a channel that is black even in the longest
   std::vector<double> contradicts_stops;  ///< of each photograph, how far it is off the one it agrees with best

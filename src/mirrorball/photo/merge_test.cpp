@@ -129,7 +129,7 @@ TEST(Merge, KeepsARangeOfAHundredThousand) {
   ASSERT_TRUE(merged);
   double worst = 0.0;
   for (std::size_t i = 0; i < light.samples().size(); ++i)
-    worst = std::max(worst, std::abs(std::log(merged->light.samples()[i] / (light.samples()[i] / 256.0))));
+    worst = std::max(worst, std::abs(std::log(merged->light.samples()[i] / (light.samples()[i] / 16.0))));
   // At light 0.014 the longest exposure has code 33, where half a code is 3 % of the light.
   EXPECT_LT(worst, 0.05);
   EXPECT_EQ(merged->clipped, 0u);

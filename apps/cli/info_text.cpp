@@ -31,6 +31,8 @@ std::string fileText(const MapInfo& map) {
   if (loaded.recognition) {
     said += line("size", sizeText(loaded.file_size));
     said += line("projection", textOf(loaded.recognition->form) + " (told by " + loaded.recognition->told_by + ")");
+    if (loaded.recognition->is_guess)
+      said += line("mirroring", "OpenGL's table or as seen from inside: mirrored writing in a picture tells which");
     if (map.covered < 1.0f)
       said += line("covers", formatted("%.5g %% of the sphere: none of ", 100.0 * double(map.covered)) +
                                  (loaded.recognition->form.projection == Projection::ball

@@ -1,5 +1,6 @@
 #include "cli/map_inputs.h"
 
+#include "cli/terminal.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
@@ -7,6 +8,7 @@ namespace mirrorball::cli {
 Result<LoadedEnvironment> loadMap(const std::string& name_or_path, const EnvironmentLoadOptions& options,
                                   const ProgressFunction& progress) {
   auto loaded = loadEnvironment(name_or_path, options, progress);
+  if (loaded && !loaded->doubt.empty()) remark(name_or_path + ": " + loaded->doubt);
   if (loaded) return loaded;
   const auto format = modelFormatOf(name_or_path);
   if (!format) return loaded;

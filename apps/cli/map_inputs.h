@@ -6,7 +6,7 @@
 
 namespace mirrorball::cli {
 
-/// loadEnvironment, whose error names the command for a file that is a model.
+/// loadEnvironment, whose error names the command for a file that is a model; says what it doubts.
 ///
 /// errors   as loadEnvironment's
 Result<LoadedEnvironment> loadMap(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <vector>
 
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/texture_file.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/cube_edges.h"
 #include "mirrorball/environment/face_files.h"
 
 namespace mirrorball {
@@ -46,21 +48,60 @@ void add(const NonFinite& more, NonFinite& total) {
   total.count += more.count;
 }
 
+/// The forms that six images may have instead of one that shape or names tell.
+std::vector<MapForm> otherForms(const MapForm& form) {
+  std::vector<MapForm> others;
+  if (form.layout == CubeLayout::hcross) others.push_back({form.projection, CubeLayout::seed});
+  others.push_back({form.projection, form.layout, asSeen(form.arrangement)});
+  return others;
+}
+
+/// What is said of a cube whose faces do not meet.
+std::string doubtOf(const Recognition& recognition) {
+  std::string doubt = "taken as " + textOf(recognition.form) + " (" + recognition.told_by +
+                      "), but its faces do not meet at their edges: a photograph is no map, and ";
+  for (const MapForm& other : otherForms(recognition.form))
+    doubt += other.layout == CubeLayout::seed ? "--from seed or " : "";
+  return doubt + "--from cube:as-seen names another form";
+}
+
+/// Takes a cube whose form is a guess as the form in which its faces meet.
+///
+/// other_map    of another form
+/// returns      what to say where there is none
+template <typename OtherMap>
+Result<std::string> decideByEdges(Recognition& recognition, EnvironmentMap& map, OtherMap&& other_map) {
+  if (!recognition.is_guess || faceCount(recognition.form.projection) != 6 || edgeFit(map).meets())
+    return std::string();
+  for (const MapForm& form : otherForms(recognition.form)) {
+    MIRRORBALL_TRY(other, other_map(form));
+    if (!edgeFit(other).meets()) continue;
+    map = std::move(other);
+    recognition = {form, recognition.told_by + ", and how its edges meet", true};
+    return std::string();
+  }
+  return edgeFit(map).jumps() ? doubtOf(recognition) : std::string();
+}
+
 /// A cube whose six images are there.
 Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::string format, std::string color,
                                  Recognition recognition, const NonFinite& bad, std::vector<std::string> files,
                                  const EnvironmentLoadOptions& options) {
   const glm::ivec2 size(images.at(0, 0).width());
   if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
-  const MapForm form = recognition.form;
-  return LoadedEnvironment{Environment(mapOfImages(std::move(images), form)),
-                           name,
-                           std::move(format),
-                           std::move(color),
-                           std::move(recognition),
-                           size,
-                           bad,
-                           std::move(files)};
+  EnvironmentMap map = mapOfImages(recognition.is_guess ? images : std::move(images), recognition.form);
+  MIRRORBALL_TRY(doubt, decideByEdges(recognition, map, [&](const MapForm& form) -> Result<EnvironmentMap> {
+                   return mapOfImages(images, form);
+                 }));
+  return LoadedEnvironment{.environment = Environment(std::move(map)),
+                           .name = name,
+                           .format = std::move(format),
+                           .color = std::move(color),
+                           .recognition = std::move(recognition),
+                           .file_size = size,
+                           .bad_texels = bad,
+                           .files = std::move(files),
+                           .doubt = std::move(doubt)};
 }
 
 Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& files,
@@ -99,17 +140,24 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage deco
   MIRRORBALL_TRY(recognition, recognize(name, size.x, size.y, decoded.metadata, options.from));
   if (faceCount(recognition.form.projection) == 1) clearBesideDisc(recognition.form.projection, decoded.image);
   MIRRORBALL_TRY(bad, checkNonFinite(name, decoded.image, options));
-  auto images = imagesInPicture(std::move(decoded.image), recognition.form);
-  if (!images) return fail(images.error().code, name + ": " + images.error().message);
-  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, *images));
-  return LoadedEnvironment{Environment(mapOfImages(std::move(*images), recognition.form)),
-                           name,
-                           decoded.format,
-                           decoded.color,
-                           recognition,
-                           size,
-                           bad,
-                           {name}};
+  const auto mapIn = [&](Image picture, const MapForm& form) -> Result<EnvironmentMap> {
+    auto images = imagesInPicture(std::move(picture), form);
+    if (!images) return fail(images.error().code, name + ": " + images.error().message);
+    if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, *images));
+    return mapOfImages(std::move(*images), form);
+  };
+  MIRRORBALL_TRY(map, mapIn(recognition.is_guess ? decoded.image : std::move(decoded.image), recognition.form));
+  MIRRORBALL_TRY(doubt,
+                 decideByEdges(recognition, map, [&](const MapForm& form) { return mapIn(decoded.image, form); }));
+  return LoadedEnvironment{.environment = Environment(std::move(map)),
+                           .name = name,
+                           .format = decoded.format,
+                           .color = decoded.color,
+                           .recognition = recognition,
+                           .file_size = size,
+                           .bad_texels = bad,
+                           .files = {name},
+                           .doubt = std::move(doubt)};
 }
 
 /// "9 mip levels, the first of 2 layers": what else a texture has.

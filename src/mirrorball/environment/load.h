@@ -32,11 +32,13 @@ struct LoadedEnvironment {
   NonFinite bad_texels;                    ///< as found, before any repair
   std::vector<std::string> files = {};     ///< that were read
   LostLight lost = {};                     ///< by the limit of the light
+  std::string doubt = {};                  ///< what speaks against the form that was recognised, for the user
 };
 
 /// Loads a built-in by its name (builtin.h), else a file of any format that is read (codec/image_format.h): of a texture its
 /// largest level, of an array its first element. The name of one of a cube's six files (face_files.h), if most of them are
-/// there, and that of the folder that holds them stand for all six.
+/// there, and that of the folder that holds them stand for all six. Where only a picture's shape or the names tell that it is
+/// a cube, its edges decide how its faces lie, if they meet in one way only (cube_edges.h).
 ///
 /// progress told while a picture is decoded, if it is OpenEXR's or TIFF's
 /// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel; --repair mends it);

@@ -1,6 +1,7 @@
 #include "mirrorball/environment/load.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -34,6 +35,42 @@ TEST_F(LoadTest, AFileIsReadAndRecognised) {
   EXPECT_EQ(loaded->recognition->form.projection, Projection::equirect);
   EXPECT_EQ(loaded->environment.radiance({0, 0, 1}), glm::vec3(2.0f));
   EXPECT_EQ(loaded->file_size, glm::ivec2(8, 4));
+}
+
+/// The waves as a cube in a picture that does not say how its faces lie.
+std::string writeCube(const std::string& path, const MapForm& form) {
+  const EnvironmentMap waves = *convert(Environment(testing::waves, 1), Projection::cube, 256);
+  EXPECT_TRUE(writeImage(path, pictureOf(waves, form)));
+  return path;
+}
+
+TEST_F(LoadTest, EdgesTellHowTheFacesOfACubeLie) {
+  const CubeArrangement seen = asSeen(CubeArrangement{});
+  for (const MapForm& form :
+       {MapForm{Projection::cube, CubeLayout::hcross}, MapForm{Projection::cube, CubeLayout::seed},
+        MapForm{Projection::cube, CubeLayout::vcross}, MapForm{Projection::cube, CubeLayout::tiles},
+        MapForm{Projection::cube, CubeLayout::tiles, seen}, MapForm{Projection::cube, CubeLayout::vstrip, seen}}) {
+    const auto loaded = loadEnvironment(writeCube(path("cube.exr"), form));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(textOf(loaded->recognition->form), textOf(form));
+    EXPECT_EQ(loaded->doubt, "") << textOf(form);
+    for (const glm::vec3 d : {glm::vec3(0.6f, 0.0f, 0.8f), glm::vec3(0.0f, 0.6f, -0.8f)})
+      EXPECT_NEAR(loaded->environment.radiance(d).x, testing::waves(d).x, 0.02f) << textOf(form);
+  }
+}
+
+TEST_F(LoadTest, APhotographOfACubesShapeIsDoubted) {
+  Image photograph(768, 512, 3);
+  for (int y = 0; y < 512; ++y)
+    for (int x = 0; x < 768; ++x)
+      std::fill_n(photograph.texel(x, y), 3, 0.1f + 0.8f * float(y) / 512.0f + 0.1f * std::sin(0.2f * float(x)));
+  ASSERT_TRUE(writeImage(path("photo.png"), photograph));
+  const auto loaded = loadEnvironment(path("photo.png"));
+  ASSERT_TRUE(loaded);
+  EXPECT_THAT(loaded->doubt, HasSubstr("its faces do not meet"));
+  FormHint hint;
+  hint.layout = CubeLayout::tiles;
+  EXPECT_EQ(loadEnvironment(path("photo.png"), {.from = hint})->doubt, "");
 }
 
 TEST_F(LoadTest, SixFacesAreOneCube) {

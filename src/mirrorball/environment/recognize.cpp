@@ -141,7 +141,7 @@ Result<Recognition> recognizeShape(int width, int height) {
   if (width == 2 * height) return Recognition{{Projection::equirect}, "its shape, 2:1"};
   if (width == height) return Recognition{{Projection::sphere}, "its shape, 1:1"};
   if (const auto layout = layoutOfShape(width, height))
-    return Recognition{{Projection::cube, *layout}, "its shape, " + proportionText(*layout)};
+    return Recognition{{Projection::cube, *layout}, "its shape, " + proportionText(*layout), true};
   return fail(ErrorCode::bad_shape,
               "is " + sizeText(width, height) +
                   ", which is neither 2:1 (equirect) nor 1:1 (sphere) nor a cube layout (4:3 3:4 6:1 1:6 3:2); "
@@ -201,7 +201,7 @@ Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const
     const Projection of_file = is_told ? *stated->projection : Projection(Projection::cube);
     return {formWith(hint, hint.projection.value_or(of_file), CubeLayout::faces), "--from"};
   }
-  if (!is_told) return {{Projection::cube, CubeLayout::faces}, told_by};
+  if (!is_told) return {{Projection::cube, CubeLayout::faces}, told_by, true};
   return {formWith(*stated, *stated->projection, CubeLayout::faces), told_by};
 }
 

@@ -31,7 +31,8 @@ Result<FormHint> formHintNamed(std::string_view name);
 /// A form, and what told it.
 struct Recognition {
   MapForm form;
-  std::string told_by;  ///< "--from", "the file's metadata", "its shape, 2:1"
+  std::string told_by;    ///< "--from", "the file's metadata", "its shape, 2:1"
+  bool is_guess = false;  ///< only shape or names told it: another form may be right
 };
 
 /// What a file says of its form, for `recognize` to read back: "mirrorball:projection", a cube's "mirrorball:layout", a

@@ -245,10 +245,14 @@ Result<TexelFormat> MapOutput::inFormat(const std::function<Result<void>(TexelFo
   return TexelFormat::float32;
 }
 
-void MapOutput::remarkOnLosses(std::size_t negative) const {
-  if (!format_) return;
+void MapOutput::tellNegative(std::size_t negative) const {
   if (negative > 0)
     remark(output_ + ": " + countedAre(negative, "value") + " negative, which the format does not hold; taken as 0");
+}
+
+void MapOutput::remarkOnLosses(std::size_t negative) const {
+  if (!format_) return;
+  tellNegative(negative);
   if (convertedChannels(form_.projection) == 4 && storedFormat(*format_).channels < 4)
     remark(output_ + ": the format holds no alpha; beside the disc is black");
 }
@@ -328,6 +332,7 @@ Result<void> MapOutput::write(EnvironmentMap map) const {
     remarkOnLosses(negative);
     return {};
   }
+  if (extensionOf(output_) == "hdr") tellNegative(raiseNegativeLight(map));
   const ImageWriteOptions how{.half = half_, .metadata = metadataOf(form_)};
   const std::vector<std::string> files = paths();
   if (files.size() == 1) {

@@ -86,6 +86,7 @@ class MapOutput {
   void tellLost(const LostLight& light) const;
   Result<ImageSet> textureImages(EnvironmentMap map) const;
   /// Says what the format that was asked for does not hold: so many values below 0, alpha.
+  void tellNegative(std::size_t negative) const;
   void remarkOnLosses(std::size_t negative) const;
   /// Runs `write(format)`, once more in 32-bit floats where that is to be; returns the format.
   Result<TexelFormat> inFormat(const std::function<Result<void>(TexelFormat)>& write) const;

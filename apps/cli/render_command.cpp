@@ -119,6 +119,9 @@ Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, 
 
 Result<void> checkOutput(const RenderRequest& request, const FrameSettings& settings) {
   const std::string& output = request.files.output;
+  if (request.options.frames == 0 && request.options.turn != Turn::camera)
+    return fail(ErrorCode::usage,
+                "--turn says what goes round in a turntable, and one picture is none; add --frames N");
   MIRRORBALL_TRY_VOID(checkFolder(output));
   MIRRORBALL_TRY_VOID(checkWritable(output));
   const std::string extension = extensionOf(output);

@@ -24,6 +24,18 @@ class BadOptionTest : public RenderCliTest {
   }
 };
 
+TEST_F(BadOptionTest, AColourWithoutItsHashIsNoGrey) {
+  EXPECT_THAT(refuseRender("--background 336699"), HasSubstr("'#336699'"));
+}
+
+TEST_F(BadOptionTest, NothingTurnsInOnePicture) { EXPECT_THAT(refuseRender("--turn model"), HasSubstr("--frames")); }
+
+TEST_F(BadOptionTest, SixFacesAreNoPanorama) {
+  succeed("convert uv --to cube --size 8 -o cube.ktx2");
+  EXPECT_THAT(refuse(1, "convert cube.ktx2 --from equirect --to sphere -o out.exr"), HasSubstr("six faces"));
+  EXPECT_THAT(refuse(1, "info cube.ktx2 --from sphere"), HasSubstr("cube or eac"));
+}
+
 TEST_F(BadOptionTest, AnUnknownOptionSuggestsTheNearest) {
   EXPECT_THAT(refuseRender("--siez 4x4"), AllOf(HasSubstr("--siez"), HasSubstr("did you mean --size?")));
   EXPECT_THAT(refuseRender("--envrotation=3"), AllOf(HasSubstr("--envrotation"), HasSubstr("--env-rotation")));

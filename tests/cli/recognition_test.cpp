@@ -7,6 +7,7 @@
 namespace mirrorball::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 class RecognitionTest : public CliTest {
@@ -55,6 +56,17 @@ TEST_F(RecognitionTest, FromOverridesWhatTheFileSays) {
   succeed("convert probe.exr --to equirect --size 16 -o as_sphere.exr --from sphere");
   EXPECT_TRUE(bytes("by_metadata.exr") == bytes("by_name.exr"));
   EXPECT_FALSE(bytes("by_metadata.exr") == bytes("as_sphere.exr"));
+}
+
+TEST_F(RecognitionTest, APhotographOfACubesShapeIsDoubted) {
+  Image photograph(768, 512, 3);
+  for (int y = 0; y < 512; ++y)
+    for (int x = 0; x < 768; ++x)
+      std::fill_n(photograph.texel(x, y), 3, 0.1f + 0.8f * float(y) / 512.0f + 0.1f * std::sin(0.2f * float(x)));
+  write("photo.exr", photograph);
+  EXPECT_THAT(run("info photo.exr").err, AllOf(HasSubstr("note: photo.exr: "), HasSubstr("a photograph is no map")));
+  EXPECT_EQ(run("info photo.exr --from 3x2").err, "");
+  EXPECT_THAT(run("info photo.exr").out, HasSubstr("mirrored writing"));
 }
 
 TEST_F(RecognitionTest, FromNamesACubesLayoutToo) {

@@ -87,6 +87,10 @@ Result<std::string> decideByEdges(Recognition& recognition, EnvironmentMap& map,
 Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::string format, std::string color,
                                  Recognition recognition, const NonFinite& bad, std::vector<std::string> files,
                                  const EnvironmentLoadOptions& options) {
+  if (faceCount(recognition.form.projection) != 6)
+    return fail(ErrorCode::bad_shape, name + ": has the six faces of a cube, and a map of projection " +
+                                          std::string(nameOf(recognition.form.projection)) +
+                                          " is one picture; leave --from out, or name cube or eac");
   const glm::ivec2 size(images.at(0, 0).width());
   if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
   EnvironmentMap map = mapOfImages(recognition.is_guess ? images : std::move(images), recognition.form);

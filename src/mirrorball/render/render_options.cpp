@@ -192,7 +192,14 @@ std::optional<glm::vec3> parseHexColor(std::string_view text) {
   return formula::linearFromSrgb(encoded / 255.0f);
 }
 
+/// "336699", which is a number too.
+bool lacksHash(const std::string& text) {
+  return text.size() == 6 && text.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+}
+
 Result<void> parseBackground(const std::string& text, FrameSettings& settings) {
+  if (lacksHash(text))
+    return fail(ErrorCode::usage, "--background " + text + ": a colour begins with #, in quotes: '#" + text + "'");
   if (text == "env") {
     settings.background = BackgroundKind::environment;
   } else if (text == "blur") {

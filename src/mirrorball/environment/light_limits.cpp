@@ -76,7 +76,8 @@ LostLight limitLight(EnvironmentMap& map, const LightLimits& limits) {
   LostLight light;
   for (int face = 0; face < map.faces(); ++face) {
     if (limits.scale != 1.0f) scale(map.face(face), limits.scale);
-    light.add(limitLight(map.projection(), map.extent(), {0, 0}, limits.most, map.face(face)));
+    if (std::isfinite(limits.most))
+      light.add(limitLight(map.projection(), map.extent(), {0, 0}, limits.most, map.face(face)));
   }
   return light;
 }

@@ -58,11 +58,10 @@ std::vector<MapForm> otherForms(const MapForm& form) {
 
 /// What is said of a cube whose faces do not meet.
 std::string doubtOf(const Recognition& recognition) {
-  std::string doubt = "taken as " + textOf(recognition.form) + " (" + recognition.told_by +
-                      "), but its faces do not meet at their edges: a photograph is no map, and ";
-  for (const MapForm& other : otherForms(recognition.form))
-    doubt += other.layout == CubeLayout::seed ? "--from seed or " : "";
-  return doubt + "--from cube:as-seen names another form";
+  return "taken as " + textOf(recognition.form) + " (" + recognition.told_by +
+         "), but its faces do not meet at their edges: a photograph is no map, and " +
+         (recognition.form.layout == CubeLayout::hcross ? "--from seed or " : "") +
+         "--from cube:as-seen names another form";
 }
 
 /// Takes a cube whose form is a guess as the form in which its faces meet.
@@ -93,9 +92,9 @@ Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::
                                           " is one picture; leave --from out, or name cube or eac");
   const glm::ivec2 size(images.at(0, 0).width());
   if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
-  EnvironmentMap map = mapOfImages(recognition.is_guess ? images : std::move(images), recognition.form);
+  EnvironmentMap map = mapOfImages(std::move(images), recognition.form);
   MIRRORBALL_TRY(doubt, decideByEdges(recognition, map, [&](const MapForm& form) -> Result<EnvironmentMap> {
-                   return mapOfImages(images, form);
+                   return mapOfImages(imagesOf(map, recognition.form), form);
                  }));
   return LoadedEnvironment{.environment = Environment(std::move(map)),
                            .name = name,
@@ -150,9 +149,13 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage deco
     if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, *images));
     return mapOfImages(std::move(*images), form);
   };
-  MIRRORBALL_TRY(map, mapIn(recognition.is_guess ? decoded.image : std::move(decoded.image), recognition.form));
-  MIRRORBALL_TRY(doubt,
-                 decideByEdges(recognition, map, [&](const MapForm& form) { return mapIn(decoded.image, form); }));
+  // The lecture's cross has faces in cells that are empty in the other.
+  const bool is_kept = recognition.is_guess && recognition.form.layout == CubeLayout::hcross;
+  MIRRORBALL_TRY(map, mapIn(is_kept ? decoded.image : std::move(decoded.image), recognition.form));
+  MIRRORBALL_TRY(doubt, decideByEdges(recognition, map, [&](const MapForm& form) -> Result<EnvironmentMap> {
+                   if (form.layout != recognition.form.layout) return mapIn(decoded.image, form);
+                   return mapOfImages(imagesOf(map, recognition.form), form);
+                 }));
   return LoadedEnvironment{.environment = Environment(std::move(map)),
                            .name = name,
                            .format = decoded.format,

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <hwy/cache_control.h>
+
 #include "mirrorball/base/vector_targets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -50,17 +52,19 @@ struct MapTexels {
       faces[static_cast<std::size_t>(face)] = map.face(face).samples().data();
   }
 
-  /// Whether all texels from (x + first, y + first) to (x + last, y + last) can be read as four floats each, none lies
-  /// beside a disc, and those for a cubic lie on one chart.
-  bool isInside(int x, int y, Reach reach) const {
+  /// The part of an image where all texels that `reach` names can be read as four floats each.
+  struct Inside {
+    glm::ivec2 least;
+    glm::ivec2 most;
+  };
+  Inside inside(Reach reach) const {
     // One column more, since four floats of three channels reach into the next texel.
-    if (x + reach.first < 0 || y + reach.first < rows.begin || x + reach.last + 1 >= width ||
-        y + reach.last >= rows.end)
-      return false;
-    return is_whole || isOnOneChart(x, y, reach);
+    return {{-reach.first, rows.begin - reach.first}, {width - reach.last - 2, rows.end - reach.last - 1}};
   }
 
+  /// Whether none of the texels lies beside a disc, and those for a cubic lie on one chart.
   bool isOnOneChart(int x, int y, Reach reach) const {
+    if (is_whole) return true;
     const float half = static_cast<float>(width) / 2.0f;
     const glm::vec2 from_center(static_cast<float>(x) + 1.0f - half, static_cast<float>(y) + 1.0f - half);
     if (is_disc) {
@@ -244,28 +248,74 @@ class BicubicInside {
   std::size_t count_ = 0;
 };
 
+/// The texels that points lie between.
+struct Cells {
+  template <typename Value>
+  using Values = PointBatch::Values<Value>;
+
+  HWY_ALIGN Values<int32_t> x, y;         ///< of the texel left above
+  HWY_ALIGN Values<float> tx, ty;         ///< from its centre to those of the next, in [0, 1]
+  HWY_ALIGN Values<int32_t> is_readable;  ///< not 0 where all texels around can be
+};
+
+Cells cellsOf(const MapTexels& map, Reach reach, const PointBatch& batch) {
+  const hn::ScalableTag<float> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const MapTexels::Inside inside = map.inside(reach);
+  const auto isFrom = [&](int least, int most, auto cell) {
+    return hn::And(cell >= hn::Set(d, static_cast<float>(least)), cell <= hn::Set(d, static_cast<float>(most)));
+  };
+  Cells cells;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); i += hn::Lanes(d)) {
+    const auto positionOf = [&](const PointBatch::Values<float>& along, int extent) {
+      return hn::Sub(hn::Mul(hn::Load(d, along.data() + i), hn::Set(d, static_cast<float>(extent))), hn::Set(d, 0.5f));
+    };
+    const auto px = positionOf(batch.u, map.width);
+    const auto py = positionOf(batch.v, map.height);
+    const auto x = hn::Floor(px);
+    const auto y = hn::Floor(py);
+    auto readable = hn::And(isFrom(inside.least.x, inside.most.x, x), isFrom(inside.least.y, inside.most.y, y));
+    if (map.is_half) readable = hn::And(readable, hn::Load(d, batch.z.data() + i) >= hn::Zero(d));
+    hn::Store(hn::ConvertTo(di, x), di, cells.x.data() + i);
+    hn::Store(hn::ConvertTo(di, y), di, cells.y.data() + i);
+    hn::Store(hn::Sub(px, x), d, cells.tx.data() + i);
+    hn::Store(hn::Sub(py, y), d, cells.ty.data() + i);
+    hn::Store(hn::VecFromMask(di, hn::RebindMask(di, readable)), di, cells.is_readable.data() + i);
+  }
+  return cells;
+}
+
+/// How many points before their turn texels are asked for: long enough for memory, not so long that they are gone again.
+constexpr std::size_t kAhead = 8;
+
+/// Asks for texels: rows of a map lie pages apart, and where neighbouring points go among them no processor guesses.
+void prefetch(const float* corner, std::size_t channels, std::size_t row, Reach reach) {
+  for (int line = reach.first; line <= reach.last; ++line, corner += row) hwy::Prefetch(corner + 2 * channels);
+}
+
 void sampleInside(const MapTexels& map, Interpolation interpolation, const PointBatch& batch, LightBatch& light,
                   std::array<bool, PointBatch::kCapacity>& inside) {
   const Reach reach = reachOf(interpolation);
   const auto channels = static_cast<std::size_t>(map.channels);
   const std::size_t row = channels * static_cast<std::size_t>(map.width);
+  const Cells cells = cellsOf(map, reach, batch);
+  const auto cornerOf = [&](std::size_t i) {
+    return map.faces[static_cast<std::size_t>(batch.face[i])] +
+           static_cast<std::size_t>(cells.y[i] + reach.first - map.rows.begin) * row +
+           static_cast<std::size_t>(cells.x[i] + reach.first) * channels;
+  };
+  const auto count = static_cast<std::size_t>(batch.count);
   BicubicInside bicubic_inside(channels, row);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
-    const float px = batch.u[i] * static_cast<float>(map.width) - 0.5f;
-    const float py = batch.v[i] * static_cast<float>(map.height) - 0.5f;
-    // Positions are at least −½, so that truncation after an offset of 1 is floor.
-    const int x = static_cast<int>(px + 1.0f) - 1;
-    const int y = static_cast<int>(py + 1.0f) - 1;
-    inside[i] = map.isInside(x, y, reach) && !(map.is_half && batch.z[i] < 0.0f);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t later = i + kAhead;
+    if (later < count && cells.is_readable[later] != 0) prefetch(cornerOf(later), channels, row, reach);
+    inside[i] = cells.is_readable[i] != 0 && map.isOnOneChart(cells.x[i], cells.y[i], reach);
     if (!inside[i]) continue;
-    const glm::vec2 t(px - static_cast<float>(x), py - static_cast<float>(y));
-    const float* corner = map.faces[static_cast<std::size_t>(batch.face[i])] +
-                          static_cast<std::size_t>(y + reach.first - map.rows.begin) * row +
-                          static_cast<std::size_t>(x + reach.first) * channels;
+    const glm::vec2 t(cells.tx[i], cells.ty[i]);
     if (interpolation == Interpolation::bicubic)
-      bicubic_inside.add(corner, t, i);
+      bicubic_inside.add(cornerOf(i), t, i);
     else
-      hn::StoreU(bilinearInside(corner, channels, row, t), Texel(), &light[i].x);
+      hn::StoreU(bilinearInside(cornerOf(i), channels, row, t), Texel(), &light[i].x);
   }
   bicubic_inside.finish(light);
 }

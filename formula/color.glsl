@@ -109,7 +109,8 @@ FN vec3 toneMap(int curve, vec3 light) {
 //   exposure     factor on the radiance, 2^EV
 FN vec4 displayLight(vec4 radiance, float exposure, int curve) {
   if (radiance.w <= 0.0f) return vec4(0.0f, 0.0f, 0.0f, 0.0f);
-  vec3 light = max(vec3(radiance) * (exposure / radiance.w), vec3(0.0f));
+  // No curve tells 10⁹ from more, and the squares of much more are no floats.
+  vec3 light = clamp(vec3(radiance) * (exposure / radiance.w), 0.0f, 1e9f);
   return vec4(toneMap(curve, light) * radiance.w, radiance.w);
 }
 

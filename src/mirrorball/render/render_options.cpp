@@ -7,7 +7,6 @@
 
 #include "formula/color.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/convert.h"
 
 namespace mirrorball {
@@ -15,9 +14,6 @@ namespace {
 
 constexpr int kMostLights = 8;
 constexpr int kLongestSide = 16384;
-
-const std::string kExposureHelp =
-    "brightness of a tone-mapped picture; " + writtenExtensions(Holds::light, " and ") + " keep radiance as it is";
 
 const std::array<Option<RenderOptions>, 21> kOptions{{
     {{.name = "size", .value = "WxH", .unit = "pixels", .help = "size of the picture", .group = "Picture"},
@@ -51,19 +47,8 @@ const std::array<Option<RenderOptions>, 21> kOptions{{
           "what goes round in a turntable, +Z towards +X; a turning model has its lights and background stand still",
       .group = "Picture"},
      choiceField<&RenderOptions::turn>},
-    {{.name = "exposure",
-      .value = "EV",
-      .unit = "stops",
-      .minimum = -30,
-      .maximum = 30,
-      .help = kExposureHelp,
-      .group = "Picture"},
-     &RenderOptions::exposure_ev},
-    {{.name = "tone-map",
-      .choices = "agx|aces|neutral|reinhard|linear",
-      .help = "how scene light becomes a picture",
-      .group = "Picture"},
-     choiceField<&RenderOptions::tone_map>},
+    {exposureText(), &RenderOptions::exposure_ev},
+    {toneMapText(), choiceField<&RenderOptions::tone_map>},
     {{.name = "background",
       .value = "env|blur|COLOR|transparent",
       .help = "what is behind the model; COLOR is #rrggbb, which the picture shows as it is (a map or a picture of "
@@ -258,8 +243,7 @@ Result<FrameSettings> frameSettings(const RenderOptions& options) {
     return misused("camera", "an elevation from -90 to 90 degrees", formatNumber(settings.camera.elevation_deg));
   if (settings.camera.distance && *settings.camera.distance <= 0.0f)
     return misused("camera", "a distance above 0", formatNumber(*settings.camera.distance));
-  settings.exposure = std::exp2(options.exposure_ev);
-  settings.tone_map = options.tone_map;
+  settings.display = {options.exposure_ev, options.tone_map};
   const std::vector<float>& turn_deg = options.env_rotation_deg;
   settings.env_rotation_rad = glm::radians(turn_deg[0]);
   settings.env_tilt = turnedBy(0.0f, turn_deg.size() > 1 ? glm::radians(turn_deg[1]) : 0.0f,

@@ -9,13 +9,13 @@
 
 #include "mirrorball/base/option.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/codec/display.h"
 #include "mirrorball/scene/camera.h"
 #include "mirrorball/scene/material.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
 
-enum class ToneMap { agx, aces, neutral, reinhard, linear };  ///< formula::toneMap's numbers
 enum class Mapping { reflection, normal, sphere };
 enum class ReflectAt { vertex, fragment };
 enum class FresnelOverride { material, exact, schlick, empirical };
@@ -67,8 +67,7 @@ std::span<const Option<RenderOptions>> renderOptions();
 struct FrameSettings {
   glm::ivec2 size{1280, 720};
   CameraOptions camera;
-  float exposure = 1.0f;  ///< factor, 2^EV
-  ToneMap tone_map = ToneMap::neutral;
+  Display display{.tone_map = ToneMap::neutral};
   float env_rotation_rad = 0.0f;  ///< about +Y, +Z towards +X
   glm::mat3 env_tilt{1.0f};       ///< pitch and roll, which turn it before that: world from environment
   float env_intensity = 1.0f;

@@ -20,7 +20,7 @@ TEST(RenderOptions, DefaultsAreWhatTheProjectPromises) {
   EXPECT_EQ(settings.size, glm::ivec2(1280, 720));
   EXPECT_EQ(settings.camera.azimuth_deg, 30.0f);
   EXPECT_EQ(settings.camera.elevation_deg, 15.0f);
-  EXPECT_EQ(settings.exposure, 1.0f);
+  EXPECT_EQ(settings.display.exposure(), 1.0f);
   EXPECT_EQ(settings.background, BackgroundKind::environment);
 }
 

@@ -49,8 +49,8 @@ bool isDisplayed(const FrameSettings& settings) { return settings.resolve == Res
 /// How a display shows radiance, for shaders/accumulate.frag and tone_map.frag.
 void setDisplay(gl::Program& program, const FrameSettings& settings) {
   program.set("as_displayed", isDisplayed(settings) ? 1.0f : 0.0f);
-  program.set("exposure", settings.exposure);
-  program.set("tone_map", static_cast<int>(settings.tone_map));
+  program.set("exposure", settings.display.exposure());
+  program.set("tone_map", static_cast<int>(settings.display.tone_map));
 }
 
 /// How rough a mirror would blur the environment as `--background blur` does.

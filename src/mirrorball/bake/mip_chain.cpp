@@ -1,7 +1,6 @@
 #include "mirrorball/bake/mip_chain.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <vector>
@@ -93,25 +92,14 @@ void halveRows(const Image& source, const std::vector<float>& weights, const std
   }
 }
 
-Image threeChannels(const Image& image) {
-  if (image.channels() == 3) return image;
-  Image copy(image.width(), image.height(), 3);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const glm::vec3 light = rgbAt(image, x, y);
-      std::copy_n(&light.x, 3, copy.texel(x, y));
-    }
-  return copy;
-}
-
 }  // namespace
 
 ImageSet mipChain(const EnvironmentMap& map, MipWeights weights) {
   assert(!hasDisc(map.projection()));
   const glm::ivec2 extent = map.extent();
-  const int levels = std::bit_width(static_cast<unsigned>(std::max(extent.x, extent.y)));
+  const int levels = levelCount(std::max(extent.x, extent.y));
   ImageSet chain(levels, map.faces());
-  for (int face = 0; face < map.faces(); ++face) chain.at(0, face) = threeChannels(map.face(face));
+  for (int face = 0; face < map.faces(); ++face) chain.at(0, face) = rgbOf(map.face(face));
   for (int level = 1; level < levels; ++level) {
     const glm::ivec2 source(levelSide(extent.x, level - 1), levelSide(extent.y, level - 1));
     const glm::ivec2 size(levelSide(extent.x, level), levelSide(extent.y, level));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -91,7 +90,7 @@ int lastLevel(int size) {
   return level;
 }
 
-int mostLevels(int size) { return std::bit_width(static_cast<unsigned>(size)); }
+int mostLevels(int size) { return levelCount(size); }
 
 Result<EnvironmentMap> cubeOf(const LightHarmonics& light, const Lobe& lobe, int size,
                               const glm::mat3& source_from_target, const ProgressFunction& progress) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -61,8 +62,9 @@ inline constexpr auto choiceField = detail::ChoiceAccess<Member>::field;
 template <typename Target>
 struct Option {
   OptionText text;
-  std::variant<bool Target::*, int Target::*, float Target::*, glm::vec3 Target::*, std::string Target::*,
-               std::vector<float> Target::*, std::vector<std::string> Target::*, ChoiceField<Target>>
+  std::variant<bool Target::*, int Target::*, std::optional<int> Target::*, float Target::*, glm::vec3 Target::*,
+               std::string Target::*, std::vector<float> Target::*, std::vector<std::string> Target::*,
+               ChoiceField<Target>>
       field;
 };
 
@@ -106,7 +108,8 @@ Result<void> assign(const Option<Target>& option, Target& target, std::string_vi
         if constexpr (std::is_same_v<Field, bool Target::*>) {
           MIRRORBALL_TRY(flag, parseFlag(option.text, written));
           target.*field = flag;
-        } else if constexpr (std::is_same_v<Field, int Target::*>) {
+        } else if constexpr (std::is_same_v<Field, int Target::*> ||
+                             std::is_same_v<Field, std::optional<int> Target::*>) {
           MIRRORBALL_TRY(integer, parseInteger(option.text, written));
           target.*field = integer;
         } else if constexpr (std::is_same_v<Field, ChoiceField<Target>>) {
@@ -131,7 +134,8 @@ Result<void> assign(const Option<Target>& option, Target& target, std::string_vi
       option.field);
 }
 
-/// The value that the field has in `target`, as the user would write it; "" for an empty list or text.
+/// The value that the field has in `target`, as the user would write it; "" for an empty list or text and for
+/// a number that is not there.
 template <typename Target>
 std::string written(const Option<Target>& option, const Target& target) {
   return std::visit(
@@ -141,6 +145,8 @@ std::string written(const Option<Target>& option, const Target& target) {
           return target.*field ? "yes" : "no";
         } else if constexpr (std::is_same_v<Field, int Target::*>) {
           return std::to_string(target.*field);
+        } else if constexpr (std::is_same_v<Field, std::optional<int> Target::*>) {
+          return target.*field ? std::to_string(*(target.*field)) : "";
         } else if constexpr (std::is_same_v<Field, float Target::*>) {
           return writeNumbers({&(target.*field), 1});
         } else if constexpr (std::is_same_v<Field, glm::vec3 Target::*>) {

@@ -18,6 +18,7 @@ struct Camera {
   int samples = 4;
   bool on = false;
   std::vector<std::string> lights;
+  std::optional<int> step;
 };
 
 const Option<Camera> kFov{{.name = "fov", .unit = "degrees", .minimum = 1, .maximum = 170}, &Camera::fov_deg};
@@ -26,6 +27,7 @@ const Option<Camera> kOrbit{{.name = "orbit", .fewest = 2, .most = 3}, &Camera::
 const Option<Camera> kLens{{.name = "lens", .choices = "wide|tele"}, choiceField<&Camera::lens>};
 const Option<Camera> kSamples{{.name = "samples", .minimum = 1, .maximum = 64}, &Camera::samples};
 const Option<Camera> kOn{{.name = "on"}, &Camera::on};
+const Option<Camera> kStep{{.name = "step", .minimum = 0}, &Camera::step};
 const Option<Camera> kLight{{.name = "light"}, &Camera::lights};
 
 TEST(Option, DefaultIsTheFieldsInitialiser) {
@@ -35,6 +37,7 @@ TEST(Option, DefaultIsTheFieldsInitialiser) {
   EXPECT_EQ(written(kLens, Camera{}), "tele");
   EXPECT_EQ(written(kSamples, Camera{}), "4");
   EXPECT_EQ(written(kOn, Camera{}), "no");
+  EXPECT_EQ(written(kStep, Camera{}), "");
 }
 
 TEST(Option, AssignSetsTheField) {
@@ -44,6 +47,8 @@ TEST(Option, AssignSetsTheField) {
   EXPECT_TRUE(assign(kOrbit, camera, "1,2,3"));
   EXPECT_TRUE(assign(kLens, camera, "wide"));
   EXPECT_TRUE(assign(kOn, camera, "yes"));
+  EXPECT_TRUE(assign(kStep, camera, "0"));
+  EXPECT_FALSE(assign(kStep, camera, "-1"));
   EXPECT_TRUE(assign(kLight, camera, "a"));
   EXPECT_TRUE(assign(kLight, camera, "b"));
   EXPECT_EQ(camera.fov_deg, 60.5f);
@@ -51,6 +56,8 @@ TEST(Option, AssignSetsTheField) {
   EXPECT_THAT(camera.orbit, ElementsAre(1, 2, 3));
   EXPECT_EQ(camera.lens, Lens::wide);
   EXPECT_TRUE(camera.on);
+  EXPECT_EQ(camera.step, 0);
+  EXPECT_EQ(written(kStep, camera), "0");
   EXPECT_THAT(camera.lights, ElementsAre("a", "b"));
 }
 

@@ -72,13 +72,15 @@ LostLight limitLight(Projection projection, glm::ivec2 extent, glm::ivec2 begin,
   return light;
 }
 
+LostLight limitLight(Projection projection, const LightLimits& limits, Image& image) {
+  if (limits.scale != 1.0f) scale(image, limits.scale);
+  if (!std::isfinite(limits.most)) return {};
+  return limitLight(projection, {image.width(), image.height()}, {0, 0}, limits.most, image);
+}
+
 LostLight limitLight(EnvironmentMap& map, const LightLimits& limits) {
   LostLight light;
-  for (int face = 0; face < map.faces(); ++face) {
-    if (limits.scale != 1.0f) scale(map.face(face), limits.scale);
-    if (std::isfinite(limits.most))
-      light.add(limitLight(map.projection(), map.extent(), {0, 0}, limits.most, map.face(face)));
-  }
+  for (int face = 0; face < map.faces(); ++face) light.add(limitLight(map.projection(), limits, map.face(face)));
   return light;
 }
 

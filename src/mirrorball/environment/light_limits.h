@@ -37,6 +37,9 @@ struct LostLight {
 /// cost     that of reading the texels
 LostLight limitLight(Projection projection, glm::ivec2 extent, glm::ivec2 begin, float most, Image& texels);
 
+/// Scales and limits the light of one of the images of a map, or of a mip level.
+LostLight limitLight(Projection projection, const LightLimits& limits, Image& image);
+
 /// Scales and limits the light of a map, or of a function.
 LostLight limitLight(EnvironmentMap& map, const LightLimits& limits);
 LostLight limitLight(Environment& environment, const LightLimits& limits);

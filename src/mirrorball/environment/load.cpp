@@ -24,11 +24,15 @@ Result<NonFinite> checkNonFinite(const std::string& name, const Image& image, co
   return fail(ErrorCode::non_finite, name + ": " + textOf(bad) + "; --repair replaces them by their neighbours");
 }
 
+Result<void> repairImage(const std::string& name, Image& image) {
+  if (const auto repaired = repairNonFinite(image); !repaired)
+    return fail(repaired.error().code, name + ": " + repaired.error().message);
+  return {};
+}
+
 /// Mends each image of a map, so that nothing from beside a face in its picture gets in.
 Result<void> repairImages(const std::string& name, ImageSet& images) {
-  for (int face = 0; face < images.faces(); ++face)
-    if (auto repaired = repairNonFinite(images.at(0, face)); !repaired)
-      return fail(repaired.error().code, name + ": " + repaired.error().message);
+  for (int face = 0; face < images.faces(); ++face) MIRRORBALL_TRY_VOID(repairImage(name, images.at(0, face)));
   return {};
 }
 
@@ -189,6 +193,16 @@ Result<LoadedEnvironment> loadCubeTexture(const std::string& name, DecodedImageS
                 recognizeFaces(texture.metadata, options.from, "its texture, a cube"), bad, {name}, options);
 }
 
+/// A texture of one face.
+Result<LoadedEnvironment> loadPictureTexture(const std::string& name, DecodedImageSet texture,
+                                             const EnvironmentLoadOptions& options) {
+  std::string format = texture.format + restOf(texture.images);
+  return loadPicture(
+      name,
+      {std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(format), std::move(texture.color)},
+      options);
+}
+
 Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoadOptions& options,
                                    const ProgressFunction& progress) {
   MIRRORBALL_TRY(bytes, readFile(name));
@@ -197,12 +211,11 @@ Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoa
     return loadPicture(name, std::move(decoded), options);
   }
   MIRRORBALL_TRY(texture, decodeImageSet(bytes, name));
-  if (texture.images.faces() == 6) return loadCubeTexture(name, std::move(texture), options);
-  std::string format = texture.format + restOf(texture.images);
-  return loadPicture(
-      name,
-      {std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(format), std::move(texture.color)},
-      options);
+  const int levels = texture.images.levels();
+  auto loaded = texture.images.faces() == 6 ? loadCubeTexture(name, std::move(texture), options)
+                                            : loadPictureTexture(name, std::move(texture), options);
+  if (loaded) loaded->levels = levels;
+  return loaded;
 }
 
 Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const EnvironmentLoadOptions& options,
@@ -242,6 +255,27 @@ Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const
   MIRRORBALL_TRY(loaded, loadAsItIs(name_or_path, options, progress));
   loaded.lost = limitLight(loaded.environment, options.light);
   return loaded;
+}
+
+Result<std::optional<ImageSet>> loadLevels(const LoadedEnvironment& loaded, const MapForm& form,
+                                           const EnvironmentLoadOptions& options) {
+  if (loaded.levels == 1) return std::nullopt;
+  const MapForm& own = loaded.recognition->form;
+  MIRRORBALL_TRY(texture, readImageSet(loaded.name));
+  const int faces = texture.images.faces();
+  if (faces != faceCount(own.projection) || hasDisc(own.projection) || own.has_texels_on_edges) return std::nullopt;
+  ImageSet levels(texture.images.levels(), faces);
+  for (int level = 0; level < levels.levels(); ++level)
+    for (int face = 0; face < faces; ++face) {
+      const std::string name = loaded.name + ", level " + std::to_string(level);
+      Image& image = levels.at(level, face) = rgbOf(texture.images.at(level, face));
+      MIRRORBALL_TRY_VOID(checkNonFinite(name, image, options));
+      if (options.repair) MIRRORBALL_TRY_VOID(repairImage(name, image));
+      limitLight(own.projection, options.light, image);
+    }
+  // Small levels of a panorama cannot be turned without being resampled.
+  if (own.centre == form.centre && own.arrangement == form.arrangement) return levels;
+  return imagesOf(levelsOfImages(std::move(levels), own), form);
 }
 
 Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,

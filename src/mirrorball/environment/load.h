@@ -9,7 +9,7 @@
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/environment/light_limits.h"
 #include "mirrorball/environment/recognize.h"
-#include "mirrorball/image/image.h"
+#include "mirrorball/image/image_set.h"
 
 namespace mirrorball {
 
@@ -33,6 +33,7 @@ struct LoadedEnvironment {
   std::vector<std::string> files = {};     ///< that were read
   LostLight lost = {};                     ///< by the limit of the light
   std::string doubt = {};                  ///< what speaks against the form that was recognised, for the user
+  int levels = 1;                          ///< mip levels that its file holds, the map itself among them
 };
 
 /// Loads a built-in by its name (builtin.h), else a file of any format that is read (codec/image_format.h): of a texture its
@@ -45,6 +46,17 @@ struct LoadedEnvironment {
 ///          interrupted; whatever the codec finds
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
                                           const ProgressFunction& progress = {});
+
+/// The mip levels that a texture holds, three channels; level 0 is the map that was loaded. The smaller ones may be
+/// anything: the reflections in rougher and rougher surfaces, for one.
+///
+/// loaded     by loadEnvironment with the same options; its file is read once more
+/// form       how they are wanted; of the map's projection, without OpenEXR's registration
+/// returns    nothing where the file holds one level, or has its map in a form whose levels are no maps: a cube's layout in
+///            one picture, discs, OpenEXR's registration
+/// errors     as loadEnvironment's
+Result<std::optional<ImageSet>> loadLevels(const LoadedEnvironment& loaded, const MapForm& form,
+                                           const EnvironmentLoadOptions& options = {});
 
 /// A panorama that is read by rows while it is converted (convert_rows.h).
 struct PanoramaRows {

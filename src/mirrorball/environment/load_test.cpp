@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/texture_file.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/face_files.h"
@@ -35,6 +36,33 @@ TEST_F(LoadTest, AFileIsReadAndRecognised) {
   EXPECT_EQ(loaded->recognition->form.projection, Projection::equirect);
   EXPECT_EQ(loaded->environment.radiance({0, 0, 1}), glm::vec3(2.0f));
   EXPECT_EQ(loaded->file_size, glm::ivec2(8, 4));
+}
+
+TEST_F(LoadTest, ATexturesLevelsAreReadInItsForm) {
+  ImageSet levels(2, 6);
+  for (int face = 0; face < 6; ++face) {
+    levels.at(0, face) = Image(2, 2, 4, static_cast<float>(face));
+    levels.at(1, face) = Image(1, 1, 4, static_cast<float>(10 + face));
+  }
+  const MapForm as_seen{.projection = Projection::cube, .arrangement = asSeen(CubeArrangement{})};
+  ASSERT_TRUE(writeImageSet(path("a.ktx2"), arranged(levels, as_seen.arrangement), {.metadata = metadataOf(as_seen)}));
+  const EnvironmentLoadOptions twice{.light = {.scale = 2.0f}};
+  const auto loaded = loadEnvironment(path("a.ktx2"), twice);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->levels, 2);
+  const auto read = loadLevels(*loaded, {Projection::cube}, twice);
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(*read);
+  for (int face = 0; face < 6; ++face) {
+    EXPECT_EQ((*read)->at(0, face).channels(), 3);
+    EXPECT_EQ(rgbAt((*read)->at(0, face), 1, 1), rgbAt(loaded->environment.map()->face(face), 1, 1));
+    EXPECT_EQ(rgbAt((*read)->at(1, face), 0, 0), glm::vec3(2.0f * static_cast<float>(10 + face)));
+  }
+  const auto rolled = loadEnvironment(path("a.ktx2"), {.from = *formHintNamed("cube:for=openexr")});
+  ASSERT_TRUE(rolled) << rolled.error().message;
+  EXPECT_FALSE(*loadLevels(*rolled, {Projection::cube})) << "its texels are other ones";
+  ASSERT_TRUE(writeImage(path("b.exr"), Image(8, 4, 3, 2.0f)));
+  EXPECT_FALSE(*loadLevels(*loadEnvironment(path("b.exr")), {}));
 }
 
 /// The waves as a cube in a picture that does not say how its faces lie.

@@ -1,10 +1,13 @@
 #include "mirrorball/environment/picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstddef>
 
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/environment/edge_grid.h"
-#include "mirrorball/environment/resample.h"
+#include "mirrorball/image/filter.h"
 
 namespace mirrorball {
 namespace {
@@ -43,21 +46,36 @@ int quartersTo(SignedAxis centre) {
   }
 }
 
-/// A panorama whose columns have moved to the left by that many quarters of the circle. Of an odd height one quarter is
-/// no whole number of columns: then it is resampled.
-EnvironmentMap turned(const EnvironmentMap& map, int quarters) {
-  const int width = imageSize(map.projection(), map.size()).x;
-  if (quarters * width % 4 != 0)
-    return resampled(Projection::equirect, map.size(), [&](int, glm::ivec2 texel) {
-      const glm::vec2 uv = (glm::vec2(texel) + 0.5f) / glm::vec2(width, map.size());
-      const float u = glm::fract(uv.x + 0.25f * static_cast<float>(quarters));
-      return map.radiance(directionAt(Projection::equirect, {0, {u, uv.y}}), Interpolation::bicubic);
-    });
-  Image image = map.face(0);
-  const std::ptrdiff_t samples = std::ptrdiff_t{quarters} * width / 4 * image.channels();
-  for (int y = 0; y < image.height(); ++y)
-    std::rotate(image.row(y).begin(), image.row(y).begin() + samples, image.row(y).end());
-  return EnvironmentMap(Projection::equirect, ImageSet(std::move(image)));
+/// A panorama whose columns have moved to the left by that many quarters of the circle. Where that is no whole number of
+/// columns, as of an odd height, its rows are resampled.
+Image turned(Image image, int quarters) {
+  const int columns = quarters * image.width();
+  if (columns % 4 == 0) {
+    const std::ptrdiff_t samples = std::ptrdiff_t{columns} / 4 * image.channels();
+    for (int y = 0; y < image.height(); ++y)
+      std::rotate(image.row(y).begin(), image.row(y).begin() + samples, image.row(y).end());
+    return image;
+  }
+  constexpr std::size_t kRowsPerPiece = 16;
+  Image moved = Image::withoutValues(image.width(), image.height(), 3);
+  parallelFor(std::size_t(image.height()), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const glm::vec2 position(static_cast<float>(x) + 0.5f + 0.25f * static_cast<float>(columns), 0.5f);
+        const auto around = [&](int column, int) {
+          return glm::vec4(rgbAt(image, (column + image.width()) % image.width(), y), 1.0f);
+        };
+        const glm::vec4 light = bicubic(position, around);
+        std::copy_n(&light.x, 3, moved.texel(x, y));
+      }
+  });
+  return moved;
+}
+
+/// Turns every image of a panorama's.
+ImageSet turned(ImageSet images, int quarters) {
+  forEachImage(images, [&](Image& image) { image = turned(std::move(image), quarters); });
+  return images;
 }
 
 /// A cross is a cube unfolded from its slot +Z, with the slots ±X and ±Y where our table has them. Where images are
@@ -89,21 +107,36 @@ ImageSet imagesOf(EnvironmentMap map, const MapForm& form) {
     rest.has_texels_on_edges = false;
     return imagesOf(ontoEdgeGrid(map), rest);
   }
-  if (form.centre != SignedAxis::plus_z) return turned(map, quartersTo(form.centre)).takeImages();
-  if (faceCount(form.projection) == 6) return arranged(std::move(map).takeImages(), form.arrangement);
-  return std::move(map).takeImages();
+  return imagesOf(std::move(map).takeImages(), form);
+}
+
+ImageSet imagesOf(ImageSet levels, const MapForm& form) {
+  assert(!form.has_texels_on_edges);
+  if (form.centre != SignedAxis::plus_z) return turned(std::move(levels), quartersTo(form.centre));
+  if (faceCount(form.projection) == 6) return arranged(std::move(levels), form.arrangement);
+  return levels;
 }
 
 EnvironmentMap mapOfImages(ImageSet images, const MapForm& form) {
-  if (faceCount(form.projection) == 6) images = restored(std::move(images), form.arrangement);
-  EnvironmentMap map(form.projection, std::move(images));
-  if (form.centre != SignedAxis::plus_z) map = turned(map, 4 - quartersTo(form.centre));
+  MapForm rest = form;
+  rest.has_texels_on_edges = false;
+  EnvironmentMap map(form.projection, levelsOfImages(std::move(images), rest));
   if (form.has_texels_on_edges) return fromEdgeGrid(map);
   return map;
 }
 
+ImageSet levelsOfImages(ImageSet images, const MapForm& form) {
+  assert(!form.has_texels_on_edges);
+  if (form.centre != SignedAxis::plus_z) return turned(std::move(images), 4 - quartersTo(form.centre));
+  if (faceCount(form.projection) == 6) return restored(std::move(images), form.arrangement);
+  return images;
+}
+
 Image pictureOf(EnvironmentMap map, const MapForm& form) {
-  ImageSet images = imagesOf(std::move(map), form);
+  return pictureOfImages(imagesOf(std::move(map), form), form);
+}
+
+Image pictureOfImages(ImageSet images, const MapForm& form) {
   switch (images.faces()) {
     case 6:
       exchangeInCross(form, images);

@@ -26,18 +26,29 @@ std::string textOf(const MapForm& form);
 ///
 /// map      in our conventions, of the form's projection
 ImageSet imagesOf(EnvironmentMap map, const MapForm& form);
+/// The same of each level of a map, which may also have other sides than a map: 15 x 7 of a panorama of 30 x 15.
+///
+/// form     without OpenEXR's registration
+ImageSet imagesOf(ImageSet levels, const MapForm& form);
 
 /// The map that such images hold, in our conventions.
 ///
 /// images   of the form's projection
 EnvironmentMap mapOfImages(ImageSet images, const MapForm& form);
+/// The levels that such images are, in our conventions.
+///
+/// form     without OpenEXR's registration
+ImageSet levelsOfImages(ImageSet images, const MapForm& form);
 
-/// A map as one picture: its one image, a cube's images in their layout, or the two discs of a paraboloid map side by
-/// side, front left. In the crosses the images of ±X or ±Y exchange their cells where, mirrored, they would not meet
-/// their neighbours.
+/// A map as one picture: that of its images.
 ///
 /// form     the map's projection; for a cube any layout but `faces`
 Image pictureOf(EnvironmentMap map, const MapForm& form);
+
+/// Images as a form has them, one level, as one picture: the one image, a cube's images in their layout, or the two discs
+/// of a paraboloid map side by side, front left. In the crosses the images of ±X or ±Y exchange their cells where,
+/// mirrored, they would not meet their neighbours.
+Image pictureOfImages(ImageSet images, const MapForm& form);
 
 /// The images in one picture, as the form has them.
 ///

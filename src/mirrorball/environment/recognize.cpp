@@ -16,6 +16,7 @@ constexpr const char* kCentreKey = "mirrorball:centre";
 constexpr const char* kTexelsKey = "mirrorball:texels";
 constexpr const char* kTexelsOnEdges = "on-edges";
 constexpr const char* kEnvmapKey = "envmap";
+constexpr const char* kSheetKey = "mirrorball:sheet";
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
@@ -194,6 +195,8 @@ Metadata metadataOf(const MapForm& form) {
   return metadata;
 }
 
+Metadata metadataOfLevelSheet() { return {{kSheetKey, "mip levels"}}; }
+
 Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by) {
   const auto stated = hintOfMetadata(metadata);
   const bool is_told = stated && stated->projection && stated->layout == CubeLayout::faces;
@@ -213,6 +216,9 @@ Result<Recognition> recognize(const std::string& name, int width, int height, co
     if (!form) return named(form);
     return Recognition{*form, "--from"};
   }
+  if (metadata.contains(kSheetKey))
+    return fail(ErrorCode::bad_shape,
+                name + ": is a sheet of mip levels, no map; name what it was made of, or one level: convert --level");
   auto stated = hintOfMetadata(metadata);
   if (!stated) return named(stated);
   if (stated->layout == CubeLayout::faces)

@@ -40,6 +40,9 @@ struct Recognition {
 /// "mirrorball:centre" and "mirrorball:texels". A whole map in OpenEXR's registration has OpenEXR's own "envmap" instead.
 Metadata metadataOf(const MapForm& form);
 
+/// What a sheet of mip levels (image/level_sheet.h) says of itself, so that nobody takes it for a map of its shape.
+Metadata metadataOfLevelSheet();
+
 /// Tells the form of six files with an image each, by the hint, else by the first one's metadata.
 ///
 /// told_by  what told that they are six faces, when neither says more

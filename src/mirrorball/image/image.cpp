@@ -64,6 +64,17 @@ glm::vec4 rgbaAt(const Image& image, int x, int y) {
   return glm::vec4(rgbAt(image, x, y), has_alpha ? texel[image.channels() - 1] : 1.0f);
 }
 
+Image rgbOf(const Image& image) {
+  if (image.channels() == 3) return image;
+  Image light = Image::withoutValues(image.width(), image.height(), 3);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec3 rgb = rgbAt(image, x, y);
+      std::copy_n(&rgb.x, 3, light.texel(x, y));
+    }
+  return light;
+}
+
 NonFinite findNonFinite(const Image& image) {
   // Nearly all images have none, which is quickly seen on all cores.
   constexpr std::size_t kSamplesPerPiece = std::size_t{1} << 18;

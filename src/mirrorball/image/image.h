@@ -82,6 +82,9 @@ inline glm::vec3 rgbAt(const Image& image, int x, int y) {
 /// A texel as (r, g, b, a); alpha is 1 where the image has none.
 glm::vec4 rgbaAt(const Image& image, int x, int y);
 
+/// The light of an image alone: a grey one's channel three times, alpha left out.
+Image rgbOf(const Image& image);
+
 /// How many samples are NaN or infinite, and the first texel that has one.
 struct NonFinite {
   std::size_t count = 0;  ///< texels, not samples

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <utility>
@@ -53,5 +54,8 @@ void forEachImage(Set& images, const Visit& visit) {
 
 /// The side of a mip level whose level 0 has `side` texels: halved and rounded down, at least 1.
 inline int levelSide(int side, int level) { return std::max(side >> level, 1); }
+
+/// How many levels there are down to one texel, of images whose longer side has so many.
+inline int levelCount(int longer_side) { return std::bit_width(static_cast<unsigned>(longer_side)); }
 
 }  // namespace mirrorball

@@ -29,6 +29,16 @@ TEST(Image, RowsRunFromTheTopWithoutPadding) {
   EXPECT_EQ(rgbaAt(image, 1, 2).w, 1.0f);
 }
 
+TEST(Image, LightAloneHasThreeChannels) {
+  Image grey(2, 1, 1, 0.5f);
+  Image covered(2, 1, 4, 0.25f);
+  covered.texel(1, 0)[3] = 0.0f;
+  EXPECT_EQ(rgbOf(grey).channels(), 3);
+  EXPECT_EQ(rgbAt(rgbOf(grey), 1, 0), glm::vec3(0.5f));
+  EXPECT_EQ(rgbOf(covered).channels(), 3);
+  EXPECT_EQ(rgbAt(rgbOf(covered), 1, 0), glm::vec3(0.25f));
+}
+
 TEST(NonFinite, IsCountedByTexelWithTheFirstNamed) {
   Image image(3, 2, 3, 1.0f);
   EXPECT_EQ(findNonFinite(image).count, 0u);

@@ -117,6 +117,7 @@ Result<void> capture(const CaptureRequest& request) {
   MIRRORBALL_TRY_VOID(checkFolder(request.output.output));
   MIRRORBALL_TRY(output, MapOutput::resolve(request.output, to));
   const int size = options.size > 0 ? options.size : equivalentSize(Projection::cube, kUsualSize, to);
+  MIRRORBALL_TRY_VOID(output.checkLevelOfSize(size));
 
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.look, output.paths(), clock));
   MIRRORBALL_TRY(map, captureMap(inputs, to, size, std::move(settings), clock));

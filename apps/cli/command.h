@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -62,14 +63,23 @@ void addArgument(Command& command, Argument argument, std::string& target);
 /// The same for one or more words.
 void addArgument(Command& command, Argument argument, std::vector<std::string>& target);
 
+/// The names of options that the user gave, for those whose default says nothing of that.
+using GivenOptions = std::set<std::string_view>;
+
 /// Adds a table of options that set the fields of `target`, which must outlive the command's action.
+///
+/// given    learns which were given; must outlive it too
 template <typename Target>
-void addOptions(Command& command, std::span<const Option<Target>> table, Target& target) {
+void addOptions(Command& command, std::span<const Option<Target>> table, Target& target,
+                GivenOptions* given = nullptr) {
   for (const Option<Target>& option : table)
     command.options.push_back({option.text, written(option, target),
                                std::holds_alternative<bool Target::*>(option.field),
                                std::holds_alternative<std::vector<std::string> Target::*>(option.field),
-                               [&option, &target](const std::string& value) { return assign(option, target, value); }});
+                               [&option, &target, given](const std::string& value) {
+                                 if (given != nullptr) given->insert(option.text.name);
+                                 return assign(option, target, value);
+                               }});
 }
 
 /// How the subcommand is written: "convert IN…", "render [MODEL]".

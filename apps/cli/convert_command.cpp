@@ -34,7 +34,7 @@ std::span<const std::string_view> extensionNames() {
   return names;
 }
 
-const std::array<Option<ConvertOptions>, 9> kConvertOptions{{
+const std::array<Option<ConvertOptions>, 11> kConvertOptions{{
     {{.name = "to",
       .value = "PROJECTION",
       .help = "equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, equal-area or eac; "
@@ -74,6 +74,8 @@ const std::array<Option<ConvertOptions>, 9> kConvertOptions{{
      &ConvertOptions::extension},
     {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &ConvertOptions::repair},
     {kMaxMemoryText, &ConvertOptions::max_memory},
+    {exposureText(), &ConvertOptions::exposure_ev},
+    {toneMapText(), choiceField<&ConvertOptions::tone_map>},
 }};
 
 Resampling resamplingOf(const ConvertOptions& options) {
@@ -95,6 +97,7 @@ Result<ConvertRequest> requestOf(const ConvertOptions& options, const MapOutputO
                          resamplingOf(options),
                          {.repair = options.repair, .light = lightLimits(output)},
                          output};
+  request.output.display = {options.exposure_ev, options.tone_map};
   if (!options.to.empty()) {
     MIRRORBALL_TRY(to, projectionNamed(options.to));
     request.to = to;
@@ -160,7 +163,7 @@ Command convertCommand() {
                .names = builtinEnvironmentNames,
                .takes_path = true},
               request->inputs);
-  addOptions(command, convertOptions(), request->options);
+  addOptions(command, convertOptions(), request->options, &request->output.given);
   addOptions(command, convertOutputOption(), request->output);
   addOptions(command, mapOutputOptions().subspan(1), request->output);
   command.action = [request] {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mirrorball/base/option.h"
+#include "mirrorball/codec/display.h"
 #include "mirrorball/image/filter.h"
 
 namespace mirrorball::cli {
@@ -20,6 +21,8 @@ struct ConvertOptions {
   std::string extension;
   bool repair = false;
   std::string max_memory;
+  float exposure_ev = 0.0f;
+  ToneMap tone_map = ToneMap::linear;
 };
 
 std::span<const Option<ConvertOptions>> convertOptions();

@@ -49,19 +49,14 @@ bool keepsTexels(const MapShape& map, Projection to, int size, const Resampling&
 /// Hands on an image's texels as they are, without alpha where the converted map has none.
 Result<void> copyTexels(const Image& image, Projection to, int face, int row, const TakeTexels& take) {
   if (image.channels() == convertedChannels(to)) return take(face, {0, row}, image);
-  Image light(image.width(), image.height(), 3);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const glm::vec3 rgb = rgbAt(image, x, y);
-      std::copy_n(&rgb.x, 3, light.texel(x, y));
-    }
-  return take(face, {0, row}, light);
+  return take(face, {0, row}, rgbOf(image));
 }
 
 /// Writes what `convert_to` converts, as it comes or as a whole.
 Result<void> writeConverted(const MapOutput& output, int size, std::uint64_t source_bytes,
                             const std::function<Result<void>(const TakeTexels&)>& convert_to) {
   const Projection to = output.form().projection;
+  MIRRORBALL_TRY_VOID(output.checkLevelOfSize(size));
   if (output.takesPieces()) return output.writePieces(size, convert_to);
   MIRRORBALL_TRY_VOID(checkMemory("the converted map", source_bytes + bytesOfMap(to, size)));
   MIRRORBALL_TRY(images, imagesFor(to, size));
@@ -128,11 +123,8 @@ Result<MapOutput> outputOf(const std::string& input, MapOutputOptions options, c
 
 /// Refuses, before anything is read, what can be refused by then.
 Result<void> checkOutput(const std::string& input, const ConvertRequest& request, const std::string& path) {
-  if (request.to) {
-    MIRRORBALL_TRY_VOID(outputOf(input, request.output, path, *request.to));
-  } else if (!isTexturePath(path)) {
-    MIRRORBALL_TRY_VOID(checkWritable(path));
-  }
+  if (!request.to) return checkMapOutput(request.output, path);
+  MIRRORBALL_TRY_VOID(outputOf(input, request.output, path, *request.to));
   return {};
 }
 
@@ -159,6 +151,24 @@ Result<void> copyMap(const EnvironmentMap& map, const TakeTexels& take) {
   return {};
 }
 
+/// Writes the mip levels that a texture has, where they are those of the map that is asked for.
+///
+/// returns  whether that is so
+Result<bool> writeOwnLevels(const LoadedEnvironment& loaded, bool is_copy, const ConvertRequest& request,
+                            const MapOutput& output) {
+  if (loaded.levels == 1 || !output.takesOwnLevels()) return false;
+  if (is_copy) {
+    MIRRORBALL_TRY(levels, loadLevels(loaded, output.form(), request.load));
+    if (levels) {
+      MIRRORBALL_TRY_VOID(output.write(std::move(*levels)));
+      return true;
+    }
+  }
+  remark(loaded.name +
+         ": the mip levels that it has are of the map as it is; those of the converted one are made anew");
+  return false;
+}
+
 Result<void> convertInput(const std::string& input, const ConvertRequest& request, const std::string& path,
                           const ProgressFunction& progress) {
   MIRRORBALL_TRY(panorama, openPanorama(input, request.load));
@@ -175,6 +185,8 @@ Result<void> convertInput(const std::string& input, const ConvertRequest& reques
   const EnvironmentMap* map = loaded.environment.map();
   const bool is_copy =
       map && keepsTexels({map->projection(), map->size(), map->face(0).channels()}, to, size, request.resampling);
+  MIRRORBALL_TRY(is_written, writeOwnLevels(loaded, is_copy, request, output));
+  if (is_written) return {};
   return writeConverted(output, size, loaded.environment.bytes(), [&](const TakeTexels& take) {
     if (is_copy) return copyMap(*map, take);
     return convertPiecewise(loaded.environment, to, size, request.resampling, take, progress);

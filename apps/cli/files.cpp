@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <map>
+#include <string_view>
 
 #include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/texture_file.h"
 #include "mirrorball/environment/builtin.h"
 
@@ -24,6 +26,16 @@ Result<void> checkFolder(const std::string& output) {
   std::error_code status;
   if (folder.empty() || std::filesystem::is_directory(folder, status)) return {};
   return fail(ErrorCode::io, output + ": cannot be written; check that the folder exists");
+}
+
+Result<void> refusePictureOptions(const GivenOptions& given, const std::string& output, const std::string& instead) {
+  if (!formatToWrite(output, {Holds::light, Holds::texture})) return {};
+  std::string options;
+  for (const std::string_view name : {"exposure", "tone-map", "resolve"})
+    if (given.contains(name)) options += (options.empty() ? "--" : " and --") + std::string(name);
+  if (options.empty()) return {};
+  return fail(ErrorCode::usage, output + ": holds light as it is; for " + options + " write " +
+                                    writtenExtensions(Holds::picture, " or ") + instead);
 }
 
 bool isFolder(const std::string& output) {

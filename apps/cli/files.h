@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/command.h"
 #include "mirrorball/base/result.h"
 
 namespace mirrorball::cli {
@@ -20,6 +21,12 @@ Result<void> refuseOverwriting(std::span<const std::string> inputs, std::span<co
 ///
 /// errors   usage (no name at all); io
 Result<void> checkFolder(const std::string& output);
+
+/// Refuses --exposure, --tone-map and --resolve, which say how light becomes a picture, for an output that holds light.
+///
+/// instead  what else may be done: ", or scale the light"; empty: nothing
+/// errors   usage: one of them was given
+Result<void> refusePictureOptions(const GivenOptions& given, const std::string& output, const std::string& instead);
 
 /// Whether an output names a folder: one that is there, or a name that ends in '/'.
 bool isFolder(const std::string& output);

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdio>
 #include <mutex>
+#include <utility>
 
 #include "cli/files.h"
 #include "cli/terminal.h"
-#include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/image_format.h"
@@ -23,11 +23,13 @@ const std::string kMapHelp = "needed: " + writtenExtensions(Holds::light) + " (l
                              writtenExtensions(Holds::texture) + " (textures; cubes as such), " +
                              writtenExtensions(Holds::picture) +
                              " (sRGB, clipped to [0, 1]); -.exr is standard output, in any of these formats";
-const std::string kMipsHelp = "all mip levels, in " + writtenExtensions(Holds::texture, " and ");
+const std::string kMipsHelp =
+    "all mip levels: " + writtenExtensions(Holds::texture, " and ") +
+    " hold them, a picture shows them on one sheet, the smaller ones beside or below the first";
 
 // First those that any texture of a cube may be asked for.
 constexpr std::size_t kTextureOptions = 9;
-const std::array<Option<MapOutputOptions>, 12> kMapOutputOptions{{
+const std::array<Option<MapOutputOptions>, 13> kMapOutputOptions{{
     {{.name = "output", .value = "OUT", .help = kMapHelp, .letter = "o", .group = "Output", .takes_path = true},
      &MapOutputOptions::output},
     {{.name = "for",
@@ -88,11 +90,19 @@ const std::array<Option<MapOutputOptions>, 12> kMapOutputOptions{{
       .names = cubeLayoutNames},
      &MapOutputOptions::layout},
     {{.name = "mips", .help = kMipsHelp, .group = "Output"}, &MapOutputOptions::mips},
-    {{.name = "mip",
-      .choices = "solid-angle|box",
-      .help = "how a mip level's texels weigh: by their solid angle, or all alike (plain 2 x 2 boxes)",
+    {{.name = "level",
+      .value = "N",
+      .minimum = 0,
+      .maximum = 30,
+      .help = "one mip level instead of the map; 0 is the map itself, each next one half as large",
       .group = "Output"},
-     choiceField<&MapOutputOptions::mip_weights>},
+     &MapOutputOptions::level},
+    {{.name = "mip",
+      .choices = "auto|solid-angle|box",
+      .help = "how a mip level's texels weigh: by their solid angle, or all alike (plain 2 x 2 boxes); auto is "
+              "solid-angle, but keeps the levels of a texture whose map stays as it is",
+      .group = "Output"},
+     choiceField<&MapOutputOptions::mip_source>},
 }};
 
 /// The form that the options ask for beside a projection: a preset's, then changed by what is named.
@@ -130,6 +140,20 @@ LightLimits lightLimits(const MapOutputOptions& options) {
 
 void tellClamped(const std::string& name, const LostLight& light) {
   if (light.lost > 0.0) remark(name + ": --clamp-light takes " + percentOf(light) + " of the light");
+}
+
+Result<void> checkMapOutput(const MapOutputOptions& options, const std::string& output) {
+  MIRRORBALL_TRY_VOID(formatToWrite(output, {Holds::light, Holds::texture, Holds::picture}));
+  const bool has_levels = options.mips || options.level;
+  if (!has_levels && options.mip_source != MipSource::automatic)
+    return fail(ErrorCode::usage,
+                "--mip says how mip levels are made, and there are none without --mips or --level; add one");
+  if (options.mips && options.level)
+    return fail(ErrorCode::usage, "--mips is for all mip levels and --level for one; leave one of them out");
+  const float factor = options.display.exposure();
+  return refusePictureOptions(
+      options.given, output,
+      factor == 1.0f ? "" : ", or scale the light: --scale-light " + formatNumber(double(factor)));
 }
 
 Result<void> MapOutput::setForm(const MapOutputOptions& options, Projection projection) {
@@ -177,16 +201,6 @@ Result<void> MapOutput::setFormat(const MapOutputOptions& options) {
   zstandard_level_ = options.zstandard_level;
   if (zstandard_level_ > 0 && extensionOf(output_) != "ktx2")
     return fail(ErrorCode::usage, output_ + ": has no Zstandard compression; --zstd is for .ktx2");
-  if (!options.mips && options.mip_weights != MipWeights::solid_angle)
-    return fail(ErrorCode::usage, "--mip says how mip levels are made, and there are none without --mips; add it");
-  if (!options.mips) return {};
-  if (!is_texture_)
-    return fail(ErrorCode::usage,
-                output_ + ": has no mip levels; use " + writtenExtensions(Holds::texture, " or ") + " for --mips");
-  if (hasDisc(form_.projection))
-    return fail(ErrorCode::usage, "--mips of " + std::string(nameOf(form_.projection)) +
-                                      " would mix in what lies beside the disc; use --to cube or equirect");
-  mips_ = options.mip_weights;
   return {};
 }
 
@@ -194,9 +208,11 @@ Result<MapOutput> MapOutput::resolve(const MapOutputOptions& options, Projection
   MapOutput output;
   output.output_ = options.output;
   output.is_texture_ = isTexturePath(options.output);
-  MIRRORBALL_TRY_VOID(formatToWrite(options.output, {Holds::light, Holds::texture, Holds::picture}));
+  MIRRORBALL_TRY_VOID(checkMapOutput(options, options.output));
+  output.display_ = options.display;
   MIRRORBALL_TRY_VOID(output.setForm(options, projection));
   MIRRORBALL_TRY_VOID(output.setFormat(options));
+  MIRRORBALL_TRY_VOID(output.setLevels(options));
   if (isStandardOutputTaken() && output.paths().size() > 1)
     return fail(ErrorCode::usage, "standard output takes one file, and --layout faces writes six; name another layout");
   return output;
@@ -211,7 +227,7 @@ std::vector<std::string> MapOutput::paths() const {
 }
 
 bool MapOutput::takesPieces() const {
-  return is_texture_ && !mips_ && zstandard_level_ == 0 && faceCount(form_.projection) != 2 &&
+  return is_texture_ && !hasLevels() && zstandard_level_ == 0 && faceCount(form_.projection) != 2 &&
          form_.arrangement == CubeArrangement{} && form_.centre == SignedAxis::plus_z;
 }
 
@@ -287,17 +303,8 @@ Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(c
   return {};
 }
 
-Result<ImageSet> MapOutput::textureImages(EnvironmentMap map) const {
-  if (faceCount(form_.projection) == 2) return ImageSet(pictureOf(std::move(map), form_));
-  if (!mips_) return imagesOf(std::move(map), form_);
-  const glm::ivec2 extent = map.extent();
-  MIRRORBALL_TRY_VOID(checkMemory(output_, std::uint64_t(extent.x) * std::uint64_t(extent.y) *
-                                               std::uint64_t(map.faces()) * 3 * sizeof(float) * 7 / 3));
-  const bool is_cube = map.faces() == 6;
-  ImageSet levels = is_cube ? mipChain(map, *mips_)
-                            : mipChain(EnvironmentMap(form_.projection, imagesOf(std::move(map), form_)), *mips_);
-  limitLevels(levels);  // the mean of the greatest values may be a rounding error above them
-  return is_cube ? arranged(std::move(levels), form_.arrangement) : std::move(levels);
+bool MapOutput::refusesNegative() const {
+  return extensionOf(output_) == "hdr" || (format_ && refusesNegativeLight(*format_));
 }
 
 Result<TexelFormat> MapOutput::writeImages(const ImageSet& images) const {
@@ -325,26 +332,28 @@ std::uint64_t MapOutput::memoryToWrite(int size) const {
 
 Result<void> MapOutput::write(EnvironmentMap map) const {
   if (limitsLight()) tellLost(limitLight(map, {.most = mostOf(*format_)}));
-  if (is_texture_) {
-    const std::size_t negative = format_ && refusesNegativeLight(*format_) ? raiseNegativeLight(map) : 0;
-    MIRRORBALL_TRY(images, textureImages(std::move(map)));
-    MIRRORBALL_TRY_VOID(writeImages(images));
-    remarkOnLosses(negative);
-    return {};
+  const std::size_t negative = refusesNegative() ? raiseNegativeLight(map) : 0;
+  if (!hasLevels()) return writeFiles(imagesOf(std::move(map), form_), negative);
+  MIRRORBALL_TRY(levels, levelsOf(std::move(map)));
+  return writeFiles(std::move(levels), negative);
+}
+
+Result<void> MapOutput::write(ImageSet levels) const {
+  tellLost(limitLevels(levels));
+  std::size_t negative = 0;
+  if (refusesNegative()) forEachImage(levels, [&](Image& image) { negative += raiseNegativeLight(image); });
+  MIRRORBALL_TRY(wanted, wantedOf(std::move(levels)));
+  return writeFiles(std::move(wanted), negative);
+}
+
+Result<void> MapOutput::writeFiles(ImageSet images, std::size_t negative) const {
+  if (!is_texture_) {
+    tellNegative(negative);
+    return writePictures(std::move(images));
   }
-  if (extensionOf(output_) == "hdr") tellNegative(raiseNegativeLight(map));
-  const ImageWriteOptions how{.half = half_, .metadata = metadataOf(form_)};
-  const std::vector<std::string> files = paths();
-  if (files.size() == 1) {
-    MIRRORBALL_TRY_VOID(writeImage(output_, pictureOf(std::move(map), form_), how));
-    announce(output_);
-    return {};
-  }
-  const ImageSet images = imagesOf(std::move(map), form_);
-  for (std::size_t face = 0; face < files.size(); ++face) {
-    MIRRORBALL_TRY_VOID(writeImage(files[face], images.at(0, static_cast<int>(face)), how));
-    announce(files[face]);
-  }
+  if (images.faces() == 2) images = ImageSet(pictureOfImages(std::move(images), form_));
+  MIRRORBALL_TRY_VOID(writeImages(images));
+  remarkOnLosses(negative);
   return {};
 }
 

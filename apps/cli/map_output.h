@@ -1,19 +1,29 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "mirrorball/bake/mip_chain.h"
+#include "cli/command.h"
 #include "mirrorball/base/option.h"
+#include "mirrorball/codec/display.h"
 #include "mirrorball/codec/texture_file.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/light_limits.h"
 #include "mirrorball/environment/preset.h"
 
 namespace mirrorball::cli {
+
+/// Where mip levels come from.
+enum class MipSource {
+  automatic,    ///< a texture's own where its map stays as it is, else weighted by solid angle
+  solid_angle,  ///< MipWeights'
+  box,
+};
 
 /// What a command that writes a map is told about its files.
 struct MapOutputOptions {
@@ -28,7 +38,10 @@ struct MapOutputOptions {
   float scale_light = 1.0f;
   float clamp_light = 0.0f;
   bool mips = false;
-  MipWeights mip_weights = MipWeights::solid_angle;
+  std::optional<int> level;
+  MipSource mip_source = MipSource::automatic;
+  Display display = {};     ///< of pictures
+  GivenOptions given = {};  ///< which options were given, as far as it matters
 };
 
 std::span<const Option<MapOutputOptions>> mapOutputOptions();
@@ -40,6 +53,11 @@ LightLimits lightLimits(const MapOutputOptions& options);
 
 /// Says how much light --clamp-light took from a map, if any.
 void tellClamped(const std::string& name, const LostLight& light);
+
+/// Refuses what can be refused before the map's projection is known.
+///
+/// errors   usage
+Result<void> checkMapOutput(const MapOutputOptions& options, const std::string& output);
 
 /// Where a map goes, and in which form.
 class MapOutput {
@@ -55,11 +73,19 @@ class MapOutput {
   /// Whether the map can be written while it is converted: a texture of one level whose texels stay where they are.
   bool takesPieces() const;
 
-  /// Writes a map to its files, which say what form it has. Light beyond a format that was asked for is lowered to the
-  /// most that it holds, with a remark.
+  /// Whether of a texture whose map stays as it is those smaller levels are wanted that it has.
+  bool takesOwnLevels() const { return (all_levels_ || level_.value_or(0) > 0) && mip_source_ == MipSource::automatic; }
+
+  /// errors   usage: a mip level is wanted that a map of that size does not have
+  Result<void> checkLevelOfSize(int size) const;
+
+  /// Writes a map to its files, which say what form it has: the map, or its mip levels, of which pictures get a sheet, or
+  /// one of them. Light beyond a format that was asked for is lowered to the most that it holds, with a remark.
   ///
-  /// errors   as writeImage's and writeImageSet's
+  /// errors   as writeImage's and writeImageSet's; usage: there is no such level
   Result<void> write(EnvironmentMap map) const;
+  /// The same of a map's own levels, as the form has them.
+  Result<void> write(ImageSet levels) const;
 
   /// Writes a map that `convert_to` converts and hands on piece by piece. May call it twice: where the format is left to
   /// us and half floats do not hold the light, it is written in 32-bit floats.
@@ -78,13 +104,22 @@ class MapOutput {
  private:
   Result<void> setForm(const MapOutputOptions& options, Projection projection);
   Result<void> setFormat(const MapOutputOptions& options);
+  Result<void> setLevels(const MapOutputOptions& options);
+  bool hasLevels() const { return all_levels_ || level_; }
+  Result<void> writeFiles(ImageSet images, std::size_t negative) const;
+  Result<void> writePictures(ImageSet images) const;
   Result<TexelFormat> writeImages(const ImageSet& images) const;
   /// Whether a format was asked for that does not hold all light.
   bool limitsLight() const;
   /// Lowers what that format does not hold; returns what is lost of the first level.
   LostLight limitLevels(ImageSet& levels) const;
   void tellLost(const LostLight& light) const;
-  Result<ImageSet> textureImages(EnvironmentMap map) const;
+  /// Whether its files hold no light below 0.
+  bool refusesNegative() const;
+  /// The levels of a map, or the one that is wanted, as the form has them.
+  Result<ImageSet> levelsOf(EnvironmentMap map) const;
+  Result<ImageSet> wantedOf(ImageSet levels) const;
+  Result<void> checkLevel(int levels) const;
   /// Says what the format that was asked for does not hold: so many values below 0, alpha.
   void tellNegative(std::size_t negative) const;
   void remarkOnLosses(std::size_t negative) const;
@@ -98,7 +133,10 @@ class MapOutput {
   std::optional<TexelFormat> format_;  // nothing: half floats or, where they do not hold the light, 32-bit ones
   bool half_ = false;                  // of .exr
   int zstandard_level_ = 0;
-  std::optional<MipWeights> mips_;
+  bool all_levels_ = false;
+  std::optional<int> level_;
+  MipSource mip_source_ = MipSource::automatic;
+  Display display_;
 };
 
 }  // namespace mirrorball::cli

@@ -37,6 +37,7 @@ struct RenderRequest {
   SceneRequest scene;
   RenderFiles files;
   RenderOptions options;
+  GivenOptions given;
 };
 
 Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, const std::string& output,
@@ -124,6 +125,11 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
                 "--turn says what goes round in a turntable, and one picture is none; add --frames N");
   MIRRORBALL_TRY_VOID(checkFolder(output));
   MIRRORBALL_TRY_VOID(checkWritable(output));
+  GivenOptions given = request.given;
+  if (settings.resolve == Resolve::radiance) given.erase("resolve");
+  MIRRORBALL_TRY_VOID(refusePictureOptions(given, output, ""));
+  if (request.options.frames == 0 && !numberPlaces(output).empty())
+    remark(output + ": is one picture under that very name; --frames N makes several, with numbers in their names");
   const std::string extension = extensionOf(output);
   const bool keeps_alpha = extension == "png" || extension == "exr";
   if (settings.background == BackgroundKind::transparent && !keeps_alpha)
@@ -134,8 +140,8 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
 Result<void> render(const RenderRequest& request) {
   StageClock clock;
   MIRRORBALL_TRY(settings, frameSettings(request.options));
-  if (storesLinearLight(request.files.output)) settings.resolve = Resolve::radiance;
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
+  if (storesLinearLight(request.files.output)) settings.resolve = Resolve::radiance;
   MIRRORBALL_TRY(outputs, outputPaths(request));
   if (isStandardOutputTaken() && request.options.frames > 0)
     return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
@@ -171,7 +177,7 @@ Command renderCommand() {
   addModel(command, "MODEL", request->scene);
   addOptions(command, sceneOptions(), request->scene);
   addOptions(command, renderFileOptions(), request->files);
-  addOptions(command, renderOptions(), request->options);
+  addOptions(command, renderOptions(), request->options, &request->given);
   command.action = [request] {
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });

@@ -86,6 +86,20 @@ TEST_F(BadOutputTest, JpegAndHdrHaveNoAlpha) {
                 AllOf(StartsWith(output + ": "), HasSubstr("write .png or .exr")));
 }
 
+// --tone-map neutral and --resolve display are the defaults: what counts is that they were given.
+TEST_F(BadOutputTest, WhatHoldsRadianceHasNoDisplay) {
+  for (const std::string output : {"out.exr", "out.hdr"}) {
+    for (const std::string option :
+         {"--exposure 1", "--exposure 0", "--tone-map neutral", "--tone-map aces", "--resolve display"})
+      EXPECT_THAT(refuse(2, "render sphere -e map.exr --size 8x8 -o " + output + " " + option),
+                  AllOf(StartsWith(output + ": holds light as it is; for " + option.substr(0, option.find(' '))),
+                        HasSubstr("write .png or .jpg")));
+    succeed("render sphere -e map.exr --size 8x8 --resolve radiance -o " + output);
+  }
+  EXPECT_THAT(refuse(2, "capture sphere -e map.exr --at 0,0,2 --exposure 1 -o out.exr"),
+              HasSubstr("there is no option --exposure"));
+}
+
 TEST_F(BadOutputTest, TheInputIsNotOverwritten) {
   fs::create_symlink("map.exr", path("link.exr"));
   for (const std::string output : {"map.exr", "./map.exr", "link.exr"}) refuseOutput(2, output, "is the input itself");

@@ -203,6 +203,15 @@ TEST_F(CaptureTest, ASurfaceNearerThanNearIsNotSeen) {
   EXPECT_EQ(rgbAt(image("cut.exr"), 12, 20), glm::vec3(1.0f));
 }
 
+TEST_F(CaptureTest, MipLevelsAreShownOnASheet) {
+  const std::string line = "capture plane -e white --at 0,1,0 --to cube --size 8 -o out.png ";
+  succeed(line + "--mips");
+  EXPECT_EQ(image("out.png").width(), 33 + 16);
+  succeed(line + "--level 2");
+  EXPECT_EQ(image("out.png").width(), 8);
+  EXPECT_THAT(refuse(2, line + "--level 4"), HasSubstr("the last is 3"));
+}
+
 TEST_F(CaptureTest, CtrlCLeavesNothing) {
   for (const std::string form : {"cube --layout faces", "equirect"}) {
     const std::string line = "capture knot --at 0,0,2 --size 512 --samples 4096 -o out.exr --to " + form;

@@ -114,8 +114,14 @@ TEST_F(OutputTest, ATurntablesNumbersStandWhereTheNameHasThem) {
   EXPECT_THAT(files(), ElementsAre("a_0000.png", "a_0001.png", "b00.png", "b01.png", "c_0_end.png", "c_1_end.png",
                                    "d#_000.png", "d#_001.png", "smooth.exr"));
   EXPECT_THAT(refuse(2, shot + "%d_####.png"), HasSubstr("2 places"));
-  succeed("render none -e white --size 8x8 -o %04d.png");
-  EXPECT_THAT(files(), Contains("%04d.png")) << "one picture has no number";
+  for (const std::string output : {"%04d.png", "e_####.exr"}) {
+    const Outcome one = run("render none -e white --size 8x8 -o " + output);
+    EXPECT_EQ(one.exit_code, 0);
+    EXPECT_EQ(one.err, "mirrorball: note: " + output +
+                           ": is one picture under that very name; --frames N makes several, with numbers in their "
+                           "names\n");
+    EXPECT_THAT(files(), Contains(output));
+  }
 }
 
 // Each for itself they would be framed by what is seen then, and the model would shrink and grow while it turns.

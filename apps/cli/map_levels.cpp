@@ -1,0 +1,89 @@
+// The mip levels of a map that is written: which there are, and how pictures show them.
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/map_output.h"
+#include "cli/terminal.h"
+#include "mirrorball/bake/mip_chain.h"
+#include "mirrorball/base/memory.h"
+#include "mirrorball/codec/codec.h"
+#include "mirrorball/environment/recognize.h"
+#include "mirrorball/image/level_sheet.h"
+
+namespace mirrorball::cli {
+namespace {
+
+/// One level of a set that is not needed any more.
+ImageSet takeLevel(ImageSet& levels, int level) {
+  ImageSet one(1, levels.faces());
+  for (int face = 0; face < one.faces(); ++face) one.at(0, face) = std::move(levels.at(level, face));
+  return one;
+}
+
+}  // namespace
+
+Result<void> MapOutput::setLevels(const MapOutputOptions& options) {
+  all_levels_ = options.mips;
+  level_ = options.level;
+  mip_source_ = options.mip_source;
+  if (!hasLevels()) return {};
+  const std::string option = all_levels_ ? "--mips" : "--level";
+  if (hasDisc(form_.projection))
+    return fail(ErrorCode::usage, option + " of " + std::string(nameOf(form_.projection)) +
+                                      " would mix in what lies beside the disc; use --to cube or equirect");
+  if (form_.has_texels_on_edges)
+    return fail(ErrorCode::usage,
+                option + ": OpenEXR's texels on the edges are of a whole map; leave --for openexr out");
+  return {};
+}
+
+Result<void> MapOutput::checkLevel(int levels) const {
+  if (!level_ || *level_ < levels) return {};
+  return fail(ErrorCode::usage, output_ + ": there is no level " + std::to_string(*level_) + "; the last is " +
+                                    std::to_string(levels - 1));
+}
+
+Result<void> MapOutput::checkLevelOfSize(int size) const {
+  const glm::ivec2 extent = imageSize(form_.projection, size);
+  return checkLevel(levelCount(std::max(extent.x, extent.y)));
+}
+
+Result<ImageSet> MapOutput::wantedOf(ImageSet levels) const {
+  if (!level_) return levels;
+  MIRRORBALL_TRY_VOID(checkLevel(levels.levels()));
+  return takeLevel(levels, *level_);
+}
+
+Result<ImageSet> MapOutput::levelsOf(EnvironmentMap map) const {
+  const glm::ivec2 extent = map.extent();
+  MIRRORBALL_TRY_VOID(checkMemory(output_, std::uint64_t(extent.x) * std::uint64_t(extent.y) *
+                                               std::uint64_t(map.faces()) * 3 * sizeof(float) * 7 / 3));
+  const MipWeights weights = mip_source_ == MipSource::box ? MipWeights::box : MipWeights::solid_angle;
+  const bool is_cube = map.faces() == 6;
+  ImageSet levels = is_cube ? mipChain(map, weights)
+                            : mipChain(EnvironmentMap(form_.projection, imagesOf(std::move(map), form_)), weights);
+  limitLevels(levels);  // the mean of the greatest values may be a rounding error above them
+  return wantedOf(is_cube ? arranged(std::move(levels), form_.arrangement) : std::move(levels));
+}
+
+Result<void> MapOutput::writePictures(ImageSet images) const {
+  if (display_ != Display{}) forEachImage(images, [&](Image& image) { showOn(display_, image); });
+  const bool is_sheet = all_levels_ && images.levels() > 1;
+  const ImageWriteOptions how{.half = half_, .metadata = is_sheet ? metadataOfLevelSheet() : metadataOf(form_)};
+  const std::vector<std::string> files = paths();
+  for (std::size_t file = 0; file < files.size(); ++file) {
+    std::vector<Image> levels;
+    for (int level = 0; level < images.levels(); ++level)
+      levels.push_back(files.size() > 1 ? std::move(images.at(level, static_cast<int>(file)))
+                                        : pictureOfImages(takeLevel(images, level), form_));
+    MIRRORBALL_TRY_VOID(writeImage(files[file], is_sheet ? levelSheet(levels) : std::move(levels.front()), how));
+    announce(files[file]);
+  }
+  return {};
+}
+
+}  // namespace mirrorball::cli

@@ -273,7 +273,7 @@ Command bakeCommand() {
       .help = "Prefilters environments for an engine: rough reflections, irradiance, harmonics, BRDF table",
       .about =
           "ENV is a map, a built-in environment, or - for standard input. OUT is a folder, for all maps (of several "
-          "environments one that gets a folder for each), or a .ktx2 or .dds file, for the specular chain only.",
+          "environments one that gets a folder for each), or a .ktx2, .ktx or .dds file, for the specular chain only.",
       .examples = {{"bake room.hdr -o room/", "all maps of an environment, and a manifest that says what is what"},
                    {"bake maps/*.hdr --for unreal --size 512 -o baked/",
                     "a folder for each panorama, with Unreal's faces and levels"}}};

@@ -26,6 +26,11 @@ const std::string kMapHelp = "needed: " + writtenExtensions(Holds::light) + " (l
 const std::string kMipsHelp =
     "all mip levels: " + writtenExtensions(Holds::texture, " and ") +
     " hold them, a picture shows them on one sheet, the smaller ones beside or below the first";
+const std::string kFormatHelp =
+    "of texels: half or float32 in .exr; half, float32, b10g11r11, e5b9g9r9 or bc6h (compressed to a byte a texel) "
+    "in " +
+    writtenExtensions(Holds::texture, " and ") +
+    "; auto is float32 in .exr, in textures half where it holds all values";
 
 // First those that any texture of a cube may be asked for.
 constexpr std::size_t kTextureOptions = 9;
@@ -53,12 +58,7 @@ const std::array<Option<MapOutputOptions>, 13> kMapOutputOptions{{
       .help = "which face is the first, second, … sixth: +x,-x,+y,-y,+z,-z is the usual order",
       .group = "Output"},
      &MapOutputOptions::face_order},
-    {{.name = "format",
-      .value = "FORMAT",
-      .help = "of texels: half or float32 in .exr; half, float32, b10g11r11, e5b9g9r9 or bc6h (compressed to a "
-              "byte a texel) in .ktx2 and .dds; auto is float32 in .exr, in textures half where it holds all values",
-      .group = "Output",
-      .names = formatNames},
+    {{.name = "format", .value = "FORMAT", .help = kFormatHelp, .group = "Output", .names = formatNames},
      &MapOutputOptions::format},
     {{.name = "zstd",
       .value = "LEVEL",
@@ -197,7 +197,8 @@ Result<void> MapOutput::setFormat(const MapOutputOptions& options) {
   const bool has_choice = is_texture_ || (is_exr && (half_ || format_ == TexelFormat::float32));
   if (format_ && !has_choice)
     return fail(ErrorCode::usage, output_ + ": cannot hold --format " + options.format +
-                                      "; .exr has half and float32, .ktx2 and .dds have all formats");
+                                      "; .exr has half and float32, " + writtenExtensions(Holds::texture, " and ") +
+                                      " have all formats");
   zstandard_level_ = options.zstandard_level;
   if (zstandard_level_ > 0 && extensionOf(output_) != "ktx2")
     return fail(ErrorCode::usage, output_ + ": has no Zstandard compression; --zstd is for .ktx2");

@@ -75,7 +75,7 @@ TEST_F(BadConvertOptionTest, WhatAFileCannotHoldIsToldWithWhatCan) {
       {"--to sphere -o a.ktx2 --mips", {"--mips", "sphere", "cube or equirect"}},
       {"--to paraboloid -o a.dds --mips", {"--mips", "paraboloid"}},
       {"--to cube -o a.ktx2 --mip box", {"--mip", "--mips"}},
-      {"--to cube -o a.ktx", {"a.ktx: is not a format that Mirrorball writes", ".hdr or .exr", ".ktx2 or .dds"}},
+      {"--to cube -o a.pfm", {"a.pfm: is not a format that Mirrorball writes", ".hdr or .exr", ".ktx2, .ktx or .dds"}},
   });
 }
 
@@ -106,8 +106,9 @@ TEST_F(BadConvertOptionTest, AWrongFormOfTheInputIsTold) {
 TEST_F(BadConvertOptionTest, AnExtensionIsForFolders) {
   EXPECT_THAT(refuse(2, "convert white --to cube -o a.exr --extension ktx2"),
               AllOf(HasSubstr("--extension is for an output folder"), HasSubstr("a.exr")));
-  EXPECT_THAT(refuse(2, "convert white --to cube -o a --extension tga"),
-              AllOf(StartsWith("white would become a/white.tga"), HasSubstr(".hdr, .exr, .png, .jpg, .ktx2 or .dds")));
+  EXPECT_THAT(
+      refuse(2, "convert white --to cube -o a --extension tga"),
+      AllOf(StartsWith("white would become a/white.tga"), HasSubstr(".hdr, .exr, .png, .jpg, .ktx2, .ktx or .dds")));
   EXPECT_THAT(refuse(2, "convert white --to cube -o a/"), AllOf(StartsWith("white "), HasSubstr("--extension")));
 }
 

@@ -70,7 +70,7 @@ TEST_F(BadOutputTest, AnExtensionThatNamesNoFormat) {
   }
   for (const std::string output : {"out.tga", "out.tif", "out.gif"})
     refuseOutput(2, output, "is not a format that Mirrorball writes");
-  EXPECT_THAT(refuse(2, "convert map.exr --to sphere -o out.tif"), HasSubstr(".ktx2 or .dds for textures"));
+  EXPECT_THAT(refuse(2, "convert map.exr --to sphere -o out.tif"), HasSubstr(".ktx2, .ktx or .dds for textures"));
   EXPECT_THAT(refuse(2, "render none -e map.exr -o out.dds"), HasSubstr("would hold textures; use .hdr or .exr"));
 }
 

@@ -1,4 +1,4 @@
-// Maps in .ktx2 and .dds: the light of the same map in pictures, its mip levels, and what of it a format can hold.
+// Maps in .ktx2, .ktx and .dds: the light of the same map in pictures, its mip levels, and what of it a format can hold.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,6 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 constexpr std::array<const char*, 6> kEndings{"px", "nx", "py", "ny", "pz", "nz"};
 
@@ -58,7 +57,7 @@ class ConvertTextureTest : public CliTest {
 
 TEST_F(ConvertTextureTest, ACubeHoldsTheSixFaces) {
   succeed("convert map.exr --to cube --size 16 --layout faces -o face.exr");
-  for (const std::string file : {"cube.ktx2", "cube.dds"}) {
+  for (const std::string file : {"cube.ktx2", "cube.ktx", "cube.dds"}) {
     succeed("convert map.exr --to cube --size 16 --format float32 -o " + file);
     const ImageSet cube = texture(file);
     EXPECT_EQ(cube.levels(), 1) << file;
@@ -112,7 +111,7 @@ TEST_F(ConvertTextureTest, EveryProjectionIsTheSameInATexture) {
 }
 
 TEST_F(ConvertTextureTest, WeightedMipLevelsKeepTheFlux) {
-  for (const std::string file : {"cube.ktx2", "cube.dds"}) {
+  for (const std::string file : {"cube.ktx2", "cube.ktx", "cube.dds"}) {
     succeed("convert map.exr --to cube --size 16 --mips --format float32 -o " + file);
     const ImageSet cube = texture(file);
     ASSERT_EQ(cube.levels(), 5) << "16 8 4 2 1";
@@ -169,7 +168,7 @@ TEST_F(ConvertTextureTest, LightBeyondHalfFloatsIsKeptInFloatsWithARemark) {
   Image bright = smoothPanorama();
   bright.texel(20, 10)[1] = 1e6f;
   write("bright.hdr", bright);
-  for (const std::string output : {"a.ktx2", "b.dds", "c.ktx2 --mips", "d.ktx2 --zstd 3", "e.dds --as-seen"}) {
+  for (const std::string output : {"a.ktx2", "b.dds", "c.ktx2 --mips", "d.ktx2 --zstd 3", "e.dds --as-seen", "f.ktx"}) {
     const std::string file = output.substr(0, output.find(' '));
     const Outcome outcome = run("convert bright.hdr --to cube --size 64 -o " + output);
     EXPECT_EQ(outcome.exit_code, 0) << output;
@@ -223,8 +222,8 @@ TEST_F(ConvertTextureTest, LightIsScaledAndClamped) {
 TEST_F(ConvertTextureTest, TexturesComeInAgain) {
   succeed("convert map.exr --to cube --size 32 -o cube.exr");
   succeed("convert cube.exr --to equirect --size 32 -o from_picture.exr");
-  for (const std::string output :
-       {"cube.ktx2", "cube.dds", "cube.ktx2 --zstd 3", "cube.ktx2 --mips", "cube.dds --mips"}) {
+  for (const std::string output : {"cube.ktx2", "cube.ktx", "cube.dds", "cube.ktx2 --zstd 3", "cube.ktx2 --mips",
+                                   "cube.ktx --mips", "cube.dds --mips"}) {
     succeed("convert map.exr --to cube --size 32 --format float32 -o " + output);
     succeed("convert " + output.substr(0, output.find(' ')) + " --to equirect --size 32 -o again.exr");
     EXPECT_TRUE(bytes("again.exr") == bytes("from_picture.exr")) << output;
@@ -241,7 +240,6 @@ TEST_F(ConvertTextureTest, Ktx1IsRead) {
   for (const std::string input : {"map.ktx", "map.exr"})
     succeed("convert " + input + " --to cube --size 16 -o from_" + input.substr(4) + ".exr");
   EXPECT_TRUE(bytes("from_ktx.exr") == bytes("from_exr.exr"));
-  EXPECT_THAT(refuse(2, "convert map.exr --to cube --size 16 -o out.ktx"), StartsWith("out.ktx: "));
 }
 
 }  // namespace

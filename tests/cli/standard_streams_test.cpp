@@ -54,7 +54,7 @@ TEST_F(StandardStreamsTest, WhatIsNoMapIsSaidOfStandardInput) {
 }
 
 TEST_F(StandardStreamsTest, StandardOutputHasTheFileAndNothingElse) {
-  for (const std::string format : {"exr", "hdr", "png", "ktx2", "dds"}) {
+  for (const std::string format : {"exr", "hdr", "png", "ktx2", "ktx", "dds"}) {
     const std::string line = "convert map.exr --to cube --size 16 -o ";
     succeed(line + "file." + format);
     EXPECT_TRUE(bytesOf(succeed(line + "-." + format)) == bytes("file." + format)) << format;

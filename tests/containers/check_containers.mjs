@@ -4,6 +4,7 @@
 // every texel. Exit code 1, and one line a fault, where something differs.
 
 import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { isDeepStrictEqual } from 'node:util';
 
@@ -163,11 +164,48 @@ function checkDds(file, bytes) {
     }
 }
 
+/// Filament's own reader, as its programs for the web have it.
+async function loadFilament() {
+  const require = createRequire(import.meta.url);
+  globalThis.window ??= globalThis;  // it asks for a browser
+  const wasm = readFileSync(require.resolve('filament/filament.wasm'));
+  return require('filament')({ wasmBinary: wasm });
+}
+
+function checkKtx1(filament, file, bytes) {
+  const { name } = file;
+  const buffer = new filament.driver$BufferDescriptor(bytes.byteLength);
+  buffer.getBytes().set(bytes);
+  const texture = new filament.Ktx1Bundle(buffer);
+  const { pixelWidth, pixelHeight } = texture.info();
+  expectEqual([pixelWidth, pixelHeight], [file.width, file.height], `${name}, size`);
+  expectEqual([texture.isCubemap(), texture.getNumMipLevels()], [file.faces === 6, file.levels], `${name}, shape`);
+  const { RGBA, RGB } = filament.PixelDataFormat;
+  const { HALF, FLOAT, UINT_10F_11F_11F_REV } = filament.PixelDataType;
+  const { RGBA16F, RGBA32F, R11F_G11F_B10F } = filament.Texture$InternalFormat;
+  const kinds = { half: [RGBA16F, RGBA, HALF], float32: [RGBA32F, RGBA, FLOAT],
+    b10g11r11: [R11F_G11F_B10F, RGB, UINT_10F_11F_11F_REV] };
+  if (kinds[file.format])
+    expectEqual([texture.getInternalFormat(false), texture.getPixelDataFormat(), texture.getPixelDataType()],
+      kinds[file.format], `${name}, internal format, format and type`);
+  else
+    expectEqual(texture.isCompressed(), true, `${name}, compressed`);
+  const harmonics = texture.getMetadata('sh').split(/\s/, 9 * 3).map(parseFloat);  // as Filament's own program does
+  expectEqual(harmonics, [0, ...Array.from({ length: 26 }, (_, i) => i + 1.5)], `${name}, harmonics`);
+  let first = 0;
+  for (let level = 0; level < file.levels; ++level) {
+    const texels = new Uint8Array(texture._getCubeBlob(level).getBytes());
+    first = checkTexels(texels, levelTexels(file, level) * 6, file, first, `${name}, level ${level}`);
+  }
+}
+
 const folder = process.argv[2];
+const filament = await loadFilament();
 const files = JSON.parse(readFileSync(join(folder, 'files.json'), 'utf8'));
 for (const file of files) {
   const bytes = readFileSync(join(folder, file.name));
-  if (file.name.endsWith('.dds')) (formats[file.format].side ? checkCompressedDds : checkDds)(file, bytes);
+  if (file.name.endsWith('.ktx')) checkKtx1(filament, file, bytes);
+  else if (file.name.endsWith('.dds')) (formats[file.format].side ? checkCompressedDds : checkDds)(file, bytes);
   else await checkKtx2(file, bytes);
 }
 console.log(`${files.length} files, ${faults} faults`);

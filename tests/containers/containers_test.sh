@@ -32,3 +32,7 @@ fails "a wrong texel"
 cp "$scratch/kept" "$scratch/files/half_cube.ktx2"
 printf '\007' | dd of="$scratch/files/half_cube.ktx2" bs=1 seek=20 conv=notrunc 2>/dev/null
 fails "a wrong width"
+cp "$scratch/kept" "$scratch/files/half_cube.ktx2"
+# OpenGL's own number, which Filament does not know.
+printf '\073' | dd of="$scratch/files/b10g11r11_cube.ktx" bs=1 seek=16 conv=notrunc 2>/dev/null
+fails "a glType that Filament does not take"

@@ -105,6 +105,15 @@ int main(int count, char** arguments) {
   add("bc6h_cube.dds", "bc6h", mirrorball::testing::textureOf(4, 6, 1, 3, 8, 8), {.format = TexelFormat::bc6h});
   add("bc6h_picture.dds", "bc6h", mirrorball::testing::textureOf(1, 1, 1, 3, 12, 8), {.format = TexelFormat::bc6h});
 
+  // What Filament reads, with the harmonics of its irradiance.
+  std::string harmonics = "0";
+  for (int i = 1; i < 27; ++i) harmonics += " " + std::to_string(i) + ".5";
+  for (const auto& [format, format_name] : kFormats)
+    if (format == TexelFormat::half || format == TexelFormat::float32 || format == TexelFormat::b10g11r11 ||
+        format == TexelFormat::bc6h)
+      add(std::string(format_name) + "_cube.ktx", format_name, mirrorball::testing::textureOf(3, 6, 1, 3, 16, 16),
+          {.format = format, .metadata = {{"mirrorball:projection", "cube"}, {"sh", harmonics}}});
+
   const std::filesystem::path folder = arguments[1];
   std::string list;
   for (const File& file : files) {

@@ -87,7 +87,6 @@ constexpr Family kGlFamilies[] = {
     {0x8c4c, 0x8c4f, "BC1 to BC3 (S3TC)"},
     {0x8dbb, 0x8dbe, "BC4 or BC5 (RGTC)"},
     {0x8e8c, 0x8e8d, "BC7 (BPTC)"},
-    {0x8e8e, 0x8e8f, "BC6H (BPTC)"},
     {0x8d64, 0x8d64, "ETC1"},
     {0x9270, 0x9279, "ETC2"},
     {0x8c00, 0x8c03, "PVRTC"},

@@ -39,8 +39,8 @@ inline constexpr std::array<ImageFormat, 13> kImageFormats{{
     {ImageFormatId::png, "PNG", "png", Holds::picture, true, "every kind and depth; `gAMA`, `cHRM`, `sRGB`"},
     {ImageFormatId::jpeg, "JPEG", "jpg jpeg", Holds::picture, true, "grey and RGB, baseline and progressive"},
     {ImageFormatId::ktx2, "KTX2", "ktx2", Holds::texture, true,
-     "8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9; Zstandard"},
-    {ImageFormatId::ktx, "KTX", "ktx", Holds::texture, false, "the same formats, in either byte order"},
+     "8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9, BC6H; Zstandard"},
+    {ImageFormatId::ktx, "KTX", "ktx", Holds::texture, true, "the same formats, in either byte order"},
     {ImageFormatId::dds, "DDS", "dds", Holds::texture, true, "the same formats, and masks of older files"},
     {ImageFormatId::tiff, "TIFF", "tif tiff", Holds::either, false,
      "integers of up to 16 bits and of 32, floats of 16, 32 and 64; grey, RGB, palette, LogLuv; plain, LZW, deflate, "

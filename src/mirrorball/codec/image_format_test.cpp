@@ -12,8 +12,8 @@ TEST(ImageFormat, ListsAreMadeFromTheTable) {
   EXPECT_EQ(readExtensions(), ".hdr .exr .png .jpg .ktx2 .ktx .dds .tif .webp .tga .bmp .pnm .pfm");
   EXPECT_EQ(readExtensions(Holds::light), ".hdr .exr .tif .pfm");
   EXPECT_EQ(readExtensions(Holds::picture), ".png .jpg .tif .webp .tga .bmp .pnm");
-  EXPECT_EQ(writtenExtensions(), ".hdr .exr .png .jpg .ktx2 .dds");
-  EXPECT_EQ(writtenExtensions(Holds::texture, " or "), ".ktx2 or .dds");
+  EXPECT_EQ(writtenExtensions(), ".hdr .exr .png .jpg .ktx2 .ktx .dds");
+  EXPECT_EQ(writtenExtensions(Holds::texture, " or "), ".ktx2, .ktx or .dds");
   EXPECT_EQ(readFormatNames(), "Radiance HDR, OpenEXR, PNG, JPEG, KTX2, KTX, DDS, TIFF, WebP, TGA, BMP, PNM or PFM");
 }
 
@@ -25,12 +25,12 @@ TEST(ImageFormat, TheExtensionTellsWhatIsWritten) {
     EXPECT_FALSE(refused) << path;
     return refused ? "" : refused.error().message;
   };
-  for (const char* path : {"x.tif", "x.ktx", "x.gif", "x.hdr.gz"})
+  for (const char* path : {"x.tif", "x.pfm", "x.gif", "x.hdr.gz"})
     EXPECT_EQ(message(path, {Holds::light, Holds::picture}),
               path + std::string(": is not a format that Mirrorball writes; use .hdr or .exr for linear light, .png or "
                                  ".jpg for pictures"));
   EXPECT_EQ(message("x.dds", {Holds::picture}), "x.dds: would hold textures; use .png or .jpg");
-  EXPECT_EQ(message("x", {Holds::texture}), "x: has no extension to tell its format by; use .ktx2 or .dds");
+  EXPECT_EQ(message("x", {Holds::texture}), "x: has no extension to tell its format by; use .ktx2, .ktx or .dds");
 }
 
 }  // namespace

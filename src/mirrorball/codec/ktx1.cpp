@@ -1,13 +1,13 @@
 #include "mirrorball/codec/ktx1.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/format_numbers.h"
+#include "mirrorball/codec/ktx1_layout.h"
 #include "mirrorball/codec/ktx_key_values.h"
 #include "mirrorball/codec/stored_format.h"
 #include "mirrorball/codec/texture_shape.h"
@@ -15,21 +15,8 @@
 namespace mirrorball {
 namespace {
 
+using namespace ktx1;
 using Span = std::span<const std::uint8_t>;
-
-/// «KTX 11», then what reveals a file that was sent as text.
-constexpr std::array<std::uint8_t, 12> kIdentifier = {0xab, 'K', 'T', 'X', ' ', '1', '1', 0xbb, '\r', '\n', 0x1a, '\n'};
-constexpr std::size_t kHeaderSize = 64;
-constexpr std::size_t kAlignment = 4;  // of rows, faces and levels
-
-// glType.
-constexpr std::uint32_t kUnsignedByte = 0x1401;
-constexpr std::uint32_t kUnsignedShort = 0x1403;
-constexpr std::uint32_t kFloat = 0x1406;
-constexpr std::uint32_t kHalfFloat = 0x140b;
-constexpr std::uint32_t kHalfFloatOes = 0x8d61;
-constexpr std::uint32_t kUnsignedInt10F11F11FRev = 0x8c3b;
-constexpr std::uint32_t kUnsignedInt5999Rev = 0x8c3e;
 
 /// glFormat, and what it says about channels. Luminance is one channel of light.
 struct GlFormat {
@@ -38,13 +25,14 @@ struct GlFormat {
   bool blue_first;
 };
 constexpr GlFormat kGlFormats[] = {
-    {0x1903, 1, false},  // GL_RED
-    {0x1909, 1, false},  // GL_LUMINANCE
-    {0x8227, 2, false},  // GL_RG
-    {0x1907, 3, false},  // GL_RGB
-    {0x1908, 4, false},  // GL_RGBA
-    {0x80e0, 3, true},   // GL_BGR
-    {0x80e1, 4, true},   // GL_BGRA
+    {0x1903, 1, false},         // GL_RED
+    {0x1909, 1, false},         // GL_LUMINANCE
+    {kRg, 2, false},            // GL_RG
+    {kRgb, 3, false},           // GL_RGB
+    {kRgba, 4, false},          // GL_RGBA
+    {kR11FG11FB10F, 3, false},  // of Filament's older files
+    {0x80e0, 3, true},          // GL_BGR
+    {0x80e1, 4, true},          // GL_BGRA
 };
 
 /// glInternalFormat, where it says that 8-bit samples are encoded.
@@ -81,6 +69,7 @@ std::optional<SampleType> sampleType(std::uint32_t gl_type, std::uint32_t gl_int
     case kHalfFloatOes:
       return SampleType::half;
     case kUnsignedInt10F11F11FRev:
+    case kR11FG11FB10F:
       return SampleType::b10g11r11;
     case kUnsignedInt5999Rev:
       return SampleType::e5b9g9r9;
@@ -92,6 +81,8 @@ std::optional<SampleType> sampleType(std::uint32_t gl_type, std::uint32_t gl_int
 /// The format that glType and glFormat describe; glInternalFormat tells sRGB and names block compression.
 Result<StoredFormat> texelFormat(std::uint32_t gl_type, std::uint32_t gl_format, std::uint32_t gl_internal_format,
                                  const std::string& name) {
+  if (gl_internal_format == kRgbBptcSignedFloat) return StoredFormat{SampleType::bc6h_signed, 3};
+  if (gl_internal_format == kRgbBptcUnsignedFloat) return StoredFormat{SampleType::bc6h_unsigned, 3};
   if (const auto blocks = blockCompressionOfGl(gl_internal_format)) return unsupportedTexture(name, *blocks, kInstead);
   const auto* row = std::find_if(std::begin(kGlFormats), std::end(kGlFormats),
                                  [&](const GlFormat& known) { return known.number == gl_format; });
@@ -112,9 +103,8 @@ class Reader {
 
   Result<DecodedImageSet> read() {
     if (bytes_.size() < kHeaderSize) return truncated("the header");
-    // 04030201 as a number: the bytes tell the order of all others.
     big_endian_ = bytes_[12] == 4;
-    if (u32(12) != 0x04030201)
+    if (u32(12) != kByteOrder)
       return fail(ErrorCode::bad_file, name_ + ": has no byte order mark at byte 12; the file is damaged");
     TextureShape shape{u32(36), u32(40), std::max(u32(56), 1u), std::max(u32(48), 1u), u32(52)};
     if (u32(44) > 1) return unsupportedTexture(name_, "a three-dimensional texture", kInstead);
@@ -180,7 +170,7 @@ class Reader {
     const Span stored = bytes_.subspan(at_, imageSize(shape, format, level, kAlignment));
     const int width = shape.widthAt(level);
     const int height = shape.heightAt(level);
-    const std::size_t pitch = stored.size() / std::size_t(height);
+    const std::size_t pitch = stored.size() / blocksAlong(format, std::uint64_t(height));
     const std::size_t word = wordSize(format);
     if (!big_endian_ || word == 1) return unpackTexels(format, stored.data(), pitch, width, height);
     std::vector<std::uint8_t> swapped(stored.begin(), stored.end());

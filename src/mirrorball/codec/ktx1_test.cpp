@@ -1,11 +1,14 @@
 #include "mirrorball/codec/ktx1.h"
 
+#include <array>
 #include <bit>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "formula/color.h"
+#include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/texture_testing.h"
 
 namespace mirrorball {
@@ -52,6 +55,32 @@ TEST(Ktx1, BothByteOrdersAreRead) {
   const Ktx1 packed{.type = 0x8c3b, .format = kRgb, .internal_format = 0x8c3a};
   EXPECT_EQ(rgbAt(decodeKtx1(oneLevel(packed, 4, {0xc0, 0x03, 0x20, 0x70}), "a")->images.at(0, 0), 0, 0),
             glm::vec3(1.0f, 2.0f, 0.5f));
+}
+
+/// The numbers that Filament's cmgen writes, now and until version 1.8: no glType of OpenGL's.
+TEST(Ktx1, FilesOfFilamentsCmgenAreRead) {
+  for (const std::uint32_t format : {kRgb, 0x8c3au}) {
+    const Ktx1 cmgen{.type = 0x8c3a, .type_size = 1, .format = format, .internal_format = 0x8c3a};
+    const auto read = decodeKtx1(oneLevel(cmgen, 4, {0xc0, 0x03, 0x20, 0x70}), "a");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(rgbAt(read->images.at(0, 0), 0, 0), glm::vec3(1.0f, 2.0f, 0.5f));
+    EXPECT_EQ(read->format, "KTX1, b10g11r11 ufloat");
+  }
+}
+
+TEST(Ktx1, Bc6hIsRead) {
+  const std::vector<float> white(6 * 5 * 3, 1.0f);
+  Bytes blocks(4 * 16);
+  ASSERT_TRUE(packTexels(TexelFormat::bc6h, white, 3, 6, blocks));
+  for (const std::uint32_t format : {0x8e8eu, 0x8e8fu}) {
+    const Ktx1 header{.type = 0, .type_size = 1, .format = 0, .internal_format = format, .width = 6, .height = 5};
+    const auto read = decodeKtx1(oneLevel(header, 64, blocks), "a");
+    ASSERT_TRUE(read) << read.error().message;
+    const bool is_signed = format == 0x8e8e;
+    EXPECT_EQ(read->format, is_signed ? "KTX1, bc6h sfloat" : "KTX1, bc6h ufloat");
+    // Signed, the same bits mean other light.
+    EXPECT_EQ(rgbAt(read->images.at(0, 0), 5, 4) == glm::vec3(1.0f), !is_signed);
+  }
 }
 
 TEST(Ktx1, RowsArePaddedToFour) {
@@ -124,6 +153,49 @@ TEST(Ktx1, WhatIsNotReadIsNamed) {
   Bytes no_order = oneLevel({}, 16, Bytes(16));
   no_order[13] = 9;
   EXPECT_THAT(messageOf(no_order), HasSubstr("byte 12"));
+}
+
+/// What Filament's ktxreader looks at; for its packed format it takes no other glType.
+TEST(Ktx1, TheHeaderIsAsFilamentReadsIt) {
+  struct Numbers {
+    TexelFormat format;
+    std::array<std::uint32_t, 5> gl;  ///< type, size of a word, format, internal format, base internal format
+  };
+  for (const Numbers& numbers : {Numbers{TexelFormat::b10g11r11, {0x8c3a, 4, kRgb, 0x8c3a, kRgb}},
+                                 Numbers{TexelFormat::half, {0x140b, 2, kRgba, 0x881a, kRgba}},
+                                 Numbers{TexelFormat::float32, {0x1406, 4, kRgba, 0x8814, kRgba}},
+                                 Numbers{TexelFormat::bc6h, {0, 1, 0, 0x8e8f, kRgb}}}) {
+    const ImageSet cube = testing::textureOf(3, 6, 1, 3, 8, 8);
+    const Bytes file =
+        testing::bytesOfTexture(writeKtx1, cube, {.format = numbers.format, .metadata = {{"sh", "1 2"}}});
+    const auto u32 = [&](std::size_t at) { return littleU32(file.data() + at); };
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(u32(16 + 4 * i), numbers.gl[i]) << i;
+    const std::array<std::uint32_t, 6> shape{8, 8, 0, 0, 6, 3};
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(u32(36 + 4 * i), shape[i]) << i;
+    EXPECT_EQ(std::string(file.begin() + 68, file.begin() + 92), std::string("KTXorientation\0S=r,T=d\0\0", 24));
+    EXPECT_EQ(u32(92), 7u);
+    EXPECT_EQ(std::string(file.begin() + 96, file.begin() + 104), std::string("sh\0001 2\0", 7) + '\0');
+    // Before each level the size of one face.
+    std::size_t at = 104;
+    for (const std::uint32_t side : {8u, 4u, 2u}) {
+      const bool is_compressed = numbers.format == TexelFormat::bc6h;
+      const std::uint32_t size =
+          is_compressed ? (side + 3) / 4 * ((side + 3) / 4) * 16
+                        : side * side * static_cast<std::uint32_t>(blockSize(storedFormat(numbers.format)));
+      EXPECT_EQ(u32(at), size) << side;
+      at += 4 + 6 * size;
+    }
+    EXPECT_EQ(at, file.size());
+  }
+}
+
+TEST(Ktx1, ALevelHasLessThanFourGibibytes) {
+  const TextureShape shape{.width = 16384, .height = 16384, .faces = 6};
+  EXPECT_TRUE(ktx1Layout(shape, {.format = TexelFormat::half}, "a.ktx"));
+  const auto layout = ktx1Layout(shape, {.format = TexelFormat::float32}, "a.ktx");
+  ASSERT_FALSE(layout);
+  EXPECT_EQ(layout.error().code, ErrorCode::too_large);
+  EXPECT_THAT(layout.error().message, HasSubstr("a.ktx: a level of a KTX file has at most 4 GiB; use .ktx2"));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct Level {
 /// All that stands before the texels.
 Bytes header(const TextureShape& shape, const TextureWriteOptions& options, std::span<const Level> levels) {
   const Bytes descriptor = dataFormatDescriptor(options.format);
-  const Bytes key_values = ktxKeyValues(options.metadata);
+  const Bytes key_values = ktxKeyValues(options.metadata, KtxVersion::ktx2);
   const std::size_t descriptor_at = kKtx2HeaderSize + levels.size() * kKtx2LevelSize;
   LittleEndianWriter writer;
   writer.append(kKtx2Identifier);

@@ -47,10 +47,11 @@ Result<KtxKeyValues> readKtxKeyValues(std::span<const std::uint8_t> bytes, std::
   return values;
 }
 
-Bytes ktxKeyValues(const Metadata& metadata) {
+Bytes ktxKeyValues(const Metadata& metadata, KtxVersion version) {
   Metadata entries = metadata;  // a map: sorted by key
-  entries["KTXorientation"] = "rd";
-  entries["KTXwriter"] = "mirrorball";
+  const bool is_ktx2 = version == KtxVersion::ktx2;
+  entries["KTXorientation"] = is_ktx2 ? "rd" : "S=r,T=d";
+  if (is_ktx2) entries["KTXwriter"] = "mirrorball";
   LittleEndianWriter writer;
   for (const auto& [key, value] : entries) {
     writer.u32(static_cast<std::uint32_t>(key.size() + 1 + value.size() + 1));

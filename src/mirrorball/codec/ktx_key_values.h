@@ -27,8 +27,11 @@ struct KtxKeyValues {
 Result<KtxKeyValues> readKtxKeyValues(std::span<const std::uint8_t> bytes, std::size_t begin, std::size_t size,
                                       bool big_endian, const std::string& name);
 
-/// The data for a file of ours: KTXorientation "rd", KTXwriter, and the metadata; sorted by key as KTX 2 demands.
-Bytes ktxKeyValues(const Metadata& metadata);
+enum class KtxVersion { ktx1, ktx2 };
+
+/// The data for a file of ours: KTXorientation, right and down, KTXwriter, which only KTX 2 knows, and the metadata; sorted
+/// by key as KTX 2 demands.
+Bytes ktxKeyValues(const Metadata& metadata, KtxVersion version);
 
 /// Turns an image as the orientation demands, so that row 0 is on top.
 void turnUpright(Image& image, const KtxKeyValues& values);

@@ -17,14 +17,15 @@ bool isPrintable(std::string_view text) {
 }  // namespace
 
 bool isMetadataKey(std::string_view key) {
-  return key == "envmap" || (key.starts_with(kPrefix) && key.size() > kPrefix.size());
+  return key == "envmap" || key == kFilamentHarmonicsKey || (key.starts_with(kPrefix) && key.size() > kPrefix.size());
 }
 
 Result<void> checkMetadata(const Metadata& metadata) {
   for (const auto& [key, value] : metadata) {
     if (!isMetadataKey(key) || key.size() > kLongestKey || !isPrintable(key) ||
         key.find_first_of(" =") != std::string::npos)
-      return fail(ErrorCode::usage, "the metadata key '" + key + "' cannot be stored; use envmap or mirrorball:WORD");
+      return fail(ErrorCode::usage,
+                  "the metadata key '" + key + "' cannot be stored; use envmap, sh or mirrorball:WORD");
     if (!isPrintable(value))
       return fail(ErrorCode::usage, "the metadata value of " + key + " cannot be stored; use printable ASCII only");
     if (key == "envmap" && value != "latlong" && value != "cube")

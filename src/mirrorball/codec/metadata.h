@@ -8,8 +8,10 @@
 
 namespace mirrorball {
 
-/// Whether `key` is one of ours: "envmap", or "mirrorball:" and a word. All others in a file are
-/// left unread.
+/// Under this key Filament's KTX files hold the harmonics of their irradiance (bake/filament_harmonics.h).
+inline constexpr const char* kFilamentHarmonicsKey = "sh";
+
+/// Whether `key` is one of ours: "envmap", "sh", or "mirrorball:" and a word. All others in a file are left unread.
 bool isMetadataKey(std::string_view key);
 
 /// Refuses metadata that not every format can hold: foreign keys, an unknown envmap, texts beyond

@@ -53,17 +53,31 @@ Result<void> checkShape(const ImageSet& images, TexelFormat format, const std::s
   return {};
 }
 
-bool isDdsPath(const std::filesystem::path& path) { return extensionOf(path) == "dds"; }
-
-Result<void> checkTextureOptions(const std::filesystem::path& path, const TextureWriteOptions& options) {
+/// The container that a name stands for, if it can hold what is asked for.
+Result<ImageFormatId> containerFor(const std::filesystem::path& path, const TextureWriteOptions& options) {
   const std::string name = path.string();
-  MIRRORBALL_TRY_VOID(formatToWrite(path, {Holds::texture}));
+  MIRRORBALL_TRY(container, formatToWrite(path, {Holds::texture}));
   if (options.zstandard_level < 0 || options.zstandard_level > kHighestZstandardLevel)
     return fail(ErrorCode::usage, name + ": there is no Zstandard level " + std::to_string(options.zstandard_level) +
                                       "; use 0 (none) to " + std::to_string(kHighestZstandardLevel));
-  if (isDdsPath(path) && options.zstandard_level > 0)
-    return fail(ErrorCode::usage, name + ": DDS has no Zstandard compression; use .ktx2");
-  return checkMetadata(options.metadata);
+  if (container != ImageFormatId::ktx2 && options.zstandard_level > 0)
+    return fail(ErrorCode::usage, name + ": has no Zstandard compression; use .ktx2");
+  MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
+  return container;
+}
+
+Result<TextureLayout> layoutIn(ImageFormatId container, const TextureShape& shape, int channels,
+                               const TextureWriteOptions& options, const std::string& name) {
+  if (container == ImageFormatId::dds) return ddsLayout(shape, channels == 4, options);
+  if (container == ImageFormatId::ktx) return ktx1Layout(shape, options, name);
+  return ktx2Layout(shape, options);
+}
+
+Result<void> writeIn(ImageFormatId container, const ImageSet& images, const TextureWriteOptions& options,
+                     const std::string& name, const WriteAt& write) {
+  if (container == ImageFormatId::dds) return writeDds(images, options, name, write);
+  if (container == ImageFormatId::ktx) return writeKtx1(images, options, name, write);
+  return writeKtx2(images, options, name, write);
 }
 
 }  // namespace
@@ -85,28 +99,27 @@ bool isImageSet(std::span<const std::uint8_t> bytes) { return isKtx2(bytes) || i
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
                            const TextureWriteOptions& options) {
   const std::string name = path.string();
-  MIRRORBALL_TRY_VOID(checkTextureOptions(path, options));
+  MIRRORBALL_TRY(container, containerFor(path, options));
   MIRRORBALL_TRY_VOID(checkShape(images, options.format, name));
   return withinMemory<void>(name, [&]() -> Result<void> {
     MIRRORBALL_TRY(writer, FileWriter::create(path));
     const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) {
       return writer.writeAt(offset, bytes);
     };
-    MIRRORBALL_TRY_VOID(isDdsPath(path) ? writeDds(images, options, name, write)
-                                        : writeKtx2(images, options, name, write));
+    MIRRORBALL_TRY_VOID(writeIn(container, images, options, name, write));
     return writer.commit();
   });
 }
 
 Result<TextureWriter> TextureWriter::create(const std::filesystem::path& path, glm::ivec2 size, int faces, int channels,
                                             const TextureWriteOptions& options) {
-  MIRRORBALL_TRY_VOID(checkTextureOptions(path, options));
+  MIRRORBALL_TRY(container, containerFor(path, options));
   assert(options.zstandard_level == 0);
   const TextureShape shape{.width = static_cast<std::uint32_t>(size.x),
                            .height = static_cast<std::uint32_t>(size.y),
                            .faces = static_cast<std::uint32_t>(faces)};
   MIRRORBALL_TRY_VOID(checkTextureShape(shape, path.string()));
-  const TextureLayout layout = isDdsPath(path) ? ddsLayout(shape, channels == 4, options) : ktx2Layout(shape, options);
+  MIRRORBALL_TRY(layout, layoutIn(container, shape, channels, options, path.string()));
   MIRRORBALL_TRY(file, FileWriter::create(path));
   MIRRORBALL_TRY_VOID(file.writeAt(0, layout.header));
   TextureWriter writer(std::move(file), path.string(), size, options.format);

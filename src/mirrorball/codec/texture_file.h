@@ -27,7 +27,7 @@ enum class TexelFormat {
 struct TextureWriteOptions {
   TexelFormat format = TexelFormat::half;
   int zstandard_level = 0;  ///< KTX2: 0 stores texels as they are, 1 (fast) to 22 (small) compresses each level
-  Metadata metadata = {};   ///< KTX2 keeps it, DDS has no place for it
+  Metadata metadata = {};   ///< KTX2 and KTX keep it, DDS has no place for it
 };
 
 /// The images of a texture as they come from a file.
@@ -39,7 +39,7 @@ struct DecodedImageSet {
 };
 
 /// Reads .ktx2 .ktx .dds by their first bytes: two-dimensional textures and cubes, their mip levels and arrays, in
-/// 8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9 and, but for .ktx, BC6H. One channel stays one (grey), two become red and
+/// 8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9 and BC6H. One channel stays one (grey), two become red and
 /// green.
 /// sRGB formats, and 8-bit DDS files from before DX10, are decoded to linear light; unorm is taken as it stands.
 /// A picture stored bottom up or right to left (KTXorientation) is turned; the faces of a cube are left as a GPU
@@ -55,12 +55,12 @@ Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes, cons
 /// Whether the bytes begin as one of the files that decodeImageSet takes.
 bool isImageSet(std::span<const std::uint8_t> bytes);
 
-/// Writes a texture by the name's extension, .ktx2 or .dds. Values are rounded to the nearest that the format has, or
+/// Writes a texture by the name's extension, .ktx2, .ktx or .dds. Values are rounded to the nearest that the format has, or
 /// compressed with some error, never clipped.
 ///
 /// images   1, 3 or 4 channels, the same in all, or 2 for the formats that have two; each level half the size of the one
 ///          before, rounded down; 1 face, or 6 square ones
-/// errors   usage (an unknown extension, a Zstandard level for DDS, metadata that cannot be stored); bad_shape; io;
+/// errors   usage (an unknown extension, a Zstandard level for another than KTX2, metadata that cannot be stored); bad_shape; io;
 ///          out_of_range (the first texel that does not fit the format is named; where levels are compressed, the
 ///          first of the smallest level that has one); too_large
 /// cost     what writing the bytes costs: texels are converted on all cores on their way into the file; bc6h some

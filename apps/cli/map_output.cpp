@@ -39,7 +39,8 @@ const std::array<Option<MapOutputOptions>, 13> kMapOutputOptions{{
      &MapOutputOptions::output},
     {{.name = "for",
       .value = "PROGRAM",
-      .help = "as that program wants it: opengl vulkan directx unity unreal godot three blender renderman openexr",
+      .help =
+          "as that program wants it: opengl vulkan directx unity unreal godot filament three blender renderman openexr",
       .group = "Output",
       .names = presetNames},
      &MapOutputOptions::program},
@@ -115,6 +116,21 @@ Result<CubeArrangement> changedBy(const MapOutputOptions& options, CubeArrangeme
   return reordered(arrangement, order);
 }
 
+/// What --from calls the form that the options ask for: "octahedral", "cube:for=unreal,flip=vertical".
+std::string hintFor(const MapOutputOptions& options, Projection projection) {
+  std::string words;
+  const auto add = [&](const std::string& word) { words += (words.empty() ? ":" : ",") + word; };
+  if (!options.program.empty()) add("for=" + options.program);
+  if (options.as_seen) add("as-seen");
+  if (options.flip != "none") add("flip=" + options.flip);
+  if (!options.face_order.empty()) {
+    std::string order = options.face_order;
+    std::erase(order, ',');  // which separates words there
+    add("order=" + order);
+  }
+  return textOf(projection) + words;
+}
+
 /// "14 %", "5.8 %" or "less than 0.01 %"
 std::string percentOf(const LostLight& light) {
   const double percent = 100.0 * light.share();
@@ -174,6 +190,8 @@ Result<void> MapOutput::setForm(const MapOutputOptions& options, Projection proj
   const CubeArrangement before = form_.arrangement;
   MIRRORBALL_TRY(arrangement, changedBy(options, before));
   form_.arrangement = arrangement;
+  hint_ = hintFor(options, projection);
+  if (is_texture_) form_.layout = CubeLayout::faces;  // which is what its readers look for
   const bool is_cube = faceCount(projection) == 6;
   if (!is_cube && (layout || arrangement != before))
     return fail(ErrorCode::usage, "--layout, --as-seen, --flip and --face-order are for cubes, and " +
@@ -267,6 +285,11 @@ void MapOutput::tellNegative(std::size_t negative) const {
     remark(output_ + ": " + countedAre(negative, "value") + " negative, which the format does not hold; taken as 0");
 }
 
+void MapOutput::remarkOnForm() const {
+  if (extensionOf(output_) == "dds" && !isRecognizedUnsaid(form_))
+    remark(output_ + ": a DDS does not say what map it holds; to read this one, add --from " + hint_);
+}
+
 void MapOutput::remarkOnLosses(std::size_t negative) const {
   if (!format_) return;
   tellNegative(negative);
@@ -301,6 +324,7 @@ Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(c
   tellLost(all_lost);
   remarkOnLosses(all_negative);
   announce(output_);
+  remarkOnForm();
   return {};
 }
 
@@ -355,6 +379,7 @@ Result<void> MapOutput::writeFiles(ImageSet images, std::size_t negative) const 
   if (images.faces() == 2) images = ImageSet(pictureOfImages(std::move(images), form_));
   MIRRORBALL_TRY_VOID(writeImages(images));
   remarkOnLosses(negative);
+  remarkOnForm();
   return {};
 }
 

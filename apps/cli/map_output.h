@@ -79,7 +79,7 @@ class MapOutput {
   /// errors   usage: a mip level is wanted that a map of that size does not have
   Result<void> checkLevelOfSize(int size) const;
 
-  /// Writes a map to its files, which say what form it has: the map, or its mip levels, of which pictures get a sheet, or
+  /// Writes a map to its files, which say what form it has (all but .dds: of that a remark tells): the map, or its mip levels, of which pictures get a sheet, or
   /// one of them. Light beyond a format that was asked for is lowered to the most that it holds, with a remark.
   ///
   /// errors   as writeImage's and writeImageSet's; usage: there is no such level
@@ -95,6 +95,9 @@ class MapOutput {
   ///
   /// returns  the format that it was written in
   Result<TexelFormat> writeLevels(ImageSet levels) const;
+
+  /// Says how to read the file again, if it is one that does not say what map it holds and that would be taken for another.
+  void remarkOnForm() const;
 
   /// The memory that writing a cube of `size`² texels a face takes beside them.
   std::uint64_t memoryToWrite(int size) const;
@@ -128,6 +131,7 @@ class MapOutput {
 
   std::string output_;
   MapForm form_;
+  std::string hint_;  // what --from calls the form
   FaceNaming naming_ = FaceNaming::px;
   bool is_texture_ = false;
   std::optional<TexelFormat> format_;  // nothing: half floats or, where they do not hold the light, 32-bit ones

@@ -70,9 +70,9 @@ TEST_F(ConvertArrangementTest, TheFaceOrderFillsTheSlots) {
   EXPECT_EQ(facesOf("--face-order +z,-z,+x,-x,-y,+y", "mirrored"), turned);
   EXPECT_EQ(facesOf("--face-order +Z-Z+X-X-Y+Y", "mirrored"), turned);
   EXPECT_EQ(facesOf("--face-order +z,-z,+x,-x,-y,+y --as-seen", "upright"), turned);
-  succeed("convert uv --to cube --size 64 -o uv.dds --face-order +z,-z,+x,-x,-y,+y");
+  succeed("convert uv --to cube --size 64 -o uv.ktx --face-order +z,-z,+x,-x,-y,+y");
   for (int slot = 0; slot < 6; ++slot)
-    EXPECT_EQ(uvFaceAt(texture("uv.dds").at(0, slot), {0.5f, 0.5f}), turned[std::size_t(slot)]);
+    EXPECT_EQ(uvFaceAt(texture("uv.ktx").at(0, slot), {0.5f, 0.5f}), turned[std::size_t(slot)]);
 }
 
 // Turned over where it lies, a cross would break at its edges: two cells change places.

@@ -95,7 +95,7 @@ TEST_F(ConvertRowsTest, TheResultIsTheSameToTheLastBit) {
   for (const std::string input : {"map.exr", "map.hdr"})
     for (const std::string to :
          {"cube --size 64 -o a.exr", "cube --size 64 -o a.ktx2", "cube --size 32 --mips -o a.dds", "sphere -o a.ktx2",
-          "equirect --size 64 -o a.hdr --rotate 30,20", "octahedral --size 128 -o a.dds --centre 1,1,0",
+          "equirect --size 64 -o a.hdr --rotate 30,20", "octahedral --size 128 -o a.ktx --centre 1,1,0",
           "cube --size 64 -o a.ktx2 --filter bilinear --for three", "equirect --size 128 -o a.exr --for unity"}) {
       const std::string file = to.substr(to.find("a."), to.find(' ', to.find("a.")) - to.find("a."));
       succeed("convert " + input + " --to " + to);

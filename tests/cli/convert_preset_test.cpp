@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/cli_testing.h"
@@ -26,12 +27,13 @@ const std::array<const char*, 6> kOurs{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
 const std::array<const char*, 6> kXExchanged{"-X", "+X", "+Y", "-Y", "+Z", "-Z"};
 const std::array<const char*, 6> kZUp{"+X", "-X", "+Z", "-Z", "+Y", "-Y"};
 
-const std::array<Convention, 8> kConventions{{{"opengl", kOurs, "mirrored", "+Z", "-X"},
+const std::array<Convention, 9> kConventions{{{"opengl", kOurs, "mirrored", "+Z", "-X"},
                                               {"vulkan", kOurs, "mirrored", "+Z", "-X"},
                                               {"directx", kOurs, "mirrored", "+Z", "-X"},
                                               {"unity", kXExchanged, "upright", "-X", "-Z"},
                                               {"unreal", kZUp, "", "-Z", "+X"},
                                               {"godot", kOurs, "mirrored", "+Z", "-X"},
+                                              {"filament", kOurs, "mirrored", "+Z", "-X"},
                                               {"three", kXExchanged, "upright", "+X", "+Z"},
                                               {"renderman", kOurs, "mirrored", "+Z", "-X"}}};
 
@@ -119,8 +121,17 @@ TEST_F(ConvertPresetTest, EveryCubeComesBackTheSame) {
     }
     succeed("convert map.exr --to cube --size 16 --format float32 -o its.ktx2 --for " + name);
     EXPECT_TRUE(panoramaOf("its.ktx2") == ours) << name << ", by the texture's word";
-    succeed("convert map.exr --to cube --size 16 --format float32 --mips -o its.dds --for " + name);
+    // A DDS has no word of its own; where it would be taken for ours, a remark has the words to add.
+    const Outcome dds = run("convert map.exr --to cube --size 16 --format float32 --mips -o its.dds --for " + name);
+    EXPECT_EQ(dds.exit_code, 0);
+    const bool is_ours = program.slots == kOurs;
+    EXPECT_EQ(dds.err, is_ours
+                           ? ""
+                           : "mirrorball: note: its.dds: a DDS does not say what map it holds; to read this one, add "
+                             "--from cube:for=" +
+                                 name + "\n");
     EXPECT_TRUE(panoramaOf("its.dds --from cube:for=" + name) == ours) << name << ", DDS";
+    EXPECT_EQ(panoramaOf("its.dds") == ours, is_ours) << name << ", DDS";
   }
 }
 
@@ -136,6 +147,32 @@ TEST_F(ConvertPresetTest, EveryPanoramaComesBackTheSame) {
       succeed("convert map.exr --to equirect --size 32 --format float32 -o its.ktx2 --for " + name + mips);
       EXPECT_TRUE(panoramaOf("its.ktx2") == ours) << name << mips << ", texture";
     }
+  }
+}
+
+// What a remark names is what reads the file again; where there is none, nothing has to be named.
+TEST_F(ConvertPresetTest, ADdsTellsHowToReadItWhereItWouldBeTakenForAnother) {
+  const std::string note = "mirrorball: note: its.dds: a DDS does not say what map it holds; to read this one, add ";
+  for (const auto& [wish, from] : std::vector<std::pair<std::string, std::string>>{
+           {"octahedral", "octahedral"},
+           {"equal-area", "equal-area"},
+           {"angular", "angular"},
+           {"paraboloid", "paraboloid"},
+           {"ball:distance=5", "ball:distance=5"},
+           {"eac --for unity", "eac:for=unity"},
+           {"eac --mips", "eac"},
+           {"equirect --for blender", "equirect:for=blender"},
+           {"cube --face-order +z,-z,+x,-x,-y,+y --as-seen", "cube:as-seen,order=+z-z+x-x-y+y"},
+           {"cube --for unreal --flip vertical --mips", "cube:for=unreal,flip=vertical"},
+           {"sphere", ""},
+           {"equirect", ""},
+           {"cube", ""},
+           {"cube --as-seen", ""}}) {
+    succeed("convert map.exr --size 64 --format float32 -o ours.ktx2 --to " + wish);
+    const Outcome dds = run("convert map.exr --size 64 --format float32 -o its.dds --to " + wish);
+    EXPECT_EQ(dds.exit_code, 0) << wish;
+    EXPECT_EQ(dds.err, from.empty() ? "" : note + "--from " + from + "\n") << wish;
+    EXPECT_TRUE(panoramaOf("its.dds" + (from.empty() ? "" : " --from " + from)) == panoramaOf("ours.ktx2")) << wish;
   }
 }
 

@@ -24,7 +24,7 @@ constexpr std::array<Alias, 10> kAliases{{{"gl", "opengl"},
 /// OpenGL's table in the axes by which a program looks its cubes up.
 CubeArrangement tableIn(const WorldAxes& axes) { return inWorld(CubeArrangement{}, axes); }
 
-const std::array<Preset, 10>& table() {
+const std::array<Preset, 11>& table() {
   using enum SignedAxis;
   const CubeArrangement ours;
   // OpenGL 4.3, table 8.18; Vulkan 1.3, "Cube Map Face Selection"; Direct3D 11.3 functional specification, 7.18: the one
@@ -33,7 +33,7 @@ const std::array<Preset, 10>& table() {
   // (ConversionUtilities.h) to (x, z, y).
   const CubeArrangement x_mirrored = tableIn({.x = minus_x});
   const CubeArrangement z_up = tableIn({.x = plus_x, .y = plus_z, .z = plus_y});
-  static const std::array<Preset, 10> presets{{
+  static const std::array<Preset, 11> presets{{
       {"opengl", "OpenGL", ours, plus_z, CubeLayout::faces},
       {"vulkan", "Vulkan", ours, plus_z, CubeLayout::faces},
       {"directx", "Direct3D", ours, plus_z, CubeLayout::faces},
@@ -43,6 +43,9 @@ const std::array<Preset, 10>& table() {
       {"unreal", "Unreal Engine", z_up, minus_z, CubeLayout::faces},
       // sky.glsl: u = atan2(x, -z) / 2 pi. ResourceImporterLayeredTexture cuts one picture into the six faces.
       {"godot", "Godot", ours, plus_z, CubeLayout::tiles},
+      // cmgen (CubemapUtils.cpp, mirrorCubemap and equirectangularToCubemap): u = 1/2 + atan2(-x, z) / 2 pi, and cubes by
+      // the table, at which the shaders look with world directions (surface_light_indirect.fs).
+      {"filament", "Filament", ours, plus_z, CubeLayout::faces},
       // envmap_fragment.glsl.js: textureCube(envMap, (-x, y, z)), and u = 1/2 + atan2(z, x) / 2 pi.
       {"three", "three.js", x_mirrored, plus_x, CubeLayout::faces},
       // Cycles, camera/projection.h: u = 1/2 - atan2(y, x) / 2 pi in Blender's axes, our (x, -z, y).

@@ -41,7 +41,7 @@ TEST(Preset, ACubeAnswersByTheProgramsLookUp) {
   };
   const glm::mat3 x_mirrored(glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1));
   const glm::mat3 z_up(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0));
-  for (const std::string_view name : {"opengl", "vulkan", "directx", "godot", "renderman"})
+  for (const std::string_view name : {"opengl", "vulkan", "directx", "godot", "filament", "renderman"})
     expectLookUp(name, glm::mat3(1.0f));
   expectLookUp("unity", x_mirrored);
   expectLookUp("three", x_mirrored);
@@ -63,6 +63,7 @@ TEST(Preset, APanoramaAnswersByTheProgramsFormula) {
   };
   for (const std::string_view name : {"opengl", "vulkan", "directx", "godot", "renderman"})
     expectLongitude(name, [](glm::vec3 d) { return turns(d.x, -d.z); });
+  expectLongitude("filament", [](glm::vec3 d) { return 0.5f + turns(-d.x, d.z); });
   expectLongitude("three", [](glm::vec3 d) { return 0.5f + turns(d.z, d.x); });
   expectLongitude("unity", [](glm::vec3 d) { return 0.5f - turns(d.z, -d.x); });
   expectLongitude("unreal", [](glm::vec3 d) { return 0.5f + turns(d.x, -d.z); });

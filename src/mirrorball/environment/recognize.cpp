@@ -197,6 +197,14 @@ Metadata metadataOf(const MapForm& form) {
 
 Metadata metadataOfLevelSheet() { return {{kSheetKey, "mip levels"}}; }
 
+bool isRecognizedUnsaid(const MapForm& form) {
+  if (form.has_texels_on_edges) return false;
+  if (form.projection == Projection::equirect) return form.centre == SignedAxis::plus_z;
+  if (form.projection == Projection::cube)
+    return form.arrangement == CubeArrangement{} || form.arrangement == asSeen(CubeArrangement{});
+  return form.projection == Projection::sphere;
+}
+
 Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by) {
   const auto stated = hintOfMetadata(metadata);
   const bool is_told = stated && stated->projection && stated->layout == CubeLayout::faces;

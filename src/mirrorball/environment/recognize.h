@@ -43,6 +43,10 @@ Metadata metadataOf(const MapForm& form);
 /// What a sheet of mip levels (image/level_sheet.h) says of itself, so that nobody takes it for a map of its shape.
 Metadata metadataOfLevelSheet();
 
+/// Whether a texture that says nothing of itself is taken for a map of that form: by its six faces and how their edges meet,
+/// or by its shape.
+bool isRecognizedUnsaid(const MapForm& form);
+
 /// Tells the form of six files with an image each, by the hint, else by the first one's metadata.
 ///
 /// told_by  what told that they are six faces, when neither says more

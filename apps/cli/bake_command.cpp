@@ -12,6 +12,8 @@
 #include "cli/baked_set.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/cube_files.h"
+#include "cli/engine_set.h"
 #include "cli/files.h"
 #include "cli/map_output.h"
 #include "cli/stage_clock.h"
@@ -29,10 +31,10 @@ const std::string kBakedHelp =
     "needed: a folder, for all maps and a manifest; for several environments one with a folder for each; or a " +
     writtenExtensions(Holds::texture, " or ") + " file, for one's specular chain only (-.ktx2: standard output)";
 
-constexpr std::array<std::string_view, 2> kCubeExtensions{"ktx2", "dds"};
-constexpr std::array<std::string_view, 3> kBrdfExtensions{"ktx2", "dds", "exr"};
+constexpr std::array<std::string_view, 5> kCubeExtensions{"ktx2", "ktx", "dds", "exr", "hdr"};
+constexpr std::array<std::string_view, 4> kBrdfExtensions{"ktx2", "ktx", "dds", "exr"};
 
-const std::array<Option<BakeOptions>, 17> kBakeOptions{{
+const std::array<Option<BakeOptions>, 19> kBakeOptions{{
     {{.name = "output", .value = "OUT", .help = kBakedHelp, .letter = "o", .takes_path = true}, &BakeOptions::output},
     {{.name = "size",
       .value = "N",
@@ -45,7 +47,8 @@ const std::array<Option<BakeOptions>, 17> kBakeOptions{{
       .value = "N",
       .minimum = 0,
       .maximum = 14,
-      .help = "of the chain, level 0 among them; the last is for roughness 1. 0: down to 4 x 4 texels a face"},
+      .help = "of the chain, level 0 among them; the last is for roughness 1. 0: down to 4 x 4 texels a face, "
+              "for filament to 16 x 16"},
      &BakeOptions::levels},
     {{.name = "distribution", .choices = "ggx|phong|blinn|charlie", .help = "of the microfacets; charlie is for cloth"},
      choiceField<&BakeOptions::distribution>},
@@ -87,13 +90,23 @@ const std::array<Option<BakeOptions>, 17> kBakeOptions{{
               "grazing angles too"},
      choiceField<&BakeOptions::brdf_axes>},
     {{.name = "brdf-extension",
-      .value = "ktx2|dds|exr",
-      .help = "of the BRDF table's file; else as --extension",
+      .value = "ktx2|ktx|dds|exr",
+      .help = "of the BRDF table's file; else as --extension, with .hdr .exr",
       .names = [] { return std::span<const std::string_view>(kBrdfExtensions); }},
      &BakeOptions::brdf_extension},
+    {{.name = "skybox", .help = "also the environment as it is, for the background; filament always has one"},
+     &BakeOptions::skybox},
+    {{.name = "skybox-size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 0,
+      .maximum = 8192,
+      .help = "of the skybox, a face's side; 0: as fine as the environment, but at most 1024"},
+     &BakeOptions::skybox_size},
     {{.name = "extension",
-      .value = "ktx2|dds",
-      .help = "of the files in a folder",
+      .value = "ktx2|ktx|dds|exr|hdr",
+      .help = "of the files in a folder: textures, or pictures of each level and face (m0_px.exr); else ktx2, for "
+              "filament ktx",
       .names = [] { return std::span<const std::string_view>(kCubeExtensions); }},
      &BakeOptions::extension},
     {{.name = "from",
@@ -128,40 +141,91 @@ Result<std::string_view> extensionNamed(const std::string& name, std::span<const
   return tl::unexpected<Error>(unknownName("extension", name, known));
 }
 
+/// Refuses options that say something about what there is not.
+///
+/// why      what to say before and after the option's name
+/// errors   usage
+Result<void> refuseOptions(const BakeOptions& options, std::span<const std::string_view> names,
+                           const std::array<std::string, 2>& why) {
+  const BakeOptions defaults;
+  for (const Option<BakeOptions>& option : kBakeOptions)
+    if (std::ranges::find(names, option.text.name) != names.end() &&
+        written(option, options) != written(option, defaults))
+      return fail(ErrorCode::usage, why[0] + "--" + std::string(option.text.name) + why[1]);
+  return {};
+}
+
+/// The extension of a set's textures, or pictures.
+///
+/// errors   usage: none that there is, or none that the program reads
+Result<std::string_view> extensionFor(const BakeRequest& request) {
+  const EngineSet& set = request.set;
+  if (request.options.extension.empty()) return set.extension;
+  MIRRORBALL_TRY(extension, extensionNamed(request.options.extension, kCubeExtensions));
+  if (set.files == SetFiles::cmgens && isTexturePath("x." + std::string(extension)) && extension != set.extension)
+    return fail(ErrorCode::usage, "--extension: " + std::string(set.program) + " reads ." + std::string(set.extension) +
+                                      ", no ." + std::string(extension) + "; leave --extension out");
+  return extension;
+}
+
+/// A folder's own name, also of "." and "..".
+std::string nameOfFolder(const std::string& folder) {
+  const std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+/// The files of irradiance and of the BRDF table, which a program may have none of.
+Result<void> addOurFiles(const BakeRequest& request, std::string_view extension, BakedFiles& files) {
+  const BakeOptions& options = request.options;
+  MIRRORBALL_TRY(irradiance, CubeFiles::resolve(request.output, files.folder, {"irradiance", "i"}, extension, 1));
+  files.irradiance = std::move(irradiance);
+  const std::string brdf =
+      options.brdf_extension.empty() ? std::string(extension == "hdr" ? "exr" : extension) : options.brdf_extension;
+  MIRRORBALL_TRY(brdf_extension, extensionNamed(brdf, kBrdfExtensions));
+  files.brdf = brdfFile(files.folder + "/brdf", brdf_extension, options, request.output);
+  return {};
+}
+
 /// errors   usage: no such folder can be, or no such files
 Result<BakedFiles> filesOf(const BakeRequest& request) {
   namespace fs = std::filesystem;
+  constexpr std::array<std::string_view, 6> kOfOurs{"irradiance-size", "sh-degree", "brdf-size",
+                                                    "brdf-channels",   "brdf-axes", "brdf-extension"};
   const BakeOptions& options = request.options;
-  MIRRORBALL_TRY(extension, extensionNamed(options.extension, kCubeExtensions));
-  const bool has_own = !options.brdf_extension.empty();
-  MIRRORBALL_TRY(brdf_extension, extensionNamed(has_own ? options.brdf_extension : options.extension, kBrdfExtensions));
+  const bool is_cmgens = request.set.files == SetFiles::cmgens;
+  if (is_cmgens)
+    MIRRORBALL_TRY_VOID(refuseOptions(options, kOfOurs,
+                                      {"",
+                                       ": Filament has a BRDF table of its own, and irradiance from harmonics of "
+                                       "three bands; leave it out"}));
+  MIRRORBALL_TRY(extension, extensionFor(request));
   std::string folder = options.output;
   while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
   std::error_code status;
   if (fs::exists(folder, status) && !fs::is_directory(folder, status))
     return fail(ErrorCode::usage, folder + ": is a file; name a folder, or a " +
                                       writtenExtensions(Holds::texture, " or ") + " file for the chain only");
-  MapOutputOptions output = request.output;
-  output.output = folder + "/specular." + std::string(extension);
-  MIRRORBALL_TRY(specular, MapOutput::resolve(output, Projection::cube));
-  output.output = folder + "/irradiance." + std::string(extension);
-  MIRRORBALL_TRY(irradiance, MapOutput::resolve(output, Projection::cube));
-  return BakedFiles{request.environment, folder, std::move(specular), std::move(irradiance),
-                    brdfFile(folder + "/brdf", brdf_extension, options, request.output)};
+  const std::string prefix = is_cmgens ? nameOfFolder(folder) + "_" : "";
+  const CubeNames chain{is_cmgens ? prefix + "ibl" : "specular", "m", true};
+  MIRRORBALL_TRY(specular, CubeFiles::resolve(request.output, folder, chain, extension, levelCount(request)));
+  BakedFiles files{
+      .source = request.environment, .folder = folder, .set = request.set, .specular = std::move(specular)};
+  if (is_cmgens || options.skybox || options.skybox_size > 0) {
+    MIRRORBALL_TRY(skybox, CubeFiles::resolve(request.output, folder, {prefix + "skybox", "skybox"}, extension, 1));
+    files.skybox = std::move(skybox);
+  }
+  if (!is_cmgens) MIRRORBALL_TRY_VOID(addOurFiles(request, extension, files));
+  return files;
 }
 
 /// errors   usage: an option that says something about what only a folder has
 Result<void> refuseOptionsOfFolders(const BakeOptions& options) {
-  constexpr std::array<std::string_view, 7> kOfFolders{"irradiance-size", "sh-degree", "brdf-size",     "brdf-channels",
-                                                       "brdf-axes",       "extension", "brdf-extension"};
-  const BakeOptions defaults;
-  for (const Option<BakeOptions>& option : kBakeOptions)
-    if (std::ranges::find(kOfFolders, option.text.name) != kOfFolders.end() &&
-        written(option, options) != written(option, defaults))
-      return fail(ErrorCode::usage, options.output + ": holds the specular chain only, and --" +
-                                        std::string(option.text.name) +
-                                        " is for what lies beside it; name a folder, without an extension");
-  return {};
+  constexpr std::array<std::string_view, 9> kOfFolders{"irradiance-size", "sh-degree",   "brdf-size",
+                                                       "brdf-channels",   "brdf-axes",   "brdf-extension",
+                                                       "skybox",          "skybox-size", "extension"};
+  return refuseOptions(options, kOfFolders,
+                       {options.output + ": holds the specular chain only, and ",
+                        " is for what lies beside it; name a folder, without an extension"});
 }
 
 Result<void> bakeFile(const BakeRequest& request, StageClock& clock) {
@@ -175,7 +239,9 @@ Result<void> bakeFile(const BakeRequest& request, StageClock& clock) {
   MIRRORBALL_TRY(output, MapOutput::resolve(to_file, Projection::cube));
   MIRRORBALL_TRY_VOID(checkFolder(to_file.output));
   MIRRORBALL_TRY(chain, bakeChain(request, output, clock));
-  MIRRORBALL_TRY_VOID(clock.time("files: write", [&] { return output.writeLevels(std::move(chain)); }));
+  MIRRORBALL_TRY_VOID(
+      clock.time("files: write", [&] { return output.writeLevels(std::move(chain.levels), chain.facts); }));
+  output.remarkOnForm();
   return {};
 }
 
@@ -183,14 +249,6 @@ Result<void> bakeFolder(const BakeRequest& request, StageClock& clock) {
   MIRRORBALL_TRY(files, filesOf(request));
   MIRRORBALL_TRY(set, bakeSet(request, files, clock));
   return clock.time("files: write", [&] { return writeSet(std::move(set), files, request.options); });
-}
-
-/// The way in which a program looks levels up; docs/prefiltering.md has the sources.
-MipMappingChoice mipMappingFor(std::string_view program) {
-  if (program == "unreal") return MipMappingChoice::unreal;
-  if (program == "unity") return MipMappingChoice::unity;
-  if (program == "godot") return MipMappingChoice::frostbite;
-  return MipMappingChoice::filament;
 }
 
 /// Whether an output is one file rather than a folder.
@@ -226,6 +284,30 @@ Result<void> bakeMany(const std::vector<std::string>& inputs, BakeRequest reques
   return outcomeOfMany(failed, inputs.size(), "baked", parent);
 }
 
+/// Settles what the command line leaves to the program that the maps are for.
+///
+/// errors   usage: there is no such program, or there are not so many levels
+Result<void> settleBy(BakeRequest& request) {
+  BakeOptions& options = request.options;
+  MIRRORBALL_TRY(set, engineSetFor(request.output.program));
+  request.set = set;
+  if (options.mip_mapping == MipMappingChoice::as_for) options.mip_mapping = set.mip_mapping;
+  if (options.levels > mostLevels(options.size))
+    return fail(ErrorCode::usage, "--levels: --size " + std::to_string(options.size) + " has at most " +
+                                      std::to_string(mostLevels(options.size)) +
+                                      ", the last of one texel a face; ask for no more");
+  const std::string extension = isFile(options.output) ? extensionOf(options.output) : options.extension;
+  if (!extension.empty() && !indexOfName(extension, {&set.extension, 1})) return {};
+  std::string& format = request.output.format;
+  if (format == "auto") format = set.format;
+  const std::vector<std::string> words = split(set.formats, ' ');
+  const std::vector<std::string_view> known(words.begin(), words.end());
+  if (!set.formats.empty() && !indexOfName(format, known))
+    return fail(ErrorCode::usage, "--format: " + std::string(set.program) + " reads " + join(known) + ", no " + format +
+                                      "; leave --format out");
+  return {};
+}
+
 Result<void> bake(const std::vector<std::string>& inputs, BakeRequest request) {
   const std::string& output = request.options.output;
   if (output.empty()) {
@@ -236,18 +318,7 @@ Result<void> bake(const std::vector<std::string>& inputs, BakeRequest request) {
                 "bake needs an output: -o FOLDER, or a " + writtenExtensions(Holds::texture, " or ") + " file");
   }
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
-  if (request.options.mip_mapping == MipMappingChoice::as_for) {
-    std::string_view program;
-    if (!request.output.program.empty()) {
-      MIRRORBALL_TRY(preset, presetNamed(request.output.program));
-      program = preset.name;
-    }
-    request.options.mip_mapping = mipMappingFor(program);
-  }
-  if (request.options.levels > mostLevels(request.options.size))
-    return fail(ErrorCode::usage, "--levels: --size " + std::to_string(request.options.size) + " has at most " +
-                                      std::to_string(mostLevels(request.options.size)) +
-                                      ", the last of one texel a face; ask for no more");
+  MIRRORBALL_TRY_VOID(settleBy(request));
   if (inputs.size() > 1) return bakeMany(inputs, std::move(request));
   request.environment = inputs.front();
   return bakeOne(request);

@@ -35,7 +35,9 @@ struct BakeOptions {
   int brdf_channels = 3;
   BrdfAxes brdf_axes = BrdfAxes::linear;
   std::string brdf_extension;
-  std::string extension = "ktx2";
+  bool skybox = false;
+  int skybox_size = 0;
+  std::string extension;
   bool timings = false;
   std::string max_memory;
 };
@@ -44,12 +46,5 @@ std::span<const Option<BakeOptions>> bakeOptions();
 
 /// How the value of one of them is written on the command line.
 std::string writtenValue(const BakeOptions& options, std::string_view name);
-
-/// All that `bake` was told of one environment.
-struct BakeRequest {
-  std::string environment;
-  BakeOptions options;
-  MapOutputOptions output;
-};
 
 }  // namespace mirrorball::cli

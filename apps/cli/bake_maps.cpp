@@ -16,6 +16,7 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/load.h"
 
 namespace mirrorball::cli {
@@ -80,7 +81,7 @@ std::vector<PrefilterLevel> levelsOf(const BakeRequest& request) {
   std::vector<PrefilterLevel> levels = prefilterLevels({.size = options.size,
                                                         .distribution = options.distribution,
                                                         .mip_mapping = mipMappingOf(options.mip_mapping),
-                                                        .levels = options.levels});
+                                                        .levels = levelCount(request)});
   const std::size_t last = levels.size() - 1;
   if (options.levels == 0 && last == 0)
     remark("a chain of --size " + std::to_string(options.size) +
@@ -147,50 +148,87 @@ std::uint64_t bytesOfChain(const std::vector<PrefilterLevel>& levels) {
   return bytes;
 }
 
+/// How fine a skybox is, as far as it is left to us.
+int skyboxSize(const BakeOptions& options, const Environment& environment) {
+  constexpr int kMost = 1024;
+  return options.skybox_size > 0 ? options.skybox_size : std::min(environment.naturalSize(Projection::cube), kMost);
+}
+
+Result<EnvironmentMap> skyboxOf(const Environment& environment, int size, const glm::mat3& source_from_target,
+                                StageClock& clock) {
+  return clock.time("skybox: convert", [&] {
+    return convert(environment, Projection::cube, size, {.source_from_target = source_from_target},
+                   progressBar("skybox"));
+  });
+}
+
+/// The most memory that is needed at a time, beside the BRDF table.
+std::uint64_t memoryFor(const BakeRequest& request, const BakedFiles& files, const BakedSet& set,
+                        const Environment& environment) {
+  const int irradiance_size = files.irradiance ? request.options.irradiance_size : 0;
+  const std::uint64_t made = prefilterMemory(environment, set.levels, Lobe::cosine(), irradiance_size);
+  std::uint64_t packed = files.specular.memoryToWrite(request.options.size);
+  if (files.irradiance) packed = std::max(packed, files.irradiance->memoryToWrite(irradiance_size));
+  if (files.skybox) packed = std::max(packed, files.skybox->memoryToWrite(set.skybox_size));
+  const std::uint64_t written = bytesOfChain(set.levels) + cubeBytes(irradiance_size) + packed;
+  return cubeBytes(set.skybox_size) + std::max(made, written);
+}
+
 }  // namespace
 
-Result<ImageSet> bakeChain(const BakeRequest& request, const MapOutput& output, StageClock& clock) {
+Result<BakedChain> bakeChain(const BakeRequest& request, const MapOutput& output, StageClock& clock) {
   MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request, output.paths()); }));
   const std::vector<PrefilterLevel> levels = clock.time("lobes: bands", [&] { return levelsOf(request); });
   const std::uint64_t written = bytesOfChain(levels) + output.memoryToWrite(request.options.size);
   MIRRORBALL_TRY_VOID(checkMemory("the chain of " + loaded.name,
                                   std::max(prefilterMemory(loaded.environment, levels, Lobe::cosine(), 0), written)));
-  MIRRORBALL_TRY(light, analysed(loaded.environment, lobesOf(levels), clock));
-  return prefiltered(std::move(loaded.environment), light, levels, sourceFromRotated(request.options.rotate_deg),
-                     clock);
+  std::vector<Lobe> lobes = lobesOf(levels);
+  const bool has_harmonics = request.set.files == SetFiles::cmgens;
+  if (has_harmonics) lobes.push_back(Lobe::cosine());
+  MIRRORBALL_TRY(light, analysed(loaded.environment, lobes, clock));
+  const glm::mat3 source_from_target = sourceFromRotated(request.options.rotate_deg);
+  MIRRORBALL_TRY(chain, prefiltered(std::move(loaded.environment), light, levels, source_from_target, clock));
+  if (!has_harmonics) return BakedChain{std::move(chain), {}};
+  return BakedChain{std::move(chain), factsFor(request.set, radianceHarmonics(light, 2, source_from_target))};
 }
 
 Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, StageClock& clock) {
   const BakeOptions& options = request.options;
-  const std::uint64_t table_bytes = bytesOfTable(options);
+  const std::uint64_t table_bytes = files.brdf ? bytesOfTable(options) : 0;
   MIRRORBALL_TRY_VOID(checkMemory("the BRDF table", table_bytes));
   // The table needs no environment; reading one leaves cores idle.
   std::optional<LaterTable> table;
-  if (table_bytes <= kSmallTable_bytes) table.emplace(options, clock);
+  if (files.brdf && table_bytes <= kSmallTable_bytes) table.emplace(options, clock);
   MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request, files.paths()); }));
 
   BakedSet set;
   set.inputs = loaded.files;
   set.levels = clock.time("lobes: bands", [&] { return levelsOf(request); });
+  if (files.skybox) set.skybox_size = skyboxSize(options, loaded.environment);
+  MIRRORBALL_TRY_VOID(
+      checkMemory("baking " + loaded.name, table_bytes + memoryFor(request, files, set, loaded.environment)));
+
+  const glm::mat3 source_from_target = sourceFromRotated(options.rotate_deg);
+  if (files.brdf) {
+    if (!table) table.emplace(options, clock);
+    MIRRORBALL_TRY(brdf, table->get());
+    set.brdf = std::move(brdf);
+  }
+  if (files.skybox) {
+    MIRRORBALL_TRY(skybox, skyboxOf(loaded.environment, set.skybox_size, source_from_target, clock));
+    set.skybox = std::move(skybox);
+  }
   std::vector<Lobe> lobes = lobesOf(set.levels);
   lobes.push_back(Lobe::cosine());
-  const std::uint64_t made = prefilterMemory(loaded.environment, set.levels, lobes.back(), options.irradiance_size);
-  const std::uint64_t written =
-      bytesOfChain(set.levels) + cubeBytes(options.irradiance_size) +
-      std::max(files.specular.memoryToWrite(options.size), files.irradiance.memoryToWrite(options.irradiance_size));
-  MIRRORBALL_TRY_VOID(checkMemory("baking " + loaded.name, table_bytes + std::max(made, written)));
-
-  if (!table) table.emplace(options, clock);
-  MIRRORBALL_TRY(brdf, table->get());
-  set.brdf = std::move(brdf);
   MIRRORBALL_TRY(light, analysed(loaded.environment, lobes, clock));
-  const glm::mat3 source_from_target = sourceFromRotated(options.rotate_deg);
   MIRRORBALL_TRY(specular, prefiltered(std::move(loaded.environment), light, set.levels, source_from_target, clock));
   set.specular = std::move(specular);
-  MIRRORBALL_TRY(irradiance, clock.time("irradiance: cube", [&] {
-    return cubeOf(light, lobes.back(), options.irradiance_size, source_from_target, progressBar("irradiance"));
-  }));
-  set.irradiance = std::move(irradiance);
+  if (files.irradiance) {
+    MIRRORBALL_TRY(irradiance, clock.time("irradiance: cube", [&] {
+      return cubeOf(light, lobes.back(), options.irradiance_size, source_from_target, progressBar("irradiance"));
+    }));
+    set.irradiance = std::move(irradiance);
+  }
   set.radiance = radianceHarmonics(light, options.harmonics_degree, source_from_target);
   return set;
 }

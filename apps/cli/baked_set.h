@@ -1,21 +1,24 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/bake_command.h"
 #include "cli/brdf_file.h"
-#include "cli/map_output.h"
+#include "cli/cube_files.h"
+#include "cli/engine_set.h"
 #include "mirrorball/bake/spherical_harmonics.h"
 
 namespace mirrorball::cli {
 
-/// All that `bake` makes of an environment for an engine.
+/// All that `bake` makes of an environment for an engine; cubes and table as far as they are asked for.
 struct BakedSet {
   std::vector<std::string> inputs;  ///< the environment's files
   std::vector<PrefilterLevel> levels;
   ImageSet specular;
-  EnvironmentMap irradiance;  ///< divided by π
+  EnvironmentMap irradiance = {};  ///< divided by π
+  EnvironmentMap skybox = {};
+  int skybox_size = 0;
   Harmonics radiance;
   Image brdf;
 };
@@ -24,17 +27,22 @@ struct BakedSet {
 struct BakedFiles {
   std::string source;  ///< the environment's name, for the manifest
   std::string folder;
-  MapOutput specular;
-  MapOutput irradiance;
-  BrdfFile brdf;
+  EngineSet set;
+  CubeFiles specular;
+  std::optional<CubeFiles> irradiance = {};
+  std::optional<CubeFiles> skybox = {};
+  std::optional<BrdfFile> brdf = {};
 
   /// Of all that is written.
   std::vector<std::string> paths() const;
 };
 
-/// Writes specular, irradiance and BRDF table as textures, the harmonics as sh.json and sh.h, and at last manifest.json,
-/// which says what is what. The folder is made if it is not there, and is gone again if they could not all be written; of
-/// an older set in it the manifest is gone then, and files may be.
+/// What a chain for a program says of the environment beside its levels: Filament's, the harmonics.
+Metadata factsFor(const EngineSet& set, const Harmonics& radiance);
+
+/// Writes the cubes and the BRDF table, the harmonics as text, and at last manifest.json, which says what is what. The
+/// folder is made if it is not there, and is gone again if they could not all be written; of an older set in it the
+/// manifest is gone then, and files may be.
 ///
 /// errors   io; interrupted, between files; as writeImageSet's and writeImage's
 Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& options);

@@ -15,6 +15,7 @@
 #include "cli/terminal.h"
 #include "formula/constants.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/codec/metadata.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"
 
@@ -84,6 +85,9 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
   MapInfo map{.loaded = std::move(loaded)};
   if (map.loaded.recognition)
     map.covered = coveredSolidAngle(map.loaded.recognition->form.projection) / (2.0f * formula::kTwoPi);
+  const Metadata& said = map.loaded.metadata;
+  if (const auto text = said.find(kFilamentHarmonicsKey); text != said.end())
+    map.harmonics = filamentHarmonicsIn(text->second);
   if (direction) map.direction = directionInfo(map.loaded.environment, *direction);
   if (!direction || json) {
     MIRRORBALL_TRY(statistics, statisticsOf(map.loaded.environment));

@@ -57,6 +57,8 @@ void add(const MapInfo& map, Json& json) {
   json["mean"] = arrayOf(map.statistics.mean);
   json["brightest"] = {{"radiance", arrayOf(map.statistics.brightest)},
                        {"direction", arrayOf(map.statistics.brightest_direction)}};
+  if (map.harmonics)
+    for (const glm::vec3& row : *map.harmonics) json["filament_harmonics"].push_back(arrayOf(row));
   if (map.direction) json["direction"] = jsonOfDirection(*map.direction);
 }
 

@@ -80,7 +80,11 @@ std::string directionText(const DirectionInfo& direction) {
 }
 
 std::string textOf(const MapInfo& map) {
-  return map.direction ? directionText(*map.direction) : fileText(map) + statisticsText(map.statistics);
+  if (map.direction) return directionText(*map.direction);
+  std::string said = fileText(map) + statisticsText(map.statistics);
+  if (map.harmonics)
+    said += line("harmonics", "Filament's, of irradiance / pi: " + text((*map.harmonics)[0]) + " in the mean");
+  return said;
 }
 
 std::string textOf(const FoundBrdfTable& table) {

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "cli/brdf_file.h"
+#include "mirrorball/bake/filament_harmonics.h"
 #include "mirrorball/environment/load.h"
 #include "mirrorball/environment/statistics.h"
 
@@ -35,7 +36,8 @@ struct MapInfo {
   LoadedEnvironment loaded;
   float covered = 1.0f;  ///< share of the sphere
   RadianceStatistics statistics = {};
-  std::optional<DirectionInfo> direction = {};  ///< if it was asked for
+  std::optional<FilamentHarmonics> harmonics = {};  ///< that a file for Filament has
+  std::optional<DirectionInfo> direction = {};      ///< if it was asked for
 };
 
 /// What is known of one input.

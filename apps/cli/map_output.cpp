@@ -290,6 +290,11 @@ void MapOutput::remarkOnForm() const {
     remark(output_ + ": a DDS does not say what map it holds; to read this one, add --from " + hint_);
 }
 
+std::string MapOutput::pictureFormat() const {
+  if (extensionOf(output_) == "hdr") return "three channels of a shared exponent";
+  return half_ ? "three channels of half floats" : "three channels of 32-bit floats";
+}
+
 void MapOutput::remarkOnLosses(std::size_t negative) const {
   if (!format_) return;
   tellNegative(negative);
@@ -332,19 +337,20 @@ bool MapOutput::refusesNegative() const {
   return extensionOf(output_) == "hdr" || (format_ && refusesNegativeLight(*format_));
 }
 
-Result<TexelFormat> MapOutput::writeImages(const ImageSet& images) const {
+Result<TexelFormat> MapOutput::writeImages(const ImageSet& images, const Metadata& facts) const {
+  Metadata metadata = metadataOf(form_);
+  metadata.insert(facts.begin(), facts.end());
   MIRRORBALL_TRY(written, inFormat([&](TexelFormat format) {
-                   return writeImageSet(
-                       output_, images,
-                       {.format = format, .zstandard_level = zstandard_level_, .metadata = metadataOf(form_)});
+                   return writeImageSet(output_, images,
+                                        {.format = format, .zstandard_level = zstandard_level_, .metadata = metadata});
                  }));
   announce(output_);
   return written;
 }
 
-Result<TexelFormat> MapOutput::writeLevels(ImageSet levels) const {
+Result<TexelFormat> MapOutput::writeLevels(ImageSet levels, const Metadata& facts) const {
   tellLost(limitLevels(levels));
-  return writeImages(arranged(std::move(levels), form_.arrangement));
+  return writeImages(arranged(std::move(levels), form_.arrangement), facts);
 }
 
 std::uint64_t MapOutput::memoryToWrite(int size) const {

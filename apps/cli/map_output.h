@@ -93,11 +93,15 @@ class MapOutput {
 
   /// Writes a cube's texture, all of whose levels are made already.
   ///
+  /// facts    that it keeps beside its form
   /// returns  the format that it was written in
-  Result<TexelFormat> writeLevels(ImageSet levels) const;
+  Result<TexelFormat> writeLevels(ImageSet levels, const Metadata& facts = {}) const;
 
   /// Says how to read the file again, if it is one that does not say what map it holds and that would be taken for another.
   void remarkOnForm() const;
+
+  /// How pictures hold light: "three channels of half floats".
+  std::string pictureFormat() const;
 
   /// The memory that writing a cube of `size`² texels a face takes beside them.
   std::uint64_t memoryToWrite(int size) const;
@@ -111,7 +115,7 @@ class MapOutput {
   bool hasLevels() const { return all_levels_ || level_; }
   Result<void> writeFiles(ImageSet images, std::size_t negative) const;
   Result<void> writePictures(ImageSet images) const;
-  Result<TexelFormat> writeImages(const ImageSet& images) const;
+  Result<TexelFormat> writeImages(const ImageSet& images, const Metadata& facts = {}) const;
   /// Whether a format was asked for that does not hold all light.
   bool limitsLight() const;
   /// Lowers what that format does not hold; returns what is lost of the first level.

@@ -80,6 +80,13 @@ TEST_F(BakeInterruptTest, WritingStopsBetweenFiles) {
                              Not(Contains("out/manifest.json")), Not(Contains(HasSubstr(".part")))));
 }
 
+TEST_F(BakeInterruptTest, PicturesStopBetweenLevels) {
+  const std::string line = "bake white --size 1024 --brdf-size 2 --extension exr -o ";
+  EXPECT_THAT(interruptAt("wrote new/out/m0_px.exr", line + "new/out"),
+              HasSubstr("mirrorball: interrupted; nothing was written"));
+  EXPECT_THAT(files(), ElementsAre("map.exr"));
+}
+
 TEST_F(BakeInterruptTest, WhatCannotBeReadIsToldAtOnce) {
   write("broken.exr", std::string("no picture"));
   for (const std::string name : {"missing.exr", "broken.exr"}) {

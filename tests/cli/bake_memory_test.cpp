@@ -33,7 +33,8 @@ TEST_F(BakeMemoryTest, ThePeakIsBelowWhatWasAskedFor) {
   for (const std::string command :
        {"bake map.exr -o chain.ktx2 --size 512", "bake map.exr -o chain.ktx2 --size 1024",
         "bake map.exr -o chain.dds --size 512 --mip-mapping unreal --for unreal",
-        "bake map.exr -o out --size 256 --irradiance-size 1024", "bake map.exr -o out --size 256 --brdf-size 1024"}) {
+        "bake map.exr -o out --size 256 --irradiance-size 1024", "bake map.exr -o out --size 256 --brdf-size 1024",
+        "bake map.exr -o out --size 256 --skybox-size 1024"}) {
     const int need_mb = needOf(command);
     refuse(1, command + " --max-memory " + std::to_string(need_mb - 1) + "M");
     const std::uint64_t peak = peakOf(command + " --max-memory " + std::to_string(need_mb + 1) + "M");

@@ -88,8 +88,8 @@ Result<std::string> decideByEdges(Recognition& recognition, EnvironmentMap& map,
 
 /// A cube whose six images are there.
 Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::string format, std::string color,
-                                 Recognition recognition, const NonFinite& bad, std::vector<std::string> files,
-                                 const EnvironmentLoadOptions& options) {
+                                 Metadata metadata, Recognition recognition, const NonFinite& bad,
+                                 std::vector<std::string> files, const EnvironmentLoadOptions& options) {
   if (faceCount(recognition.form.projection) != 6)
     return fail(ErrorCode::bad_shape, name + ": has the six faces of a cube, and a map of projection " +
                                           std::string(nameOf(recognition.form.projection)) +
@@ -108,6 +108,7 @@ Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::
                            .file_size = size,
                            .bad_texels = bad,
                            .files = std::move(files),
+                           .metadata = std::move(metadata),
                            .doubt = std::move(doubt)};
 }
 
@@ -117,14 +118,16 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
   Recognition recognition;
   std::string format;
   std::string color;
+  Metadata metadata;
   NonFinite bad;
   for (int slot = 0; slot < 6; ++slot) {
     const std::string path = files.paths[static_cast<std::size_t>(slot)].string();
     MIRRORBALL_TRY(decoded, readImage(path));
     MIRRORBALL_TRY(bad_here, checkNonFinite(path, decoded.image, options));
-    if (slot == 0)
-      recognition =
-          recognizeFaces(decoded.metadata, options.from, "its name, one of six faces " + textOf(files.naming));
+    if (slot == 0) {
+      metadata = std::move(decoded.metadata);
+      recognition = recognizeFaces(metadata, options.from, "its name, one of six faces " + textOf(files.naming));
+    }
     add(bad_here, bad);
     const int side = slot == 0 ? decoded.image.height() : images.at(0, 0).height();
     if (decoded.image.width() != side || decoded.image.height() != side)
@@ -137,8 +140,8 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
     format = decoded.format;
     color = decoded.color;
   }
-  return cubeOf(name, std::move(images), std::move(format), std::move(color), std::move(recognition), bad,
-                {files.paths.begin(), files.paths.end()}, options);
+  return cubeOf(name, std::move(images), std::move(format), std::move(color), std::move(metadata),
+                std::move(recognition), bad, {files.paths.begin(), files.paths.end()}, options);
 }
 
 Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage decoded,
@@ -168,6 +171,7 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage deco
                            .file_size = size,
                            .bad_texels = bad,
                            .files = {name},
+                           .metadata = std::move(decoded.metadata),
                            .doubt = std::move(doubt)};
 }
 
@@ -189,8 +193,9 @@ Result<LoadedEnvironment> loadCubeTexture(const std::string& name, DecodedImageS
     add(bad_here, bad);
     images.at(0, slot) = std::move(texture.images.at(0, slot));
   }
+  Recognition recognition = recognizeFaces(texture.metadata, options.from, "its texture, a cube");
   return cubeOf(name, std::move(images), texture.format + restOf(texture.images), texture.color,
-                recognizeFaces(texture.metadata, options.from, "its texture, a cube"), bad, {name}, options);
+                std::move(texture.metadata), std::move(recognition), bad, {name}, options);
 }
 
 /// A texture of one face.

@@ -32,6 +32,7 @@ struct LoadedEnvironment {
   NonFinite bad_texels;                    ///< as found, before any repair
   std::vector<std::string> files = {};     ///< that were read
   LostLight lost = {};                     ///< by the limit of the light
+  Metadata metadata = {};                  ///< what the file says of itself; of six files the first
   std::string doubt = {};                  ///< what speaks against the form that was recognised, for the user
   int levels = 1;                          ///< mip levels that its file holds, the map itself among them
 };

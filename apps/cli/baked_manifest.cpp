@@ -1,0 +1,180 @@
+#include "cli/baked_manifest.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/files.h"
+#include "cli/terminal.h"
+#include "formula/bsdf.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/codec/image_format.h"
+#include "mirrorball/codec/stored_format.h"
+#include "mirrorball/environment/cube_arrangement.h"
+#include "mirrorball/environment/face_files.h"
+
+namespace mirrorball::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Where a shader finds a roughness r, M being the last level.
+constexpr std::string_view lookUpOf(MipMapping mapping) {
+  switch (mapping) {
+    case MipMapping::linear:
+      return "lod = M r";
+    case MipMapping::unreal:
+      return "lod = M + 1.2 log2(r)";
+    case MipMapping::unity:
+      return "lod = M r (1.7 - 0.7 r)";
+    case MipMapping::frostbite:
+      return "lod = M sqrt(r)";
+    case MipMapping::filament:
+      break;
+  }
+  return "lod = M r (2 - r)";
+}
+
+/// A texture's name, or those of six pictures.
+void addFiles(std::span<const std::string> paths, Json& json) {
+  if (paths.size() == 1) json["file"] = fs::path(paths.front()).filename();
+  for (std::size_t i = 0; paths.size() > 1 && i < paths.size(); ++i)
+    json["files"].push_back(fs::path(paths[i]).filename());
+}
+
+Json specularJson(const BakedSet& set, const BakedFiles& files, const BakeOptions& options, const std::string& format) {
+  const std::vector<std::string> paths = files.specular.paths();
+  Json json;
+  if (files.specular.isTexture()) addFiles(paths, json);
+  json["format"] = format;
+  json["what"] =
+      "radiance, prefiltered with n = v = r: the mean under the lobe of each level; level 0 is the environment";
+  json["distribution"] = writtenValue(options, "distribution");
+  json["mip_mapping"] = writtenValue(options, "mip-mapping");
+  json["look_up"] = std::string(lookUpOf(mipMappingOf(options.mip_mapping))) +
+                    ", r the perceptual roughness, M = " + std::to_string(set.levels.size() - 1);
+  for (std::size_t i = 0; i < set.levels.size(); ++i) {
+    const PrefilterLevel& level = set.levels[i];
+    Json row{{"size", level.size},
+             {"perceptual_roughness", level.perceptual_roughness},
+             {"alpha", formula::alphaFromPerceptualRoughness(level.perceptual_roughness)},
+             {"prefiltered", level.lobe.has_value()}};
+    if (!files.specular.isTexture()) addFiles(std::span(paths).subspan(6 * i, 6), row);
+    json["levels"].push_back(std::move(row));
+  }
+  return json;
+}
+
+/// A cube of one level.
+Json cubeJson(const CubeFiles& files, const std::string& format, int size, const char* what) {
+  Json json;
+  addFiles(files.paths(), json);
+  json["format"] = format;
+  json["size"] = size;
+  json["what"] = what;
+  return json;
+}
+
+Json brdfJson(const BrdfFile& file, const BakeOptions& options) {
+  Json json;
+  json["file"] = fs::path(file.path).filename();
+  json["format"] = file.isTexture()                   ? nameOf(storedFormat(file.format))
+                   : file.format == TexelFormat::half ? "three channels of half floats"
+                                                      : "three channels of 32-bit floats";
+  json["size"] = options.brdf_size;
+  json["distribution"] = file.facts.distribution;
+  json["channels"] = {"scale of f0", "bias of f0"};
+  if (options.brdf_channels == 3) json["channels"].push_back("mean over all directions, for multiple scattering");
+  json["axes"] = options.brdf_axes == BrdfAxes::linear
+                     ? "linear: n.v = u to the right, perceptual roughness = v downwards, at texel centres"
+                     : "warped: see brdfTableCoordinates in formula/";
+  return json;
+}
+
+Json harmonicsJson(const EngineSet& set, const BakeOptions& options) {
+  if (set.files == SetFiles::cmgens)
+    return {{"file", "sh.txt"}, {"degree", 2}, {"what", "irradiance / pi, as coefficients of Filament's polynomial"}};
+  return {{"file", "sh.json"}, {"header", "sh.h"}, {"degree", options.harmonics_degree}};
+}
+
+/// All names of files that a manifest has, whatever it is.
+void collectFiles(const Json& json, std::vector<std::string>& names) {
+  if (json.is_array())
+    for (const Json& element : json) collectFiles(element, names);
+  if (!json.is_object()) return;
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_string() && (key == "file" || key == "header")) names.push_back(value.get<std::string>());
+    if (value.is_array() && key == "files")
+      for (const Json& name : value)
+        if (name.is_string()) names.push_back(name.get<std::string>());
+    collectFiles(value, names);
+  }
+}
+
+/// Whether a name is one that bake gives a file: nothing else in a folder is ours, whatever a manifest says.
+bool isOurs(const fs::path& name) {
+  if (name != name.filename()) return false;
+  const std::string stem = name.stem().string();
+  const std::string extension = extensionOf(name);
+  if (stem == "sh") return extension == "json" || extension == "h" || extension == "txt";
+  if (!formatToWrite(name, {Holds::light, Holds::texture})) return false;
+  if (isTexturePath(name) && (stem.ends_with("_ibl") || stem.ends_with("_skybox"))) return true;
+  if (stem == "specular" || stem == "irradiance" || stem == "skybox" || stem == "brdf") return true;
+  const std::size_t end = stem.rfind('_');
+  if (end == std::string::npos) return false;
+  const auto hasEnding = [&](FaceNaming naming) {
+    return std::ranges::find(endingsOf(naming), stem.substr(end + 1)) != endingsOf(naming).end();
+  };
+  const std::string cube = stem.substr(0, end);
+  const bool is_level = cube.size() > 1 && cube[0] == 'm' &&
+                        std::all_of(cube.begin() + 1, cube.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  return (is_level || cube == "i" || cube == "skybox") && (hasEnding(FaceNaming::px) || hasEnding(FaceNaming::signs));
+}
+
+}  // namespace
+
+std::string manifestOf(const BakedSet& set, const BakedFiles& files, const BakeOptions& options,
+                       const WrittenFormats& formats) {
+  Json json;
+  json["made_by"] = std::string("mirrorball ") + MIRRORBALL_VERSION + " bake";
+  json["source"] = shown(files.source);
+  if (!options.rotate_deg.empty()) json["rotate_deg"] = options.rotate_deg;
+  const std::string arrangement = textOf(files.specular.form().arrangement);
+  json["faces"] = arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
+  json["specular"] = specularJson(set, files, options, formats.specular);
+  if (files.irradiance)
+    json["irradiance"] = cubeJson(*files.irradiance, formats.irradiance, options.irradiance_size,
+                                  "irradiance / pi: the radiance of a white matt surface of that normal");
+  if (files.skybox)
+    json["skybox"] = cubeJson(*files.skybox, formats.skybox, set.skybox_size, "radiance: the environment as it is");
+  if (files.brdf) json["brdf"] = brdfJson(*files.brdf, options);
+  json["harmonics"] = harmonicsJson(files.set, options);
+  // File names need not be UTF-8, which JSON is.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void removeOlderSet(const BakedFiles& files, const std::vector<std::string>& inputs) {
+  const fs::path folder = files.folder;
+  const auto text = readFile(folder / "manifest.json");
+  std::error_code status;
+  fs::remove(folder / "manifest.json", status);
+  if (!text) return;
+  std::vector<std::string> older;
+  collectFiles(Json::parse(text->begin(), text->end(), nullptr, false), older);
+  std::vector<fs::path> newer;
+  for (const std::string& path : files.paths()) newer.push_back(fs::path(path).filename());
+  for (const std::string& name : older) {
+    if (!isOurs(name) || std::ranges::find(newer, fs::path(name)) != newer.end()) continue;
+    const std::string lies_at = (folder / name).string();
+    if (refuseOverwriting(inputs, {&lies_at, 1})) fs::remove(lies_at, status);
+  }
+}
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,60 @@
+#include "cli/cube_files.h"
+
+#include <utility>
+
+#include "mirrorball/codec/stored_format.h"
+
+namespace mirrorball::cli {
+namespace {
+
+/// One level as a cube of its own.
+EnvironmentMap levelOf(ImageSet& levels, int level) {
+  ImageSet images(1, 6);
+  for (int face = 0; face < 6; ++face) images.at(0, face) = std::move(levels.at(level, face));
+  return {Projection::cube, std::move(images)};
+}
+
+}  // namespace
+
+Result<CubeFiles> CubeFiles::resolve(const MapOutputOptions& options, const std::string& folder, const CubeNames& names,
+                                     std::string_view extension, int levels) {
+  const std::string ending = "." + std::string(extension);
+  CubeFiles files;
+  const auto add = [&](const std::string& name, const char* layout) -> Result<void> {
+    MapOutputOptions one = options;
+    one.output = folder + "/" + name + ending;
+    one.layout = layout;
+    MIRRORBALL_TRY(output, MapOutput::resolve(one, Projection::cube));
+    files.outputs_.push_back(std::move(output));
+    return {};
+  };
+  if (isTexturePath(names.texture + ending)) {
+    MIRRORBALL_TRY_VOID(add(names.texture, ""));
+    return files;
+  }
+  for (int level = 0; level < levels; ++level)
+    MIRRORBALL_TRY_VOID(add(names.picture + (names.has_levels ? std::to_string(level) : ""), "faces"));
+  return files;
+}
+
+std::vector<std::string> CubeFiles::paths() const {
+  std::vector<std::string> all;
+  for (const MapOutput& output : outputs_)
+    for (std::string& path : output.paths()) all.push_back(std::move(path));
+  return all;
+}
+
+Result<std::string> CubeFiles::write(ImageSet levels, const Metadata& facts,
+                                     const std::function<Result<void>()>& go_on) const {
+  if (isTexture()) {
+    MIRRORBALL_TRY(format, outputs_.front().writeLevels(std::move(levels), facts));
+    return nameOf(storedFormat(format));
+  }
+  for (int level = 0; level < levels.levels(); ++level) {
+    if (level > 0) MIRRORBALL_TRY_VOID(go_on());
+    MIRRORBALL_TRY_VOID(outputs_[static_cast<std::size_t>(level)].write(levelOf(levels, level)));
+  }
+  return outputs_.front().pictureFormat();
+}
+
+}  // namespace mirrorball::cli

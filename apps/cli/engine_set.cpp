@@ -1,0 +1,44 @@
+#include "cli/engine_set.h"
+
+#include <algorithm>
+#include <array>
+
+#include "mirrorball/environment/preset.h"
+
+namespace mirrorball::cli {
+namespace {
+
+/// docs/prefiltering.md has the sources.
+constexpr std::array<EngineSet, 5> kEngineSets{{
+    {.program = ""},
+    {.program = "unreal", .mip_mapping = MipMappingChoice::unreal},
+    {.program = "unity", .mip_mapping = MipMappingChoice::unity},
+    {.program = "godot", .mip_mapping = MipMappingChoice::frostbite},
+    {.program = "filament",
+     .mip_mapping = MipMappingChoice::filament,
+     .files = SetFiles::cmgens,
+     .extension = "ktx",
+     .format = "b10g11r11",
+     .formats = "b10g11r11 half float32 bc6h",
+     .smallest_face = 16},
+}};
+
+}  // namespace
+
+Result<EngineSet> engineSetFor(std::string_view program) {
+  if (program.empty()) return kEngineSets.front();
+  MIRRORBALL_TRY(preset, presetNamed(program));
+  const auto* const row = std::ranges::find(kEngineSets, preset.name, &EngineSet::program);
+  return row != kEngineSets.end() ? *row : kEngineSets.front();
+}
+
+int levelCount(const BakeRequest& request) {
+  const int size = request.options.size;
+  if (request.options.levels > 0) return request.options.levels;
+  int levels = 1;
+  while (levelSide(size, levels) >= request.set.smallest_face) ++levels;
+  // As cmgen has it: one level would leave all surfaces mirrors.
+  return levels == 1 && request.set.files == SetFiles::cmgens ? mostLevels(size) : levels;
+}
+
+}  // namespace mirrorball::cli

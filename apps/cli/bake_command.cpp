@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "cli/cube_files.h"
 #include "cli/engine_set.h"
 #include "cli/files.h"
+#include "cli/interruption.h"
 #include "cli/map_output.h"
 #include "cli/stage_clock.h"
 #include "cli/standard_streams.h"
@@ -31,8 +33,25 @@ const std::string kBakedHelp =
     "needed: a folder, for all maps and a manifest; for several environments one with a folder for each; or a " +
     writtenExtensions(Holds::texture, " or ") + " file, for one's specular chain only (-.ktx2: standard output)";
 
-constexpr std::array<std::string_view, 5> kCubeExtensions{"ktx2", "ktx", "dds", "exr", "hdr"};
-constexpr std::array<std::string_view, 4> kBrdfExtensions{"ktx2", "ktx", "dds", "exr"};
+std::vector<std::string_view> texturesAnd(std::vector<std::string_view> others) {
+  std::vector<std::string_view> names = writtenExtensionNames(Holds::texture);
+  names.insert(names.end(), others.begin(), others.end());
+  return names;
+}
+
+const std::vector<std::string_view>& cubeExtensions() {
+  static const std::vector<std::string_view> names = texturesAnd(writtenExtensionNames(Holds::light));
+  return names;
+}
+
+/// A table holds no light, but numbers: .exr keeps them.
+const std::vector<std::string_view>& brdfExtensions() {
+  static const std::vector<std::string_view> names = texturesAnd({"exr"});
+  return names;
+}
+
+const std::string kCubeExtensions = join(cubeExtensions(), "|");
+const std::string kBrdfExtensions = join(brdfExtensions(), "|");
 
 const std::array<Option<BakeOptions>, 19> kBakeOptions{{
     {{.name = "output", .value = "OUT", .help = kBakedHelp, .letter = "o", .takes_path = true}, &BakeOptions::output},
@@ -90,9 +109,9 @@ const std::array<Option<BakeOptions>, 19> kBakeOptions{{
               "grazing angles too"},
      choiceField<&BakeOptions::brdf_axes>},
     {{.name = "brdf-extension",
-      .value = "ktx2|ktx|dds|exr",
+      .value = kBrdfExtensions,
       .help = "of the BRDF table's file; else as --extension, with .hdr .exr",
-      .names = [] { return std::span<const std::string_view>(kBrdfExtensions); }},
+      .names = [] { return std::span<const std::string_view>(brdfExtensions()); }},
      &BakeOptions::brdf_extension},
     {{.name = "skybox", .help = "also the environment as it is, for the background; filament always has one"},
      &BakeOptions::skybox},
@@ -104,10 +123,10 @@ const std::array<Option<BakeOptions>, 19> kBakeOptions{{
       .help = "of the skybox, a face's side; 0: as fine as the environment, but at most 1024"},
      &BakeOptions::skybox_size},
     {{.name = "extension",
-      .value = "ktx2|ktx|dds|exr|hdr",
+      .value = kCubeExtensions,
       .help = "of the files in a folder: textures, or pictures of each level and face (m0_px.exr); else ktx2, for "
               "filament ktx",
-      .names = [] { return std::span<const std::string_view>(kCubeExtensions); }},
+      .names = [] { return std::span<const std::string_view>(cubeExtensions()); }},
      &BakeOptions::extension},
     {{.name = "from",
       .value = "FORM",
@@ -127,7 +146,8 @@ BrdfFile brdfFile(const std::string& stem, std::string_view extension, const Bak
       .path = stem + "." + std::string(extension),
       .facts = {writtenValue(options, "distribution"), writtenValue(options, "brdf-axes"), options.brdf_channels}};
   // Pictures are in 32-bit floats unless told otherwise, as everywhere.
-  const bool in_floats = output.format == "float32" || (output.format != "half" && !file.isTexture());
+  const bool in_floats =
+      output.format == TexelFormat::float32 || (output.format != TexelFormat::half && !file.isTexture());
   if (file.isTexture() && options.brdf_channels == 2)
     file.format = in_floats ? TexelFormat::rg_float32 : TexelFormat::rg_half;
   else
@@ -137,7 +157,7 @@ BrdfFile brdfFile(const std::string& stem, std::string_view extension, const Bak
 }
 
 Result<std::string_view> extensionNamed(const std::string& name, std::span<const std::string_view> known) {
-  if (const auto index = indexOfName(name, known)) return known[*index];
+  if (const auto index = indexOfName(withoutDot(name), known)) return known[*index];
   return tl::unexpected<Error>(unknownName("extension", name, known));
 }
 
@@ -161,7 +181,7 @@ Result<void> refuseOptions(const BakeOptions& options, std::span<const std::stri
 Result<std::string_view> extensionFor(const BakeRequest& request) {
   const EngineSet& set = request.set;
   if (request.options.extension.empty()) return set.extension;
-  MIRRORBALL_TRY(extension, extensionNamed(request.options.extension, kCubeExtensions));
+  MIRRORBALL_TRY(extension, extensionNamed(request.options.extension, cubeExtensions()));
   if (set.files == SetFiles::cmgens && isTexturePath("x." + std::string(extension)) && extension != set.extension)
     return fail(ErrorCode::usage, "--extension: " + std::string(set.program) + " reads ." + std::string(set.extension) +
                                       ", no ." + std::string(extension) + "; leave --extension out");
@@ -181,7 +201,7 @@ Result<void> addOurFiles(const BakeRequest& request, std::string_view extension,
   files.irradiance = std::move(irradiance);
   const std::string brdf =
       options.brdf_extension.empty() ? std::string(extension == "hdr" ? "exr" : extension) : options.brdf_extension;
-  MIRRORBALL_TRY(brdf_extension, extensionNamed(brdf, kBrdfExtensions));
+  MIRRORBALL_TRY(brdf_extension, extensionNamed(brdf, brdfExtensions()));
   files.brdf = brdfFile(files.folder + "/brdf", brdf_extension, options, request.output);
   return {};
 }
@@ -264,9 +284,7 @@ Result<void> bakeOne(const BakeRequest& request) {
 /// One after the other, since each keeps all cores busy and may need all memory.
 Result<void> bakeMany(const std::vector<std::string>& inputs, BakeRequest request) {
   const std::string parent = request.options.output;
-  if (isFile(parent))
-    return fail(ErrorCode::usage, parent + ": is one file, and there are " + std::to_string(inputs.size()) +
-                                      " environments; give -o a folder");
+  if (isFile(parent)) return tl::unexpected<Error>(manyForOneFile(parent, inputs));
   MIRRORBALL_TRY(folders, namesInFolder(inputs, parent, [](const auto&) { return Result<std::string>(""); }));
   request.options.output = folders.front();
   // What is wrong with the options is told once, before anything is made.
@@ -274,6 +292,7 @@ Result<void> bakeMany(const std::vector<std::string>& inputs, BakeRequest reques
   MIRRORBALL_TRY_VOID(makeFolder(parent));
   std::size_t failed = 0;
   for (std::size_t index = 0; index < inputs.size() && !interrupted(); ++index) {
+    whenInterrupted(interruptedAmongMany(parent));
     request.environment = inputs[index];
     request.options.output = folders[index];
     const Result<void> done = bakeOne(request);
@@ -298,14 +317,15 @@ Result<void> settleBy(BakeRequest& request) {
                                       ", the last of one texel a face; ask for no more");
   const std::string extension = isFile(options.output) ? extensionOf(options.output) : options.extension;
   if (!extension.empty() && !indexOfName(extension, {&set.extension, 1})) return {};
-  std::string& format = request.output.format;
-  if (format == "auto") format = set.format;
-  const std::vector<std::string> words = split(set.formats, ' ');
-  const std::vector<std::string_view> known(words.begin(), words.end());
-  if (!set.formats.empty() && !indexOfName(format, known))
-    return fail(ErrorCode::usage, "--format: " + std::string(set.program) + " reads " + join(known) + ", no " + format +
-                                      "; leave --format out");
-  return {};
+  std::optional<TexelFormat>& format = request.output.format;
+  if (!format) format = set.format;
+  if (!set.format || format == set.format) return {};
+  if (std::ranges::find(set.other_formats, *format) != set.other_formats.end()) return {};
+  const auto nameOf = [](TexelFormat one) { return kTexelFormatNames[static_cast<std::size_t>(one)].name; };
+  std::vector<std::string_view> known{nameOf(*set.format)};
+  for (const TexelFormat one : set.other_formats) known.push_back(nameOf(one));
+  return fail(ErrorCode::usage, "--format: " + std::string(set.program) + " reads " + join(known) + ", no " +
+                                    std::string(nameOf(*format)) + "; leave --format out");
 }
 
 Result<void> bake(const std::vector<std::string>& inputs, BakeRequest request) {
@@ -344,13 +364,15 @@ Command bakeCommand() {
       .help = "Prefilters environments for an engine: rough reflections, irradiance, harmonics, BRDF table",
       .about =
           "ENV is a map, a built-in environment, or - for standard input. OUT is a folder, for all maps (of several "
-          "environments one that gets a folder for each), or a .ktx2, .ktx or .dds file, for the specular chain only.",
+          "environments one that gets a folder for each), or a " +
+          writtenExtensions(Holds::texture, " or ") + " file, for the specular chain only.",
       .examples = {{"bake room.hdr -o room/", "all maps of an environment, and a manifest that says what is what"},
                    {"bake maps/*.hdr --for unreal --size 512 -o baked/",
                     "a folder for each panorama, with Unreal's faces and levels"}}};
   addArgument(command,
               {.name = "ENV",
-               .help = "maps, as convert takes them, a built-in: studio sky uv white, or - for standard input",
+               .help = "maps, as convert takes them, a built-in: " + join(builtinEnvironmentNames(), " ") +
+                       ", or - for standard input",
                .missing = "name an input map",
                .names = builtinEnvironmentNames,
                .takes_path = true},

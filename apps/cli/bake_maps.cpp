@@ -50,14 +50,14 @@ struct ValueCounts {
 /// Mends what light cannot be, and says what half floats do not hold.
 ///
 /// errors   out_of_range: too bright
-Result<void> checkLight(const std::string& name, const std::string& format, EnvironmentMap& map) {
+Result<void> checkLight(const std::string& name, std::optional<TexelFormat> format, EnvironmentMap& map) {
   const ValueCounts counts(map);
   if (counts.too_bright > 0)
     return fail(ErrorCode::out_of_range, name + ": " + countedAre(counts.too_bright, "value") +
                                              " above 1e36, too bright to be summed; --scale-light 1e-6 makes them fit");
   if (const std::size_t negative = raiseNegativeLight(map); negative > 0)
     remark(name + ": " + countedAre(negative, "value") + " negative, which light cannot be; taken as 0");
-  const bool in_halves = format == "auto" || format == "half";
+  const bool in_halves = format.value_or(TexelFormat::half) == TexelFormat::half;
   if (in_halves && counts.lit > 0 && 100 * counts.clear < counts.all)
     remark(name + ": is so dark that half floats hold few of its digits; --format float32 holds them all");
   return {};

@@ -7,6 +7,7 @@
 #include "cli/baked_manifest.h"
 #include "cli/files.h"
 #include "cli/harmonics_text.h"
+#include "cli/interruption.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/metadata.h"
@@ -58,22 +59,29 @@ Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& 
   MIRRORBALL_TRY_VOID(go_on());
   MIRRORBALL_TRY(folder, OutputFolder::make(files.folder));
   if (!folder.isNew()) left = files.folder + " has only some of the new files, and no manifest";
+  whenInterrupted("interrupted; " + left);
+  // What a writer says is of its own file.
+  const auto of_set = [&](auto written) {
+    const bool is_interrupted = written ? interrupted() : written.error().code == ErrorCode::interrupted;
+    return is_interrupted ? decltype(written)(fail(ErrorCode::interrupted, "interrupted; " + left)) : written;
+  };
   removeOlderSet(files, set.inputs);
   WrittenFormats formats;
-  MIRRORBALL_TRY(specular, files.specular.write(std::move(set.specular), factsFor(files.set, set.radiance), go_on));
+  MIRRORBALL_TRY(specular,
+                 of_set(files.specular.write(std::move(set.specular), factsFor(files.set, set.radiance), go_on)));
   formats.specular = specular;
   const auto writeCube = [&](const std::optional<CubeFiles>& cube, EnvironmentMap map,
                              std::string& format) -> Result<void> {
     if (!cube) return {};
     MIRRORBALL_TRY_VOID(go_on());
-    MIRRORBALL_TRY(written, cube->write(std::move(map).takeImages(), {}, go_on));
+    MIRRORBALL_TRY(written, of_set(cube->write(std::move(map).takeImages(), {}, go_on)));
     format = written;
     return {};
   };
   MIRRORBALL_TRY_VOID(writeCube(files.irradiance, std::move(set.irradiance), formats.irradiance));
   MIRRORBALL_TRY_VOID(writeCube(files.skybox, std::move(set.skybox), formats.skybox));
   MIRRORBALL_TRY_VOID(go_on());
-  if (files.brdf) MIRRORBALL_TRY_VOID(writeBrdf(std::move(set.brdf), *files.brdf));
+  if (files.brdf) MIRRORBALL_TRY_VOID(of_set(writeBrdf(std::move(set.brdf), *files.brdf)));
   MIRRORBALL_TRY_VOID(go_on());
   MIRRORBALL_TRY_VOID(writeHarmonics(set.radiance, files, options));
   MIRRORBALL_TRY_VOID(writeText(files.folder + "/manifest.json", manifestOf(set, files, options, formats)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -14,10 +15,12 @@
 #include "cli/scene_inputs.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/render/cube_capture.h"
+#include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -25,10 +28,9 @@ namespace {
 /// Of a face, where nothing else is said; in other projections as much detail.
 constexpr int kUsualSize = 256;
 
-const std::string kProjectionHelp =
-    "any projection of convert: equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, "
-    "equal-area or eac; else cube in " +
-    writtenExtensions(Holds::texture, " and ") + ", equirect in other files";
+const std::string kProjectionHelp = "any projection of convert: " + join(projectionNames(), ", ", " or ") +
+                                    "; else cube in " + writtenExtensions(Holds::texture, " and ") +
+                                    ", equirect in other files";
 
 const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
     {{.name = "at",
@@ -84,12 +86,29 @@ Result<FrameSettings> lookOf(const RenderOptions& options) {
 }
 
 Result<Projection> projectionOf(const CaptureRequest& request) {
-  if (!request.options.to.empty()) return projectionNamed(request.options.to);
+  if (!request.options.to.empty()) return projectionToWrite(request.options.to);
   return isTexturePath(request.output.output) ? Projection::cube : Projection::equirect;
 }
 
 /// The side of the faces that are drawn for a map: its own, or what has all the detail that another projection will show.
 int faceSideFor(Projection to, int size) { return to == Projection::cube ? size : cubeSideFor(texelDensity(to, size)); }
+
+/// "0,1.25,-3": with as many digits as one would type.
+std::string shortText(glm::vec3 place) {
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "%.3g,%.3g,%.3g", double(place.x), double(place.y), double(place.z));
+  return text.data();
+}
+
+/// Says where the scene is if one looks for it in vain: a model's unit is often another than one thinks.
+void remarkOnDistance(glm::vec3 place, const BoundingSphere& scene) {
+  constexpr float kFar = 10.0f;  // from there it fills less than 0.3 % of all directions
+  if (glm::length(place - scene.center) <= kFar * scene.radius) return;
+  std::array<char, 32> radius;
+  std::snprintf(radius.data(), radius.size(), "%.3g", double(scene.radius));
+  remark(shortText(place) + " is far outside of the scene, which lies within " + radius.data() + " units of " +
+         shortText(scene.center) + "; the map hardly shows it");
+}
 
 Result<EnvironmentMap> captureMap(const SceneInputs& inputs, Projection to, int size, CaptureSettings settings,
                                   StageClock& clock) {
@@ -97,6 +116,7 @@ Result<EnvironmentMap> captureMap(const SceneInputs& inputs, Projection to, int 
   MIRRORBALL_TRY(renderer, clock.time("GL: upload, compile", [&] {
     return Renderer::make(inputs.context, inputs.scene, inputs.environment, inputs.prepared);
   }));
+  if (!inputs.scene.empty()) remarkOnDistance(settings.position, renderer.bounds());
   MIRRORBALL_TRY(cube, clock.time("faces: draw and read back",
                                   [&] { return captureEnvironment(renderer, settings, progressBar("capture")); }));
   if (to == Projection::cube) return cube;
@@ -156,9 +176,8 @@ Command captureCommand() {
   Command command{
       .name = "capture",
       .help = "Makes a map of the light around a point of a scene",
-      .about =
-          "SCENE is a file (.glb .gltf .obj .ply .stl), a built-in, or - for standard input. `--at` and `--output` "
-          "are needed.",
+      .about = "SCENE is a file (" + modelExtensions() +
+               "), a built-in, or - for standard input. `--at` and `--output` are needed.",
       .examples = {{"capture room.glb --at 0,1.5,0 -e sky -o probe.exr", "a panorama of a room, from eye height"},
                    {"capture room.glb --at 0,1.5,0 --to cube --size 256 --mips -o probe.ktx2",
                     "the same as a cube map for an engine"}}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iomanip>
 #include <memory>
 #include <optional>
@@ -10,7 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/files.h"
+#include "cli/suggestions.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/convert.h"
@@ -45,22 +46,47 @@ class HelpFormatter : public CLI::Formatter {
   }
 };
 
-/// What CLI11 calls with the words that it found for an option or an argument.
-auto takeAll(const SetValue& set) {
-  return [&set](const std::vector<std::string>& values) {
-    for (const std::string& value : values)
-      if (const auto done = set(value); !done) throw CLI::ValidationError("--" + done.error().message);
-  };
+/// Whether a word is written as an option, which is no value: a number may be negative.
+bool isOption(const Command& command, std::string_view word) {
+  if (word.starts_with("--") || word == "-h") return true;
+  return std::ranges::any_of(command.options, [&](const CommandOption& option) {
+    return !option.text.letter.empty() && word == "-" + std::string(option.text.letter);
+  });
+}
+
+/// What is said where an option is given without its value.
+std::string neededBy(const CommandOption& option) {
+  return "--" + std::string(option.text.name) + " needs " +
+         (option.text.takes_path ? "a file name" : "a value: " + valueOf(option));
+}
+
+/// errors   usage: what was given is no value, or there are more than count
+Result<void> checkValues(const Command& command, const CommandOption& option, const std::vector<std::string>& values) {
+  for (const std::string& value : values)
+    if (isOption(command, value))
+      return fail(ErrorCode::usage, neededBy(option) + "; it was given '" + value + "', which is an option");
+  if (option.may_repeat || values.size() < 2) return {};
+  const std::string times = values.size() == 2 ? "twice" : std::to_string(values.size()) + " times";
+  return fail(ErrorCode::usage, "--" + std::string(option.text.name) + " is given " + times + ", as '" +
+                                    values.front() + "' and as '" + values.back() +
+                                    "', and only one counts; leave the other out");
+}
+
+/// Hands on the words that CLI11 found for an option or an argument, in whose language an error is an exception.
+void takeAll(const SetValue& set, const std::vector<std::string>& values) {
+  for (const std::string& value : values)
+    if (const auto done = set(value); !done) throw CLI::ValidationError("--" + done.error().message);
 }
 
 void addArgumentTo(CLI::App& app, const Argument& argument) {
   CLI::Option* option = app.add_option_function<std::vector<std::string>>(
-      std::string(argument.name), takeAll(argument.set), std::string(argument.help));
+      std::string(argument.name), [&argument](const auto& values) { takeAll(argument.set, values); },
+      std::string(argument.help));
   if (!argument.may_repeat) option->expected(1)->allow_extra_args(false);
   option->required(!argument.missing.empty())->type_name("");
 }
 
-void addOptionTo(CLI::App& app, const CommandOption& command_option) {
+void addOptionTo(CLI::App& app, const Command& command, const CommandOption& command_option) {
   const OptionText& text = command_option.text;
   std::string flags = "--" + std::string(text.name);
   if (!text.letter.empty()) flags = "-" + std::string(text.letter) + "," + flags;
@@ -68,19 +94,19 @@ void addOptionTo(CLI::App& app, const CommandOption& command_option) {
   CLI::Option* option = nullptr;
   if (command_option.is_flag) {
     option = app.add_flag_callback(
-        flags, [take = takeAll(command_option.set)] { take({"yes"}); }, describe(text, ""));
+        flags, [&command_option] { takeAll(command_option.set, {"yes"}); }, describe(text, ""));
   } else {
-    option = app.add_option_function<std::vector<std::string>>(flags, takeAll(command_option.set),
-                                                               describe(text, command_option.default_value));
+    option = app.add_option_function<std::vector<std::string>>(
+        flags,
+        [&command, &command_option](const std::vector<std::string>& values) {
+          if (const auto valid = checkValues(command, command_option, values); !valid)
+            throw CLI::ValidationError(valid.error().message);
+          takeAll(command_option.set, values);
+        },
+        describe(text, command_option.default_value));
     option->type_name(valueOf(command_option));
-    if (!text.implied.empty())
-      option->expected(0, 1)->default_str(std::string(text.implied));
-    else
-      option->expected(1);
-    // One value at a time, so that the model's name may follow an option.
-    option->allow_extra_args(false);
-    option->multi_option_policy(command_option.may_repeat ? CLI::MultiOptionPolicy::TakeAll
-                                                          : CLI::MultiOptionPolicy::TakeLast);
+    // One value at a time, so that the model's name may follow an option; and all of them, so that a second one is seen.
+    option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   if (!text.group.empty()) option->group(std::string(text.group));
 }
@@ -93,26 +119,32 @@ std::string examplesOf(const Command& command) {
   return text;
 }
 
-/// The error for arguments that no option or positional takes: suggests the nearest option.
+/// The error for arguments that no option or positional takes: says what may have been meant.
 Error unexpectedArgument(const Command& command, const std::string& argument) {
   const std::string help = "mirrorball " + std::string(command.name) + " --help";
   const std::string name = argument.substr(0, argument.find('='));
-  if (!name.starts_with('-')) {
-    const bool takes_output = std::ranges::find(command.options, "output", [](const CommandOption& option) {
-                                return option.text.name;
-                              }) != command.options.end();
-    const std::string hint = takes_output && isOutputName(argument) ? "to write it say -o " + argument : "see " + help;
-    return {ErrorCode::usage, "'" + argument + "' was not expected; " + hint};
-  }
-  std::vector<std::string> options{"--help", "--version"};
-  for (const CommandOption& option : command.options) {
-    options.push_back("--" + std::string(option.text.name));
-    if (!option.text.also.empty()) options.push_back("--" + std::string(option.text.also));
-  }
-  const std::vector<std::string_view> views(options.begin(), options.end());
+  if (!name.starts_with('-'))
+    return {ErrorCode::usage,
+            "'" + argument + "' was not expected; " + hintForWord(command, argument).value_or("see " + help)};
   std::string message = "there is no option " + name;
-  if (const auto nearest = nearestWord(name, views)) message += "; did you mean " + std::string(*nearest) + "?";
+  if (const auto hint = hintForOption(command, name)) message += "; " + *hint;
   return {ErrorCode::usage, message + " (" + help + " lists them)"};
+}
+
+/// The error for a long option with one dash, which would be read as a short one: "-output" as -o with the value "utput".
+///
+/// errors   usage
+Result<void> checkDashes(std::span<const std::string> words, std::span<const Command> commands) {
+  const auto command =
+      words.empty() ? commands.end() : std::ranges::find(commands, std::string_view(words.front()), &Command::name);
+  if (command == commands.end()) return {};
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    for (const CommandOption& option : command->options)
+      if (name.size() > 2 && name == "-" + std::string(option.text.name))
+        return fail(ErrorCode::usage, "'" + name + "': options of more than one letter have two dashes: -" + name);
+  }
+  return {};
 }
 
 /// The one line of a CLI11 error, in our words where CLI11 speaks of its own types.
@@ -125,13 +157,14 @@ Error parseError(const CLI::ParseError& error, const Command* command) {
     for (const Argument& argument : command->arguments)
       if (message.starts_with(argument.name))
         return {ErrorCode::usage, std::string(argument.missing) + ": mirrorball " + synopsisOf(*command)};
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr)
+    for (const CommandOption& option : command->options)
+      if (const std::string name = "--" + std::string(option.text.name); message.find(name + " ") != std::string::npos)
+        return {ErrorCode::usage, name + " is there or not, and takes no value"};
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
-    for (const CommandOption& option : command->options) {
-      const std::string name = "--" + std::string(option.text.name);
-      if (message.substr(0, message.find(':')) != name) continue;
-      return {ErrorCode::usage,
-              name + " needs " + (option.text.takes_path ? "a file name" : "a value: " + valueOf(option))};
-    }
+    for (const CommandOption& option : command->options)
+      if (message.substr(0, message.find(':')) == "--" + std::string(option.text.name))
+        return {ErrorCode::usage, neededBy(option)};
   return {ErrorCode::usage, message};
 }
 
@@ -141,25 +174,51 @@ std::vector<std::string_view> namesOf(std::span<const Command> commands) {
   return names;
 }
 
+/// The error for an option where a command should be: one of a command's own comes behind that.
+Error optionWithoutCommand(const std::string& word, std::span<const Command> commands) {
+  std::vector<std::string_view> owners;
+  for (const Command& command : commands)
+    for (const CommandOption& option : command.options)
+      if (word.substr(0, word.find('=')) == "--" + std::string(option.text.name)) owners.push_back(command.name);
+  if (owners.empty()) return unknownName("option", word, std::array<std::string_view, 2>{"--help", "--version"});
+  return {ErrorCode::usage, "the command comes before its options: " + word + " is one of " + join(owners)};
+}
+
 /// The error for a command line without a subcommand, or with a wrong one.
 Error missingCommand(const std::vector<std::string>& words, std::span<const Command> commands) {
   const std::string help = "; mirrorball --help tells what each does";
   const std::vector<std::string_view> names = namesOf(commands);
   if (words.empty()) return {ErrorCode::usage, "name a command: " + join(names) + help};
-  Error error = words.front().starts_with('-')
-                    ? unknownName("option", words.front(), std::array<std::string_view, 2>{"--help", "--version"})
-                    : unknownName("command", words.front(), names);
+  const std::string& word = words.front();
+  std::error_code status;
+  if (std::filesystem::is_regular_file(word, status))
+    return {ErrorCode::usage, "'" + word + "' is a file; say what is to be done with it: " + join(names) + help};
+  Error error = word.starts_with('-') ? optionWithoutCommand(word, commands)
+                                      : unknownName("command", word, names, commandMeantBy(word, commands));
   error.message += help;
   return error;
 }
 
-/// "help render" asks for what "render --help" does.
+/// "help render" asks for what "render --help" does, "version" for what "--version" does.
 std::vector<std::string> withHelpLast(std::vector<std::string> words, std::span<const Command> commands) {
+  if (words.size() == 1 && words.front() == "version") return {"--version"};
   if (words.empty() || words.front() != "help") return words;
   if (words.size() == 1) return {"--help"};
-  const bool is_command = std::ranges::find(commands, words[1], &Command::name) != commands.end();
-  if (is_command && words.size() == 2) return {words[1], "--help"};
-  return {words.begin() + 1, words.end()};
+  if (std::ranges::find(commands, words[1], &Command::name) != commands.end()) return {words[1], "--help"};
+  return {words[1]};
+}
+
+/// An option whose value may be missing has one only where a number follows: what else does may be a model's name.
+std::vector<std::string> withImpliedValues(std::vector<std::string> words, std::span<const Command> commands) {
+  for (const Command& command : commands)
+    for (const CommandOption& option : command.options)
+      for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string name = "--" + std::string(option.text.name);
+        if (option.text.implied.empty() || words.front() != command.name || words[i] != name) continue;
+        const bool has_value = i + 1 < words.size() && parseNumber(split(words[i + 1], ',').front());
+        if (!has_value) words[i] = name + "=" + std::string(option.text.implied);
+      }
+  return words;
 }
 
 /// CLI11's view of the commands.
@@ -179,7 +238,7 @@ struct Reader {
       app.allow_extras()->set_version_flag("--version", version);
       app.footer(examplesOf(command));
       for (const Argument& argument : command.arguments) addArgumentTo(app, argument);
-      for (const CommandOption& option : command.options) addOptionTo(app, option);
+      for (const CommandOption& option : command.options) addOptionTo(app, command, option);
       apps.push_back(&app);
     }
     program.allow_extras()->require_subcommand(0, 1);
@@ -196,7 +255,9 @@ struct Reader {
 Result<void> checkAllTaken(const Reader& reader, const Command* command, const std::vector<std::string>& words,
                            std::span<const Command> commands) {
   if (command == nullptr) return tl::unexpected<Error>(missingCommand(words, commands));
-  if (const auto extras = reader.program.remaining(); !extras.empty())
+  if (const auto extras = reader.program.remaining(); !extras.empty() && extras.front().starts_with('-'))
+    return tl::unexpected<Error>(optionWithoutCommand(extras.front(), commands));
+  else if (!extras.empty())
     return fail(ErrorCode::usage, "'" + extras.front() + "' was not expected; mirrorball --help tells what may be");
   for (const CLI::App* app : reader.program.get_subcommands())
     if (const auto extras = app->remaining(); !extras.empty())
@@ -207,8 +268,9 @@ Result<void> checkAllTaken(const Reader& reader, const Command* command, const s
 }  // namespace
 
 Result<Action> readCommandLine(int argc, const char* const* argv, std::span<const Command> commands) {
-  const std::vector<std::string> words =
-      withHelpLast(argc > 0 ? std::vector<std::string>(argv + 1, argv + argc) : std::vector<std::string>(), commands);
+  const std::vector<std::string> given(argv + std::min(argc, 1), argv + argc);
+  const std::vector<std::string> words = withImpliedValues(withHelpLast(given, commands), commands);
+  MIRRORBALL_TRY_VOID(checkDashes(words, commands));
   Reader reader(commands);
   try {
     // CLI11 takes them from the last to the first.

@@ -8,10 +8,6 @@
 namespace mirrorball::cli {
 namespace {
 
-std::string join(const std::vector<std::string>& words, std::string_view separator) {
-  return mirrorball::join(std::vector<std::string_view>(words.begin(), words.end()), separator);
-}
-
 /// "--output", "-o": how an option may be written.
 std::vector<std::string> flagsOf(const OptionText& text) {
   std::vector<std::string> flags{"--" + std::string(text.name)};
@@ -29,7 +25,7 @@ std::string flagsOf(const Command& command) {
 
 std::string wordsText(const OptionText& text) {
   const std::vector<std::string_view> words = wordsOf(text);
-  return mirrorball::join(words, " ");
+  return join(words, " ");
 }
 
 std::string namesText(std::span<const Command> commands) {
@@ -42,7 +38,7 @@ std::string namesText(std::span<const Command> commands) {
 std::string argumentWords(const Command& command) {
   std::string words;
   for (const Argument& argument : command.arguments)
-    if (argument.names != nullptr) words += (words.empty() ? "" : " ") + mirrorball::join(argument.names(), " ");
+    if (argument.names != nullptr) words += (words.empty() ? "" : " ") + join(argument.names(), " ");
   return words;
 }
 

@@ -21,26 +21,20 @@
 namespace mirrorball::cli {
 namespace {
 
+const std::string kToHelp = join(projectionNames(), ", ", " or ") +
+                            "; ball:distance=20 says how many ball radii the camera stands from the ball; else the "
+                            "input's own";
+
 const std::string kExtensionHelp =
     "of the files in an output folder: " + writtenExtensions(" or ") + "; else each input's own";
 
 std::span<const std::string_view> extensionNames() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> written;
-    for (const ImageFormat& format : kImageFormats)
-      if (format.is_written) written.push_back(format.extensions.substr(0, format.extensions.find(' ')));
-    return written;
-  }();
+  static const std::vector<std::string_view> names = writtenExtensionNames();
   return names;
 }
 
 const std::array<Option<ConvertOptions>, 11> kConvertOptions{{
-    {{.name = "to",
-      .value = "PROJECTION",
-      .help = "equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, equal-area or eac; "
-              "ball:distance=20 says how many ball radii the camera stands from the ball; else the input's own",
-      .names = projectionNames},
-     &ConvertOptions::to},
+    {{.name = "to", .value = "PROJECTION", .help = kToHelp, .names = projectionNames}, &ConvertOptions::to},
     {{.name = "from",
       .value = "FORM",
       .help =
@@ -99,7 +93,7 @@ Result<ConvertRequest> requestOf(const ConvertOptions& options, const MapOutputO
                          output};
   request.output.display = {options.exposure_ev, options.tone_map};
   if (!options.to.empty()) {
-    MIRRORBALL_TRY(to, projectionNamed(options.to));
+    MIRRORBALL_TRY(to, projectionToWrite(options.to));
     request.to = to;
   }
   if (!options.from.empty()) {
@@ -158,7 +152,7 @@ Command convertCommand() {
                                 "a folder of panoramas, six faces each, as Unity has them"}}};
   addArgument(command,
               {.name = "IN",
-               .help = "maps " + maps + ": studio sky uv white, or - for standard input",
+               .help = "maps " + maps + ": " + join(builtinEnvironmentNames(), " ") + ", or - for standard input",
                .missing = "name an input map",
                .names = builtinEnvironmentNames,
                .takes_path = true},

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/files.h"
+#include "cli/interruption.h"
 #include "cli/map_inputs.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/memory.h"
@@ -193,9 +194,6 @@ Result<void> convertInput(const std::string& input, const ConvertRequest& reques
   });
 }
 
-/// "exr", also of ".exr".
-std::string withoutDot(const std::string& extension) { return extension.substr(extension.starts_with('.') ? 1 : 0); }
-
 /// Every input's path in the folder; no two may be the same.
 ///
 /// errors   usage: one has no extension that can be written, and none is named
@@ -223,8 +221,7 @@ Result<void> convertMany(const std::vector<std::string>& inputs, const std::stri
                          const ConvertRequest& request) {
   const std::string& folder = request.output.output;
   if (!isFolder(folder) && fs::path(folder).has_extension())
-    return fail(ErrorCode::usage,
-                folder + ": is one file, and there are " + std::to_string(inputs.size()) + " inputs; give -o a folder");
+    return tl::unexpected<Error>(manyForOneFile(folder, inputs));
   MIRRORBALL_TRY(paths, pathsFor(inputs, folder, extension));
   for (std::size_t index = 0; index < inputs.size(); ++index)
     MIRRORBALL_TRY_VOID(checkOutput(inputs[index], request, paths[index]));
@@ -232,6 +229,7 @@ Result<void> convertMany(const std::vector<std::string>& inputs, const std::stri
   const ProgressFunction bar = progressBar("convert");
   if (inputs.size() == 1) return convertInput(inputs.front(), request, paths.front(), bar);
 
+  whenInterrupted(interruptedAmongMany(folder));
   std::atomic<std::size_t> done = 0;
   std::atomic<std::size_t> failed = 0;
   // Each file's own loops run on all cores too, which keeps them busy while another file is read or written.

@@ -8,6 +8,8 @@
 namespace mirrorball::cli {
 namespace {
 
+constexpr std::array<TexelFormat, 3> kOfFilament{TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h};
+
 /// docs/prefiltering.md has the sources.
 constexpr std::array<EngineSet, 5> kEngineSets{{
     {.program = ""},
@@ -18,8 +20,8 @@ constexpr std::array<EngineSet, 5> kEngineSets{{
      .mip_mapping = MipMappingChoice::filament,
      .files = SetFiles::cmgens,
      .extension = "ktx",
-     .format = "b10g11r11",
-     .formats = "b10g11r11 half float32 bc6h",
+     .format = TexelFormat::b10g11r11,
+     .other_formats = kOfFilament,
      .smallest_face = 16},
 }};
 

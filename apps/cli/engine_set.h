@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -18,10 +20,10 @@ struct EngineSet {
   std::string_view program;  ///< Preset::name; "" for all that are not in the table
   MipMappingChoice mip_mapping = MipMappingChoice::filament;
   SetFiles files = SetFiles::ours;
-  std::string_view extension = "ktx2";  ///< of textures
-  std::string_view format = "auto";     ///< of such textures' texels
-  std::string_view formats = "";        ///< that it reads of them, with spaces between; "": all
-  int smallest_face = 4;                ///< of the chain [texels]
+  std::string_view extension = "ktx2";              ///< of textures
+  std::optional<TexelFormat> format = {};           ///< of such textures' texels; none: as they need
+  std::span<const TexelFormat> other_formats = {};  ///< that it reads, where it has a format of its own
+  int smallest_face = 4;                            ///< of the chain [texels]
 };
 
 /// errors   usage: there is no such program

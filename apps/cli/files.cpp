@@ -1,9 +1,11 @@
 #include "cli/files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string_view>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/texture_file.h"
@@ -22,10 +24,14 @@ Result<void> refuseOverwriting(std::span<const std::string> inputs, std::span<co
 
 Result<void> checkFolder(const std::string& output) {
   if (output.empty()) return fail(ErrorCode::usage, "--output needs a file name");
+  if (isFolder(output)) return fail(ErrorCode::usage, output + ": is a folder; name a file in it");
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   std::error_code status;
   if (folder.empty() || std::filesystem::is_directory(folder, status)) return {};
-  return fail(ErrorCode::io, output + ": cannot be written; check that the folder exists");
+  const bool exists = std::filesystem::exists(folder, status);
+  return fail(ErrorCode::io,
+              output + (exists ? ": cannot be written, since " + folder.string() + " is no folder"
+                               : ": there is no folder " + folder.string() + "; make it (mkdir -p), or name another"));
 }
 
 Result<void> refusePictureOptions(const GivenOptions& given, const std::string& output, const std::string& instead) {
@@ -61,11 +67,6 @@ Result<OutputFolder> OutputFolder::make(const std::string& folder) {
   return output;
 }
 
-OutputFolder::~OutputFolder() {
-  std::error_code status;
-  if (isNew()) std::filesystem::remove_all(made_, status);
-}
-
 Result<std::vector<std::string>> namesInFolder(
     const std::vector<std::string>& inputs, const std::string& folder,
     const std::function<Result<std::string>(const std::filesystem::path& name)>& ending) {
@@ -86,6 +87,16 @@ Result<std::vector<std::string>> namesInFolder(
   }
   return names;
 }
+
+Error manyForOneFile(const std::string& output, const std::vector<std::string>& inputs) {
+  constexpr std::size_t kMostNamed = 3;
+  std::vector<std::string> named(inputs.begin(), inputs.begin() + std::ptrdiff_t(std::min(inputs.size(), kMostNamed)));
+  if (inputs.size() > kMostNamed) named.emplace_back("…");
+  return {ErrorCode::usage, output + ": is one file, and there are " + std::to_string(inputs.size()) + " inputs (" +
+                                join(named) + "); give -o a folder"};
+}
+
+std::string withoutDot(const std::string& extension) { return extension.substr(extension.starts_with('.') ? 1 : 0); }
 
 bool isOutputName(const std::string& name) { return isTexturePath(name) || checkWritable(name).has_value(); }
 

@@ -9,6 +9,7 @@
 
 #include "cli/command.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/base/unfinished.h"
 
 namespace mirrorball::cli {
 
@@ -17,9 +18,10 @@ namespace mirrorball::cli {
 /// errors   usage
 Result<void> refuseOverwriting(std::span<const std::string> inputs, std::span<const std::string> outputs);
 
-/// Refuses an output whose folder is not there, before long work is begun for it.
+/// Refuses a file whose folder is not there, before long work is begun for it. It is not made: a slip in its name would
+/// go unnoticed. A folder that is itself the output is (makeFolder).
 ///
-/// errors   usage (no name at all); io
+/// errors   usage (no name at all, or a folder's); io
 Result<void> checkFolder(const std::string& output);
 
 /// Refuses --exposure, --tone-map and --resolve, which say how light becomes a picture, for an output that holds light.
@@ -42,17 +44,15 @@ class OutputFolder {
  public:
   /// errors   io
   static Result<OutputFolder> make(const std::string& folder);
-  OutputFolder(OutputFolder&& other) noexcept : made_(std::exchange(other.made_, {})) {}
-  ~OutputFolder();
 
   /// Whether it was not there before.
   bool isNew() const { return !made_.empty(); }
-  void keep() { made_.clear(); }
+  void keep() { made_.keep(); }
 
  private:
   explicit OutputFolder(std::string made) : made_(std::move(made)) {}
 
-  std::string made_;  // the uppermost folder that was made
+  UnfinishedPath made_;  // the uppermost folder that was made
 };
 
 /// A name in a folder for each of many inputs: its own, without the folders before it and its extension, and an ending. Of
@@ -63,6 +63,12 @@ class OutputFolder {
 Result<std::vector<std::string>> namesInFolder(
     const std::vector<std::string>& inputs, const std::string& folder,
     const std::function<Result<std::string>(const std::filesystem::path& name)>& ending);
+
+/// The error for several inputs and an output that is one file: names them, since one may be a word too many.
+Error manyForOneFile(const std::string& output, const std::vector<std::string>& inputs);
+
+/// "exr", also of ".exr".
+std::string withoutDot(const std::string& extension);
 
 /// Whether a name ends as a file that can be written does.
 bool isOutputName(const std::string& name);

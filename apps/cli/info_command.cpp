@@ -9,11 +9,13 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/interruption.h"
 #include "cli/map_info.h"
 #include "cli/map_inputs.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "formula/constants.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/environment/builtin.h"
@@ -108,6 +110,7 @@ Result<void> info(const std::vector<std::string>& inputs, const InfoOptions& opt
     MIRRORBALL_TRY(given, directionIn(options.direction));
     direction = given;
   }
+  whenInterrupted(interruptedAmongMany(""));
   const bool is_one = inputs.size() == 1;
   std::vector<InputInfo> known;
   std::size_t failed = 0;
@@ -150,14 +153,14 @@ Command infoCommand() {
       .about = "FILE is a map, a BRDF table of `bake`, a built-in environment, or - for standard input.",
       .examples = {{"info room.hdr", "format, size, projection and what told it, range and mean of the light"},
                    {"info room.hdr --direction 0,1,0 --json", "where the zenith is, for a program to read"}}};
-  addArgument(
-      command,
-      {.name = "FILE",
-       .help = "maps (" + std::string(readExtensions()) + "), a built-in: studio sky uv white, or - for standard input",
-       .missing = "name an input map",
-       .names = builtinEnvironmentNames,
-       .takes_path = true},
-      request->inputs);
+  addArgument(command,
+              {.name = "FILE",
+               .help = "maps (" + std::string(readExtensions()) +
+                       "), a built-in: " + join(builtinEnvironmentNames(), " ") + ", or - for standard input",
+               .missing = "name an input map",
+               .names = builtinEnvironmentNames,
+               .takes_path = true},
+              request->inputs);
   addOptions(command, infoOptions(), request->options);
   command.action = [request]() -> Result<void> {
     MIRRORBALL_TRY_VOID(readStandardInput(pointersTo(request->inputs)));

@@ -3,6 +3,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/interruption.h"
 #include "cli/terminal.h"
 
 namespace mirrorball::cli {
@@ -32,6 +33,7 @@ int run(int argc, const char* const* argv) {
   if (!action) return report(action.error());
   catchSignals();
   const Result<void> done = withinMemory(*action);
+  claimEnd();
   clearProgress();
   const int exit_code = done ? kDone : report(done.error());
   endByCaughtSignal();

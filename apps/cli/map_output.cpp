@@ -16,8 +16,40 @@
 namespace mirrorball::cli {
 namespace {
 
-constexpr std::array<std::string_view, 6> kFormats{"auto", "half", "float32", "b10g11r11", "e5b9g9r9", "bc6h"};
-std::span<const std::string_view> formatNames() { return kFormats; }
+/// The names of formats, of those that a picture in .exr has or of all.
+std::vector<std::string_view> formatNames(bool only_of_exr) {
+  std::vector<std::string_view> names;
+  for (const TexelFormatName& format : kTexelFormatNames)
+    if (format.is_in_exr || !only_of_exr) names.push_back(format.name);
+  return names;
+}
+
+/// "float16=half|fp16=half": the other names.
+std::string formatAliases() {
+  std::string aliases;
+  for (const TexelFormatName& format : kTexelFormatNames)
+    for (const std::string& also : split(format.also, ' '))
+      aliases += (aliases.empty() ? "" : "|") + also + "=" + std::string(format.name);
+  return aliases;
+}
+
+const std::string kFormatChoices = "auto|" + join(formatNames(false), "|");
+const std::string kFormatAliases = formatAliases();
+const std::string kFormatHelp = "of texels: " + join(formatNames(true), ", ", " or ") + " in .exr; " +
+                                join(formatNames(false), ", ", " or ") + " in " +
+                                writtenExtensions(Holds::texture, " and ") +
+                                "; auto is float32 in .exr, in textures half where it holds all values; bc6h is "
+                                "compressed to a byte a texel";
+
+constexpr ChoiceField<MapOutputOptions> kFormatField{
+    [](const MapOutputOptions& options) { return options.format ? static_cast<int>(*options.format) + 1 : 0; },
+    [](MapOutputOptions& options, int index) {
+      options.format = index > 0 ? std::optional(static_cast<TexelFormat>(index - 1)) : std::nullopt;
+    }};
+
+const std::string kProgramHelp = "as that program wants it: " + join(presetNames(), " ");
+const std::string kLayoutHelp =
+    "of a cube in pictures: " + join(cubeLayoutNames()) + " (faces are six files); else as --for has it, or hcross";
 
 const std::string kMapHelp = "needed: " + writtenExtensions(Holds::light) + " (linear radiance), " +
                              writtenExtensions(Holds::texture) + " (textures; cubes as such), " +
@@ -26,23 +58,12 @@ const std::string kMapHelp = "needed: " + writtenExtensions(Holds::light) + " (l
 const std::string kMipsHelp =
     "all mip levels: " + writtenExtensions(Holds::texture, " and ") +
     " hold them, a picture shows them on one sheet, the smaller ones beside or below the first";
-const std::string kFormatHelp =
-    "of texels: half or float32 in .exr; half, float32, b10g11r11, e5b9g9r9 or bc6h (compressed to a byte a texel) "
-    "in " +
-    writtenExtensions(Holds::texture, " and ") +
-    "; auto is float32 in .exr, in textures half where it holds all values";
-
 // First those that any texture of a cube may be asked for.
 constexpr std::size_t kTextureOptions = 9;
 const std::array<Option<MapOutputOptions>, 13> kMapOutputOptions{{
     {{.name = "output", .value = "OUT", .help = kMapHelp, .letter = "o", .group = "Output", .takes_path = true},
      &MapOutputOptions::output},
-    {{.name = "for",
-      .value = "PROGRAM",
-      .help =
-          "as that program wants it: opengl vulkan directx unity unreal godot filament three blender renderman openexr",
-      .group = "Output",
-      .names = presetNames},
+    {{.name = "for", .value = "PROGRAM", .help = kProgramHelp, .group = "Output", .names = presetNames},
      &MapOutputOptions::program},
     {{.name = "as-seen",
       .help = "cube faces as pictures seen from inside, not by OpenGL's left-handed table",
@@ -59,8 +80,13 @@ const std::array<Option<MapOutputOptions>, 13> kMapOutputOptions{{
       .help = "which face is the first, second, … sixth: +x,-x,+y,-y,+z,-z is the usual order",
       .group = "Output"},
      &MapOutputOptions::face_order},
-    {{.name = "format", .value = "FORMAT", .help = kFormatHelp, .group = "Output", .names = formatNames},
-     &MapOutputOptions::format},
+    {{.name = "format",
+      .value = "FORMAT",
+      .choices = kFormatChoices,
+      .aliases = kFormatAliases,
+      .help = kFormatHelp,
+      .group = "Output"},
+     kFormatField},
     {{.name = "zstd",
       .value = "LEVEL",
       .minimum = 0,
@@ -83,12 +109,7 @@ const std::array<Option<MapOutputOptions>, 13> kMapOutputOptions{{
       .help = "then lowers texels that are brighter in any channel to MAX, their hue kept; 0: none",
       .group = "Output"},
      &MapOutputOptions::clamp_light},
-    {{.name = "layout",
-      .value = "LAYOUT",
-      .help = "of a cube in pictures: faces (six files), hcross, vcross, hstrip, vstrip, 3x2, seed; else as --for has "
-              "it, or hcross",
-      .group = "Output",
-      .names = cubeLayoutNames},
+    {{.name = "layout", .value = "LAYOUT", .help = kLayoutHelp, .group = "Output", .names = cubeLayoutNames},
      &MapOutputOptions::layout},
     {{.name = "mips", .help = kMipsHelp, .group = "Output"}, &MapOutputOptions::mips},
     {{.name = "level",
@@ -146,6 +167,15 @@ std::span<const Option<MapOutputOptions>> mapOutputOptions() { return kMapOutput
 
 std::span<const Option<MapOutputOptions>> textureOutputOptions() {
   return mapOutputOptions().subspan(1, kTextureOptions - 1);
+}
+
+Result<Projection> projectionToWrite(const std::string& name) {
+  const auto projection = projectionNamed(name);
+  if (projection) return projection;
+  if (const auto layout = cubeLayoutNamed(name))
+    return fail(ErrorCode::usage,
+                "--to " + name + ": that is a layout of cubes; say --to cube --layout " + std::string(nameOf(*layout)));
+  return projection;
 }
 
 LightLimits lightLimits(const MapOutputOptions& options) {
@@ -207,16 +237,15 @@ Result<void> MapOutput::setForm(const MapOutputOptions& options, Projection proj
 }
 
 Result<void> MapOutput::setFormat(const MapOutputOptions& options) {
-  const auto index = indexOfName(options.format, kFormats);
-  if (!index) return tl::unexpected<Error>(unknownName("format", options.format, kFormats));
-  if (*index > 0) format_ = static_cast<TexelFormat>(*index - 1);
+  format_ = options.format;
   half_ = format_ == TexelFormat::half;
-  const bool is_exr = extensionOf(output_) == "exr";
-  const bool has_choice = is_texture_ || (is_exr && (half_ || format_ == TexelFormat::float32));
-  if (format_ && !has_choice)
-    return fail(ErrorCode::usage, output_ + ": cannot hold --format " + options.format +
-                                      "; .exr has half and float32, " + writtenExtensions(Holds::texture, " and ") +
-                                      " have all formats");
+  if (format_ && !is_texture_) {
+    const TexelFormatName& format = kTexelFormatNames[static_cast<std::size_t>(*format_)];
+    if (extensionOf(output_) != "exr" || !format.is_in_exr)
+      return fail(ErrorCode::usage, output_ + ": cannot hold --format " + std::string(format.name) + "; .exr has " +
+                                        join(formatNames(true), ", ", " and ") + ", " +
+                                        writtenExtensions(Holds::texture, " and ") + " have all formats");
+  }
   zstandard_level_ = options.zstandard_level;
   if (zstandard_level_ > 0 && extensionOf(output_) != "ktx2")
     return fail(ErrorCode::usage, output_ + ": has no Zstandard compression; --zstd is for .ktx2");
@@ -342,7 +371,10 @@ Result<TexelFormat> MapOutput::writeImages(const ImageSet& images, const Metadat
   metadata.insert(facts.begin(), facts.end());
   MIRRORBALL_TRY(written, inFormat([&](TexelFormat format) {
                    return writeImageSet(output_, images,
-                                        {.format = format, .zstandard_level = zstandard_level_, .metadata = metadata});
+                                        {.format = format,
+                                         .zstandard_level = zstandard_level_,
+                                         .metadata = metadata,
+                                         .progress = progressBar("write")});
                  }));
   announce(output_);
   return written;

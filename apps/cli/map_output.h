@@ -33,7 +33,7 @@ struct MapOutputOptions {
   bool as_seen = false;
   std::string face_order;
   std::string flip = "none";
-  std::string format = "auto";
+  std::optional<TexelFormat> format;  ///< nothing: as fits the file
   int zstandard_level = 0;
   float scale_light = 1.0f;
   float clamp_light = 0.0f;
@@ -47,6 +47,11 @@ struct MapOutputOptions {
 std::span<const Option<MapOutputOptions>> mapOutputOptions();
 /// Those of them that a cube's texture may be asked for, without --output.
 std::span<const Option<MapOutputOptions>> textureOutputOptions();
+
+/// A projection that --to names.
+///
+/// errors   usage: there is none such; a cube's layout is no projection
+Result<Projection> projectionToWrite(const std::string& name);
 
 /// What --scale-light and --clamp-light ask for.
 LightLimits lightLimits(const MapOutputOptions& options);

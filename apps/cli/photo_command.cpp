@@ -29,17 +29,13 @@ namespace {
 constexpr ChoiceField<PhotoOptions> kResponseField{[](const PhotoOptions& options) { return options.response; },
                                                    [](PhotoOptions& options, int index) { options.response = index; }};
 
+const std::string kProjectionsHelp = "any projection of convert: " + join(projectionNames(), ", ", " or ");
+
 const std::string kOutlineHelp =
     "write the photograph with the ball's rim drawn over it, " + writtenExtensions(Holds::picture, " or ");
 
 const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
-    {{.name = "to",
-      .value = "PROJECTION",
-      .help =
-          "any projection of convert: equirect, sphere, angular, cube, ball, paraboloid, octahedral, hemioctahedral, "
-          "equal-area or eac",
-      .group = "Output",
-      .names = projectionNames},
+    {{.name = "to", .value = "PROJECTION", .help = kProjectionsHelp, .group = "Output", .names = projectionNames},
      &PhotoOptions::to},
     {{.name = "size",
       .value = "N",
@@ -190,7 +186,8 @@ Result<Image> readLight(const Side& side, const PhotoOptions& options, Exif& exi
   return std::move(merged.light);
 }
 
-Result<Perspective> perspectiveOf(const PhotoOptions& options, const Exif& exif, const Image& light) {
+/// errors   usage: what can be told before anything is read
+Result<void> checkPerspective(const PhotoOptions& options) {
   if (options.distance > 0.0f && options.fov_deg > 0.0f)
     return fail(ErrorCode::usage, "--distance and --fov say the same: give one, the other follows from the rim");
   if (options.distance > 0.0f && options.distance <= 1.0f)
@@ -198,6 +195,10 @@ Result<Perspective> perspectiveOf(const PhotoOptions& options, const Exif& exif,
                 "--distance is from the camera to the ball's centre in radii of the ball, so more than "
                 "1; it was given " +
                     formatNumber(double(options.distance)));
+  return {};
+}
+
+Perspective perspectiveOf(const PhotoOptions& options, const Exif& exif, const Image& light) {
   if (options.distance > 0.0f) return Perspective{.distance = double(options.distance), .focal_px = 0.0};
   if (options.fov_deg > 0.0f)
     return Perspective{.distance = 0.0, .focal_px = focalLengthFromFov(double(options.fov_deg), light.height())};
@@ -235,7 +236,7 @@ void tellBlindCone(const BallView& view) {
 Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, std::optional<Response>& curve) {
   Exif exif;
   MIRRORBALL_TRY(light, readLight(side, options, exif, curve));
-  MIRRORBALL_TRY(perspective, perspectiveOf(options, exif, light));
+  const Perspective perspective = perspectiveOf(options, exif, light);
   const bool is_given = !side.circle.empty();
   const auto findOrTake = [&]() -> Result<FoundBall> {
     if (!is_given) return findBall(light, perspective, side.files.front());
@@ -251,7 +252,11 @@ Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, s
 
 Result<void> checkFiles(const std::vector<std::string>& inputs, const PhotoOptions& options,
                         std::vector<std::string> outputs) {
-  if (!options.debug.empty()) outputs.push_back(options.debug);
+  if (!options.debug.empty()) {
+    MIRRORBALL_TRY_VOID(checkFolder(options.debug));
+    MIRRORBALL_TRY_VOID(formatToWrite(options.debug, {Holds::picture}));
+    outputs.push_back(options.debug);
+  }
   MIRRORBALL_TRY_VOID(refuseOverwriting(inputs, outputs));
   return refuseOverwriting(options.second, outputs);
 }
@@ -263,7 +268,8 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
     return fail(ErrorCode::usage, "photo needs an output: -o FILE");
   }
   MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
-  MIRRORBALL_TRY(to, projectionNamed(options.to));
+  MIRRORBALL_TRY_VOID(checkPerspective(options));
+  MIRRORBALL_TRY(to, projectionToWrite(options.to));
   MIRRORBALL_TRY_VOID(checkFolder(output_options.output));
   MIRRORBALL_TRY(output, MapOutput::resolve(output_options, to));
   MIRRORBALL_TRY_VOID(checkFiles(inputs, options, output.paths()));

@@ -10,6 +10,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/interruption.h"
 #include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
 #include "cli/standard_streams.h"
@@ -19,6 +20,7 @@
 #include "mirrorball/render/renderer.h"
 #include "mirrorball/render/turntable.h"
 #include "mirrorball/scene/framing.h"
+#include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -113,6 +115,7 @@ Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, 
         renderFrame(renderer, turned(settings, turn, angle_deg), paths[frame], clock, untilInterrupted);
     if (!drawn && drawn.error().code != ErrorCode::interrupted) return drawn;
     const std::size_t whole = drawn ? frame + 1 : frame;
+    whenInterrupted(interruptedAfter(whole, frames));
     if (!drawn || !progress(whole, frames)) return fail(ErrorCode::interrupted, interruptedAfter(whole, frames));
   }
   return {};
@@ -145,6 +148,7 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY(outputs, outputPaths(request));
   if (isStandardOutputTaken() && request.options.frames > 0)
     return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
+  if (request.options.frames > 0) whenInterrupted(interruptedAfter(0, outputs.size()));
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.options, outputs, clock));
   MIRRORBALL_TRY(renderer, clock.time("GL: upload, compile", [&] {
     return Renderer::make(inputs.context, inputs.scene, inputs.environment, inputs.prepared);
@@ -170,7 +174,7 @@ Command renderCommand() {
   Command command{
       .name = "render",
       .help = "Shows a model in an environment",
-      .about = "MODEL is a file (.glb .gltf .obj .ply .stl), a built-in, or - for standard input.",
+      .about = "MODEL is a file (" + modelExtensions() + "), a built-in, or - for standard input.",
       .examples = {{"render teapot --material gold -e room.hdr -o gold.png", "a gold teapot in a room"},
                    {"render helmet.glb -e sky:elevation=20 --background transparent --size 800x800 -o helmet.png",
                     "a model under an evening sun, cut out"}}};

@@ -10,6 +10,7 @@
 #include "cli/files.h"
 #include "cli/map_inputs.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/load.h"
@@ -19,7 +20,8 @@ namespace mirrorball::cli {
 namespace {
 
 const std::string kEnvironmentHelp = "the environment: a panorama, sphere map or cube (" +
-                                     std::string(readExtensions()) + "), or studio, sky[:elevation=20,…], uv, white";
+                                     std::string(readExtensions()) + "), or " + join(builtinEnvironmentNames()) +
+                                     "; sky:elevation=20,turbidity=3 says more of the sky";
 
 const std::array<Option<SceneRequest>, 7> kSceneOptions{{
     {{.name = "env",
@@ -66,14 +68,13 @@ Result<Scene> loadScene(const SceneRequest& request, const RenderOptions& option
 std::span<const Option<SceneRequest>> sceneOptions() { return kSceneOptions; }
 
 void addModel(Command& command, std::string_view name, SceneRequest& request) {
-  addArgument(
-      command,
-      {.name = name,
-       .help = "a file (.glb .gltf .obj .ply .stl), - for standard input, or a built-in: none sphere torus knot "
-               "teapot plane cube showcase (default showcase)",
-       .names = builtinModelNames,
-       .takes_path = true},
-      request.model);
+  addArgument(command,
+              {.name = name,
+               .help = "a file (" + modelExtensions() + "), - for standard input, or a built-in: " +
+                       join(builtinModelNames(), " ") + " (default " + request.model + ")",
+               .names = builtinModelNames,
+               .takes_path = true},
+              request.model);
 }
 
 Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions& options,

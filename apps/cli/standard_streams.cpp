@@ -16,8 +16,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "cli/interruption.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/unfinished.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -90,29 +92,13 @@ Result<void> keepInMemory() {
   return {};
 }
 
-/// A folder for the time of its own life.
-class TemporaryFolder {
- public:
-  static Result<TemporaryFolder> make() {
-    std::error_code status;
-    std::string path = (fs::temp_directory_path(status) / "mirrorball_XXXXXX").string();
-    if (status || ::mkdtemp(path.data()) == nullptr) return failed(kOutputName, "no temporary folder can be made");
-    return TemporaryFolder(std::move(path));
-  }
-  TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-  ~TemporaryFolder() { remove(); }
-
-  const std::string& path() const { return path_; }
-  void remove() {
-    std::error_code status;
-    if (!path_.empty()) fs::remove_all(std::exchange(path_, {}), status);
-  }
-
- private:
-  explicit TemporaryFolder(std::string path) : path_(std::move(path)) {}
-  std::string path_;
-};
+/// A folder for the time of its owner's life.
+Result<UnfinishedPath> makeTemporaryFolder() {
+  std::error_code status;
+  std::string path = (fs::temp_directory_path(status) / "mirrorball_XXXXXX").string();
+  if (status || ::mkdtemp(path.data()) == nullptr) return failed(kOutputName, "no temporary folder can be made");
+  return UnfinishedPath(std::move(path));
+}
 
 }  // namespace
 
@@ -140,7 +126,7 @@ Result<void> writeStandardOutput(std::string& output, const std::function<Result
     return fail(ErrorCode::usage, "--output " + output +
                                       " writes to standard output, and that is a terminal; redirect "
                                       "it, or name a file");
-  MIRRORBALL_TRY(folder, TemporaryFolder::make());
+  MIRRORBALL_TRY(folder, makeTemporaryFolder());
   const std::string path = folder.path() + "/output" + output.substr(1);
   showAs(path, kOutputName);
   keepStandardOutputFree();

@@ -1,9 +1,7 @@
 #include "cli/terminal.h"
 
-#include <array>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -11,13 +9,13 @@
 
 #include <unistd.h>
 
+#include "cli/interruption.h"
+
 namespace mirrorball::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::array<int, 3> kInterrupts{SIGINT, SIGTERM, SIGHUP};
-volatile std::sig_atomic_t caught_signal = 0;  // 0: none yet
 std::atomic<bool> bar_shown = false;
 std::atomic<bool> is_quiet = false;
 std::atomic<bool> output_is_taken = false;
@@ -26,11 +24,6 @@ std::atomic<bool> output_is_taken = false;
 std::map<std::string, std::string>& shownNames() {
   static std::map<std::string, std::string> names;
   return names;
-}
-
-void onInterrupt(int signal) {
-  caught_signal = signal;
-  std::signal(signal, SIG_DFL);
 }
 
 bool isTerminal() { return ::isatty(STDERR_FILENO) == 1 && !is_quiet; }
@@ -60,27 +53,6 @@ void drawBar(const std::string& what, std::size_t done, std::size_t total, doubl
 }
 
 }  // namespace
-
-void catchSignals() {
-  for (const int signal : kInterrupts)
-    if (std::signal(signal, onInterrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-}
-
-bool interrupted() { return caught_signal != 0; }
-
-void endByCaughtSignal() {
-  if (!interrupted()) return;
-  std::fflush(nullptr);
-  std::signal(caught_signal, SIG_DFL);
-  std::raise(caught_signal);
-}
-
-std::string interruptedAfter(std::size_t whole, std::size_t all) {
-  if (whole == 0) return "interrupted; no picture was written";
-  return "interrupted after " + std::to_string(whole) + " of " + std::to_string(all) + " pictures; " +
-         (whole == 1 ? "that one is whole" : "those are whole");
-}
 
 void beQuiet() { is_quiet = true; }
 
@@ -129,9 +101,7 @@ void complain(const Error& error) { say(stderr, "mirrorball: " + error.message);
 
 Result<void> outcomeOfMany(std::size_t failed, std::size_t all, const std::string& done, const std::string& folder) {
   const std::string where = folder.empty() ? "" : "; the others are in " + folder;
-  if (interrupted())
-    return fail(ErrorCode::interrupted,
-                folder.empty() ? std::string("interrupted") : "interrupted; what was finished stays in " + folder);
+  if (interrupted()) return fail(ErrorCode::interrupted, interruptedAmongMany(folder));
   if (failed == 0) return {};
   if (failed == all) return fail(ErrorCode::bad_file, "none of " + std::to_string(all) + " inputs could be " + done);
   return fail(ErrorCode::bad_file,

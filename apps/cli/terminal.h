@@ -8,20 +8,6 @@
 
 namespace mirrorball::cli {
 
-/// From now on Ctrl-C, SIGTERM and a terminal that goes away (SIGHUP) ask long work to stop at its next step, so that no
-/// half file stays; a second one ends the program. Those that whoever started the program had ignored stay ignored (nohup).
-/// And a file beyond the limit for files (ulimit -f) is an error of writing, as on a full disk.
-void catchSignals();
-
-/// Whether one of them came.
-bool interrupted();
-
-/// Ends the program by the signal that came, if one did: whoever started it, a loop of a shell, then knows why.
-void endByCaughtSignal();
-
-/// "interrupted after 3 of 200 pictures; those are whole"
-std::string interruptedAfter(std::size_t whole, std::size_t all);
-
 /// From now on nothing is said but errors, and no progress is shown.
 void beQuiet();
 

@@ -117,7 +117,8 @@ TEST_F(BadConvertOptionTest, PhotoRefusesTheSame) {
   succeed("convert white --to sphere --size 32 -o ball.exr");
   EXPECT_THAT(refuse(2, "photo ball.exr -o out.exr --mips --level 1"), HasSubstr("leave one of them out"));
   EXPECT_THAT(refuse(2, "photo ball.exr -o out.exr --layout vcross"), HasSubstr("for cubes"));
-  EXPECT_THAT(refuse(1, "photo ball.exr -o none/out.exr"), HasSubstr("check that the folder exists"));
+  EXPECT_THAT(refuse(1, "photo ball.exr -o none/out.exr"), HasSubstr("there is no folder none"));
+  EXPECT_THAT(refuse(2, "photo ball.exr -o out.exr --debug rim.exr"), HasSubstr("use .png or .jpg"));
   EXPECT_THAT(refuse(2, "photo ball.exr -o out.exr --for maya"), HasSubstr("'maya'"));
 }
 

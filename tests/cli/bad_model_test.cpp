@@ -81,6 +81,25 @@ TEST_F(BadModelTest, AnEmptyFileOrOneOfAnotherKind) {
   refuseModel("folder.obj", "is a folder");
 }
 
+TEST_F(BadModelTest, AFolderNamesTheModelsInIt) {
+  const auto make = [&](const std::string& file) {
+    std::filesystem::create_directories(path(file).parent_path());
+    write(file, std::string("v"));
+  };
+  std::filesystem::create_directory(path("empty"));
+  refuseModel("empty", "is a folder without a model (.glb .gltf .obj .ply .stl)");
+  make("helmet/helmet.gltf");
+  make("helmet/helmet.bin");
+  for (const std::string name : {"helmet", "helmet/"})
+    EXPECT_THAT(refuse(1, "render " + name + " -e white --size 8x8 -o out.png"),
+                AllOf(StartsWith(name + ": is a folder; "), HasSubstr("name the model in it: helmet/helmet.gltf")));
+  for (const std::string name : {"many/b.obj", "many/a.glb", "many/c.STL"}) make(name);
+  refuseModel("many", "one of the models in it: many/a.glb, many/b.obj, many/c.STL");
+  make("many/d.ply");
+  make("many/e.ply");
+  refuseModel("many", "many/d.ply, …");
+}
+
 TEST_F(BadModelTest, ATruncatedFile) {
   GltfMaker maker;
   maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");

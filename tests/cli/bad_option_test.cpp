@@ -13,14 +13,14 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Adds `words` to the command line of a small picture, which must be refused; returns the line.
+/// Adds `words` to the command line of a small picture or map, which must be refused; returns the line.
 class BadOptionTest : public RenderCliTest {
  protected:
   std::string refuseRender(const std::string& words) const {
-    return refuse(2, "render none -e white --size 8x8 -o out.png " + words);
+    return refuse(2, withUsual("render none -e white -o out.png " + words, {"--size 8x8"}));
   }
   std::string refuseConvert(const std::string& words) const {
-    return refuse(2, "convert white --to cube --size 4 -o out.exr " + words);
+    return refuse(2, withUsual("convert white -o out.exr " + words, {"--to cube", "--size 4"}));
   }
 };
 
@@ -61,6 +61,48 @@ TEST_F(BadOptionTest, TooManyArgumentsOrTooFew) {
   EXPECT_THAT(refuse(2, "convert white -o out.exr"), AllOf(HasSubstr("--to"), HasSubstr("equirect|sphere")));
   EXPECT_THAT(refuse(2, "convert white --to cube"), HasSubstr("-o"));
   EXPECT_THAT(refuseRender("--env-rotation"), HasSubstr("--env-rotation"));
+}
+
+TEST_F(BadOptionTest, AnOptionIsNoValue) {
+  EXPECT_THAT(refuse(2, "render sphere -e white --background -o y.png"),
+              AllOf(HasSubstr("--background needs a value: env|blur|COLOR|transparent"), HasSubstr("'-o'")));
+  EXPECT_THAT(refuseRender("--set --exposure 1"), AllOf(HasSubstr("--set needs a value: KEY=VALUE"), HasSubstr("'--exposure'")));
+  EXPECT_THAT(refuse(2, "convert white --to -o out.exr"), HasSubstr("--to needs a value: PROJECTION"));
+  EXPECT_THAT(refuse(2, "convert white --to cube -o --size 8"), HasSubstr("--output needs a file name"));
+  EXPECT_THAT(refuse(2, "info white --direction --json"), HasSubstr("--direction needs a value: X,Y,Z"));
+}
+
+TEST_F(BadOptionTest, ANegativeNumberIsAValue) {
+  succeed("render sphere -e white --size 8x8 -o out.png --camera -30,10 --exposure -1 --set bump_height=-0.5 "
+          "--target -1,-2,-.5 --light -1,2,3,1,1,1 --env-rotation -10,-20");
+  succeed("convert white --to cube --size 4 -o out.exr --rotate -90 --face-order -x+x+y-y+z-z --centre -1,0,0");
+}
+
+TEST_F(BadOptionTest, WhatCountsOnceIsNotGivenTwice) {
+  EXPECT_THAT(refuseRender("--output a.png"), HasSubstr("--output is given twice, as 'out.png' and as 'a.png'"));
+  EXPECT_THAT(refuseRender("--rotate 1 --env-rotation 2"), HasSubstr("--env-rotation is given twice"));
+  EXPECT_THAT(refuseRender("--fov 20 --fov 30 --fov 40"), HasSubstr("--fov is given 3 times"));
+  EXPECT_THAT(refuseRender("--orthographic 2 --orthographic 3"), HasSubstr("--orthographic is given twice"));
+  EXPECT_THAT(refuseConvert("--size 8 --size 8"), HasSubstr("--size is given twice"));
+  EXPECT_THAT(refuse(2, "bake white -o out --levels 2 --levels 3"), HasSubstr("--levels is given twice"));
+  EXPECT_THAT(refuse(2, "capture none --at 0,0,0 --at 1,1,1 -o out.exr"), HasSubstr("--at is given twice"));
+  EXPECT_THAT(refuse(2, "info white --from cube --from cube"), HasSubstr("--from is given twice"));
+  EXPECT_THAT(refuse(2, "photo white -o a.exr --circle 1,1,1 --circle 1,1,2"), HasSubstr("--circle is given twice"));
+  EXPECT_THAT(refuse(2, "reference --format man --format bash"), HasSubstr("--format is given twice"));
+  succeed("render none -e white --size 8x8 -o out.png --quiet --quiet --set ior=1.4 --set ior=1.5");
+}
+
+TEST_F(BadOptionTest, ANumberOutOfRangeIsToldWithBothLimits) {
+  for (const std::string number : {"1e35", "1e-35", "-1"})
+    EXPECT_THAT(refuseConvert("--scale-light " + number), HasSubstr("(1e-30 … 1e+30)")) << number;
+  EXPECT_THAT(refuseRender("--target 1e35,0,0"), HasSubstr("in world units (-1e+30 … 1e+30)"));
+  EXPECT_THAT(refuseRender("--light 1e35,0,0,1,1,1"), HasSubstr("in world units and radiance (-1e+30 … 1e+30)"));
+  EXPECT_THAT(refuseRender("--light 1,2,3"), Not(HasSubstr("1e+30"))) << "no number is too large";
+  EXPECT_THAT(refuseRender("--camera 0,91"), HasSubstr("-90 to 90 degrees"));
+  EXPECT_THAT(refuseRender("--camera 0,0,0"), HasSubstr("above 0, in model radii"));
+  EXPECT_THAT(refuseRender("--background 1,2,1e7"), HasSubstr("R,G,B (0 … 1000000)"));
+  EXPECT_THAT(refuseConvert("--max-memory 1e40"), HasSubstr("1e40"));
+  EXPECT_THAT(refuse(2, "info white --threads 99999"), HasSubstr("(0 … 1024)"));
 }
 
 TEST_F(BadOptionTest, AWrongNameListsTheRightOnes) {

@@ -32,14 +32,19 @@ class BadOutputTest : public RenderCliTest {
 };
 
 TEST_F(BadOutputTest, AFolderThatIsNotThere) {
-  refuseOutput(1, "none/out.exr", "check that the folder exists");
-  refuseOutput(1, "map.exr/out.exr", "cannot be written");
+  refuseOutput(1, "none/out.exr", "there is no folder none; make it");
+  refuseOutput(1, "map.exr/out.exr", "map.exr is no folder");
+  for (const std::string line : {"capture none -e map.exr --at 0,0,0 -o none/out.exr", "photo map.exr -o none/out.exr",
+                                 "photo map.exr -o out.exr --debug none/out.png", "bake map.exr -o none/out.ktx2",
+                                 "render none -e map.exr --frames 2 -o none/out.png"})
+    EXPECT_THAT(refuse(1, line), HasSubstr("there is no folder none; make it")) << line;
 }
 
 TEST_F(BadOutputTest, AFolderInTheFilesPlace) {
   fs::create_directory(path("folder.exr"));
-  EXPECT_THAT(refuse(1, "render none -e map.exr --size 8x8 -o folder.exr"),
-              AllOf(StartsWith("folder.exr: "), HasSubstr("cannot be written")));
+  for (const std::string command : {"render none -e map.exr", "capture none -e map.exr --at 0,0,0", "photo map.exr"})
+    for (const std::string output : {"folder.exr", "folder.exr/", "none/"})
+      EXPECT_THAT(refuse(2, command + " -o " + output), StartsWith(output + ": is a folder; name a file in it"));
   // A folder that is there is where convert puts its files, whatever it is called.
   succeed("convert map.exr --to sphere --size 8 -o folder.exr");
   EXPECT_EQ(image("folder.exr/map.exr").width(), 8);

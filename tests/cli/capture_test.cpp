@@ -170,9 +170,19 @@ TEST_F(CaptureTest, WhatIsMissingOrWrongIsTold) {
   EXPECT_THAT(refuse(2, start + "--layout faces"), HasSubstr("for cubes"));
   EXPECT_THAT(refuse(2, start + "--material glas"), HasSubstr("did you mean 'glass'?"));
   EXPECT_THAT(refuse(2, "capture none -e white --at 0,0,0 -o out.tga"), HasSubstr(".hdr or .exr"));
-  EXPECT_THAT(refuse(1, "capture none -e white --at 0,0,0 -o none/out.exr"), HasSubstr("check that the folder exists"));
+  EXPECT_THAT(refuse(1, "capture none -e white --at 0,0,0 -o none/out.exr"), HasSubstr("there is no folder none"));
   EXPECT_THAT(refuse(1, "capture nothing -e white --at 0,0,0 -o out.exr"), HasSubstr("'nothing'"));
   EXPECT_THAT(refuse(1, start + "--to cube --size 32768"), HasSubstr("--max-memory"));
+}
+
+// Whoever takes centimetres for metres gets a map of the environment alone.
+TEST_F(CaptureTest, APlaceFarOutsideOfTheSceneIsNoted) {
+  const Outcome far = run("capture torus -e white --at 0,500,0 --size 8 -o out.exr");
+  EXPECT_EQ(far.exit_code, 0);
+  EXPECT_THAT(far.err, AllOf(HasSubstr("mirrorball: note: 0,500,0 is far outside of the scene"),
+                             HasSubstr("within 1 units of 0,0,0")));
+  succeed("capture torus -e white --at 0,9,0 --size 8 -o out.exr");
+  succeed("capture none -e white --at 0,500,0 --size 8 -o out.exr");
 }
 
 TEST_F(CaptureTest, HasNoOptionOfAPictureOrItsCamera) {

@@ -44,6 +44,14 @@ std::string Arguments::text() const {
   return line;
 }
 
+std::string withUsual(const std::string& words, const std::vector<std::string>& usual) {
+  const std::vector<std::string> given = Arguments(words).words;
+  std::string line = words;
+  for (const std::string& option : usual)
+    if (std::ranges::find(given, option.substr(0, option.find(' '))) == given.end()) line += " " + option;
+  return line;
+}
+
 CliTest::CliTest()
     : folder_(fs::path(::testing::TempDir()) / ("mirrorball_cli_" + std::to_string(::getpid()) + "_" +
                                                 ::testing::UnitTest::GetInstance()->current_test_info()->name())) {

@@ -30,6 +30,11 @@ struct Arguments {
   std::string text() const;
 };
 
+/// Words with the options that they lack: each may be given only once.
+///
+/// usual   each with its value: "--size 8x8"
+std::string withUsual(const std::string& words, const std::vector<std::string>& usual);
+
 /// A fresh folder, in which the program runs and in which its files have plain names; it goes away with the test.
 class CliTest : public ::testing::Test {
  protected:

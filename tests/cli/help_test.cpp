@@ -4,12 +4,19 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "cli/cli_testing.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/codec/texture_file.h"
 #include "mirrorball/environment/builtin.h"
+#include "mirrorball/environment/cube_layout.h"
+#include "mirrorball/environment/preset.h"
+#include "mirrorball/environment/projection.h"
 #include "mirrorball/render/render_options.h"
+#include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/material.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -93,6 +100,33 @@ TEST_F(HelpTest, ListsOfFormatsAreTheTables) {
   EXPECT_THAT(std::string(readme->begin(), readme->end()), HasSubstr("Maps: `" + read + "`"));
   EXPECT_THAT(refuse(1, "info " + std::string(MIRRORBALL_SOURCE_DIR) + "/README.md"),
               HasSubstr("use " + readFormatNames()));
+}
+
+TEST_F(HelpTest, ListsOfNamesAreTheTables) {
+  const auto expectIn = [&](const std::string& command, std::string_view list) {
+    EXPECT_THAT(succeed(command + " --help"), HasSubstr(list)) << command;
+  };
+  const std::string textures = writtenExtensions(Holds::texture, " and ");
+  std::vector<std::string_view> formats;
+  for (const TexelFormatName& format : kTexelFormatNames) formats.push_back(format.name);
+  for (const std::string command : {"convert", "bake", "capture", "photo"}) {
+    expectIn(command, join(formats, ", ", " or ") + " in " + textures);
+    expectIn(command, join(presetNames(), " "));
+  }
+  const std::string extensions = join(writtenExtensionNames(Holds::texture), "|");
+  expectIn("bake", "--extension " + extensions);
+  expectIn("bake", "--brdf-extension " + extensions + "|exr");
+  for (const std::string command : {"convert", "capture", "photo"}) {
+    expectIn(command, join(projectionNames(), ", ", " or "));
+    expectIn(command, join(cubeLayoutNames()));
+  }
+  for (const std::string command : {"render", "capture"}) {
+    expectIn(command, "(" + modelExtensions() + ")");
+    expectIn(command, join(builtinModelNames(), " "));
+    expectIn(command, join(materialNames(), " "));
+  }
+  for (const std::string command : {"convert", "bake", "info"})
+    expectIn(command, "a built-in: " + join(builtinEnvironmentNames(), " "));
 }
 
 TEST_F(HelpTest, HelpIsACommandToo) {

@@ -107,5 +107,51 @@ TEST_F(InterruptRenderTest, ATurntableShowsItsProgressOnATerminalAndClearsIt) {
   EXPECT_THAT(shown, HasSubstr("\r\033[Kmirrorball: interrupted after "));
 }
 
+/// A quarter of a second is what work may take to stop by itself; the rest is for a machine that does much else.
+constexpr std::chrono::seconds kSoon(5);
+
+class LongStepTest : public CliTest {
+ protected:
+  /// Presses Ctrl-C some time after the program has begun; returns what it said in the end, which must be soon.
+  std::string interruptAfter(std::chrono::milliseconds time, const std::string& line, int cores = 1) const {
+    Program program({.arguments = Arguments(line).words, .folder = path(""), .cores = cores});
+    program.waitUntilItCatchesInterrupts();
+    std::this_thread::sleep_for(time);
+    EXPECT_TRUE(program.running()) << line << ": was done before it could be interrupted";
+    const auto pressed = std::chrono::steady_clock::now();
+    program.interrupt();
+    const Outcome outcome = program.wait();
+    EXPECT_LT(std::chrono::steady_clock::now() - pressed, kSoon) << line;
+    EXPECT_EQ(outcome.signal, SIGINT) << line << "\nended with " << outcome.exit_code;
+    return outcome.err;
+  }
+};
+
+// Zstandard compresses a level in one go, which takes half a minute here.
+TEST_F(LongStepTest, IsNotWaitedFor) {
+  succeed("convert sky --to cube --size 512 --format half -o sky.ktx2");
+  const std::vector<std::string> before = files();
+  EXPECT_EQ(interruptAfter(std::chrono::milliseconds(1500), "convert sky.ktx2 --to cube --zstd 22 -o out.ktx2"),
+            "mirrorball: interrupted; nothing was written\n");
+  EXPECT_EQ(files(), before);
+}
+
+// Of many the finished ones stay.
+TEST_F(LongStepTest, LeavesWhatWasFinished) {
+  succeed("convert sky --to cube --size 512 --format half -o sky.ktx2");
+  write("small.exr", smoothPanorama());
+  EXPECT_EQ(interruptAfter(std::chrono::milliseconds(1500),
+                           "convert small.exr sky.ktx2 --to cube --zstd 22 --extension ktx2 -o out"),
+            "mirrorball: interrupted; what was finished stays in out\n");
+  EXPECT_THAT(files(), ElementsAre("out/", "out/small.ktx2", "sky.ktx2", "small.exr"));
+}
+
+TEST_F(LongStepTest, CompressionAsksWhetherToStop) {
+  succeed("convert sky --to cube --size 1024 --format half -o sky.ktx2");
+  EXPECT_EQ(interruptAfter(std::chrono::milliseconds(700), "convert sky.ktx2 --format bc6h --mips -o out.ktx2"),
+            "mirrorball: interrupted; nothing was written\n");
+  EXPECT_THAT(files(), ElementsAre("sky.ktx2"));
+}
+
 }  // namespace
 }  // namespace mirrorball::testing

@@ -29,8 +29,8 @@ class RenderOptionTest : public RenderCliTest {
 
   /// A sphere of a material in smooth light, seen from +Z in parallel projection and inscribed into the picture.
   Image drawBall(const std::string& options) const {
-    succeed("render sphere -e smooth.exr --camera 0,0 --orthographic 2 --size 65x65 --samples 1 -o ball.exr " +
-            options);
+    succeed(withUsual("render sphere --camera 0,0 --size 65x65 " + options,
+                      {"-e smooth.exr", "--orthographic 2", "--samples 1", "-o ball.exr"}));
     return image("ball.exr");
   }
 
@@ -158,7 +158,10 @@ TEST_F(RenderOptionTest, ToneMapAndExposureAreTheFormulasOfTheRadiance) {
   const Image radiance = drawBall("--material gold");
   const char* const curves[] = {"agx", "aces", "neutral", "reinhard", "linear"};
   for (int curve = 0; curve < 5; ++curve) {
-    drawBall("--material gold --exposure 0.5 -o ball.png --tone-map " + std::string(curves[curve]));
+    succeed(
+        "render sphere -e smooth.exr --camera 0,0 --orthographic 2 --size 65x65 --samples 1 --material gold "
+        "--exposure 0.5 -o ball.png --tone-map " +
+        std::string(curves[curve]));
     const Image picture = image("ball.png");
     for (int y = 0; y < kSize; y += 3)
       for (int x = 0; x < kSize; x += 3) {

@@ -106,7 +106,7 @@ Result<std::size_t> FileReader::readAt(std::uint64_t offset, std::span<std::uint
   return filled;
 }
 
-FileWriter::FileWriter(std::string name, std::string temporary, int descriptor)
+FileWriter::FileWriter(std::string name, UnfinishedPath temporary, int descriptor)
     : name_(std::move(name)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
 
 FileWriter::FileWriter(FileWriter&& other) noexcept
@@ -115,20 +115,18 @@ FileWriter::FileWriter(FileWriter&& other) noexcept
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 FileWriter::~FileWriter() {
-  if (descriptor_ < 0) return;
-  ::close(descriptor_);
-  std::remove(temporary_.c_str());
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 Result<FileWriter> FileWriter::create(const std::filesystem::path& path) {
   const std::string name = path.string();
-  const std::string temporary = name + ".part" + std::to_string(::getpid());
+  UnfinishedPath temporary(name + ".part" + std::to_string(::getpid()));
   constexpr mode_t kReadAndWrite = 0666;  // less what the user's umask takes away
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kReadAndWrite);
+  const int descriptor = ::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kReadAndWrite);
   if (descriptor < 0)
     return fail(ErrorCode::io,
                 name + ": cannot be written: " + reason() + "; check that the folder exists and is writable");
-  return FileWriter(name, temporary, descriptor);
+  return FileWriter(name, std::move(temporary), descriptor);
 }
 
 tl::unexpected<Error> FileWriter::failed(int error_number) const {
@@ -147,11 +145,8 @@ Result<void> FileWriter::writeAt(std::uint64_t offset, std::span<const std::uint
 }
 
 Result<void> FileWriter::commit() {
-  const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
-  if (closed && std::rename(temporary_.c_str(), name_.c_str()) == 0) return {};
-  const int error_number = errno;
-  std::remove(temporary_.c_str());
-  return failed(error_number);
+  if (::close(std::exchange(descriptor_, -1)) == 0 && temporary_.finishAs(name_)) return {};
+  return failed(errno);
 }
 
 Result<void> writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {

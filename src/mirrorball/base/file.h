@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/base/unfinished.h"
 
 namespace mirrorball {
 
@@ -71,11 +72,11 @@ class FileWriter {
   Result<void> commit();
 
  private:
-  FileWriter(std::string name, std::string temporary, int descriptor);
+  FileWriter(std::string name, UnfinishedPath temporary, int descriptor);
   tl::unexpected<Error> failed(int error_number) const;
 
   std::string name_;
-  std::string temporary_;
+  UnfinishedPath temporary_;
   int descriptor_ = -1;  // -1 once it is closed or moved away
 };
 

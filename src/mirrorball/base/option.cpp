@@ -1,13 +1,15 @@
 #include "mirrorball/base/option.h"
 
 #include <cmath>
+#include <limits>
 
 #include "mirrorball/base/text.h"
 
 namespace mirrorball {
 namespace {
 
-constexpr double kUnbounded = 1e29;
+/// What a number may be where its option says nothing of a range.
+constexpr double kLargestNumber = 1e30;
 
 /// The parts of a text between '|'; none of an empty one.
 std::vector<std::string_view> partsOf(std::string_view rest) {
@@ -29,7 +31,23 @@ std::vector<Alias> aliasesOf(const OptionText& text) {
   return aliases;
 }
 
-/// "--fov takes a number of degrees (1 … 170); it was given 'wide'"
+/// The option with the limits that there are where it has none of its own.
+OptionText bounded(OptionText text, double most) {
+  if (!std::isfinite(text.minimum)) text.minimum = -most;
+  if (!std::isfinite(text.maximum)) text.maximum = most;
+  return text;
+}
+
+bool isWithin(const OptionText& bounds, double number) { return number >= bounds.minimum && number <= bounds.maximum; }
+
+/// The option as it is told of: without those limits, unless a number is beyond them.
+OptionText toldOf(const OptionText& text, const OptionText& bounds, std::string_view written) {
+  for (const std::string& part : split(written, ','))
+    if (const auto number = parseNumber(part); number && !isWithin(bounds, *number)) return bounds;
+  return text;
+}
+
+/// "fov takes a number in degrees (1 … 170); it was given 'wide'"
 tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, std::string_view given) {
   std::string message = std::string(text.name) + " takes " + std::string(wants);
   if (!text.unit.empty()) message += (text.most > 1 ? ", in " : " in ") + std::string(text.unit);
@@ -44,11 +62,11 @@ std::string wantedNumbers(const OptionText& text) {
 }
 
 /// The numbers between commas, if each is one and within the range.
-std::optional<std::vector<float>> numbersIn(const OptionText& text, std::string_view written) {
+std::optional<std::vector<float>> numbersIn(const OptionText& bounds, std::string_view written) {
   std::vector<float> numbers;
   for (const std::string& part : split(written, ',')) {
     const auto number = parseNumber(part);
-    if (!number || *number < text.minimum || *number > text.maximum) return {};
+    if (!number || !isWithin(bounds, *number)) return {};
     numbers.push_back(static_cast<float>(*number));
   }
   return numbers;
@@ -57,26 +75,29 @@ std::optional<std::vector<float>> numbersIn(const OptionText& text, std::string_
 }  // namespace
 
 Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view written) {
-  const auto numbers = numbersIn(text, written);
+  const OptionText bounds = bounded(text, kLargestNumber);
+  const auto numbers = numbersIn(bounds, written);
   const int count = numbers ? static_cast<int>(numbers->size()) : 0;
-  if (count < text.fewest || count > text.most) return misused(text, wantedNumbers(text), written);
+  if (count < text.fewest || count > text.most)
+    return misused(toldOf(text, bounds, written), wantedNumbers(text), written);
   return *numbers;
 }
 
 Result<glm::vec3> parseVector(const OptionText& text, std::string_view written) {
-  const auto numbers = numbersIn(text, written);
+  const OptionText bounds = bounded(text, kLargestNumber);
+  const auto numbers = numbersIn(bounds, written);
   if (numbers && numbers->size() == 1) return glm::vec3((*numbers)[0]);
   if (numbers && numbers->size() == 3) return glm::vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-  OptionText several = text;
+  OptionText several = toldOf(text, bounds, written);
   several.most = 3;
   return misused(several, "one or three numbers with commas between", written);
 }
 
 Result<int> parseInteger(const OptionText& text, std::string_view written) {
+  const OptionText bounds = bounded(text, std::numeric_limits<int>::max());
   const auto number = parseNumber(written);
-  if (!number || *number != std::floor(*number) || std::abs(*number) > 2147483647.0 || *number < text.minimum ||
-      *number > text.maximum)
-    return misused(text, "a whole number", written);
+  if (!number || *number != std::floor(*number) || !isWithin(bounds, *number))
+    return misused(toldOf(text, bounds, written), "a whole number", written);
   return static_cast<int>(*number);
 }
 
@@ -97,8 +118,8 @@ Result<bool> parseFlag(const OptionText& text, std::string_view written) {
 }
 
 std::string rangeText(const OptionText& text) {
-  const bool low = text.minimum > -kUnbounded;
-  const bool high = text.maximum < kUnbounded;
+  const bool low = std::isfinite(text.minimum);
+  const bool high = std::isfinite(text.maximum);
   if (low && high) return formatNumber(text.minimum) + " … " + formatNumber(text.maximum);
   if (low) return "at least " + formatNumber(text.minimum);
   if (high) return "at most " + formatNumber(text.maximum);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,8 +21,8 @@ struct OptionText {
   std::string_view name;        ///< "fov", "perceptual_roughness": without dashes
   std::string_view value = {};  ///< how the value is written in help: "DEG"; empty for a flag
   std::string_view unit = {};   ///< "degrees"; empty for a pure number
-  double minimum = -1e30;       ///< of each number
-  double maximum = 1e30;
+  double minimum = -std::numeric_limits<double>::infinity();  ///< of each number
+  double maximum = std::numeric_limits<double>::infinity();
   int fewest = 1;  ///< how many numbers a list takes
   int most = 1;
   std::string_view choices = {};  ///< "exact|schlick|empirical": the values of an enumeration, in its order
@@ -68,7 +69,8 @@ struct Option {
       field;
 };
 
-/// Numbers written "1,2.5,3", as many as `text` allows and each in its range.
+/// Numbers written "1,2.5,3", as many as `text` allows and each in its range; without one up to ±1e30, so that what is
+/// computed from them stays finite.
 ///
 /// errors   usage: names the option, its unit and range
 Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view written);

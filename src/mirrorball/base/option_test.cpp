@@ -91,6 +91,22 @@ TEST(Option, WrongValuesAreNamedWithUnitAndRange) {
   EXPECT_FALSE(assign(kOn, camera, "maybe"));
 }
 
+TEST(Option, ANumberBeyondALimitIsToldWithBothLimits) {
+  Camera camera;
+  const Option<Camera> distance{{.name = "distance", .unit = "metres", .minimum = 0}, &Camera::fov_deg};
+  EXPECT_EQ(rangeText(distance.text), "at least 0");
+  EXPECT_THAT(assign(distance, camera, "1e31").error().message, HasSubstr("in metres (0 … 1e+30)"));
+  EXPECT_THAT(assign(distance, camera, "far").error().message, HasSubstr("(at least 0)"));
+  EXPECT_EQ(rangeText(kTarget.text), "");
+  EXPECT_THAT(assign(kTarget, camera, "0,-1e31,0").error().message, HasSubstr("(-1e+30 … 1e+30)"));
+  const Option<Camera> light{{.name = "light", .minimum = 1e-30, .maximum = 1e38}, &Camera::fov_deg};
+  EXPECT_EQ(rangeText(light.text), "1e-30 … 1e+38");
+  EXPECT_TRUE(assign(light, camera, "1e38"));
+  const Option<Camera> count{{.name = "count"}, &Camera::samples};
+  EXPECT_THAT(assign(count, camera, "3e9").error().message, HasSubstr("2147483"));
+  EXPECT_TRUE(assign(count, camera, "-2147483647"));
+}
+
 TEST(Option, WrongChoiceListsTheRightOnes) {
   Camera camera;
   const auto result = assign(kLens, camera, "tela");

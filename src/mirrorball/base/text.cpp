@@ -43,11 +43,14 @@ std::string_view withoutDashes(std::string_view name) {
   return name.substr(std::min(name.find_first_not_of('-'), name.size()));
 }
 
-/// Whether a word is made of parts between '-', of which `text` is one.
-bool isPart(std::string_view text, const std::string& word) {
-  constexpr std::size_t kShortestPart = 3;
+/// How far a text is from the nearest of the parts between '-' that a word is made of; of a word of one part it is nothing.
+std::optional<std::size_t> distanceToPart(std::string_view text, const std::string& word) {
+  std::optional<std::size_t> least;
   const std::vector<std::string> parts = split(word, '-');
-  return text.size() >= kShortestPart && std::ranges::find(parts, text) != parts.end();
+  for (const std::string& part : parts)
+    if (const std::size_t distance = editDistance(text, part); parts.size() > 1 && (!least || distance < *least))
+      least = distance;
+  return least;
 }
 
 }  // namespace
@@ -70,13 +73,19 @@ std::vector<std::string> split(std::string_view text, char separator) {
   }
 }
 
-std::string join(std::span<const std::string_view> words, std::string_view separator) {
+std::string join(std::span<const std::string_view> words, std::string_view separator,
+                 std::optional<std::string_view> before_last) {
   std::string joined;
-  for (const std::string_view word : words) {
-    if (!joined.empty()) joined += separator;
-    joined += word;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) joined += i + 1 < words.size() ? separator : before_last.value_or(separator);
+    joined += words[i];
   }
   return joined;
+}
+
+std::string join(std::span<const std::string> words, std::string_view separator,
+                 std::optional<std::string_view> before_last) {
+  return join(std::vector<std::string_view>(words.begin(), words.end()), separator, before_last);
 }
 
 std::size_t columnsOf(std::string_view text) {
@@ -122,24 +131,34 @@ std::optional<std::size_t> indexOfName(std::string_view written, std::span<const
 
 std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words) {
   constexpr std::size_t kMostEdits = 3;
+  constexpr std::size_t kShortestPart = 3;
   const std::string given = folded(withoutDashes(text));
   std::optional<std::string_view> nearest;
-  std::size_t least = std::clamp<std::size_t>((given.size() + 1) / 3, 0, kMostEdits) + 1;
-  for (const std::string_view word : words) {
-    const std::size_t distance = editDistance(given, folded(withoutDashes(word)));
-    if (distance < least) {
-      least = distance;
+  const auto look = [&](std::size_t most_edits, const auto& distance_to) {
+    std::size_t least = most_edits + 1;
+    for (const std::string_view word : words) {
+      const std::optional<std::size_t> distance = distance_to(folded(withoutDashes(word)));
+      if (!distance || *distance >= least) continue;
+      least = *distance;
       nearest = word;
     }
-  }
-  for (const std::string_view word : words)
-    if (!nearest && isPart(given, folded(word))) nearest = word;
+  };
+  look(std::min((given.size() + 1) / 3, kMostEdits),
+       [&](const std::string& word) { return std::optional(editDistance(given, word)); });
+  // A part says less than a whole word, and so has to be closer.
+  if (!nearest && given.size() >= kShortestPart)
+    look(given.size() / 5, [&](const std::string& word) { return distanceToPart(given, word); });
   return nearest;
 }
 
 Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right) {
+  return unknownName(what, given, right, nearestWord(given, right));
+}
+
+Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right,
+                  std::optional<std::string_view> meant) {
   std::string message = "no " + std::string(what) + " is named '" + std::string(given) + "'";
-  if (const auto nearest = nearestWord(given, right)) message += "; did you mean '" + std::string(*nearest) + "'?";
+  if (meant) message += "; did you mean '" + std::string(*meant) + "'?";
   return {ErrorCode::usage, message + " (there are: " + join(right) + ")"};
 }
 

@@ -17,8 +17,11 @@ std::optional<double> parseNumber(std::string_view text);
 /// Splits at every `separator`; "a,,b" has three parts, "" has one.
 std::vector<std::string> split(std::string_view text, char separator);
 
-/// "a, b, c"
-std::string join(std::span<const std::string_view> words, std::string_view separator = ", ");
+/// "a, b, c"; with " or " before the last, "a, b or c".
+std::string join(std::span<const std::string_view> words, std::string_view separator = ", ",
+                 std::optional<std::string_view> before_last = {});
+std::string join(std::span<const std::string> words, std::string_view separator = ", ",
+                 std::optional<std::string_view> before_last = {});
 
 /// How many columns UTF-8 text takes on a terminal: its code points, but for those that only mark the letter before them.
 std::size_t columnsOf(std::string_view text);
@@ -44,12 +47,17 @@ std::optional<std::size_t> indexOfName(std::string_view written, std::span<const
                                        std::span<const Alias> aliases = {});
 
 /// The word that `text` may be a slip of the finger for: about a third of its letters may be wrong, missing, too many or
-/// swapped with their neighbours. Else the first of which it is a part, as "roughness" is of "perceptual_roughness".
+/// swapped with their neighbours. Else the one of which it is a part, as "roughness" is of "perceptual_roughness", or a fifth
+/// of its letters away from one.
 std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words);
 
 /// The error for a name that is not in a list: names the thing, suggests the nearest and lists the right ones.
 ///
 /// what     what the name should name, as in "material"
 Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right);
+
+/// The same where it is known otherwise which of them is meant, if any is.
+Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right,
+                  std::optional<std::string_view> meant);
 
 }  // namespace mirrorball

@@ -23,6 +23,15 @@ TEST(Split, KeepsEmptyParts) {
   EXPECT_THAT(split("", ','), ElementsAre(""));
 }
 
+TEST(Join, PutsAWordBeforeTheLast) {
+  constexpr std::array<std::string_view, 3> kWords{"a", "b", "c"};
+  EXPECT_EQ(join(kWords), "a, b, c");
+  EXPECT_EQ(join(kWords, "|"), "a|b|c");
+  EXPECT_EQ(join(kWords, ", ", " or "), "a, b or c");
+  EXPECT_EQ(join(std::vector<std::string>{"a"}, ", ", " or "), "a");
+  EXPECT_EQ(join(std::vector<std::string>(), ", ", " or "), "");
+}
+
 TEST(CountedAre, AgreesWithTheNumber) {
   EXPECT_EQ(countedAre(1, "texel"), "1 texel is");
   EXPECT_EQ(countedAre(0, "texel"), "0 texels are");
@@ -46,6 +55,8 @@ TEST(UnknownName, SuggestsTheNearestAndListsAll) {
   EXPECT_EQ(nearestWord("MIRORR", kNames), "mirror") << "case does not count, swapped letters are one slip";
   EXPECT_EQ(unknownName("material", "glod", kNames).message,
             "no material is named 'glod'; did you mean 'gold'? (there are: mirror, chrome, gold)");
+  EXPECT_EQ(unknownName("material", "glod", kNames, std::nullopt).message,
+            "no material is named 'glod' (there are: mirror, chrome, gold)");
 }
 
 TEST(Text, OnlyWhatIsCloseIsSuggested) {
@@ -57,6 +68,9 @@ TEST(Text, OnlyWhatIsCloseIsSuggested) {
   EXPECT_EQ(nearestWord("--rotation", kOptions), "--env-rotation") << "it is a part of that";
   constexpr std::array<std::string_view, 2> kParameters{"metallic", "perceptual_roughness"};
   EXPECT_EQ(nearestWord("roughness", kParameters), "perceptual_roughness");
+  EXPECT_EQ(nearestWord("rougness", kParameters), "perceptual_roughness") << "and a slip away from one";
+  EXPECT_EQ(nearestWord("roundness", kParameters), std::nullopt) << "two slips of nine letters";
+  EXPECT_EQ(nearestWord("--enx", kOptions), std::nullopt) << "one of three";
   EXPECT_EQ(nearestWord("", kParameters), std::nullopt);
 }
 

@@ -236,7 +236,7 @@ Result<void> writeDds(const ImageSet& images, const TextureWriteOptions& options
                       const WriteAt& write) {
   const TextureLayout layout = ddsLayout(shapeOf(images), images.at(0, 0).channels() == 4, options);
   MIRRORBALL_TRY_VOID(write(0, layout.header));
-  return streamTexels(images, layout.images, options.format, name, write);
+  return streamTexels(images, layout.images, options.format, name, write, options.progress);
 }
 
 }  // namespace mirrorball

@@ -19,28 +19,19 @@ constexpr bool isInOrder() {
 }
 static_assert(isInOrder());
 
-/// "a, b or c"
-std::string listed(const std::vector<std::string>& words, std::string_view between, std::string_view before_last) {
-  std::string list;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) list += i + 1 < words.size() ? between : before_last;
-    list += words[i];
-  }
-  return list;
-}
-
+/// The usual extensions, with their dots.
 std::string extensionsOf(const Admit& admit, std::string_view before_last) {
   std::vector<std::string> extensions;
   for (const ImageFormat& format : kImageFormats)
-    if (admit(format)) extensions.push_back("." + split(format.extensions, ' ').front());
-  return listed(extensions, before_last == " " ? " " : ", ", before_last);
+    if (admit(format)) extensions.push_back("." + std::string(usualExtension(format)));
+  return join(extensions, before_last == " " ? " " : ", ", before_last);
 }
 
 std::string namesOf(const Admit& admit) {
-  std::vector<std::string> names;
+  std::vector<std::string_view> names;
   for (const ImageFormat& format : kImageFormats)
-    if (admit(format)) names.emplace_back(format.name);
-  return listed(names, ", ", " or ");
+    if (admit(format)) names.push_back(format.name);
+  return join(names, ", ", " or ");
 }
 
 /// ".hdr or .exr for linear light, .png or .jpg for pictures"
@@ -52,7 +43,7 @@ std::string adviceFor(std::initializer_list<Holds> wanted) {
                                                    : " for pictures";
     kinds.push_back(writtenExtensions(what, " or ") + (wanted.size() > 1 ? purpose : ""));
   }
-  return listed(kinds, ", ", ", ");
+  return join(kinds, ", ", ", ");
 }
 
 std::string_view textOf(Holds what) {
@@ -84,6 +75,20 @@ std::string writtenExtensions(std::string_view before_last) {
 std::string writtenExtensions(Holds what, std::string_view before_last) {
   return extensionsOf([what](const ImageFormat& format) { return format.is_written && mayHold(format, what); },
                       before_last);
+}
+
+std::vector<std::string_view> writtenExtensionNames() {
+  std::vector<std::string_view> names;
+  for (const ImageFormat& format : kImageFormats)
+    if (format.is_written) names.push_back(usualExtension(format));
+  return names;
+}
+
+std::vector<std::string_view> writtenExtensionNames(Holds what) {
+  std::vector<std::string_view> names;
+  for (const ImageFormat& format : kImageFormats)
+    if (format.is_written && mayHold(format, what)) names.push_back(usualExtension(format));
+  return names;
 }
 
 std::string readFormatNames() {

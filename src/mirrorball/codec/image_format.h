@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mirrorball/base/result.h"
 
@@ -58,6 +59,11 @@ constexpr bool mayHold(const ImageFormat& format, Holds what) {
   return format.holds == what || (format.holds == Holds::either && (what == Holds::light || what == Holds::picture));
 }
 
+/// "jpg"
+constexpr std::string_view usualExtension(const ImageFormat& format) {
+  return format.extensions.substr(0, format.extensions.find(' '));
+}
+
 /// The usual extensions of all formats that are read: ".hdr .exr .png".
 std::string_view readExtensions();
 
@@ -69,6 +75,12 @@ std::string writtenExtensions(std::string_view before_last = " ");
 
 /// The same of those that hold one thing.
 std::string writtenExtensions(Holds what, std::string_view before_last = " ");
+
+/// The usual extensions of all formats that are written, without their dots.
+std::vector<std::string_view> writtenExtensionNames();
+
+/// The same of those that hold one thing.
+std::vector<std::string_view> writtenExtensionNames(Holds what);
 
 /// "Radiance HDR, OpenEXR, PNG or JPEG": the formats that are read.
 std::string readFormatNames();

@@ -95,7 +95,7 @@ Result<void> writeKtx1(const ImageSet& images, const TextureWriteOptions& option
     const std::uint64_t begin = layout.images[std::size_t(level) * shape.imagesPerLevel()].offset;
     MIRRORBALL_TRY_VOID(write(begin - sizeof(std::uint32_t), size.takeBytes()));
   }
-  return streamTexels(images, layout.images, options.format, name, write);
+  return streamTexels(images, layout.images, options.format, name, write, options.progress);
 }
 
 }  // namespace mirrorball

@@ -91,18 +91,29 @@ Result<void> compressLevels(const ImageSet& images, const TextureShape& shape, c
                             std::uint64_t begin, std::span<Level> levels, const std::string& name,
                             const WriteAt& write) {
   const StoredFormat stored = storedFormat(options.format);
+  const auto bytesOf = [&](std::size_t level) {
+    return std::size_t(imageSize(shape, stored, static_cast<int>(level)) * shape.imagesPerLevel());
+  };
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < levels.size(); ++i) all += bytesOf(i);
+  std::size_t done = 0;
   std::uint64_t at = begin;
   for (std::size_t i = levels.size(); i-- > 0;) {
     const int level = static_cast<int>(i);
-    Bytes texels(imageSize(shape, stored, level) * shape.imagesPerLevel());
+    Bytes texels(bytesOf(i));
     std::vector<PlacedImage> placed;
     placeLevel(shape, stored, level, 0, placed);
     const WriteAt keep = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) -> Result<void> {
       std::memcpy(texels.data() + offset, bytes.data(), bytes.size());
       return {};
     };
-    MIRRORBALL_TRY_VOID(streamTexels(images, placed, options.format, name, keep));
+    // Next to the compression nothing else counts.
+    const ProgressFunction asked = partOf(options.progress, done, 0, all);
+    MIRRORBALL_TRY_VOID(streamTexels(images, placed, options.format, name, keep, asked));
     MIRRORBALL_TRY(packed, compress(texels, options.zstandard_level, name));
+    done += texels.size();
+    if (options.progress && !options.progress(done, all))
+      return fail(ErrorCode::interrupted, "interrupted; nothing was written");
     MIRRORBALL_TRY_VOID(write(at, packed));
     levels[i] = {at, packed.size(), texels.size()};
     at += packed.size();
@@ -135,7 +146,7 @@ Result<void> writeKtx2(const ImageSet& images, const TextureWriteOptions& option
   if (options.zstandard_level == 0) {
     const TextureLayout layout = ktx2Layout(shape, options);
     MIRRORBALL_TRY_VOID(write(0, layout.header));
-    return streamTexels(images, layout.images, options.format, name, write);
+    return streamTexels(images, layout.images, options.format, name, write, options.progress);
   }
   std::vector<Level> levels(shape.levels);
   const std::uint64_t begin = header(shape, options, levels).size();

@@ -77,7 +77,7 @@ Error misfit(const std::string& name, TexelFormat format, const std::string& pla
 }
 
 Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> placed, TexelFormat format,
-                          const std::string& name, const WriteAt& write) {
+                          const std::string& name, const WriteAt& write, const ProgressFunction& progress) {
   const StoredFormat stored = storedFormat(format);
   const bool is_compressed = blockSide(stored) > 1;
   const std::vector<Piece> pieces = cutIntoPieces(images, placed, stored);
@@ -85,9 +85,10 @@ Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> p
   std::mutex mutex;  // guards the two below
   std::size_t first_misfit = pieces.size();
   std::optional<Error> failure;
+  ProgressCounter steps(progress, pieces.size());
   parallelFor(pieces.size(), is_compressed ? 1 : kPiecesPerBuffer, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint8_t> buffer;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = begin; i < end && !steps.stopped(); ++i) {
       const Piece& piece = pieces[i];
       const Image& image = images.at(piece.placed->level, piece.placed->face, piece.placed->layer);
       const std::size_t channels = std::size_t(image.channels());
@@ -96,6 +97,7 @@ Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> p
           packTexels(format, image.samples().subspan(piece.begin * channels, (piece.end - piece.begin) * channels),
                      image.channels(), image.width(), buffer);
       const Result<void> written = write(piece.placed->offset + bytesBefore(stored, image, piece.begin), buffer);
+      steps.advance();
       if (fits && written) continue;
       const std::lock_guard lock(mutex);
       if (!fits) first_misfit = std::min(first_misfit, i);
@@ -103,6 +105,7 @@ Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> p
       return;
     }
   });
+  MIRRORBALL_TRY_VOID(steps.result());
   if (failure) return tl::unexpected<Error>(std::move(*failure));
   if (first_misfit < pieces.size()) return tl::unexpected<Error>(misfitOf(images, pieces[first_misfit], format, name));
   return {};

@@ -38,9 +38,10 @@ Error misfit(const std::string& name, TexelFormat format, const std::string& pla
 /// Encodes images and writes them, rows tightly packed, without ever holding one of them as a whole.
 ///
 /// placed   in the order in which texels that do not fit are named
-/// errors   out_of_range (the first such texel is named); what `write` returns
+/// progress told after each 64 KiB or, of compressed texels, each 16 KiB
+/// errors   out_of_range (the first such texel is named); what `write` returns; interrupted (when `progress` says so)
 /// cost     on all cores; 64 KiB of memory a thread
 Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> placed, TexelFormat format,
-                          const std::string& name, const WriteAt& write);
+                          const std::string& name, const WriteAt& write, const ProgressFunction& progress);
 
 }  // namespace mirrorball

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/image/image_set.h"
@@ -24,10 +27,29 @@ enum class TexelFormat {
   rg_float32,  ///< r32g32 sfloat, 8 bytes
 };
 
+/// What a format is called where one asks for it. Those of two channels are for what has two, and nobody asks for them.
+struct TexelFormatName {
+  TexelFormat format;
+  std::string_view name;
+  std::string_view also;  ///< other names, with spaces between
+  bool is_in_exr;         ///< as a picture's samples
+};
+
+/// The one list of them, in the order of TexelFormat.
+inline constexpr std::array<TexelFormatName, 5> kTexelFormatNames{{
+    {TexelFormat::half, "half", "float16 fp16 f16", true},
+    {TexelFormat::float32, "float32", "float fp32 f32", true},
+    {TexelFormat::b10g11r11, "b10g11r11", "r11g11b10 r11g11b10f", false},
+    {TexelFormat::e5b9g9r9, "e5b9g9r9", "rgb9e5 r9g9b9e5", false},
+    {TexelFormat::bc6h, "bc6h", "bc6 bc6hu", false},
+}};
+
 struct TextureWriteOptions {
   TexelFormat format = TexelFormat::half;
   int zstandard_level = 0;  ///< KTX2: 0 stores texels as they are, 1 (fast) to 22 (small) compresses each level
   Metadata metadata = {};   ///< KTX2 and KTX keep it, DDS has no place for it
+  /// Told while writeImageSet compresses and writes, which takes seconds for large maps.
+  ProgressFunction progress = {};
 };
 
 /// The images of a texture as they come from a file.
@@ -62,7 +84,7 @@ bool isImageSet(std::span<const std::uint8_t> bytes);
 ///          before, rounded down; 1 face, or 6 square ones
 /// errors   usage (an unknown extension, a Zstandard level for another than KTX2, metadata that cannot be stored); bad_shape; io;
 ///          out_of_range (the first texel that does not fit the format is named; where levels are compressed, the
-///          first of the smallest level that has one); too_large
+///          first of the smallest level that has one); too_large; interrupted (when `progress` says so)
 /// cost     what writing the bytes costs: texels are converted on all cores on their way into the file; bc6h some
 ///          13 million texels a second and core
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,

@@ -189,8 +189,10 @@ Result<Environment> builtinEnvironment(std::string_view name) {
 }
 
 Error noSuchEnvironment(std::string_view name) {
-  return {ErrorCode::not_found,
-          std::string(name) + ": no such file, and no built-in environment (there are: " + join(kNames) + ")"};
+  const auto nearest = nearestWord(name.substr(0, name.find(':')), kNames);
+  const std::string hint = nearest ? "; did you mean '" + std::string(*nearest) + "'?" : "";
+  return {ErrorCode::not_found, std::string(name) + ": no such file, and no built-in environment" + hint +
+                                    " (there are: " + join(kNames) + ")"};
 }
 
 }  // namespace mirrorball

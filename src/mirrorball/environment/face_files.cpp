@@ -107,7 +107,7 @@ Result<FaceFiles> faceFilesIn(const fs::path& folder) {
   if (cubes.empty())
     return fail(ErrorCode::not_found, folder.string() +
                                           ": is a folder without the six files of a cube, such as px nx "
-                                          "py ny pz nz or right left top bottom front back");
+                                          "py ny pz nz or right left top bottom front back; name a file in it");
   return fail(ErrorCode::usage, folder.string() + ": holds " + std::to_string(cubes.size()) +
                                     " cubes; name one of the six files, such as " +
                                     cubes[0].paths[0].filename().string());

@@ -15,6 +15,8 @@ namespace {
 constexpr int kMostLights = 8;
 constexpr int kLongestSide = 16384;
 
+const std::string kMaterialHelp = "gives every surface this material: " + join(materialNames(), " ");
+
 const std::array<Option<RenderOptions>, 21> kOptions{{
     {{.name = "size", .value = "WxH", .unit = "pixels", .help = "size of the picture", .group = "Picture"},
      &RenderOptions::size},
@@ -133,7 +135,7 @@ const std::array<Option<RenderOptions>, 21> kOptions{{
 
     {{.name = "material",
       .value = "NAME",
-      .help = "gives every surface this material: mirror chrome gold glass water diamond rough-metal plastic orange",
+      .help = kMaterialHelp,
       .group = "Material",
       .names = materialNames},
      &RenderOptions::material},
@@ -155,7 +157,7 @@ tl::unexpected<Error> misused(std::string_view option, std::string_view wants, s
 }
 
 Result<glm::ivec2> parseSize(const std::string& text) {
-  const auto sides = split(text, 'x');
+  const auto sides = split(text, text.find('X') == std::string::npos ? 'x' : 'X');
   std::array<int, 2> size{};
   for (std::size_t side = 0; side < sides.size() && side < 2; ++side) {
     const auto number = parseNumber(sides[side]);
@@ -185,28 +187,33 @@ bool lacksHash(const std::string& text) {
 Result<void> parseBackground(const std::string& text, FrameSettings& settings) {
   if (lacksHash(text))
     return fail(ErrorCode::usage, "--background " + text + ": a colour begins with #, in quotes: '#" + text + "'");
-  if (text == "env") {
-    settings.background = BackgroundKind::environment;
-  } else if (text == "blur") {
-    settings.background = BackgroundKind::blur;
-  } else if (text == "transparent") {
-    settings.background = BackgroundKind::transparent;
-  } else {
-    settings.background = BackgroundKind::radiance;
-    if (const auto color = parseHexColor(text)) {
-      settings.background = BackgroundKind::display_color;
-      settings.background_color = *color;
-    } else if (const auto numbers = parseVector({.name = "--background", .minimum = 0, .maximum = 1e6}, text)) {
-      settings.background_color = *numbers;
-    } else {
-      return misused("background", "env, blur, transparent, #rrggbb or R,G,B", text);
-    }
+  constexpr std::array<std::string_view, 3> kNames{"env", "blur", "transparent"};
+  constexpr std::array<BackgroundKind, 3> kKinds{BackgroundKind::environment, BackgroundKind::blur,
+                                                 BackgroundKind::transparent};
+  if (const auto index = indexOfName(text, kNames)) {
+    settings.background = kKinds[*index];
+    return {};
   }
-  return {};
+  settings.background = BackgroundKind::radiance;
+  if (const auto color = parseHexColor(text)) {
+    settings.background = BackgroundKind::display_color;
+    settings.background_color = *color;
+    return {};
+  }
+  constexpr OptionText kRadiance{.name = "--background", .minimum = 0, .maximum = 1e6};
+  if (const auto numbers = parseVector(kRadiance, text)) {
+    settings.background_color = *numbers;
+    return {};
+  }
+  const auto meant = nearestWord(text, kNames);
+  return fail(ErrorCode::usage, "--background takes " + join(kNames) + ", #rrggbb or R,G,B (" + rangeText(kRadiance) +
+                                    "); it was given '" + text + "'" +
+                                    (meant ? "; did you mean '" + std::string(*meant) + "'?" : ""));
 }
 
 Result<PointLight> parseLight(const std::string& text) {
-  MIRRORBALL_TRY(numbers, parseNumbers({.name = "--light", .fewest = 6, .most = 6}, text));
+  constexpr OptionText kLight{.name = "--light", .unit = "world units and radiance", .fewest = 6, .most = 6};
+  MIRRORBALL_TRY(numbers, parseNumbers(kLight, text));
   return PointLight{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
 }
 
@@ -242,7 +249,7 @@ Result<FrameSettings> frameSettings(const RenderOptions& options) {
   if (settings.camera.elevation_deg < -90.0f || settings.camera.elevation_deg > 90.0f)
     return misused("camera", "an elevation from -90 to 90 degrees", formatNumber(settings.camera.elevation_deg));
   if (settings.camera.distance && *settings.camera.distance <= 0.0f)
-    return misused("camera", "a distance above 0", formatNumber(*settings.camera.distance));
+    return misused("camera", "a distance above 0, in model radii", formatNumber(*settings.camera.distance));
   settings.display = {options.exposure_ev, options.tone_map};
   const std::vector<float>& turn_deg = options.env_rotation_deg;
   settings.env_rotation_rad = glm::radians(turn_deg[0]);

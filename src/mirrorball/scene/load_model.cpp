@@ -1,5 +1,6 @@
 #include "mirrorball/scene/load_model.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -23,7 +24,6 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::string_view kExtensions = ".glb .gltf .obj .ply .stl";
 // Beyond it squares of distances overflow in a shader's floats.
 constexpr float kLargestRadius = 1e15f;
 
@@ -78,15 +78,47 @@ std::vector<std::uint8_t> firstBytes(const std::string& path) {
   return bytes;
 }
 
-/// The format of a file by its name, else by its first bytes.
-const ModelFormat* formatOf(const std::string& path, std::span<const std::uint8_t> begin) {
+const ModelFormat* formatOfName(const std::filesystem::path& path) {
   const std::string extension = extensionOf(path);
   for (const ModelFormat& format : kFormats)
     if (extension == format.extension) return &format;
+  return nullptr;
+}
+
+/// The format of a file by its name, else by its first bytes.
+const ModelFormat* formatOf(const std::string& path, std::span<const std::uint8_t> begin) {
+  if (const ModelFormat* format = formatOfName(path)) return format;
   const std::string_view text(reinterpret_cast<const char*>(begin.data()), begin.size());
   for (const ModelFormat& format : kFormats)
     if (!format.magic.empty() && text.starts_with(format.magic)) return &format;
   return nullptr;
+}
+
+/// The names of the models in a folder, in the alphabet's order.
+std::vector<std::string> modelsIn(const std::filesystem::path& folder) {
+  std::vector<std::string> models;
+  std::error_code status;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, status))
+    if (formatOfName(entry.path()) != nullptr && entry.is_regular_file(status))
+      models.push_back(entry.path().string());
+  std::ranges::sort(models);
+  return models;
+}
+
+/// The error for a folder in a model's place. Who names one has unpacked a model into it.
+tl::unexpected<Error> folderForModel(const std::string& folder) {
+  constexpr std::size_t kMostNamed = 4;
+  std::vector<std::string> models = modelsIn(folder);
+  if (models.empty())
+    return fail(ErrorCode::unsupported, folder + ": is a folder without a model (" + modelExtensions() + ")");
+  const bool is_one = models.size() == 1;
+  if (models.size() > kMostNamed) {
+    models.resize(kMostNamed);
+    models.emplace_back("…");
+  }
+  return fail(ErrorCode::unsupported,
+              folder + ": is a folder; name " + (is_one ? "the model in it: " : "one of the models in it: ") +
+                  join(models));
 }
 
 /// Finite coordinates and transforms may still multiply to what no renderer can hold.
@@ -105,6 +137,8 @@ std::span<const std::string_view> builtinModelNames() { return kBuiltinNames; }
 Result<Scene> loadModel(const std::string& name_or_path) {
   if (const auto index = indexOfName(name_or_path, kBuiltinNames)) return kBuiltins[*index].make();
 
+  std::error_code status;
+  if (std::filesystem::is_directory(name_or_path, status)) return folderForModel(name_or_path);
   const std::vector<std::uint8_t> begin = firstBytes(name_or_path);
   if (const ModelFormat* format = formatOf(name_or_path, begin)) {
     MIRRORBALL_TRY(scene, format->load(name_or_path));
@@ -115,12 +149,17 @@ Result<Scene> loadModel(const std::string& name_or_path) {
     return fail(
         ErrorCode::unsupported,
         name_or_path + ": is a picture, no model; for the light in it try `mirrorball render -e " + name_or_path + "`");
-  std::error_code status;
   if (std::filesystem::exists(name_or_path, status))
-    return fail(ErrorCode::unsupported,
-                name_or_path + ": is no model that can be read (" + std::string(kExtensions) + ")");
+    return fail(ErrorCode::unsupported, name_or_path + ": is no model that can be read (" + modelExtensions() + ")");
   std::string message = unknownName("model", name_or_path, builtinModelNames()).message;
-  return fail(ErrorCode::not_found, message + ", nor is there such a file (" + std::string(kExtensions) + ")");
+  return fail(ErrorCode::not_found, message + ", nor is there such a file (" + modelExtensions() + ")");
+}
+
+std::string modelExtensions() {
+  std::string extensions;
+  for (const ModelFormat& format : kFormats)
+    extensions += (extensions.empty() ? "." : " .") + std::string(format.extension);
+  return extensions;
 }
 
 std::optional<std::string_view> modelFormatOf(const std::string& path) {

@@ -10,15 +10,19 @@
 
 namespace mirrorball {
 
-/// Loads a model: a built-in by its name, else a file by its extension (.glb .gltf .obj .ply .stl), or of another name by
-/// its first bytes (binary glTF, PLY).
+/// Loads a model: a built-in by its name, else a file by its extension (modelExtensions), or of another name by its first
+/// bytes (binary glTF, PLY).
 ///
 /// returns  a scene whose every index is in range and every number finite: safe to draw
-/// errors   not_found (lists the built-ins); bad_file (key or byte named); unsupported; too_large
+/// errors   not_found (lists the built-ins); bad_file (key or byte named); unsupported (of a folder it names the models
+///          in it); too_large
 Result<Scene> loadModel(const std::string& name_or_path);
 
 /// What a file is called that loadModel would take: "a glTF", "an OBJ"; nothing where it would not, or there is none.
 std::optional<std::string_view> modelFormatOf(const std::string& path);
+
+/// The extensions of the files that are read: ".glb .gltf .obj .ply .stl".
+std::string modelExtensions();
 
 /// "none", "sphere", "torus", "knot", "teapot", "plane", "cube", "showcase".
 std::span<const std::string_view> builtinModelNames();

@@ -1,0 +1,105 @@
+// What is said of words that are none of ours, but mean one: never a wrong one.
+
+#include <string>
+#include <vector>
+
+#include "cli/cli_testing.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+struct Meant {
+  const char* line;
+  const char* hint;
+};
+
+class SuggestionTest : public CliTest {
+ protected:
+  void expectHints(const std::vector<Meant>& lines) const {
+    for (const auto& [line, hint] : lines) EXPECT_THAT(refuse(2, line), HasSubstr(hint)) << line;
+  }
+};
+
+TEST_F(SuggestionTest, AnOptionOfAnotherProgramIsKnown) {
+  expectHints({{"convert a.hdr --projection cube -o b.ktx2", "did you mean --to?"},
+               {"convert a.hdr --type=cubemap -o b.ktx2", "did you mean --to?"},
+               {"convert a.hdr --resolution 512 -o b.ktx2", "did you mean --size?"},
+               {"convert a.hdr --dstFaceSize 512 -o b.ktx2", "did you mean --size?"},
+               {"convert a.hdr --genmipmap -o b.ktx2", "did you mean --mips?"},
+               {"bake a.hdr --mipCount 5 -o b", "did you mean --levels?"},
+               {"bake a.hdr --deploy b", "did you mean --output?"},
+               {"render --resolution 64x64", "did you mean --size?"},
+               {"render --envmap a.hdr", "did you mean --env?"},
+               {"render --environment a.hdr", "did you mean --env?"},
+               {"render --hdri-file=a.hdr", "did you mean --env?"},
+               {"render --anti_aliasing 4", "did you mean --samples?"},
+               {"render --background-color 1,1,1", "did you mean --background?"},
+               {"render --camera-position 0,0,4", "did you mean --camera?"},
+               {"capture --camera-position 0,0,4", "did you mean --at?"}});
+}
+
+TEST_F(SuggestionTest, AParameterOfMaterialsIsSet) {
+  expectHints({{"render --roughness 0.3", "did you mean --set perceptual_roughness=?"},
+               {"capture --roughness 0.3", "did you mean --set perceptual_roughness=?"},
+               {"render --ior 1.5", "did you mean --set ior=?"},
+               {"render --base-color 1,0,0", "did you mean --set base_color=?"},
+               {"render --color 1,0,0", "did you mean --set base_color=?"}});
+}
+
+TEST_F(SuggestionTest, AnInputHasNoOption) {
+  expectHints({{"convert --input a.hdr -o b.exr", "name it without an option: mirrorball convert IN…"},
+               {"convert -i a.hdr -o b.exr", "name it without an option: mirrorball convert IN…"},
+               {"bake b.hdr --env a.hdr -o b", "name it without an option: mirrorball bake ENV…"},
+               {"info b.hdr --environment a.hdr", "name it without an option: mirrorball info FILE…"},
+               {"render --model a.glb", "name it without an option: mirrorball render [MODEL]"}});
+}
+
+TEST_F(SuggestionTest, WhatNothingMeansIsNotSuggested) {
+  for (const std::string line :
+       {"convert a.hdr --json", "bake a.hdr --projection cube", "bake a.hdr --roughness 1", "convert a.hdr --exposure 1",
+        "reference --input a", "cache --env a", "render --wireframe", "info a.hdr --size 3", "render --flip both"})
+    EXPECT_THAT(refuse(2, line), AllOf(StartsWith("there is no option --"), Not(HasSubstr("did you mean")),
+                                       Not(HasSubstr("without an option"))))
+        << line;
+}
+
+TEST_F(SuggestionTest, AMisspeltValueIsSuggested) {
+  EXPECT_THAT(refuse(1, "info sutdio"), HasSubstr("did you mean 'studio'?"));
+  EXPECT_THAT(refuse(1, "info sky.hdr"), AllOf(HasSubstr("no such file"), Not(HasSubstr("did you mean"))));
+}
+
+TEST_F(SuggestionTest, ACommandIsMeantByAnotherWord) {
+  expectHints({{"view a.glb", "did you mean 'render'?"},
+               {"resize a.hdr", "did you mean 'convert'?"},
+               {"prefilter a.hdr", "did you mean 'bake'?"},
+               {"identify a.hdr", "did you mean 'info'?"},
+               {"--size 8x8 render", "the command comes before its options: --size is one of render, convert, bake"},
+               {"--quiet", "the command comes before its options"}});
+  EXPECT_THAT(refuse(2, "paint a.hdr"), AllOf(HasSubstr("'paint'"), Not(HasSubstr("did you mean"))));
+  write("a.hdr", std::string("light"));
+  EXPECT_THAT(refuse(2, "a.hdr"), AllOf(StartsWith("'a.hdr' is a file; "), HasSubstr("render, convert, bake")));
+}
+
+TEST_F(SuggestionTest, ALongOptionHasTwoDashes) {
+  // Else -output would be -o with the value "utput".
+  expectHints({{"render -output a.png", "'-output': options of more than one letter have two dashes: --output"},
+               {"convert a.hdr -size=8 -o b.exr", "'-size': options of more than one letter have two dashes: --size"}});
+}
+
+using SuggestionRenderTest = RenderCliTest;
+
+TEST_F(SuggestionRenderTest, AMisspeltEnvironmentOrParameterIsSuggested) {
+  EXPECT_THAT(refuse(1, "render sphere -e sutdio --size 8x8 -o a.png"), HasSubstr("did you mean 'studio'?"));
+  EXPECT_THAT(refuse(2, "render sphere --set rougness=0.3 --size 8x8 -o a.png"),
+              HasSubstr("did you mean 'perceptual_roughness'?"));
+  EXPECT_THAT(refuse(2, "render sphere --background transparant --size 8x8 -o a.png"),
+              HasSubstr("did you mean 'transparent'?"));
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

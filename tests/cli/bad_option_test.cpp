@@ -66,15 +66,17 @@ TEST_F(BadOptionTest, TooManyArgumentsOrTooFew) {
 TEST_F(BadOptionTest, AnOptionIsNoValue) {
   EXPECT_THAT(refuse(2, "render sphere -e white --background -o y.png"),
               AllOf(HasSubstr("--background needs a value: env|blur|COLOR|transparent"), HasSubstr("'-o'")));
-  EXPECT_THAT(refuseRender("--set --exposure 1"), AllOf(HasSubstr("--set needs a value: KEY=VALUE"), HasSubstr("'--exposure'")));
+  EXPECT_THAT(refuseRender("--set --exposure 1"),
+              AllOf(HasSubstr("--set needs a value: KEY=VALUE"), HasSubstr("'--exposure'")));
   EXPECT_THAT(refuse(2, "convert white --to -o out.exr"), HasSubstr("--to needs a value: PROJECTION"));
   EXPECT_THAT(refuse(2, "convert white --to cube -o --size 8"), HasSubstr("--output needs a file name"));
   EXPECT_THAT(refuse(2, "info white --direction --json"), HasSubstr("--direction needs a value: X,Y,Z"));
 }
 
 TEST_F(BadOptionTest, ANegativeNumberIsAValue) {
-  succeed("render sphere -e white --size 8x8 -o out.png --camera -30,10 --exposure -1 --set bump_height=-0.5 "
-          "--target -1,-2,-.5 --light -1,2,3,1,1,1 --env-rotation -10,-20");
+  succeed(
+      "render sphere -e white --size 8x8 -o out.png --camera -30,10 --exposure -1 --set bump_height=-0.5 "
+      "--target -1,-2,-.5 --light -1,2,3,1,1,1 --env-rotation -10,-20");
   succeed("convert white --to cube --size 4 -o out.exr --rotate -90 --face-order -x+x+y-y+z-z --centre -1,0,0");
 }
 

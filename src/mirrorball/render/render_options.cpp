@@ -133,11 +133,7 @@ const std::array<Option<RenderOptions>, 21> kOptions{{
       .group = "Environment"},
      &RenderOptions::lights},
 
-    {{.name = "material",
-      .value = "NAME",
-      .help = kMaterialHelp,
-      .group = "Material",
-      .names = materialNames},
+    {{.name = "material", .value = "NAME", .help = kMaterialHelp, .group = "Material", .names = materialNames},
      &RenderOptions::material},
     {{.name = "set",
       .value = "KEY=VALUE",

@@ -99,8 +99,7 @@ std::vector<std::string> modelsIn(const std::filesystem::path& folder) {
   std::vector<std::string> models;
   std::error_code status;
   for (const auto& entry : std::filesystem::directory_iterator(folder, status))
-    if (formatOfName(entry.path()) != nullptr && entry.is_regular_file(status))
-      models.push_back(entry.path().string());
+    if (formatOfName(entry.path()) != nullptr && entry.is_regular_file(status)) models.push_back(entry.path().string());
   std::ranges::sort(models);
   return models;
 }
@@ -116,9 +115,8 @@ tl::unexpected<Error> folderForModel(const std::string& folder) {
     models.resize(kMostNamed);
     models.emplace_back("…");
   }
-  return fail(ErrorCode::unsupported,
-              folder + ": is a folder; name " + (is_one ? "the model in it: " : "one of the models in it: ") +
-                  join(models));
+  return fail(ErrorCode::unsupported, folder + ": is a folder; name " +
+                                          (is_one ? "the model in it: " : "one of the models in it: ") + join(models));
 }
 
 /// Finite coordinates and transforms may still multiply to what no renderer can hold.

@@ -37,6 +37,8 @@ TEST_F(AliasTest, FormsAndProgramsHaveSeveralNames) {
   expectSame(line + "--to equirect --centre 1,0,0", line + "--to equirect --center 1,0,0");
   expectSame(line + "--to cube --flip both --as-seen", line + "--to cube --flip BOTH --as-seen");
   expectSame("convert white --to cube --size 4", "convert White --to cube --size 4");
+  for (const std::string name : {"HALF", "float16", "fp16"})
+    expectSame(line + "--to cube --format half", line + "--to cube --format " + name);
 }
 
 TEST_F(AliasTest, BakeTurnsTheLightByEitherName) {

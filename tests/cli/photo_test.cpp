@@ -56,5 +56,11 @@ TEST_F(PhotoTest, ToStandardOutputGoesTheMapAndNothingElse) {
   EXPECT_THAT(refuse(2, "photo ball.png map2.exr"), HasSubstr("say -o map2.exr"));
 }
 
+// Before anything is read, and so with nothing told.
+TEST_F(PhotoTest, AWrongCameraIsToldAtOnce) {
+  EXPECT_THAT(refuse(2, line_ + "a.exr --distance 0.5"), HasSubstr("in radii of the ball, so more than 1"));
+  EXPECT_THAT(refuse(2, line_ + "a.exr --distance 5 --fov 40"), HasSubstr("--distance and --fov say the same"));
+}
+
 }  // namespace
 }  // namespace mirrorball::testing

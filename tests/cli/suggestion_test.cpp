@@ -91,7 +91,45 @@ TEST_F(SuggestionTest, ALongOptionHasTwoDashes) {
                {"convert a.hdr -size=8 -o b.exr", "'-size': options of more than one letter have two dashes: --size"}});
 }
 
+TEST_F(SuggestionTest, AWordTooManyIsToldWhereItBelongs) {
+  write("a.hdr", std::string("light"));
+  expectHints({{"render teapot gold", "did you mean --material gold?"},
+               {"render teapot studio", "for its light say -e studio"},
+               {"render teapot a.hdr", "for its light say -e a.hdr"},
+               {"render teapot b.png", "to write it say -o b.png"},
+               {"render teapot --fov 40 20", "numbers of one option have commas between"},
+               {"convert a.hdr --to cube --rotate 90 20 -o b.exr", "there are 2 inputs (a.hdr, 20)"},
+               {"convert a b c d --to cube -o b.exr", "there are 4 inputs (a, b, c, …)"},
+               {"bake a.hdr b.hdr -o b.ktx2", "there are 2 inputs (a.hdr, b.hdr)"},
+               {"convert a.hdr --mips=maybe -o b.ktx2", "--mips is there or not, and takes no value"},
+               {"help rendr", "did you mean 'render'?"}});
+  EXPECT_EQ(succeed("help render teapot -o b.png"), succeed("render --help")) << "nothing is drawn";
+  EXPECT_EQ(succeed("version"), succeed("--version"));
+}
+
+TEST_F(SuggestionTest, ALayoutIsNoProjection) {
+  expectHints({{"convert uv --to hcross -o a.exr", "that is a layout of cubes; say --to cube --layout hcross"},
+               {"capture none --at 0,0,0 --to Faces -o a.exr", "say --to cube --layout faces"}});
+}
+
 using SuggestionRenderTest = RenderCliTest;
+
+// A model's name may follow an option whose value may be missing.
+TEST_F(SuggestionRenderTest, OnlyANumberIsTheValueOfOrthographic) {
+  const std::string line = "render -e white --size 16x16 --background 0 --samples 1 ";
+  succeed(line + "sphere --orthographic -o a.png");
+  for (const std::string words :
+       {"--orthographic sphere -o b.png", "--orthographic=0 sphere -o b.png", "--orthographic 0 sphere -o b.png"}) {
+    succeed(line + words);
+    EXPECT_TRUE(bytes("a.png") == bytes("b.png")) << words;
+  }
+  EXPECT_THAT(refuse(2, line + "sphere --orthographic -3 -o b.png"), HasSubstr("0 … 10000"));
+}
+
+TEST_F(SuggestionRenderTest, ASizeMayHaveACapitalX) {
+  succeed("render none -e white --size 16X8 -o a.png");
+  EXPECT_EQ(image("a.png").height(), 8);
+}
 
 TEST_F(SuggestionRenderTest, AMisspeltEnvironmentOrParameterIsSuggested) {
   EXPECT_THAT(refuse(1, "render sphere -e sutdio --size 8x8 -o a.png"), HasSubstr("did you mean 'studio'?"));

@@ -99,11 +99,15 @@ const Case& caseNamed(const std::string& name) {
   return *found;
 }
 
-std::string commandOf(const Case& golden_case, const std::string& more) {
+std::string commandOf(const Case& golden_case, const std::string& changed) {
   std::string command = golden_case.command;
   // So that one sample on the other side of an edge changes a pixel by a 16th of the contrast.
   if (needsGl(golden_case)) command += " --samples 16";
-  return more.empty() ? command : command + " " + more;
+  if (changed.empty()) return command;
+  const std::string option = " " + changed.substr(0, changed.find(' ')) + " ";
+  const std::size_t begin = option == " --set " || option == " --light " ? std::string::npos : command.find(option);
+  if (begin != std::string::npos) command.erase(begin, command.find(' ', begin + option.size()) - begin);
+  return command + " " + changed;
 }
 
 bool needsGl(const Case& golden_case) { return std::string_view(golden_case.command).starts_with("render"); }

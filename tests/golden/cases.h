@@ -20,7 +20,7 @@ struct Case {
   const char* name;            ///< of pictures/NAME.png and of the test
   const char* command;         ///< what follows `mirrorball`, without -o; single spaces between the words
   const Tolerance* tolerance;  ///< one of a few, each with its reason, in cases.cpp
-  const char* least_error;     ///< words that, added to the command, make the smallest mistake that the case must find
+  const char* least_error;     ///< an option of the command, changed to the smallest mistake that the case must find
 };
 
 /// The table of them, each with built-in inputs only, so that it runs everywhere.
@@ -29,8 +29,11 @@ std::span<const Case> cases();
 /// The case of that name, which must be in the table.
 const Case& caseNamed(const std::string& name);
 
-/// The whole command of a case, with more words at its end: of an option given twice the last one counts.
-std::string commandOf(const Case& golden_case, const std::string& more = {});
+/// The whole command of a case.
+///
+/// changed  an option with its value, in the place of the one that the command may have: "--fov 100.1"; --set and --light
+///          come on top
+std::string commandOf(const Case& golden_case, const std::string& changed = {});
 
 /// Whether the command draws with OpenGL. A conversion does not.
 bool needsGl(const Case& golden_case);

@@ -1,6 +1,9 @@
 #include "mirrorball/codec/texture_file.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <mutex>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -199,6 +202,31 @@ TEST_F(TextureFileTest, ForeignBytesAreRefused) {
   EXPECT_EQ(decodeImageSet({}, "a").error().code, ErrorCode::bad_file);
   EXPECT_EQ(decodeImageSet(testing::bytesOf("#?RADIANCE\n"), "a").error().code, ErrorCode::bad_file);
   EXPECT_EQ(readImageSet(folder_ / "none.dds").error().code, ErrorCode::not_found);
+}
+
+TEST_F(TextureFileTest, TellsHowFarItIsAndStopsWhenItIsTold) {
+  // Some pieces of each: bc6h of 64² texels a face, and levels that are compressed.
+  const ImageSet cube = textureOf(7, 6, 1, 3, 64, 64);
+  for (const TextureWriteOptions& format :
+       {TextureWriteOptions{.format = TexelFormat::bc6h}, TextureWriteOptions{.zstandard_level = 1}}) {
+    std::mutex guard;
+    std::size_t most = 0;
+    TextureWriteOptions options = format;
+    options.progress = [&](std::size_t done, std::size_t total) {
+      const std::scoped_lock lock(guard);
+      EXPECT_LE(done, total);
+      most = std::max(most, done == total ? total : 0);
+      return true;
+    };
+    ASSERT_TRUE(writeImageSet(folder_ / "whole.ktx2", cube, options));
+    EXPECT_GT(most, 0u) << "it is told when all is done";
+
+    options.progress = [](std::size_t done, std::size_t) { return done == 0; };
+    const auto stopped = writeImageSet(folder_ / "stopped.ktx2", cube, options);
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "stopped.ktx2"));
+  }
 }
 
 }  // namespace

@@ -10,10 +10,12 @@ FN vec2 sampleOffset(int i, int count) {
   return in_pairs % 2 == 0 ? p : vec2(1.0f, 1.0f) - p;
 }
 
-// The mip level whose texels are about as large as what one sample of a pixel sees of a map: from the direction's change
-// to the next pixel across and down, by the area that the two span, so that a long narrow footprint is not blurred in its
-// narrow direction as far as in its long one.
-FN float footprintLod(vec3 across, vec3 down, float texels_per_radian, float samples) {
-  float area = length(cross(across, down)) * texels_per_radian * texels_per_radian / samples;
-  return max(log2(max(area, 1e-12f)) / 2.0f, 0.0f);
+// The solid angle that one sample of a pixel sees, in steradians: from the direction's change to the next pixel across
+// and down.
+FN float sampleFootprint(vec3 across, vec3 down, float samples) { return length(cross(across, down)) / samples; }
+
+// The mip level of a map whose texels are about as large as that: by the area, so that a long narrow footprint is not
+// blurred in its narrow direction as far as in its long one.
+FN float footprintLod(float footprint, float texels_per_radian) {
+  return max(log2(max(footprint * texels_per_radian * texels_per_radian, 1e-12f)) / 2.0f, 0.0f);
 }

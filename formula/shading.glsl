@@ -1,23 +1,12 @@
 // How a surface answers to the light of its environment.
-// Needs: blur, color, constants, microfacet, optics, reflection_lobe.
+// Needs: color, constants, material, microfacet, optics, reflection_lobe.
 // Light that another object would block or send is not seen: each point sees the whole environment.
 
 struct Surface {
-  vec3 normal;       // unit, on the viewer's side
-  vec3 base_color;   // diffuse albedo, or a metal's reflectance head-on
-  float metallic;
-  float perceptual_roughness;
-  float specular;    // strength of a dielectric's reflection
-  float ior;         // index of the far side over the near side, at 588 nm
-  float dispersion;  // 20 / Abbe number
-  float transmission;
-  vec3 conductor_n;  // complex index of a metal; all 0 where only its base colour is known
-  vec3 conductor_k;
+  Material material;      // its numbers here: times what its textures hold
+  vec3 normal;            // unit, on the viewer's side
   float occlusion;
-  vec3 emission;
-  int fresnel;       // 0 exact, 1 Schlick, 2 empirical
-  vec3 fresnel_empirical;  // offset, scale, power
-  vec2 environment_brdf;   // scale and bias of the BRDF table for its roughness and n·v
+  vec2 environment_brdf;  // scale and bias of the BRDF table for its roughness and n·v
 };
 
 // Shares of a white environment's light.
@@ -27,22 +16,23 @@ struct Reflectance {
 };
 
 FN float dielectricReflectance(Surface s, float cosine, float ior) {
-  if (s.fresnel == 2)
-    return fresnelEmpirical(cosine, s.fresnel_empirical.x, s.fresnel_empirical.y, s.fresnel_empirical.z);
-  if (s.fresnel == 1) return fresnelSchlick(cosine, vec3(fresnelDielectric(1.0f, ior))).x;
+  Material m = s.material;
+  if (m.fresnel == kFresnelEmpirical)
+    return fresnelEmpirical(cosine, m.fresnel_offset, m.fresnel_scale, m.fresnel_power);
+  if (m.fresnel == kFresnelSchlick) return fresnelSchlick(cosine, vec3(fresnelDielectric(1.0f, ior))).x;
   return fresnelDielectric(cosine, ior);
 }
 
 FN vec3 metalReflectance(Surface s, float cosine) {
-  vec3 k = s.conductor_k;
-  if (s.fresnel == 0 && k.x + k.y + k.z > 0.0f) return fresnelConductor(cosine, s.conductor_n, k);
-  return fresnelSchlick(cosine, s.base_color);
+  vec3 k = s.material.conductor_k;
+  if (s.material.fresnel == kFresnelExact && k.x + k.y + k.z > 0.0f) return fresnelConductor(cosine, s.material.conductor_n, k);
+  return fresnelSchlick(cosine, s.material.base_color);
 }
 
 // Of a smooth dielectric, per channel: dispersion gives each its own index.
 FN vec3 smoothDielectric(Surface s, float cosine) {
-  vec3 ior = iorOfChannels(s.ior, s.dispersion);
-  return s.specular * vec3(dielectricReflectance(s, cosine, ior.x), dielectricReflectance(s, cosine, ior.y),
+  vec3 ior = iorOfChannels(s.material.ior, s.material.dispersion);
+  return s.material.specular * vec3(dielectricReflectance(s, cosine, ior.x), dielectricReflectance(s, cosine, ior.y),
                            dielectricReflectance(s, cosine, ior.z));
 }
 
@@ -53,13 +43,13 @@ FN Reflectance roughReflectance(Surface s, vec3 here, vec3 head_on, float grazin
   float whole = s.environment_brdf.x + s.environment_brdf.y;
   vec3 rough = head_on * s.environment_brdf.x + vec3(grazing * s.environment_brdf.y);
   Reflectance r;
-  r.once = mix(here * whole, rough, clamp(s.perceptual_roughness * 4.0f, 0.0f, 1.0f));
+  r.once = mix(here * whole, rough, clamp(s.material.perceptual_roughness * 4.0f, 0.0f, 1.0f));
   r.more = multipleScattering(r.once, meanFresnel(head_on, grazing), whole);
   return r;
 }
 
 FN Reflectance roughDielectric(Surface s, float cosine) {
-  return roughReflectance(s, smoothDielectric(s, cosine), smoothDielectric(s, 1.0f), s.specular);
+  return roughReflectance(s, smoothDielectric(s, cosine), smoothDielectric(s, 1.0f), s.material.specular);
 }
 
 // glTF mixes the two materials, not their parts (appendix B.3.5).
@@ -67,30 +57,15 @@ FN Reflectance specularReflectance(Surface s, float cosine) {
   Reflectance dielectric = roughDielectric(s, cosine);
   Reflectance metal = roughReflectance(s, metalReflectance(s, cosine), metalReflectance(s, 1.0f), 1.0f);
   Reflectance r;
-  r.once = mix(dielectric.once, metal.once, s.metallic);
-  r.more = mix(dielectric.more, metal.more, s.metallic);
+  r.once = mix(dielectric.once, metal.once, s.material.metallic);
+  r.more = mix(dielectric.more, metal.more, s.material.metallic);
   return r;
-}
-
-// What is seen through one refracting surface: the environment in the direction of the bent ray, for each channel its
-// own where the glass disperses.
-FN vec3 refractedLight(Surface s, vec3 ray, mat3 environment_from_world, Blur blur, CUBE_SAMPLER environment,
-                       CUBE_SAMPLER prefiltered) {
-  vec3 ior = iorOfChannels(s.ior, s.dispersion);
-  vec3 green_ray = environment_from_world * refractedDirection(ray, s.normal, ior.y);
-  vec4 green = blurredLight(blur, environment, prefiltered, green_ray, s.perceptual_roughness, 0.0f);
-  if (s.dispersion == 0.0f) return vec3(green);
-  vec3 red_ray = environment_from_world * refractedDirection(ray, s.normal, ior.x);
-  vec3 blue_ray = environment_from_world * refractedDirection(ray, s.normal, ior.z);
-  vec4 red = blurredLight(blur, environment, prefiltered, red_ray, s.perceptual_roughness, 0.0f);
-  vec4 blue = blurredLight(blur, environment, prefiltered, blue_ray, s.perceptual_roughness, 0.0f);
-  return vec3(red.x, green.y, blue.z);
 }
 
 // The share of light that a surface takes in and may send back: what a dielectric of its kind does not reflect.
 FN vec3 diffuseAlbedo(Surface s, float cosine) {
-  vec3 albedo = s.base_color * (1.0f - s.metallic);
-  if (s.metallic == 1.0f) return albedo;
+  vec3 albedo = s.material.base_color * (1.0f - s.material.metallic);
+  if (s.material.metallic == 1.0f) return albedo;
   Reflectance dielectric = roughDielectric(s, cosine);
   return albedo * (vec3(1.0f) - dielectric.once - dielectric.more);
 }
@@ -99,16 +74,16 @@ FN vec3 diffuseAlbedo(Surface s, float cosine) {
 // in a white environment is exactly white.
 //   ray          unit, from the eye to the surface
 //   reflected    the environment's radiance in the mirror direction, blurred for the roughness
-//   refracted    the same for refractedLight; read only where transmission > 0
+//   refracted    the radiance that is seen through it; read only where transmission > 0
 //   irradiance   on the surface, divided by π
 FN vec3 shadedByEnvironment(Surface s, vec3 ray, vec3 reflected, vec3 refracted, vec3 irradiance) {
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
   Reflectance reflectance = specularReflectance(s, cosine);
-  vec3 inner = mix(irradiance * s.occlusion, refracted, s.transmission);
+  vec3 inner = mix(irradiance * s.occlusion, refracted, s.material.transmission);
   // Occlusion is known for diffuse light only; of reflected light it takes the more the rougher the lobe.
-  float reflected_occlusion = mix(1.0f, s.occlusion, s.perceptual_roughness);
+  float reflected_occlusion = mix(1.0f, s.occlusion, s.material.perceptual_roughness);
   vec3 specular = reflected * reflectance.once * reflected_occlusion + irradiance * s.occlusion * reflectance.more;
-  return specular + inner * diffuseAlbedo(s, cosine) + s.emission;
+  return specular + inner * diffuseAlbedo(s, cosine) + s.material.emission;
 }
 
 // Phong's point light: diffuse by Lambert, specular by the reflected ray, its lobe scaled to keep its energy.
@@ -118,11 +93,11 @@ FN vec3 shadedByPointLight(Surface s, vec3 ray, vec3 light, vec3 color) {
   float facing = dot(s.normal, light);
   if (facing <= 0.0f) return vec3(0.0f);
   // A point has no width of its own: on a perfect mirror nothing of it would be seen.
-  float exponent = phongExponent(max(alphaFromPerceptualRoughness(s.perceptual_roughness), 0.01f));
+  float exponent = phongExponent(max(alphaFromPerceptualRoughness(s.material.perceptual_roughness), 0.01f));
   float mirrored = max(dot(reflect(ray, s.normal), light), 0.0f);
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
   Reflectance reflectance = specularReflectance(s, cosine);
-  vec3 diffuse = diffuseAlbedo(s, cosine) * (1.0f - s.transmission) + reflectance.more;
+  vec3 diffuse = diffuseAlbedo(s, cosine) * (1.0f - s.material.transmission) + reflectance.more;
   vec3 lobe = reflectance.once * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
   return color * facing * (diffuse + lobe);
 }

@@ -6,6 +6,7 @@
 #include "formula/bsdf.h"
 #include "formula/color.h"
 #include "formula/grid_random.h"
+#include "formula/material.h"
 #include "formula/prefilter.h"
 //
 #include "formula/glsl_begin.inc"

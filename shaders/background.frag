@@ -22,7 +22,7 @@ void main() {
   vec4 far_point = world_from_clip * vec4(screen, 1.0, 1.0);
   vec3 ray = orthographic > 0.5 ? camera_forward : far_point.xyz / far_point.w - near_point.xyz / near_point.w;
   vec3 d = normalize(ray);
-  float minified = footprintLod(dFdx(d), dFdy(d), texels_per_radian, samples_per_pixel);
+  float minified = footprintLod(sampleFootprint(dFdx(d), dFdy(d), samples_per_pixel), texels_per_radian);
   vec3 seen = environment_from_world * d;
   float blurred = lobe_roughness > 0.0 ? lodOfLobe(lobe_roughness, texels_per_radian, seen) : least_level;
   vec3 light = sampleLod(environment, seen, max(blurred, minified)).xyz;

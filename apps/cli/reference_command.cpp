@@ -30,13 +30,25 @@ const std::array<Option<ReferenceRequest>, 1> kReferenceOptions{{
 }};
 
 template <typename Target>
+CommandOption rowOf(const Option<Target>& option, const Target& defaults) {
+  return {.text = option.text,
+          .default_value = written(option, defaults),
+          .is_flag = std::holds_alternative<bool Target::*>(option.field)};
+}
+
+template <typename Target>
 std::vector<CommandOption> rowsOf(std::span<const Option<Target>> table) {
-  const Target defaults{};
   std::vector<CommandOption> rows;
-  for (const Option<Target>& option : table)
-    rows.push_back({.text = option.text,
-                    .default_value = written(option, defaults),
-                    .is_flag = std::holds_alternative<bool Target::*>(option.field)});
+  for (const Option<Target>& option : table) rows.push_back(rowOf(option, Target{}));
+  return rows;
+}
+
+std::vector<CommandOption> rowsOfMaterials() {
+  std::vector<CommandOption> rows;
+  for (const MaterialParameter& parameter : materialParameters())
+    rows.push_back(rowOf<Material>(parameter, Material{}));
+  for (const MaterialMap& map : materialMaps())
+    rows.push_back({.text = {.name = map.name, .value = "FILE", .help = map.help}, .default_value = ""});
   return rows;
 }
 
@@ -109,7 +121,7 @@ Result<void> printReference(ReferenceFormat format) {
 Reference makeReference() {
   Reference reference{allCommands(),
                       {{"Every command", "All commands take these too, and `--help`.", "--", rowsOf(commonOptions())},
-                       {"Material parameters", "For `--set key=value`.", "", rowsOf(materialParameters())},
+                       {"Material parameters", "For `--set key=value`.", "", rowsOfMaterials()},
                        {"Parameters of the sky", "For `sky:key=value,key=value`.", "", rowsOf(skyParameters())}}};
   const std::vector<CommandOption>& common = reference.tables.front().rows;
   for (Command& command : reference.commands)

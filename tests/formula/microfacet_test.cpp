@@ -89,15 +89,15 @@ TEST(Microfacet, MeanFresnelIsSchlicksOverTheHemisphere) {
 TEST(Shading, AMixtureOfMetalAndDielectricLosesNothing) {
   Surface surface{};
   surface.normal = vec3(0, 0, 1);
-  surface.base_color = vec3(1.0f);
-  surface.specular = 1.0f;
-  surface.ior = 1.5f;
+  surface.material.base_color = vec3(1.0f);
+  surface.material.specular = 1.0f;
+  surface.material.ior = 1.5f;
   surface.occlusion = 1.0f;
   for (const float metallic : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f})
     for (const float perceptual_roughness : {0.0f, 0.15f, 0.6f, 1.0f})
       for (float sine = 0.0f; sine < 1.0f; sine += 0.19f) {
-        surface.metallic = metallic;
-        surface.perceptual_roughness = perceptual_roughness;
+        surface.material.metallic = metallic;
+        surface.material.perceptual_roughness = perceptual_roughness;
         surface.environment_brdf = vec2(0.9f - 0.6f * perceptual_roughness, 0.1f * sine);
         const vec3 ray(sine, 0.0f, -std::sqrt(1.0f - sine * sine));
         const vec3 light = shadedByEnvironment(surface, ray, vec3(1.0f), vec3(0.0f), vec3(1.0f));

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +17,7 @@
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/gl/program.h"
+#include "mirrorball/render/surface_variant.h"
 #include "parity/formula_files.h"
 #include "parity/parity_case.h"
 
@@ -211,6 +214,34 @@ TEST_P(GlslangTest, TakesEveryShader) {
     const auto source = gl::shaderSource(GetParam(), name);
     ASSERT_TRUE(source) << source.error().message;
     expectGlslangTakes(GetParam(), *source, name);
+  }
+}
+
+/// Every pair of answers to two questions of the surface's shader, the others answered as usual; and each with all maps.
+std::vector<SurfaceVariant> pairsOfParts() {
+  std::set<SurfaceVariant> variants;
+  const auto questions = surfaceQuestions();
+  for (std::size_t a = 0; a < kParts; ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      for (std::uint8_t i = 0; i < questions[a].answers.size(); ++i)
+        for (std::uint8_t j = 0; j < questions[b].answers.size(); ++j) {
+          SurfaceVariant variant;
+          variant.answers[a] = i;
+          variant.answers[b] = j;
+          if (variant.has(Part::lamps, LampsPart::point)) variant.lamp_count = 3;
+          variant.maps = (1u << materialMaps().size()) - 1;
+          if (!variant.has(Part::detail, DetailPart::normal_map) && (i + j) % 2 == 0) variant.maps = 0;
+          variants.insert(variant);
+        }
+  return {variants.begin(), variants.end()};
+}
+
+TEST_P(GlslangTest, TakesEveryPairOfPartsOfTheSurface) {
+  for (const SurfaceVariant& variant : pairsOfParts()) {
+    const auto shaders = surfaceShaders(GetParam(), variant);
+    ASSERT_TRUE(shaders) << shaders.error().message;
+    if (variant == SurfaceVariant{}) expectGlslangTakes(GetParam(), shaders->vertex, "surface.vert");
+    expectGlslangTakes(GetParam(), shaders->fragment, "surface.frag");
   }
 }
 

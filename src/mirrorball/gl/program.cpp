@@ -1,5 +1,7 @@
 #include "mirrorball/gl/program.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <utility>
 
@@ -40,6 +42,22 @@ Result<Shader> compile(GLenum stage, const ShaderSource& source, const std::stri
   return shader;
 }
 
+/// The lines of a shader that declare uniforms.
+std::string uniformsIn(std::string_view text) {
+  std::string lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+    if (text.starts_with("uniform ")) lines += text.substr(0, end);
+    text.remove_prefix(end);
+  }
+  return lines;
+}
+
+/// Whether one of those lines declares `name`, as an array or not.
+[[maybe_unused]] bool declares(const std::string& lines, const std::string& name) {
+  return lines.find(" " + name + ";") != std::string::npos || lines.find(" " + name + "[") != std::string::npos;
+}
+
 }  // namespace
 
 Result<Program> Program::build(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& name) {
@@ -56,6 +74,7 @@ Result<Program> Program::build(const ShaderSource& vertex, const ShaderSource& f
     return fail(ErrorCode::unsupported, name + ": the graphics driver cannot link this shader: " +
                                             namedLog(logOf(handle, glGetProgramiv, glGetProgramInfoLog), {}));
   }
+  program.declarations_ = uniformsIn(vertex.text) + uniformsIn(fragment.text);
   return program;
 }
 
@@ -68,6 +87,12 @@ Result<Program> Program::load(Api api, std::string_view vertex_entry, std::strin
 
 void Program::destroy(unsigned name) { glDeleteProgram(name); }
 
+std::optional<BlockLayout> Program::connect(const std::string& block, unsigned point) {
+  const GLuint index = glGetUniformBlockIndex(handle_.name(), block.c_str());
+  if (index != GL_INVALID_INDEX) glUniformBlockBinding(handle_.name(), index, point);
+  return BlockLayout::of(handle_.name(), block);
+}
+
 void Program::use() const { glUseProgram(handle_.name()); }
 
 int Program::locationOf(std::string_view uniform) {
@@ -75,6 +100,7 @@ int Program::locationOf(std::string_view uniform) {
   if (const auto known = locations_.find(uniform); known != locations_.end()) return known->second;
   std::string name(uniform);
   const int location = glGetUniformLocation(handle_.name(), name.c_str());
+  assert((location >= 0 || declares(declarations_, name)) && "no shader of the program declares that uniform");
   locations_.emplace(std::move(name), location);
   return location;
 }

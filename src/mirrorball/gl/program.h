@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,14 +12,14 @@
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/handle.h"
 #include "mirrorball/gl/shader_source.h"
+#include "mirrorball/gl/uniform_block.h"
 
 namespace mirrorball::gl {
 
 /// A linked vertex and fragment shader.
 ///
-/// A uniform that the program does not have is ignored by set(): compilers remove what no output
-/// depends on, and which uniforms those are differs between drivers and between the #defines of one
-/// shader.
+/// A uniform that no shader of it declares is a mistake, which builds with assertions stop at. One that is declared and not
+/// used is ignored by set(): compilers remove what no output depends on.
 class Program {
  public:
   /// Compiles and links.
@@ -33,6 +34,11 @@ class Program {
   /// errors   not_found (shaderSource); unsupported
   static Result<Program> load(Api api, std::string_view vertex_entry, std::string_view fragment_entry,
                               std::span<const std::string_view> defines = {});
+
+  /// Lets a uniform block read what is bound to `point` (UniformBlock::bind).
+  ///
+  /// returns  where the block's members lie; nothing where the program has no such block
+  std::optional<BlockLayout> connect(const std::string& block, unsigned point);
 
   /// What is drawn from now on goes through this program.
   void use() const;
@@ -57,6 +63,7 @@ class Program {
   Handle<destroy> handle_;
   /// Of the uniforms asked for so far; −1 for those that the program lacks.
   std::map<std::string, int, std::less<>> locations_;
+  std::string declarations_;  // the lines of its shaders that declare uniforms
 };
 
 }  // namespace mirrorball::gl

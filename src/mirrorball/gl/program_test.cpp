@@ -34,6 +34,7 @@ std::optional<std::string_view> findInTest(std::string_view name) {
        "uniform mat3 small;\n"
        "uniform mat4 large;\n"
        "uniform vec3 list[3];\n"
+       "uniform float unused;\n"
        "out vec4 color;\n"
        "void main() {\n"
        "  color = vec4(one + float(two) + pair.y, triple.z + four.w,\n"
@@ -80,7 +81,7 @@ TEST_P(ProgramTest, TakesUniformsOfEveryType) {
   const std::array<glm::vec3, 3> kList = {glm::vec3(128.0f, 9.0f, 9.0f), glm::vec3(9.0f),
                                           glm::vec3(9.0f, 9.0f, 256.0f)};
   program->set("list", kList);
-  program->set("not_there", 1.0f);
+  program->set("unused", 1.0f);
 
   auto framebuffer = Framebuffer::make(Format::rgba32f, 1, 1, false);
   ASSERT_TRUE(framebuffer) << framebuffer.error().message;

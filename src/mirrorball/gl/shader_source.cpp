@@ -23,6 +23,7 @@ constexpr std::string_view kEmbeddedVersion =
 constexpr std::string_view kPrelude =
     "#define FN\n"
     "#define CUBE_SAMPLER samplerCube\n"
+    "#define INITIALLY(value)\n"
     "vec4 sampleLod(samplerCube map, vec3 direction, float lod) {\n"
     "  return textureLod(map, direction, lod);\n"
     "}\n";
@@ -49,47 +50,48 @@ std::string lineDirective(int line, std::size_t file) {
   return "#line " + std::to_string(line) + ' ' + std::to_string(file) + '\n';
 }
 
-}  // namespace
-
-Result<ShaderSource> shaderSource(Api api, std::string_view entry, std::span<const std::string_view> defines,
-                                  const FindText& find) {
-  const auto findText = [&](std::string_view name) { return find ? find(name) : embeddedText(name); };
-  std::optional<std::string_view> rest = findText(entry);
-  if (!rest) return fail(ErrorCode::not_found, std::string(entry) + ": no such shader");
-
-  ShaderSource source;
-  source.files = {std::string(entry)};
-  source.text = api == Api::desktop43 ? kDesktopVersion : kEmbeddedVersion;
-  source.text += kPrelude;
-  for (std::string_view define : defines) {
-    source.text += "#define " + std::string(define) + '\n';
-  }
-  source.text += lineDirective(1, 0);
-
-  for (int line_number = 1; !rest->empty(); ++line_number) {
-    const std::size_t end = std::min(rest->find('\n'), rest->size() - 1) + 1;
-    const std::string_view line = rest->substr(0, end);
-    rest->remove_prefix(end);
+/// Appends a file, and in place of its #include lines the files that they name.
+Result<void> append(ShaderSource& source, std::string_view name, std::string_view rest, const FindText& find) {
+  const std::size_t file = source.files.size();
+  source.files.emplace_back(name);
+  source.text += lineDirective(1, file);
+  for (int line_number = 1; !rest.empty(); ++line_number) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end);
     const std::optional<std::string_view> included = includedName(line);
     if (!included) {
       source.text += line;
+      if (rest.empty() && !line.ends_with('\n')) source.text += '\n';
       continue;
     }
     if (std::ranges::find(source.files, *included) != source.files.end()) {
       source.text += '\n';
       continue;
     }
-    const std::optional<std::string_view> text = findText(*included);
+    const std::optional<std::string_view> text = find(*included);
     if (!text) {
-      return fail(ErrorCode::not_found, std::string(entry) + ", line " + std::to_string(line_number) +
+      return fail(ErrorCode::not_found, std::string(name) + ", line " + std::to_string(line_number) +
                                             ": no shader text is named " + std::string(*included));
     }
-    source.text += lineDirective(1, source.files.size());
-    source.files.emplace_back(*included);
-    source.text += *text;
-    if (!text->ends_with('\n')) source.text += '\n';
-    source.text += lineDirective(line_number + 1, 0);
+    MIRRORBALL_TRY_VOID(append(source, *included, *text, find));
+    source.text += lineDirective(line_number + 1, file);
   }
+  return {};
+}
+
+}  // namespace
+
+Result<ShaderSource> shaderSource(Api api, std::string_view entry, std::span<const std::string_view> defines,
+                                  const FindText& find) {
+  const FindText find_text = find ? find : FindText(embeddedText);
+  const std::optional<std::string_view> text = find_text(entry);
+  if (!text) return fail(ErrorCode::not_found, std::string(entry) + ": no such shader");
+  ShaderSource source;
+  source.text = api == Api::desktop43 ? kDesktopVersion : kEmbeddedVersion;
+  source.text += kPrelude;
+  for (std::string_view define : defines) source.text += "#define " + std::string(define) + '\n';
+  MIRRORBALL_TRY_VOID(append(source, entry, *text, find_text));
   return source;
 }
 

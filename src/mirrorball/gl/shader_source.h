@@ -21,11 +21,11 @@ struct ShaderSource {
 /// Finds the text of a file by its name ("optics.glsl").
 using FindText = std::function<std::optional<std::string_view>(std::string_view name)>;
 
-/// Joins an entry file of /shaders with the formula files that it includes into one shader.
+/// Joins an entry file of /shaders with the files that it includes into one shader.
 ///
 /// The text starts with the version and precision that `api` asks for, the names that the formula files are written
-/// with (FN, CUBE_SAMPLER, sampleLod), and the defines. Each line `#include "name"` of the entry gives way to that file,
-/// once however often it is named; the files included include nothing themselves.
+/// with (FN, CUBE_SAMPLER, sampleLod), and the defines. Each line `#include "name"` gives way to that file, once however
+/// often it is named; files of /shaders may include others, those of /formula include nothing.
 ///
 /// entry    for example "surface.frag"
 /// defines  each "NAME" or "NAME value"

@@ -36,7 +36,7 @@ TEST(ShaderSource, PutsEachIncludedFileInOnceAndKeepsTheLines) {
   EXPECT_THAT(source->text, EndsWith("#line 1 0\none\n"
                                      "#line 1 1\nfloat a;\n#line 3 0\n"
                                      "#line 1 2\nfloat b;\n#line 4 0\n"
-                                     "\nlast"));
+                                     "\nlast\n"));
 }
 
 TEST(ShaderSource, StartsWithWhatTheApiAsksFor) {

@@ -8,6 +8,7 @@
 #include "formula/color.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/convert.h"
+#include "mirrorball/scene/set_parameter.h"
 
 namespace mirrorball {
 namespace {
@@ -122,8 +123,9 @@ const std::array<Option<RenderOptions>, 21> kOptions{{
       .group = "Environment"},
      choiceField<&RenderOptions::mapping>},
     {{.name = "reflect-at",
-      .choices = "vertex|fragment",
-      .help = "where the ray is reflected: at vertices, the result interpolated, or at each fragment",
+      .choices = "vertex|fragment|triangle",
+      .help = "where the ray is reflected: at vertices, the result interpolated, at each fragment, or once a triangle, "
+              "as a mirror made of tiles",
       .group = "Environment"},
      choiceField<&RenderOptions::reflect_at>},
     {{.name = "light",
@@ -273,11 +275,9 @@ Result<void> applyMaterialOptions(const RenderOptions& options, Scene& scene) {
     replaceMaterials(scene, material);
   }
   if (scene.materials.empty()) scene.materials.emplace_back();
-  for (Material& material : scene.materials) {
-    if (options.fresnel != FresnelOverride::material)
-      material.fresnel = static_cast<FresnelModel>(static_cast<int>(options.fresnel) - 1);
-    for (const std::string& assignment : options.set) MIRRORBALL_TRY_VOID(setParameter(material, assignment));
-  }
+  if (options.fresnel != FresnelOverride::material)
+    for (Material& material : scene.materials) material.fresnel = static_cast<int>(options.fresnel) - 1;
+  for (const std::string& assignment : options.set) MIRRORBALL_TRY_VOID(setParameter(scene, assignment));
   return {};
 }
 

@@ -17,7 +17,7 @@
 namespace mirrorball {
 
 enum class Mapping { reflection, normal, sphere };
-enum class ReflectAt { vertex, fragment };
+enum class ReflectAt { vertex, fragment, triangle };
 enum class FresnelOverride { material, exact, schlick, empirical };
 enum class BlurKind { exact, gpu, mip, cone };
 enum class Turn { camera, model, environment };  ///< what goes round in a turntable

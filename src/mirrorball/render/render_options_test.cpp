@@ -96,7 +96,7 @@ TEST(RenderOptions, MaterialOptionsReachEverySurface) {
   options.fresnel = FresnelOverride::empirical;
   ASSERT_TRUE(applyMaterialOptions(options, scene));
   ASSERT_EQ(scene.materials.size(), 1u);
-  EXPECT_EQ(scene.materials[0].fresnel, FresnelModel::empirical);
+  EXPECT_EQ(scene.materials[0].fresnel, formula::kFresnelEmpirical);
   EXPECT_EQ(scene.meshes[1].material, 0);
   EXPECT_EQ(scene.meshes[1].vertices[0].color, glm::vec4(1.0f));
 

@@ -105,9 +105,9 @@ struct Renderer::State {
   Result<void> makeSphereMap(const FrameUniforms& frame);
   Result<void> drawSample(const FrameUniforms& frame, const FrameSettings& settings);
   void drawBackground(const FrameUniforms& frame, const FrameSettings& settings);
-  Result<void> drawInstance(const Instance& instance, const FrameUniforms& frame, const FrameSettings& settings);
-  Result<void> drawOpaque(const FrameUniforms& frame, const FrameSettings& settings);
-  Result<void> drawBlended(const FrameUniforms& frame, const FrameSettings& settings);
+  void drawInstance(int instance, const FrameSettings& settings);
+  void drawOpaque(const FrameSettings& settings);
+  void drawBlended(const FrameUniforms& frame, const FrameSettings& settings);
   void addSample(int count);
 
   const Material& materialOf(const Instance& instance) const {
@@ -169,7 +169,7 @@ Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings,
   frame.prefiltered = chain;
   frame.camera = camera;
   frame.environment_from_world = glm::transpose(settings.env_tilt) * environmentFromWorld(settings.env_rotation_rad);
-  frame.texture_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
+  frame.sphere_map_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
   if (settings.mapping == Mapping::sphere) MIRRORBALL_TRY_VOID(state.makeSphereMap(frame));
 
   for (int index = 0; index < settings.samples; ++index) {
@@ -249,6 +249,7 @@ Result<void> Renderer::State::makeSphereMap(const FrameUniforms& frame) {
 }
 
 Result<void> Renderer::State::drawSample(const FrameUniforms& frame, const FrameSettings& settings) {
+  MIRRORBALL_TRY_VOID(surfaces.begin(scene, light, frame, settings));
   sample->bind();
   const bool has_color = settings.background == BackgroundKind::radiance;
   const glm::vec3 color = has_color ? settings.background_color : glm::vec3(0.0f);
@@ -258,10 +259,11 @@ Result<void> Renderer::State::drawSample(const FrameUniforms& frame, const Frame
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  MIRRORBALL_TRY_VOID(drawOpaque(frame, settings));
+  drawOpaque(settings);
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
     drawBackground(frame, settings);
-  return drawBlended(frame, settings);
+  drawBlended(frame, settings);
+  return {};
 }
 
 void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSettings& settings) {
@@ -271,8 +273,8 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   const bool is_prefiltered = blurred && (settings.blur == BlurKind::exact || settings.blur == BlurKind::gpu);
   const PrefilteredChain& chain = frame.prefiltered;
   const gl::Texture& cube = is_prefiltered ? *chain.texture : light.cube();
-  cube.bind(TextureUnit::environment);
-  background.set("environment", TextureUnit::environment);
+  cube.bind(TextureUnit::background);
+  background.set("environment", TextureUnit::background);
   background.set("environment_from_world", frame.environment_from_world);
   background.set("environment_intensity", settings.env_intensity);
   // Only directions are asked for. Without the camera's place they are exact however far away from the origin it stands.
@@ -290,50 +292,40 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   screen.draw(3);
 }
 
-Result<void> Renderer::State::drawInstance(const Instance& instance, const FrameUniforms& frame,
-                                           const FrameSettings& settings) {
-  const Material& material = materialOf(instance);
-  MIRRORBALL_TRY(program, surfaces.prepare(material, buffers, light, frame, settings));
-  program->set("world_from_object", instance.world_from_object);
-  program->set("normal_matrix", glm::transpose(glm::inverse(glm::mat3(instance.world_from_object))));
-  if (material.double_sided)
+void Renderer::State::drawInstance(int instance, const FrameSettings& settings) {
+  if (materialOf(scene.instances[std::size_t(instance)]).double_sided)
     glDisable(GL_CULL_FACE);
   else
     glEnable(GL_CULL_FACE);
-  buffers.drawMesh(instance.mesh);
-  return {};
+  surfaces.draw(scene, instance, buffers, settings);
 }
 
-Result<void> Renderer::State::drawOpaque(const FrameUniforms& frame, const FrameSettings& settings) {
-  for (const Instance& instance : scene.instances)
-    if (materialOf(instance).alpha_mode != AlphaMode::blend)
-      MIRRORBALL_TRY_VOID(drawInstance(instance, frame, settings));
-  return {};
+void Renderer::State::drawOpaque(const FrameSettings& settings) {
+  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance)
+    if (materialOf(scene.instances[std::size_t(instance)]).alpha_mode != AlphaMode::blend)
+      drawInstance(instance, settings);
 }
 
 /// What shines through is drawn over the rest, the farthest first.
-Result<void> Renderer::State::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
-  std::vector<const Instance*> blended;
-  for (const Instance& instance : scene.instances)
-    if (materialOf(instance).alpha_mode == AlphaMode::blend) blended.push_back(&instance);
-  if (blended.empty()) return {};
+void Renderer::State::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
+  std::vector<int> blended;
+  for (int index = 0; index < static_cast<int>(scene.instances.size()); ++index)
+    if (materialOf(scene.instances[std::size_t(index)]).alpha_mode == AlphaMode::blend) blended.push_back(index);
+  if (blended.empty()) return;
   // The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
-  const auto depth = [&](const Instance* instance) {
-    const glm::vec4 center(centerOf(scene.meshes[std::size_t(instance->mesh)]), 1.0f);
-    const glm::vec3 from_eye = glm::vec3(instance->world_from_object * center) - frame.camera.position;
+  const auto depth = [&](int index) {
+    const Instance& instance = scene.instances[std::size_t(index)];
+    const glm::vec4 center(centerOf(scene.meshes[std::size_t(instance.mesh)]), 1.0f);
+    const glm::vec3 from_eye = glm::vec3(instance.world_from_object * center) - frame.camera.position;
     return frame.camera.orthographic ? glm::dot(from_eye, frame.camera.forward) : glm::length(from_eye);
   };
-  std::stable_sort(blended.begin(), blended.end(),
-                   [&](const Instance* a, const Instance* b) { return depth(a) > depth(b); });
+  std::stable_sort(blended.begin(), blended.end(), [&](int a, int b) { return depth(a) > depth(b); });
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);
-  Result<void> drawn;
-  for (const Instance* instance : blended)
-    if (drawn) drawn = drawInstance(*instance, frame, settings);
+  for (const int instance : blended) drawInstance(instance, settings);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
-  return drawn;
 }
 
 void Renderer::State::addSample(int index) {

@@ -187,8 +187,8 @@ void expectNear(glm::vec4 shown, glm::vec4 expected, float tolerance, const std:
 }
 
 TEST_P(SurfaceTextureTest, ABaseColorTextureIsDecodedFromSrgbAndMultipliesTheBaseColor) {
-  Scene scene = texturedSquare(chalk({0.5f, 0.25f, 1.0f}), &Material::base_color_texture,
-                               textureOf(1, {Texel{188, 255, 128, 255}}));
+  Scene scene =
+      texturedSquare(chalk({0.5f, 0.25f, 1.0f}), &Material::base_color_map, textureOf(1, {Texel{188, 255, 128, 255}}));
   // Bytes of linear light are what they are.
   expectNear(seen(scene, whiteLight()), {188 / 255.0f * 0.5f, 0.25f, 128 / 255.0f, 1.0f}, kExact, "linear");
   // ((188/255 + 0.055) / 1.055)^2.4 = 0.5029, and 0.2159 of 128.
@@ -197,14 +197,13 @@ TEST_P(SurfaceTextureTest, ABaseColorTextureIsDecodedFromSrgbAndMultipliesTheBas
 }
 
 TEST_P(SurfaceTextureTest, UGrowsToTheRightAndVDownwards) {
-  const Scene scene =
-      texturedSquare(chalk(), &Material::base_color_texture, textureOf(2, {kRed, kGreen, kBlue, kWhite}));
+  const Scene scene = texturedSquare(chalk(), &Material::base_color_map, textureOf(2, {kRed, kGreen, kBlue, kWhite}));
   EXPECT_EQ(lettersOf(drawn(scene, whiteLight(), {.cells = 2})), "RG BW");
 }
 
 // Three periods of two texels, the middle one being the texture itself.
 TEST_P(SurfaceTextureTest, EachAxisWrapsAsItIsTold) {
-  Scene scene = texturedSquare(chalk(), &Material::base_color_texture, textureOf(2, {kRed, kGreen, kBlue, kWhite}));
+  Scene scene = texturedSquare(chalk(), &Material::base_color_map, textureOf(2, {kRed, kGreen, kBlue, kWhite}));
   for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] = vertex.uv[0] * 3.0f - 1.0f;
   const auto letters_of = [&](Wrap s, Wrap t) {
     scene.textures[0].wrap_s = s;
@@ -219,7 +218,7 @@ TEST_P(SurfaceTextureTest, EachAxisWrapsAsItIsTold) {
 // Black and white side by side in eight cells: their centres lie at -3/8, -1/8, 1/8 … 11/8 from the black texel's
 // centre, the white one's being 1.
 TEST_P(SurfaceTextureTest, MagnifiedTexelsAreInterpolatedUnlessNearest) {
-  Scene scene = texturedSquare(chalk(), &Material::base_color_texture, textureOf(2, {kBlack, kWhite}));
+  Scene scene = texturedSquare(chalk(), &Material::base_color_map, textureOf(2, {kBlack, kWhite}));
   scene.textures[0].wrap_s = Wrap::clamp_to_edge;
   const Image squares = drawn(scene, whiteLight(), {.cells = 8});
   scene.textures[0].nearest = false;
@@ -234,12 +233,12 @@ TEST_P(SurfaceTextureTest, MagnifiedTexelsAreInterpolatedUnlessNearest) {
 // The example in KHR_texture_transform's text: "only the lower left quadrant of the source image, rotated clockwise
 // 90°". The other way round, the upper right one would be seen.
 TEST_P(SurfaceTextureTest, ATextureTurnsClockwiseAsItsCoordinatesTurnCounterClockwise) {
-  Scene scene = texturedSquare(chalk(), &Material::base_color_texture,
+  Scene scene = texturedSquare(chalk(), &Material::base_color_map,
                                textureOf(4, {kBlack, kBlack, kBlack, kBlack,  //
                                              kBlack, kBlack, kBlack, kBlack,  //
                                              kRed, kGreen, kBlack, kBlack,    //
                                              kBlue, kWhite, kBlack, kBlack}));
-  TextureSlot& slot = scene.materials[0].base_color_texture;
+  TextureSlot& slot = scene.materials[0].base_color_map;
   slot.offset = {0.0f, 1.0f};
   slot.rotation_rad = kQuarterTurn_rad;
   slot.scale = {0.5f, 0.5f};
@@ -250,9 +249,9 @@ TEST_P(SurfaceTextureTest, ATextureTurnsClockwiseAsItsCoordinatesTurnCounterCloc
 //   u' = 0.8 · 0.4 u + 0.6 · 0.2 v + 0.28,  v' = −0.6 · 0.4 u + 0.8 · 0.2 v + 0.5.
 // Red grows with u' from 0 at 1/4 to 1 at 3/4, green with v'.
 TEST_P(SurfaceTextureTest, ATextureTransformScalesThenRotatesThenShifts) {
-  Scene scene = texturedSquare(chalk(), &Material::base_color_texture, textureOf(2, {kBlack, kRed, kGreen, kYellow}));
+  Scene scene = texturedSquare(chalk(), &Material::base_color_map, textureOf(2, {kBlack, kRed, kGreen, kYellow}));
   scene.textures[0].nearest = false;
-  TextureSlot& slot = scene.materials[0].base_color_texture;
+  TextureSlot& slot = scene.materials[0].base_color_map;
   slot.scale = {0.4f, 0.2f};
   slot.rotation_rad = std::atan2(0.6f, 0.8f);
   slot.offset = {0.28f, 0.5f};
@@ -287,12 +286,11 @@ std::vector<SlotCase> slotCases() {
   const glm::vec4 bright = kChalkTowardsCamera + glm::vec4(1, 1, 1, 0);
   const glm::vec4 black(0, 0, 0, 1);
   return {
-      {"base colour", &Material::base_color_texture, chalk(), kBlack, kWhite, black, kChalkTowardsCamera},
-      {"metallic and roughness", &Material::metallic_roughness_texture, metal, kBlack, kBlue, kChalkTowardsCamera,
-       kMirrorTowardsCamera},
-      {"normal", &Material::normal_texture, chalk(), kFlat, kRightwards, kChalkTowardsCamera, tilted},
-      {"occlusion", &Material::occlusion_texture, chalk(), kWhite, kBlack, kChalkTowardsCamera, black},
-      {"emission", &Material::emission_texture, lamp, kBlack, kWhite, kChalkTowardsCamera, bright},
+      {"base colour", &Material::base_color_map, chalk(), kBlack, kWhite, black, kChalkTowardsCamera},
+      {"metallic", &Material::metallic_map, metal, kBlack, kBlue, kChalkTowardsCamera, kMirrorTowardsCamera},
+      {"normal", &Material::normal_map, chalk(), kFlat, kRightwards, kChalkTowardsCamera, tilted},
+      {"occlusion", &Material::occlusion_map, chalk(), kWhite, kBlack, kChalkTowardsCamera, black},
+      {"emission", &Material::emission_map, lamp, kBlack, kWhite, kChalkTowardsCamera, bright},
   };
 }
 
@@ -325,19 +323,20 @@ TEST_P(SurfaceTextureTest, AllSlotsTogetherKeepTheirTextures) {
     (scene.materials[0].*slot).texture = static_cast<int>(scene.textures.size());
     scene.textures.push_back(textureOf(1, {texel}));
   };
-  put(&Material::base_color_texture, {102, 204, 255, 255});
-  put(&Material::metallic_roughness_texture, kBlue);
-  put(&Material::normal_texture, kRightwards);
-  put(&Material::occlusion_texture, {51, 0, 0, 255});
-  put(&Material::emission_texture, {0, 0, 51, 255});
+  put(&Material::base_color_map, {102, 204, 255, 255});
+  put(&Material::metallic_map, kBlue);
+  put(&Material::roughness_map, kGreen);
+  put(&Material::normal_map, kRightwards);
+  put(&Material::occlusion_map, {51, 0, 0, 255});
+  put(&Material::emission_map, {0, 0, 51, 255});
   // (0.4, 0.8, 1) of the light on the bent normal, of which a fifth arrives, and 0.2 more in blue.
   const glm::vec4 expected(0.4f * 0.7f * 0.2f, 0.8f * 0.5f * 0.2f, (0.5f + 0.8f / 3.0f) * 0.2f + 0.2f, 1.0f);
   expectNear(seen(scene, compass()), expected, kBentNormal, "all");
 }
 
 TEST_P(SurfaceTextureTest, VertexColorsAreInterpolatedAndMultiplyTheBaseColor) {
-  Scene scene = texturedSquare(chalk({1.0f, 0.5f, 0.5f}), &Material::base_color_texture,
-                               textureOf(1, {Texel{255, 255, 51, 255}}));
+  Scene scene =
+      texturedSquare(chalk({1.0f, 0.5f, 0.5f}), &Material::base_color_map, textureOf(1, {Texel{255, 255, 51, 255}}));
   for (Vertex& vertex : scene.meshes[0].vertices) vertex.color = {vertex.uv[0].x, 0.5f, 1.0f, 1.0f};
   const Image image = drawn(scene, whiteLight(), {.cells = 4});
   for (int column = 0; column < 4; ++column)
@@ -349,16 +348,16 @@ TEST_P(SurfaceTextureTest, RoughnessIsInGreenAndMetallicInBlue) {
   Material metal = chalk();
   metal.metallic = 1.0f;
   metal.perceptual_roughness = 1.0f;
-  const Scene mirror =
-      texturedSquare(metal, &Material::metallic_roughness_texture, textureOf(1, {Texel{255, 0, 255, 0}}));
+  Scene mirror = texturedSquare(metal, &Material::metallic_map, textureOf(1, {Texel{255, 0, 255, 0}}));
+  mirror.materials[0].roughness_map = mirror.materials[0].metallic_map;
   expectNear(seen(mirror, compass()), kMirrorTowardsCamera, kExact, "a mirror");
 
   // Between the ends: the same as the products of texture and factors without a texture, whatever they look like.
   Material partial;
   partial.metallic = 0.5f;
   partial.perceptual_roughness = 0.5f;
-  const Scene textured =
-      texturedSquare(partial, &Material::metallic_roughness_texture, textureOf(1, {Texel{255, 51, 102, 0}}));
+  Scene textured = texturedSquare(partial, &Material::metallic_map, textureOf(1, {Texel{255, 51, 102, 0}}));
+  textured.materials[0].roughness_map = textured.materials[0].metallic_map;
   partial.perceptual_roughness = 0.1f;
   partial.metallic = 0.2f;
   expectNear(seen(textured, compass()), seen(sceneOf(square(), partial), compass()), kExact, "products");
@@ -367,7 +366,7 @@ TEST_P(SurfaceTextureTest, RoughnessIsInGreenAndMetallicInBlue) {
 TEST_P(SurfaceTextureTest, OcclusionInRedDarkensDiffuseLightOnly) {
   Material material = chalk();
   material.emission = {0.0f, 0.0f, 0.25f};
-  Scene scene = texturedSquare(material, &Material::occlusion_texture, textureOf(1, {Texel{51, 255, 255, 255}}));
+  Scene scene = texturedSquare(material, &Material::occlusion_map, textureOf(1, {Texel{51, 255, 255, 255}}));
   // glTF: 1 + strength (occluded − 1), with 51/255 = 0.2.
   for (const auto& [strength, expected] : {std::pair(1.0f, 0.2f), std::pair(0.5f, 0.6f), std::pair(0.0f, 1.0f)}) {
     scene.materials[0].occlusion_strength = strength;
@@ -375,14 +374,14 @@ TEST_P(SurfaceTextureTest, OcclusionInRedDarkensDiffuseLightOnly) {
                "strength " + std::to_string(strength));
   }
   const Scene mirror =
-      texturedSquare(*materialNamed("mirror"), &Material::occlusion_texture, textureOf(1, {Texel{51, 255, 255, 255}}));
+      texturedSquare(*materialNamed("mirror"), &Material::occlusion_map, textureOf(1, {Texel{51, 255, 255, 255}}));
   expectNear(seen(mirror, whiteLight()), {1, 1, 1, 1}, kExact, "a mirror");
 }
 
 TEST_P(SurfaceTextureTest, AnEmissionTextureMultipliesTheEmission) {
   Material lamp = chalk({0.0f, 0.0f, 0.5f});
   lamp.emission = {4.0f, 2.0f, 0.0f};
-  Scene scene = texturedSquare(lamp, &Material::emission_texture, textureOf(1, {Texel{188, 188, 188, 255}}));
+  Scene scene = texturedSquare(lamp, &Material::emission_map, textureOf(1, {Texel{188, 188, 188, 255}}));
   scene.textures[0].srgb = true;
   // 188 is 0.5029 in linear light.
   expectNear(seen(scene, whiteLight()), {4.0f * 0.5029f, 2.0f * 0.5029f, 0.5f, 1.0f}, 4.0f * kSrgb, "lamp");
@@ -418,8 +417,7 @@ TEST_P(SurfaceTextureTest, ANormalMapBendsWhereAMirrorLooks) {
       {"the back, +Y", kUpwards, {0.0f, -0.96f, 0.28f}, {1.0f, 0.0f, 0.0f, 1.0f}, 1.0f, turnedRound()},
   };
   for (const NormalCase& normal_case : cases) {
-    Scene scene =
-        texturedSquare(*materialNamed("mirror"), &Material::normal_texture, textureOf(1, {normal_case.texel}));
+    Scene scene = texturedSquare(*materialNamed("mirror"), &Material::normal_map, textureOf(1, {normal_case.texel}));
     scene.materials[0].normal_scale = normal_case.scale;
     scene.materials[0].double_sided = true;
     for (Vertex& vertex : scene.meshes[0].vertices) vertex.tangent = normal_case.tangent;
@@ -434,7 +432,7 @@ Scene partlyOpaque(AlphaMode mode) {
   Material material = chalk({1.0f, 0.5f, 0.0f});
   material.opacity = 0.7f;
   material.alpha_mode = mode;
-  Scene scene = texturedSquare(material, &Material::base_color_texture, textureOf(1, {Texel{255, 255, 255, 153}}));
+  Scene scene = texturedSquare(material, &Material::base_color_map, textureOf(1, {Texel{255, 255, 255, 153}}));
   for (Vertex& vertex : scene.meshes[0].vertices) vertex.color.w = 0.8f;
   return scene;
 }
@@ -442,7 +440,7 @@ Scene partlyOpaque(AlphaMode mode) {
 TEST_P(SurfaceTextureTest, AMaskShowsAllOrNothing) {
   Material material = chalk();
   material.alpha_mode = AlphaMode::mask;
-  const Scene stencil = texturedSquare(material, &Material::base_color_texture,
+  const Scene stencil = texturedSquare(material, &Material::base_color_map,
                                        textureOf(2, {Texel{255, 255, 255, 127}, Texel{255, 255, 255, 128}}));
   const Image image = drawn(stencil, whiteLight(), {.cells = 2});
   expectNear(cell(image, 0, 0), kNothing, kExact, "127 is below a cutoff of one half");

@@ -156,7 +156,7 @@ class SceneBuilder {
                                                 std::to_string(kMostVertices) + " vertices");
         left -= size;
         MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
-        const int normal_uv_set = scene_.materials[std::size_t(material)].normal_texture.uv_set;
+        const int normal_uv_set = scene_.materials[std::size_t(material)].normal_map.uv_set;
         jobs.push_back({mesh, &primitive, material, normal_uv_set, key});
       }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -19,9 +20,6 @@ constexpr std::array<std::string_view, 9> kKnownExtensions = {
     "KHR_materials_dispersion",   "KHR_materials_emissive_strength", "EXT_texture_webp",
 };
 
-float share(const JsonReader& value, float otherwise) {
-  return static_cast<float>(std::clamp(value.number(otherwise), 0.0, 1.0));
-}
 float notNegative(const JsonReader& value, float otherwise) {
   return static_cast<float>(std::max(value.number(otherwise), 0.0));
 }
@@ -113,42 +111,39 @@ TextureSlot parseSlot(const JsonReader& json) {
   return slot;
 }
 
-/// The factors of the extensions to the metallic-roughness model; their textures are not read.
-void parseExtensions(const JsonReader& json, Material& material) {
-  // An index of 0 asks for the specular-glossiness model's mirror; it is read as the default.
-  const auto ior = static_cast<float>(json["KHR_materials_ior"]["ior"].number(1.5));
-  if (ior >= 1.0f) material.ior = ior;
-  material.specular = share(json["KHR_materials_specular"]["specularFactor"], 1.0f);
-  material.transmission = share(json["KHR_materials_transmission"]["transmissionFactor"], 0.0f);
-  material.dispersion = notNegative(json["KHR_materials_dispersion"]["dispersion"], 0.0f);
-  material.emission *= notNegative(json["KHR_materials_emissive_strength"]["emissiveStrength"], 1.0f);
+/// A parameter as glTF has it, cut to its range; what the file does not say stays as it is.
+void readParameter(const MaterialParameter& parameter, const JsonReader& json, Material& material) {
+  const JsonReader value = json.at(parameter.gltf);
+  const auto inRange = [&](double number) {
+    return static_cast<float>(std::clamp(number, parameter.text.minimum, parameter.text.maximum));
+  };
+  if (const auto* number = std::get_if<float Material::*>(&parameter.field)) {
+    material.** number = inRange(value.number(material.**number));
+  } else if (const auto* flag = std::get_if<bool Material::*>(&parameter.field)) {
+    material.** flag = value.flag(material.**flag);
+  } else if (const auto* color = std::get_if<glm::vec3 Material::*>(&parameter.field)) {
+    const glm::vec3 before = material.**color;
+    std::vector<double> numbers{before.x, before.y, before.z};
+    if (*color == &Material::base_color) numbers.push_back(material.opacity);
+    numbers = value.numbers(numbers);
+    material.** color = {inRange(numbers[0]), inRange(numbers[1]), inRange(numbers[2])};
+    if (numbers.size() == 4) material.opacity = static_cast<float>(std::clamp(numbers[3], 0.0, 1.0));
+  }
 }
 
 Material parseMaterial(const JsonReader& json) {
-  Material material;
+  Material material = defaultMaterial();
   material.name = json["name"].text("");
-  const JsonReader pbr = json["pbrMetallicRoughness"];
-  const std::vector<double> color = pbr["baseColorFactor"].numbers({1, 1, 1, 1});
-  const std::vector<double> emission = json["emissiveFactor"].numbers({0, 0, 0});
-  material.base_color = glm::clamp(glm::vec3(color[0], color[1], color[2]), 0.0f, 1.0f);
-  material.emission = glm::max(glm::vec3(emission[0], emission[1], emission[2]), 0.0f);
-  material.metallic = share(pbr["metallicFactor"], 1.0f);
-  material.perceptual_roughness = share(pbr["roughnessFactor"], 1.0f);
-  material.double_sided = json["doubleSided"].flag(false);
-  material.alpha_cutoff = static_cast<float>(json["alphaCutoff"].number(0.5));
+  for (const MaterialParameter& parameter : materialParameters())
+    if (!parameter.gltf.empty()) readParameter(parameter, json, material);
+  // An index of 0 asks for the specular-glossiness model's mirror; it is read as the default.
+  if (material.ior < 1.0f) material.ior = defaultMaterial().ior;
+  material.emission *= notNegative(json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"], 1.0f);
   const std::string alpha_mode = json["alphaMode"].text("OPAQUE");
   if (alpha_mode == "MASK") material.alpha_mode = AlphaMode::mask;
   if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;
-  if (material.alpha_mode != AlphaMode::opaque) material.opacity = static_cast<float>(std::clamp(color[3], 0.0, 1.0));
-  parseExtensions(json["extensions"], material);
-
-  material.base_color_texture = parseSlot(pbr["baseColorTexture"]);
-  material.metallic_roughness_texture = parseSlot(pbr["metallicRoughnessTexture"]);
-  material.normal_texture = parseSlot(json["normalTexture"]);
-  material.normal_scale = static_cast<float>(json["normalTexture"]["scale"].number(1));
-  material.occlusion_texture = parseSlot(json["occlusionTexture"]);
-  material.occlusion_strength = share(json["occlusionTexture"]["strength"], 1.0f);
-  material.emission_texture = parseSlot(json["emissiveTexture"]);
+  if (material.alpha_mode == AlphaMode::opaque) material.opacity = 1.0f;
+  for (const MaterialMap& map : materialMaps()) material.*map.slot = parseSlot(json.at(map.gltf));
   return material;
 }
 
@@ -222,6 +217,14 @@ Result<void> checkSupported(const JsonReader& root, const std::string& name) {
 }
 
 }  // namespace
+
+Material defaultMaterial() {
+  Material material;
+  material.base_color = glm::vec3(1.0f);
+  material.metallic = 1.0f;
+  material.perceptual_roughness = 1.0f;
+  return material;
+}
 
 Result<Document> parseDocument(std::string_view text, const std::string& name) {
   nlohmann::json parsed;

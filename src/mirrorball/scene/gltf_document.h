@@ -100,6 +100,9 @@ struct Document {
   std::vector<std::string> left_out;  ///< "animations", "skins": what the file holds and this program does not read
 };
 
+/// glTF's default material (section 3.9.6): white, and the factors' defaults.
+Material defaultMaterial();
+
 /// Reads a file's JSON.
 ///
 /// name     for messages

@@ -8,22 +8,13 @@ namespace mirrorball::gltf {
 
 Result<int> Materials::sceneMaterial(int index, const std::string& key) {
   if (const auto found = materials_.find(index); found != materials_.end()) return found->second;
-  Material material;
-  if (index == -1) {
-    // The default material (section 3.9.6): white, and the factors' defaults.
-    material.base_color = glm::vec3(1.0f);
-    material.metallic = 1.0f;
-    material.perceptual_roughness = 1.0f;
-  } else {
+  Material material = defaultMaterial();
+  if (index >= 0) {
     MIRRORBALL_TRY_VOID(checkIndex(file_, index, file_.document.materials.size(), key, "materials"));
     material = file_.document.materials[std::size_t(index)];
-    const std::string own = quoted("materials", std::size_t(index));
-    const std::string pbr = own + ".pbrMetallicRoughness";
-    MIRRORBALL_TRY_VOID(bindTexture(material.base_color_texture, true, pbr + ".baseColorTexture"));
-    MIRRORBALL_TRY_VOID(bindTexture(material.metallic_roughness_texture, false, pbr + ".metallicRoughnessTexture"));
-    MIRRORBALL_TRY_VOID(bindTexture(material.normal_texture, false, own + ".normalTexture"));
-    MIRRORBALL_TRY_VOID(bindTexture(material.occlusion_texture, false, own + ".occlusionTexture"));
-    MIRRORBALL_TRY_VOID(bindTexture(material.emission_texture, true, own + ".emissiveTexture"));
+    const std::string own = quoted("materials", std::size_t(index)) + ".";
+    for (const MaterialMap& map : materialMaps())
+      MIRRORBALL_TRY_VOID(bindTexture(material.*map.slot, map.srgb, own + std::string(map.gltf)));
   }
   scene_.materials.push_back(std::move(material));
   return materials_[index] = static_cast<int>(scene_.materials.size()) - 1;

@@ -247,21 +247,22 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
   EXPECT_EQ(material.normal_scale, 0.75f);
   EXPECT_EQ(material.occlusion_strength, 0.5f);
 
-  const TextureSlot& color = material.base_color_texture;
+  const TextureSlot& color = material.base_color_map;
   EXPECT_EQ(color.uv_set, 0);  // the transform's own texCoord wins
   EXPECT_EQ(color.offset, glm::vec2(0.5f, 0.25f));
   EXPECT_EQ(color.scale, glm::vec2(2, 3));
   EXPECT_EQ(color.rotation_rad, 1.5f);
-  EXPECT_EQ(material.metallic_roughness_texture.uv_set, 1);
-  EXPECT_EQ(material.occlusion_texture.texture, material.normal_texture.texture);
+  EXPECT_EQ(material.metallic_map.uv_set, 1);
+  EXPECT_EQ(material.roughness_map.uv_set, 1);
+  EXPECT_EQ(material.occlusion_map.texture, material.normal_map.texture);
   ASSERT_EQ(scene.textures.size(), 3u);
   const auto texture = [&](const TextureSlot& slot) { return scene.textures.at(std::size_t(slot.texture)); };
   EXPECT_TRUE(texture(color).srgb);
   EXPECT_TRUE(texture(color).nearest);
   EXPECT_EQ(texture(color).wrap_s, Wrap::clamp_to_edge);
   EXPECT_EQ(texture(color).wrap_t, Wrap::mirrored_repeat);
-  EXPECT_FALSE(texture(material.normal_texture).srgb);
-  EXPECT_TRUE(texture(material.emission_texture).srgb);
+  EXPECT_FALSE(texture(material.normal_map).srgb);
+  EXPECT_TRUE(texture(material.emission_map).srgb);
   for (const Texture& each : scene.textures) {
     ASSERT_EQ(each.image.width(), 2);
     EXPECT_EQ(each.image.texel(1, 0)[0], 200);

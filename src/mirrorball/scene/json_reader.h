@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -39,6 +40,17 @@ class JsonReader {
       if (found != value_->end()) member = &*found;
     }
     return JsonReader(member, key_.empty() ? name : key_ + "." + name, *problem_);
+  }
+
+  /// The member that "a.b.c" leads to.
+  JsonReader at(std::string_view path) const {
+    JsonReader member = *this;
+    while (!path.empty()) {
+      const std::size_t end = std::min(path.find('.'), path.size());
+      member = member[std::string(path.substr(0, end)).c_str()];
+      path.remove_prefix(std::min(end + 1, path.size()));
+    }
+    return member;
   }
 
   /// The elements of an array; none where it is absent.

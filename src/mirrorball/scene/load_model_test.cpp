@@ -27,9 +27,8 @@ void expectSafe(const Scene& scene) {
     }
   }
   for (const Material& material : scene.materials)
-    for (const TextureSlot& slot : {material.base_color_texture, material.metallic_roughness_texture,
-                                    material.normal_texture, material.occlusion_texture, material.emission_texture})
-      ASSERT_LT(slot.texture, static_cast<int>(scene.textures.size()));
+    for (const MaterialMap& map : materialMaps())
+      ASSERT_LT((material.*map.slot).texture, static_cast<int>(scene.textures.size()));
   for (const Texture& texture : scene.textures) ASSERT_EQ(texture.image.channels(), 4);
 }
 

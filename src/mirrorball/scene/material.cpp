@@ -1,92 +1,12 @@
 #include "mirrorball/scene/material.h"
 
-#include <algorithm>
 #include <array>
-#include <vector>
 
 #include "formula/bsdf.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball {
 namespace {
-
-const std::array<Option<Material>, 21> kParameters{{
-    {{.name = "base_color",
-      .value = "R,G,B",
-      .unit = "linear light",
-      .minimum = 0,
-      .maximum = 1,
-      .help = "diffuse albedo, or a metal's reflectance head-on; one number sets all three channels"},
-     &Material::base_color},
-    {{.name = "metallic", .minimum = 0, .maximum = 1, .help = "0 dielectric, 1 metal"}, &Material::metallic},
-    {{.name = "perceptual_roughness",
-      .minimum = 0,
-      .maximum = 1,
-      .help = "0 mirror, 1 chalk; its square is GGX's alpha"},
-     &Material::perceptual_roughness},
-    {{.name = "specular",
-      .minimum = 0,
-      .maximum = 1,
-      .help = "strength of a dielectric's reflection; 0 leaves pure diffuse"},
-     &Material::specular},
-    {{.name = "ior", .minimum = 0.1, .maximum = 10, .help = "index of refraction, inside over outside"},
-     &Material::ior},
-    {{.name = "dispersion", .minimum = 0, .maximum = 5, .help = "20 over Abbe's number: how far red and blue part"},
-     &Material::dispersion},
-    {{.name = "transmission",
-      .minimum = 0,
-      .maximum = 1,
-      .help = "share of the light not reflected that is refracted through"},
-     &Material::transmission},
-    {{.name = "conductor_n",
-      .value = "R,G,B",
-      .minimum = 0,
-      .maximum = 20,
-      .help = "real part of a metal's complex index, per channel"},
-     &Material::conductor_n},
-    {{.name = "conductor_k",
-      .value = "R,G,B",
-      .minimum = 0,
-      .maximum = 20,
-      .help = "imaginary part; 0,0,0 takes the metal's reflectance from base_color"},
-     &Material::conductor_k},
-    {{.name = "emission",
-      .value = "R,G,B",
-      .unit = "radiance",
-      .minimum = 0,
-      .maximum = 1e6,
-      .help = "light that the surface gives off itself"},
-     &Material::emission},
-    {{.name = "opacity", .minimum = 0, .maximum = 1, .help = "1 solid; less lets what is behind shine through unbent"},
-     &Material::opacity},
-    {{.name = "fresnel",
-      .choices = "exact|schlick|empirical",
-      .help = "how reflection grows towards grazing angles; metals know exact and Schlick's form only"},
-     choiceField<&Material::fresnel>},
-    {{.name = "fresnel_offset",
-      .minimum = 0,
-      .maximum = 1,
-      .help = "of the empirical form offset + scale (1 + V·N)^power"},
-     &Material::fresnel_offset},
-    {{.name = "fresnel_scale", .minimum = 0, .maximum = 10, .help = "of the empirical form"}, &Material::fresnel_scale},
-    {{.name = "fresnel_power", .minimum = 0.1, .maximum = 20, .help = "of the empirical form"},
-     &Material::fresnel_power},
-    {{.name = "bump", .choices = "none|orange", .help = "height function that bends the normals"},
-     choiceField<&Material::bump>},
-    {{.name = "bump_height", .unit = "model units", .minimum = -1, .maximum = 1, .help = "depth of the bumps"},
-     &Material::bump_height},
-    {{.name = "bump_frequency",
-      .unit = "bumps a model unit",
-      .minimum = 0.01,
-      .maximum = 1000,
-      .help = "how close they stand"},
-     &Material::bump_frequency},
-    {{.name = "normal_scale", .minimum = 0, .maximum = 10, .help = "strength of a normal map"},
-     &Material::normal_scale},
-    {{.name = "occlusion_strength", .minimum = 0, .maximum = 1, .help = "strength of an occlusion map"},
-     &Material::occlusion_strength},
-    {{.name = "double_sided", .help = "yes shows the back of the surface too"}, &Material::double_sided},
-}};
 
 Material metal(glm::vec3 color, float perceptual_roughness) {
   Material material;
@@ -171,8 +91,6 @@ constexpr auto kNames = [] {
 
 }  // namespace
 
-std::span<const Option<Material>> materialParameters() { return kParameters; }
-
 std::span<const std::string_view> materialNames() { return kNames; }
 
 Result<Material> materialNamed(std::string_view name) {
@@ -181,24 +99,6 @@ Result<Material> materialNamed(std::string_view name) {
   Material material = kMaterials[*index].make();
   material.name = kNames[*index];
   return material;
-}
-
-Result<void> setParameter(Material& material, std::string_view assignment) {
-  const std::size_t equals = assignment.find('=');
-  const std::string_view key = assignment.substr(0, equals);
-  std::vector<std::string_view> names;
-  for (const auto& parameter : kParameters) names.push_back(parameter.text.name);
-  const auto index = indexOfName(key, names);
-  if (!index) return tl::unexpected<Error>(unknownName("material parameter", key, names));
-  const Option<Material>& parameter = kParameters[*index];
-  const std::string name(parameter.text.name);
-  if (equals == std::string_view::npos)
-    return fail(ErrorCode::usage,
-                "the material parameter " + name + " needs a value: " + name + "=" + written(parameter, material));
-  MIRRORBALL_TRY_VOID(assign(parameter, material, assignment.substr(equals + 1)));
-  // Who asks for an opacity wants to look through.
-  if (material.opacity < 1.0f && material.alpha_mode == AlphaMode::opaque) material.alpha_mode = AlphaMode::blend;
-  return {};
 }
 
 }  // namespace mirrorball

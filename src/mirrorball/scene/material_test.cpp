@@ -48,7 +48,7 @@ TEST(Material, SetParameterSetsOneFieldOrTellsWhatIsWrong) {
   ASSERT_TRUE(setParameter(material, "base_color=0.25"));
   EXPECT_EQ(material.base_color, glm::vec3(0.25f));
   ASSERT_TRUE(setParameter(material, "fresnel=empirical"));
-  EXPECT_EQ(material.fresnel, FresnelModel::empirical);
+  EXPECT_EQ(material.fresnel, formula::kFresnelEmpirical);
 
   EXPECT_THAT(setParameter(material, "roughness=1").error().message, HasSubstr("perceptual_roughness"));
   EXPECT_THAT(setParameter(material, "metallic").error().message, HasSubstr("metallic=0"));

@@ -79,14 +79,13 @@ Material convert(const tinyobj::material_t& source, Pictures& pictures, std::vec
   const bool has_highlight = source.specular[0] > 0.0f || source.specular[1] > 0.0f || source.specular[2] > 0.0f;
   if (source.illum == kDiffuseWithoutHighlight && !has_highlight) material.specular = 0.0f;
 
-  material.base_color_texture.texture = pictures.texture(source.diffuse_texname, true);
-  material.emission_texture.texture = pictures.texture(source.emissive_texname, true);
-  material.normal_texture.texture = pictures.texture(source.normal_texname, false);
+  material.base_color_map.texture = pictures.texture(source.diffuse_texname, true);
+  material.emission_map.texture = pictures.texture(source.emissive_texname, true);
+  material.normal_map.texture = pictures.texture(source.normal_texname, false);
   // Many programs write black beside a picture, which would hide it.
-  if (material.base_color_texture.texture >= 0 && material.base_color == glm::vec3(0.0f))
+  if (material.base_color_map.texture >= 0 && material.base_color == glm::vec3(0.0f))
     material.base_color = glm::vec3(1.0f);
-  if (material.emission_texture.texture >= 0 && material.emission == glm::vec3(0.0f))
-    material.emission = glm::vec3(1.0f);
+  if (material.emission_map.texture >= 0 && material.emission == glm::vec3(0.0f)) material.emission = glm::vec3(1.0f);
   for (const std::string& left_out : {source.bump_texname, source.alpha_texname})
     if (!left_out.empty())
       warnings.push_back("material '" + source.name + "': the picture '" + left_out + "' is left out");

@@ -167,10 +167,10 @@ TEST(Obj, ReadsMaterialsAndTheirPictures) {
   const Material& painted = *named.at("painted");
   EXPECT_FLOAT_EQ(painted.perceptual_roughness, 0.3f);
   EXPECT_EQ(painted.metallic, 1.0f);
-  const Texture& texture = scene->textures.at(std::size_t(painted.base_color_texture.texture));
+  const Texture& texture = scene->textures.at(std::size_t(painted.base_color_map.texture));
   EXPECT_TRUE(texture.srgb);
   EXPECT_EQ(texture.image.texel(0, 0)[0], 128);
-  EXPECT_EQ(named.at("broken")->base_color_texture.texture, -1);
+  EXPECT_EQ(named.at("broken")->base_color_map.texture, -1);
   EXPECT_THAT(scene->warnings, Contains(HasSubstr("no_such.png")));
   EXPECT_THAT(scene->warnings, Contains(HasSubstr("'bumps.png' is left out")));
   EXPECT_THAT(scene->warnings, Contains(HasSubstr("'unheard'")));

@@ -1,17 +1,13 @@
 // A mesh's vertex in the world, and what the fragment needs of it.
+#include "frame_block.glsl"
+#include "instance_block.glsl"
+
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 uv_0;
 layout(location = 4) in vec2 uv_1;
 layout(location = 5) in vec4 color;
-
-uniform mat4 world_from_object;
-uniform mat3 normal_matrix;
-uniform mat4 clip_from_world;
-uniform vec3 camera_position;
-uniform vec3 camera_forward;
-uniform float orthographic;
 
 out vec3 object_position;
 out vec3 object_normal;
@@ -22,6 +18,7 @@ out vec2 texture_uv_0;
 out vec2 texture_uv_1;
 out vec4 vertex_color;
 out vec3 vertex_reflection;
+flat out vec3 triangle_reflection;
 
 void main() {
   vec4 world = world_from_object * vec4(position, 1.0);
@@ -36,5 +33,6 @@ void main() {
   // What is interpolated is the unit vector of each corner: not the reflection of the interpolated normal.
   vec3 ray = orthographic > 0.5 ? camera_forward : normalize(world.xyz - camera_position);
   vertex_reflection = reflect(ray, normalize(world_normal));
+  triangle_reflection = vertex_reflection;
   gl_Position = clip_from_world * world;
 }

@@ -1,0 +1,30 @@
+// The numbers of a material. Each field is also a row of the table in scene/material_table.cpp, which says its unit,
+// range, meaning and glTF's name for it; this struct is what C++, the uniform block and the shaders hold of it.
+// INITIALLY(x) is the field's default in C++, and nothing in GLSL, which has none.
+
+const int kFresnelExact = 0;
+const int kFresnelSchlick = 1;
+const int kFresnelEmpirical = 2;
+
+struct Material {
+  vec3 base_color INITIALLY(vec3(0.8f));        // linear: diffuse albedo, or a metal's reflectance at normal incidence
+  float opacity INITIALLY(1.0f);
+  float metallic INITIALLY(0.0f);
+  float perceptual_roughness INITIALLY(0.5f);
+  float specular INITIALLY(1.0f);               // strength of a dielectric's reflection
+  float ior INITIALLY(1.5f);                    // index of the inside over the outside, at 588 nm
+  float dispersion INITIALLY(0.0f);             // 20 / Abbe number
+  float transmission INITIALLY(0.0f);           // share of the light which is not reflected that is refracted
+  vec3 conductor_n INITIALLY(vec3(0.0f));       // complex index n + ik of a metal; all 0: from base_color
+  vec3 conductor_k INITIALLY(vec3(0.0f));
+  vec3 emission INITIALLY(vec3(0.0f));          // radiance
+  int fresnel INITIALLY(kFresnelExact);
+  float fresnel_offset INITIALLY(0.0f);         // of the empirical form: offset + scale · (1 + V·N)^power
+  float fresnel_scale INITIALLY(1.0f);
+  float fresnel_power INITIALLY(5.0f);
+  float bump_height INITIALLY(0.01f);           // in model units
+  float bump_frequency INITIALLY(12.0f);        // dimples a model unit
+  float alpha_cutoff INITIALLY(0.5f);
+  float normal_scale INITIALLY(1.0f);           // strength of the normal map
+  float occlusion_strength INITIALLY(1.0f);     // of the occlusion map
+};

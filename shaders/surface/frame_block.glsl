@@ -1,0 +1,16 @@
+// What all surfaces of a frame share.
+layout(std140) uniform FrameBlock {
+  mat4 clip_from_world;
+  mat4 sphere_map_matrix;  // sphere-map coordinates of a world normal
+  mat3 environment_from_world;
+  vec3 camera_position;
+  float orthographic;      // 1: all rays go along camera_forward
+  vec3 camera_forward;
+  float environment_intensity;
+  int blur_kind;           // Blur of blur.glsl
+  float first_level;
+  float last_level;
+  float texels_per_radian;
+  float coarser;
+  float samples_per_pixel;
+};

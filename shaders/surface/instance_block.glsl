@@ -1,0 +1,5 @@
+// Where a mesh stands.
+layout(std140) uniform InstanceBlock {
+  mat4 world_from_object;
+  mat3 normal_matrix;
+};

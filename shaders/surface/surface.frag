@@ -1,0 +1,36 @@
+// A surface lit by its environment. Each line "part: …" is a question; which file answers it, SurfaceVariant says
+// (render/surface_variant.h). What each part defines stands at the top of its files; docs/architecture.md tells how a part
+// is added.
+#include "frame_block.glsl"
+#include "instance_block.glsl"
+#include "material_block.glsl"
+
+#include "constants.glsl"
+#include "microfacet.glsl"
+#include "optics.glsl"
+#include "reflection_lobe.glsl"
+#include "shading.glsl"
+
+#include "part: point"
+#include "part: maps"
+#include "part: normal"
+#include "part: detail"
+#include "part: material"
+#include "part: arriving light"
+#include "part: look-up"
+#include "part: transmission"
+#include "part: lamps"
+#include "part: alpha"
+
+out vec4 fragment;
+
+void main() {
+  SurfacePoint point = surfacePoint();
+  vec4 color = colorAt(point);
+  if (isCutAway(color.w)) discard;
+  vec3 normal = detailedNormal(point, smoothNormal(point));
+  Surface s = surfaceAt(point, gl_FrontFacing ? normal : -normal, color.xyz);
+  vec3 light = shadedByEnvironment(s, point.ray, reflectedLight(s, point), transmittedLight(s, point),
+                                   arrivingIrradiance(point.position, s.normal));
+  fragment = shownAs(light + lightOfLamps(s, point), color.w);
+}

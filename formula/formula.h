@@ -13,3 +13,4 @@
 #include "formula/projection.h"
 #include "formula/sky.h"
 #include "formula/surface.h"
+#include "formula/tangent.h"

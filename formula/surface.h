@@ -8,13 +8,13 @@
 #include "formula/grid_random.h"
 #include "formula/material.h"
 #include "formula/prefilter.h"
+#include "formula/tangent.h"
 //
 #include "formula/glsl_begin.inc"
 
 namespace mirrorball::formula {
 #include "formula/height.glsl"
 #include "formula/sampling.glsl"
-#include "formula/tangent.glsl"
 //
 #include "formula/blur.glsl"
 #include "formula/shading.glsl"

@@ -19,9 +19,7 @@ Surface surfaceAt(SurfacePoint point, vec3 n, vec3 base_color) {
   s.material.emission *= emission_map_at(point).xyz;
   s.normal = n;
   s.occlusion = 1.0 + material.occlusion_strength * (occlusion_map_at(point).x - 1.0);
-  float cosine = clamp(-dot(point.ray, n), 0.0, 1.0);
-  float size = float(textureSize(brdf_table, 0).x);
-  vec2 uv = brdfTableCoordinates(s.material.perceptual_roughness, cosine, size);
-  s.environment_brdf = textureLod(brdf_table, uv, 0.0).xy;
+  s.environment_brdf =
+      environmentBrdf(brdf_table, s.material.perceptual_roughness, clamp(-dot(point.ray, n), 0.0, 1.0));
   return s;
 }

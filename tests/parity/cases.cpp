@@ -7,6 +7,7 @@ namespace mirrorball::formula {
 
 #define FN inline
 #include "parity/smooth_cube.glsl"
+#include "parity/smooth_map.glsl"
 #include "parity/test_surface.glsl"
 #undef FN
 
@@ -52,6 +53,8 @@ const Case kCases[] = {
     PARITY(brdfTableColumn, unit, kTight, vec4(brdfTableColumn(p.x, p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(brdfTableCoordinates, unit, kTight, vec4(brdfTableCoordinates(p.x, p.y, 128.0f), 0.0f, 0.0f)),
 
+    PARITY(environmentBrdf, unit, kTight, vec4(environmentBrdf(SmoothMap(32.0f), p.x, p.y), 0.0f, 0.0f)),
+
     // bright_light
     PARITY(brightness, light, kExact, vec4(brightness(vec3(p)), 0.0f, 0.0f, 0.0f)),
     // The difference of two nearly equal lights.
@@ -95,6 +98,11 @@ const Case kCases[] = {
            vec4(cubeTexelSolidAngle(vec2(p), 4.0f + 1024.0f * r.x), 0.0f, 0.0f, 0.0f)),
     PARITY(cubeTangent, direction, kTight, vec4(cubeTangent(cubeFace(vec3(p)), vec3(p)), 0.0f)),
 
+    // diffuse
+    PARITY(evalDiffuse, unit, kTight, vec4(evalDiffuse())),
+    PARITY(sampleDiffuse, unit, kTranscendental, vec4(sampleDiffuse(vec2(p)), 0.0f)),
+    PARITY(pdfDiffuse, direction, kTight, vec4(pdfDiffuse(vec3(p)))),
+
     // equiangular_cube
     PARITY(equiangular, unit, kTranscendental, vec4(equiangular(2.0f * p.x - 1.0f), 0.0f, 0.0f, 0.0f)),
     PARITY(equiangularCubeCoordinates, direction, kTranscendental,
@@ -102,6 +110,24 @@ const Case kCases[] = {
     PARITY(equiangularCubePoint, unit, kTranscendental, vec4(equiangularCubePoint(int(5.9375f * r.x), vec2(p)), 0.0f)),
     PARITY(equiangularCubeDirection, unit, kTranscendental,
            vec4(equiangularCubeDirection(int(5.9375f * r.x), vec2(p)), 0.0f)),
+
+    // ggx, from alpha = 1/16
+    PARITY(ggxDistribution, direction, kTight, vec4(ggxDistribution(0.0625f + r.x, vec3(p)))),
+    PARITY(ggxLambda, direction, kTight, vec4(1.0f / (1.0f + ggxLambda(0.0625f + r.x, vec3(p))))),
+    PARITY(ggxMasking, direction, kTight, vec4(ggxMasking(0.0625f + r.x, vec3(p)))),
+    PARITY(ggxMaskingShadowing, direction, kTight, vec4(ggxMaskingShadowing(0.0625f + r.x, vec3(p), vec3(q)))),
+    PARITY(pdfVisibleNormal, direction, kTight,
+           vec4(pdfVisibleNormal(0.0625f + r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)), vec3(q)))),
+    PARITY(sampleVisibleNormal, direction, kTranscendental,
+           vec4(sampleVisibleNormal(0.0625f + r.x, vec3(p.x, p.y, abs(p.z)), vec2(r.y, r.z) * 0.96875f), 0.0f)),
+    PARITY(evalGgx, direction, kTranscendental,
+           vec4(evalGgx(0.0625f + r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
+                        normalize(vec3(q.x, q.y, abs(q.z) + 0.0625f))))),
+    PARITY(sampleGgx, direction, kTranscendental,
+           vec4(sampleGgx(0.0625f + r.x, vec3(p.x, p.y, abs(p.z)), vec2(r.y, r.z) * 0.96875f), 0.0f)),
+    PARITY(pdfGgx, direction, kTranscendental,
+           vec4(pdfGgx(0.0625f + r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
+                       normalize(vec3(q.x, q.y, abs(q.z) + 0.0625f))))),
 
     // harmonics
     PARITY(harmonicOfBand3, direction, kTight,
@@ -167,6 +193,13 @@ const Case kCases[] = {
     PARITY(paraboloidPosition, direction, kTight,
            vec4(paraboloidPosition(paraboloidFace(vec3(p)), vec3(p)), 0.0f, 0.0f)),
     PARITY(paraboloidDirection, unit, kTight, vec4(paraboloidDirection(int(1.9375f * r.x), vec2(p)), 0.0f)),
+
+    // phong
+    PARITY(phongMirror, direction, kExact, vec4(phongMirror(vec3(p)), 0.0f)),
+    PARITY(evalPhong, direction, kTranscendental, vec4(evalPhong(1.0f + 8.0f * r.x, vec3(p), vec3(q)))),
+    PARITY(samplePhong, direction, kTranscendental,
+           vec4(samplePhong(1.0f + 8.0f * r.x, vec3(p.x, p.y, abs(p.z)), vec2(r.y, r.z) * 0.96875f), 0.0f)),
+    PARITY(pdfPhong, direction, kTranscendental, vec4(pdfPhong(1.0f + 8.0f * r.x, vec3(p), vec3(q)))),
 
     // projection
     // u as a point of the circle: next to u = 0 the last bit decides between 0 and 1.

@@ -36,8 +36,11 @@ constexpr std::string_view kVertexShader =
 std::string fragmentShader(const Case& formula, const std::string& includes) {
   std::string text =
       "#include \"smooth_cube.glsl\"\n"
+      "#include \"smooth_map.glsl\"\n"
       "#undef CUBE_SAMPLER\n"
-      "#define CUBE_SAMPLER SmoothCube\n" +
+      "#define CUBE_SAMPLER SmoothCube\n"
+      "#undef MAP_SAMPLER\n"
+      "#define MAP_SAMPLER SmoothMap\n" +
       includes;
   if (formula.glsl.find("testSurface") != std::string_view::npos) {
     text += "#include \"test_surface.glsl\"\n";

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "formula/bsdf.h"
 #include "mirrorball/bake/gauss_legendre.h"
 
 namespace mirrorball {
@@ -134,6 +135,33 @@ TEST(ReflectedShare, OfBlinnIsTheIntegralOverTheLight) { expectTheIntegral(Distr
 TEST(ReflectedShare, OfCharlieIsTheIntegralOverTheLight) { expectTheIntegral(Distribution::charlie, charlie, 5e-5); }
 
 // With alpha 1, D = 1 / π, and head-on V = 1 / (2 + 2 n·l): what is left is the integral of c / (1 + c) from 0 to 1.
+// The table's integral is of the same BSDF that a path tracer evaluates and samples: the mean of the weight BSDF · cosine /
+// density over even places, closer along u.x, whose end is the long tail of the lobe.
+TEST(ReflectedShare, IsWhatTheSampledBsdfReflects) {
+  constexpr int kAlong = 2048;
+  constexpr int kAround = 128;
+  for (const float perceptual_roughness : {0.2f, 0.5f, 0.8f, 1.0f})
+    for (const float cosine : {0.05f, 0.3f, 0.7f, 1.0f}) {
+      const float alpha = formula::alphaFromPerceptualRoughness(perceptual_roughness);
+      const glm::vec3 v(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
+      double scale = 0.0;
+      double bias = 0.0;
+      for (int i = 0; i < kAlong * kAround; ++i) {
+        const glm::vec2 u((static_cast<float>(i / kAround) + 0.5f) / kAlong,
+                          (static_cast<float>(i % kAround) + 0.5f) / kAround);
+        const glm::vec3 l = formula::sampleGgx(alpha, v, u);
+        if (l.z <= 0.0f) continue;
+        const double weight = formula::evalGgx(alpha, v, l) * l.z / formula::pdfGgx(alpha, v, l) / (kAlong * kAround);
+        const double grazing = std::pow(1.0 - dot(v, normalize(v + l)), 5.0);
+        scale += weight * (1.0 - grazing);
+        bias += weight * grazing;
+      }
+      const ReflectedShare share = reflectedShare(Distribution::ggx, perceptual_roughness, cosine);
+      EXPECT_NEAR(share.scale, scale, 5e-4) << perceptual_roughness << " at " << cosine;
+      EXPECT_NEAR(share.bias, bias, 5e-4) << perceptual_roughness << " at " << cosine;
+    }
+}
+
 TEST(ReflectedShare, OfTheRoughestGgxHeadOnIsOneMinusLogTwo) {
   EXPECT_NEAR(reflectedShare(Distribution::ggx, 1.0f, 1.0f).whole(), 1.0 - std::log(2.0), 1e-6);
 }

@@ -26,7 +26,10 @@ constexpr std::string_view kPrelude =
     "#define INITIALLY(value)\n"
     "vec4 sampleLod(samplerCube map, vec3 direction, float lod) {\n"
     "  return textureLod(map, direction, lod);\n"
-    "}\n";
+    "}\n"
+    "#define MAP_SAMPLER sampler2D\n"
+    "vec4 sampleMap(sampler2D map, vec2 uv) { return textureLod(map, uv, 0.0); }\n"
+    "vec2 mapSize(sampler2D map) { return vec2(textureSize(map, 0)); }\n";
 
 /// The name in `#include "name"`, or nothing for any other line.
 std::optional<std::string_view> includedName(std::string_view line) {

@@ -1,0 +1,147 @@
+// BSDFs: what a sampler draws has the density that its pdf says, densities add up to 1, and light goes both ways alike.
+
+#include "formula/bsdf.h"
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace mirrorball::formula {
+namespace {
+
+/// Directions are counted in bands of equal cosine and sectors of equal azimuth, over the whole sphere.
+constexpr int kBands = 16;
+constexpr int kSectors = 24;
+constexpr int kDrawn = 200000;
+
+/// Bins of a density are sums over so many places: the narrowest lobe tested, alpha = 0.2, fills 0.04 of a cosine.
+constexpr int kPlacesAlongBand = 160;
+constexpr int kPlacesAlongSector = 24;
+
+using Sample = std::function<vec3(vec2)>;
+using Density = std::function<float(vec3)>;
+
+vec3 directionAt(double cosine, double azimuth) {
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  return vec3(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine);
+}
+
+/// How many of the directions are to be expected in each bin.
+std::vector<double> expectedIn(const Density& density) {
+  std::vector<double> expected(kBands * kSectors, 0.0);
+  const double solid_angle = 2.0 / (kBands * kPlacesAlongBand) * kTwoPi / (kSectors * kPlacesAlongSector);
+  for (int y = 0; y < kBands * kPlacesAlongBand; ++y)
+    for (int x = 0; x < kSectors * kPlacesAlongSector; ++x) {
+      const vec3 d = directionAt(2.0 * (y + 0.5) / (kBands * kPlacesAlongBand) - 1.0,
+                                 kTwoPi * (x + 0.5) / (kSectors * kPlacesAlongSector));
+      expected[std::size_t(y / kPlacesAlongBand * kSectors + x / kPlacesAlongSector)] +=
+          kDrawn * solid_angle * double(density(d));
+    }
+  return expected;
+}
+
+std::vector<double> countedIn(const Sample& sample) {
+  std::vector<double> counted(kBands * kSectors, 0.0);
+  std::mt19937 random(20261122);
+  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+  for (int i = 0; i < kDrawn; ++i) {
+    const float u = uniform(random);
+    const vec3 d = sample({u, uniform(random)});
+    EXPECT_NEAR(length(d), 1.0f, 1e-4f);
+    const int band = std::clamp(static_cast<int>((d.z + 1.0f) / 2.0f * kBands), 0, kBands - 1);
+    const float azimuth = std::atan2(d.y, d.x) / kTwoPi;
+    counted[std::size_t(band * kSectors + std::clamp(static_cast<int>((azimuth - std::floor(azimuth)) * kSectors), 0,
+                                                     kSectors - 1))] += 1;
+  }
+  return counted;
+}
+
+/// Pearson's chi-squared test, rare bins taken together. It fails a right sampler once in a million; the numbers drawn are
+/// always the same.
+void expectDrawn(const Sample& sample, const Density& density, const std::string& what) {
+  const std::vector<double> expected = expectedIn(density);
+  const std::vector<double> counted = countedIn(sample);
+  double sum = 0.0;
+  double rare_expected = 0.0;
+  double rare_counted = 0.0;
+  int bins = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (expected[i] < 8.0) {
+      rare_expected += expected[i];
+      rare_counted += counted[i];
+      continue;
+    }
+    sum += (counted[i] - expected[i]) * (counted[i] - expected[i]) / expected[i];
+    ++bins;
+  }
+  if (rare_expected > 8.0) {
+    sum += (rare_counted - rare_expected) * (rare_counted - rare_expected) / rare_expected;
+    ++bins;
+  } else {
+    EXPECT_LE(rare_counted, 40.0) << what << ": directions where hardly any belong";
+  }
+  // Wilson and Hilferty 1931: the cube root of chi² over its degrees of freedom is nearly normal; 4.75 deviations.
+  const double freedom = bins - 1;
+  const double spread = 2.0 / (9.0 * freedom);
+  const double deviations = (std::cbrt(sum / freedom) - (1.0 - spread)) / std::sqrt(spread);
+  EXPECT_LT(deviations, 4.75) << what << ": chi² " << sum << " of " << freedom << " degrees of freedom";
+}
+
+const std::vector<vec3> kEyes{vec3(0, 0, 1), directionAt(0.7, 0.4), directionAt(0.15, 4.0)};
+
+TEST(Bsdf, DiffuseIsDrawnByItsDensity) {
+  expectDrawn([](vec2 u) { return sampleDiffuse(u); }, [](vec3 l) { return pdfDiffuse(l); }, "diffuse");
+}
+
+TEST(Bsdf, VisibleNormalsAreDrawnByTheirDensity) {
+  for (const float alpha : {0.2f, 0.5f, 1.0f})
+    for (const vec3 v : kEyes)
+      expectDrawn([&](vec2 u) { return sampleVisibleNormal(alpha, v, u); },
+                  [&](vec3 h) { return pdfVisibleNormal(alpha, v, h); },
+                  "alpha " + std::to_string(alpha) + ", v.z " + std::to_string(v.z));
+}
+
+TEST(Bsdf, GgxIsDrawnByItsDensityBelowTheHorizonToo) {
+  for (const float alpha : {0.3f, 1.0f})
+    for (const vec3 v : kEyes)
+      expectDrawn([&](vec2 u) { return sampleGgx(alpha, v, u); }, [&](vec3 l) { return pdfGgx(alpha, v, l); },
+                  "alpha " + std::to_string(alpha) + ", v.z " + std::to_string(v.z));
+}
+
+TEST(Bsdf, PhongIsDrawnByItsDensity) {
+  for (const float exponent : {1.0f, 8.0f, 40.0f})
+    for (const vec3 v : kEyes)
+      expectDrawn([&](vec2 u) { return samplePhong(exponent, v, u); }, [&](vec3 l) { return pdfPhong(exponent, v, l); },
+                  "exponent " + std::to_string(exponent));
+}
+
+TEST(Bsdf, LightGoesBothWaysAlike) {
+  for (const float alpha : {0.05f, 0.4f, 1.0f})
+    for (const vec3 v : kEyes)
+      for (const vec3 l : {directionAt(0.9, 1.0), directionAt(0.3, 3.0), directionAt(0.05, 5.0)}) {
+        const float there = evalGgx(alpha, v, l);
+        EXPECT_NEAR(evalGgx(alpha, l, v), there, 1e-5f * std::max(there, 1.0f)) << alpha;
+        EXPECT_NEAR(evalPhong(20.0f, l, v), evalPhong(20.0f, v, l), 1e-5f);
+      }
+  EXPECT_EQ(evalGgx(0.5f, kEyes[1], directionAt(-0.2, 0.0)), 0.0f) << "below the horizon";
+}
+
+// The facets' areas, projected, are the surface's (Walter et al. 2007, eq. 4); those seen from v are v's share of it.
+TEST(Bsdf, FacetsCoverTheSurface) {
+  constexpr int kSteps = 4000;
+  for (const float alpha : {0.1f, 0.5f, 1.0f}) {
+    double area = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double sine2 = (i + 0.5) / kSteps;  // d(sin²) = 2 cos sin dθ
+      area += double(ggxDistribution(alpha, directionAt(std::sqrt(1.0 - sine2), 0.0))) * kTwoPi / 2.0 / kSteps;
+    }
+    EXPECT_NEAR(area, 1.0, 2e-3) << alpha;
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball::formula

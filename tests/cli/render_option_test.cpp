@@ -83,6 +83,15 @@ TEST_F(RenderOptionTest, ReflectingAtVerticesDiffersTheMoreTheCoarserTheMesh) {
   EXPECT_GT(fine, 0.0);
 }
 
+// Two pixels of a triangle of a cube's side show one place of the environment.
+TEST_F(RenderOptionTest, ReflectingAtTrianglesShowsOnePlaceEach) {
+  succeed("render cube -e smooth.exr --material mirror --camera 0,0,2 --size 33x33 --reflect-at triangle -o tiles.exr");
+  const Image side = image("tiles.exr");
+  EXPECT_LT(glm::length(rgbAt(side, 9, 12) - rgbAt(side, 12, 9)), 1e-4f);
+  EXPECT_LT(glm::length(rgbAt(side, 20, 23) - rgbAt(side, 23, 20)), 1e-4f);
+  EXPECT_GT(glm::length(rgbAt(side, 10, 10) - rgbAt(side, 22, 22)), 0.02f) << "the other triangle";
+}
+
 // Black glass in white light shows its reflectance: of index 1.5 head-on 0.04, and so on by each law.
 TEST_F(RenderOptionTest, FresnelSaysHowReflectionGrowsTowardsTheRim) {
   const std::string glass =

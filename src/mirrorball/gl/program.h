@@ -28,8 +28,8 @@ class Program {
   /// errors   unsupported: the driver's own words, with file and line of each shader text
   static Result<Program> build(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& name);
 
-  /// Joins two entry files of /shaders and builds them: `Program::load(api, "mesh.vert",
-  /// "surface.frag", defines)`.
+  /// Joins two entry files of /shaders and builds them: `Program::load(api, "screen.vert",
+  /// "background.frag", defines)`.
   ///
   /// errors   not_found (shaderSource); unsupported
   static Result<Program> load(Api api, std::string_view vertex_entry, std::string_view fragment_entry,

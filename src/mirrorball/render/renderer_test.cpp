@@ -169,7 +169,7 @@ TEST_F(RendererTest, ADarkMetalReflectsWhatTheBrdfTableSays) {
 TEST_F(RendererTest, EveryMappingIsWhiteInTheFurnace) {
   Studio white = studio("white");
   for (const Mapping mapping : {Mapping::reflection, Mapping::normal, Mapping::sphere})
-    for (const ReflectAt reflect_at : {ReflectAt::vertex, ReflectAt::fragment}) {
+    for (const ReflectAt reflect_at : {ReflectAt::vertex, ReflectAt::fragment, ReflectAt::triangle}) {
       Shot shot = smallShot("teapot", "mirror");
       shot.options.background = "transparent";
       shot.options.mapping = mapping;

@@ -231,6 +231,10 @@ Api Context::api() const { return state_->api; }
 std::string Context::renderer() const { return glString(GL_RENDERER); }
 std::string Context::version() const { return glString(GL_VERSION); }
 
+bool Context::filtersFloats() const {
+  return state_->api == Api::desktop43 || epoxy_has_gl_extension("GL_OES_texture_float_linear");
+}
+
 int Context::largestTexture() const {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);

@@ -38,7 +38,9 @@ class Context {
   Api api() const;
   std::string renderer() const;  ///< the driver's name for the device: "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string version() const;   ///< the driver's version line: "4.5 (Core Profile) Mesa 22.3.6"
-  int largestTexture() const;    ///< the longest side in texels of a 2D texture or a framebuffer
+  /// Whether textures of 32-bit floats are interpolated: always but on OpenGL ES without OES_texture_float_linear.
+  bool filtersFloats() const;
+  int largestTexture() const;  ///< the longest side in texels of a 2D texture or a framebuffer
 
  private:
   struct State;

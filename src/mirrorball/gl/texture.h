@@ -12,7 +12,7 @@ enum class Format {
   rgba8,         ///< 8 bits, linear
   srgb8_alpha8,  ///< 8 bits, decoded from sRGB when sampled
   rgba16f,       ///< half floats: radiance up to 65504
-  rgba32f,       ///< floats; OpenGL ES samples them with Filter::nearest only
+  rgba32f,       ///< floats; OpenGL ES interpolates them only where Context::filtersFloats says so
 };
 
 /// How a texture is read between texels and beyond its edges.

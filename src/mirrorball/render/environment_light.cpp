@@ -30,8 +30,12 @@ constexpr int kMostPrefilteredSide = 512;
 constexpr int kLeastPrefilteredSide = 32;
 constexpr int kIrradianceSide = 32;
 
-Result<gl::Texture> cubeTexture(const ImageSet& images, bool needs_floats) {
-  const gl::Format format = needs_floats ? gl::Format::rgba32f : gl::Format::rgba16f;
+/// A cube of light in units of `unit`.
+Result<gl::Texture> cubeTexture(gl::Format format, ImageSet images, float unit) {
+  if (unit != 1.0f)
+    for (int level = 0; level < images.levels(); ++level)
+      for (int face = 0; face < images.faces(); ++face)
+        for (float& sample : images.at(level, face).samples()) sample /= unit;
   MIRRORBALL_TRY(cube, gl::Texture::fromImages(format, images));
   cube.setSampling({.filter = gl::Sampling::Filter::trilinear});
   return cube;
@@ -97,11 +101,17 @@ Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
   return prepared;
 }
 
-Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepared) {
-  MIRRORBALL_TRY(cube, cubeTexture(prepared.chain, prepared.needs_floats));
-  MIRRORBALL_TRY(prefiltered, cubeTexture(prepared.prefiltered, prepared.needs_floats));
-  MIRRORBALL_TRY(irradiance, cubeTexture(prepared.irradiance, prepared.needs_floats));
-  return EnvironmentLight(std::move(cube), std::move(prefiltered), std::move(irradiance));
+Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepared, bool filters_floats) {
+  const bool are_floats = prepared.needs_floats && filters_floats;
+  const gl::Format format = are_floats ? gl::Format::rgba32f : gl::Format::rgba16f;
+  // A power of two: nothing is rounded but what becomes too small for a half.
+  const float unit = prepared.needs_floats && !are_floats
+                         ? std::exp2(std::ceil(std::log2(greatestSample(prepared.chain) / kLargestHalf)))
+                         : 1.0f;
+  MIRRORBALL_TRY(cube, cubeTexture(format, prepared.chain, unit));
+  MIRRORBALL_TRY(prefiltered, cubeTexture(format, prepared.prefiltered, unit));
+  MIRRORBALL_TRY(irradiance, cubeTexture(format, prepared.irradiance, unit));
+  return EnvironmentLight(std::move(cube), std::move(prefiltered), std::move(irradiance), unit);
 }
 
 float EnvironmentLight::texelsPerRadian() const { return texelDensity(Projection::cube, cube_.width()); }

@@ -37,24 +37,29 @@ Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
 /// The light of an environment on the GPU.
 class EnvironmentLight {
  public:
-  /// errors   too_large (for this driver)
-  static Result<EnvironmentLight> make(const PreparedEnvironment& prepared);
+  /// filters_floats   gl::Context::filtersFloats: else light too bright for half floats is kept in larger units
+  /// errors           too_large (for this driver)
+  static Result<EnvironmentLight> make(const PreparedEnvironment& prepared, bool filters_floats);
 
   const gl::Texture& cube() const { return cube_; }
   /// PreparedEnvironment::prefiltered: level 1 and the further ones of a chain.
   const gl::Texture& prefiltered() const { return prefiltered_; }
   const gl::Texture& irradiance() const { return irradiance_; }
 
+  /// What 1 in the textures stands for, as radiance.
+  float unit() const { return unit_; }
+
   /// Of level 0, in the middle of a face.
   float texelsPerRadian() const;
 
  private:
-  EnvironmentLight(gl::Texture cube, gl::Texture prefiltered, gl::Texture irradiance)
-      : cube_(std::move(cube)), prefiltered_(std::move(prefiltered)), irradiance_(std::move(irradiance)) {}
+  EnvironmentLight(gl::Texture cube, gl::Texture prefiltered, gl::Texture irradiance, float unit)
+      : cube_(std::move(cube)), prefiltered_(std::move(prefiltered)), irradiance_(std::move(irradiance)), unit_(unit) {}
 
   gl::Texture cube_;
   gl::Texture prefiltered_;
   gl::Texture irradiance_;
+  float unit_;
 };
 
 }  // namespace mirrorball

@@ -125,7 +125,7 @@ Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, 
   const gl::Api api = context.api();
   // Made while the driver takes in the environment and compiles.
   std::future<Result<Image>> making_table = std::async(std::launch::async, surfaceBrdfTable);
-  MIRRORBALL_TRY(light, EnvironmentLight::make(prepared));
+  MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, context.filtersFloats()));
   MIRRORBALL_TRY(buffers, SceneBuffers::make(scene));
   MIRRORBALL_TRY(background, gl::Program::load(api, "screen.vert", "background.frag"));
   MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
@@ -239,9 +239,10 @@ Result<void> Renderer::State::makeSphereMap(const FrameUniforms& frame) {
   const glm::mat3 environment_from_view =
       frame.environment_from_world * glm::transpose(glm::mat3(frame.camera.view_from_world));
   const int size = std::min(environment.naturalSize(Projection::sphere), 2048);
-  const ImageSet image(sphereMapTexture(environment, environment_from_view, size));
+  Image image = sphereMapTexture(environment, environment_from_view, size);
+  for (float& light_sample : image.samples()) light_sample /= light.unit();
   const gl::Format format = light.cube().format();
-  MIRRORBALL_TRY(made, gl::Texture::fromImages(format, image));
+  MIRRORBALL_TRY(made, gl::Texture::fromImages(format, ImageSet(std::move(image))));
   made.setSampling({.filter = gl::Sampling::Filter::linear});
   sphere_map = std::move(made);
   sphere_map->bind(TextureUnit::sphere_map);
@@ -276,7 +277,7 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   cube.bind(TextureUnit::background);
   background.set("environment", TextureUnit::background);
   background.set("environment_from_world", frame.environment_from_world);
-  background.set("environment_intensity", settings.env_intensity);
+  background.set("environment_intensity", settings.env_intensity * light.unit());
   // Only directions are asked for. Without the camera's place they are exact however far away from the origin it stands.
   const glm::mat4 clip_from_directions =
       frame.camera.clip_from_view * glm::mat4(glm::mat3(frame.camera.view_from_world));

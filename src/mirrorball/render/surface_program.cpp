@@ -134,7 +134,7 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("camera_position", frame.camera.position);
   block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
   block.set("camera_forward", frame.camera.forward);
-  block.set("environment_intensity", settings.env_intensity);
+  block.set("environment_intensity", settings.env_intensity * light.unit());
   const PrefilteredChain& chain = frame.prefiltered;
   block.set("blur_kind", blurKindOfFormula(settings.blur));
   block.set("first_level", static_cast<float>(chain.first_level));

@@ -341,6 +341,8 @@ Result<void> bake(const std::vector<std::string>& inputs, BakeRequest request) {
   MIRRORBALL_TRY_VOID(settleBy(request));
   if (inputs.size() > 1) return bakeMany(inputs, std::move(request));
   request.environment = inputs.front();
+  // Of a folder that is new nothing stays, whichever of its files are finished.
+  if (!isFile(request.options.output)) whenInterrupted("interrupted; nothing was written");
   return bakeOne(request);
 }
 

@@ -59,7 +59,7 @@ Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& 
   MIRRORBALL_TRY_VOID(go_on());
   MIRRORBALL_TRY(folder, OutputFolder::make(files.folder));
   if (!folder.isNew()) left = files.folder + " has only some of the new files, and no manifest";
-  whenInterrupted("interrupted; " + left);
+  if (!folder.isNew()) whenInterrupted("interrupted; " + left);
   // What a writer says is of its own file.
   const auto of_set = [&](auto written) {
     const bool is_interrupted = written ? interrupted() : written.error().code == ErrorCode::interrupted;

@@ -30,6 +30,7 @@ std::atomic_flag is_end_claimed;
 struct LastWords {
   std::mutex guard;
   std::string message = "interrupted; nothing was written";
+  bool is_told = false;  // what it is, by whenInterrupted
 };
 LastWords& lastWords() {
   static auto* const words = new LastWords;  // it outlives the thread that may ask for it
@@ -78,6 +79,12 @@ bool interrupted() { return caught_signal != 0; }
 void whenInterrupted(const std::string& message) {
   const std::scoped_lock lock(lastWords().guard);
   lastWords().message = message;
+  lastWords().is_told = true;
+}
+
+void noteWritten() {
+  const std::scoped_lock lock(lastWords().guard);
+  if (!lastWords().is_told) lastWords().message = "interrupted; what was finished stays";
 }
 
 std::string interruptedAfter(std::size_t whole, std::size_t all) {

@@ -15,9 +15,12 @@ void catchSignals();
 /// Whether one of them came.
 bool interrupted();
 
-/// What is said where the program ends before its work has stopped: "interrupted; nothing was written" unless something
-/// was.
+/// What is said where the program ends before its work has stopped. Without it that is "interrupted; nothing was written",
+/// and from noteWritten on that what was finished stays.
 void whenInterrupted(const std::string& message);
+
+/// Notes that a file is finished.
+void noteWritten();
 
 /// "interrupted after 3 of 200 pictures; those are whole"
 std::string interruptedAfter(std::size_t whole, std::size_t all);

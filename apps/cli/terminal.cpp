@@ -86,6 +86,7 @@ ProgressFunction progressBar(const std::string& what) {
 }
 
 void announce(const std::string& path) {
+  noteWritten();
   if (isTerminal()) say(stderr, "wrote " + path);
 }
 

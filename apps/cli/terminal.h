@@ -25,7 +25,7 @@ bool isStandardOutputTaken();
 /// is interrupted.
 ProgressFunction progressBar(const std::string& what);
 
-/// Says on standard error what was written, if that is a terminal.
+/// Says on standard error what was written, if that is a terminal; and notes it (interruption.h).
 void announce(const std::string& path);
 
 /// Says what was found out on the way to a file, a line on standard output.

@@ -80,6 +80,14 @@ TEST_F(BakeInterruptTest, WritingStopsBetweenFiles) {
                              Not(Contains("out/manifest.json")), Not(Contains(HasSubstr(".part")))));
 }
 
+// The one that is being written goes away, and the ones before it stay.
+TEST_F(BakeInterruptTest, OfManyTheFinishedOnesStay) {
+  const std::string line = "bake white map.exr --size 8 --brdf-size 2 --irradiance-size 256 --zstd 22 -o out";
+  EXPECT_THAT(interruptAt("wrote out/map/specular.ktx2", line),
+              HasSubstr("mirrorball: interrupted; what was finished stays in out"));
+  EXPECT_THAT(files(), AllOf(Contains("out/white/manifest.json"), Not(Contains("out/map/"))));
+}
+
 TEST_F(BakeInterruptTest, PicturesStopBetweenLevels) {
   const std::string line = "bake white --size 1024 --brdf-size 2 --extension exr -o ";
   EXPECT_THAT(interruptAt("wrote new/out/m0_px.exr", line + "new/out"),

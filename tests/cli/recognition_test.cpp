@@ -1,5 +1,7 @@
 // How the program tells what form a map has: --from, else the file's metadata, else its shape.
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "cli/cli_testing.h"
@@ -67,6 +69,23 @@ TEST_F(RecognitionTest, APhotographOfACubesShapeIsDoubted) {
   EXPECT_THAT(run("info photo.exr").err, AllOf(HasSubstr("note: photo.exr: "), HasSubstr("a photograph is no map")));
   EXPECT_EQ(run("info photo.exr --from 3x2").err, "");
   EXPECT_THAT(run("info photo.exr").out, HasSubstr("mirrored writing"));
+}
+
+TEST_F(RecognitionTest, InfoSaysWhetherMinusZStandsOnItsHead) {
+  succeed("convert studio --to cube --layout vcross --size 64 -o told.png");
+  const Image cross = readImage(path("told.png"))->image;
+  Image upright = cross;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      std::copy_n(cross.texel(127 - x, 255 - y), cross.channels(), upright.texel(64 + x, 192 + y));
+  write("cross.exr", upright);
+  EXPECT_EQ(formOf("cross.exr"), "cube, vcross, turn=-z (told by its shape, 3:4, and how its edges meet)");
+  succeed("convert cross.exr --to cube --layout vcross -o again.exr");
+  // Half floats have 11 bits.
+  const Image again = readImage(path("again.exr"))->image;
+  EXPECT_TRUE(std::ranges::equal(again.samples(), cross.samples(),
+                                 [](float a, float b) { return std::abs(a - b) <= 5e-4f * std::max(a, b); }));
+  EXPECT_EQ(formOf("cross.exr --from vcross"), "cube, vcross (told by --from)");
 }
 
 TEST_F(RecognitionTest, FromNamesACubesLayoutToo) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kAxisNames{"+x", "-x", "+y", "-y", "+z", "-z"};
 constexpr std::array<std::string_view, 4> kFlipNames{"none", "horizontal", "vertical", "both"};
-constexpr std::array<std::string_view, 4> kWords{"as-seen", "flip=", "order=", "axes="};
+constexpr std::array<std::string_view, 5> kWords{"as-seen", "flip=", "order=", "axes=", "turn="};
 constexpr std::string_view kBetweenAxes = ", |";
 
 /// x, y or z: 0, 1, 2.
@@ -92,11 +92,10 @@ ImageSet moved(ImageSet source, const CubeArrangement& arrangement, Way way) {
       for (int slot = 0; slot < 6; ++slot) {
         const FaceFrame& frame = arrangement.slots[static_cast<std::size_t>(slot)];
         const int face = static_cast<int>(frame.centre);
-        const SquareSymmetry face_in_slot = symmetryOf(frame);
         if (way == Way::to_slots)
-          target.at(level, slot, layer) = shown(source.at(level, face, layer), face_in_slot);
+          target.at(level, slot, layer) = shown(source.at(level, face, layer), symmetryOf(frame));
         else
-          target.at(level, face, layer) = shown(source.at(level, slot, layer), inverse(face_in_slot));
+          target.at(level, face, layer) = shown(source.at(level, slot, layer), faceFromImage(frame));
       }
   return target;
 }
@@ -144,6 +143,15 @@ CubeArrangement flipped(CubeArrangement arrangement, Flip flip) {
   return arrangement;
 }
 
+CubeArrangement turned(CubeArrangement arrangement, std::span<const SignedAxis> slots) {
+  for (const SignedAxis slot : slots) {
+    FaceFrame& frame = arrangement.slots[static_cast<std::size_t>(slot)];
+    frame.right = -frame.right;
+    frame.down = -frame.down;
+  }
+  return arrangement;
+}
+
 Result<FaceOrder> faceOrderNamed(std::string_view written) {
   MIRRORBALL_TRY(axes, signedAxesIn(written));
   FaceOrder order{};
@@ -186,6 +194,11 @@ Result<CubeArrangement> rearranged(const CubeArrangement& arrangement, std::stri
     return reordered(arrangement, order);
   }
   if (word.starts_with(kWords[3])) return framesNamed(valueOf(kWords[3]));
+  if (word.starts_with(kWords[4])) {
+    MIRRORBALL_TRY(slots, signedAxesIn(valueOf(kWords[4])));
+    if (!slots.empty()) return turned(arrangement, slots);
+    return fail(ErrorCode::usage, "'turn=' needs the faces that are turned by 180 degrees, as in turn=-z");
+  }
   return tl::unexpected<Error>(unknownName("arrangement of a cube", word, kWords));
 }
 
@@ -194,6 +207,13 @@ std::string textOf(const CubeArrangement& arrangement) {
   if (arrangement == ours) return "";
   if (arrangement == asSeen(ours)) return "as-seen";
   std::string text;
+  std::vector<SignedAxis> heads_down;
+  for (std::size_t slot = 0; slot < ours.slots.size(); ++slot)
+    if (arrangement.slots[slot] != ours.slots[slot]) heads_down.push_back(static_cast<SignedAxis>(slot));
+  if (arrangement == turned(ours, heads_down)) {
+    for (const SignedAxis slot : heads_down) text += nameOf(slot);
+    return "turn=" + text;
+  }
   for (const FaceFrame& frame : arrangement.slots) {
     text += text.empty() ? "axes=" : "|";
     for (const SignedAxis axis : {frame.centre, frame.right, frame.down}) text += nameOf(axis);
@@ -207,6 +227,8 @@ SquareSymmetry turnedClockwise(int quarters) {
   for (int quarter = 0; quarter < quarters; ++quarter) symmetry = {-symmetry.down, symmetry.right};
   return symmetry;
 }
+
+SquareSymmetry faceFromImage(const FaceFrame& frame) { return inverse(symmetryOf(frame)); }
 
 ImageSet arranged(ImageSet faces, const CubeArrangement& arrangement) {
   return moved(std::move(faces), arrangement, Way::to_slots);

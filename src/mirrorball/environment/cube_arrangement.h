@@ -67,6 +67,9 @@ CubeArrangement flipped(CubeArrangement arrangement, Flip flip);
 /// their mirror images.
 inline CubeArrangement asSeen(const CubeArrangement& arrangement) { return flipped(arrangement, Flip::horizontal); }
 
+/// The images in these slots turned by 180°, each in its place.
+CubeArrangement turned(CubeArrangement arrangement, std::span<const SignedAxis> slots);
+
 /// Which of an arrangement's images lies in each slot: 0 … 5, each once.
 using FaceOrder = std::array<int, 6>;
 
@@ -87,13 +90,14 @@ struct WorldAxes {
 /// An arrangement whose frames are written in another program's axes, in ours.
 CubeArrangement inWorld(CubeArrangement arrangement, const WorldAxes& world);
 
-/// Changes an arrangement by one word: "as-seen"; "flip=" and a Flip; "order=" and a FaceOrder; "axes=" and centre,
-/// right and down of all six slots, as textOf writes them, in place of what it was.
+/// Changes an arrangement by one word: "as-seen"; "flip=" and a Flip; "turn=" and the slots whose images are turned by
+/// 180°, "turn=-z"; "order=" and a FaceOrder; "axes=" and centre, right and down of all six slots, as textOf writes them,
+/// in place of what it was.
 ///
 /// errors   usage: lists the words
 Result<CubeArrangement> rearranged(const CubeArrangement& arrangement, std::string_view word);
 
-/// "" for ours, "as-seen", else "axes=+x-z-y|-x+z-y|…": `rearranged` makes the arrangement from ours by this word.
+/// "" for ours, "as-seen", "turn=-z", else "axes=+x-z-y|-x+z-y|…": `rearranged` makes the arrangement from ours by this word.
 std::string textOf(const CubeArrangement& arrangement);
 
 /// A square's texels under one of its 8 symmetries: what is shown at texel (i, j) is taken from texel `from(i, j)`.
@@ -110,6 +114,9 @@ struct SquareSymmetry {
 
 /// A square turned clockwise by that many times 90°.
 SquareSymmetry turnedClockwise(int quarters);
+
+/// Which texel of a frame's image our face of its centre shows.
+SquareSymmetry faceFromImage(const FaceFrame& frame);
 
 /// The six faces of our cube as the images of another arrangement, slot by slot: texels are moved, not resampled. Every
 /// level and layer; of our own arrangement the images as they are.

@@ -102,6 +102,8 @@ TEST(CubeArrangement, TextsAreReadBack) {
   EXPECT_EQ(textOf(asSeen(CubeArrangement{})), "as-seen");
   EXPECT_EQ(textOf(inWorld(CubeArrangement{}, {.x = SignedAxis::minus_x})),
             "axes=-x-z-y|+x+z-y|+y-x+z|-y-x-z|+z-x-y|-z+x-y");
+  EXPECT_EQ(textOf(turned(CubeArrangement{}, std::array{SignedAxis::minus_z})), "turn=-z");
+  EXPECT_EQ(textOf(flipped(CubeArrangement{}, Flip::both)), "turn=+x-x+y-y+z-z");
   for (const CubeArrangement& arrangement : someArrangements())
     if (arrangement != CubeArrangement{}) {
       EXPECT_EQ(*rearranged(CubeArrangement{}, textOf(arrangement)), arrangement);
@@ -117,6 +119,9 @@ TEST(CubeArrangement, WordsChangeWhatWasBefore) {
 
   const auto messageOf = [&](std::string_view word) { return rearranged(ours, word).error().message; };
   EXPECT_THAT(messageOf("as-sen"), HasSubstr("did you mean 'as-seen'?"));
+  EXPECT_EQ(*rearranged(*rearranged(ours, "turn=-z,+y"), "turn=+y"), *rearranged(ours, "turn=-z"));
+  EXPECT_THAT(messageOf("turn="), HasSubstr("as in turn=-z"));
+  EXPECT_THAT(messageOf("turn=-w"), HasSubstr("'-w'"));
   EXPECT_THAT(messageOf("flip=up"), HasSubstr("none, horizontal, vertical, both"));
   EXPECT_THAT(messageOf("order=+x+x+y-y+z-z"), HasSubstr("each of the six once"));
   EXPECT_THAT(messageOf("order=+x-x+y-y+z"), HasSubstr("each of the six once"));

@@ -28,6 +28,18 @@ TEST(CubeEdges, MirroredFacesInTheirOwnPlacesDoNot) {
   EXPECT_FALSE(fit.meets()) << fit.across << " " << fit.beside;
 }
 
+TEST(CubeEdges, OneFaceOnItsHeadIsSeenUnderTheOthersThatMeet) {
+  const CubeArrangement turned_back = turned(CubeArrangement{}, std::array{SignedAxis::minus_z});
+  const EnvironmentMap right = cubeOfWaves(Projection::cube, 64);
+  const EnvironmentMap wrong =
+      mapOfImages(imagesOf(right, {.projection = Projection::cube, .arrangement = turned_back}), {Projection::cube});
+  EXPECT_TRUE(edgeFit(right).isClearlyBetterThan(edgeFit(right, turned_back)));
+  EXPECT_TRUE(edgeFit(wrong, turned_back).isClearlyBetterThan(edgeFit(wrong)));
+  EXPECT_FALSE(edgeFit(wrong).isClearlyBetterThan(edgeFit(wrong)));
+  // The arrangement is only looked through: the images are what the other cube has.
+  EXPECT_FLOAT_EQ(edgeFit(wrong, turned_back).across, edgeFit(right).across);
+}
+
 TEST(CubeEdges, APhotographInSixTilesDoesNot) {
   Image photograph(192, 128, 3);
   for (int y = 0; y < 128; ++y)

@@ -9,6 +9,7 @@
 #include "mirrorball/codec/texture_file.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/cube_arrangement.h"
 #include "mirrorball/environment/cube_edges.h"
 #include "mirrorball/environment/face_files.h"
 
@@ -52,19 +53,37 @@ void add(const NonFinite& more, NonFinite& total) {
   total.count += more.count;
 }
 
-/// The forms that six images may have instead of one that shape or names tell.
-std::vector<MapForm> otherForms(const MapForm& form) {
-  std::vector<MapForm> others;
-  if (form.layout == CubeLayout::hcross) others.push_back({form.projection, CubeLayout::seed});
-  others.push_back({form.projection, form.layout, asSeen(form.arrangement)});
-  return others;
+/// How six faces may lie other than by OpenGL's table, and still each in its own place. Mirrored, a whole cross goes on
+/// across its edges as before; in strips and files each face may be mirrored by itself.
+std::vector<CubeArrangement> otherArrangements(CubeLayout layout) {
+  constexpr std::array kPoles{SignedAxis::plus_y, SignedAxis::minus_y};
+  constexpr std::array kBack{SignedAxis::minus_z};
+  const CubeArrangement ours;
+  if (layout == CubeLayout::vcross) return {turned(ours, kBack)};
+  if (layout == CubeLayout::hcross) return {turned(ours, kBack), turned(ours, kPoles)};
+  return {asSeen(ours), turned(asSeen(ours), kPoles), turned(ours, kPoles)};
+}
+
+/// The arrangement in which a guessed cube's faces meet clearly best; without such a one, as it was guessed.
+CubeArrangement arrangementByEdges(const EnvironmentMap& map, const MapForm& form) {
+  CubeArrangement best = form.arrangement;
+  EdgeFit best_fit = edgeFit(map);
+  for (const CubeArrangement& other : otherArrangements(form.layout))
+    if (const EdgeFit fit = edgeFit(map, other); fit.meets() && fit.isClearlyBetterThan(best_fit)) {
+      best = other;
+      best_fit = fit;
+    }
+  return best;
 }
 
 /// What is said of a cube whose faces do not meet.
 std::string doubtOf(const Recognition& recognition) {
+  const CubeLayout layout = recognition.form.layout;
   return "taken as " + textOf(recognition.form) + " (" + recognition.told_by +
          "), but its faces do not meet at their edges: a photograph is no map, and " +
-         (recognition.form.layout == CubeLayout::hcross ? "--from seed or " : "") +
+         (layout == CubeLayout::hcross   ? "--from seed or "
+          : layout == CubeLayout::vcross ? "--from vcross:turn=-z or "
+                                         : "") +
          "--from cube:as-seen names another form";
 }
 
@@ -74,16 +93,26 @@ std::string doubtOf(const Recognition& recognition) {
 /// returns      what to say where there is none
 template <typename OtherMap>
 Result<std::string> decideByEdges(Recognition& recognition, EnvironmentMap& map, OtherMap&& other_map) {
-  if (!recognition.is_guess || faceCount(recognition.form.projection) != 6 || edgeFit(map).meets())
-    return std::string();
-  for (const MapForm& form : otherForms(recognition.form)) {
-    MIRRORBALL_TRY(other, other_map(form));
-    if (!edgeFit(other).meets()) continue;
+  if (!recognition.is_guess || faceCount(recognition.form.projection) != 6) return std::string();
+  const auto take = [&](const MapForm& form, EnvironmentMap other) {
     map = std::move(other);
     recognition = {form, recognition.told_by + ", and how its edges meet", true};
     return std::string();
+  };
+  MapForm form = recognition.form;
+  form.arrangement = arrangementByEdges(map, form);
+  if (form.arrangement != recognition.form.arrangement) {
+    MIRRORBALL_TRY(other, other_map(form));
+    return take(form, std::move(other));
   }
-  return edgeFit(map).jumps() ? doubtOf(recognition) : std::string();
+  const EdgeFit fit = edgeFit(map);
+  if (fit.meets()) return std::string();
+  if (form.layout == CubeLayout::hcross) {
+    form.layout = CubeLayout::seed;
+    MIRRORBALL_TRY(other, other_map(form));
+    if (edgeFit(other).meets()) return take(form, std::move(other));
+  }
+  return fit.jumps() ? doubtOf(recognition) : std::string();
 }
 
 /// A cube whose six images are there.

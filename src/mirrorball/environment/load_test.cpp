@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,15 +13,22 @@
 
 #include "mirrorball/codec/codec.h"
 #include "mirrorball/codec/texture_file.h"
+#include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/face_files.h"
+#include "test_data.h"
 
 namespace mirrorball {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+
+/// Ours, changed by a word; "turn=" changes nothing.
+CubeArrangement arrangementOf(std::string_view word) {
+  return word == "turn=" ? CubeArrangement{} : *rearranged(CubeArrangement{}, word);
+}
 
 class LoadTest : public ::testing::Test {
  protected:
@@ -65,26 +74,106 @@ TEST_F(LoadTest, ATexturesLevelsAreReadInItsForm) {
   EXPECT_FALSE(*loadLevels(*loadEnvironment(path("b.exr")), {}));
 }
 
-/// The waves as a cube in a picture that does not say how its faces lie.
-std::string writeCube(const std::string& path, const MapForm& form) {
-  const EnvironmentMap waves = *convert(Environment(testing::waves, 1), Projection::cube, 256);
-  EXPECT_TRUE(writeImage(path, pictureOf(waves, form)));
+EnvironmentMap cubeOf(RadianceFunction light, int side) {
+  return *convert(Environment(std::move(light), 1), Projection::cube, side);
+}
+
+/// A cube in a picture that does not say how its faces lie.
+std::string writeCube(const std::string& path, const MapForm& form, const EnvironmentMap& cube) {
+  EXPECT_TRUE(writeImage(path, pictureOf(cube, form)));
   return path;
+}
+
+/// Light that is the same for (x, y, z) and (-x, -y, z), which is −Z turned by 180°, but for a little.
+glm::vec3 nearlySymmetric(glm::vec3 d) {
+  return 0.5f * (testing::waves(d) + testing::waves({-d.x, -d.y, d.z})) * (1.0f + 1e-3f * d.y);
+}
+
+/// A dim sky over a dim ground with a sun 10⁴ times as bright, as the codes of a camera that exposed for the sun.
+glm::vec3 dimWithSun(glm::vec3 d) {
+  const float sun = glm::dot(d, glm::normalize(glm::vec3(0.3f, 0.5f, 0.8f))) > 0.9998f ? 1.0f : 0.0f;
+  return glm::vec3(sun + (d.y > 0.0f ? 0.003f + 0.002f * d.y : 0.001f) * (1.0f + 0.5f * std::sin(9.0f * d.x)));
+}
+
+/// Waves under strong noise, a value of its own for each texel.
+RadianceFunction noisyWaves() {
+  return [](glm::vec3 d) {
+    const glm::vec3 cell = glm::fract(d * 7919.0f);
+    const float chance = glm::fract(43758.547f * std::sin(glm::dot(cell, glm::vec3(12.9898f, 78.233f, 37.719f))));
+    return testing::waves(d) * (0.7f + 0.6f * chance);
+  };
 }
 
 TEST_F(LoadTest, EdgesTellHowTheFacesOfACubeLie) {
   const CubeArrangement seen = asSeen(CubeArrangement{});
+  const EnvironmentMap waves = cubeOf(testing::waves, 256);
   for (const MapForm& form :
        {MapForm{Projection::cube, CubeLayout::hcross}, MapForm{Projection::cube, CubeLayout::seed},
         MapForm{Projection::cube, CubeLayout::vcross}, MapForm{Projection::cube, CubeLayout::tiles},
-        MapForm{Projection::cube, CubeLayout::tiles, seen}, MapForm{Projection::cube, CubeLayout::vstrip, seen}}) {
-    const auto loaded = loadEnvironment(writeCube(path("cube.exr"), form));
+        MapForm{Projection::cube, CubeLayout::tiles, seen}, MapForm{Projection::cube, CubeLayout::vstrip, seen},
+        MapForm{Projection::cube, CubeLayout::vcross, arrangementOf("turn=-z")},
+        MapForm{Projection::cube, CubeLayout::hcross, arrangementOf("turn=-z")},
+        MapForm{Projection::cube, CubeLayout::hcross, arrangementOf("turn=+y-y")},
+        MapForm{Projection::cube, CubeLayout::hstrip,
+                formFor(*presetNamed("openexr"), Projection::cube, CubeLayout::faces)->arrangement}}) {
+    const auto loaded = loadEnvironment(writeCube(path("cube.exr"), form, waves));
     ASSERT_TRUE(loaded) << loaded.error().message;
     EXPECT_EQ(textOf(loaded->recognition->form), textOf(form));
     EXPECT_EQ(loaded->doubt, "") << textOf(form);
     for (const glm::vec3 d : {glm::vec3(0.6f, 0.0f, 0.8f), glm::vec3(0.0f, 0.6f, -0.8f)})
       EXPECT_NEAR(loaded->environment.radiance(d).x, testing::waves(d).x, 0.02f) << textOf(form);
   }
+}
+
+/// What a vertical cross is taken for whose −Z is as the word says.
+std::string crossTakenFor(const EnvironmentMap& cube, const std::string& path, const char* word) {
+  const auto loaded =
+      loadEnvironment(writeCube(path, {Projection::cube, CubeLayout::vcross, arrangementOf(word)}, cube));
+  EXPECT_EQ(loaded->doubt, "") << path << " " << word;
+  return textOf(loaded->recognition->form);
+}
+
+TEST_F(LoadTest, EdgesTellWhetherMinusZStandsOnItsHead) {
+  const auto expectTold = [&](const EnvironmentMap& cube, const std::string& name) {
+    EXPECT_EQ(crossTakenFor(cube, path(name), "turn="), "cube, vcross") << name;
+    EXPECT_EQ(crossTakenFor(cube, path(name), "turn=-z"), "cube, vcross, turn=-z") << name;
+  };
+  expectTold(*convert(*builtinEnvironment("studio"), Projection::cube, 128), "studio.hdr");
+  expectTold(cubeOf(noisyWaves(), 128), "noise.exr");
+  expectTold(cubeOf(dimWithSun, 128), "sun.png");
+  // Where hardly anything tells, the cross that hangs together stays.
+  for (const EnvironmentMap& cube :
+       {cubeOf(nearlySymmetric, 128), cubeOf([](glm::vec3) { return glm::vec3(0.7f); }, 32)}) {
+    EXPECT_EQ(crossTakenFor(cube, path("cross.exr"), "turn="), "cube, vcross");
+    EXPECT_EQ(crossTakenFor(cube, path("cross.exr"), "turn=-z"), "cube, vcross");
+  }
+}
+
+TEST_F(LoadTest, RealPanoramasTellWhetherMinusZStandsOnItsHead) {
+  for (const char* name : {"chinese_garden_1k.hdr", "lightroom_14b.hdr", "courtyard.exr", "studio.exr"}) {
+    const auto panorama = testing::sharedData(name);
+    if (!panorama) GTEST_SKIP() << "no shared/data/" << name;
+    const EnvironmentMap cube = *convert(loadEnvironment(panorama->string())->environment, Projection::cube, 128);
+    for (const char* extension : {".hdr", ".jpg"}) {
+      const std::string file = path(name) + extension;
+      EXPECT_EQ(crossTakenFor(cube, file, "turn="), "cube, vcross") << file;
+      EXPECT_EQ(crossTakenFor(cube, file, "turn=-z"), "cube, vcross, turn=-z") << file;
+    }
+  }
+}
+
+TEST_F(LoadTest, WhereMinusZIsTurnedIsSaidByFrom) {
+  const MapForm form{Projection::cube, CubeLayout::vcross, arrangementOf("turn=-z")};
+  const EnvironmentMap cube = cubeOf(testing::waves, 256);
+  const auto loaded =
+      loadEnvironment(writeCube(path("cross.exr"), form, cube), {.from = *formHintNamed("vcross:turn=-z")});
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->recognition->told_by, "--from");
+  const glm::vec3 behind = glm::normalize(glm::vec3(0.2f, 0.3f, -1.0f));
+  EXPECT_NEAR(loaded->environment.radiance(behind).x, testing::waves(behind).x, 0.02f);
+  // What is said goes before what the edges tell.
+  const auto upright = loadEnvironment(path("cross.exr"), {.from = *formHintNamed("vcross")});
+  EXPECT_EQ(textOf(upright->recognition->form), "cube, vcross");
 }
 
 TEST_F(LoadTest, APhotographOfACubesShapeIsDoubted) {
@@ -99,6 +188,10 @@ TEST_F(LoadTest, APhotographOfACubesShapeIsDoubted) {
   FormHint hint;
   hint.layout = CubeLayout::tiles;
   EXPECT_EQ(loadEnvironment(path("photo.png"), {.from = hint})->doubt, "");
+  Image upright(384, 512, 3);
+  for (int y = 0; y < 512; ++y) std::copy_n(photograph.texel(0, y), upright.row(y).size(), upright.texel(0, y));
+  ASSERT_TRUE(writeImage(path("upright.png"), upright));
+  EXPECT_THAT(loadEnvironment(path("upright.png"))->doubt, HasSubstr("--from vcross:turn=-z"));
 }
 
 TEST_F(LoadTest, SixFacesAreOneCube) {

@@ -22,7 +22,7 @@ struct FormHint {
 /// "faces"). After a colon, with commas between, how it lies in the file where that is not our own way:
 ///   for=PROGRAM          as a preset has it (preset.h): "cube:for=unity", "equirect:for=blender"
 ///   layout=LAYOUT        of cube and eac: "eac:layout=vcross"
-///   as-seen, flip=…, order=…, axes=…   of a cube (cube_arrangement.h), each applied to what stands before it
+///   as-seen, flip=…, turn=…, order=…, axes=…   of a cube (cube_arrangement.h), each applied to what stands before it
 ///   centre=AXIS          of an equirect: our direction in its middle, "+x", "-x", "+z" or "-z"
 ///
 /// errors   usage: lists the names

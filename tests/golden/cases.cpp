@@ -22,7 +22,7 @@ const Tolerance kOnTheCpu{1, 0.02, "made on the CPU: another compiler's rounding
 // 44 / 0.27 (softpipe, on a column of pixels along a cube's edge; SwiftShader 1 / 0.01)
 const Tolerance kFiltered{60, 0.4, "no outline; drivers weigh the texels on both sides of a cube's edge differently"};
 
-// 45 / 0.19. One of 16 samples that sees a lamp of radiance 9 instead of a wall of 0.1 turns code 89 to about 210.
+// 45 / 0.19. One of 16 samples that sees a lamp instead of a wall of 0.1 turns code 89 to about 110.
 const Tolerance kOutlined{120, 0.25, "at an outline, one of a pixel's 16 samples may see a lamp instead of a wall"};
 
 // 65 / 0.26
@@ -75,7 +75,7 @@ constexpr auto kCases = std::to_array<Case>({
      "--set fresnel_power=2 --size 96x96",
      &kOutlined, "--set fresnel_power=2.1"},
     {"sky", "render sphere -e sky:elevation=30 --env-rotation 40 --material mirror --tone-map aces --size 96x96",
-     &kOutlined, "-e sky:elevation=30,turbidity=3.1"},
+     &kOutlined, "-e sky:elevation=30,turbidity=2.6"},
     {"light",
      "render sphere --material plastic --set perceptual_roughness=0.3 --env-intensity 0.1 "
      "--light 3,4,3,0.8,0.7,0.6 --light -3,1,2,0.1,0.3,0.6 --camera 20,15 --size 96x96",

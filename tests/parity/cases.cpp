@@ -34,8 +34,6 @@ constexpr float kTight = 1e-5f;
 // exp2, log2, pow, atan, sin: OpenGL promises little for these, and drivers take polynomials;
 // Mesa's atan is off by 2e-6.
 constexpr float kTranscendental = 5e-5f;
-// acos, Mesa's of which is off by 1.3e-4, where the light near the sun falls by e^(−2.5 γ).
-constexpr float kAngleNearSun = 2e-3f;
 
 const Case kCases[] = {
     // blur
@@ -245,14 +243,26 @@ const Case kCases[] = {
                 0.0f)),
 
     // sky
-    PARITY(perez, unit, kTranscendental,
-           vec4(perez(p.x, 3.0f * p.y, -1.0f - p.z, -0.3f, 5.0f * p.w, -2.5f, 0.3f * q.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(zenithChromaticity, unit, kTight,
-           vec4(zenithChromaticity(1.5f * p.x, 2.0f + 8.0f * p.y, q, r, vec4(0.1f)), 0.0f, 0.0f, 0.0f)),
-    PARITY(zenithLuminance, unit, kTranscendental,
-           vec4(zenithLuminance(1.5f * p.x, 2.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
-    PARITY(skyLuminance, direction, kAngleNearSun,
-           vec4(skyLuminance(vec3(p.x, abs(p.y), p.z), vec3(q.x, abs(q.y), q.z), 2.0f + 8.0f * r.x), 0.0f)),
+    PARITY(moleculeDepth, unit, kTight, vec4(moleculeDepth(0.375f + 0.375f * p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(hazeDepth, unit, kTranscendental,
+           vec4(hazeDepth(0.375f + 0.375f * p.x, 2.0f + 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(ozoneDepth, unit, kTranscendental, vec4(ozoneDepth(0.375f + 0.375f * p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(ozoneDensity, unit, kTight, vec4(ozoneDensity(64.0f * p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(heightAlong, direction, kTight, vec4(heightAlong(64.0f, p.y, 256.0f * r.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(distanceToTop, direction, kTight, vec4(distanceToTop(64.0f * r.x, abs(p.y)), 0.0f, 0.0f, 0.0f)),
+    PARITY(distanceToGround, direction, kTight, vec4(distanceToGround(1.0f + r.x, -abs(p.y)), 0.0f, 0.0f, 0.0f)),
+    PARITY(scaledErfc, unit, kTight, vec4(scaledErfc(16.0f * p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(airMass, direction, kTranscendental,
+           vec4(airMass(32.0f * r.x, 0.5f * p.w - 0.0625f, 8.0f), 0.0f, 0.0f, 0.0f)),
+    PARITY(ozoneColumn, direction, kTight, vec4(ozoneColumn(32.0f * r.x, p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(columnsTowardsSun, direction, kTranscendental, vec4(columnsTowardsSun(32.0f * r.x, abs(p.y)), 0.0f)),
+    PARITY(sunAboveHorizon, unit, kTight, vec4(sunAboveHorizon(0.0f, 0.015625f * (p.x - 0.5f)), 0.0f, 0.0f, 0.0f)),
+    PARITY(moleculePhase, direction, kTight, vec4(moleculePhase(p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(hazePhase, direction, kTight, vec4(hazePhase(p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(unevenBell, unit, kTranscendental, vec4(unevenBell(p.x, 0.5f, 0.125f, 0.25f + p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(xyzOfWavelength, unit, kTranscendental, vec4(xyzOfWavelength(0.375f + 0.375f * p.x), 0.0f)),
+    PARITY(sunSpectrum, unit, kTranscendental, vec4(sunSpectrum(0.375f + 0.375f * p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(xyzD65FromD55, light, kTight, vec4(xyzD65FromD55(vec3(p)), 0.0f)),
 
     // sphere_map
     PARITY(sphereMapCoordinates, direction, kTight, vec4(sphereMapCoordinates(vec3(p)), 0.0f, 0.0f)),

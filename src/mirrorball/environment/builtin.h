@@ -6,16 +6,9 @@
 #include "mirrorball/base/option.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
+#include "mirrorball/environment/sky.h"
 
 namespace mirrorball {
-
-/// What "sky:elevation=20,turbidity=3" may set.
-struct SkyParameters {
-  float elevation_deg = 35.0f;  ///< of the sun
-  float azimuth_deg = 60.0f;    ///< of the sun: 0 stands over +Z, 90 over +X
-  float turbidity = 3.0f;       ///< 2 very clear … 10 hazy
-  float sun = 1.0f;             ///< strength of the sun's disc; 0 leaves the sky alone
-};
 
 /// The table of the sky's parameters.
 std::span<const Option<SkyParameters>> skyParameters();
@@ -27,8 +20,8 @@ std::span<const std::string_view> builtinEnvironmentNames();
 bool isBuiltinEnvironment(std::string_view name);
 
 /// Makes a built-in:
-///   studio   soft boxes in a dim room
-///   sky      analytic daylight with the sun's disc (formula/sky.glsl); radiance 1 is 20 kcd/m²
+///   studio   a photographer's, with soft boxes and a satin floor (environment/studio.h)
+///   sky      clear daylight with the sun's disc, over soil (environment/sky.h)
 ///   uv       six coloured faces with their names, to check which way round things are
 ///   white    radiance 1 from everywhere: what reflects all light vanishes in it
 ///

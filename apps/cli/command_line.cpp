@@ -131,7 +131,8 @@ Error unexpectedArgument(const Command& command, const std::string& argument) {
   return {ErrorCode::usage, message + " (" + help + " lists them)"};
 }
 
-/// The error for a long option with one dash, which would be read as a short one: "-output" as -o with the value "utput".
+/// The error for an option that would be read as a short one with an odd value: "-output" as -o with the value "utput",
+/// "-o=a.png" as -o with the value "=a.png".
 ///
 /// errors   usage
 Result<void> checkDashes(std::span<const std::string> words, std::span<const Command> commands) {
@@ -140,9 +141,15 @@ Result<void> checkDashes(std::span<const std::string> words, std::span<const Com
   if (command == commands.end()) return {};
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('='));
-    for (const CommandOption& option : command->options)
+    for (const CommandOption& option : command->options) {
       if (name.size() > 2 && name == "-" + std::string(option.text.name))
         return fail(ErrorCode::usage, "'" + name + "': options of more than one letter have two dashes: -" + name);
+      const bool is_letter = !option.text.letter.empty() && name == "-" + std::string(option.text.letter);
+      if (is_letter && word != name)
+        return fail(ErrorCode::usage, "'" + word + "': after a letter no = stands; say " + name + " " +
+                                          word.substr(name.size() + 1) + " or --" + std::string(option.text.name) +
+                                          word.substr(name.size()));
+    }
   }
   return {};
 }

@@ -41,6 +41,7 @@ const std::array<Option<SceneRequest>, 7> kSceneOptions{{
      &SceneRequest::from},
     {{.name = "up",
       .choices = "y|z",
+      .aliases = "+y=y|+z=z",
       .help = "the model's axis that points upwards: z in many .stl and CAD files, which else lie on their side",
       .group = "Files"},
      choiceField<&SceneRequest::up>},

@@ -25,7 +25,7 @@ struct Synonyms {
 
 /// What options are called in cmgen, cmft, toktx, maketx, F3D, Blender and by newcomers. A word that is there twice means
 /// the first of those that the command has.
-constexpr std::array<Synonyms, 36> kOptionSynonyms{{
+constexpr std::array<Synonyms, 38> kOptionSynonyms{{
     {"at", "cameraposition origin point position"},
     {"background", "backgroundcolor backgroundcolour bg bgcolor nobackground"},
     {"camera", "azimuth cameraazimuthangle cameraelevationangle cameraposition elevation orbit"},
@@ -39,6 +39,7 @@ constexpr std::array<Synonyms, 36> kOptionSynonyms{{
     {"fov", "cameraviewangle fieldofview viewangle"},
     {"frames", "turntable"},
     {"json", "format outputformat"},
+    {"level", "lod miplevel"},
     {"levels", "mipcount miplevels"},
     {"max-memory", "memory"},
     {"mips", "generatemipchain genmipmap mipmap mipmaps"},
@@ -48,6 +49,7 @@ constexpr std::array<Synonyms, 36> kOptionSynonyms{{
     {"repair", "fixnan"},
     {"samples", "aa antialiasing numsamples spp"},
     {"set", "albedo basecolor color colour", "--set base_color="},
+    {"set", "albedomap basecolortexture texture", "--set base_color_map="},
     {"set", "emissive", "--set emission="},
     {"set", "metalness", "--set metallic="},
     {"set", "rough roughness", "--set perceptual_roughness="},

@@ -64,6 +64,9 @@ TEST_F(AliasRenderTest, MaterialsModelsAndParametersToo) {
   succeed("render sphere --material gold --tone-map agx" + line + "--rotate 30,20,10 -o a.png");
   succeed("render Sphere --material Gold --tone-map AgX" + line + "--env-rotation 30,20,10 -o b.png");
   EXPECT_TRUE(bytes("a.png") == bytes("b.png"));
+  succeed("render teapot --up z" + line + "-o a.png");
+  succeed("render teapot --up +Z" + line + "-o b.png");
+  EXPECT_TRUE(bytes("a.png") == bytes("b.png"));
   EXPECT_THAT(refuse(2, "render sphere --set roughness=0.3" + line + "-o c.png"),
               HasSubstr("did you mean 'perceptual_roughness'?"));
 }

@@ -31,6 +31,7 @@ TEST_F(SuggestionTest, AnOptionOfAnotherProgramIsKnown) {
                {"convert a.hdr --resolution 512 -o b.ktx2", "did you mean --size?"},
                {"convert a.hdr --dstFaceSize 512 -o b.ktx2", "did you mean --size?"},
                {"convert a.hdr --genmipmap -o b.ktx2", "did you mean --mips?"},
+               {"convert a.hdr --mip-level 2 -o b.exr", "did you mean --level?"},
                {"bake a.hdr --mipCount 5 -o b", "did you mean --levels?"},
                {"bake a.hdr --deploy b", "did you mean --output?"},
                {"render --resolution 64x64", "did you mean --size?"},
@@ -48,7 +49,8 @@ TEST_F(SuggestionTest, AParameterOfMaterialsIsSet) {
                {"capture --roughness 0.3", "did you mean --set perceptual_roughness=?"},
                {"render --ior 1.5", "did you mean --set ior=?"},
                {"render --base-color 1,0,0", "did you mean --set base_color=?"},
-               {"render --color 1,0,0", "did you mean --set base_color=?"}});
+               {"render --color 1,0,0", "did you mean --set base_color=?"},
+               {"render --texture a.png", "did you mean --set base_color_map=?"}});
 }
 
 TEST_F(SuggestionTest, AnInputHasNoOption) {
@@ -89,6 +91,9 @@ TEST_F(SuggestionTest, ALongOptionHasTwoDashes) {
   // Else -output would be -o with the value "utput".
   expectHints({{"render -output a.png", "'-output': options of more than one letter have two dashes: --output"},
                {"convert a.hdr -size=8 -o b.exr", "'-size': options of more than one letter have two dashes: --size"}});
+  // And -o=a.png would be a file of the name "=a.png".
+  expectHints({{"render -o=a.png", "'-o=a.png': after a letter no = stands; say -o a.png or --output=a.png"},
+               {"render -e=studio -o a.png", "say -e studio or --env=studio"}});
 }
 
 TEST_F(SuggestionTest, AWordTooManyIsToldWhereItBelongs) {

@@ -49,14 +49,25 @@ FN float ggxHalfAngle(float perceptual_roughness) {
   return 2.0f * atan(a / sqrt(1.0f + r * a * (4.45f + 1.38f * a) - a * a));  // tan² = s / (1 − s)
 }
 
+// The width of a mip level's texels, in texels of level 0. A level has half of the side of the one before, rounded down: below
+// a side that is no power of two its texels are wider than 2^level.
+FN float mipTexelWidth(int side, int level) { return float(side) / float(max(side >> level, 1)); }
+
 // The level of a plain mip chain of a cube that has half of its weight within the same angle as the lobe. A texel is a mean
 // over a square, and between texels and levels the hardware interpolates linearly; over all places within a texel that is
 // a square convolved with a tent twice as wide, of which half lies within 0.608 texels. Texels are narrower away from a
 // face's middle: their solid angle goes with the cube of the direction's longest component.
-//   texels_per_radian  of level 0 in the middle of a face
+//   texels_per_radian  of level 0 in the middle of a face: half of its side
 //   direction          unit
 FN float lodOfLobe(float perceptual_roughness, float texels_per_radian, vec3 direction) {
-  float texels = ggxHalfAngle(perceptual_roughness) / 0.608f * texels_per_radian;
   float longest = max(abs(direction.x), max(abs(direction.y), abs(direction.z)));
-  return max(log2(max(texels, 1e-6f)) - 1.5f * log2(longest), 0.0f);
+  float texels = ggxHalfAngle(perceptual_roughness) / 0.608f * texels_per_radian * pow(longest, -1.5f);
+  if (texels <= 1.0f) return 0.0f;
+  int side = int(2.0f * texels_per_radian + 0.5f);
+  int level = int(log2(texels));
+  if (mipTexelWidth(side, level) > texels) level -= 1;
+  float width = mipTexelWidth(side, level);
+  float next = mipTexelWidth(side, level + 1);
+  if (next <= width) return float(level);  // the last level: one texel
+  return float(level) + log2(texels / width) / log2(next / width);
 }

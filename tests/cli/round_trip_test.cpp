@@ -19,7 +19,7 @@ bool beforeTheRim(glm::vec3 d) { return (1.0f - d.z) / 2.0f < 0.9f; }
 /// The studio as a panorama of 256 rows, and how near to it what came back is, as a display shows both [dB].
 ///
 /// Its lamps have edges of two texels, which each of the two interpolations softens; that is what the floors allow, a
-/// decibel or two below what was measured. A panorama that is turned by half a texel has 35.5 dB.
+/// decibel or two below what was measured. A panorama that is turned by half a texel has 35.2 dB.
 class RoundTripTest : public CliTest {
  protected:
   void SetUp() override { succeed("convert studio --to equirect --size 256 -o original.exr"); }
@@ -37,7 +37,7 @@ TEST_F(RoundTripTest, ThroughACube) {
   for (const std::string between : {"cube.exr", "cube.hdr", "cube.exr --format half"}) {
     succeed("convert original.exr --to cube --size 256 -o " + between);
     succeed("convert " + between.substr(0, 8) + " --to equirect --size 256 -o again.exr");
-    EXPECT_GT(psnr("again.exr", everywhere), 40.0) << between;
+    EXPECT_GT(psnr("again.exr", everywhere), 42.0) << between;
   }
 }
 
@@ -45,14 +45,14 @@ TEST_F(RoundTripTest, ThroughASphereMap) {
   for (const std::string between : {"ball.exr", "ball.hdr", "ball.exr --format half"}) {
     succeed("convert original.exr --to sphere --size 512 -o " + between);
     succeed("convert " + between.substr(0, 8) + " --to equirect --size 256 -o again.exr");
-    EXPECT_GT(psnr("again.exr", beforeTheRim), 37.0) << between;
+    EXPECT_GT(psnr("again.exr", beforeTheRim), 39.5) << between;
   }
 }
 
 TEST_F(RoundTripTest, ThroughAnAngularMap) {
   succeed("convert original.exr --to angular --size 512 -o probe.exr");
   succeed("convert probe.exr --to equirect --size 256 -o again.exr");
-  EXPECT_GT(psnr("again.exr", everywhere), 40.0);
+  EXPECT_GT(psnr("again.exr", everywhere), 41.0);
 }
 
 // A layout moves texels about and does nothing else, so all of them come back as the same file.

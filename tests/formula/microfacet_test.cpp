@@ -55,6 +55,24 @@ TEST(LodOfLobe, ReadsTexelsThatHoldHalfOfTheirWeightThere) {
               1e-5f);
 }
 
+// 704 and 384 are what panoramas of 1024 and 512 rows become: 11², 5², 2², 1 texel; 6², 3², 1.
+TEST(LodOfLobe, KnowsThatLevelsHalveRoundingDown) {
+  for (const float side : {704.0f, 384.0f, 512.0f}) {
+    float coarsest = 0.0f;
+    for (float roughness = 0.1f; roughness <= 1.0f; roughness += 0.01f) {
+      const float lod = lodOfLobe(roughness, side / 2.0f, vec3(0, 0, 1));
+      const int level = static_cast<int>(lod);
+      const float finer = side / std::floor(side / std::exp2(static_cast<float>(level)));
+      const float coarser = side / std::floor(side / std::exp2(static_cast<float>(level + 1)));
+      const float texels = finer * std::pow(coarser / finer, lod - static_cast<float>(level));
+      EXPECT_NEAR(texels / (ggxHalfAngle(roughness) / 0.608f * side / 2.0f), 1.0f, 1e-4f) << side << ", " << roughness;
+      coarsest = lod;
+    }
+    EXPECT_LT(coarsest, std::floor(std::log2(side)));
+  }
+  EXPECT_GE(lodOfLobe(1.0f, 192.0f, normalize(vec3(1))), 8.0f) << "wider than a face: its one texel";
+}
+
 TEST(Microfacet, WhatAWhiteSurfaceDoesNotReflectAtOnceItReflectsLater) {
   for (const float whole : {0.3f, 0.7f, 1.0f})
     EXPECT_NEAR(multipleScattering(vec3(whole), vec3(1.0f), whole).x, 1.0f - whole, 1e-6f);

@@ -221,6 +221,8 @@ const Case kCases[] = {
     PARITY(blinnExponent, unit, kTight, vec4(blinnExponent(0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(phongExponent, unit, kTight, vec4(phongExponent(0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(ggxHalfAngle, unit, kTranscendental, vec4(ggxHalfAngle(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(mipTexelWidth, unit, kTight,
+           vec4(mipTexelWidth(8 + int(1016.0f * p.x), int(10.0f * p.y)), 0.0f, 0.0f, 0.0f)),
     PARITY(lodOfLobe, direction, kTranscendental,
            vec4(lodOfLobe(r.x, 64.0f + 256.0f * r.y, vec3(p)), 0.0f, 0.0f, 0.0f)),
 

@@ -31,8 +31,8 @@ TEST_F(SphereMapCliTest, AMirrorSphereInARealRoomIsItsSphereMap) {
   EXPECT_GE(psnr, 45.0);
 }
 
-// The studio's lamps have edges of six of its texels: 58.0 dB were measured, one sample a pixel leaves 53.2, and an eighth of
-// a pixel's shift 47.9.
+// The studio's lamps are brighter: 58.0 dB were measured, one sample a pixel leaves 53.2, and an eighth of a pixel's shift
+// 47.9.
 TEST_F(SphereMapCliTest, AMirrorSphereInTheStudioIsItsSphereMap) {
   const double psnr = psnrOfMirrorSphere("studio");
   RecordProperty("psnr_db", std::to_string(psnr));

@@ -10,10 +10,12 @@
 
 #include "formula/bsdf.h"
 #include "formula/color.h"
+#include "mirrorball/bake/mip_chain.h"
 #include "mirrorball/bake/reflected_share.h"
 #include "mirrorball/environment/builtin.h"
 #include "mirrorball/environment/convert.h"
 #include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/cube_look_up_testing.h"
 #include "mirrorball/render/render_testing.h"
 #include "mirrorball/scene/load_model.h"
 
@@ -428,6 +430,41 @@ TEST_F(RendererTest, AMipLevelBlursAsWideAsTheLobe) {
         light += double(glm::dot(rgbAt(exact, x, y), rgbAt(exact, x, y)));
       }
     EXPECT_LT(std::sqrt(difference / light), 0.3) << "roughness " << roughness;
+  }
+}
+
+// A sun in a dim room, as a cube of 96², 48² … 6², 3², 1 texels. What is odd in such a picture, a square sun and a pale frame
+// around a face where the level of one texel has a share, is in the levels: the look-up on the CPU has it too.
+TEST_F(RendererTest, AMipLevelIsWhatALookUpInTheChainSays) {
+  constexpr int kSide = 96;
+  EnvironmentMap cube = *convert(Environment([](glm::vec3 d) { return 0.2f + 0.1f * d; }, 64), Projection::cube, kSide);
+  Image sunny = cube.face(5);
+  std::fill_n(sunny.texel(20, 20), 3, 5000.0f);
+  ImageSet images = cube.images();
+  images.at(0, 5) = sunny;
+  cube = EnvironmentMap(Projection::cube, images);
+  const ImageSet chain = mipChain(cube);
+  Studio room(context(), Environment(cube));
+  Shot shot = smallShot("none", "");
+  shot.options.size = "64x64";
+  shot.options.fov_deg = 90.0f;
+  shot.options.samples = 1;
+  shot.options.blur = BlurKind::mip;
+  shot.options.background = "blur";
+  for (const float azimuth : {0.0f, 70.0f, 180.0f}) {
+    shot.options.camera = {azimuth, 0.0f};
+    const Image image = room.radiance(shot);
+    const float c = std::cos(glm::radians(azimuth));
+    const float s = std::sin(glm::radians(azimuth));
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const glm::vec2 p((static_cast<float>(x) - 31.5f) / 32.0f, (31.5f - static_cast<float>(y)) / 32.0f);
+        const glm::vec3 d = glm::normalize(glm::vec3(c * p.x - s, p.y, -s * p.x - c));
+        const testing::CubeLookUp expected(chain, d, formula::lodOfLobe(0.35f, kSide / 2.0f, d));
+        // A driver has 8 bits of the place between two texels.
+        ASSERT_NEAR(rgbAt(image, x, y).x, expected.light.x, 0.01f * expected.greatest)
+            << azimuth << ": " << x << ", " << y;
+      }
   }
 }
 

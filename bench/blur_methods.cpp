@@ -9,11 +9,12 @@
 #include "formula/bsdf.h"
 #include "formula/constants.h"
 #include "formula/prefilter.h"
-#include "mirrorball/bake/mip_chain.h"
-#include "mirrorball/bake/prefilter.h"
-#include "mirrorball/bake/spherical_harmonics.h"
+#include "mirrorball/bake/harmonics/spherical_harmonics.h"
+#include "mirrorball/bake/prefilter/mip_chain.h"
+#include "mirrorball/bake/prefilter/prefilter.h"
 #include "mirrorball/base/parallel.h"
-#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/projection/texel_geometry.h"
 
 namespace mirrorball::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mirrorball/bake/lobe.h"
+#include "mirrorball/bake/prefilter/lobe.h"
 #include "mirrorball/environment/environment_map.h"
 
 namespace mirrorball::bench {

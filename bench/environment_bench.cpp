@@ -1,9 +1,9 @@
 // What it costs to make an environment ready for rendering: run build/dev/bench/environment_bench.
 #include <benchmark/benchmark.h>
 
-#include "mirrorball/bake/mip_chain.h"
-#include "mirrorball/environment/builtin.h"
-#include "mirrorball/environment/convert.h"
+#include "mirrorball/bake/prefilter/mip_chain.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/convert/convert.h"
 
 namespace mirrorball {
 namespace {

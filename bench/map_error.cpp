@@ -10,7 +10,7 @@
 
 #include "blur_methods.h"
 #include "mirrorball/base/parallel.h"
-#include "mirrorball/environment/load.h"
+#include "mirrorball/environment/file/load.h"
 #include "truth.h"
 
 namespace mirrorball::bench {
@@ -69,7 +69,7 @@ Result<void> printError(const std::string& environment, const std::string& argum
   MIRRORBALL_TRY(panorama, panoramaFor(environment, {target}));
   MIRRORBALL_TRY(error, errorOfMap(map.environment, panorama, target));
   std::printf("%-40s relRMSE %9.4f %%   mean %9.4f %%   greatest %10.4f %%\n", argument.c_str(),
-              100.0 * error.relative_rms, 100.0 * error.mean, 100.0 * error.greatest);
+              100.0 * error.relative_rms, 100.0 * error.mean, 100.0 * error.max);
   return {};
 }
 

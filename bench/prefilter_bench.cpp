@@ -16,7 +16,7 @@
 
 #include "blur_methods.h"
 #include "in_child.h"
-#include "mirrorball/bake/brdf_table.h"
+#include "mirrorball/bake/brdf/brdf_table.h"
 #include "mirrorball/base/parallel.h"
 #include "plot.h"
 #include "truth.h"
@@ -193,7 +193,7 @@ void print(const Outcome& outcome, const Outcome& truth) {
     if (!is_truth) {
       const Error error = errorOf(outcome.values[i], truthOf(truth, target));
       std::printf("   relRMSE %9.5f %%   mean %9.5f %%   greatest %10.5f %%", 100.0 * error.relative_rms,
-                  100.0 * error.mean, 100.0 * error.greatest);
+                  100.0 * error.mean, 100.0 * error.max);
     }
     std::printf("\n");
   }

@@ -6,8 +6,8 @@
 #include <random>
 #include <utility>
 
-#include "mirrorball/environment/convert.h"
-#include "mirrorball/environment/load.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/file/load.h"
 
 namespace mirrorball::bench {
 
@@ -15,13 +15,13 @@ Result<EnvironmentMap> panoramaFor(const std::string& environment, const std::ve
   MIRRORBALL_TRY(loaded, loadEnvironment(environment));
   float narrowest = 1.0f;
   for (const BlurTarget& target : targets) narrowest = std::min(narrowest, target.lobe.width());
-  const int least = static_cast<int>(std::ceil(2.5f / narrowest));
+  const int min = static_cast<int>(std::ceil(2.5f / narrowest));
   const EnvironmentMap* map = loaded.environment.map();
   EnvironmentMap panorama;
-  if (map && map->projection() == Projection::equirect && map->size() >= least) {
+  if (map && map->projection() == Projection::equirect && map->size() >= min) {
     panorama = *map;
   } else {
-    const int height = std::max(least, loaded.environment.naturalSize(Projection::equirect));
+    const int height = std::max(min, loaded.environment.naturalSize(Projection::equirect));
     MIRRORBALL_TRY(converted, convert(loaded.environment, Projection::equirect, height));
     panorama = std::move(converted);
   }
@@ -97,7 +97,7 @@ Error errorOf(const std::vector<glm::dvec3>& found, const std::vector<glm::dvec3
   double squares = 0.0;
   double truth_squares = 0.0;
   double sum = 0.0;
-  double greatest = 0.0;
+  double max = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i)
     for (int c = 0; c < 3; ++c) {
       const double difference = std::abs(found[i][c] - truth[i][c]);
@@ -105,9 +105,9 @@ Error errorOf(const std::vector<glm::dvec3>& found, const std::vector<glm::dvec3
       squares += difference * difference;
       truth_squares += truth[i][c] * truth[i][c];
       sum += relative;
-      greatest = std::max(greatest, relative);
+      max = std::max(max, relative);
     }
-  return {std::sqrt(squares / truth_squares), sum / (3.0 * static_cast<double>(truth.size())), greatest};
+  return {std::sqrt(squares / truth_squares), sum / (3.0 * static_cast<double>(truth.size())), max};
 }
 
 }  // namespace mirrorball::bench

@@ -43,7 +43,7 @@ class TexelSums {
 struct Error {
   double relative_rms;  ///< root of the mean square of the differences, over that of the truth
   double mean;          ///< of the relative differences
-  double greatest;      ///< of them
+  double max;           ///< of them
 };
 Error errorOf(const std::vector<glm::dvec3>& found, const std::vector<glm::dvec3>& truth);
 

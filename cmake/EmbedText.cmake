@@ -1,11 +1,19 @@
 # cmake -DOUTPUT=embedded_text.cpp -DFILES="a.glsl|b.frag" -P EmbedText.cmake
 #
-# Writes the C++ file that holds the text of all FILES, for mirrorball::embeddedText(name).
+# Writes the C++ file that holds the text of all FILES, for mirrorball::embeddedText(name). A name is that of the file
+# without its folders, so no two may share one.
+cmake_minimum_required(VERSION 3.25)
+
 string(REPLACE "|" ";" files "${FILES}")
 
 set(entries "")
+set(names "")
 foreach(file IN LISTS files)
   get_filename_component(name "${file}" NAME)
+  if(name IN_LIST names)
+    message(FATAL_ERROR "two shader texts are named ${name}: rename ${file}")
+  endif()
+  list(APPEND names "${name}")
   file(READ "${file}" text)
   string(APPEND entries "    {\"${name}\", R\"mirrorball(${text})mirrorball\"},\n")
 endforeach()

@@ -8,14 +8,14 @@
 #include "formula/glsl_begin.inc"
 
 namespace mirrorball::formula {
-#include "formula/diffuse.glsl"
-#include "formula/ggx.glsl"
-#include "formula/microfacet.glsl"
-#include "formula/optics.glsl"
-#include "formula/phong.glsl"
-#include "formula/reflection_lobe.glsl"
+#include "formula/bsdf/diffuse.glsl"
+#include "formula/bsdf/ggx.glsl"
+#include "formula/bsdf/microfacet.glsl"
+#include "formula/bsdf/optics.glsl"
+#include "formula/bsdf/phong.glsl"
+#include "formula/bsdf/reflection_lobe.glsl"
 //
-#include "formula/brdf_table.glsl"
+#include "formula/bsdf/brdf_table.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

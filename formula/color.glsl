@@ -56,8 +56,8 @@ FN vec3 toneMapAces(vec3 light) {
 FN vec3 toneMapNeutral(vec3 light) {
   const float start = 0.8f - 0.04f;
   const float desaturation = 0.15f;
-  float least = min(light.x, min(light.y, light.z));
-  float offset = least < 0.08f ? least - 6.25f * least * least : 0.04f;
+  float darkest = min(light.x, min(light.y, light.z));
+  float offset = darkest < 0.08f ? darkest - 6.25f * darkest * darkest : 0.04f;
   vec3 color = light - offset;
   float peak = max(color.x, max(color.y, color.z));
   if (peak < start) return clamp(color, 0.0f, 1.0f);
@@ -76,10 +76,10 @@ FN float agxContrast(float x) {
 }
 
 FN float agxEncoded(float light) {
-  const float least = -12.47393f;  // stops below and above 1 that the curve spans
-  const float most = 4.026069f;
+  const float min_stops = -12.47393f;  // stops below and above 1 that the curve spans
+  const float max_stops = 4.026069f;
   float stops = log2(max(light, 1e-10f));
-  return (clamp(stops, least, most) - least) / (most - least);
+  return (clamp(stops, min_stops, max_stops) - min_stops) / (max_stops - min_stops);
 }
 
 // AgX (Troy Sobotka 2022), base look, Rec.709 in and out: inset, logarithm, sigmoid, outset; the result is encoded for a

@@ -7,10 +7,10 @@
 #include "formula/glsl_begin.inc"
 
 namespace mirrorball::formula {
-#include "formula/bright_light.glsl"
-#include "formula/harmonics.glsl"
-#include "formula/mip_mapping.glsl"
-#include "formula/mip_taps.glsl"
+#include "formula/prefilter/bright_light.glsl"
+#include "formula/prefilter/harmonics.glsl"
+#include "formula/prefilter/mip_mapping.glsl"
+#include "formula/prefilter/mip_taps.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

@@ -7,13 +7,13 @@
 #include "formula/glsl_begin.inc"
 
 namespace mirrorball::formula {
-#include "formula/cube.glsl"
-#include "formula/equiangular_cube.glsl"
-#include "formula/mirror_ball.glsl"
-#include "formula/octahedral.glsl"
-#include "formula/paraboloid.glsl"
-#include "formula/projection.glsl"
-#include "formula/sphere_map.glsl"
+#include "formula/projection/cube.glsl"
+#include "formula/projection/equiangular_cube.glsl"
+#include "formula/projection/mirror_ball.glsl"
+#include "formula/projection/octahedral.glsl"
+#include "formula/projection/paraboloid.glsl"
+#include "formula/projection/projection.glsl"
+#include "formula/projection/sphere_map.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

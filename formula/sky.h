@@ -9,8 +9,8 @@
 #include "formula/glsl_begin.inc"
 
 namespace mirrorball::formula {
-#include "formula/ground.glsl"
-#include "formula/sky.glsl"
+#include "formula/sky/ground.glsl"
+#include "formula/sky/sky.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

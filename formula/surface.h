@@ -13,11 +13,11 @@
 #include "formula/glsl_begin.inc"
 
 namespace mirrorball::formula {
-#include "formula/height.glsl"
-#include "formula/sampling.glsl"
+#include "formula/prefilter/sampling.glsl"
+#include "formula/surface/height.glsl"
 //
-#include "formula/blur.glsl"
-#include "formula/shading.glsl"
+#include "formula/prefilter/blur.glsl"
+#include "formula/surface/shading.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

@@ -5,7 +5,7 @@
 #include "formula/glsl_begin.inc"
 
 namespace mirrorball::formula {
-#include "formula/tangent.glsl"
+#include "formula/surface/tangent.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

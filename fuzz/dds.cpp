@@ -1,5 +1,5 @@
 #include "fuzz.h"
-#include "mirrorball/codec/texture_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
 
 MIRRORBALL_HARNESS(dds) {
   mirrorball::fuzz::checkError(mirrorball::decodeImageSet({data, size}, "a.dds"), "a.dds");

@@ -1,5 +1,5 @@
 #include "fuzz.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 
 MIRRORBALL_HARNESS(exr) {
   mirrorball::fuzz::checkError(mirrorball::decodeImage({data, size}, "a.exr"), "a.exr");

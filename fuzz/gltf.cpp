@@ -1,4 +1,4 @@
-#include "mirrorball/scene/gltf.h"
+#include "mirrorball/scene/gltf/gltf.h"
 
 #include "fuzz.h"
 

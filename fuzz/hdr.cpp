@@ -1,5 +1,5 @@
 #include "fuzz.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 
 MIRRORBALL_HARNESS(hdr) {
   mirrorball::fuzz::checkError(mirrorball::decodeImage({data, size}, "a.hdr"), "a.hdr");

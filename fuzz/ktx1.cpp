@@ -1,5 +1,5 @@
 #include "fuzz.h"
-#include "mirrorball/codec/texture_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
 
 MIRRORBALL_HARNESS(ktx1) {
   mirrorball::fuzz::checkError(mirrorball::decodeImageSet({data, size}, "a.ktx1"), "a.ktx1");

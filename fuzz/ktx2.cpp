@@ -1,5 +1,5 @@
 #include "fuzz.h"
-#include "mirrorball/codec/texture_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
 
 MIRRORBALL_HARNESS(ktx2) {
   mirrorball::fuzz::checkError(mirrorball::decodeImageSet({data, size}, "a.ktx2"), "a.ktx2");

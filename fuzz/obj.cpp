@@ -1,4 +1,4 @@
-#include "mirrorball/scene/obj.h"
+#include "mirrorball/scene/mesh_file/obj.h"
 
 #include "fuzz.h"
 

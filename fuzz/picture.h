@@ -4,7 +4,7 @@
 
 #include "fuzz.h"
 #include "mirrorball/base/memory.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 
 namespace mirrorball::fuzz {
 

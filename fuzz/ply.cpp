@@ -1,4 +1,4 @@
-#include "mirrorball/scene/ply.h"
+#include "mirrorball/scene/mesh_file/ply.h"
 
 #include "fuzz.h"
 

@@ -26,10 +26,10 @@ void mendChecksums(std::uint8_t* data, std::size_t size) {
 }  // namespace
 
 /// libFuzzer's own changes.
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max);
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
-  const std::size_t changed = LLVMFuzzerMutate(data, size, most);
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max, unsigned seed) {
+  const std::size_t changed = LLVMFuzzerMutate(data, size, max);
   if (seed % 2 == 0) mendChecksums(data, changed);
   return changed;
 }

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "fuzz.h"
-#include "mirrorball/codec/hdr.h"
+#include "mirrorball/codec/hdr/hdr.h"
 #include "mirrorball/codec/row_reader.h"
 
 namespace {

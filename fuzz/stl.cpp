@@ -1,4 +1,4 @@
-#include "mirrorball/scene/stl.h"
+#include "mirrorball/scene/mesh_file/stl.h"
 
 #include "fuzz.h"
 

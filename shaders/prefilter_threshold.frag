@@ -4,7 +4,7 @@
 #include "constants.glsl"
 
 uniform int stage;
-uniform float most;            // points of light
+uniform float max_count;            // points of light
 uniform sampler2D blocks;      // of the light, or of counts
 uniform sampler2D thresholds;  // that were counted
 
@@ -26,9 +26,9 @@ void main() {
   }
   vec4 counted = texelFetch(thresholds, ivec2(0), 0);
   if (stage == 1) {
-    fragment = fineThresholds(counted, sum, most);
+    fragment = fineThresholds(counted, sum, max_count);
     return;
   }
-  int chosen = firstWithin(sum, most);
+  int chosen = firstWithin(sum, max_count);
   fragment = chosen < 4 ? vec4(counted[chosen], float(chosen), sum[chosen], 0.0) : vec4(1e30, 0.0, 0.0, 0.0);
 }

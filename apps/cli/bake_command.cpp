@@ -23,8 +23,8 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/environment/builtin.h"
-#include "mirrorball/environment/preset.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/cube/preset.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -311,9 +311,9 @@ Result<void> settleBy(BakeRequest& request) {
   MIRRORBALL_TRY(set, engineSetFor(request.output.program));
   request.set = set;
   if (options.mip_mapping == MipMappingChoice::as_for) options.mip_mapping = set.mip_mapping;
-  if (options.levels > mostLevels(options.size))
+  if (options.levels > maxLevels(options.size))
     return fail(ErrorCode::usage, "--levels: --size " + std::to_string(options.size) + " has at most " +
-                                      std::to_string(mostLevels(options.size)) +
+                                      std::to_string(maxLevels(options.size)) +
                                       ", the last of one texel a face; ask for no more");
   const std::string extension = isFile(options.output) ? extensionOf(options.output) : options.extension;
   if (!extension.empty() && !indexOfName(extension, {&set.extension, 1})) return {};

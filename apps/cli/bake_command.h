@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cli/map_output.h"
-#include "mirrorball/bake/brdf_table.h"
-#include "mirrorball/bake/prefilter.h"
+#include "mirrorball/bake/brdf/brdf_table.h"
+#include "mirrorball/bake/prefilter/prefilter.h"
 #include "mirrorball/base/option.h"
 
 namespace mirrorball::cli {

@@ -16,8 +16,8 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/environment/convert.h"
-#include "mirrorball/environment/load.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/file/load.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -150,8 +150,8 @@ std::uint64_t bytesOfChain(const std::vector<PrefilterLevel>& levels) {
 
 /// How fine a skybox is, as far as it is left to us.
 int skyboxSize(const BakeOptions& options, const Environment& environment) {
-  constexpr int kMost = 1024;
-  return options.skybox_size > 0 ? options.skybox_size : std::min(environment.naturalSize(Projection::cube), kMost);
+  constexpr int kMax = 1024;
+  return options.skybox_size > 0 ? options.skybox_size : std::min(environment.naturalSize(Projection::cube), kMax);
 }
 
 Result<EnvironmentMap> skyboxOf(const Environment& environment, int size, const glm::mat3& source_from_target,

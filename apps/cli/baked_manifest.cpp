@@ -15,9 +15,9 @@
 #include "formula/bsdf.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/codec/stored_format.h"
-#include "mirrorball/environment/cube_arrangement.h"
-#include "mirrorball/environment/face_files.h"
+#include "mirrorball/codec/texture/stored_format.h"
+#include "mirrorball/environment/cube/cube_arrangement.h"
+#include "mirrorball/environment/file/face_files.h"
 
 namespace mirrorball::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "cli/brdf_file.h"
 #include "cli/cube_files.h"
 #include "cli/engine_set.h"
-#include "mirrorball/bake/spherical_harmonics.h"
+#include "mirrorball/bake/harmonics/spherical_harmonics.h"
 
 namespace mirrorball::cli {
 

@@ -5,7 +5,7 @@
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/codec/texture_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/image/image.h"
 
 namespace mirrorball::cli {

@@ -7,7 +7,7 @@
 #include "cli/commands.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/render/prefilter_cache.h"
+#include "mirrorball/render/light/prefilter_cache.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -36,7 +36,7 @@ Result<void> showOrClear(const std::string& what) {
   }
   std::printf("holds        %s\n", contentsText(cache->contents()).c_str());
   std::printf("at most      %s (MIRRORBALL_CACHE_SIZE); what was not used for longest goes first\n",
-              cache->mostBytes() == 0 ? "nothing" : textOfBytes(cache->mostBytes()).c_str());
+              cache->maxBytes() == 0 ? "nothing" : textOfBytes(cache->maxBytes()).c_str());
   return {};
 }
 

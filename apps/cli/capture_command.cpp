@@ -16,10 +16,11 @@
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/environment/convert.h"
-#include "mirrorball/render/cube_capture.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/projection/texel_geometry.h"
+#include "mirrorball/render/frame/cube_capture.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
@@ -38,8 +39,8 @@ const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
       .unit = "world units",
       .minimum = -1e15,
       .maximum = 1e15,
-      .fewest = 3,
-      .most = 3,
+      .min_count = 3,
+      .max_count = 3,
       .help = "needed: the point at which the light arrives",
       .group = "Capture"},
      &CaptureOptions::at},

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mirrorball/base/option.h"
-#include "mirrorball/render/render_options.h"
+#include "mirrorball/render/frame/render_options.h"
 
 namespace mirrorball::cli {
 

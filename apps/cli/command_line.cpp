@@ -14,7 +14,7 @@
 #include "cli/suggestions.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/convert/convert.h"
 
 namespace mirrorball::cli {
 

@@ -27,7 +27,7 @@ inline constexpr OptionText kRotateText{
     .name = "rotate",
     .value = "YAW[,PITCH[,ROLL]]",
     .unit = "degrees",
-    .most = 3,
+    .max_count = 3,
     .help = "turns the light about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, +Z towards +X",
     .also = "env-rotation"};
 

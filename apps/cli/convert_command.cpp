@@ -16,7 +16,7 @@
 #include "cli/standard_streams.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/environment/builtin.h"
+#include "mirrorball/environment/builtin/builtin.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -58,8 +58,8 @@ const std::array<Option<ConvertOptions>, 11> kConvertOptions{{
      choiceField<&ConvertOptions::filter>},
     {{.name = "centre",
       .value = "X,Y,Z",
-      .fewest = 3,
-      .most = 3,
+      .min_count = 3,
+      .max_count = 3,
       .help = "the input's direction that comes to the centre, +Z, before --rotate; up stays up",
       .also = "center"},
      &ConvertOptions::centre},

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mirrorball/base/option.h"
-#include "mirrorball/codec/display.h"
+#include "mirrorball/codec/color/display.h"
 #include "mirrorball/image/filter.h"
 
 namespace mirrorball::cli {

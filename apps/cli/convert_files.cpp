@@ -14,7 +14,7 @@
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/environment/convert_rows.h"
+#include "mirrorball/environment/convert/convert_rows.h"
 
 namespace mirrorball::cli {
 namespace {

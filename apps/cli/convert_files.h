@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/map_output.h"
-#include "mirrorball/environment/convert.h"
-#include "mirrorball/environment/load.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/file/load.h"
 
 namespace mirrorball::cli {
 

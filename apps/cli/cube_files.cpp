@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "mirrorball/codec/stored_format.h"
+#include "mirrorball/codec/texture/stored_format.h"
 
 namespace mirrorball::cli {
 namespace {

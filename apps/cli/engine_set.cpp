@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "mirrorball/environment/preset.h"
+#include "mirrorball/environment/cube/preset.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -40,7 +40,7 @@ int levelCount(const BakeRequest& request) {
   int levels = 1;
   while (levelSide(size, levels) >= request.set.smallest_face) ++levels;
   // As cmgen has it: one level would leave all surfaces mirrors.
-  return levels == 1 && request.set.files == SetFiles::cmgens ? mostLevels(size) : levels;
+  return levels == 1 && request.set.files == SetFiles::cmgens ? maxLevels(size) : levels;
 }
 
 }  // namespace mirrorball::cli

@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/codec/texture_file.h"
-#include "mirrorball/environment/builtin.h"
+#include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/environment/builtin/builtin.h"
 
 namespace mirrorball::cli {
 
@@ -89,9 +89,9 @@ Result<std::vector<std::string>> namesInFolder(
 }
 
 Error manyForOneFile(const std::string& output, const std::vector<std::string>& inputs) {
-  constexpr std::size_t kMostNamed = 3;
-  std::vector<std::string> named(inputs.begin(), inputs.begin() + std::ptrdiff_t(std::min(inputs.size(), kMostNamed)));
-  if (inputs.size() > kMostNamed) named.emplace_back("…");
+  constexpr std::size_t kMaxNamed = 3;
+  std::vector<std::string> named(inputs.begin(), inputs.begin() + std::ptrdiff_t(std::min(inputs.size(), kMaxNamed)));
+  if (inputs.size() > kMaxNamed) named.emplace_back("…");
   return {ErrorCode::usage, output + ": is one file, and there are " + std::to_string(inputs.size()) + " inputs (" +
                                 join(named) + "); give -o a folder"};
 }

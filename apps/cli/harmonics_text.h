@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "mirrorball/bake/filament_harmonics.h"
-#include "mirrorball/bake/spherical_harmonics.h"
+#include "mirrorball/bake/harmonics/filament_harmonics.h"
+#include "mirrorball/bake/harmonics/spherical_harmonics.h"
 
 namespace mirrorball::cli {
 

@@ -18,8 +18,8 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/metadata.h"
-#include "mirrorball/environment/builtin.h"
-#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/convert/convert.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -27,8 +27,8 @@ namespace {
 const std::array<Option<InfoOptions>, 4> kInfoOptions{{
     {{.name = "direction",
       .value = "X,Y,Z",
-      .fewest = 3,
-      .most = 3,
+      .min_count = 3,
+      .max_count = 3,
       .help = "print where that direction is found: cube face, (s, t) and texel, and the texel of each projection"},
      &InfoOptions::direction},
     {{.name = "json", .help = "print JSON: an object for one file, an array for several"}, &InfoOptions::json},

@@ -45,7 +45,7 @@ std::string fileText(const MapInfo& map) {
 }
 
 std::string statisticsText(const RadianceStatistics& statistics) {
-  return line("range", text(statistics.least) + " to " + text(statistics.greatest)) +
+  return line("range", text(statistics.min) + " to " + text(statistics.max)) +
          line("mean", text(statistics.mean) + " over the sphere") +
          line("brightest", text(statistics.brightest) + " from direction " + text(statistics.brightest_direction));
 }

@@ -9,8 +9,8 @@
 #include <glm/glm.hpp>
 
 #include "cli/brdf_file.h"
-#include "mirrorball/bake/filament_harmonics.h"
-#include "mirrorball/environment/load.h"
+#include "mirrorball/bake/harmonics/filament_harmonics.h"
+#include "mirrorball/environment/file/load.h"
 #include "mirrorball/environment/statistics.h"
 
 namespace mirrorball::cli {

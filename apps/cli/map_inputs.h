@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "mirrorball/environment/load.h"
+#include "mirrorball/environment/file/load.h"
 
 namespace mirrorball::cli {
 

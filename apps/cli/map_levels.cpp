@@ -8,10 +8,10 @@
 
 #include "cli/map_output.h"
 #include "cli/terminal.h"
-#include "mirrorball/bake/mip_chain.h"
+#include "mirrorball/bake/prefilter/mip_chain.h"
 #include "mirrorball/base/memory.h"
-#include "mirrorball/codec/codec.h"
-#include "mirrorball/environment/recognize.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/environment/file/recognize.h"
 #include "mirrorball/image/level_sheet.h"
 
 namespace mirrorball::cli {

@@ -8,10 +8,10 @@
 #include "cli/files.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/codec/stored_format.h"
-#include "mirrorball/environment/recognize.h"
+#include "mirrorball/codec/texture/stored_format.h"
+#include "mirrorball/environment/file/recognize.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -180,7 +180,7 @@ Result<Projection> projectionToWrite(const std::string& name) {
 
 LightLimits lightLimits(const MapOutputOptions& options) {
   LightLimits limits{.scale = options.scale_light};
-  if (options.clamp_light > 0.0f) limits.most = options.clamp_light;
+  if (options.clamp_light > 0.0f) limits.max = options.clamp_light;
   return limits;
 }
 
@@ -287,7 +287,7 @@ LostLight MapOutput::limitLevels(ImageSet& levels) const {
     for (int face = 0; face < levels.faces(); ++face) {
       Image& image = levels.at(level, face);
       const glm::ivec2 extent(image.width(), image.height());
-      const LostLight here = limitLight(form_.projection, extent, {0, 0}, mostOf(*format_), image);
+      const LostLight here = limitLight(form_.projection, extent, {0, 0}, maxOf(*format_), image);
       if (level == 0) lost.add(here);
     }
   return lost;
@@ -343,7 +343,7 @@ Result<void> MapOutput::writePieces(int size, const std::function<Result<void>(c
     MIRRORBALL_TRY_VOID(convert_to([&](int face, glm::ivec2 begin, const Image& texels) -> Result<void> {
       if (!limitsLight()) return writer.write(face, begin, texels);
       Image limited = texels;
-      const LostLight lost = limitLight(projection, imageSize(projection, size), begin, mostOf(*format_), limited);
+      const LostLight lost = limitLight(projection, imageSize(projection, size), begin, maxOf(*format_), limited);
       const std::size_t negative = refusesNegativeLight(format) ? raiseNegativeLight(limited) : 0;
       {
         const std::scoped_lock lock(lost_guard);
@@ -394,7 +394,7 @@ std::uint64_t MapOutput::memoryToWrite(int size) const {
 }
 
 Result<void> MapOutput::write(EnvironmentMap map) const {
-  if (limitsLight()) tellLost(limitLight(map, {.most = mostOf(*format_)}));
+  if (limitsLight()) tellLost(limitLight(map, {.max = maxOf(*format_)}));
   const std::size_t negative = refusesNegative() ? raiseNegativeLight(map) : 0;
   if (!hasLevels()) return writeFiles(imagesOf(std::move(map), form_), negative);
   MIRRORBALL_TRY(levels, levelsOf(std::move(map)));

@@ -10,11 +10,11 @@
 
 #include "cli/command.h"
 #include "mirrorball/base/option.h"
-#include "mirrorball/codec/display.h"
-#include "mirrorball/codec/texture_file.h"
-#include "mirrorball/environment/convert.h"
-#include "mirrorball/environment/light_limits.h"
-#include "mirrorball/environment/preset.h"
+#include "mirrorball/codec/color/display.h"
+#include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/cube/preset.h"
+#include "mirrorball/environment/file/light_limits.h"
 
 namespace mirrorball::cli {
 

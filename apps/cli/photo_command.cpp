@@ -15,9 +15,9 @@
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/photo/find_ball.h"
 #include "mirrorball/photo/merge.h"
 #include "mirrorball/photo/outline_picture.h"
@@ -50,8 +50,8 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
     {{.name = "circle",
       .value = "X,Y,R",
       .unit = "pixels",
-      .fewest = 3,
-      .most = 3,
+      .min_count = 3,
+      .max_count = 3,
       .help = "the ball's centre, from the upright photograph's top left corner, and radius, instead of finding it",
       .group = "Ball and camera"},
      &PhotoOptions::circle},
@@ -99,8 +99,8 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
     {{.name = "second-circle",
       .value = "X,Y,R",
       .unit = "pixels",
-      .fewest = 3,
-      .most = 3,
+      .min_count = 3,
+      .max_count = 3,
       .help = "the ball in the second photograph",
       .group = "Second side"},
      &PhotoOptions::second_circle},

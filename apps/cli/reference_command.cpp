@@ -10,8 +10,8 @@
 #include "cli/reference_text.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/environment/builtin.h"
-#include "mirrorball/scene/material.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/scene/material/material.h"
 
 namespace mirrorball::cli {
 namespace {

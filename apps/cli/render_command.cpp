@@ -15,11 +15,11 @@
 #include "cli/stage_clock.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/render/renderer.h"
-#include "mirrorball/render/turntable.h"
-#include "mirrorball/scene/framing.h"
+#include "mirrorball/render/frame/renderer.h"
+#include "mirrorball/render/frame/turntable.h"
+#include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {

@@ -12,8 +12,8 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/environment/builtin.h"
-#include "mirrorball/environment/load.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/file/load.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {

@@ -8,8 +8,8 @@
 #include "cli/stage_clock.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/context.h"
-#include "mirrorball/render/environment_light.h"
-#include "mirrorball/render/render_options.h"
+#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball::cli {

@@ -62,7 +62,7 @@ Result<void> writeAll(int to, std::span<const std::uint8_t> bytes, const char* n
 /// Copies all that there is to read.
 ///
 /// errors   io; too_large: more than `most` bytes; interrupted
-Result<void> copyAll(int from, int to, const char* name, std::uint64_t most) {
+Result<void> copyAll(int from, int to, const char* name, std::uint64_t max) {
   std::array<std::uint8_t, kPieceBytes> piece;
   std::uint64_t copied = 0;
   while (true) {
@@ -76,7 +76,7 @@ Result<void> copyAll(int from, int to, const char* name, std::uint64_t most) {
     if (count < 0) return failed(name, "reading failed");
     if (count == 0) return {};
     copied += static_cast<std::uint64_t>(count);
-    if (copied > most) return checkMemory(name, copied);
+    if (copied > max) return checkMemory(name, copied);
     MIRRORBALL_TRY_VOID(writeAll(to, std::span(piece).first(static_cast<std::size_t>(count)), name));
   }
 }

@@ -9,9 +9,9 @@
 
 #include "cli/files.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/environment/builtin.h"
+#include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/scene/load_model.h"
-#include "mirrorball/scene/material.h"
+#include "mirrorball/scene/material/material.h"
 
 namespace mirrorball::cli {
 namespace {

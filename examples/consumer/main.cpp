@@ -5,10 +5,10 @@
 
 #include "formula/formula.h"
 #include "mirrorball/base/result.h"
-#include "mirrorball/codec/codec.h"
-#include "mirrorball/environment/builtin.h"
-#include "mirrorball/environment/convert.h"
-#include "mirrorball/environment/cube_layout.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/cube/cube_layout.h"
 
 namespace {
 

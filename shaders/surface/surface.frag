@@ -1,5 +1,5 @@
 // A surface lit by its environment. Each line "part: …" is a question; which file answers it, SurfaceVariant says
-// (render/surface_variant.h). What each part defines stands at the top of its files; docs/architecture.md tells how a part
+// (render/surface/surface_variant.h). What each part defines stands at the top of its files; docs/architecture.md tells how a part
 // is added.
 #include "frame_block.glsl"
 #include "instance_block.glsl"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/cli_testing.h"
-#include "mirrorball/environment/preset.h"
+#include "mirrorball/environment/cube/preset.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -35,7 +35,7 @@ TEST_F(BadConvertOptionTest, AWrongNameListsTheRightOnes) {
       {"--to cube -o a.ktx2 --mips --mip gauss", {"--mip", "'gauss'", "auto, solid-angle, box"}},
       {"--to cube -o a.exr --flip sideways", {"'sideways'", "none, horizontal, vertical, both"}},
       {"--to cube -o a.exr --filter bicubik", {"--filter", "did you mean 'bicubic'?", "bilinear, bicubic"}},
-      {"--to cube -o a.exr --layout cross", {"did you mean 'hcross'?", "hstrip, vstrip, 3x2, seed"}},
+      {"--to cube -o a.exr --layout cross", {"did you mean 'hcross'?", "hstrip, vstrip, 3x2, lecture"}},
       {"--to cube -o a.exr --half", {"--half"}},
   });
   const std::string programs = refuse(2, "convert white --to cube -o a.exr --for maya");
@@ -80,7 +80,7 @@ TEST_F(BadConvertOptionTest, WhatAFileCannotHoldIsToldWithWhatCan) {
 }
 
 TEST_F(BadConvertOptionTest, WhatSaysNothingOfTheProjectionIsRefused) {
-  for (const std::string option : {"--layout seed", "--as-seen", "--flip both", "--face-order -x+x+y-y+z-z"})
+  for (const std::string option : {"--layout lecture", "--as-seen", "--flip both", "--face-order -x+x+y-y+z-z"})
     for (const std::string to : {"sphere", "equirect", "octahedral", "paraboloid"})
       EXPECT_THAT(refuse(2, "convert white --to " + to + " -o a.exr " + option),
                   AllOf(HasSubstr(option.substr(0, option.find(' '))), HasSubstr("for cubes"), HasSubstr(to)));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/cli_testing.h"
-#include "mirrorball/scene/gltf_testing.h"
+#include "mirrorball/scene/gltf/gltf_testing.h"
 
 namespace mirrorball::testing {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_testing.h"
-#include "mirrorball/environment/projection.h"
+#include "mirrorball/environment/projection/projection.h"
 
 namespace mirrorball::testing {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "cli/cli_testing.h"
 #include "cli/measure.h"
-#include "mirrorball/bake/filament_harmonics.h"
-#include "mirrorball/environment/projection.h"
+#include "mirrorball/bake/harmonics/filament_harmonics.h"
+#include "mirrorball/environment/projection/projection.h"
 
 namespace mirrorball::testing {
 namespace {

@@ -29,13 +29,13 @@ class BakePicturesTest : public CliTest {
 
   /// The greatest difference of light, of images with alpha or without.
   static float difference(const Image& a, const Image& b) {
-    float greatest = 0.0f;
+    float max = 0.0f;
     for (int y = 0; y < a.height(); ++y)
       for (int x = 0; x < a.width(); ++x) {
         const glm::vec3 between = glm::abs(rgbAt(a, x, y) - rgbAt(b, x, y));
-        greatest = std::max({greatest, between.x, between.y, between.z});
+        max = std::max({max, between.x, between.y, between.z});
       }
-    return greatest;
+    return max;
   }
 
   /// Whether six pictures are the faces of a texture's level.

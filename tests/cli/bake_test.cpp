@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_testing.h"
-#include "mirrorball/bake/prefilter_testing.h"
-#include "mirrorball/environment/convert.h"
+#include "mirrorball/bake/prefilter/prefilter_testing.h"
+#include "mirrorball/environment/convert/convert.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -138,11 +138,11 @@ TEST_F(BakeTest, ASunThatHalfFloatsDoNotHoldIsKeptAndTold) {
   const Outcome outcome = run("bake sun.exr --size 64 -o chain.ktx2");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.err, HasSubstr("32-bit floats"));
-  float greatest = 0.0f;
+  float max = 0.0f;
   const ImageSet chain = texture("chain.ktx2");
   for (int face = 0; face < 6; ++face)
-    for (const float sample : chain.at(0, face).samples()) greatest = std::max(greatest, sample);
-  EXPECT_GT(greatest, 65504.0f);
+    for (const float sample : chain.at(0, face).samples()) max = std::max(max, sample);
+  EXPECT_GT(max, 65504.0f);
 }
 
 TEST_F(BakeTest, NegativeLightIsTakenAsDarkAndTold) {

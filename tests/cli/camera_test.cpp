@@ -97,19 +97,19 @@ TEST_F(CameraCliTest, UpSaysWhichAxisOfTheModelPointsUpwards) {
 TEST_F(CameraCliTest, ATeapotFillsThePicture) {
   for (const char* how : {"", " --orthographic", " --camera 120,-40", " --up z"}) {
     const Image picture = draw(std::string("teapot --background transparent") + how);
-    glm::ivec2 least(64);
-    glm::ivec2 most(-1);
+    glm::ivec2 min(64);
+    glm::ivec2 max(-1);
     for (int y = 0; y < 64; ++y)
       for (int x = 0; x < 64; ++x)
         if (rgbaAt(picture, x, y).w > 0.0f) {
-          least = glm::min(least, glm::ivec2(x, y));
-          most = glm::max(most, glm::ivec2(x, y));
+          min = glm::min(min, glm::ivec2(x, y));
+          max = glm::max(max, glm::ivec2(x, y));
         }
-    const glm::ivec2 extent = most - least + 1;
+    const glm::ivec2 extent = max - min + 1;
     // 15/16 of 64 pixels, and at each end a part of one.
     EXPECT_NEAR(std::max(extent.x, extent.y), 61, 1) << how;
-    EXPECT_NEAR(least.x + most.x, 63, 1) << how;
-    EXPECT_NEAR(least.y + most.y, 63, 1) << how;
+    EXPECT_NEAR(min.x + max.x, 63, 1) << how;
+    EXPECT_NEAR(min.y + max.y, 63, 1) << how;
   }
 }
 

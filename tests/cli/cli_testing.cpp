@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/gl/context.h"
 #include "test_data.h"

@@ -11,9 +11,9 @@
 
 #include "cli/program.h"
 #include "mirrorball/base/file.h"
-#include "mirrorball/codec/codec.h"
-#include "mirrorball/codec/texture_file.h"
-#include "mirrorball/environment/load.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/environment/file/load.h"
 #include "test_data.h"
 
 namespace mirrorball::testing {

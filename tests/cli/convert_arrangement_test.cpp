@@ -1,4 +1,4 @@
-// How a cube lies in files: --as-seen, --flip, --face-order, the seed's cross, and what six files are called.
+// How a cube lies in files: --as-seen, --flip, --face-order, the lecture's cross, and what six files are called.
 
 #include <array>
 #include <string>
@@ -86,15 +86,16 @@ TEST_F(ConvertArrangementTest, ACrossOfTurnedFacesGoesOnAcrossItsEdges) {
 // A rigid unfolding with +Y to the right of +Z: the row is turned by a quarter, which orientationOfName does not know,
 // +X hangs upright below the top, -X on its head above it.
 TEST_F(ConvertArrangementTest, TheSeedsCrossHasTheRowOfBottomFrontTopBack) {
-  succeed("convert uv --to cube --size 64 --layout seed -o seed.exr");
-  expectCells("seed.exr", {{"", "", "-X", ""}, {"-Y", "+Z", "+Y", "-Z"}, {"", "", "+X", ""}}, "");
-  const Image seed = image("seed.exr");
-  EXPECT_EQ(orientationOfName(seed, {0.5f, 2.0f / 3.0f}, {0.25f, 1.0f / 3.0f}), "mirrored");
-  EXPECT_EQ(orientationOfName(seed, {0.5f, 0.0f}, {0.25f, 1.0f / 3.0f}), "mirrored and turned");
+  succeed("convert uv --to cube --size 64 --layout lecture -o lecture.exr");
+  expectCells("lecture.exr", {{"", "", "-X", ""}, {"-Y", "+Z", "+Y", "-Z"}, {"", "", "+X", ""}}, "");
+  const Image lecture = image("lecture.exr");
+  EXPECT_EQ(orientationOfName(lecture, {0.5f, 2.0f / 3.0f}, {0.25f, 1.0f / 3.0f}), "mirrored");
+  EXPECT_EQ(orientationOfName(lecture, {0.5f, 0.0f}, {0.25f, 1.0f / 3.0f}), "mirrored and turned");
   succeed("convert uv --to cube --size 64 --layout faces -o uv.exr");
   const Image front = image("uv_pz.exr");
   for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 64; ++x) EXPECT_EQ(rgbAt(seed, 64 + 63 - y, 64 + x), rgbAt(front, x, y)) << "turned clockwise";
+    for (int x = 0; x < 64; ++x)
+      EXPECT_EQ(rgbAt(lecture, 64 + 63 - y, 64 + x), rgbAt(front, x, y)) << "turned clockwise";
 }
 
 TEST_F(ConvertArrangementTest, EveryArrangementComesBackTheSame) {
@@ -105,9 +106,9 @@ TEST_F(ConvertArrangementTest, EveryArrangementComesBackTheSame) {
     const char* options;
     const char* from;  ///< the same in words of --from
   };
-  for (const Way& way : {Way{"--layout seed", "seed"}, Way{"--as-seen", "hcross:as-seen"},
+  for (const Way& way : {Way{"--layout lecture", "lecture"}, Way{"--as-seen", "hcross:as-seen"},
                          Way{"--flip vertical --layout vcross", "vcross:flip=vertical"},
-                         Way{"--flip both --layout seed", "seed:flip=both"},
+                         Way{"--flip both --layout lecture", "lecture:flip=both"},
                          Way{"--face-order -y+y-z+z-x+x --layout vstrip", "vstrip:order=-y+y-z+z-x+x"},
                          Way{"--as-seen --face-order -y+y-z+z-x+x", "hcross:as-seen,order=-y+y-z+z-x+x"}}) {
     succeed("convert map.exr --to cube --size 16 -o its.exr " + std::string(way.options));

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/cli_testing.h"
-#include "mirrorball/codec/display.h"
-#include "mirrorball/codec/srgb.h"
+#include "mirrorball/codec/color/display.h"
+#include "mirrorball/codec/color/srgb.h"
 
 namespace mirrorball::testing {
 namespace {

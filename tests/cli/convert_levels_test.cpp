@@ -7,7 +7,7 @@
 
 #include "cli/cli_testing.h"
 #include "cli/measure.h"
-#include "mirrorball/codec/texture_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -61,7 +61,7 @@ TEST_F(ConvertLevelsTest, ASheetHasEachLevelInTheLayout) {
     succeed("convert map.exr --to cube --size 8 --level " + std::to_string(level) + " -o level.exr");
     const Image alone = image("level.exr");
     EXPECT_EQ(sizeOf(alone), glm::ivec2(32, 24) / (1 << level));
-    EXPECT_EQ(greatestDifference(cut(sheet, corner, sizeOf(alone)), alone), 0.0) << "level " << level;
+    EXPECT_EQ(maxDifference(cut(sheet, corner, sizeOf(alone)), alone), 0.0) << "level " << level;
     corner = level == 0 ? glm::ivec2(33, 0) : corner + glm::ivec2(0, alone.height());
   }
   for (int y = corner.y; y < 24; ++y) EXPECT_EQ(rgbAt(sheet, 40, y), glm::vec3(0.0f)) << "the rest is black";
@@ -79,7 +79,7 @@ TEST_F(ConvertLevelsTest, WideMapsHaveTheirLevelsBelow) {
   succeed("convert map.exr --mips -o sheet.exr");
   EXPECT_EQ(sizeOf(image("sheet.exr")), glm::ivec2(64, 49));
   succeed("convert map.exr --level 1 -o level.exr");
-  EXPECT_EQ(greatestDifference(cut(image("sheet.exr"), {0, 33}, {32, 16}), image("level.exr")), 0.0);
+  EXPECT_EQ(maxDifference(cut(image("sheet.exr"), {0, 33}, {32, 16}), image("level.exr")), 0.0);
   succeed("convert map.exr --to cube --size 8 --layout hstrip --mips -o strip.exr");
   EXPECT_EQ(sizeOf(image("strip.exr")), glm::ivec2(48, 13));
 }
@@ -92,8 +92,8 @@ TEST_F(ConvertLevelsTest, SixFilesAreASheetOfEachFace) {
                                    "sheet_px.png", "sheet_py.png", "sheet_pz.png"));
   const Image front = image("sheet_pz.png");
   EXPECT_EQ(sizeOf(front), glm::ivec2(13, 8));
-  EXPECT_EQ(greatestDifference(cut(front, {0, 0}, {8, 8}), cut(image("cross.png"), {8, 8}, {8, 8})), 0.0);
-  EXPECT_EQ(greatestDifference(cut(front, {9, 0}, {4, 4}), cut(image("cross.png"), {37, 4}, {4, 4})), 0.0);
+  EXPECT_EQ(maxDifference(cut(front, {0, 0}, {8, 8}), cut(image("cross.png"), {8, 8}, {8, 8})), 0.0);
+  EXPECT_EQ(maxDifference(cut(front, {9, 0}, {4, 4}), cut(image("cross.png"), {37, 4}, {4, 4})), 0.0);
 }
 
 TEST_F(ConvertLevelsTest, EveryFormatShowsThem) {
@@ -112,7 +112,7 @@ TEST_F(ConvertLevelsTest, OneLevelIsATextureToo) {
   succeed("convert map.exr --to cube --size 8 --level 2 --format float32 -o two.ktx2");
   ASSERT_EQ(levelsIn("two.ktx2"), 1);
   for (int face = 0; face < 6; ++face)
-    EXPECT_EQ(greatestDifference(texture("two.ktx2").at(0, face), texture("all.ktx2").at(2, face)), 0.0);
+    EXPECT_EQ(maxDifference(texture("two.ktx2").at(0, face), texture("all.ktx2").at(2, face)), 0.0);
 }
 
 TEST_F(ConvertLevelsTest, WeightsCount) {
@@ -133,7 +133,7 @@ TEST_F(ConvertLevelsTest, OddPanoramasHaveLevelsToo) {
     EXPECT_EQ(sizeOf(image("sheet.exr")), glm::ivec2(30, 23));
     succeed("convert map.exr --size 15 --mips -o own.ktx2" + program);
     succeed("convert own.ktx2 --mips -o again.exr" + program);
-    EXPECT_LT(greatestDifference(image("again.exr"), image("sheet.exr")), 2e-3) << "half floats of light up to 2";
+    EXPECT_LT(maxDifference(image("again.exr"), image("sheet.exr")), 2e-3) << "half floats of light up to 2";
   }
 }
 
@@ -206,14 +206,13 @@ TEST_F(ConvertLevelsTest, WhatBakeWroteIsSeen) {
   const ImageSet chain = texture("specular.ktx2");
   ASSERT_EQ(chain.levels(), 4);
   succeed("convert specular.ktx2 --level 3 --layout faces -o last.exr");
-  EXPECT_EQ(greatestDifference(image("last_py.exr"),
-                               [&] {
-                                 Image rgb(4, 4, 3);
-                                 for (int y = 0; y < 4; ++y)
-                                   for (int x = 0; x < 4; ++x)
-                                     std::copy_n(chain.at(3, 2).texel(x, y), 3, rgb.texel(x, y));
-                                 return rgb;
-                               }()),
+  EXPECT_EQ(maxDifference(image("last_py.exr"),
+                          [&] {
+                            Image rgb(4, 4, 3);
+                            for (int y = 0; y < 4; ++y)
+                              for (int x = 0; x < 4; ++x) std::copy_n(chain.at(3, 2).texel(x, y), 3, rgb.texel(x, y));
+                            return rgb;
+                          }()),
             0.0);
   EXPECT_THAT(refuse(2, "convert specular.ktx2 --level 4 -o a.png"),
               HasSubstr("a.png: there is no level 4; the last is 3"));

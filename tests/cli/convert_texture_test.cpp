@@ -7,7 +7,8 @@
 
 #include "cli/cli_testing.h"
 #include "cli/measure.h"
-#include "mirrorball/codec/texture_testing.h"
+#include "mirrorball/codec/texture/texture_testing.h"
+#include "mirrorball/environment/projection/texel_geometry.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -19,15 +20,14 @@ constexpr std::array<const char*, 6> kEndings{"px", "nx", "py", "ny", "pz", "nz"
 
 /// The greatest difference of two images' colours, as a share of the brightest channel of each texel.
 float relativeDifference(const Image& image, const Image& exact) {
-  float greatest = 0.0f;
+  float max = 0.0f;
   for (int y = 0; y < exact.height(); ++y)
     for (int x = 0; x < exact.width(); ++x) {
       const glm::vec3 light = rgbAt(exact, x, y);
       const glm::vec3 difference = glm::abs(rgbAt(image, x, y) - light);
-      greatest = std::max(greatest,
-                          std::max({difference.x, difference.y, difference.z}) / std::max({light.x, light.y, light.z}));
+      max = std::max(max, std::max({difference.x, difference.y, difference.z}) / std::max({light.x, light.y, light.z}));
     }
-  return greatest;
+  return max;
 }
 
 /// ∫ L dω over one level of a cube.
@@ -158,8 +158,7 @@ TEST_F(ConvertTextureTest, ZstandardMakesTheFileSmallerAndNothingElse) {
     const ImageSet small = texture("small.ktx2");
     ASSERT_EQ(small.levels(), plain.levels());
     for (int level = 0; level < plain.levels(); ++level)
-      for (int face = 0; face < 6; ++face)
-        EXPECT_EQ(greatestDifference(small.at(level, face), plain.at(level, face)), 0.0);
+      for (int face = 0; face < 6; ++face) EXPECT_EQ(maxDifference(small.at(level, face), plain.at(level, face)), 0.0);
   }
 }
 
@@ -175,11 +174,11 @@ TEST_F(ConvertTextureTest, LightBeyondHalfFloatsIsKeptInFloatsWithARemark) {
     EXPECT_EQ(outcome.err,
               "mirrorball: note: " + file + ": holds light that half floats do not; written in 32-bit floats\n");
     EXPECT_THAT(succeed("info " + file), HasSubstr("r32g32b32a32 sfloat"));
-    float greatest = 0.0f;
+    float max = 0.0f;
     const ImageSet images = texture(file);
     for (int face = 0; face < 6; ++face)
-      for (const float sample : images.at(0, face).samples()) greatest = std::max(greatest, sample);
-    EXPECT_GT(greatest, 5e5f) << output;
+      for (const float sample : images.at(0, face).samples()) max = std::max(max, sample);
+    EXPECT_GT(max, 5e5f) << output;
   }
 }
 

@@ -9,14 +9,14 @@
 #include "cli/cli_testing.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
-#include "mirrorball/codec/texture_file.h"
-#include "mirrorball/environment/builtin.h"
-#include "mirrorball/environment/cube_layout.h"
-#include "mirrorball/environment/preset.h"
-#include "mirrorball/environment/projection.h"
-#include "mirrorball/render/render_options.h"
+#include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/cube/cube_layout.h"
+#include "mirrorball/environment/cube/preset.h"
+#include "mirrorball/environment/projection/projection.h"
+#include "mirrorball/render/frame/render_options.h"
 #include "mirrorball/scene/load_model.h"
-#include "mirrorball/scene/material.h"
+#include "mirrorball/scene/material/material.h"
 
 namespace mirrorball::testing {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cli/cli_testing.h"
+#include "mirrorball/codec/ldr/webp_testing.h"
 #include "mirrorball/codec/picture_testing.h"
-#include "mirrorball/codec/tiff_testing.h"
-#include "mirrorball/codec/webp_testing.h"
+#include "mirrorball/codec/tiff/tiff_testing.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -84,7 +84,7 @@ TEST_F(InfoTest, SaysWhatABuiltInIs) {
   EXPECT_THAT(said, HasSubstr("mean         1 1 1 over the sphere\n"));
 }
 
-// The third seed's example, {−0.84, 0.23, 0.49}, worked out by hand.
+// The example of the lecture's third text, {−0.84, 0.23, 0.49}, worked out by hand.
 //   cube      x is the longest and negative: face −X, sc = z, tc = −y, |ma| = 0.84:
 //             s = (0.49 / 0.84 + 1) / 2 = 0.79167, t = (−0.23 / 0.84 + 1) / 2 = 0.36310;
 //             of 512 texels ⌊405.33⌋ and ⌊185.90⌋

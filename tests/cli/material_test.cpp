@@ -1,6 +1,6 @@
 // Materials by name, and their parameters.
 
-#include "mirrorball/scene/material.h"
+#include "mirrorball/scene/material/material.h"
 
 #include <map>
 #include <string>

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "formula/color.h"
-#include "mirrorball/render/render_options.h"
+#include "mirrorball/render/frame/render_options.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -92,11 +92,11 @@ double meanDifference(const Image& a, const Image& b) {
   return sum / static_cast<double>(a.samples().size());
 }
 
-double greatestDifference(const Image& a, const Image& b) {
-  double greatest = 0.0;
-  if (!forEachDifference(a, b, [&](double difference) { greatest = std::max(greatest, difference); }))
+double maxDifference(const Image& a, const Image& b) {
+  double max = 0.0;
+  if (!forEachDifference(a, b, [&](double difference) { max = std::max(max, difference); }))
     return std::numeric_limits<double>::infinity();
-  return greatest;
+  return max;
 }
 
 }  // namespace mirrorball::testing

@@ -40,6 +40,6 @@ Contents contentsOf(const Image& picture);
 
 /// Over all samples of two images of one size and kind; infinite where they are not.
 double meanDifference(const Image& a, const Image& b);
-double greatestDifference(const Image& a, const Image& b);
+double maxDifference(const Image& a, const Image& b);
 
 }  // namespace mirrorball::testing

@@ -70,7 +70,7 @@ TEST_F(RoundTripTest, EveryCubeLayoutComesBackTheSame) {
 TEST_F(RoundTripTest, TheSamePanoramaAgainIsTheSameFile) {
   succeed("convert original.exr --to equirect -o again.exr");
   // A float's angles put a place 10⁻⁵ of a texel beside its centre, where a lamp's edge falls by 9 from texel to texel.
-  EXPECT_LT(greatestDifference(image("again.exr"), image("original.exr")), 3e-4);
+  EXPECT_LT(maxDifference(image("again.exr"), image("original.exr")), 3e-4);
 }
 
 // What each file can hold of light: 32-bit floats all, halves 11 bits, RGBE 8 bits of the greatest channel,
@@ -86,10 +86,10 @@ TEST_F(RoundTripTest, FilesKeepTheirPrecision) {
   for (int y = 0; y < exact.height(); ++y)
     for (int x = 0; x < exact.width(); ++x) {
       const glm::vec3 light = rgbAt(exact, x, y);
-      const float greatest = std::max({light.x, light.y, light.z});
+      const float max = std::max({light.x, light.y, light.z});
       for (int channel = 0; channel < 3; ++channel) {
         EXPECT_NEAR(rgbAt(half, x, y)[channel], light[channel], light[channel] / 2048.0f);
-        EXPECT_NEAR(rgbAt(rgbe, x, y)[channel], light[channel], greatest / 255.0f);
+        EXPECT_NEAR(rgbAt(rgbe, x, y)[channel], light[channel], max / 255.0f);
       }
     }
 }
@@ -107,9 +107,9 @@ TEST_F(RoundTripTest, APngIsReadAsItWasWritten) {
   succeed("convert uv --to equirect --size 64 -o uv.exr");
   succeed("convert uv --to equirect --size 64 -o uv.png");
   // The steepest part of sRGB's curve, at white, makes a step of 1/255 a difference of 2.3/255 in light.
-  EXPECT_LT(greatestDifference(image("uv.png"), image("uv.exr")), 0.5 * 2.3 / 255.0);
+  EXPECT_LT(maxDifference(image("uv.png"), image("uv.exr")), 0.5 * 2.3 / 255.0);
   succeed("convert uv.png --to equirect -o again.png");
-  EXPECT_EQ(greatestDifference(image("uv.png"), image("again.png")), 0.0);
+  EXPECT_EQ(maxDifference(image("uv.png"), image("again.png")), 0.0);
 }
 
 }  // namespace

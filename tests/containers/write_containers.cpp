@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <string>
 
-#include "mirrorball/codec/bc6h.h"
-#include "mirrorball/codec/texture_file.h"
-#include "mirrorball/codec/texture_testing.h"
+#include "mirrorball/codec/bc6h/bc6h.h"
+#include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/codec/texture/texture_testing.h"
 
 namespace {
 

@@ -12,21 +12,21 @@ namespace {
 constexpr float kTexel_rad = 0.003f;
 
 TEST(Ground, NoiseIsSmoothAndFillsItsRange) {
-  float least = 1.0f;
-  float most = 0.0f;
+  float min = 1.0f;
+  float max = 0.0f;
   double sum = 0.0;
   constexpr int kSteps = 20000;
   for (int i = 0; i < kSteps; ++i) {
     const vec2 place(0.0137f * static_cast<float>(i), -0.0071f * static_cast<float>(i));
     const float here = groundNoise(place);
     EXPECT_NEAR(groundNoise(place + 1e-3f), here, 4e-3f) << "at " << place.x << ", " << place.y;
-    least = std::min(least, here);
-    most = std::max(most, here);
+    min = std::min(min, here);
+    max = std::max(max, here);
     sum += double(here);
   }
-  EXPECT_GE(least, 0.0f);
-  EXPECT_LE(most, 1.0f);
-  EXPECT_GT(most - least, 0.9f);
+  EXPECT_GE(min, 0.0f);
+  EXPECT_LE(max, 1.0f);
+  EXPECT_GT(max - min, 0.9f);
   EXPECT_NEAR(sum / kSteps, 0.5, 0.03);
 }
 

@@ -20,7 +20,7 @@ struct Case {
   const char* name;            ///< of pictures/NAME.png and of the test
   const char* command;         ///< what follows `mirrorball`, without -o; single spaces between the words
   const Tolerance* tolerance;  ///< one of a few, each with its reason, in cases.cpp
-  const char* least_error;     ///< an option of the command, changed to the smallest mistake that the case must find
+  const char* min_error;       ///< an option of the command, changed to the smallest mistake that the case must find
 };
 
 /// The table of them, each with built-in inputs only, so that it runs everywhere.

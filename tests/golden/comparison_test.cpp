@@ -12,7 +12,7 @@
 
 #include "golden/cases.h"
 #include "golden/golden_picture.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 
 namespace mirrorball::golden {
 namespace {

@@ -6,7 +6,7 @@
 #include "golden/comparison.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 
 namespace mirrorball::golden {
 namespace {

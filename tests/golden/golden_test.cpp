@@ -17,7 +17,7 @@
 #include "golden/golden_picture.h"
 #include "golden/made_picture.h"
 #include "mirrorball/base/file.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 #include "mirrorball/gl/gl_testing.h"
 
 namespace mirrorball::golden {

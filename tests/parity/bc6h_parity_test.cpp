@@ -8,7 +8,7 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
-#include "mirrorball/codec/bc6h_block.h"
+#include "mirrorball/codec/bc6h/bc6h_block.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/image/small_float.h"
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <regex>
 
+#include "shaders/embedded_text.h"
+
 namespace mirrorball::parity {
 namespace {
 
@@ -50,7 +52,7 @@ void collect(const std::vector<FormulaFile>& files, std::string_view name, std::
 
 std::vector<FormulaFile> allFormulaFiles() {
   std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(sourceFolder() / "formula")) {
+  for (const auto& entry : fs::recursive_directory_iterator(sourceFolder() / "formula")) {
     if (entry.path().extension() == ".glsl") paths.push_back(entry.path());
   }
   std::ranges::sort(paths);
@@ -68,12 +70,11 @@ std::string includesOf(const std::vector<FormulaFile>& files, std::string_view n
 }
 
 std::optional<std::string_view> findParityText(std::string_view name) {
+  if (const auto embedded = embeddedText(name)) return embedded;
   static std::map<std::string, std::string, std::less<>> texts;
   if (const auto known = texts.find(name); known != texts.end()) return known->second;
-  for (const char* folder : {"formula", "tests/parity"}) {
-    const fs::path path = sourceFolder() / folder / name;
-    if (fs::exists(path)) return texts.emplace(name, readText(path)).first->second;
-  }
+  const fs::path path = sourceFolder() / "tests/parity" / name;
+  if (fs::exists(path)) return texts.emplace(name, readText(path)).first->second;
   return std::nullopt;
 }
 

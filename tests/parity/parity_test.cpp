@@ -17,7 +17,7 @@
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/gl/program.h"
-#include "mirrorball/render/surface_variant.h"
+#include "mirrorball/render/surface/surface_variant.h"
 #include "parity/formula_files.h"
 #include "parity/parity_case.h"
 

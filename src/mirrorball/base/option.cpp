@@ -32,9 +32,9 @@ std::vector<Alias> aliasesOf(const OptionText& text) {
 }
 
 /// The option with the limits that there are where it has none of its own.
-OptionText bounded(OptionText text, double most) {
-  if (!std::isfinite(text.minimum)) text.minimum = -most;
-  if (!std::isfinite(text.maximum)) text.maximum = most;
+OptionText bounded(OptionText text, double limit) {
+  if (!std::isfinite(text.minimum)) text.minimum = -limit;
+  if (!std::isfinite(text.maximum)) text.maximum = limit;
   return text;
 }
 
@@ -50,15 +50,15 @@ OptionText toldOf(const OptionText& text, const OptionText& bounds, std::string_
 /// "fov takes a number in degrees (1 … 170); it was given 'wide'"
 tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, std::string_view given) {
   std::string message = std::string(text.name) + " takes " + std::string(wants);
-  if (!text.unit.empty()) message += (text.most > 1 ? ", in " : " in ") + std::string(text.unit);
+  if (!text.unit.empty()) message += (text.max_count > 1 ? ", in " : " in ") + std::string(text.unit);
   if (const std::string range = rangeText(text); !range.empty()) message += " (" + range + ")";
   return fail(ErrorCode::usage, message + "; it was given '" + std::string(given) + "'");
 }
 
 std::string wantedNumbers(const OptionText& text) {
-  if (text.most == 1) return "a number";
-  if (text.fewest == text.most) return std::to_string(text.most) + " numbers with commas between";
-  return std::to_string(text.fewest) + " to " + std::to_string(text.most) + " numbers with commas between";
+  if (text.max_count == 1) return "a number";
+  if (text.min_count == text.max_count) return std::to_string(text.max_count) + " numbers with commas between";
+  return std::to_string(text.min_count) + " to " + std::to_string(text.max_count) + " numbers with commas between";
 }
 
 /// The numbers between commas, if each is one and within the range.
@@ -78,7 +78,7 @@ Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view
   const OptionText bounds = bounded(text, kLargestNumber);
   const auto numbers = numbersIn(bounds, written);
   const int count = numbers ? static_cast<int>(numbers->size()) : 0;
-  if (count < text.fewest || count > text.most)
+  if (count < text.min_count || count > text.max_count)
     return misused(toldOf(text, bounds, written), wantedNumbers(text), written);
   return *numbers;
 }
@@ -89,7 +89,7 @@ Result<glm::vec3> parseVector(const OptionText& text, std::string_view written) 
   if (numbers && numbers->size() == 1) return glm::vec3((*numbers)[0]);
   if (numbers && numbers->size() == 3) return glm::vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
   OptionText several = toldOf(text, bounds, written);
-  several.most = 3;
+  several.max_count = 3;
   return misused(several, "one or three numbers with commas between", written);
 }
 

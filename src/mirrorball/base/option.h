@@ -23,8 +23,8 @@ struct OptionText {
   std::string_view unit = {};   ///< "degrees"; empty for a pure number
   double minimum = -std::numeric_limits<double>::infinity();  ///< of each number
   double maximum = std::numeric_limits<double>::infinity();
-  int fewest = 1;  ///< how many numbers a list takes
-  int most = 1;
+  int min_count = 1;  ///< how many numbers a list takes
+  int max_count = 1;
   std::string_view choices = {};  ///< "exact|schlick|empirical": the values of an enumeration, in its order
   std::string_view aliases = {};  ///< "linear=bilinear|cubic=bicubic": other ways to write a choice
   std::string_view help = {};     ///< one sentence

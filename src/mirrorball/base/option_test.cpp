@@ -23,7 +23,7 @@ struct Camera {
 
 const Option<Camera> kFov{{.name = "fov", .unit = "degrees", .minimum = 1, .maximum = 170}, &Camera::fov_deg};
 const Option<Camera> kTarget{{.name = "target"}, &Camera::target};
-const Option<Camera> kOrbit{{.name = "orbit", .fewest = 2, .most = 3}, &Camera::orbit};
+const Option<Camera> kOrbit{{.name = "orbit", .min_count = 2, .max_count = 3}, &Camera::orbit};
 const Option<Camera> kLens{{.name = "lens", .choices = "wide|tele"}, choiceField<&Camera::lens>};
 const Option<Camera> kSamples{{.name = "samples", .minimum = 1, .maximum = 64}, &Camera::samples};
 const Option<Camera> kOn{{.name = "on"}, &Camera::on};

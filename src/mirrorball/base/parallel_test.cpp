@@ -34,15 +34,15 @@ TEST(ParallelFor, KeepsToItsLimitOfThreads) {
     std::mutex mutex;
     std::set<std::thread::id> seen;
     std::atomic<int> now = 0;
-    std::atomic<int> most = 0;
+    std::atomic<int> max = 0;
     parallelFor(64, 1, [&](std::size_t, std::size_t) {
-      most = std::max(most.load(), ++now);
+      max = std::max(max.load(), ++now);
       std::this_thread::sleep_for(std::chrono::microseconds(200));
       --now;
       const std::lock_guard lock(mutex);
       seen.insert(std::this_thread::get_id());
     });
-    EXPECT_LE(most, limit);
+    EXPECT_LE(max, limit);
     if (limit == 1) {
       EXPECT_EQ(seen, std::set{std::this_thread::get_id()});
     }

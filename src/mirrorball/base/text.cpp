@@ -45,12 +45,12 @@ std::string_view withoutDashes(std::string_view name) {
 
 /// How far a text is from the nearest of the parts between '-' that a word is made of; of a word of one part it is nothing.
 std::optional<std::size_t> distanceToPart(std::string_view text, const std::string& word) {
-  std::optional<std::size_t> least;
+  std::optional<std::size_t> min;
   const std::vector<std::string> parts = split(word, '-');
   for (const std::string& part : parts)
-    if (const std::size_t distance = editDistance(text, part); parts.size() > 1 && (!least || distance < *least))
-      least = distance;
-  return least;
+    if (const std::size_t distance = editDistance(text, part); parts.size() > 1 && (!min || distance < *min))
+      min = distance;
+  return min;
 }
 
 }  // namespace
@@ -130,20 +130,20 @@ std::optional<std::size_t> indexOfName(std::string_view written, std::span<const
 }
 
 std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words) {
-  constexpr std::size_t kMostEdits = 3;
+  constexpr std::size_t kMaxEdits = 3;
   constexpr std::size_t kShortestPart = 3;
   const std::string given = folded(withoutDashes(text));
   std::optional<std::string_view> nearest;
-  const auto look = [&](std::size_t most_edits, const auto& distance_to) {
-    std::size_t least = most_edits + 1;
+  const auto look = [&](std::size_t max_edits, const auto& distance_to) {
+    std::size_t min = max_edits + 1;
     for (const std::string_view word : words) {
       const std::optional<std::size_t> distance = distance_to(folded(withoutDashes(word)));
-      if (!distance || *distance >= least) continue;
-      least = *distance;
+      if (!distance || *distance >= min) continue;
+      min = *distance;
       nearest = word;
     }
   };
-  look(std::min((given.size() + 1) / 3, kMostEdits),
+  look(std::min((given.size() + 1) / 3, kMaxEdits),
        [&](const std::string& word) { return std::optional(editDistance(given, word)); });
   // A part says less than a whole word, and so has to be closer.
   if (!nearest && given.size() >= kShortestPart)

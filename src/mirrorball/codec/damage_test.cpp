@@ -9,16 +9,16 @@
 #include <ImfTiledRgbaFile.h>
 #include <gtest/gtest.h>
 
-#include "mirrorball/codec/codec.h"
-#include "mirrorball/codec/codec_testing.h"
-#include "mirrorball/codec/exr.h"
-#include "mirrorball/codec/exr_stream.h"
-#include "mirrorball/codec/hdr.h"
-#include "mirrorball/codec/jpeg.h"
+#include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/exr/exr.h"
+#include "mirrorball/codec/exr/exr_stream.h"
+#include "mirrorball/codec/hdr/hdr.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/image_file_testing.h"
+#include "mirrorball/codec/ldr/jpeg.h"
+#include "mirrorball/codec/ldr/png.h"
+#include "mirrorball/codec/ldr/webp_testing.h"
 #include "mirrorball/codec/picture_testing.h"
-#include "mirrorball/codec/png.h"
-#include "mirrorball/codec/srgb.h"
-#include "mirrorball/codec/webp_testing.h"
 
 namespace mirrorball {
 namespace {

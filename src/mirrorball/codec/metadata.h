@@ -4,11 +4,11 @@
 #include <string_view>
 
 #include "mirrorball/base/result.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 
 namespace mirrorball {
 
-/// Under this key Filament's KTX files hold the harmonics of their irradiance (bake/filament_harmonics.h).
+/// Under this key Filament's KTX files hold the harmonics of their irradiance (bake/harmonics/filament_harmonics.h).
 inline constexpr const char* kFilamentHarmonicsKey = "sh";
 
 /// Whether `key` is one of ours: "envmap", "sh", or "mirrorball:" and a word. All others in a file are left unread.

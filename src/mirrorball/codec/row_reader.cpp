@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "mirrorball/codec/exr.h"
-#include "mirrorball/codec/exr_rows.h"
-#include "mirrorball/codec/hdr.h"
-#include "mirrorball/codec/hdr_rows.h"
+#include "mirrorball/codec/exr/exr.h"
+#include "mirrorball/codec/exr/exr_rows.h"
+#include "mirrorball/codec/hdr/hdr.h"
+#include "mirrorball/codec/hdr/hdr_rows.h"
 #include "mirrorball/codec/within_memory.h"
 
 namespace mirrorball {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "mirrorball/base/result.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 
 namespace mirrorball {
 

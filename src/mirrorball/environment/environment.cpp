@@ -1,5 +1,7 @@
 #include "mirrorball/environment/environment.h"
 
+#include "mirrorball/environment/projection/texel_geometry.h"
+
 namespace mirrorball {
 
 glm::vec3 Environment::radiance(glm::vec3 direction) const {

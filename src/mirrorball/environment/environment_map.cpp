@@ -21,8 +21,8 @@ constexpr TexelRange kNoTexels{glm::vec3(std::numeric_limits<float>::max()),
                                glm::vec3(std::numeric_limits<float>::lowest())};
 
 void include(TexelRange& range, glm::vec3 texel) {
-  range.least = glm::min(range.least, texel);
-  range.most = glm::max(range.most, texel);
+  range.min = glm::min(range.min, texel);
+  range.max = glm::max(range.max, texel);
 }
 
 }  // namespace
@@ -65,16 +65,16 @@ void EnvironmentMap::dropRowsBefore(int row) {
   rows_.begin = first;
 }
 
-constexpr int kLeastSizeOfCubic = 4;
+constexpr int kMinSizeOfCubic = 4;
 
 glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolation) const {
   if (projection_ == Projection::hemioctahedral && direction.z < 0.0f) return glm::vec3(0.0f);
   const MapPosition place = positionOf(projection_, direction);
   const glm::vec2 position = place.uv * glm::vec2(extent_);
   // Of the fewest texels a cubic would reach over several borders.
-  if (interpolation == Interpolation::bicubic && hasCharts(projection_) && size() < kLeastSizeOfCubic)
+  if (interpolation == Interpolation::bicubic && hasSmoothRegions(projection_) && size() < kMinSizeOfCubic)
     interpolation = Interpolation::bilinear;
-  if (interpolation == Interpolation::bicubic && hasCharts(projection_)) {
+  if (interpolation == Interpolation::bicubic && hasSmoothRegions(projection_)) {
     return cubicOnChart(place, position);
   }
   return radianceBetweenTexels(place.face, position, interpolation);
@@ -155,33 +155,33 @@ glm::vec4 EnvironmentMap::fetchTowards(int face_index, int x, int y) const {
   return glm::vec4(glm::vec3(light), light.w > 0.0f ? 1.0f : 0.0f);
 }
 
-/// Between the texels of one chart. Near its border there are stand-ins for texels among them, and where contrast is high
+/// Between the texels of one smooth region. Near its border there are stand-ins for texels among them, and where contrast is high
 /// those do not keep the sum of a sun's light; the map's own texels do.
 glm::vec3 EnvironmentMap::cubicOnChart(const MapPosition& place, glm::vec2 position) const {
-  const Chart chart(projection_, size(), place);
-  bool has_left_chart = false;
+  const SmoothRegion region(projection_, size(), place);
+  bool has_left_region = false;
   TexelRange all = kNoTexels;
   const auto fetch_texel = [&](int x, int y) {
-    has_left_chart = has_left_chart || !chart.holds(centerOf(x, y));
-    const glm::vec4 texel = fetchOnChart(chart, x, y);
+    has_left_region = has_left_region || !region.holds(centerOf(x, y));
+    const glm::vec4 texel = fetchInRegion(region, x, y);
     include(all, glm::vec3(texel));
     return texel;
   };
   const glm::vec3 cubic(bicubic(position, fetch_texel));
-  const float share = has_left_chart ? shareByContrast(all) : 1.0f;
+  const float share = has_left_region ? shareByContrast(all) : 1.0f;
   if (share == 1.0f) return cubic;
   return glm::mix(radianceBetweenTexels(place.face, position), cubic, share);
 }
 
-/// A texel for `bicubic` as if the chart went on beyond its border. There the chart that shows the same direction answers
+/// A texel for `bicubic` as if the region went on beyond its border. There the region that shows the same direction answers
 /// with a cubic through texels of its own, for across the border between them texels lie on a line with a kink.
-glm::vec4 EnvironmentMap::fetchOnChart(const Chart& chart, int x, int y) const {
+glm::vec4 EnvironmentMap::fetchInRegion(const SmoothRegion& region, int x, int y) const {
   const glm::vec2 center = centerOf(x, y);
-  if (chart.holds(center)) return glm::vec4(rgbAt(face(chart.face()), x, y), 1.0f);
+  if (region.holds(center)) return glm::vec4(rgbAt(face(region.face()), x, y), 1.0f);
   const auto side = static_cast<float>(size());
-  const MapPosition place = chart.placeOf(center);
+  const MapPosition place = region.placeOf(center);
   const glm::vec2 position = place.uv * side;
-  if (const auto texels = Chart(projection_, size(), place).tenTexels(position))
+  if (const auto texels = SmoothRegion(projection_, size(), place).cubicStencil(position))
     return glm::vec4(cubicThrough(place.face, *texels, radianceBetweenTexels(place.face, position)), 1.0f);
   return bilinear(position, [&](int i, int j) { return fetch(place.face, i, j); });
 }
@@ -190,7 +190,7 @@ glm::vec4 EnvironmentMap::fetchOnChart(const Chart& chart, int x, int y) const {
 /// beside them it holds too; since it swings there, it is kept within their range and from high contrast.
 ///
 /// straight  the answer of bilinear interpolation
-glm::vec3 EnvironmentMap::cubicThrough(int face_index, const TenTexels& texels, glm::vec3 straight) const {
+glm::vec3 EnvironmentMap::cubicThrough(int face_index, const CubicStencil& texels, glm::vec3 straight) const {
   const std::array<float, 4> across = risingProducts(texels.inside.x);
   const std::array<float, 4> down = risingProducts(texels.inside.y);
   const std::array<float, 4> rest = risingProducts(3.0f - texels.inside.x - texels.inside.y);
@@ -208,10 +208,10 @@ glm::vec3 EnvironmentMap::cubicThrough(int face_index, const TenTexels& texels, 
   // Beyond the edge of one half there is nothing that light could come from: it goes on as it went among the texels.
   const bool is_beyond = projection_ == Projection::hemioctahedral && std::min(texels.inside.x, texels.inside.y) < 0.0f;
   if (is_beyond) {
-    const glm::vec3 half = (all.most - all.least) / 2.0f;
-    range = {glm::max(all.least - half, glm::min(all.least, 0.0f)), all.most + half};
+    const glm::vec3 half = (all.max - all.min) / 2.0f;
+    range = {glm::max(all.min - half, glm::min(all.min, 0.0f)), all.max + half};
   }
-  return glm::clamp(straight + shareByContrast(all) * (sum - straight), range.least, range.most);
+  return glm::clamp(straight + shareByContrast(all) * (sum - straight), range.min, range.max);
 }
 
 std::size_t raiseNegativeLight(Image& image) {

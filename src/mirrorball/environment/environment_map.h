@@ -4,8 +4,8 @@
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/environment/chart.h"
-#include "mirrorball/environment/projection.h"
+#include "mirrorball/environment/projection/projection.h"
+#include "mirrorball/environment/projection/smooth_region.h"
 #include "mirrorball/image/filter.h"
 #include "mirrorball/image/image_set.h"
 
@@ -68,8 +68,8 @@ class EnvironmentMap {
   glm::vec3 radianceBetweenTexels(int face, glm::vec2 position,
                                   Interpolation interpolation = Interpolation::bilinear) const;
   glm::vec3 cubicOnChart(const MapPosition& place, glm::vec2 position) const;
-  glm::vec4 fetchOnChart(const Chart& chart, int x, int y) const;
-  glm::vec3 cubicThrough(int face, const TenTexels& texels, glm::vec3 straight) const;
+  glm::vec4 fetchInRegion(const SmoothRegion& region, int x, int y) const;
+  glm::vec3 cubicThrough(int face, const CubicStencil& texels, glm::vec3 straight) const;
 
   Projection projection_ = Projection::equirect;
   bool has_disc_ = false;

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 
 namespace mirrorball {

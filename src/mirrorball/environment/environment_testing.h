@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/environment/environment.h"
+#include "mirrorball/environment/projection/texel_geometry.h"
 
 namespace mirrorball::testing {
 

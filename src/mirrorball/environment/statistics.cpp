@@ -4,14 +4,15 @@
 #include <limits>
 
 #include "formula/color.h"
+#include "mirrorball/environment/projection/texel_geometry.h"
 
 namespace mirrorball {
 
 RadianceStatistics radianceStatistics(const EnvironmentMap& map) {
   RadianceStatistics statistics;
-  statistics.least = glm::vec3(std::numeric_limits<float>::infinity());
-  statistics.greatest = -statistics.least;
-  float greatest_luminance = -std::numeric_limits<float>::infinity();
+  statistics.min = glm::vec3(std::numeric_limits<float>::infinity());
+  statistics.max = -statistics.min;
+  float max_luminance = -std::numeric_limits<float>::infinity();
   glm::dvec3 flux(0.0);
   double solid_angle = 0.0;
   for (int face = 0; face < map.faces(); ++face) {
@@ -22,12 +23,12 @@ RadianceStatistics radianceStatistics(const EnvironmentMap& map) {
         const glm::vec3 light = rgbAt(image, x, y);
         const float weight = texelSolidAngle(map.projection(), size, {x, y});
         if (weight == 0.0f || !std::isfinite(light.x + light.y + light.z)) continue;
-        statistics.least = glm::min(statistics.least, light);
-        statistics.greatest = glm::max(statistics.greatest, light);
+        statistics.min = glm::min(statistics.min, light);
+        statistics.max = glm::max(statistics.max, light);
         flux += glm::dvec3(light) * double(weight);
         solid_angle += double(weight);
-        if (formula::luminance(light) <= greatest_luminance) continue;
-        greatest_luminance = formula::luminance(light);
+        if (formula::luminance(light) <= max_luminance) continue;
+        max_luminance = formula::luminance(light);
         statistics.brightest = light;
         statistics.brightest_direction =
             directionAt(map.projection(), {face, (glm::vec2(x, y) + 0.5f) / glm::vec2(size)});

@@ -8,8 +8,8 @@ namespace mirrorball {
 
 /// What `info` says about the light in a map. Texels that are not finite, or beside a disc, count nowhere.
 struct RadianceStatistics {
-  glm::vec3 least{0.0f};
-  glm::vec3 greatest{0.0f};
+  glm::vec3 min{0.0f};
+  glm::vec3 max{0.0f};
   glm::vec3 mean{0.0f};                             ///< over the sphere, weighted by solid angle [radiance]
   glm::vec3 brightest_direction{0.0f, 0.0f, 1.0f};  ///< of the texel with the greatest luminance
   glm::vec3 brightest{0.0f};                        ///< its radiance

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mirrorball/environment/convert.h"
+#include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 
 namespace mirrorball {
@@ -29,8 +29,8 @@ TEST(RadianceStatistics, FindTheBrightestTexelAndSkipBadOnes) {
   image.texel(1, 0)[0] = std::numeric_limits<float>::quiet_NaN();
   const EnvironmentMap map(Projection::equirect, ImageSet(std::move(image)));
   const RadianceStatistics statistics = radianceStatistics(map);
-  EXPECT_EQ(statistics.greatest, glm::vec3(1, 5, 1));
-  EXPECT_EQ(statistics.least, glm::vec3(1));
+  EXPECT_EQ(statistics.max, glm::vec3(1, 5, 1));
+  EXPECT_EQ(statistics.min, glm::vec3(1));
   EXPECT_EQ(statistics.brightest, glm::vec3(1, 5, 1));
   EXPECT_EQ(statistics.brightest_direction, directionAt(Projection::equirect, {0, {6.5f / 8.0f, 1.5f / 4.0f}}));
 }

@@ -131,8 +131,8 @@ Result<Texture> Texture::make(Format format, bool is_cube, int width, int height
     return fail(ErrorCode::too_large, what + " texels is larger than the " + std::to_string(largest) +
                                           " texels a side that the graphics driver takes");
   }
-  const int most = allLevels(std::max(width, height));
-  Texture texture(format, is_cube, width, height, levels == kAllLevels ? most : std::min(levels, most));
+  const int max = allLevels(std::max(width, height));
+  Texture texture(format, is_cube, width, height, levels == kAllLevels ? max : std::min(levels, max));
   if (glGetError() == GL_OUT_OF_MEMORY) {
     return fail(ErrorCode::too_large, what + " texels does not fit into the graphics memory");
   }

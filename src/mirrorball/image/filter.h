@@ -43,8 +43,8 @@ glm::vec4 bilinear(glm::vec2 position, Fetch&& fetch) {
 
 /// Texels that a curve runs through, in each channel.
 struct TexelRange {
-  glm::vec3 least;
-  glm::vec3 most;
+  glm::vec3 min;
+  glm::vec3 max;
 };
 
 /// How much of a curve's way from the straight line may be gone where the texels it runs through differ as these do: all
@@ -55,9 +55,9 @@ struct TexelRange {
 ///
 /// returns  in [0, 1]
 inline float shareByContrast(const TexelRange& all) {
-  const float little = std::max({all.most.x, all.most.y, all.most.z, 0.0f}) / 64.0f;
-  const glm::vec3 dark = all.least + little;
-  const glm::vec3 shares = glm::max(dark - (all.most + little) / 16.0f, 0.0f) / glm::max(dark / 2.0f, 1e-30f);
+  const float little = std::max({all.max.x, all.max.y, all.max.z, 0.0f}) / 64.0f;
+  const glm::vec3 dark = all.min + little;
+  const glm::vec3 shares = glm::max(dark - (all.max + little) / 16.0f, 0.0f) / glm::max(dark / 2.0f, 1e-30f);
   return std::min({shares.x, shares.y, shares.z, 1.0f});
 }
 
@@ -76,7 +76,7 @@ struct LimitedCubic {
 /// on that side: there, as far outside as the least of those four differences allows, and never below zero.
 ///
 /// most_share   of its way from the straight line that it may go
-inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t, float most_share = 1.0f) {
+inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t, float max_share = 1.0f) {
   const auto& [before, first, second, after] = texels;
   const glm::vec3 half_slope = 0.5f * (second - first);
   const glm::vec3 from_first = before - first;
@@ -89,14 +89,14 @@ inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t
 
   const TexelRange both{glm::min(first, second), glm::max(first, second)};
   const auto shareAmong = [&both](glm::vec3 one, glm::vec3 other) {
-    return shareByContrast({glm::min(both.least, glm::min(one, other)), glm::max(both.most, glm::max(one, other))});
+    return shareByContrast({glm::min(both.min, glm::min(one, other)), glm::max(both.max, glm::max(one, other))});
   };
-  const float share = most_share * shareAmong(before, after);
+  const float share = max_share * shareAmong(before, after);
   const glm::vec3 trough = glm::max(glm::min(glm::min(bend, next_bend), glm::min(from_first, from_second)), 0.0f);
   const glm::vec3 peak = -glm::min(glm::max(glm::max(bend, next_bend), glm::max(from_first, from_second)), 0.0f);
-  const TexelRange range{glm::max(both.least - 2.0f * arch * trough, glm::min(both.least, 0.0f)),
-                         both.most + 2.0f * arch * peak};
-  return {glm::clamp(straight + share * change, range.least, range.most),
+  const TexelRange range{glm::max(both.min - 2.0f * arch * trough, glm::min(both.min, 0.0f)),
+                         both.max + 2.0f * arch * peak};
+  return {glm::clamp(straight + share * change, range.min, range.max),
           shareAmong(first + (1.0f - t) * from_first, second + t * from_second)};
 }
 
@@ -112,7 +112,7 @@ glm::vec4 bicubic(glm::vec2 position, Fetch&& fetch) {
   const float left = std::floor(position.x - 0.5f);
   const float top = std::floor(position.y - 0.5f);
   std::array<glm::vec3, 4> columns;
-  float least_share = 1.0f;
+  float min_share = 1.0f;
   for (std::size_t i = 0; i < 4; ++i) {
     std::array<glm::vec3, 4> column;
     for (std::size_t j = 0; j < 4; ++j) {
@@ -123,9 +123,9 @@ glm::vec4 bicubic(glm::vec2 position, Fetch&& fetch) {
     }
     const LimitedCubic down = limitedCubic(column, position.y - 0.5f - top);
     columns[i] = down.light;
-    least_share = std::min(least_share, down.crossing_share);
+    min_share = std::min(min_share, down.crossing_share);
   }
-  return glm::vec4(limitedCubic(columns, position.x - 0.5f - left, least_share).light, 1.0f);
+  return glm::vec4(limitedCubic(columns, position.x - 0.5f - left, min_share).light, 1.0f);
 }
 
 template <typename Fetch>

@@ -25,8 +25,8 @@ TEST(Bicubic, BesideABrightTexelNothingIsDarkerThanTheTexels) {
   }
   const auto negative = [](float) { return -2.0f; };
   EXPECT_NEAR(atColumn(4.3f, negative), -2.0f, 1e-5f);
-  const auto greatest = [](float x) { return x == 4.0f ? 3e38f : 1.0f; };
-  for (float x = 1.0f; x < 8.0f; x += 0.25f) EXPECT_TRUE(std::isfinite(atColumn(x, greatest))) << x;
+  const auto max = [](float x) { return x == 4.0f ? 3e38f : 1.0f; };
+  for (float x = 1.0f; x < 8.0f; x += 0.25f) EXPECT_TRUE(std::isfinite(atColumn(x, max))) << x;
 }
 
 TEST(Bicubic, NoneOfTheColoursOfASunsEdgeIsMissing) {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "mirrorball/photo/lens.h"
+#include "mirrorball/photo/pinhole.h"
 
 namespace mirrorball {
 

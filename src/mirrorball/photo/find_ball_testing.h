@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mirrorball/codec/jpeg.h"
-#include "mirrorball/environment/builtin.h"
+#include "mirrorball/codec/ldr/jpeg.h"
+#include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/photo/find_ball.h"
 #include "mirrorball/photo/photo_testing.h"
 

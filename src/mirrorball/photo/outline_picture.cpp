@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "mirrorball/codec/srgb.h"
+#include "mirrorball/codec/color/srgb.h"
 
 namespace mirrorball {
 namespace {

@@ -8,9 +8,9 @@
 #include <glm/gtc/constants.hpp>
 
 #include "mirrorball/base/parallel.h"
-#include "mirrorball/codec/srgb.h"
+#include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/environment/environment.h"
-#include "mirrorball/photo/lens.h"
+#include "mirrorball/photo/pinhole.h"
 
 namespace mirrorball::testing {
 

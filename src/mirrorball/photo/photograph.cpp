@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mirrorball/codec/codec.h"
-#include "mirrorball/codec/jpeg.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/ldr/jpeg.h"
 #include "mirrorball/image/upright.h"
 
 namespace mirrorball {

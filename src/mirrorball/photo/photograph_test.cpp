@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mirrorball/codec/codec.h"
-#include "mirrorball/codec/jpeg.h"
-#include "mirrorball/codec/tiff_testing.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/ldr/jpeg.h"
+#include "mirrorball/codec/tiff/tiff_testing.h"
 #include "mirrorball/photo/exif_testing.h"
 
 namespace mirrorball {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mirrorball/image/image.h"
-#include "mirrorball/photo/lens.h"
+#include "mirrorball/photo/pinhole.h"
 
 namespace mirrorball {
 

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "formula/constants.h"
-#include "mirrorball/codec/jpeg.h"
-#include "mirrorball/environment/builtin.h"
-#include "mirrorball/environment/convert.h"
+#include "mirrorball/codec/ldr/jpeg.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/photo/fill.h"
 #include "mirrorball/photo/find_ball.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "mirrorball/render/environment_light.h"
+#include "mirrorball/render/light/environment_light.h"
 
 namespace mirrorball::testing {
 

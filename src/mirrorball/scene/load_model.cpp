@@ -11,15 +11,15 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/codec.h"
-#include "mirrorball/codec/texture_file.h"
-#include "mirrorball/scene/builtin_shapes.h"
-#include "mirrorball/scene/gltf.h"
-#include "mirrorball/scene/obj.h"
-#include "mirrorball/scene/ply.h"
-#include "mirrorball/scene/showcase.h"
-#include "mirrorball/scene/stl.h"
-#include "mirrorball/scene/teapot.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/scene/gltf/gltf.h"
+#include "mirrorball/scene/mesh_file/obj.h"
+#include "mirrorball/scene/mesh_file/ply.h"
+#include "mirrorball/scene/mesh_file/stl.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+#include "mirrorball/scene/shapes/showcase.h"
+#include "mirrorball/scene/shapes/teapot.h"
 
 namespace mirrorball {
 namespace {
@@ -106,13 +106,13 @@ std::vector<std::string> modelsIn(const std::filesystem::path& folder) {
 
 /// The error for a folder in a model's place. Who names one has unpacked a model into it.
 tl::unexpected<Error> folderForModel(const std::string& folder) {
-  constexpr std::size_t kMostNamed = 4;
+  constexpr std::size_t kMaxNamed = 4;
   std::vector<std::string> models = modelsIn(folder);
   if (models.empty())
     return fail(ErrorCode::unsupported, folder + ": is a folder without a model (" + modelExtensions() + ")");
   const bool is_one = models.size() == 1;
-  if (models.size() > kMostNamed) {
-    models.resize(kMostNamed);
+  if (models.size() > kMaxNamed) {
+    models.resize(kMaxNamed);
     models.emplace_back("…");
   }
   return fail(ErrorCode::unsupported, folder + ": is a folder; name " +

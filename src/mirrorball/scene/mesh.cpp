@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "mirrorball/scene/corner_angle.h"
+#include "mirrorball/scene/mesh_file/corner_angle.h"
 
 namespace mirrorball {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mirrorball/scene/builtin_shapes.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
 namespace {

@@ -47,7 +47,7 @@ inline std::size_t openEdgeCount(const Mesh& mesh) {
 /// Expects unit normals that agree with the triangles' winding, and unit tangents in the surface.
 ///
 /// least_cosine  between a triangle's normal and those of its corners
-inline void expectSound(const Mesh& mesh, float least_cosine) {
+inline void expectSound(const Mesh& mesh, float min_cosine) {
   ASSERT_FALSE(mesh.indices.empty());
   ASSERT_EQ(mesh.indices.size() % 3, 0u);
   for (const Vertex& vertex : mesh.vertices) {
@@ -63,19 +63,19 @@ inline void expectSound(const Mesh& mesh, float least_cosine) {
     const glm::dvec3 normal =
         glm::normalize(glm::cross(glm::dvec3(corner(1).position) - origin, glm::dvec3(corner(2).position) - origin));
     for (std::size_t k = 0; k < 3; ++k)
-      ASSERT_GT(glm::dot(normal, glm::dvec3(corner(k).normal)), least_cosine) << "triangle " << i / 3;
+      ASSERT_GT(glm::dot(normal, glm::dvec3(corner(k).normal)), min_cosine) << "triangle " << i / 3;
   }
 }
 
 /// Expects tangents along growing u, and bitangents towards falling v, as computeTangents finds them from the triangles.
-inline void expectTangentsAlongU(const Mesh& mesh, float least_cosine) {
+inline void expectTangentsAlongU(const Mesh& mesh, float min_cosine) {
   Mesh computed = mesh;
   computeTangents(computed);
   for (const std::uint32_t i : mesh.indices) {
     const glm::vec4 given = mesh.vertices[i].tangent;
     const glm::vec4 found = computed.vertices[i].tangent;
     ASSERT_EQ(given.w, found.w) << "vertex " << i;
-    ASSERT_GT(glm::dot(glm::vec3(given), glm::vec3(found)), least_cosine) << "vertex " << i;
+    ASSERT_GT(glm::dot(glm::vec3(given), glm::vec3(found)), min_cosine) << "vertex " << i;
   }
 }
 

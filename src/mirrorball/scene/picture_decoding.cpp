@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "mirrorball/base/parallel.h"
-#include "mirrorball/codec/codec.h"
+#include "mirrorball/codec/image_file.h"
 
 namespace mirrorball {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "mirrorball/scene/positions.h"
+#include "mirrorball/scene/mesh_file/positions.h"
 
 namespace mirrorball {
 
@@ -25,15 +25,15 @@ void standUpright(Scene& scene, UpAxis up) {
 }
 
 BoundingSphere boundingSphere(const Scene& scene) {
-  glm::dvec3 least(std::numeric_limits<double>::infinity());
-  glm::dvec3 most(-std::numeric_limits<double>::infinity());
+  glm::dvec3 min(std::numeric_limits<double>::infinity());
+  glm::dvec3 max(-std::numeric_limits<double>::infinity());
   forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
-    least = glm::min(least, position);
-    most = glm::max(most, position);
+    min = glm::min(min, position);
+    max = glm::max(max, position);
   });
-  if (!(least.x <= most.x)) return {};
+  if (!(min.x <= max.x)) return {};
 
-  const glm::dvec3 center = 0.5 * (least + most);
+  const glm::dvec3 center = 0.5 * (min + max);
   double squared_radius = 0.0;
   forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
     const glm::dvec3 away = position - center;

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/image/image.h"
-#include "mirrorball/scene/material.h"
+#include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/mesh.h"
 
 namespace mirrorball {

@@ -1,0 +1,25 @@
+// Frames on a surface and normals bent in them.
+
+// A unit vector orthogonal to n, without a branch that jumps (Duff et al. 2017, "Building an orthonormal basis,
+// revisited"); the second one is cross(n, tangent).
+FN vec3 anyTangent(vec3 n) {
+  float side = n.z >= 0.0f ? 1.0f : -1.0f;
+  float a = -1.0f / (side + n.z);
+  float b = n.x * n.y * a;
+  return vec3(1.0f + side * n.x * n.x * a, side * b, -side * n.x);
+}
+
+// The normal of the surface p + d n (Blinn 1978). With unit n and small d,
+//   p'_u = p_u + d_u n,  p'_v = p_v + d_v n,  and
+//   p'_u × p'_v = p_u × p_v + d_u (n × p_v) + d_v (p_u × n)
+//               = p_u × p_v + d_u (n × p_v) − d_v (n × p_u).
+// For an orthonormal frame that is n − d_u p_u − d_v p_v; the lecture's slide has plus signs there, and drops |p_u × p_v|.
+FN vec3 perturbedNormal(vec3 p_u, vec3 p_v, vec3 n, float d_u, float d_v) {
+  return normalize(cross(p_u, p_v) + d_u * cross(n, p_v) - d_v * cross(n, p_u));
+}
+
+// The normal of a tangent-space normal map's sample in [0, 1]³: glTF's convention, +Y up along the bitangent.
+FN vec3 normalFromMap(vec3 tangent, vec3 bitangent, vec3 n, vec3 encoded, float scale) {
+  vec3 bent = encoded * 2.0f - 1.0f;
+  return normalize(bent.x * scale * tangent + bent.y * scale * bitangent + bent.z * n);
+}

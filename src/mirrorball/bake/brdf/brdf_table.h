@@ -1,0 +1,35 @@
+#pragma once
+
+#include "mirrorball/bake/prefilter/lobe.h"
+#include "mirrorball/base/progress.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/image/image.h"
+
+namespace mirrorball {
+
+/// What the columns and rows of a table stand for.
+enum class BrdfAxes {
+  linear,  ///< n·v = (i + ½) / size to the right, perceptual roughness = (j + ½) / size downwards: as engines have it
+  warped,  ///< formula::brdfTableCoordinates: bilinear look-ups are right everywhere, for ggx, phong and blinn
+};
+
+struct BrdfTableOptions {
+  int size = 128;    ///< texels a side, 2 to kLargestBrdfTable
+  int channels = 2;  ///< 2, or 3 with the mean share
+  Distribution distribution = Distribution::ggx;
+  BrdfAxes axes = BrdfAxes::linear;
+};
+
+inline constexpr int kLargestBrdfTable = 4096;
+
+/// The BRDF table of the split sum: how much of a white environment's light a rough surface reflects.
+///
+/// returns  size × size: scale and bias of f0 (directionalAlbedo), and as the third channel averageAlbedo, the same
+///          in a whole row. Row 0 is the smoothest
+/// errors   usage: the size; warped axes for charlie, whose share grows without bound towards one corner;
+///          interrupted (when `progress` says so)
+/// cost     as directionalAlbedo a texel, on all cores; bit-identical for any number of threads
+/// from     Karis 2013, "Real shading in Unreal Engine 4"
+Result<Image> brdfTable(const BrdfTableOptions& options, const ProgressFunction& progress = {});
+
+}  // namespace mirrorball

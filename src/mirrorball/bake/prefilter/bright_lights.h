@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/environment/environment_map.h"
+
+namespace mirrorball {
+
+/// What a texel is brighter than the rest of its map.
+struct Excess {
+  int face = 0;
+  glm::ivec2 texel{0};
+  glm::vec3 radiance{0.0f};
+};
+
+/// A point of light.
+struct PointOfLight {
+  glm::vec3 direction{0.0f};  ///< unit
+  glm::vec3 flux{0.0f};       ///< radiance times solid angle
+};
+
+/// The lamps of a map that stand out by themselves: the sun, bulbs.
+struct BrightLights {
+  std::vector<Excess> texels;        ///< in their order: what the map has without them is the rest
+  std::vector<PointOfLight> points;  ///< the same light: a texel's centre each
+  bool is_complete = true;           ///< more points would not make the rest any smoother
+};
+
+/// The brightest texels of a map, with what they exceed the brightest of the rest by, and at least eight times the mean
+/// of the map without them.
+/// Near a panorama's poles, where texels are narrow, those beside each other share a point as long as they are together
+/// no wider than a quarter of their height.
+///
+/// most     points at most; of more texels that are alike none is taken
+/// cost     one pass over the texels, and three over the rows that have bright ones
+BrightLights brightLights(const EnvironmentMap& map, int max);
+
+/// Takes them out of the map.
+void subtract(const BrightLights& lights, EnvironmentMap& map);
+
+}  // namespace mirrorball

@@ -1,0 +1,48 @@
+#include "mirrorball/codec/color/display.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "formula/color.h"
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/codec/image_format.h"
+
+namespace mirrorball {
+
+float Display::exposure() const { return std::exp2(exposure_ev); }
+
+OptionText exposureText() {
+  static const std::string help =
+      "brightness of a picture (" + writtenExtensions(Holds::picture) + "), before its tone map";
+  return {.name = "exposure",
+          .value = "EV",
+          .unit = "stops",
+          .minimum = -30,
+          .maximum = 30,
+          .help = help,
+          .group = "Picture"};
+}
+
+OptionText toneMapText() {
+  static const std::string help = "how light becomes a picture (" + writtenExtensions(Holds::picture) + ")";
+  return {.name = "tone-map", .choices = "agx|aces|neutral|reinhard|linear", .help = help, .group = "Picture"};
+}
+
+void showOn(const Display& display, Image& image) {
+  constexpr std::size_t kRowsPerPiece = 16;
+  const float exposure = display.exposure();
+  const int curve = static_cast<int>(display.tone_map);
+  const auto colors = std::min(image.channels(), 3);
+  parallelFor(std::size_t(image.height()), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const glm::vec4 light = formula::displayLight(rgbaAt(image, x, y), exposure, curve);
+        const glm::vec3 straight = light.w > 0.0f ? glm::vec3(light) / light.w : glm::vec3(0.0f);
+        std::copy_n(&straight.x, colors, image.texel(x, y));
+      }
+  });
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,122 @@
+#include "mirrorball/codec/color/srgb.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "formula/color.h"
+#include "mirrorball/base/parallel.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr std::size_t kRowsPerPiece = 32;
+
+float lightOf(float sample, const TransferCurve& curve) {
+  if (!curve.power) return formula::linearFromSrgb1(sample);
+  return static_cast<float>(std::pow(static_cast<double>(sample), *curve.power));
+}
+
+/// Linear light of every code of `Bits` bits.
+template <int Bits>
+std::vector<float> decodeTable(const TransferCurve& curve) {
+  constexpr std::size_t kCodes = std::size_t{1} << Bits;
+  std::vector<float> light(kCodes);
+  for (std::size_t code = 0; code < kCodes; ++code)
+    light[code] = lightOf(static_cast<float>(code) / static_cast<float>(kCodes - 1), curve);
+  return light;
+}
+
+template <int Bits, typename Code>
+Image decode(std::span<const Code> samples, int width, int height, int channels, const TransferCurve& curve) {
+  Image image = Image::withoutValues(width, height, channels);
+  static const std::vector<float> srgb = decodeTable<Bits>(kSrgbCurve);
+  const std::vector<float> of_power = curve.power ? decodeTable<Bits>(curve) : std::vector<float>();
+  const std::vector<float>& table = curve.power ? of_power : srgb;
+  constexpr float kLargest = static_cast<float>((1 << Bits) - 1);
+  const std::size_t row_length = std::size_t(width) * std::size_t(channels);
+  parallelFor(std::size_t(height), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin * row_length; i < end * row_length; ++i) image.samples()[i] = table[samples[i]];
+    if (channels < 4) return;
+    for (std::size_t i = begin * row_length + 3; i < end * row_length; i += 4)
+      image.samples()[i] = static_cast<float>(samples[i]) / kLargest;
+  });
+  return image;
+}
+
+/// Finds the code of a light without a power function. The codes' boundaries (the lights that
+/// encode to k + ½) ascend, so the code is how many of them lie at or below the light. A table over
+/// the light's exponent and its first 7 mantissa bits tells the code at the lower end of such an
+/// interval; the interval spans less than one code (near white, where it is widest in codes,
+/// 255/2.4/128 = 0.83), so at most one step follows.
+class Encoder {
+ public:
+  Encoder() {
+    for (std::size_t k = 0; k < boundaries_.size(); ++k)
+      boundaries_[k] = formula::linearFromSrgb1((static_cast<float>(k) + 0.5f) / 255.0f);
+    for (std::size_t interval = 0; interval < first_codes_.size(); ++interval) {
+      const float lower = std::bit_cast<float>(static_cast<std::uint32_t>((interval + kFirstInterval) << kDroppedBits));
+      const auto above = std::upper_bound(boundaries_.begin(), boundaries_.end(), lower);
+      first_codes_[interval] = static_cast<std::uint8_t>(above - boundaries_.begin());
+    }
+  }
+
+  std::uint8_t encode(float light) const {
+    if (!(light >= kSmallest)) return 0;  // so that NaN becomes 0
+    if (light >= 1.0f) return 255;
+    const std::size_t interval = (std::bit_cast<std::uint32_t>(light) >> kDroppedBits) - kFirstInterval;
+    std::uint8_t code = first_codes_[interval];
+    while (code < 255 && light >= boundaries_[code]) ++code;
+    return code;
+  }
+
+ private:
+  static constexpr int kDroppedBits = 23 - 7;
+  static constexpr float kSmallest = 0x1p-13f;  // below the first boundary, ½/255/12.92 = 1.5e-4
+  static constexpr std::uint32_t kFirstInterval = std::bit_cast<std::uint32_t>(kSmallest) >> kDroppedBits;
+  static constexpr std::size_t kIntervals = (std::bit_cast<std::uint32_t>(1.0f) >> kDroppedBits) - kFirstInterval;
+
+  std::array<float, 255> boundaries_;
+  std::array<std::uint8_t, kIntervals> first_codes_;
+};
+
+const Encoder& encoder() {
+  static const Encoder instance;
+  return instance;
+}
+
+std::uint8_t alpha8(float alpha) {
+  if (!(alpha > 0.0f)) return 0;
+  return static_cast<std::uint8_t>(std::min(alpha, 1.0f) * 255.0f + 0.5f);
+}
+
+}  // namespace
+
+Image linearFromPicture(const Image8& picture, const TransferCurve& curve) {
+  return decode<8>(picture.samples(), picture.width(), picture.height(), picture.channels(), curve);
+}
+
+Image linearFromSamples16(std::span<const std::uint16_t> samples, int width, int height, int channels,
+                          const TransferCurve& curve) {
+  return decode<16>(samples, width, height, channels, curve);
+}
+
+Image8 pictureFromLinear(const Image& image, int channels) {
+  Image8 picture(image.width(), image.height(), channels);
+  const Encoder& encoding = encoder();
+  parallelFor(std::size_t(image.height()), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const float* light = image.texel(x, static_cast<int>(y));
+        std::uint8_t* code = picture.texel(x, static_cast<int>(y));
+        for (int c = 0; c < channels; ++c) code[c] = c == 3 ? alpha8(light[c]) : encoding.encode(light[c]);
+      }
+  });
+  return picture;
+}
+
+std::uint8_t srgb8FromLinear(float light) { return encoder().encode(light); }
+
+}  // namespace mirrorball

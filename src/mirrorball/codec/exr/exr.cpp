@@ -1,0 +1,159 @@
+#include "mirrorball/codec/exr/exr.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfRgbaFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+#include <half.h>
+
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/codec/exr/exr_part.h"
+#include "mirrorball/codec/exr/exr_sizes.h"
+#include "mirrorball/codec/exr/exr_stream.h"
+
+namespace mirrorball {
+namespace {
+
+/// Reads luminance and subsampled chroma through OpenEXR's own reconstruction filter, which works
+/// in half floats.
+void readChroma(std::span<const std::uint8_t> bytes, const std::string& name, const ExrPart& part, Image& image) {
+  ExrInput stream(bytes, name);
+  Imf::RgbaInputFile file(stream, part.layer());
+  const Imath::Box2i window = file.dataWindow();
+
+  std::vector<Imf::Rgba> row(std::size_t(image.width()));
+  for (int y = 0; y < image.height(); ++y) {
+    const int line = window.min.y + y;
+    // The frame's base is where texel (0, 0) would be; this slice's arithmetic avoids a pointer
+    // outside the row.
+    const Imf::Slice slice =
+        Imf::Slice::Make(Imf::HALF, row.data(), Imath::Box2i({window.min.x, line}, {window.max.x, line}),
+                         sizeof(Imf::Rgba), sizeof(Imf::Rgba) * row.size());
+    file.setFrameBuffer(reinterpret_cast<Imf::Rgba*>(slice.base), 1, row.size());
+    file.readPixels(line);
+    for (int x = 0; x < image.width(); ++x) {
+      const Imf::Rgba& from = row[std::size_t(x)];
+      float* to = image.texel(x, y);
+      to[0] = from.r;
+      to[1] = from.g;
+      to[2] = from.b;
+      if (part.hasAlpha()) to[3] = from.a;
+    }
+  }
+}
+
+/// All rows, in blocks between which the progress is told; no compression packs more rows together.
+Result<void> readRows(const ExrPart& part, const ProgressFunction& progress, Image& image) {
+  constexpr int kRowsOfBlock = 256;
+  ProgressCounter rows(progress, std::size_t(part.height()));
+  for (int first = 0; first < part.height() && !rows.stopped(); first += kRowsOfBlock) {
+    const int count = std::min(kRowsOfBlock, part.height() - first);
+    part.readRows(first, count, image.row(first).data());
+    rows.advance(std::size_t(count));
+  }
+  return rows.result();
+}
+
+Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const std::string& name,
+                            const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(checkExrSizes(bytes, bytes.size(), name));
+  MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrInput>(bytes, name), name));
+  MIRRORBALL_TRY_VOID(checkImageMemory(name, part.width(), part.height(), part.channels()));
+  DecodedImage decoded;
+  decoded.image = Image::withoutValues(part.width(), part.height(), part.channels());
+  if (part.hasChroma())
+    readChroma(bytes, name, part, decoded.image);
+  else
+    MIRRORBALL_TRY_VOID(readRows(part, progress, decoded.image));
+  convertToRec709(decoded.image, part.primaries());
+  decoded.metadata = part.metadata();
+  decoded.format = part.describe();
+  decoded.color = describeColor(kLinearLight, part.primaries(), decoded.image.channels());
+  return decoded;
+}
+
+half halfOf(float value) {
+  if (std::isfinite(value)) value = std::clamp(value, -float{HALF_MAX}, float{HALF_MAX});
+  return half(value);
+}
+
+std::vector<half> halvesOf(const Image& image) {
+  constexpr std::size_t kSamplesPerPiece = 1 << 16;
+  std::vector<half> halves(image.samples().size());
+  parallelFor(halves.size(), kSamplesPerPiece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) halves[i] = halfOf(image.samples()[i]);
+  });
+  return halves;
+}
+
+Imf::Header headerFor(const Image& image, const Metadata& metadata) {
+  Imf::Header header(image.width(), image.height());
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const auto& [key, value] : metadata) {
+    if (key == "envmap")
+      Imf::addEnvmap(header, value == "cube" ? Imf::ENVMAP_CUBE : Imf::ENVMAP_LATLONG);
+    else
+      header.insert(key, Imf::StringAttribute(value));
+  }
+  return header;
+}
+
+/// samples  interleaved, of the type that `type` says
+Bytes encode(const Image& image, const void* samples, Imf::PixelType type, std::size_t sample_size,
+             const Metadata& metadata, const std::string& name) {
+  constexpr std::array<const char*, 4> kColors{"R", "G", "B", "A"};
+  Imf::Header header = headerFor(image, metadata);
+  Imf::FrameBuffer frame;
+  const std::size_t texel_size = sample_size * std::size_t(image.channels());
+  for (int c = 0; c < image.channels(); ++c) {
+    const char* channel = image.channels() == 1 ? "Y" : kColors[std::size_t(c)];
+    header.channels().insert(channel, Imf::Channel(type));
+    const char* first = static_cast<const char*>(samples) + std::size_t(c) * sample_size;
+    frame.insert(channel, Imf::Slice::Make(type, first, header.dataWindow(), texel_size,
+                                           texel_size * std::size_t(image.width())));
+  }
+  ExrOutput stream(name);
+  {
+    Imf::OutputFile file(stream, header);
+    file.setFrameBuffer(frame);
+    file.writePixels(image.height());
+  }  // which writes the table of offsets
+  return stream.takeBytes();
+}
+
+}  // namespace
+
+bool isExr(std::span<const std::uint8_t> bytes) {
+  constexpr std::array<std::uint8_t, 4> kMagic{0x76, 0x2f, 0x31, 0x01};
+  return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
+}
+
+Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const std::string& name,
+                               const ProgressFunction& progress) {
+  return decodingExr<DecodedImage>(name, [&] { return decode(bytes, name, progress); });
+}
+
+Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options, const std::string& name) {
+  try {
+    useExrThreads();
+    if (options.half) return encode(image, halvesOf(image).data(), Imf::HALF, sizeof(half), options.metadata, name);
+    return encode(image, image.samples().data(), Imf::FLOAT, sizeof(float), options.metadata, name);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::too_large, name + ": not enough memory to encode it");
+  } catch (const std::exception& exception) {
+    return fail(ErrorCode::io, name + ": cannot be encoded as OpenEXR: " + reasonOf(exception));
+  }
+}
+
+}  // namespace mirrorball

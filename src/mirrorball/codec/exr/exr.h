@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/codec/image_file.h"
+
+namespace mirrorball {
+
+/// Whether the bytes begin as an OpenEXR file does.
+bool isExr(std::span<const std::uint8_t> bytes);
+
+/// Decodes an OpenEXR file: scan lines or tiles (the largest level), any compression and sample
+/// type. The image is the data window of the first part that has colour: R G B (A), else luminance
+/// and chroma, else Y (one channel; with A, four); else the same in the first layer that has them
+/// ("layer.R"). Chromaticities other than Rec.709's are converted. Alpha is premultiplied.
+///
+/// errors   bad_file (also when part of the texels is missing); too_large; unsupported (no colour,
+///          deep data); interrupted (when `progress` says so)
+Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const std::string& name,
+                               const ProgressFunction& progress = {});
+
+/// Encodes 1 (Y), 3 or 4 channels as scan lines with ZIP compression. NaN and infinity are kept;
+/// with `half`, finite values beyond ±65504 become ±65504.
+///
+/// name     for messages
+/// errors   too_large (memory)
+Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options, const std::string& name);
+
+}  // namespace mirrorball

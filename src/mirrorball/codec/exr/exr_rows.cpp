@@ -1,0 +1,57 @@
+#include "mirrorball/codec/exr/exr_rows.h"
+
+#include <algorithm>
+
+#include "mirrorball/codec/exr/exr_part.h"
+#include "mirrorball/codec/exr/exr_sizes.h"
+#include "mirrorball/codec/exr/exr_stream.h"
+
+namespace mirrorball {
+namespace {
+
+/// Room for the headers of nearly all files, and of any real one, previews included.
+constexpr std::uint64_t kUsualHeaderBytes = std::uint64_t{1} << 16;
+constexpr std::uint64_t kMaxHeaderBytes = std::uint64_t{1} << 24;
+
+/// checkExrSizes for what a file begins with.
+Result<void> checkBeginning(const FileReader& file, std::uint64_t max_bytes, const std::string& name) {
+  Bytes begin(std::min(file.size(), max_bytes));
+  MIRRORBALL_TRY_VOID(file.readAt(0, begin));
+  return checkExrSizes(begin, file.size(), name);
+}
+
+class ExrRows : public RowReader {
+ public:
+  ExrRows(Description description, ExrPart part, std::string name)
+      : RowReader(std::move(description)), part_(std::move(part)), name_(std::move(name)) {}
+
+  Result<Image> read(int count) override {
+    return decodingExr<Image>(name_, [&] {
+      Image rows = Image::withoutValues(part_.width(), count, part_.channels());
+      part_.readRows(next_, count, rows.samples().data());
+      next_ += count;
+      convertToRec709(rows, part_.primaries());
+      return rows;
+    });
+  }
+
+ private:
+  ExrPart part_;
+  std::string name_;
+  int next_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<RowReader>> openExrRows(FileReader file, const std::string& name) {
+  // Headers that are longer than usual seem to end early.
+  if (!checkBeginning(file, kUsualHeaderBytes, name)) MIRRORBALL_TRY_VOID(checkBeginning(file, kMaxHeaderBytes, name));
+  return decodingExr<std::unique_ptr<RowReader>>(name, [&]() -> Result<std::unique_ptr<RowReader>> {
+    MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrFileInput>(std::move(file), name), name));
+    if (part.hasChroma()) return nullptr;
+    RowReader::Description description{part.width(), part.height(), part.channels(), part.metadata()};
+    return std::make_unique<ExrRows>(std::move(description), std::move(part), name);
+  });
+}
+
+}  // namespace mirrorball

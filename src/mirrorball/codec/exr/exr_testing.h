@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfTiledOutputFile.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/codec/exr/exr.h"
+#include "mirrorball/codec/exr/exr_stream.h"
+
+namespace mirrorball::testing {
+
+inline DecodedImage decoded(const Bytes& bytes) {
+  auto result = decodeExr(bytes, "test.exr");
+  if (!result) {
+    ADD_FAILURE() << result.error().message;
+    return {Image(1, 1, 3), {}, ""};
+  }
+  return std::move(*result);
+}
+
+inline void expectSameBits(const Image& actual, const Image& expected) {
+  ASSERT_EQ(actual.width(), expected.width());
+  ASSERT_EQ(actual.height(), expected.height());
+  ASSERT_EQ(actual.channels(), expected.channels());
+  EXPECT_EQ(std::memcmp(actual.samples().data(), expected.samples().data(), expected.samples().size_bytes()), 0);
+}
+
+/// A frame over an image's channels with those names.
+inline Imf::FrameBuffer frameOf(const Image& image, const std::vector<std::string>& names, const Imath::Box2i& window) {
+  Imf::FrameBuffer frame;
+  const std::size_t texel = sizeof(float) * std::size_t(image.channels());
+  for (std::size_t c = 0; c < names.size(); ++c)
+    frame.insert(names[c], Imf::Slice::Make(Imf::FLOAT, image.samples().data() + c, window, texel,
+                                            texel * std::size_t(image.width())));
+  return frame;
+}
+
+inline void addChannels(Imf::Header& header, const std::vector<std::string>& names) {
+  for (const std::string& name : names) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+}
+
+/// A file written by OpenEXR with channels that this program does not write itself.
+inline Bytes foreignFile(Imf::Header header, const Image& image, const std::vector<std::string>& names) {
+  addChannels(header, names);
+  ExrOutput stream("foreign.exr");
+  {
+    Imf::OutputFile file(stream, header);
+    file.setFrameBuffer(frameOf(image, names, header.dataWindow()));
+    file.writePixels(image.height());
+  }
+  return stream.takeBytes();
+}
+
+/// The same in tiles of 32 × 32. All levels hold the image's top left corner.
+inline Bytes tiledFile(Imf::Header header, const Image& image, const std::vector<std::string>& names,
+                       Imf::LevelMode levels) {
+  header.setTileDescription(Imf::TileDescription(32, 32, levels));
+  addChannels(header, names);
+  ExrOutput stream("tiled.exr");
+  {
+    Imf::TiledOutputFile file(stream, header);
+    file.setFrameBuffer(frameOf(image, names, header.dataWindow()));
+    for (int y = 0; y < file.numYLevels(); ++y)
+      for (int x = 0; x < file.numXLevels(); ++x)
+        if (file.isValidLevel(x, y)) file.writeTiles(0, file.numXTiles(x) - 1, 0, file.numYTiles(y) - 1, x, y);
+  }
+  return stream.takeBytes();
+}
+
+}  // namespace mirrorball::testing

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "mirrorball/codec/color/primaries.h"
+#include "mirrorball/codec/image_file.h"
+
+namespace mirrorball {
+
+/// What stands before the texels of a Radiance picture.
+struct HdrHeader {
+  bool xyz = false;          ///< FORMAT=32-bit_rle_xyze
+  glm::vec3 exposure{1.0f};  ///< product of all EXPOSURE and COLORCORR lines
+  std::optional<Primaries> primaries;
+  Metadata metadata;
+  int width = 0;
+  int height = 0;
+  bool columns = false;     ///< scan lines run along Y: "+X 4 -Y 2"
+  bool x_descends = false;  ///< "-X": from right to left
+  bool y_ascends = false;   ///< "+Y": from the bottom up
+  std::size_t size = 0;     ///< bytes, with the resolution line: the texels begin here
+
+  std::size_t lineCount() const { return std::size_t(columns ? width : height); }
+  std::size_t lineLength() const { return std::size_t(columns ? height : width); }
+};
+
+/// Parses the header: text lines, an empty line, the resolution line.
+///
+/// errors   bad_file, too_large or unsupported, with the line's number
+Result<HdrHeader> parseHdrHeader(std::span<const std::uint8_t> bytes, const std::string& name);
+
+}  // namespace mirrorball

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/progress.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/image/image.h"
+
+namespace mirrorball {
+
+/// Texts that travel with an image: key → value. The keys that this program writes and reads:
+///   "mirrorball:projection"     equirect | sphere | angular | cube | …: environment/projection/projection.h
+///   "mirrorball:layout"         the layout of a cube's faces
+///   "mirrorball:ball_distance"  of a photographed ball: ball radii from its centre to the camera
+///   "mirrorball:arrangement"    how the images of a cube lie: environment/cube/cube_arrangement.h
+///   "mirrorball:centre"         what is in the middle of a panorama: "+x", "-x" or "-z"
+///   "mirrorball:texels"         "on-edges" for OpenEXR's registration
+///   "mirrorball:sheet"          "mip levels" of a sheet of them, which is no map
+///   "mirrorball:table"          "brdf" of a BRDF table, and what it is of in "mirrorball:brdf_…": apps/cli/brdf_file.h
+///   "envmap"                    OpenEXR's own attribute, read as "latlong" or "cube"
+///   "sh"                        Filament's, in KTX: the harmonics of the irradiance, bake/harmonics/filament_harmonics.h
+using Metadata = std::map<std::string, std::string>;
+
+/// An image as it comes from a file.
+struct DecodedImage {
+  Image image;  ///< linear light, Rec.709; 1, 3 or 4 channels
+  Metadata metadata;
+  std::string format;      ///< as `info` shows it: "Radiance HDR, RLE", "OpenEXR, half, DWAB", "PNG, 8 bit"
+  std::string color = {};  ///< the file's, and what was done about it: describeColor in codec/color/primaries.h
+};
+
+/// How writeImage stores floats.
+struct ImageWriteOptions {
+  bool half = false;  ///< OpenEXR: 16-bit floats instead of 32-bit ones
+  Metadata metadata;
+};
+
+/// Reads every format of image_format.h by its first bytes, not by its name. Integers are decoded to linear light, from
+/// sRGB unless a PNG states another curve; floats are linear light. Of a texture of one face it is the largest level. NaN
+/// and infinity are kept: whoever needs light asks findNonFinite.
+///
+/// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported
+Result<DecodedImage> readImage(const std::filesystem::path& path);
+
+/// The same from memory. `name` is for messages.
+///
+/// errors   also interrupted, when `progress` says so: of OpenEXR and TIFF, whose compressions take seconds for large
+///          pictures
+Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
+                                 const ProgressFunction& progress = {});
+
+/// Whether the bytes begin as one of the files that decodeImage takes.
+bool isImage(std::span<const std::uint8_t> bytes);
+
+/// Writes linear light by the name's extension: .exr .hdr as it is, .png .jpg encoded to sRGB and
+/// clipped to [0, 1]. PNG keeps straight alpha, EXR premultiplied (the caller's samples are taken
+/// as the format wants them), HDR and JPEG drop it.
+///
+/// errors   usage (an extension of nothing that is written: those that are are listed); io; bad_shape (a channel count
+/// it cannot hold)
+Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options = {});
+
+/// Decodes a texture of integers (PNG, JPEG, TIFF, WebP, TGA, BMP, PNM) to its 8-bit samples as stored (no colour
+/// conversion); more bits are rounded.
+///
+/// returns  4 channels, alpha straight; alpha 255 where the file has none
+Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Whether the bytes begin as a format of integers that decodeTexture takes, and a TIFF does hold integers.
+bool holdsCodes(std::span<const std::uint8_t> bytes);
+
+/// Writes an encoded picture of 3 or 4 channels (straight alpha; JPEG drops it) as .png or .jpg.
+Result<void> writePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata = {});
+
+/// Whether the extension of `path` is one that writeImage takes; the error lists the right ones.
+Result<void> checkWritable(const std::filesystem::path& path);
+
+/// Whether the extension names a format of linear light (.exr .hdr).
+bool storesLinearLight(const std::filesystem::path& path);
+
+}  // namespace mirrorball

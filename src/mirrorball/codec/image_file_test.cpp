@@ -1,0 +1,150 @@
+#include "mirrorball/codec/image_file.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/codec/image_file_testing.h"
+#include "mirrorball/codec/texture/texture_testing.h"
+
+namespace mirrorball {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using testing::bytesOf;
+using testing::gradient;
+using ::testing::HasSubstr;
+
+class CodecFile : public testing::FolderTest {
+ protected:
+  std::size_t fileCount() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+};
+
+struct WrittenFormat {
+  const char* name;
+  float tolerance;  ///< of a sample near 1
+  bool keeps_alpha;
+};
+
+class CodecFormat : public CodecFile, public ::testing::WithParamInterface<WrittenFormat> {
+ protected:
+  fs::path path() const { return folder_ / GetParam().name; }
+};
+
+TEST_P(CodecFormat, WhatIsWrittenIsRead) {
+  const ImageWriteOptions options{.half = false, .metadata = {{"mirrorball:projection", "sphere"}}};
+  for (const int channels : {1, 3, 4}) {
+    Image image(16, 9, channels, 0.75f);
+    ASSERT_TRUE(writeImage(path(), image, options));
+    const auto back = readImage(path());
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(back->metadata, options.metadata);
+    EXPECT_EQ(back->image.width(), 16);
+    EXPECT_EQ(back->image.height(), 9);
+    EXPECT_EQ(back->image.channels() == 4, channels == 4 && GetParam().keeps_alpha);
+    for (const float sample : back->image.samples()) ASSERT_NEAR(sample, 0.75f, GetParam().tolerance);
+  }
+}
+
+TEST_P(CodecFormat, AnUnwritablePlaceIsAnErrorAndLeavesNothing) {
+  const auto result = writeImage(folder_ / "none" / GetParam().name, Image(2, 2, 3));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::io);
+  EXPECT_THAT(result.error().message, HasSubstr("none"));
+  EXPECT_EQ(fileCount(), 0u);
+}
+
+TEST_P(CodecFormat, WhatNoImageIsCannotBeWritten) {
+  EXPECT_EQ(writeImage(path(), Image()).error().code, ErrorCode::bad_shape);
+  EXPECT_EQ(writeImage(path(), Image(2, 2, 2)).error().code, ErrorCode::bad_shape);
+  EXPECT_EQ(fileCount(), 0u);
+}
+
+TEST_P(CodecFormat, NanIsWrittenWithoutHarm) {
+  EXPECT_TRUE(writeImage(path(), Image(9, 9, 3, std::nanf(""))));
+  EXPECT_TRUE(writeImage(path(), Image(9, 9, 3, std::numeric_limits<float>::infinity())));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CodecFormat,
+                         ::testing::Values(WrittenFormat{"a.exr", 0.0f, true}, WrittenFormat{"a.hdr", 0.0f, false},
+                                           WrittenFormat{"a.png", 0.005f, true}, WrittenFormat{"a.JPG", 0.01f, false},
+                                           WrittenFormat{"a.jpeg", 0.01f, false}),
+                         [](const auto& format) { return std::to_string(format.index); });
+
+TEST_F(CodecFile, BytesTellTheFormatAndNotTheName) {
+  ASSERT_TRUE(writeImage(folder_ / "a.hdr", gradient(4, 4, 3)));
+  fs::rename(folder_ / "a.hdr", folder_ / "a.png");
+  EXPECT_EQ(readImage(folder_ / "a.png")->format, "Radiance HDR, flat");
+}
+
+TEST_F(CodecFile, UnknownExtensionsListTheKnown) {
+  for (const char* name : {"a.bmp", "a", "a.hdr.gz"}) {
+    const auto result = writeImage(folder_ / name, Image(2, 2, 3));
+    ASSERT_FALSE(result) << name;
+    EXPECT_EQ(result.error().code, ErrorCode::usage);
+    EXPECT_THAT(result.error().message,
+                AllOf(HasSubstr(name), HasSubstr(".exr"), HasSubstr(".hdr"), HasSubstr(".png"), HasSubstr(".jpg")));
+    EXPECT_FALSE(checkWritable(name));
+  }
+  EXPECT_TRUE(checkWritable("b/a.EXR"));
+  EXPECT_EQ(fileCount(), 0u);
+}
+
+TEST(Codec, LinearFormatsAreTold) {
+  EXPECT_TRUE(storesLinearLight("a.exr"));
+  EXPECT_TRUE(storesLinearLight("a.HDR"));
+  EXPECT_FALSE(storesLinearLight("a.png"));
+  EXPECT_FALSE(storesLinearLight("a"));
+}
+
+TEST_F(CodecFile, PicturesKeepTheirCodes) {
+  Image8 picture(3, 2, 4, 77);
+  ASSERT_TRUE(writePicture(folder_ / "a.png", picture, {{"mirrorball:projection", "sphere"}}));
+  const auto bytes = readFile(folder_ / "a.png");
+  ASSERT_TRUE(bytes);
+  EXPECT_THAT(decodeTexture(*bytes, "a")->samples(), ::testing::ElementsAreArray(picture.samples()));
+  EXPECT_EQ(readImage(folder_ / "a.png")->metadata.at("mirrorball:projection"), "sphere");
+  EXPECT_TRUE(writePicture(folder_ / "a.jpg", picture));
+  EXPECT_EQ(writePicture(folder_ / "a.exr", picture).error().code, ErrorCode::usage);
+}
+
+TEST_F(CodecFile, ForeignMetadataIsRefused) {
+  const auto write = [&](const char* key, const char* value) {
+    return writeImage(folder_ / "a.exr", Image(1, 1, 3), {.half = false, .metadata = {{key, value}}});
+  };
+  EXPECT_TRUE(write("mirrorball:projection", "sphere"));
+  EXPECT_EQ(write("compression", "x").error().code, ErrorCode::usage);
+  EXPECT_EQ(write("mirrorball:", "x").error().code, ErrorCode::usage);
+  EXPECT_EQ(write("mirrorball:a=b", "x").error().code, ErrorCode::usage);
+  EXPECT_EQ(write("mirrorball:projection", "two\nlines").error().code, ErrorCode::usage);
+  EXPECT_EQ(write("envmap", "sphere").error().code, ErrorCode::usage);
+}
+
+TEST(Codec, ATextureOfOneFaceIsAPicture) {
+  const ImageSet levels = testing::textureOf(2, 1, 1, 4, 4, 2);
+  const auto image = decodeImage(testing::bytesOfTexture(writeKtx2, levels), "a.ktx2");
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_THAT(image->image.samples(), ::testing::ElementsAreArray(levels.at(0, 0).samples()));
+  const auto cube = decodeImage(testing::bytesOfTexture(writeDds, testing::textureOf(1, 6, 1, 3, 2, 2)), "a.dds");
+  ASSERT_FALSE(cube);
+  EXPECT_EQ(cube.error().code, ErrorCode::bad_shape);
+}
+
+TEST(Codec, WhatIsNoImageIsNamed) {
+  EXPECT_THAT(decodeImage({}, "a.hdr").error().message, HasSubstr("a.hdr: is empty"));
+  EXPECT_THAT(decodeImage(bytesOf("GIF89a"), "a.gif").error().message,
+              AllOf(HasSubstr("47 49 46 38"), HasSubstr("OpenEXR")));
+  EXPECT_EQ(decodeImage(bytesOf("#"), "a").error().code, ErrorCode::bad_file);
+  EXPECT_THAT(decodeTexture(bytesOf("#?RADIANCE\n\n-Y 1 +X 1\n1234"), "a").error().message,
+              AllOf(HasSubstr("is Radiance HDR"), HasSubstr("BMP or PNM for textures")));
+  EXPECT_THAT(decodeTexture(bytesOf("GIF89a"), "a").error().message, HasSubstr("use PNG, JPEG"));
+  EXPECT_EQ(readImage("no such file.hdr").error().code, ErrorCode::not_found);
+}
+
+}  // namespace
+}  // namespace mirrorball

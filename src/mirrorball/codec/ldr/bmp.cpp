@@ -1,0 +1,347 @@
+#include "mirrorball/codec/ldr/bmp.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/color/icc_profile.h"
+
+namespace mirrorball {
+namespace {
+
+using Span = std::span<const std::uint8_t>;
+using Rgba = std::array<std::uint8_t, 4>;
+
+constexpr std::size_t kFileHeader = 14;
+constexpr std::size_t kCoreHeader = 12;  // OS/2's first
+constexpr std::size_t kInfoHeader = 40;  // Windows 3's, on which all later ones build
+constexpr std::size_t kFifthHeader = 124;
+
+enum Compression : std::uint32_t { kPlain = 0, kRle8 = 1, kRle4 = 2, kMasks = 3, kMasksWithAlpha = 6 };
+
+struct Header {
+  std::size_t size = 0;  ///< of the header behind the file's
+  std::size_t texels_at = 0;
+  std::int64_t width = 0;
+  std::int64_t height = 0;
+  bool from_top = false;
+  std::uint32_t bits = 0;
+  std::uint32_t compression = kPlain;
+  std::uint32_t colors = 0;
+  std::array<std::uint32_t, 4> masks{};  ///< red, green, blue, alpha
+
+  bool hasPalette() const { return bits <= 8; }
+  bool isRunLengthCoded() const { return compression == kRle8 || compression == kRle4; }
+  std::size_t rowBytes() const { return (std::size_t(width) * bits + 31) / 32 * 4; }
+  std::size_t texelCount() const { return std::size_t(width) * std::size_t(height); }
+};
+
+tl::unexpected<Error> truncated(const std::string& name, std::size_t size) {
+  return fail(ErrorCode::bad_file, name + ": ends at byte " + std::to_string(size) +
+                                       ", before its last texel; the file is truncated or damaged");
+}
+
+/// Whether texels of that many bits can be compressed so.
+bool isKnown(const Header& header) {
+  constexpr std::array<std::uint32_t, 7> kBits{1, 2, 4, 8, 16, 24, 32};
+  if (std::ranges::find(kBits, header.bits) == kBits.end()) return false;
+  switch (header.compression) {
+    case kPlain:
+      return true;
+    case kRle8:
+      return header.bits == 8;
+    case kRle4:
+      return header.bits == 4;
+    case kMasks:
+    case kMasksWithAlpha:
+      return header.bits == 16 || header.bits == 32;
+    default:
+      return false;
+  }
+}
+
+/// Where masks are named they lie behind the 40 bytes of the third header, or as a part of later ones.
+Result<void> readMasks(Span bytes, const std::string& name, Header& header) {
+  if (header.compression == kPlain) {
+    if (header.bits == 16) header.masks = {0x7c00, 0x3e0, 0x1f, 0};
+    if (header.bits == 32) header.masks = {0xff0000, 0xff00, 0xff, 0};
+    return {};
+  }
+  const bool has_alpha = header.compression == kMasksWithAlpha || header.size >= kInfoHeader + 16;
+  const std::size_t count = has_alpha ? 4 : 3;
+  if (bytes.size() < kFileHeader + kInfoHeader + 4 * count) return truncated(name, bytes.size());
+  for (std::size_t i = 0; i < count; ++i) header.masks[i] = littleU32(&bytes[kFileHeader + kInfoHeader + 4 * i]);
+  return {};
+}
+
+Result<Header> readHeader(Span bytes, const std::string& name) {
+  if (bytes.size() < kFileHeader + kCoreHeader) return truncated(name, bytes.size());
+  Header header{.size = littleU32(&bytes[kFileHeader]), .texels_at = littleU32(&bytes[10])};
+  const bool is_core = header.size == kCoreHeader;
+  if (!is_core && (header.size < 16 || header.size > 1000))
+    return fail(ErrorCode::bad_file, name + ": says that its header has " + std::to_string(header.size) +
+                                         " bytes, which no bitmap's has; the file is damaged");
+  if (bytes.size() < kFileHeader + header.size) return truncated(name, bytes.size());
+  const std::uint8_t* fields = &bytes[kFileHeader];
+  if (is_core) {
+    header.width = littleU16(fields + 4);
+    header.height = littleU16(fields + 6);
+    header.bits = littleU16(fields + 10);
+  } else {
+    header.width = static_cast<std::int32_t>(littleU32(fields + 4));
+    header.height = static_cast<std::int32_t>(littleU32(fields + 8));
+    header.bits = littleU16(fields + 14);
+    if (header.size >= 20) header.compression = littleU32(fields + 16);
+    if (header.size >= 36) header.colors = littleU32(fields + 32);
+  }
+  header.from_top = header.height < 0;
+  header.height = std::abs(header.height);
+  MIRRORBALL_TRY_VOID(checkDimensions(name, header.width, header.height));
+  if (!isKnown(header))
+    return fail(ErrorCode::unsupported, name + ": is a bitmap of " + std::to_string(header.bits) +
+                                            " bits with compression " + std::to_string(header.compression) +
+                                            ", which is not read; save it plain, or as PNG");
+  if (!header.isRunLengthCoded() && !header.hasPalette() && header.bits != 24)
+    MIRRORBALL_TRY_VOID(readMasks(bytes, name, header));
+  return header;
+}
+
+/// Whether its bytes can be all the texels.
+Result<void> checkTexels(const Header& header, Span bytes, const std::string& name) {
+  const int width = static_cast<int>(header.width);
+  const int height = static_cast<int>(header.height);
+  MIRRORBALL_TRY_VOID(checkPictureMemory(name, width, height, 4, 2));  // palette indices, and codes
+  const std::size_t there = bytes.size() - std::min(header.texels_at, bytes.size());
+  // Two bytes make at most 255 texels, and a run-length coded file may skip some, but hardly most of a large picture.
+  constexpr std::size_t kSmall = 65536;
+  const bool fits = header.isRunLengthCoded()
+                        ? there >= 2 && (header.texelCount() <= kSmall || header.texelCount() / 128 <= there)
+                        : header.rowBytes() * std::size_t(height) <= there;
+  if (!fits) return cannotHold(name, width, height, bytes.size());
+  return {};
+}
+
+/// Blue, green and red, and a byte that means nothing but in OS/2's first version, which lacks it.
+Result<std::vector<Rgba>> readPalette(const Header& header, Span bytes, const std::string& name) {
+  if (!header.hasPalette()) return std::vector<Rgba>();
+  const std::size_t max = std::size_t{1} << header.bits;
+  const std::size_t entry = header.size == kCoreHeader ? 3 : 4;
+  const std::size_t at = kFileHeader + header.size;
+  const std::size_t end = std::min(header.texels_at, bytes.size());
+  const std::size_t there = end < at ? 0 : (end - at) / entry;
+  const std::size_t count = header.colors == 0 ? max : std::min<std::size_t>(header.colors, max);
+  if (there < count && header.colors != 0)
+    return fail(ErrorCode::bad_file, name + ": says that its palette has " + std::to_string(count) +
+                                         " colours, and has room for " + std::to_string(there) +
+                                         "; the file is damaged");
+  std::vector<Rgba> palette;
+  for (std::size_t i = 0; i < std::min(count, there); ++i) {
+    const std::uint8_t* color = &bytes[at + i * entry];
+    palette.push_back({color[2], color[1], color[0], 255});
+  }
+  return palette;
+}
+
+/// Palette indices out of RLE4 or RLE8; what a file skips has the index 0.
+class RunReader {
+ public:
+  RunReader(const Header& header, Span bytes) : header_(header), bytes_(bytes), indices_(header.texelCount(), 0) {}
+
+  /// Rows as they are stored.
+  ///
+  /// returns  nothing where the bytes end before the picture does
+  std::optional<std::vector<std::uint8_t>> read() {
+    while (const auto code = next(2)) {
+      const std::uint8_t count = code[0];
+      const std::uint8_t value = code[1];
+      if (count > 0) {
+        run(count, value);
+      } else if (value == 0) {
+        x_ = 0;
+        ++y_;
+        if (y_ > header_.height) break;  // more rows than there are
+      } else if (value == 1) {
+        return std::move(indices_);
+      } else if (value == 2) {
+        const std::uint8_t* skip = next(2);
+        if (!skip) break;
+        x_ += skip[0];
+        y_ += skip[1];
+      } else if (!literal(value)) {
+        break;
+      }
+    }
+    // Some writers leave out the code for the end.
+    const bool is_whole = y_ >= header_.height || (y_ == header_.height - 1 && x_ >= header_.width);
+    if (!is_whole) return {};
+    return std::move(indices_);
+  }
+
+ private:
+  const std::uint8_t* next(std::size_t count) {
+    if (bytes_.size() - at_ < count) return nullptr;
+    at_ += count;
+    return &bytes_[at_ - count];
+  }
+
+  /// What lies beyond a row's end is left out.
+  void put(std::uint8_t index) {
+    if (x_ < header_.width && y_ < header_.height)
+      indices_[std::size_t(y_) * std::size_t(header_.width) + std::size_t(x_)] = index;
+    ++x_;
+  }
+
+  /// The i-th index of those in a byte, or in bytes from there on.
+  std::uint8_t indexIn(const std::uint8_t* value, std::size_t i) const {
+    if (header_.compression == kRle8) return value[i];
+    return i % 2 == 0 ? value[i / 2] >> 4 : value[i / 2] & 15;
+  }
+
+  void run(std::uint8_t count, std::uint8_t value) {
+    for (std::size_t i = 0; i < count; ++i) put(indexIn(&value, header_.compression == kRle8 ? 0 : i % 2));
+  }
+
+  /// Literal runs are padded to 16 bits.
+  bool literal(std::uint8_t count) {
+    const std::size_t size = header_.compression == kRle8 ? count : (count + 1u) / 2;
+    const std::uint8_t* values = next(size);
+    if (!values) return false;
+    for (std::size_t i = 0; i < count; ++i) put(indexIn(values, i));
+    at_ = std::min(at_ + size % 2, bytes_.size());
+    return true;
+  }
+
+  const Header& header_;
+  Span bytes_;
+  std::size_t at_ = 0;
+  std::int64_t x_ = 0;
+  std::int64_t y_ = 0;
+  std::vector<std::uint8_t> indices_;
+};
+
+/// The code under a mask, widened to 8 bits; alpha without a mask is 255.
+std::uint8_t underMask(std::uint32_t texel, std::uint32_t mask, std::uint8_t without) {
+  if (mask == 0) return without;
+  const int shift = std::countr_zero(mask);
+  return static_cast<std::uint8_t>(rescaledCode((texel & mask) >> shift, mask >> shift, 255));
+}
+
+/// A texel of a row that has no palette.
+Rgba colorAt(const Header& header, const std::uint8_t* row, std::size_t x) {
+  if (header.bits == 24) return {row[3 * x + 2], row[3 * x + 1], row[3 * x], 255};
+  const std::uint32_t texel = header.bits == 16 ? littleU16(row + 2 * x) : littleU32(row + 4 * x);
+  return {underMask(texel, header.masks[0], 0), underMask(texel, header.masks[1], 0),
+          underMask(texel, header.masks[2], 0), underMask(texel, header.masks[3], 255)};
+}
+
+/// The palette's index of a texel in a plain row: the first is in the byte's highest bits.
+std::uint8_t indexAt(std::uint32_t bits, const std::uint8_t* row, std::size_t x) {
+  const std::size_t bit = x * bits;
+  return static_cast<std::uint8_t>(row[bit / 8] >> (8 - bits - bit % 8) & ((1u << bits) - 1));
+}
+
+struct Picture {
+  Header header;
+  CodedPicture codes;
+};
+
+/// The rows of texels, or of a palette's indices, from the top of the picture.
+class Rows {
+ public:
+  Rows(const Header& header, Span texels) : header_(header), texels_(texels) {}
+
+  const std::uint8_t* operator[](int y) const {
+    const std::int64_t stored = header_.from_top ? y : header_.height - 1 - y;
+    const std::size_t size = header_.isRunLengthCoded() ? std::size_t(header_.width) : header_.rowBytes();
+    return texels_.data() + std::size_t(stored) * size;
+  }
+
+ private:
+  const Header& header_;
+  Span texels_;
+};
+
+void fillFromMasks(const Header& header, const Rows& rows, Image8& picture) {
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const Rgba color = colorAt(header, rows[y], std::size_t(x));
+      std::copy_n(color.begin(), picture.channels(), picture.texel(x, y));
+    }
+}
+
+Result<void> fillFromPalette(const Header& header, const Rows& rows, const std::vector<Rgba>& palette,
+                             const std::string& name, Image8& picture) {
+  const std::uint32_t bits = header.isRunLengthCoded() ? 8 : header.bits;  // of an index
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const std::size_t index = indexAt(bits, rows[y], std::size_t(x));
+      if (index >= palette.size())
+        return fail(ErrorCode::bad_file, name + ": texel (" + std::to_string(x) + ", " + std::to_string(y) +
+                                             ") has the colour " + std::to_string(index) + " of a palette of " +
+                                             std::to_string(palette.size()) + "; the file is damaged");
+      std::copy_n(palette[index].begin(), picture.channels(), picture.texel(x, y));
+    }
+  return {};
+}
+
+Result<Picture> readPicture(Span bytes, const std::string& name) {
+  MIRRORBALL_TRY(header, readHeader(bytes, name));
+  MIRRORBALL_TRY_VOID(checkTexels(header, bytes, name));
+  MIRRORBALL_TRY(palette, readPalette(header, bytes, name));
+  Span texels = bytes.subspan(header.texels_at);
+  std::optional<std::vector<std::uint8_t>> indices;
+  if (header.isRunLengthCoded()) {
+    indices = RunReader(header, texels).read();
+    if (!indices) return truncated(name, bytes.size());
+    texels = *indices;
+  }
+  Image8 picture = Image8::withoutValues(static_cast<int>(header.width), static_cast<int>(header.height),
+                                         header.masks[3] != 0 ? 4 : 3);
+  const Rows rows(header, texels);
+  if (header.hasPalette()) {
+    MIRRORBALL_TRY_VOID(fillFromPalette(header, rows, palette, name, picture));
+  } else {
+    fillFromMasks(header, rows, picture);
+  }
+  return Picture{header, std::move(picture)};
+}
+
+/// What an embedded ICC profile calls itself; empty where there is none.
+std::string readIccDescription(const Header& header, Span bytes) {
+  constexpr std::uint32_t kEmbedded = 0x4d424544;  // "MBED"
+  if (header.size < kFifthHeader || littleU32(&bytes[kFileHeader + 56]) != kEmbedded) return {};
+  const std::size_t at = kFileHeader + std::size_t{littleU32(&bytes[kFileHeader + 112])};
+  const std::size_t size = littleU32(&bytes[kFileHeader + 116]);
+  if (at > bytes.size() || size > bytes.size() - at) return "unnamed";
+  return iccDescription(bytes.subspan(at, size));
+}
+
+}  // namespace
+
+bool isBmp(Span bytes) {
+  // Two letters are few; the upper bytes of the header's size are 0 in every bitmap.
+  return bytes.size() >= kFileHeader + 4 && bytes[0] == 'B' && bytes[1] == 'M' && bytes[16] == 0 && bytes[17] == 0;
+}
+
+Result<DecodedImage> decodeBmp(Span bytes, const std::string& name) {
+  MIRRORBALL_TRY(picture, readPicture(bytes, name));
+  Image light = lightOf(picture.codes);
+  std::string format = "BMP, " + std::to_string(picture.header.bits) + " bit";
+  if (picture.header.hasPalette()) format += " palette";
+  if (picture.header.isRunLengthCoded()) format += ", RLE";
+  const std::string profile = readIccDescription(picture.header, bytes);
+  std::string color = profile.empty() ? describeColor(kSrgbCurve, {}, light.channels()) : describeIccColor(profile);
+  return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
+}
+
+Result<Image8> decodeBmpTexture(Span bytes, const std::string& name) {
+  MIRRORBALL_TRY(picture, readPicture(bytes, name));
+  return textureOf(std::move(picture.codes));
+}
+
+}  // namespace mirrorball

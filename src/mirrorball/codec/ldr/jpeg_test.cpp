@@ -1,0 +1,211 @@
+#include "mirrorball/codec/ldr/jpeg.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <jpeglib.h>
+#include <sys/resource.h>
+
+#include "mirrorball/codec/color/icc_testing.h"
+#include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/image_file_testing.h"
+#include "test_data.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::bytesOf;
+using ::testing::HasSubstr;
+
+/// Smooth, as photographs are at the scale of a block.
+Image8 photograph(int width, int height, int channels) {
+  Image8 picture(width, height, channels);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < channels; ++c)
+        picture.texel(x, y)[c] = static_cast<std::uint8_t>(128.0 + 100.0 * std::sin(0.05 * x + 0.08 * y + c));
+  return picture;
+}
+
+Bytes encoded(const Image8& picture, const Metadata& metadata = {}) {
+  auto result = encodeJpeg(picture, metadata, "test.jpg");
+  EXPECT_TRUE(result);
+  return result ? std::move(*result) : Bytes();
+}
+
+/// A JPEG of grey 4-component texels, or a progressive one, as this program does not write them.
+///
+/// scans    of a progressive file; none: as libjpeg chooses them
+Bytes foreignFile(J_COLOR_SPACE space, int components, bool progressive,
+                  const std::vector<jpeg_scan_info>& scans = {}) {
+  jpeg_compress_struct codec;
+  jpeg_error_mgr errors;
+  codec.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&codec);
+  unsigned char* memory = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&codec, &memory, &size);
+  codec.image_width = codec.image_height = 20;
+  codec.input_components = components;
+  codec.in_color_space = space;
+  jpeg_set_defaults(&codec);
+  if (progressive) jpeg_simple_progression(&codec);
+  if (!scans.empty()) {
+    codec.scan_info = scans.data();
+    codec.num_scans = static_cast<int>(scans.size());
+  }
+  jpeg_start_compress(&codec, TRUE);
+  Bytes row(std::size_t(20 * components), 100);
+  JSAMPROW pointer = row.data();
+  for (int y = 0; y < 20; ++y) jpeg_write_scanlines(&codec, &pointer, 1);
+  jpeg_finish_compress(&codec);
+  jpeg_destroy_compress(&codec);
+  Bytes bytes(memory, memory + size);
+  std::free(memory);
+  return bytes;
+}
+
+/// Where the frame header's marker stands (SOF0: baseline).
+std::size_t frameHeader(const Bytes& bytes) {
+  for (std::size_t i = 0; i + 1 < bytes.size(); ++i)
+    if (bytes[i] == 0xff && bytes[i + 1] == 0xc0) return i;
+  ADD_FAILURE() << "no frame header";
+  return 0;
+}
+
+class JpegSize : public ::testing::TestWithParam<std::tuple<glm::ivec2, int>> {};
+
+TEST_P(JpegSize, ComesBackWithinItsQuality) {
+  const auto [size, channels] = GetParam();
+  const Image8 picture = photograph(size.x, size.y, channels);
+  const auto back = decodeJpegTexture(encoded(picture), "a");
+  ASSERT_TRUE(back) << back.error().message;
+  ASSERT_EQ(back->width(), size.x);
+  ASSERT_EQ(back->height(), size.y);
+  double sum = 0;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x)
+      for (int c = 0; c < 3; ++c)
+        sum += std::pow(back->texel(x, y)[c] - picture.texel(x, y)[channels == 1 ? 0 : c], 2.0);
+  // 40 dB, what quality 95 keeps of smooth pictures: an RMS of 2.55 codes.
+  EXPECT_LT(std::sqrt(sum / (3.0 * size.x * size.y)), 2.55);
+  EXPECT_EQ(back->samples()[3], 255);
+}
+
+INSTANTIATE_TEST_SUITE_P(SizesAndChannels, JpegSize,
+                         ::testing::Combine(::testing::Values(glm::ivec2{1, 1}, glm::ivec2{7, 3}, glm::ivec2{120, 70}),
+                                            ::testing::Values(1, 3, 4)));
+
+TEST(Jpeg, LightIsLinearAndGreyHasOneChannel) {
+  const auto grey = decodeJpeg(encoded(Image8(9, 9, 1, 128)), "a");
+  ASSERT_TRUE(grey);
+  EXPECT_EQ(grey->image.channels(), 1);
+  EXPECT_EQ(srgb8FromLinear(grey->image.samples()[0]), 128);
+  EXPECT_EQ(grey->format, "JPEG, 8 bit");
+  EXPECT_EQ(grey->color, "sRGB, grey");
+  EXPECT_EQ(decodeJpeg(encoded(Image8(9, 9, 3, 128)), "a")->image.channels(), 3);
+}
+
+TEST(Jpeg, ChromaIsNotSubsampled) {
+  const Bytes bytes = encoded(photograph(16, 16, 3));
+  // Marker, length, precision, height, width, then for each component: number, sampling, table.
+  const std::size_t components = frameHeader(bytes) + 2 + 2 + 1 + 2 + 2 + 1;
+  for (std::size_t component = 0; component < 3; ++component) EXPECT_EQ(bytes[components + 3 * component + 1], 0x11);
+}
+
+TEST(Jpeg, MetadataComesBack) {
+  const Metadata metadata{{"mirrorball:projection", "sphere"}, {"envmap", "latlong"}};
+  EXPECT_EQ(decodeJpeg(encoded(Image8(2, 2, 3), metadata), "a")->metadata, metadata);
+}
+
+TEST(Jpeg, AProfileIsNamedAndNotApplied) {
+  const Bytes plain = encoded(Image8(9, 9, 3, 128));
+  const auto adobe = decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("Adobe RGB (1998)")), "a");
+  ASSERT_TRUE(adobe) << adobe.error().message;
+  EXPECT_EQ(adobe->color, "sRGB assumed: its ICC profile (Adobe RGB (1998)) is not applied");
+  EXPECT_EQ(srgb8FromLinear(adobe->image.samples()[0]), 128);
+  EXPECT_EQ(decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("sRGB IEC61966-2.1")), "a")->color, "sRGB");
+  // Bytes of a profile are no comment.
+  EXPECT_TRUE(decodeJpeg(testing::jpegWithProfile(plain, bytesOf("envmap=cube")), "a")->metadata.empty());
+}
+
+TEST(Jpeg, ProgressiveIsRead) { EXPECT_TRUE(decodeJpeg(foreignFile(JCS_RGB, 3, true), "a")); }
+
+// Such a file takes hours for a few megabytes (of a large image; here it is small).
+TEST(Jpeg, AFileOfEndlessScansIsRefused) {
+  // The mean of each block, then all other frequencies: a scan that may come again and again.
+  const Bytes bytes = foreignFile(JCS_GRAYSCALE, 1, true, {{1, {0}, 0, 0, 0, 0}, {1, {0}, 1, 63, 0, 0}});
+  constexpr std::array<std::uint8_t, 2> kStartOfScan{0xff, 0xda};
+  const auto scan = std::find_end(bytes.begin(), bytes.end(), kStartOfScan.begin(), kStartOfScan.end());
+  const auto end = bytes.end() - 2;  // of the last scan: the end marker follows
+  Bytes again(bytes.begin(), end);
+  for (int i = 0; i < 600; ++i) again.insert(again.end(), scan, end);
+  again.insert(again.end(), end, bytes.end());
+  ASSERT_TRUE(decodeJpeg(bytes, "a.jpg"));
+  const auto refused = decodeJpeg(again, "a.jpg");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_file);
+  EXPECT_THAT(refused.error().message, HasSubstr("a.jpg: is a damaged JPEG, at byte "));
+  EXPECT_THAT(refused.error().message, HasSubstr("more than 500 scans"));
+}
+
+TEST(Jpeg, WhatCannotBeReadIsNamed) {
+  const auto cmyk = decodeJpeg(foreignFile(JCS_CMYK, 4, false), "a.jpg");
+  ASSERT_FALSE(cmyk);
+  EXPECT_EQ(cmyk.error().code, ErrorCode::unsupported);
+  EXPECT_THAT(cmyk.error().message, HasSubstr("CMYK"));
+
+  Bytes twelve_bits = encoded(photograph(16, 16, 3));
+  twelve_bits[frameHeader(twelve_bits) + 4] = 12;
+  EXPECT_EQ(decodeJpeg(twelve_bits, "a").error().code, ErrorCode::unsupported);
+}
+
+/// A small picture whose frame header says another size.
+Bytes withSize(int width, int height) {
+  Bytes bytes = encoded(photograph(16, 16, 3));
+  const std::size_t at = frameHeader(bytes) + 5;
+  bytes[at] = static_cast<std::uint8_t>(height >> 8);
+  bytes[at + 1] = static_cast<std::uint8_t>(height);
+  bytes[at + 2] = static_cast<std::uint8_t>(width >> 8);
+  bytes[at + 3] = static_cast<std::uint8_t>(width);
+  return bytes;
+}
+
+TEST(Jpeg, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
+  const auto error = [](int width, int height) { return decodeJpeg(withSize(width, height), "a.jpg").error(); };
+  EXPECT_EQ(error(0, 16).code, ErrorCode::bad_file);
+  EXPECT_EQ(error(65500, 65500).code, ErrorCode::too_large);
+  EXPECT_THAT(error(30000, 30000).message, HasSubstr("cannot hold"));
+  EXPECT_THAT(error(16, 32).message, HasSubstr("damaged JPEG, at byte "));
+}
+
+// A file long enough for what it says, which only decoding shows to be a lie.
+// In a suite of its own, since a process tells only the most memory that it ever had.
+TEST(JpegMemory, AnEarlyEndCostsNoMoreThanItsTexels) {
+  if (testing::isSanitized())
+    GTEST_SKIP() << "the address sanitizer takes an eighth of whatever memory is asked for, used or not";
+  const auto peak_kb = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  Bytes bytes = withSize(30000, 30000);
+  bytes.resize(150000);
+  const long before = peak_kb();
+  EXPECT_THAT(decodeJpeg(bytes, "a.jpg").error().message, HasSubstr("damaged JPEG"));
+  EXPECT_LT(peak_kb() - before, 200000) << "the picture would have 2.7 GB";
+}
+
+TEST(Jpeg, ATooLargeSideIsRefusedOnWriting) {
+  const auto result = encodeJpeg(Image8(65501, 1, 3), {}, "a.jpg");
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::bad_shape);
+}
+
+}  // namespace
+}  // namespace mirrorball

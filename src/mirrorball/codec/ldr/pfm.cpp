@@ -1,0 +1,57 @@
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/ldr/pnm.h"
+#include "mirrorball/codec/ldr/pnm_header.h"
+
+namespace mirrorball {
+namespace {
+
+using Span = std::span<const std::uint8_t>;
+
+/// The number whose sign is the byte order, − for little-endian, and whose size is the samples' unit.
+Result<float> readScale(PnmWords& words) {
+  const std::string_view word = words.word();
+  const auto scale = parseNumber(word);
+  if (!scale || !std::isnormal(static_cast<float>(*scale)))
+    return words.failure("the scale should be a number other than 0", word);
+  return static_cast<float>(*scale);
+}
+
+}  // namespace
+
+bool isPfm(Span bytes) {
+  return bytes.size() >= 3 && bytes[0] == 'P' && (bytes[1] == 'F' || bytes[1] == 'f') &&
+         (bytes[2] == ' ' || (bytes[2] >= '\t' && bytes[2] <= '\r'));
+}
+
+Result<DecodedImage> decodePfm(Span bytes, const std::string& name) {
+  constexpr std::uint32_t kMaxSide = 1u << 30;
+  PnmWords words(bytes, name);
+  words.skip(2);
+  MIRRORBALL_TRY(width, words.number("the width", kMaxSide));
+  MIRRORBALL_TRY(height, words.number("the height", kMaxSide));
+  MIRRORBALL_TRY(scale, readScale(words));
+  MIRRORBALL_TRY_VOID(words.endHeader());
+  const int channels = bytes[1] == 'F' ? 3 : 1;
+  MIRRORBALL_TRY_VOID(checkDimensions(name, width, height));
+  MIRRORBALL_TRY_VOID(checkImageMemory(name, static_cast<int>(width), static_cast<int>(height), channels));
+  const Span stored = bytes.subspan(words.position());
+  if (stored.size() / sizeof(float) / std::size_t(channels) / width < height)
+    return cannotHold(name, width, height, bytes.size());
+
+  Image image = Image::withoutValues(static_cast<int>(width), static_cast<int>(height), channels);
+  const std::uint8_t* from = stored.data();
+  for (int y = image.height() - 1; y >= 0; --y)
+    for (float& sample : image.row(y)) {
+      sample = std::bit_cast<float>(scale < 0.0f ? littleU32(from) : bigU32(from)) * std::abs(scale);
+      from += sizeof(float);
+    }
+  std::string format = std::string("PFM, ") + (scale < 0.0f ? "little" : "big") + "-endian";
+  if (std::abs(scale) != 1.0f) format += ", scaled by " + formatNumber(static_cast<double>(std::abs(scale)));
+  return DecodedImage{std::move(image), {}, std::move(format), describeColor(kLinearLight, {}, channels)};
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,309 @@
+#include "mirrorball/codec/ldr/png.h"
+
+#include <algorithm>
+#include <bit>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include <png.h>
+#include <zlib.h>
+
+#include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/codec/ldr/png_color.h"
+#include "mirrorball/codec/metadata.h"
+
+namespace mirrorball {
+namespace {
+
+/// Deflate makes at most 1032 bytes of one (258 bytes from two bits; zlib's technical notes).
+constexpr std::size_t kMaxBytesPerByte = 1032;
+
+/// What libpng's callbacks need: where they read or write, and the text of the error.
+struct PngContext {
+  std::span<const std::uint8_t> in;
+  std::size_t at = 0;
+  Bytes out;
+  char message[160] = "unknown error";
+};
+
+void onError(png_structp png, png_const_charp message) {
+  auto* context = static_cast<PngContext*>(png_get_error_ptr(png));
+  std::snprintf(context->message, sizeof context->message, "%s", message);
+  png_longjmp(png, 1);
+}
+
+/// The library prints nothing: what libpng can live with, so can we.
+void onWarning(png_structp, png_const_charp) {}
+
+void readBytes(png_structp png, png_bytep to, std::size_t count) {
+  auto* context = static_cast<PngContext*>(png_get_io_ptr(png));
+  if (count > context->in.size() - context->at) png_error(png, "the file is truncated");
+  std::memcpy(to, context->in.data() + context->at, count);
+  context->at += count;
+}
+
+/// No exception may pass through libpng's frames, so running out of memory becomes its error.
+bool append(Bytes& out, const std::uint8_t* bytes, std::size_t count) {
+  try {
+    out.insert(out.end(), bytes, bytes + count);
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
+void writeBytes(png_structp png, png_bytep from, std::size_t count) {
+  if (!append(static_cast<PngContext*>(png_get_io_ptr(png))->out, from, count)) png_error(png, "out of memory");
+}
+
+void flushBytes(png_structp) {}
+
+/// Runs calls of libpng, which reports an error by a jump back to here. `body` must own nothing
+/// that has a destructor, for the jump passes over its frame; whatever outlives the calls lives in
+/// the caller's.
+///
+/// returns  false after an error; its text is in the PngContext
+template <typename Body>
+bool guarded(png_structp png, const Body& body) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  body();
+  return true;
+}
+
+struct Reader {
+  explicit Reader(std::span<const std::uint8_t> bytes) {
+    context.in = bytes;
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &context, onError, onWarning);
+    if (png) info = png_create_info_struct(png);
+    if (info) png_set_read_fn(png, &context, readBytes);
+  }
+  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  PngContext context;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+};
+
+struct Writer {
+  Writer() {
+    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &context, onError, onWarning);
+    if (png) info = png_create_info_struct(png);
+    if (info) png_set_write_fn(png, &context, writeBytes, flushBytes);
+  }
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  PngContext context;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+};
+
+/// What the samples are wanted as.
+enum class Form {
+  texture,  ///< 8-bit RGBA
+  light,    ///< 8 or 16 bits in the machine's byte order; grey, RGB or RGBA
+};
+
+void setTransforms(png_structp png, png_infop info, Form form) {
+  png_set_expand(png);  // palettes, 1, 2 and 4 bits, and tRNS to whole samples with alpha
+  const bool grey = (png_get_color_type(png, info) & PNG_COLOR_MASK_COLOR) == 0;
+  const bool alpha =
+      (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+  if (form == Form::texture) {
+    png_set_scale_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+  } else {
+    if (grey && alpha) png_set_gray_to_rgb(png);
+    if constexpr (std::endian::native == std::endian::little) png_set_swap(png);
+  }
+}
+
+/// A decoded PNG: interleaved samples without padding.
+struct Pixels {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  int bits = 0;          ///< of a sample in `bytes`
+  int stored_bits = 0;   ///< of a sample in the file
+  std::size_t size = 0;  ///< of `bytes`
+  /// Without values at first, so that a size that lies costs no memory: only rows that are decoded are touched.
+  std::unique_ptr<std::uint8_t[]> bytes;
+  Metadata metadata;
+  PngColor color;
+};
+
+Metadata readTexts(png_structp png, png_infop info) {
+  Metadata metadata;
+  png_textp texts = nullptr;
+  const int count = png_get_text(png, info, &texts, nullptr);
+  for (int i = 0; i < count; ++i)
+    if (texts[i].key && texts[i].text && isMetadataKey(texts[i].key)) metadata[texts[i].key] = texts[i].text;
+  return metadata;
+}
+
+tl::unexpected<Error> damaged(const Reader& reader, const std::string& name) {
+  return fail(ErrorCode::bad_file, name + ": is a damaged PNG, at byte " + std::to_string(reader.context.at) + ": " +
+                                       reader.context.message);
+}
+
+/// Checks the chunks' sizes against the file's, up to its end chunk: libpng takes a chunk's memory,
+/// and clears it, before it finds that the bytes are not there.
+Result<void> checkChunks(std::span<const std::uint8_t> bytes, const std::string& name) {
+  constexpr std::size_t kSignature = 8;
+  constexpr std::size_t kFrame = 12;  // a chunk's length, its type, and its checksum behind the data
+  constexpr std::uint8_t kEnd[] = {'I', 'E', 'N', 'D'};
+  for (std::size_t at = kSignature; bytes.size() - at >= kFrame;) {
+    const std::size_t length = png_get_uint_32(bytes.data() + at);
+    if (length > bytes.size() - at - kFrame)
+      return fail(ErrorCode::bad_file, name + ": the chunk at byte " + std::to_string(at) + " says it has " +
+                                           std::to_string(length) +
+                                           " bytes, more than the file; it is truncated or damaged");
+    if (std::equal(std::begin(kEnd), std::end(kEnd), bytes.data() + at + 4)) return {};
+    at += length + kFrame;
+  }
+  return fail(ErrorCode::bad_file, name + ": has no end chunk before its end at byte " + std::to_string(bytes.size()) +
+                                       "; the file is truncated");
+}
+
+Result<void> readHeader(Reader& reader, const std::string& name, Pixels& pixels) {
+  const bool read = guarded(reader.png, [&] {
+    png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkDimensions decides
+    png_read_info(reader.png, reader.info);
+  });
+  if (!read) return damaged(reader, name);
+  const png_uint_32 width = png_get_image_width(reader.png, reader.info);
+  const png_uint_32 height = png_get_image_height(reader.png, reader.info);
+  MIRRORBALL_TRY_VOID(checkDimensions(name, width, height));
+  MIRRORBALL_TRY_VOID(checkImageMemory(name, static_cast<int>(width), static_cast<int>(height), 4));
+  const std::size_t stored = png_get_rowbytes(reader.png, reader.info) * std::size_t(height);
+  if (stored / kMaxBytesPerByte > reader.context.in.size())
+    return cannotHold(name, width, height, reader.context.in.size());
+  pixels.width = static_cast<int>(width);
+  pixels.height = static_cast<int>(height);
+  pixels.stored_bits = png_get_bit_depth(reader.png, reader.info);
+  pixels.color = readPngColor(reader.png, reader.info);
+  return {};
+}
+
+Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, const std::string& name, Form form) {
+  MIRRORBALL_TRY_VOID(checkChunks(bytes, name));
+  Reader reader(bytes);
+  if (!reader.info) return fail(ErrorCode::too_large, name + ": not enough memory to decode it");
+  Pixels pixels;
+  MIRRORBALL_TRY_VOID(readHeader(reader, name, pixels));
+
+  const bool prepared = guarded(reader.png, [&] {
+    setTransforms(reader.png, reader.info, form);
+    png_set_interlace_handling(reader.png);
+    png_read_update_info(reader.png, reader.info);
+  });
+  if (!prepared) return damaged(reader, name);
+  const std::size_t row_size = png_get_rowbytes(reader.png, reader.info);
+  pixels.channels = png_get_channels(reader.png, reader.info);
+  pixels.bits = png_get_bit_depth(reader.png, reader.info);
+
+  pixels.size = row_size * std::size_t(pixels.height);
+  pixels.bytes = std::make_unique_for_overwrite<std::uint8_t[]>(pixels.size);
+  std::vector<png_bytep> rows(std::size_t(pixels.height));
+  for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = pixels.bytes.get() + y * row_size;
+  const bool decoded = guarded(reader.png, [&] {
+    png_read_image(reader.png, rows.data());
+    png_read_end(reader.png, reader.info);
+  });
+  if (!decoded) return damaged(reader, name);
+  pixels.metadata = readTexts(reader.png, reader.info);
+  return pixels;
+}
+
+Image8 pictureOf(const Pixels& pixels) {
+  Image8 picture(pixels.width, pixels.height, pixels.channels);
+  std::copy_n(pixels.bytes.get(), pixels.size, picture.samples().begin());
+  return picture;
+}
+
+Image samplesAsLight(const Pixels& pixels) {
+  if (pixels.bits == 8) return linearFromPicture(pictureOf(pixels), pixels.color.curve);
+  std::vector<std::uint16_t> samples(pixels.size / 2);
+  std::memcpy(samples.data(), pixels.bytes.get(), pixels.size);
+  return linearFromSamples16(samples, pixels.width, pixels.height, pixels.channels, pixels.color.curve);
+}
+
+Image lightOf(const Pixels& pixels) {
+  Image light = samplesAsLight(pixels);
+  convertToRec709(light, pixels.color.primaries);
+  return light;
+}
+
+int colorType(int channels) {
+  if (channels == 1) return PNG_COLOR_TYPE_GRAY;
+  return channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA;
+}
+
+/// The better of two filters for each row, and of deflate only its runs of one byte. After the
+/// filters a rendered or photographed picture has hardly anything else that repeats, and looking
+/// for it is what takes the time. A noisy 1280 × 720 picture takes 21 ms and 1.20 MB this way on
+/// one core; libpng's own choice (all filters, level 6, Z_FILTERED) takes 360 ms and 1.18 MB.
+void setCompression(png_structp png) {
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
+  png_set_compression_level(png, 1);
+  png_set_compression_strategy(png, Z_RLE);
+}
+
+}  // namespace
+
+bool isPng(std::span<const std::uint8_t> bytes) {
+  constexpr std::uint8_t kMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  return bytes.size() >= sizeof kMagic && std::equal(std::begin(kMagic), std::end(kMagic), bytes.begin());
+}
+
+Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
+  MIRRORBALL_TRY(pixels, readPixels(bytes, name, Form::light));
+  return DecodedImage{lightOf(pixels), std::move(pixels.metadata),
+                      "PNG, " + std::to_string(pixels.stored_bits) + " bit",
+                      describeColor(pixels.color, pixels.channels)};
+}
+
+Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes, const std::string& name) {
+  MIRRORBALL_TRY(pixels, readPixels(bytes, name, Form::texture));
+  return pictureOf(pixels);
+}
+
+Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, const std::string& name) {
+  Writer writer;
+  if (!writer.info) return fail(ErrorCode::too_large, name + ": not enough memory to encode it");
+  std::vector<png_text> texts;
+  for (const auto& [key, value] : metadata) {
+    png_text text{};
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = const_cast<char*>(key.c_str());  // libpng only reads them
+    text.text = const_cast<char*>(value.c_str());
+    text.text_length = value.size();
+    texts.push_back(text);
+  }
+  writer.context.out.reserve(picture.samples().size() / 2);
+  const bool written = guarded(writer.png, [&] {
+    png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    setCompression(writer.png);
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(picture.width()),
+                 static_cast<png_uint_32>(picture.height()), 8, colorType(picture.channels()), PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_text(writer.png, writer.info, texts.data(), static_cast<int>(texts.size()));
+    png_write_info(writer.png, writer.info);
+    for (int y = 0; y < picture.height(); ++y) png_write_row(writer.png, picture.row(y).data());
+    png_write_end(writer.png, nullptr);
+  });
+  if (!written)
+    return fail(ErrorCode::too_large, name + ": cannot be encoded as PNG: " + std::string(writer.context.message));
+  return std::move(writer.context.out);
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/codec/image_file.h"
+
+namespace mirrorball {
+
+/// Whether the bytes begin as a PNG does.
+bool isPng(std::span<const std::uint8_t> bytes);
+
+/// Decodes a PNG of any colour type and depth to linear light, 16-bit samples with all their
+/// precision. Grey stays one channel unless it has alpha. Samples are taken as sRGB: gAMA, cHRM and
+/// iCCP are ignored.
+///
+/// errors   bad_file; too_large
+Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Decodes a PNG to 8-bit RGBA as stored.
+Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Encodes 1 (grey), 3 or 4 channels of 8 bits, marked as sRGB; metadata as tEXt.
+///
+/// name     for messages
+/// errors   too_large (memory); bad_shape (a side above 2³¹ − 1)
+Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, const std::string& name);
+
+}  // namespace mirrorball

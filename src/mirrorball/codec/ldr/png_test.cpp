@@ -1,0 +1,276 @@
+#include "mirrorball/codec/ldr/png.h"
+
+#include <cmath>
+#include <functional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include "formula/color.h"
+#include "mirrorball/codec/color/icc_testing.h"
+#include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/image_file_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::gradient;
+using ::testing::HasSubstr;
+
+/// What a hand-made PNG is made of.
+struct Recipe {
+  int width = 1;
+  int height = 1;
+  int depth = 8;
+  int color_type = PNG_COLOR_TYPE_RGB;
+  bool interlaced = false;
+  std::vector<png_color> palette = {};
+  std::vector<png_byte> palette_alpha = {};
+  std::vector<Bytes> rows = {};                               ///< as they stand in the file
+  std::function<void(png_structp, png_infop)> describe = {};  ///< sets other chunks before the texels
+};
+
+Bytes made(const Recipe& recipe) {
+  Bytes bytes;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_set_write_fn(
+      png, &bytes,
+      [](png_structp writer, png_bytep from, std::size_t count) {
+        auto* to = static_cast<Bytes*>(png_get_io_ptr(writer));
+        to->insert(to->end(), from, from + count);
+      },
+      [](png_structp) {});
+  png_set_IHDR(png, info, static_cast<png_uint_32>(recipe.width), static_cast<png_uint_32>(recipe.height), recipe.depth,
+               recipe.color_type, recipe.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (!recipe.palette.empty()) png_set_PLTE(png, info, recipe.palette.data(), static_cast<int>(recipe.palette.size()));
+  if (!recipe.palette_alpha.empty())
+    png_set_tRNS(png, info, recipe.palette_alpha.data(), static_cast<int>(recipe.palette_alpha.size()), nullptr);
+  if (recipe.describe) recipe.describe(png, info);
+  png_write_info(png, info);
+  std::vector<Bytes> rows = recipe.rows;
+  std::vector<png_bytep> pointers;
+  for (Bytes& row : rows) pointers.push_back(row.data());
+  png_write_image(png, pointers.data());
+  png_write_end(png, info);
+  png_destroy_write_struct(&png, &info);
+  return bytes;
+}
+
+Image8 texture(const Bytes& bytes) {
+  auto result = decodePngTexture(bytes, "test.png");
+  if (!result) {
+    ADD_FAILURE() << result.error().message;
+    return Image8(1, 1, 4);
+  }
+  return std::move(*result);
+}
+
+DecodedImage light(const Bytes& bytes) {
+  auto result = decodePng(bytes, "test.png");
+  if (!result) {
+    ADD_FAILURE() << result.error().message;
+    return {Image(1, 1, 4), {}, ""};
+  }
+  return std::move(*result);
+}
+
+float linear(float encoded) { return formula::linearFromSrgb1(encoded); }
+
+class PngSize : public ::testing::TestWithParam<std::tuple<glm::ivec2, int>> {};
+
+TEST_P(PngSize, CodesComeBack) {
+  const auto [size, channels] = GetParam();
+  const Image8 picture = pictureFromLinear(gradient(size.x, size.y, channels), channels);
+  const auto bytes = encodePng(picture, {}, "a");
+  ASSERT_TRUE(bytes);
+  const DecodedImage back = light(*bytes);
+  ASSERT_EQ(back.image.channels(), channels);
+  EXPECT_THAT(pictureFromLinear(back.image, channels).samples(), ::testing::ElementsAreArray(picture.samples()));
+  EXPECT_EQ(back.format, "PNG, 8 bit");
+  EXPECT_EQ(back.color, channels == 1 ? "sRGB, grey" : "sRGB");
+
+  const Image8 rgba = texture(*bytes);
+  const std::size_t last = rgba.samples().size() - 4;
+  EXPECT_EQ(rgba.samples()[last], picture.samples()[picture.samples().size() - std::size_t(channels)]);
+  EXPECT_EQ(rgba.samples()[last + 3], channels == 4 ? picture.samples().back() : 255);
+}
+
+INSTANTIATE_TEST_SUITE_P(SizesAndChannels, PngSize,
+                         ::testing::Combine(::testing::Values(glm::ivec2{1, 1}, glm::ivec2{7, 3}, glm::ivec2{200, 90}),
+                                            ::testing::Values(1, 3, 4)));
+
+TEST(Png, MetadataComesBackAndForeignTextsDoNot) {
+  const Metadata metadata{{"mirrorball:projection", "sphere"}, {"mirrorball:layout", ""}};
+  EXPECT_EQ(light(*encodePng(Image8(1, 1, 3), metadata, "a")).metadata, metadata);
+  EXPECT_TRUE(light(*encodePng(Image8(1, 1, 3), {{"Software", "x"}}, "a")).metadata.empty());
+}
+
+TEST(Png, GreyOfEveryDepth) {
+  // Two texels: black and the brightest.
+  for (const auto& [depth, row] : {std::pair{1, Bytes{0x40}},
+                                   {2, Bytes{0x30}},
+                                   {4, Bytes{0x0f}},
+                                   {8, Bytes{0, 255}},
+                                   {16, Bytes{0, 0, 255, 255}}}) {
+    const Bytes bytes = made({.width = 2, .depth = depth, .color_type = PNG_COLOR_TYPE_GRAY, .rows = {row}});
+    EXPECT_THAT(light(bytes).image.samples(), ElementsAre(0.0f, 1.0f)) << depth;
+    EXPECT_THAT(texture(bytes).samples(), ElementsAre(0, 0, 0, 255, 255, 255, 255, 255)) << depth;
+  }
+}
+
+TEST(Png, GreyWithAlphaBecomesFourChannels) {
+  const Bytes bytes = made({.color_type = PNG_COLOR_TYPE_GRAY_ALPHA, .rows = {{128, 51}}});
+  const float grey = linear(128.0f / 255.0f);
+  EXPECT_THAT(light(bytes).image.samples(), ElementsAre(grey, grey, grey, 0.2f));
+  EXPECT_THAT(texture(bytes).samples(), ElementsAre(128, 128, 128, 51));
+}
+
+TEST(Png, PalettesWithAlpha) {
+  const Bytes bytes = made({.width = 2,
+                            .depth = 4,
+                            .color_type = PNG_COLOR_TYPE_PALETTE,
+                            .palette = {{10, 20, 30}, {255, 0, 0}},
+                            .palette_alpha = {0},
+                            .rows = {{0x10}}});
+  EXPECT_THAT(texture(bytes).samples(), ElementsAre(255, 0, 0, 255, 10, 20, 30, 0));
+  EXPECT_EQ(light(bytes).image.channels(), 4);
+  EXPECT_EQ(light(bytes).format, "PNG, 4 bit");
+}
+
+TEST(Png, SixteenBitsKeepTheirPrecisionAndRoundForTextures) {
+  const Bytes bytes = made({.width = 2,
+                            .depth = 16,
+                            .rows = {{0x80, 0x00, 0x80, 0x01, 0x00, 0x81,  //
+                                      0x12, 0x34, 0xff, 0xff, 0x00, 0x80}}});
+  const Image image = light(bytes).image;
+  EXPECT_FLOAT_EQ(image.samples()[0], linear(0x8000 / 65535.0f));
+  EXPECT_FLOAT_EQ(image.samples()[1], linear(0x8001 / 65535.0f));
+  EXPECT_NE(image.samples()[0], image.samples()[1]);
+  EXPECT_FLOAT_EQ(image.samples()[3], linear(0x1234 / 65535.0f));
+  // 0x0081/257 = 0.502 rounds up, 0x0080/257 = 0.498 down.
+  EXPECT_THAT(texture(bytes).samples(), ElementsAre(128, 128, 1, 255, 18, 255, 0, 255));
+}
+
+TEST(Png, InterlacedRowsComeInOrder) {
+  Recipe recipe{.width = 9, .height = 9, .color_type = PNG_COLOR_TYPE_GRAY, .interlaced = true};
+  for (int y = 0; y < 9; ++y) {
+    recipe.rows.emplace_back();
+    for (int x = 0; x < 9; ++x) recipe.rows.back().push_back(static_cast<std::uint8_t>(10 * y + x));
+  }
+  const Image8 picture = texture(made(recipe));
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 9; ++x) ASSERT_EQ(picture.texel(x, y)[0], 10 * y + x);
+}
+
+/// One texel of (255, 128, 0) with chunks that say what it means.
+DecodedImage orangeWith(std::function<void(png_structp, png_infop)> describe) {
+  return light(made({.rows = {{255, 128, 0}}, .describe = std::move(describe)}));
+}
+
+TEST(PngColor, GammaIsThePowerOfTheSamples) {
+  const DecodedImage linear_light = orangeWith([](auto png, auto info) { png_set_gAMA_fixed(png, info, 100000); });
+  EXPECT_THAT(linear_light.image.samples(), ElementsAre(1.0f, 128.0f / 255.0f, 0.0f));
+  EXPECT_EQ(linear_light.color, "linear, Rec.709");
+  const DecodedImage mac = orangeWith([](auto png, auto info) { png_set_gAMA_fixed(png, info, 55556); });
+  EXPECT_NEAR(mac.image.samples()[1], 0.28921f, 1e-5f);  // (128/255)^1.8
+  EXPECT_EQ(mac.color, "gamma 1.8, Rec.709");
+}
+
+TEST(PngColor, GammaOfSixteenBitsToo) {
+  const Bytes bytes =
+      made({.depth = 16, .rows = {{0x80, 0x01, 0xff, 0xff, 0x00, 0x01}}, .describe = [](auto png, auto info) {
+              png_set_gAMA_fixed(png, info, 100000);
+            }});
+  EXPECT_THAT(light(bytes).image.samples(), ElementsAre(0x8001 / 65535.0f, 1.0f, 1 / 65535.0f));
+}
+
+TEST(PngColor, TheGammaThatStandsForSrgbIsSrgb) {
+  const DecodedImage back = orangeWith([](auto png, auto info) { png_set_gAMA_fixed(png, info, 45455); });
+  EXPECT_EQ(back.image.samples()[1], linear(128.0f / 255.0f));
+  EXPECT_EQ(back.color, "sRGB");
+}
+
+TEST(PngColor, PrimariesAreConverted) {
+  const DecodedImage back = orangeWith([](auto png, auto info) {
+    png_set_gAMA_fixed(png, info, 100000);
+    png_set_cHRM_fixed(png, info, 31270, 32900, 70800, 29200, 17000, 79700, 13100, 4600);
+  });
+  const glm::vec3 expected = *rec709FromPrimaries(kRec2020) * glm::vec3(1.0f, 128.0f / 255.0f, 0.0f);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(back.image.samples()[std::size_t(c)], expected[c], 1e-5f);
+  EXPECT_EQ(back.color, "linear, primaries of the file (Rec.2020): converted");
+}
+
+TEST(PngColor, TheChunkSrgbGoesBeforeTheOthers) {
+  const DecodedImage back =
+      orangeWith([](auto png, auto info) { png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL); });
+  EXPECT_EQ(back.image.samples()[1], linear(128.0f / 255.0f));
+  EXPECT_EQ(back.color, "sRGB");
+}
+
+TEST(PngColor, AProfileIsNamedAndNotApplied) {
+  const DecodedImage back = orangeWith([](auto png, auto info) {
+    const Bytes profile = testing::iccProfile("Display P3");
+    png_set_text_compression_level(png, 0);  // libpng takes a chunk of less than 92 bytes for none
+    png_set_iCCP(png, info, "any", PNG_COMPRESSION_TYPE_BASE, profile.data(), static_cast<png_uint_32>(profile.size()));
+    png_set_gAMA_fixed(png, info, 100000);
+  });
+  EXPECT_EQ(back.color, "sRGB assumed: its ICC profile (Display P3) is not applied");
+  EXPECT_EQ(back.image.samples()[1], linear(128.0f / 255.0f));
+}
+
+TEST(PngColor, OfGreyOnlyTheGammaCounts) {
+  const DecodedImage back =
+      light(made({.color_type = PNG_COLOR_TYPE_GRAY, .rows = {{51}}, .describe = [](auto png, auto info) {
+                    png_set_gAMA_fixed(png, info, 100000);
+                    png_set_cHRM_fixed(png, info, 31270, 32900, 70800, 29200, 17000, 79700, 13100, 4600);
+                  }}));
+  EXPECT_THAT(back.image.samples(), ElementsAre(0.2f));
+  EXPECT_EQ(back.color, "linear, grey");
+}
+
+TEST(PngColor, TexturesAreLeftAsTheyStand) {
+  const Bytes bytes =
+      made({.rows = {{255, 128, 0}}, .describe = [](auto png, auto info) { png_set_gAMA_fixed(png, info, 100000); }});
+  EXPECT_THAT(texture(bytes).samples(), ElementsAre(255, 128, 0, 255));
+}
+
+/// A PNG whose IHDR says another size, with the right checksum.
+Bytes withSize(Bytes bytes, std::uint32_t width, std::uint32_t height) {
+  png_save_uint_32(bytes.data() + 16, width);
+  png_save_uint_32(bytes.data() + 20, height);
+  std::uint32_t crc = ~0u;  // PNG's annex D, bit by bit over the chunk's name and its 13 bytes
+  for (std::size_t i = 12; i < 29; ++i) {
+    crc ^= bytes[i];
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1 ? 0xedb88320u : 0u);
+  }
+  png_save_uint_32(bytes.data() + 29, ~crc);
+  return bytes;
+}
+
+TEST(Png, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
+  const Bytes bytes = *encodePng(Image8(4, 4, 3), {}, "a");
+  ASSERT_TRUE(decodePng(withSize(bytes, 4, 4), "a"));
+  EXPECT_EQ(decodePng(withSize(bytes, 0, 4), "a").error().code, ErrorCode::bad_file);
+  EXPECT_EQ(decodePng(withSize(bytes, 1u << 31, 4), "a").error().code, ErrorCode::bad_file);
+  EXPECT_EQ(decodePng(withSize(bytes, 1u << 20, 1u << 20), "a").error().code, ErrorCode::too_large);
+  EXPECT_THAT(decodePng(withSize(bytes, 10000, 10000), "a").error().message, HasSubstr("cannot hold"));
+}
+
+TEST(Png, DamageNamesTheByte) {
+  const Bytes bytes = *encodePng(Image8(40, 40, 3), {}, "a");
+  const Bytes truncated(bytes.begin(), bytes.end() - 20);
+  EXPECT_EQ(decodePng(truncated, "a.png").error().message.substr(0, 30),
+            "a.png: the chunk at byte 46 sa");  // the image data, behind IHDR and sRGB
+  const Bytes endless(bytes.begin(), bytes.end() - 12);
+  EXPECT_THAT(decodePng(endless, "a.png").error().message, HasSubstr("no end chunk"));
+  Bytes changed = bytes;
+  changed[60] ^= 1;
+  EXPECT_THAT(decodePng(changed, "a.png").error().message, ::testing::StartsWith("a.png: is a damaged PNG, at byte "));
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+
+/// Walks over the words at the beginning of one of Netpbm's files, and over the samples of those that are texts.
+class PnmWords {
+ public:
+  PnmWords(std::span<const std::uint8_t> bytes, const std::string& name)
+      : text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()), name_(name) {}
+
+  /// How many bytes were read.
+  std::size_t position() const { return at_; }
+
+  void skip(std::size_t count) { at_ += count; }
+
+  /// The next word behind white space and comments, which run from '#' to the line's end; empty at the file's end.
+  std::string_view word() {
+    skipBlanks();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && !isBlank(text_[at_]) && text_[at_] != '#') ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+
+  /// What is left of the line, without blanks at its ends.
+  std::string_view restOfLine() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+    std::string_view rest = text_.substr(begin, at_ - begin);
+    while (!rest.empty() && isBlank(rest.front())) rest.remove_prefix(1);
+    while (!rest.empty() && isBlank(rest.back())) rest.remove_suffix(1);
+    return rest;
+  }
+
+  /// A whole number from 0 to `most`, called `what` in messages.
+  Result<std::uint32_t> number(const char* what, std::uint32_t max) {
+    const std::string_view digits = word();
+    const auto value = parseNumber(digits);
+    if (value && *value >= 0 && *value <= max && digits.find_first_not_of("0123456789") == std::string_view::npos)
+      return static_cast<std::uint32_t>(*value);
+    return failure(std::string(what) + " should be a number up to " + std::to_string(max), digits);
+  }
+
+  /// A 0 or a 1, which need no blanks between them.
+  Result<std::uint32_t> bit() {
+    skipBlanks();
+    const std::string_view digit = text_.substr(at_, 1);
+    if (digit != "0" && digit != "1") return failure("a sample should be 0 or 1", digit);
+    ++at_;
+    return static_cast<std::uint32_t>(digit == "1");
+  }
+
+  /// Passes the one blank that ends a header.
+  Result<void> endHeader() {
+    if (at_ < text_.size() && isBlank(text_[at_])) {
+      ++at_;
+      return {};
+    }
+    return failure("a blank should end the header", text_.substr(at_, 1));
+  }
+
+  tl::unexpected<Error> failure(const std::string& what, std::string_view found) const {
+    const std::string there = found.empty() ? "the file ends there" : "it is '" + printable(found.substr(0, 20)) + "'";
+    return fail(ErrorCode::bad_file, name_ + ": at byte " + std::to_string(at_) + " " + what + ", and " + there);
+  }
+
+ private:
+  static bool isBlank(char letter) { return letter == ' ' || (letter >= '\t' && letter <= '\r'); }
+
+  void skipBlanks() {
+    while (at_ < text_.size() && (isBlank(text_[at_]) || text_[at_] == '#')) {
+      if (text_[at_] == '#')
+        restOfLine();
+      else
+        ++at_;
+    }
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace mirrorball

@@ -1,0 +1,255 @@
+#include "mirrorball/codec/ldr/tga.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "mirrorball/codec/byte_order.h"
+
+namespace mirrorball {
+namespace {
+
+using Span = std::span<const std::uint8_t>;
+using Rgba = std::array<std::uint8_t, 4>;
+
+constexpr std::size_t kHeaderSize = 18;
+constexpr std::string_view kSignature("TRUEVISION-XFILE.", 18);  // with its closing 0
+constexpr std::size_t kFooterSize = 8 + kSignature.size();
+
+/// A packet says at most 128 texels in one texel's bytes and its own.
+constexpr std::size_t kMaxTexelsPerPacket = 128;
+
+enum class Kind { palette = 1, colors = 2, grey = 3 };
+
+struct Header {
+  std::size_t id_length;
+  bool has_palette;
+  Kind kind;
+  bool is_run_length_coded;
+  std::uint32_t palette_first, palette_length, palette_bits;
+  int width, height;
+  std::uint32_t bits;  ///< of a texel
+  std::uint32_t alpha_bits;
+  bool from_right, from_top;
+
+  std::size_t paletteBytes() const { return has_palette ? palette_length * ((palette_bits + 7) / 8) : 0; }
+  std::size_t texelsAt() const { return kHeaderSize + id_length + paletteBytes(); }
+  std::size_t texelBytes() const { return (bits + 7) / 8; }
+  std::size_t texelCount() const { return std::size_t(width) * std::size_t(height); }
+};
+
+bool isColorDepth(std::uint32_t bits) { return bits == 15 || bits == 16 || bits == 24 || bits == 32; }
+
+/// The header, if each of its numbers is one that the format has.
+std::optional<Header> readHeader(Span bytes) {
+  if (bytes.size() < kHeaderSize) return {};
+  const std::uint32_t type = bytes[2];
+  const std::uint32_t descriptor = bytes[17];
+  const Header header{.id_length = bytes[0],
+                      .has_palette = bytes[1] == 1,
+                      .kind = static_cast<Kind>(type & 7),
+                      .is_run_length_coded = type >= 9,
+                      .palette_first = littleU16(&bytes[3]),
+                      .palette_length = littleU16(&bytes[5]),
+                      .palette_bits = bytes[7],
+                      .width = littleU16(&bytes[12]),
+                      .height = littleU16(&bytes[14]),
+                      .bits = bytes[16],
+                      .alpha_bits = descriptor & 15,
+                      .from_right = (descriptor & 16) != 0,
+                      .from_top = (descriptor & 32) != 0};
+  constexpr std::array<std::uint32_t, 6> kTypes{1, 2, 3, 9, 10, 11};
+  if (std::ranges::find(kTypes, type) == kTypes.end() || bytes[1] > 1 || (descriptor & 0xc0) != 0) return {};
+  if (header.has_palette && !isColorDepth(header.palette_bits)) return {};
+  if (header.kind == Kind::colors) return isColorDepth(header.bits) ? std::optional(header) : std::nullopt;
+  if (header.bits != 8 && header.bits != 16) return {};
+  if (header.kind == Kind::palette && !header.has_palette) return {};
+  return header;
+}
+
+/// What the last bytes of a file of version 2 say of alpha.
+enum class AlphaType { unsaid, none, straight, premultiplied };
+
+bool hasFooter(Span bytes) {
+  return bytes.size() >= kFooterSize &&
+         std::equal(kSignature.begin(), kSignature.end(), bytes.end() - std::ptrdiff_t(kSignature.size()));
+}
+
+AlphaType readAlphaType(Span bytes) {
+  constexpr std::size_t kTypeAt = 494;
+  if (!hasFooter(bytes)) return AlphaType::unsaid;
+  const std::size_t area = littleU32(&bytes[bytes.size() - kFooterSize]);
+  if (area == 0 || area > bytes.size() || bytes.size() - area <= kTypeAt) return AlphaType::unsaid;
+  switch (bytes[area + kTypeAt]) {
+    case 3:
+      return AlphaType::straight;
+    case 4:
+      return AlphaType::premultiplied;
+    default:
+      return AlphaType::none;
+  }
+}
+
+/// 15 and 16 bits are ARRRRRGGGGGBBBBB, 24 and 32 are blue, green, red and alpha.
+Rgba colorOf(const std::uint8_t* stored, std::uint32_t bits) {
+  if (bits >= 24) return {stored[2], stored[1], stored[0], bits == 32 ? stored[3] : std::uint8_t{255}};
+  const std::uint32_t all = littleU16(stored);
+  const auto widened = [](std::uint32_t code) { return static_cast<std::uint8_t>(rescaledCode(code & 31, 31, 255)); };
+  return {widened(all >> 10), widened(all >> 5), widened(all), static_cast<std::uint8_t>((all >> 15) * 255)};
+}
+
+/// Copies texels, or repeats one, as the packets say. They may run from one row into the next.
+///
+/// returns  false where the bytes end before the texels do
+bool unpackRuns(Span packed, std::size_t texel_bytes, std::span<std::uint8_t> texels) {
+  while (!texels.empty()) {
+    if (packed.empty()) return false;
+    const bool is_run = packed[0] >= 128;
+    const std::size_t size = std::min(((packed[0] & 127u) + 1) * texel_bytes, texels.size());
+    packed = packed.subspan(1);
+    const std::size_t stored = is_run ? texel_bytes : size;
+    if (packed.size() < stored) return false;
+    for (std::size_t at = 0; at < size; at += stored) std::copy_n(packed.begin(), stored, texels.begin() + at);
+    packed = packed.subspan(stored);
+    texels = texels.subspan(size);
+  }
+  return true;
+}
+
+class Reader {
+ public:
+  Reader(Span bytes, const std::string& name, const Header& header) : bytes_(bytes), name_(name), header_(header) {}
+
+  Result<CodedPicture> read() {
+    MIRRORBALL_TRY_VOID(check());
+    MIRRORBALL_TRY_VOID(unpack());
+    readPalette();
+    MIRRORBALL_TRY_VOID(checkIndices());
+    const AlphaType alpha = readAlphaType(bytes_);
+    const bool has_alpha = alpha == AlphaType::unsaid ? saysAlpha() : alpha != AlphaType::none && hasPlaceForAlpha();
+    const int channels = has_alpha ? 4 : header_.kind == Kind::grey ? 1 : 3;
+    Image8 picture = Image8::withoutValues(header_.width, header_.height, channels);
+    std::uint8_t max_alpha = 0;
+    for (int y = 0; y < header_.height; ++y)
+      for (int x = 0; x < header_.width; ++x) {
+        const Rgba color = colorAt(texelAt(x, y));
+        std::copy_n(color.begin(), channels, picture.texel(x, y));
+        max_alpha = std::max(max_alpha, color[3]);
+      }
+    // Some programs say that there is alpha and leave it at 0, which would make the whole picture invisible.
+    if (has_alpha && max_alpha == 0)
+      for (std::size_t i = 3; i < picture.samples().size(); i += 4) picture.samples()[i] = 255;
+    CodedPicture coded = std::move(picture);
+    if (alpha == AlphaType::premultiplied) makeStraight(coded);
+    return coded;
+  }
+
+ private:
+  std::uint32_t colorBits() const { return header_.kind == Kind::palette ? header_.palette_bits : header_.bits; }
+  bool hasPlaceForAlpha() const { return colorBits() == 32 || colorBits() == 16; }
+  /// Grey of 16 bits has nothing else in its second byte, whether the header says so or not.
+  bool saysAlpha() const { return hasPlaceForAlpha() && (header_.kind == Kind::grey || header_.alpha_bits > 0); }
+
+  Result<void> check() const {
+    MIRRORBALL_TRY_VOID(checkDimensions(name_, header_.width, header_.height));
+    constexpr int kSampleBytes = 2;  // as packets leave them, and as codes
+    MIRRORBALL_TRY_VOID(checkPictureMemory(name_, header_.width, header_.height, 4, kSampleBytes));
+    const std::size_t size = bytes_.size();
+    const std::size_t there = size - std::min(header_.texelsAt(), size);
+    const std::size_t min = header_.is_run_length_coded
+                                ? header_.texelCount() / kMaxTexelsPerPacket * (header_.texelBytes() + 1)
+                                : header_.texelCount() * header_.texelBytes();
+    if (there < min || there == 0) return cannotHold(name_, header_.width, header_.height, size);
+    return {};
+  }
+
+  Result<void> unpack() {
+    const Span stored = bytes_.subspan(header_.texelsAt());
+    const std::size_t size = header_.texelCount() * header_.texelBytes();
+    texels_ = stored;
+    if (!header_.is_run_length_coded) return {};
+    // Without values, so that a size that lies costs no memory: only texels that are there are touched.
+    unpacked_ = std::make_unique_for_overwrite<std::uint8_t[]>(size);
+    texels_ = {unpacked_.get(), size};
+    if (unpackRuns(stored, header_.texelBytes(), {unpacked_.get(), size})) return {};
+    return fail(ErrorCode::bad_file, name_ + ": ends at byte " + std::to_string(bytes_.size()) +
+                                         ", before its last texel; the file is truncated or damaged");
+  }
+
+  void readPalette() {
+    if (!header_.has_palette) return;
+    const std::size_t entry = (header_.palette_bits + 7) / 8;
+    const std::uint8_t* stored = bytes_.data() + kHeaderSize + header_.id_length;
+    for (std::size_t i = 0; i < header_.palette_length; ++i)
+      palette_.push_back(colorOf(stored + i * entry, header_.palette_bits));
+  }
+
+  /// Of the picture as it is shown: (0, 0) is its upper left corner.
+  const std::uint8_t* texelAt(int x, int y) const {
+    const int column = header_.from_right ? header_.width - 1 - x : x;
+    const int row = header_.from_top ? y : header_.height - 1 - y;
+    return texels_.data() +
+           (std::size_t(row) * std::size_t(header_.width) + std::size_t(column)) * header_.texelBytes();
+  }
+
+  /// The palette's entry for a texel.
+  std::size_t indexOf(const std::uint8_t* texel) const {
+    return std::size_t(header_.bits == 16 ? littleU16(texel) : texel[0]) - header_.palette_first;
+  }
+
+  Result<void> checkIndices() const {
+    if (header_.kind != Kind::palette) return {};
+    for (int y = 0; y < header_.height; ++y)
+      for (int x = 0; x < header_.width; ++x)
+        if (indexOf(texelAt(x, y)) >= palette_.size())
+          return fail(ErrorCode::bad_file, name_ + ": texel (" + std::to_string(x) + ", " + std::to_string(y) +
+                                               ") has a colour that the palette of " + std::to_string(palette_.size()) +
+                                               " does not; the file is damaged");
+    return {};
+  }
+
+  Rgba colorAt(const std::uint8_t* texel) const {
+    if (header_.kind == Kind::colors) return colorOf(texel, header_.bits);
+    if (header_.kind == Kind::palette) return palette_[indexOf(texel)];
+    return {texel[0], texel[0], texel[0], header_.bits == 16 ? texel[1] : std::uint8_t{255}};
+  }
+
+  Span bytes_;
+  const std::string& name_;
+  const Header& header_;
+  std::unique_ptr<std::uint8_t[]> unpacked_;
+  Span texels_;
+  std::vector<Rgba> palette_;
+};
+
+Result<CodedPicture> readPicture(Span bytes, const std::string& name) {
+  const auto header = readHeader(bytes);
+  if (!header) return fail(ErrorCode::bad_file, name + ": is a TGA whose first 18 bytes are not those of one");
+  return Reader(bytes, name, *header).read();
+}
+
+}  // namespace
+
+bool isTga(Span bytes) { return hasFooter(bytes) || readHeader(bytes); }
+
+Result<DecodedImage> decodeTga(Span bytes, const std::string& name) {
+  MIRRORBALL_TRY(picture, readPicture(bytes, name));
+  Image light = lightOf(picture);
+  const auto header = readHeader(bytes);
+  std::string format = "TGA, " + std::to_string(header->bits) + " bit";
+  if (header->kind == Kind::palette) format += " palette";
+  if (header->is_run_length_coded) format += ", RLE";
+  std::string color = describeColor(kSrgbCurve, {}, light.channels());
+  return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
+}
+
+Result<Image8> decodeTgaTexture(Span bytes, const std::string& name) {
+  MIRRORBALL_TRY(picture, readPicture(bytes, name));
+  return textureOf(std::move(picture));
+}
+
+}  // namespace mirrorball

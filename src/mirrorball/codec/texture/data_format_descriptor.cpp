@@ -1,0 +1,155 @@
+#include "mirrorball/codec/texture/data_format_descriptor.h"
+
+#include <array>
+#include <bit>
+#include <span>
+#include <vector>
+
+#include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/little_endian_writer.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr std::size_t kBlockSize = 24;  // the basic block without its samples
+constexpr std::size_t kSampleSize = 16;
+constexpr std::uint16_t kVersion = 2;  // KHR_DF_VERSIONNUMBER_1_3, which 1.4 keeps
+constexpr std::uint8_t kModelRgbsda = 1;
+constexpr std::uint8_t kModelBc6h = 133;
+constexpr std::uint8_t kPrimariesBt709 = 1;
+constexpr std::uint8_t kTransferLinear = 1;
+constexpr std::uint8_t kTransferSrgb = 2;
+
+// A sample's channel type: which colour in the lower four bits, then qualifiers.
+constexpr std::uint8_t kAlpha = 15;
+constexpr std::uint8_t kExponent = 0x20;
+constexpr std::uint8_t kSigned = 0x40;
+constexpr std::uint8_t kFloat = 0x80;
+
+/// One row of the descriptor's list of samples.
+struct Sample {
+  std::uint16_t bit_offset;
+  std::uint8_t bits;
+  std::uint8_t channel_type;
+  std::uint32_t lower;  ///< what stands for −1 or 0; a float's bits where the sample is one
+  std::uint32_t upper;  ///< what stands for 1
+};
+
+constexpr std::array<std::uint8_t, 4> kFloatChannels{0, 1, 2, kAlpha};
+
+const std::uint32_t kOne = std::bit_cast<std::uint32_t>(1.0f);
+const std::uint32_t kMinusOne = std::bit_cast<std::uint32_t>(-1.0f);
+
+/// Floats one behind the other: red, green, blue and alpha, or the first few of them.
+std::vector<Sample> floatSamples(std::uint8_t bits, int channels) {
+  std::vector<Sample> samples;
+  for (const std::uint8_t channel : std::span(kFloatChannels).first(std::size_t(channels)))
+    samples.push_back({static_cast<std::uint16_t>(bits * samples.size()), bits,
+                       static_cast<std::uint8_t>(channel | kFloat | kSigned), kMinusOne, kOne});
+  return samples;
+}
+
+std::vector<Sample> samplesOf(TexelFormat format) {
+  switch (format) {
+    case TexelFormat::half:
+      return floatSamples(16, 4);
+    case TexelFormat::float32:
+      return floatSamples(32, 4);
+    case TexelFormat::rg_half:
+      return floatSamples(16, 2);
+    case TexelFormat::rg_float32:
+      return floatSamples(32, 2);
+    case TexelFormat::bc6h:  // one sample, the colour, of all the block's bits
+      return {{0, 128, kFloat | 0, 0, kOne}};
+    case TexelFormat::b10g11r11:
+      return {{0, 11, kFloat | 0, 0, kOne}, {11, 11, kFloat | 1, 0, kOne}, {22, 10, kFloat | 2, 0, kOne}};
+    default: {
+      // Each channel is a mantissa and the common exponent, whose bias is 15 and largest value 31. The upper value of
+      // the mantissa is what the specification's example of this format has.
+      constexpr std::uint32_t kUpperMantissa = 8448;
+      std::vector<Sample> samples;
+      for (std::uint8_t channel = 0; channel < 3; ++channel) {
+        samples.push_back({static_cast<std::uint16_t>(9 * channel), 9, channel, 0, kUpperMantissa});
+        samples.push_back({27, 5, static_cast<std::uint8_t>(channel | kExponent), 15, 31});
+      }
+      return samples;
+    }
+  }
+}
+
+/// The chromaticities of KHR_DF_PRIMARIES_*, by number; those not listed are Rec.709's or
+/// unspecified, or too rare to convert.
+std::optional<Primaries> primariesOf(int number) {
+  switch (number) {
+    case 2:
+      return kRec601Of625Lines;
+    case 3:  // as SMPTE 170M
+      return kRec601Of525Lines;
+    case 4:
+      return kRec2020;
+    case 6:  // ACES 2065-1
+      return kAcesAp0;
+    case 7:  // ACEScc
+      return kAcesAp1;
+    case 10:
+      return kDisplayP3;
+    case 11:
+      return kAdobeRgb;
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+Result<DescribedColor> readDataFormatDescriptor(std::span<const std::uint8_t> bytes, std::size_t begin,
+                                                std::size_t size, const std::string& name) {
+  const std::string place = name + ": the data format descriptor at byte " + std::to_string(begin);
+  const std::uint8_t* descriptor = bytes.data() + begin;
+  if (size < 4 + kBlockSize || littleU32(descriptor) != size)
+    return fail(ErrorCode::bad_file,
+                place + " is not as long as the header says (" + std::to_string(size) + " bytes); the file is damaged");
+  DescribedColor color;
+  // Vendor and type of a block: 0 and 0 is Khronos's basic one. Others say nothing that is needed here.
+  if (littleU32(descriptor + 4) != 0) return color;
+  color.model = descriptor[12];
+  color.primaries = primariesOf(descriptor[13]);
+  const int transfer = descriptor[14];
+  color.srgb = transfer == kTransferSrgb;
+  if (transfer > kTransferSrgb)
+    return fail(ErrorCode::unsupported, place + " names the transfer function " + std::to_string(transfer) +
+                                            "; only linear (1) and sRGB (2) are read: convert the texture");
+  return color;
+}
+
+Bytes dataFormatDescriptor(TexelFormat format) {
+  const std::vector<Sample> samples = samplesOf(format);
+  const std::size_t block_size = kBlockSize + samples.size() * kSampleSize;
+  LittleEndianWriter writer;
+  writer.u32(static_cast<std::uint32_t>(4 + block_size));
+  writer.u32(0);  // Khronos, basic format
+  writer.u16(kVersion);
+  writer.u16(static_cast<std::uint16_t>(block_size));
+  const StoredFormat stored = storedFormat(format);
+  const auto side = static_cast<std::uint8_t>(blockSide(stored) - 1);
+  writer.u8(format == TexelFormat::bc6h ? kModelBc6h : kModelRgbsda);
+  writer.u8(kPrimariesBt709);
+  writer.u8(kTransferLinear);
+  writer.u8(0);     // straight alpha
+  writer.u8(side);  // of a block, less one: across, down, and in two more dimensions
+  writer.u8(side);
+  writer.zeros(2);
+  writer.u8(static_cast<std::uint8_t>(blockSize(stored)));
+  writer.zeros(7);  // one plane only
+  for (const Sample& sample : samples) {
+    writer.u16(sample.bit_offset);
+    writer.u8(static_cast<std::uint8_t>(sample.bits - 1));
+    writer.u8(sample.channel_type);
+    writer.zeros(4);  // at the block's corner
+    writer.u32(sample.lower);
+    writer.u32(sample.upper);
+  }
+  return writer.takeBytes();
+}
+
+}  // namespace mirrorball

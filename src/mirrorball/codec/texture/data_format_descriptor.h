@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/codec/color/primaries.h"
+#include "mirrorball/codec/texture/stored_format.h"
+
+namespace mirrorball {
+
+/// What a descriptor says about colour.
+struct DescribedColor {
+  int model = 1;  ///< 1: red, green, blue, alpha; 163 and 166 are Basis Universal's
+  bool srgb = false;
+  std::optional<Primaries> primaries;  ///< nothing where they are Rec.709's or unspecified
+};
+
+/// Reads a Khronos data format descriptor, as far as the texels' format does not tell it already.
+///
+/// bytes    the whole file
+/// begin    where the descriptor begins, and `size` its bytes: both within the file
+/// errors   bad_file (the byte is named); unsupported (a transfer function other than linear and sRGB)
+/// from     Khronos Data Format Specification 1.4, "The Khronos Basic Data Format Descriptor Block"
+Result<DescribedColor> readDataFormatDescriptor(std::span<const std::uint8_t> bytes, std::size_t begin,
+                                                std::size_t size, const std::string& name);
+
+/// The descriptor of one of the formats that are written: linear light, Rec.709, straight alpha.
+Bytes dataFormatDescriptor(TexelFormat format);
+
+}  // namespace mirrorball

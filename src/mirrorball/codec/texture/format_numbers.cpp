@@ -1,0 +1,127 @@
+#include "mirrorball/codec/texture/format_numbers.h"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+namespace mirrorball {
+namespace {
+
+/// One format under its numbers in vulkan_core.h and dxgiformat.h; 0 where it has none.
+struct Row {
+  StoredFormat format;
+  std::uint32_t vk_format;
+  std::uint32_t dxgi_format;
+};
+constexpr Row kRows[] = {
+    {{SampleType::unorm8, 1}, 9, 61},
+    {{SampleType::srgb8, 1}, 15, 0},
+    {{SampleType::unorm8, 2}, 16, 49},
+    {{SampleType::srgb8, 2}, 22, 0},
+    {{SampleType::unorm8, 3}, 23, 0},
+    {{SampleType::srgb8, 3}, 29, 0},
+    {{SampleType::unorm8, 3, true}, 30, 0},
+    {{SampleType::srgb8, 3, true}, 36, 0},
+    {{SampleType::unorm8, 4}, 37, 28},
+    {{SampleType::srgb8, 4}, 43, 29},
+    {{SampleType::unorm8, 4, true}, 44, 87},
+    {{SampleType::srgb8, 4, true}, 50, 91},
+    {{SampleType::unorm8, 4, true, true}, 0, 88},
+    {{SampleType::srgb8, 4, true, true}, 0, 93},
+    {{SampleType::unorm16, 1}, 70, 56},
+    {{SampleType::half, 1}, 76, 54},
+    {{SampleType::unorm16, 2}, 77, 35},
+    {{SampleType::half, 2}, 83, 34},
+    {{SampleType::unorm16, 3}, 84, 0},
+    {{SampleType::half, 3}, 90, 0},
+    {{SampleType::unorm16, 4}, 91, 11},
+    {{SampleType::half, 4}, 97, 10},
+    {{SampleType::float32, 1}, 100, 41},
+    {{SampleType::float32, 2}, 103, 16},
+    {{SampleType::float32, 3}, 106, 6},
+    {{SampleType::float32, 4}, 109, 2},
+    {{SampleType::b10g11r11, 3}, 122, 26},
+    {{SampleType::e5b9g9r9, 3}, 123, 67},
+    {{SampleType::bc6h_unsigned, 3}, 143, 95},
+    {{SampleType::bc6h_signed, 3}, 144, 96},
+    {{SampleType::bc6h_unsigned, 3}, 0, 94},  // DXGI_FORMAT_BC6H_TYPELESS, which leaves the sign to whoever uses it
+};
+
+std::optional<StoredFormat> formatOf(std::uint32_t Row::*column, std::uint32_t number) {
+  for (const Row& row : kRows)
+    if (number != 0 && row.*column == number) return row.format;
+  return {};
+}
+
+std::uint32_t numberOf(std::uint32_t Row::*column, TexelFormat format) {
+  const StoredFormat stored = storedFormat(format);
+  return std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& row) {
+           return row.format == stored;
+         })->*column;
+}
+
+/// Numbers in a row that are one family of block compression.
+struct Family {
+  std::uint32_t first;
+  std::uint32_t last;
+  const char* name;
+};
+constexpr Family kVulkanFamilies[] = {
+    {131, 134, "BC1"},
+    {135, 136, "BC2"},
+    {137, 138, "BC3"},
+    {139, 140, "BC4"},
+    {141, 142, "BC5"},
+    {145, 146, "BC7"},
+    {147, 152, "ETC2"},
+    {153, 156, "EAC"},
+    {157, 184, "ASTC"},
+    {1000054000, 1000054007, "PVRTC"},
+    {1000066000, 1000066013, "ASTC HDR"},
+};
+constexpr Family kDxgiFamilies[] = {
+    {70, 72, "BC1"}, {73, 75, "BC2"}, {76, 78, "BC3"}, {79, 81, "BC4"}, {82, 84, "BC5"}, {97, 99, "BC7"},
+};
+constexpr Family kGlFamilies[] = {
+    {0x83f0, 0x83f3, "BC1 to BC3 (S3TC)"},
+    {0x8c4c, 0x8c4f, "BC1 to BC3 (S3TC)"},
+    {0x8dbb, 0x8dbe, "BC4 or BC5 (RGTC)"},
+    {0x8e8c, 0x8e8d, "BC7 (BPTC)"},
+    {0x8d64, 0x8d64, "ETC1"},
+    {0x9270, 0x9279, "ETC2"},
+    {0x8c00, 0x8c03, "PVRTC"},
+    {0x93b0, 0x93dd, "ASTC"},
+};
+
+std::optional<std::string> blockCompression(std::span<const Family> families, std::uint32_t number) {
+  for (const Family& family : families)
+    if (number >= family.first && number <= family.last) return std::string(family.name) + " block compression";
+  return {};
+}
+
+}  // namespace
+
+std::optional<StoredFormat> formatOfVulkan(std::uint32_t vk_format) { return formatOf(&Row::vk_format, vk_format); }
+std::optional<StoredFormat> formatOfDxgi(std::uint32_t dxgi_format) { return formatOf(&Row::dxgi_format, dxgi_format); }
+
+std::uint32_t vulkanNumber(TexelFormat format) { return numberOf(&Row::vk_format, format); }
+std::uint32_t dxgiNumber(TexelFormat format) { return numberOf(&Row::dxgi_format, format); }
+
+std::string nameOfVulkan(std::uint32_t vk_format) {
+  return blockCompression(kVulkanFamilies, vk_format).value_or("VkFormat " + std::to_string(vk_format));
+}
+
+std::string nameOfDxgi(std::uint32_t dxgi_format) {
+  return blockCompression(kDxgiFamilies, dxgi_format).value_or("DXGI_FORMAT " + std::to_string(dxgi_format));
+}
+
+std::optional<std::string> blockCompressionOfGl(std::uint32_t gl_internal_format) {
+  return blockCompression(kGlFamilies, gl_internal_format);
+}
+
+tl::unexpected<Error> unsupportedTexture(const std::string& name, const std::string& what, const std::string& instead) {
+  return fail(ErrorCode::unsupported,
+              name + ": holds " + what + ", which is not read; store it as " + instead + ", for example");
+}
+
+}  // namespace mirrorball

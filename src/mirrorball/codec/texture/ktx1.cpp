@@ -1,0 +1,197 @@
+#include "mirrorball/codec/texture/ktx1.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/texture/format_numbers.h"
+#include "mirrorball/codec/texture/ktx1_layout.h"
+#include "mirrorball/codec/texture/ktx_key_values.h"
+#include "mirrorball/codec/texture/stored_format.h"
+#include "mirrorball/codec/texture/texture_shape.h"
+
+namespace mirrorball {
+namespace {
+
+using namespace ktx1;
+using Span = std::span<const std::uint8_t>;
+
+/// glFormat, and what it says about channels. Luminance is one channel of light.
+struct GlFormat {
+  std::uint32_t number;
+  int channels;
+  bool blue_first;
+};
+constexpr GlFormat kGlFormats[] = {
+    {0x1903, 1, false},         // GL_RED
+    {0x1909, 1, false},         // GL_LUMINANCE
+    {kRg, 2, false},            // GL_RG
+    {kRgb, 3, false},           // GL_RGB
+    {kRgba, 4, false},          // GL_RGBA
+    {kR11FG11FB10F, 3, false},  // of Filament's older files
+    {0x80e0, 3, true},          // GL_BGR
+    {0x80e1, 4, true},          // GL_BGRA
+};
+
+/// glInternalFormat, where it says that 8-bit samples are encoded.
+constexpr std::uint32_t kSrgbInternalFormats[] = {
+    0x8c40,  // GL_SRGB
+    0x8c41,  // GL_SRGB8
+    0x8c42,  // GL_SRGB_ALPHA
+    0x8c43,  // GL_SRGB8_ALPHA8
+    0x8fbd,  // GL_SR8_EXT
+    0x8fbe,  // GL_SRG8_EXT
+    0x8c46,  // GL_SLUMINANCE
+    0x8c47,  // GL_SLUMINANCE8
+};
+
+constexpr const char* kInstead = "GL_RGBA16F";
+
+std::string hex(std::uint32_t number) {
+  std::string digits;
+  for (; number > 0; number /= 16) digits.insert(digits.begin(), "0123456789abcdef"[number % 16]);
+  return "0x" + (digits.empty() ? "0" : digits);
+}
+
+std::optional<SampleType> sampleType(std::uint32_t gl_type, std::uint32_t gl_internal_format) {
+  const bool srgb =
+      std::count(std::begin(kSrgbInternalFormats), std::end(kSrgbInternalFormats), gl_internal_format) > 0;
+  switch (gl_type) {
+    case kUnsignedByte:
+      return srgb ? SampleType::srgb8 : SampleType::unorm8;
+    case kUnsignedShort:
+      return SampleType::unorm16;
+    case kFloat:
+      return SampleType::float32;
+    case kHalfFloat:
+    case kHalfFloatOes:
+      return SampleType::half;
+    case kUnsignedInt10F11F11FRev:
+    case kR11FG11FB10F:
+      return SampleType::b10g11r11;
+    case kUnsignedInt5999Rev:
+      return SampleType::e5b9g9r9;
+    default:
+      return {};
+  }
+}
+
+/// The format that glType and glFormat describe; glInternalFormat tells sRGB and names block compression.
+Result<StoredFormat> texelFormat(std::uint32_t gl_type, std::uint32_t gl_format, std::uint32_t gl_internal_format,
+                                 const std::string& name) {
+  if (gl_internal_format == kRgbBptcSignedFloat) return StoredFormat{SampleType::bc6h_signed, 3};
+  if (gl_internal_format == kRgbBptcUnsignedFloat) return StoredFormat{SampleType::bc6h_unsigned, 3};
+  if (const auto blocks = blockCompressionOfGl(gl_internal_format)) return unsupportedTexture(name, *blocks, kInstead);
+  const auto* row = std::find_if(std::begin(kGlFormats), std::end(kGlFormats),
+                                 [&](const GlFormat& known) { return known.number == gl_format; });
+  const auto type = sampleType(gl_type, gl_internal_format);
+  const bool packed = type == SampleType::b10g11r11 || type == SampleType::e5b9g9r9;
+  if (!type || row == std::end(kGlFormats) || (packed && row->channels != 3))
+    return unsupportedTexture(name,
+                              "texels of glType " + hex(gl_type) + ", glFormat " + hex(gl_format) +
+                                  ", glInternalFormat " + hex(gl_internal_format),
+                              kInstead);
+  return StoredFormat{*type, row->channels, row->blue_first};
+}
+
+/// Walks over the levels: a size, then images, all at multiples of 4.
+class Reader {
+ public:
+  Reader(Span bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+
+  Result<DecodedImageSet> read() {
+    if (bytes_.size() < kHeaderSize) return truncated("the header");
+    big_endian_ = bytes_[12] == 4;
+    if (u32(12) != kByteOrder)
+      return fail(ErrorCode::bad_file, name_ + ": has no byte order mark at byte 12; the file is damaged");
+    TextureShape shape{u32(36), u32(40), std::max(u32(56), 1u), std::max(u32(48), 1u), u32(52)};
+    if (u32(44) > 1) return unsupportedTexture(name_, "a three-dimensional texture", kInstead);
+    if (shape.height == 0 && shape.width > 0) return unsupportedTexture(name_, "a one-dimensional texture", kInstead);
+    MIRRORBALL_TRY_VOID(checkTextureShape(shape, name_));
+    MIRRORBALL_TRY(format, texelFormat(u32(16), u32(24), u32(28), name_));
+
+    const std::uint32_t key_value_size = u32(60);
+    if (key_value_size > bytes_.size() - kHeaderSize) return truncated("the key/value data");
+    MIRRORBALL_TRY(values, readKtxKeyValues(bytes_, kHeaderSize, key_value_size, big_endian_, name_));
+    at_ = kHeaderSize + key_value_size;
+    const bool is_array = u32(48) > 0;
+    MIRRORBALL_TRY_VOID(checkTotal(shape, format));
+    MIRRORBALL_TRY_VOID(checkTextureMemory(shape, format, name_));
+    MIRRORBALL_TRY(images, readLevels(shape, format, is_array));
+    if (images.faces() == 1) forEachImage(images, [&](Image& image) { turnUpright(image, values); });
+    return DecodedImageSet{std::move(images), std::move(values.metadata),
+                           "KTX1, " + nameOf(format) + (big_endian_ ? ", big-endian" : ""),
+                           describeColor(curveOf(format), {}, imageChannels(format))};
+  }
+
+ private:
+  std::uint32_t u32(std::size_t at) const {
+    return big_endian_ ? bigU32(bytes_.data() + at) : littleU32(bytes_.data() + at);
+  }
+
+  tl::unexpected<Error> truncated(const std::string& what) const {
+    return fail(ErrorCode::bad_file, name_ + ": " + what + " ends early, at byte " + std::to_string(bytes_.size()) +
+                                         "; the file is truncated or damaged");
+  }
+
+  /// Before memory is taken: the file is long enough for all levels.
+  Result<void> checkTotal(const TextureShape& shape, const StoredFormat& format) const {
+    std::uint64_t total = 0;
+    for (std::uint32_t level = 0; level < shape.levels; ++level)
+      total += 4 + imageSize(shape, format, static_cast<int>(level), kAlignment) * shape.imagesPerLevel();
+    if (total <= bytes_.size() - at_) return {};
+    return fail(ErrorCode::bad_file, name_ + ": its levels have " + std::to_string(total) + " bytes from byte " +
+                                         std::to_string(at_) + " on, but the file has " +
+                                         std::to_string(bytes_.size()) + "; it is truncated or damaged");
+  }
+
+  Result<ImageSet> readLevels(const TextureShape& shape, const StoredFormat& format, bool is_array) {
+    ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
+    for (int level = 0; level < images.levels(); ++level) {
+      const std::uint64_t size = imageSize(shape, format, level, kAlignment);
+      // Of a cube that is no array, the size of one face is stated.
+      const std::uint64_t expected = is_array ? size * shape.imagesPerLevel() : size;
+      const std::uint32_t stated = u32(at_);
+      if (stated != expected)
+        return fail(ErrorCode::bad_file, name_ + ": level " + std::to_string(level) + " at byte " +
+                                             std::to_string(at_) + " says it has " + std::to_string(stated) +
+                                             " bytes; as " + nameOf(format) + " it has " + std::to_string(expected));
+      at_ += 4;
+      for (int layer = 0; layer < images.layers(); ++layer)
+        for (int face = 0; face < images.faces(); ++face, at_ += size)
+          images.at(level, face, layer) = readImage(shape, format, level);
+    }
+    return images;
+  }
+
+  Image readImage(const TextureShape& shape, const StoredFormat& format, int level) const {
+    const Span stored = bytes_.subspan(at_, imageSize(shape, format, level, kAlignment));
+    const int width = shape.widthAt(level);
+    const int height = shape.heightAt(level);
+    const std::size_t pitch = stored.size() / blocksAlong(format, std::uint64_t(height));
+    const std::size_t word = wordSize(format);
+    if (!big_endian_ || word == 1) return unpackTexels(format, stored.data(), pitch, width, height);
+    std::vector<std::uint8_t> swapped(stored.begin(), stored.end());
+    for (std::size_t i = 0; i + word <= swapped.size(); i += word)
+      std::reverse(swapped.begin() + static_cast<std::ptrdiff_t>(i),
+                   swapped.begin() + static_cast<std::ptrdiff_t>(i + word));
+    return unpackTexels(format, swapped.data(), pitch, width, height);
+  }
+
+  Span bytes_;
+  const std::string& name_;
+  bool big_endian_ = false;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+bool isKtx1(Span bytes) {
+  return bytes.size() >= kIdentifier.size() && std::equal(kIdentifier.begin(), kIdentifier.end(), bytes.begin());
+}
+
+Result<DecodedImageSet> decodeKtx1(Span bytes, const std::string& name) { return Reader(bytes, name).read(); }
+
+}  // namespace mirrorball

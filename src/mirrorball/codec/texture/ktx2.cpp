@@ -1,0 +1,214 @@
+#include "mirrorball/codec/texture/ktx2.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include <zstd.h>
+
+#include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/texture/data_format_descriptor.h"
+#include "mirrorball/codec/texture/format_numbers.h"
+#include "mirrorball/codec/texture/ktx2_layout.h"
+#include "mirrorball/codec/texture/ktx_key_values.h"
+#include "mirrorball/codec/texture/stored_format.h"
+#include "mirrorball/codec/texture/texture_shape.h"
+
+namespace mirrorball {
+namespace {
+
+using Span = std::span<const std::uint8_t>;
+
+/// A part of the file.
+struct Range {
+  std::uint64_t begin = 0;
+  std::uint64_t size = 0;
+  std::string what;
+};
+
+struct Level {
+  std::uint64_t offset;
+  std::uint64_t size;
+  std::uint64_t unpacked_size;
+};
+
+/// The header and the level index, as they stand in the file.
+struct Header {
+  std::uint32_t vk_format = 0;
+  std::uint32_t depth = 0;
+  std::uint32_t scheme = 0;
+  TextureShape shape;
+  Range descriptor;
+  Range key_values;
+  Range global_data;
+  std::vector<Level> levels;
+};
+
+constexpr const char* kInstead = "r16g16b16a16 sfloat";
+
+Result<Header> readHeader(Span bytes, const std::string& name) {
+  if (bytes.size() < kKtx2HeaderSize)
+    return fail(ErrorCode::bad_file, name + ": the header ends early, at byte " + std::to_string(bytes.size()) +
+                                         " of " + std::to_string(kKtx2HeaderSize) + "; the file is truncated");
+  const auto u32 = [&](std::size_t at) { return littleU32(bytes.data() + at); };
+  const auto u64 = [&](std::size_t at) { return littleU64(bytes.data() + at); };
+  Header header;
+  header.vk_format = u32(12);
+  header.shape.width = u32(20);
+  header.shape.height = u32(24);
+  header.depth = u32(28);
+  header.shape.layers = std::max(u32(32), 1u);  // 0: not an array
+  header.shape.faces = u32(36);
+  header.shape.levels = std::max(u32(40), 1u);  // 0: the levels below are to be made from the first
+  header.scheme = u32(44);
+  header.descriptor = {u32(48), u32(52), "the data format descriptor"};
+  header.key_values = {u32(56), u32(60), "the key/value data"};
+  header.global_data = {u64(64), u64(72), "the supercompression global data"};
+  if (header.depth > 0) return unsupportedTexture(name, "a three-dimensional texture", kInstead);
+  if (header.shape.height == 0 && header.shape.width > 0)
+    return unsupportedTexture(name, "a one-dimensional texture", kInstead);
+  MIRRORBALL_TRY_VOID(checkTextureShape(header.shape, name));
+
+  const std::size_t index_end = kKtx2HeaderSize + header.shape.levels * kKtx2LevelSize;
+  if (bytes.size() < index_end)
+    return fail(ErrorCode::bad_file, name + ": the level index ends early, at byte " + std::to_string(bytes.size()) +
+                                         " of " + std::to_string(index_end) + "; the file is truncated");
+  for (std::size_t at = kKtx2HeaderSize; at < index_end; at += kKtx2LevelSize)
+    header.levels.push_back({u64(at), u64(at + 8), u64(at + 16)});
+  return header;
+}
+
+/// All parts lie within the file, and no two of them in the same place.
+Result<void> checkRanges(const Header& header, std::size_t file_size, const std::string& name) {
+  std::vector<Range> ranges = {{0, kKtx2HeaderSize + header.levels.size() * kKtx2LevelSize, "the header"},
+                               header.descriptor};
+  // Where there is nothing of these, their offset means nothing.
+  for (const Range& optional : {header.key_values, header.global_data})
+    if (optional.size > 0) ranges.push_back(optional);
+  for (std::size_t level = 0; level < header.levels.size(); ++level)
+    ranges.push_back({header.levels[level].offset, header.levels[level].size, "level " + std::to_string(level)});
+  for (const Range& range : ranges)
+    if (range.begin > file_size || range.size > file_size - range.begin)
+      return fail(ErrorCode::bad_file, name + ": " + range.what + " says it has " + std::to_string(range.size) +
+                                           " bytes from byte " + std::to_string(range.begin) +
+                                           " on, but the file has " + std::to_string(file_size) +
+                                           "; it is truncated or damaged");
+  std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.begin < b.begin; });
+  for (std::size_t i = 1; i < ranges.size(); ++i)
+    if (ranges[i].begin < ranges[i - 1].begin + ranges[i - 1].size)
+      return fail(ErrorCode::bad_file, name + ": " + ranges[i].what + " at byte " + std::to_string(ranges[i].begin) +
+                                           " overlaps " + ranges[i - 1].what + "; the file is damaged");
+  return {};
+}
+
+/// The format of the texels once they are decompressed.
+Result<StoredFormat> texelFormat(const Header& header, const DescribedColor& color, const std::string& name) {
+  constexpr int kModelEtc1s = 163;
+  constexpr int kModelUastc = 166;
+  if (header.scheme == 1 || (header.vk_format == 0 && (color.model == kModelEtc1s || color.model == kModelUastc)))
+    return unsupportedTexture(name, "Basis Universal block compression", kInstead);
+  auto format = formatOfVulkan(header.vk_format);
+  if (!format) return unsupportedTexture(name, nameOfVulkan(header.vk_format), kInstead);
+  if (header.scheme != kKtx2Plain && header.scheme != kKtx2Zstandard)
+    return unsupportedTexture(name, "supercompression scheme " + std::to_string(header.scheme), kInstead);
+  // Some writers say "unorm" and mean sRGB; the descriptor tells.
+  if (color.srgb && format->type == SampleType::unorm8) format->type = SampleType::srgb8;
+  if (color.srgb && format->type != SampleType::srgb8)
+    return unsupportedTexture(name, nameOf(*format) + " encoded as sRGB", kInstead);
+  return *format;
+}
+
+/// A Zstandard block of 4 bytes stands for at most 128 KiB: more than that is a lie that would only cost memory.
+bool mayUnpackTo(std::uint64_t size, std::uint64_t unpacked_size) {
+  constexpr std::uint64_t kLargestBlock = std::uint64_t{1} << 17;
+  constexpr std::uint64_t kSmallestBlock = 4;
+  return unpacked_size / kLargestBlock <= size / kSmallestBlock;
+}
+
+/// The sizes that the level index states, against what the shape makes them.
+Result<void> checkLevelSizes(const Header& header, const StoredFormat& format, const std::string& name) {
+  for (std::size_t i = 0; i < header.levels.size(); ++i) {
+    const Level& level = header.levels[i];
+    const std::uint64_t expected = imageSize(header.shape, format, static_cast<int>(i)) * header.shape.imagesPerLevel();
+    const std::string place = name + ": level " + std::to_string(i) + " (byte " +
+                              std::to_string(kKtx2HeaderSize + i * kKtx2LevelSize) + " of the file)";
+    const bool is_plain = header.scheme == kKtx2Plain;
+    const std::uint64_t stated = is_plain ? level.size : level.unpacked_size;
+    if (stated != expected)
+      return fail(ErrorCode::bad_file, place + " says it has " + std::to_string(stated) + " bytes of texels; as " +
+                                           nameOf(format) + " it has " + std::to_string(expected));
+    if (!is_plain && !mayUnpackTo(level.size, expected))
+      return fail(ErrorCode::bad_file, place + " has " + std::to_string(level.size) +
+                                           " compressed bytes, too few for " + std::to_string(expected) +
+                                           "; the file is damaged");
+  }
+  return {};
+}
+
+Result<std::unique_ptr<std::uint8_t[]>> unpackZstandard(Span packed, std::uint64_t size, const std::string& place) {
+  // Without values, so that a size that lies costs no memory: only what is unpacked is touched.
+  auto texels = std::make_unique_for_overwrite<std::uint8_t[]>(size);
+  const std::size_t count = ZSTD_decompress(texels.get(), size, packed.data(), packed.size());
+  if (ZSTD_isError(count))
+    return fail(ErrorCode::bad_file, place + " is not sound Zstandard data: " + ZSTD_getErrorName(count));
+  if (count != size)
+    return fail(ErrorCode::bad_file, place + " unpacks to " + std::to_string(count) + " bytes instead of " +
+                                         std::to_string(size) + "; the file is damaged");
+  return texels;
+}
+
+/// Decodes the images of one level into their places.
+void unpackLevel(const StoredFormat& format, const std::uint8_t* texels, int level, const TextureShape& shape,
+                 ImageSet& images) {
+  const std::size_t row = rowSize(shape, format, level);
+  const std::size_t size = imageSize(shape, format, level);
+  for (int layer = 0; layer < images.layers(); ++layer)
+    for (int face = 0; face < images.faces(); ++face, texels += size)
+      images.at(level, face, layer) = unpackTexels(format, texels, row, shape.widthAt(level), shape.heightAt(level));
+}
+
+Result<ImageSet> readLevels(Span bytes, const Header& header, const StoredFormat& format, const std::string& name) {
+  const TextureShape& shape = header.shape;
+  ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
+  for (int i = 0; i < images.levels(); ++i) {
+    const Level& level = header.levels[std::size_t(i)];
+    const Span stored = bytes.subspan(level.offset, level.size);
+    if (header.scheme == kKtx2Plain) {
+      unpackLevel(format, stored.data(), i, shape, images);
+      continue;
+    }
+    const std::string place = name + ": level " + std::to_string(i) + " at byte " + std::to_string(level.offset);
+    MIRRORBALL_TRY(texels, unpackZstandard(stored, level.unpacked_size, place));
+    unpackLevel(format, texels.get(), i, shape, images);
+  }
+  return images;
+}
+
+}  // namespace
+
+bool isKtx2(Span bytes) {
+  return bytes.size() >= kKtx2Identifier.size() &&
+         std::equal(kKtx2Identifier.begin(), kKtx2Identifier.end(), bytes.begin());
+}
+
+Result<DecodedImageSet> decodeKtx2(Span bytes, const std::string& name) {
+  MIRRORBALL_TRY(header, readHeader(bytes, name));
+  MIRRORBALL_TRY_VOID(checkRanges(header, bytes.size(), name));
+  MIRRORBALL_TRY(color, readDataFormatDescriptor(bytes, header.descriptor.begin, header.descriptor.size, name));
+  MIRRORBALL_TRY(format, texelFormat(header, color, name));
+  MIRRORBALL_TRY_VOID(checkLevelSizes(header, format, name));
+  MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, format, name));
+  MIRRORBALL_TRY(values, readKtxKeyValues(bytes, header.key_values.begin, header.key_values.size, false, name));
+  MIRRORBALL_TRY(images, readLevels(bytes, header, format, name));
+  forEachImage(images, [&](Image& image) {
+    convertToRec709(image, color.primaries);
+    if (images.faces() == 1) turnUpright(image, values);
+  });
+  return DecodedImageSet{std::move(images), std::move(values.metadata),
+                         "KTX2, " + nameOf(format) + (header.scheme == kKtx2Zstandard ? ", Zstandard" : ""),
+                         describeColor(curveOf(format), color.primaries, imageChannels(format))};
+}
+
+}  // namespace mirrorball

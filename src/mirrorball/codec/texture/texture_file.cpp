@@ -1,0 +1,161 @@
+#include "mirrorball/codec/texture/texture_file.h"
+
+#include <cassert>
+#include <memory>
+
+#include "mirrorball/codec/image_format.h"
+#include "mirrorball/codec/metadata.h"
+#include "mirrorball/codec/texture/dds.h"
+#include "mirrorball/codec/texture/ktx1.h"
+#include "mirrorball/codec/texture/ktx2.h"
+#include "mirrorball/codec/texture/stored_format.h"
+#include "mirrorball/codec/texture/texture_shape.h"
+#include "mirrorball/codec/within_memory.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr int kHighestZstandardLevel = 22;
+
+Result<DecodedImageSet> decodeByMagic(std::span<const std::uint8_t> bytes, const std::string& name) {
+  if (isKtx2(bytes)) return decodeKtx2(bytes, name);
+  if (isKtx1(bytes)) return decodeKtx1(bytes, name);
+  if (isDds(bytes)) return decodeDds(bytes, name);
+  return fail(ErrorCode::bad_file, name + ": does not begin as a KTX2, KTX or DDS texture does");
+}
+
+std::string sizeText(const Image& image) {
+  return std::to_string(image.width()) + "x" + std::to_string(image.height()) + " with " +
+         std::to_string(image.channels()) + " channels";
+}
+
+/// All images have the size that their level makes them, and the channels of the first, which the format can hold.
+Result<void> checkShape(const ImageSet& images, TexelFormat format, const std::string& name) {
+  if (images.empty() || images.at(0, 0).empty())
+    return fail(ErrorCode::bad_shape, name + ": a texture of no texels cannot be written");
+  const Image& first = images.at(0, 0);
+  if (first.channels() == 2 && storedFormat(format).channels != 2)
+    return fail(ErrorCode::bad_shape,
+                name + ": a texture of 2 channels needs a format of two; give it one, or 1, 3 or 4 channels");
+  auto shape = checkTextureShape(shapeOf(images), name);
+  if (!shape) return fail(ErrorCode::bad_shape, std::move(shape.error().message));
+  for (int level = 0; level < images.levels(); ++level)
+    for (int layer = 0; layer < images.layers(); ++layer)
+      for (int face = 0; face < images.faces(); ++face) {
+        const Image& image = images.at(level, face, layer);
+        if (image.width() == levelSide(first.width(), level) && image.height() == levelSide(first.height(), level) &&
+            image.channels() == first.channels())
+          continue;
+        return fail(ErrorCode::bad_shape, name + ": " + placeName(shapeOf(images), level, layer, face) + " is " +
+                                              sizeText(image) + ", which does not go with level 0 of " +
+                                              sizeText(first));
+      }
+  return {};
+}
+
+/// The container that a name stands for, if it can hold what is asked for.
+Result<ImageFormatId> containerFor(const std::filesystem::path& path, const TextureWriteOptions& options) {
+  const std::string name = path.string();
+  MIRRORBALL_TRY(container, formatToWrite(path, {Holds::texture}));
+  if (options.zstandard_level < 0 || options.zstandard_level > kHighestZstandardLevel)
+    return fail(ErrorCode::usage, name + ": there is no Zstandard level " + std::to_string(options.zstandard_level) +
+                                      "; use 0 (none) to " + std::to_string(kHighestZstandardLevel));
+  if (container != ImageFormatId::ktx2 && options.zstandard_level > 0)
+    return fail(ErrorCode::usage, name + ": has no Zstandard compression; use .ktx2");
+  MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
+  return container;
+}
+
+Result<TextureLayout> layoutIn(ImageFormatId container, const TextureShape& shape, int channels,
+                               const TextureWriteOptions& options, const std::string& name) {
+  if (container == ImageFormatId::dds) return ddsLayout(shape, channels == 4, options);
+  if (container == ImageFormatId::ktx) return ktx1Layout(shape, options, name);
+  return ktx2Layout(shape, options);
+}
+
+Result<void> writeIn(ImageFormatId container, const ImageSet& images, const TextureWriteOptions& options,
+                     const std::string& name, const WriteAt& write) {
+  if (container == ImageFormatId::dds) return writeDds(images, options, name, write);
+  if (container == ImageFormatId::ktx) return writeKtx1(images, options, name, write);
+  return writeKtx2(images, options, name, write);
+}
+
+}  // namespace
+
+Result<DecodedImageSet> readImageSet(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  return withinMemory<DecodedImageSet>(name, [&]() -> Result<DecodedImageSet> {
+    MIRRORBALL_TRY(bytes, readFile(path));
+    return decodeByMagic(bytes, name);
+  });
+}
+
+Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes, const std::string& name) {
+  return withinMemory<DecodedImageSet>(name, [&] { return decodeByMagic(bytes, name); });
+}
+
+bool isImageSet(std::span<const std::uint8_t> bytes) { return isKtx2(bytes) || isKtx1(bytes) || isDds(bytes); }
+
+Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
+                           const TextureWriteOptions& options) {
+  const std::string name = path.string();
+  MIRRORBALL_TRY(container, containerFor(path, options));
+  MIRRORBALL_TRY_VOID(checkShape(images, options.format, name));
+  return withinMemory<void>(name, [&]() -> Result<void> {
+    MIRRORBALL_TRY(writer, FileWriter::create(path));
+    const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) {
+      return writer.writeAt(offset, bytes);
+    };
+    MIRRORBALL_TRY_VOID(writeIn(container, images, options, name, write));
+    return writer.commit();
+  });
+}
+
+Result<TextureWriter> TextureWriter::create(const std::filesystem::path& path, glm::ivec2 size, int faces, int channels,
+                                            const TextureWriteOptions& options) {
+  MIRRORBALL_TRY(container, containerFor(path, options));
+  assert(options.zstandard_level == 0);
+  const TextureShape shape{.width = static_cast<std::uint32_t>(size.x),
+                           .height = static_cast<std::uint32_t>(size.y),
+                           .faces = static_cast<std::uint32_t>(faces)};
+  MIRRORBALL_TRY_VOID(checkTextureShape(shape, path.string()));
+  MIRRORBALL_TRY(layout, layoutIn(container, shape, channels, options, path.string()));
+  MIRRORBALL_TRY(file, FileWriter::create(path));
+  MIRRORBALL_TRY_VOID(file.writeAt(0, layout.header));
+  TextureWriter writer(std::move(file), path.string(), size, options.format);
+  for (const PlacedImage& image : layout.images) writer.offsets_.push_back(image.offset);
+  return writer;
+}
+
+Result<void> TextureWriter::write(int face, glm::ivec2 begin, const Image& texels) const {
+  const StoredFormat stored = storedFormat(format_);
+  [[maybe_unused]] const glm::ivec2 end = begin + glm::ivec2(texels.width(), texels.height());
+  assert(begin % blockSide(stored) == glm::ivec2(0));
+  assert((end.x % blockSide(stored) == 0 || end.x == size_.x) && (end.y % blockSide(stored) == 0 || end.y == size_.y));
+  const std::size_t row_bytes = blocksAlong(stored, std::uint64_t(texels.width())) * blockSize(stored);
+  const std::size_t rows = blocksAlong(stored, std::uint64_t(texels.height()));
+  const auto bytes = std::make_unique_for_overwrite<std::uint8_t[]>(row_bytes * rows);
+  const std::span<std::uint8_t> packed(bytes.get(), row_bytes * rows);
+  if (!packTexels(format_, texels.samples(), texels.channels(), texels.width(), packed)) {
+    const std::size_t index = firstMisfit(format_, texels.samples(), texels.channels());
+    const glm::ivec2 texel(index % std::size_t(texels.width()), index / std::size_t(texels.width()));
+    const TextureShape shape{.faces = static_cast<std::uint32_t>(offsets_.size())};
+    return tl::unexpected<Error>(misfit(name_, format_, placeName(shape, 0, 0, face), begin + texel,
+                                        {texels.texel(texel.x, texel.y), std::size_t(texels.channels())}));
+  }
+  const auto offsetOf = [&](std::size_t row) {
+    const std::uint64_t rows_above = blocksAlong(stored, std::uint64_t(begin.y)) + row;
+    return offsets_[std::size_t(face)] +
+           (rows_above * blocksAlong(stored, std::uint64_t(size_.x)) + blocksAlong(stored, std::uint64_t(begin.x))) *
+               blockSize(stored);
+  };
+  // Rows as wide as the image follow each other in the file.
+  if (texels.width() == size_.x) return file_.writeAt(offsetOf(0), packed);
+  for (std::size_t row = 0; row < rows; ++row)
+    MIRRORBALL_TRY_VOID(file_.writeAt(offsetOf(row), packed.subspan(row * row_bytes, row_bytes)));
+  return {};
+}
+
+bool isTexturePath(const std::filesystem::path& path) { return formatToWrite(path, {Holds::texture}).has_value(); }
+
+}  // namespace mirrorball

@@ -1,0 +1,251 @@
+#include "mirrorball/codec/tiff/tiff.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "mirrorball/base/memory.h"
+#include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/color/icc_profile.h"
+#include "mirrorball/codec/ldr/coded_picture.h"
+#include "mirrorball/codec/tiff/tiff_file.h"
+#include "mirrorball/codec/tiff/tiff_layout.h"
+#include "mirrorball/image/small_float.h"
+#include "mirrorball/image/upright.h"
+
+namespace mirrorball {
+namespace {
+
+using Span = std::span<const std::uint8_t>;
+using Image16 = ImageOf<std::uint16_t>;
+
+/// Hands out strips or tiles one after the other.
+class Striles {
+ public:
+  Striles(const TiffFile& file, const TiffLayout& layout, const std::string& name, const ProgressFunction& progress)
+      : file_(file),
+        layout_(layout),
+        name_(name),
+        planes_(layout.is_by_planes ? layout.samples : 1),
+        per_plane_(std::uint32_t(layout.strilesAcross()) * std::uint32_t(layout.strilesDown())),
+        counter_(progress, std::size_t(planes_) * per_plane_),
+        bytes_(std::make_unique_for_overwrite<std::uint8_t[]>(layout.strileBytes())) {}
+
+  /// Calls `take(plane, first texel, size, bytes)` for each of them that holds colours or alpha. Those at the right and lower
+  /// edges may reach beyond the picture; `size` does not.
+  template <typename Take>
+  Result<void> forEach(const Take& take) {
+    const int across = layout_.strilesAcross();
+    for (int plane = 0; plane < planes_; ++plane) {
+      if (layout_.is_by_planes && plane >= layout_.colors && plane != layout_.alpha) continue;
+      for (std::uint32_t i = 0; i < per_plane_; ++i) {
+        MIRRORBALL_TRY_VOID(decode(std::uint32_t(plane) * per_plane_ + i));
+        const glm::ivec2 begin(int(i % std::uint32_t(across)) * layout_.strile_width,
+                               int(i / std::uint32_t(across)) * layout_.strile_height);
+        take(plane, begin,
+             glm::ivec2(std::min(layout_.strile_width, layout_.width - begin.x),
+                        std::min(layout_.strile_height, layout_.height - begin.y)),
+             bytes_.get());
+        counter_.advance();
+        if (counter_.stopped()) return counter_.result();
+      }
+    }
+    return {};
+  }
+
+ private:
+  Result<void> decode(std::uint32_t index) {
+    const auto size = tmsize_t(layout_.rowBytes() * std::uint64_t(layout_.rowsInStrile(index)));
+    const int warnings = file_.warnings();
+    const tmsize_t decoded = layout_.is_tiled ? TIFFReadEncodedTile(file_.get(), index, bytes_.get(), size)
+                                              : TIFFReadEncodedStrip(file_.get(), index, bytes_.get(), size);
+    // libjpeg only warns where its data end early, and goes on with grey.
+    if (decoded != size || (layout_.is_jpeg && file_.warnings() > warnings)) return file_.damaged(name_);
+    return {};
+  }
+
+  const TiffFile& file_;
+  const TiffLayout& layout_;
+  const std::string& name_;
+  int planes_;
+  std::uint32_t per_plane_;
+  ProgressCounter counter_;
+  /// Without values at first, so that a size that lies costs no memory.
+  std::unique_ptr<std::uint8_t[]> bytes_;
+};
+
+/// The code of any number of bits; below 8, and between 8 and 16, they lie side by side, the highest bits first.
+std::uint32_t codeAt(const std::uint8_t* row, std::size_t sample, int bits) {
+  switch (bits) {
+    case 8:
+      return row[sample];
+    case 16: {
+      std::uint16_t code = 0;
+      std::memcpy(&code, row + 2 * sample, sizeof code);  // libtiff has brought it to the machine's byte order
+      return code;
+    }
+    case 32: {
+      std::uint32_t code = 0;
+      std::memcpy(&code, row + 4 * sample, sizeof code);
+      return code;
+    }
+    default: {
+      const std::size_t first = sample * std::size_t(bits);
+      std::uint32_t code = 0;
+      for (std::size_t bit = first; bit < first + std::size_t(bits); ++bit)
+        code = code << 1 | (row[bit / 8] >> (7 - bit % 8) & 1u);
+      return code;
+    }
+  }
+}
+
+float floatAt(const std::uint8_t* row, std::size_t sample, int bits) {
+  if (bits == 16) return floatFromHalf(static_cast<std::uint16_t>(codeAt(row, sample, 16)));
+  if (bits == 32) return std::bit_cast<float>(codeAt(row, sample, 32));
+  double value = 0;
+  std::memcpy(&value, row + 8 * sample, sizeof value);
+  return static_cast<float>(value);
+}
+
+/// Fills an image, each sample by `read(row, sample, channel)`.
+template <typename Sample, typename Read>
+Result<ImageOf<Sample>> readTexels(const TiffFile& file, const TiffLayout& layout, const std::string& name,
+                                   const ProgressFunction& progress, const Read& read) {
+  constexpr std::uint64_t kSampleBytes = sizeof(Sample) + (std::is_same_v<Sample, float> ? 0 : sizeof(float));
+  const int channels = layout.channels();
+  const std::uint64_t texels = std::uint64_t(layout.width) * std::uint64_t(layout.height);
+  MIRRORBALL_TRY_VOID(checkMemory(name, texels * std::uint64_t(channels) * kSampleBytes + layout.strileBytes()));
+  auto image = ImageOf<Sample>::withoutValues(layout.width, layout.height, channels);
+  const auto stride = std::size_t(layout.samplesInPlane());
+  Striles striles(file, layout, name, progress);
+  MIRRORBALL_TRY_VOID(striles.forEach([&](int plane, glm::ivec2 begin, glm::ivec2 size, const std::uint8_t* bytes) {
+    for (int c = 0; c < channels; ++c) {
+      if (layout.is_by_planes && layout.sampleOf(c) != plane) continue;
+      const std::size_t offset = layout.is_by_planes ? 0 : std::size_t(layout.sampleOf(c));
+      for (int y = 0; y < size.y; ++y) {
+        const std::uint8_t* row = bytes + std::size_t(y) * layout.rowBytes();
+        Sample* to = image.texel(begin.x, begin.y + y) + c;
+        for (int x = 0; x < size.x; ++x) to[x * channels] = read(row, std::size_t(x) * stride + offset, c);
+      }
+    }
+  }));
+  return upright(std::move(image), layout.orientation);
+}
+
+/// Codes that are `Sample`s already, or become the nearest of them.
+template <typename Sample>
+Result<CodedPicture> readCodes(const TiffFile& file, const TiffLayout& layout, const std::string& name,
+                               const ProgressFunction& progress) {
+  constexpr std::uint32_t kNewMax = std::numeric_limits<Sample>::max();
+  const int bits = layout.bits;
+  const auto max = static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);
+  const std::uint32_t turned = layout.is_white_zero ? max : 0;  // greatest − code are all its bits turned over
+  const auto read = [&](const std::uint8_t* row, std::size_t sample, int channel) {
+    const std::uint32_t code = codeAt(row, sample, bits) ^ (channel == 3 ? 0 : turned);
+    return static_cast<Sample>(max == kNewMax ? code : rescaledCode(code, max, kNewMax));
+  };
+  MIRRORBALL_TRY(codes, readTexels<Sample>(file, layout, name, progress, read));
+  return CodedPicture(std::move(codes));
+}
+
+Result<CodedPicture> readPalette(const TiffFile& file, const TiffLayout& layout, const std::string& name,
+                                 const ProgressFunction& progress) {
+  const auto read = [&](const std::uint8_t* row, std::size_t sample, int channel) {
+    const std::uint32_t code = codeAt(row, sample, layout.bits);
+    if (channel < 3) return layout.palette[std::size_t(channel)][code];
+    return static_cast<std::uint16_t>(rescaledCode(code, (1u << layout.bits) - 1, 65535));
+  };
+  MIRRORBALL_TRY(codes, readTexels<std::uint16_t>(file, layout, name, progress, read));
+  return CodedPicture(std::move(codes));
+}
+
+/// Integers, their alpha straight.
+Result<CodedPicture> readPicture(const TiffFile& file, const TiffLayout& layout, const std::string& name,
+                                 const ProgressFunction& progress) {
+  const bool fits_8_bits = layout.bits == 8 || layout.bits == 4 || layout.bits == 2 || layout.bits == 1;
+  MIRRORBALL_TRY(picture, layout.hasPalette() ? readPalette(file, layout, name, progress)
+                          : fits_8_bits       ? readCodes<std::uint8_t>(file, layout, name, progress)
+                                              : readCodes<std::uint16_t>(file, layout, name, progress));
+  if (layout.is_premultiplied) makeStraight(picture);
+  return picture;
+}
+
+/// Floats, multiplied by their alpha.
+Result<Image> readLight(const TiffFile& file, const TiffLayout& layout, const std::string& name,
+                        const ProgressFunction& progress) {
+  const auto read = [&](const std::uint8_t* row, std::size_t sample, int) { return floatAt(row, sample, layout.bits); };
+  MIRRORBALL_TRY(light, readTexels<float>(file, layout, name, progress, read));
+  if (layout.alpha >= 0 && !layout.is_premultiplied)
+    for (std::size_t i = 0; i < light.samples().size(); i += 4)
+      for (std::size_t c = 0; c < 3; ++c) light.samples()[i + c] *= light.samples()[i + 3];
+  return light;
+}
+
+/// "TIFF, 16 bit, LZW"
+std::string formatText(const TiffLayout& layout) {
+  std::string text = "TIFF, ";
+  if (layout.is_log) {
+    text += layout.colors == 3 ? "LogLuv" : "LogL";
+  } else if (layout.is_float) {
+    text += layout.bits == 16 ? "half" : layout.bits == 32 ? "float" : "double";
+  } else {
+    text += std::to_string(layout.bits) + (layout.hasPalette() ? " bit palette" : " bit");
+  }
+  return layout.compression.empty() ? text : text + ", " + layout.compression;
+}
+
+std::string colorText(const TiffLayout& layout, const TransferCurve& curve) {
+  if (layout.is_log && layout.colors == 3) return "CIE XYZ: converted";
+  if (layout.icc_description.empty()) return describeColor(curve, layout.primaries, layout.channels());
+  return layout.is_float ? "linear, Rec.709 assumed: its ICC profile (" + layout.icc_description + ") is not applied"
+                         : describeIccColor(layout.icc_description);
+}
+
+}  // namespace
+
+bool isTiff(Span bytes) {
+  if (bytes.size() < 4) return false;
+  const bool is_little = bytes[0] == 'I' && bytes[1] == 'I';
+  const bool is_big = bytes[0] == 'M' && bytes[1] == 'M';
+  const std::uint16_t version = is_little ? littleU16(&bytes[2]) : bigU16(&bytes[2]);
+  return (is_little || is_big) && (version == TIFF_VERSION_CLASSIC || version == TIFF_VERSION_BIG);
+}
+
+Result<DecodedImage> decodeTiff(Span bytes, const std::string& name, const ProgressFunction& progress) {
+  const TiffFile file(bytes);
+  MIRRORBALL_TRY(layout, readTiffLayout(file, name));
+  Image light;
+  if (layout.is_float) {
+    MIRRORBALL_TRY(floats, readLight(file, layout, name, progress));
+    light = std::move(floats);
+  } else {
+    MIRRORBALL_TRY(picture, readPicture(file, layout, name, progress));
+    light = lightOf(picture);
+  }
+  convertToRec709(light, layout.is_log ? std::optional(kCieXyz) : layout.primaries);
+  return DecodedImage{
+      std::move(light), {}, formatText(layout), colorText(layout, layout.is_float ? kLinearLight : kSrgbCurve)};
+}
+
+Result<Image8> decodeTiffTexture(Span bytes, const std::string& name) {
+  const TiffFile file(bytes);
+  MIRRORBALL_TRY(layout, readTiffLayout(file, name));
+  if (layout.is_float)
+    return fail(ErrorCode::unsupported, name + ": holds floats, and a texture has integers; save it with 8 or 16 bits");
+  MIRRORBALL_TRY(picture, readPicture(file, layout, name, {}));
+  return textureOf(std::move(picture));
+}
+
+bool isTiffOfIntegers(Span bytes) {
+  if (!isTiff(bytes)) return false;
+  const TiffFile file(bytes);
+  const auto layout = readTiffLayout(file, "");
+  return layout && !layout->is_float;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "mirrorball/base/progress.h"
+#include "mirrorball/codec/image_file.h"
+
+namespace mirrorball {
+
+/// Whether the bytes begin as a TIFF or a BigTIFF does.
+bool isTiff(std::span<const std::uint8_t> bytes);
+
+/// Decodes the first page of a TIFF that is no preview: grey, RGB or a palette in integers of up to 16 or of 32 bits, or in
+/// floats of 16, 32 or 64; in strips or tiles, texel by texel or plane by plane; plain, LZW, deflate, PackBits, Zstandard,
+/// JPEG or SGI's LogLuv and LogL. The picture is turned as its tag says.
+///
+/// Integers are sRGB, floats linear light; an ICC profile is named and not applied, primaries that a file without one
+/// states are converted to Rec.709. Alpha is straight with integers and premultiplied with floats, whatever the file
+/// has; a fourth sample that is not said to be alpha is left out. LogLuv is CIE XYZ whose white is (1, 1, 1), as its own
+/// library has it.
+///
+/// errors   bad_file; too_large; unsupported (CMYK, CIE L*a*b*, a camera's raw picture, other compressions);
+///          interrupted
+/// from     Adobe, "TIFF Revision 6.0" (1992); G. W. Larson, "LogLuv Encoding for Full Gamut, High Dynamic Range
+///          Images" (1998)
+Result<DecodedImage> decodeTiff(std::span<const std::uint8_t> bytes, const std::string& name,
+                                const ProgressFunction& progress = {});
+
+/// Decodes a TIFF of integers to 8-bit RGBA as stored, more bits rounded.
+///
+/// errors   also unsupported: it has floats
+Result<Image8> decodeTiffTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Whether a TIFF holds integers, and so can be a texture or the codes of a photograph.
+bool isTiffOfIntegers(std::span<const std::uint8_t> bytes);
+
+}  // namespace mirrorball

@@ -1,0 +1,56 @@
+#include "mirrorball/environment/convert/parallel_conversion.h"
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+
+#include "mirrorball/base/parallel.h"
+
+namespace mirrorball {
+namespace {
+
+/// So many pieces share one buffer, and are one step of progress.
+constexpr std::size_t kPiecesPerTask = 4;
+
+/// The failure of the first piece, whichever thread comes first.
+class FirstFailure {
+ public:
+  void add(std::size_t index, const Error& error) {
+    const std::lock_guard lock(mutex_);
+    if (error_ && index_ < index) return;
+    index_ = index;
+    error_ = error;
+  }
+  std::optional<Error>& error() { return error_; }
+
+ private:
+  std::mutex mutex_;
+  std::size_t index_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Result<void> ParallelConversion::run(const Environment& source, std::span<const Piece> pieces) {
+  std::atomic<bool> failed = false;
+  FirstFailure failure;
+  parallelFor(pieces.size(), kPiecesPerTask, [&](std::size_t begin, std::size_t end) {
+    Image texels;
+    for (std::size_t index = begin; index < end && !failed && !steps_.stopped(); ++index) {
+      const Piece& piece = pieces[index];
+      const glm::ivec2 size = piece.size();
+      if (texels.width() != size.x || texels.height() != size.y)
+        texels = Image::withoutValues(size.x, size.y, conversion_.channels());
+      conversion_.fill(source, piece, texels);
+      if (const auto taken = take_(piece.face, piece.begin, texels); !taken) {
+        failure.add(index, taken.error());
+        failed = true;
+      }
+    }
+    steps_.advance(end - begin);
+  });
+  if (failure.error()) return tl::unexpected<Error>(std::move(*failure.error()));
+  return steps_.result();
+}
+
+}  // namespace mirrorball

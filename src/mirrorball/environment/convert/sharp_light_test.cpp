@@ -1,0 +1,170 @@
+// Suns and sharp steps: what a smooth curve between texels would ring beside. Everything in 32-bit floats.
+
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/environment_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::kEveryProjection;
+
+constexpr float kSun = 1e5f;
+constexpr int kSmall = 32;  ///< a panorama's height; other maps are as fine
+constexpr int kLarge = 96;
+
+struct LightRange {
+  float min;
+  float max;
+};
+
+/// Of the texels that a map shows.
+LightRange rangeOf(const EnvironmentMap& map) {
+  LightRange range{1e30f, -1e30f};
+  const glm::ivec2 extent = map.extent();
+  for (int face = 0; face < map.faces(); ++face)
+    for (int y = 0; y < extent.y; ++y)
+      for (int x = 0; x < extent.x; ++x) {
+        if (!covers(map.projection(), (glm::vec2(x, y) + 0.5f) / glm::vec2(extent))) continue;
+        const glm::vec3 light = rgbAt(map.face(face), x, y);
+        range.min = std::min({range.min, light.x, light.y, light.z});
+        range.max = std::max({range.max, light.x, light.y, light.z});
+      }
+  return range;
+}
+
+bool isGrey(const EnvironmentMap& map) {
+  for (int face = 0; face < map.faces(); ++face)
+    for (int y = 0; y < map.extent().y; ++y)
+      for (int x = 0; x < map.extent().x; ++x)
+        if (const glm::vec3 light = rgbAt(map.face(face), x, y); light.x != light.y || light.y != light.z) return false;
+  return true;
+}
+
+int sizeOf(Projection projection, int height) { return equivalentSize(Projection::equirect, height, projection); }
+
+EnvironmentMap white(Projection projection, int height) {
+  return *convert(Environment([](glm::vec3) { return glm::vec3(1.0f); }, 1), projection, sizeOf(projection, height));
+}
+
+void setLight(EnvironmentMap& map, int face, int x, int y, float light) {
+  std::fill_n(map.face(face).texel(x, y), 3, light);
+}
+
+/// A square of texels of a sun on light of 1.
+struct Sun {
+  glm::ivec2 first;  ///< texel of image 0
+  int side;
+
+  std::string text() const {
+    return "a sun of " + std::to_string(side) + "² texels at " + std::to_string(first.x) + ", " +
+           std::to_string(first.y);
+  }
+};
+
+EnvironmentMap mapOf(Projection projection, int height, const Sun& sun) {
+  EnvironmentMap map = white(projection, height);
+  for (int y = 0; y < sun.side; ++y)
+    for (int x = 0; x < sun.side; ++x) setLight(map, 0, sun.first.x + x, sun.first.y + y, kSun);
+  return map;
+}
+
+/// Within an image, at the middle of its edge, and in its corner where that is no part of a disc.
+std::vector<Sun> suns(Projection projection, int height) {
+  const glm::ivec2 extent = imageSize(projection, sizeOf(projection, height));
+  std::vector<Sun> suns;
+  for (const int side : {1, 2}) {
+    suns.push_back({{extent.x / 3, extent.y * 2 / 5}, side});
+    suns.push_back({{hasDisc(projection) ? 1 : 0, extent.y / 2 - 1}, side});
+    if (!hasDisc(projection)) suns.push_back({{0, 0}, side});
+  }
+  return suns;
+}
+
+/// Light of 1 in one half of all directions and of another value in the other.
+std::vector<EnvironmentMap> steps(Projection projection, float light) {
+  std::vector<EnvironmentMap> maps;
+  for (const glm::vec3 normal : {glm::vec3(0.1f, 0.9f, 0.2f), glm::vec3(-0.4f, 0.5f, 0.6f)}) {
+    EnvironmentMap map = white(projection, kSmall);
+    for (int face = 0; face < map.faces(); ++face)
+      for (int y = 0; y < map.extent().y; ++y)
+        for (int x = 0; x < map.extent().x; ++x) {
+          const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(map.extent());
+          if (glm::dot(directionAt(projection, {face, uv}), normal) > 0.0f) setLight(map, face, x, y, light);
+        }
+    maps.push_back(std::move(map));
+  }
+  return maps;
+}
+
+/// overshoot  how far light may leave what the source holds
+void expectWithin(const EnvironmentMap& map, const EnvironmentMap& source, float overshoot, const std::string& what) {
+  const LightRange range = rangeOf(map);
+  const LightRange held = rangeOf(source);
+  constexpr float kRounding = 1e-6f;  // of weights whose sum is 1
+  EXPECT_GE(range.min, (held.min - overshoot) * (1.0f - kRounding)) << what;
+  EXPECT_LE(range.max, (held.max + overshoot) * (1.0f + kRounding)) << what;
+  EXPECT_TRUE(isGrey(map)) << what;
+}
+
+/// The map in its own projection enlarged and reduced, and in two others.
+void expectNoRinging(const EnvironmentMap& map, float overshoot, const std::string& what) {
+  const Projection projection = map.projection();
+  for (const int size : {map.size() * 16, map.size() * 3, map.size() * 2 / 3, 3})
+    expectWithin(*convert(Environment(map), projection, size), map, overshoot, what + " at " + std::to_string(size));
+  if (!covers(projection, {0.0f, 0.0f, -1.0f})) return;  // others would show black where it has nothing
+  expectWithin(*convert(Environment(map), Projection::equirect, 4 * kSmall), map, overshoot, what + " as a panorama");
+}
+
+class SharpLight : public ::testing::TestWithParam<Projection> {};
+
+TEST_P(SharpLight, NothingIsBrighterOrDarkerBesideASun) {
+  for (const Sun& sun : suns(GetParam(), kSmall))
+    expectNoRinging(mapOf(GetParam(), kSmall, sun), 0.0f, textOf(GetParam()) + ", " + sun.text());
+}
+
+/// At a disc's rim or where smooth regions meet a step may cut off a strip of two texels. At little contrast that is a peak, whose
+/// curve rises an eighth above them. Beyond the edge of one half light goes on as it went before.
+float overshootOfStep(Projection projection, float light) {
+  if (projection == Projection::equirect || light >= 16.0f) return 0.0f;
+  return (light - 1.0f) / (projection == Projection::hemioctahedral ? 2.5f : 8.0f);
+}
+
+TEST_P(SharpLight, NothingIsBrighterOrDarkerBesideAStep) {
+  for (const float light : {1.5f, 12.0f, 1e3f})
+    for (const EnvironmentMap& map : steps(GetParam(), light))
+      expectNoRinging(map, overshootOfStep(GetParam(), light),
+                      textOf(GetParam()) + ", a step to " + std::to_string(light));
+}
+
+/// How far the flux of an enlarged sun may be off. In a cube's corner three texels meet instead of four, and the tip of a
+/// cone lies in one of an equal-area square; texels at the rim of a ball seen from near by grow by half from one to the
+/// next.
+double fluxTolerance(Projection projection, const Sun& sun) {
+  const bool is_corner = sun.first == glm::ivec2(0);
+  if (is_corner && faceCount(projection) == 6) return projection == Projection::eac ? 0.1 : 0.08;
+  if (is_corner && projection == Projection::equirect) return 0.05;
+  if (is_corner && projection == Projection::equal_area) return 0.02;
+  if (projection == Projection::ballFrom(1.5f)) return 0.03;
+  return 0.01;
+}
+
+TEST_P(SharpLight, KeepsTheFluxOfAnEnlargedSun) {
+  const Projection projection = GetParam();
+  for (const Sun& sun : suns(projection, kLarge)) {
+    const EnvironmentMap map = mapOf(projection, kLarge, sun);
+    const EnvironmentMap enlarged = *convert(Environment(map), projection, map.size() * 2);
+    EXPECT_NEAR(testing::fluxOf(enlarged) / testing::fluxOf(map), 1.0, fluxTolerance(projection, sun))
+        << textOf(projection) << ", " << sun.text();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryProjection, SharpLight, ::testing::ValuesIn(kEveryProjection),
+                         [](const auto& instance) { return testing::testName(instance.param); });
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,108 @@
+#include "mirrorball/environment/cube/preset.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr std::array<Alias, 10> kAliases{{{"gl", "opengl"},
+                                          {"vk", "vulkan"},
+                                          {"dx", "directx"},
+                                          {"d3d", "directx"},
+                                          {"direct3d", "directx"},
+                                          {"ue", "unreal"},
+                                          {"ue5", "unreal"},
+                                          {"threejs", "three"},
+                                          {"three.js", "three"},
+                                          {"exr", "openexr"}}};
+
+/// OpenGL's table in the axes by which a program looks its cubes up.
+CubeArrangement tableIn(const WorldAxes& axes) { return inWorld(CubeArrangement{}, axes); }
+
+const std::array<Preset, 11>& table() {
+  using enum SignedAxis;
+  const CubeArrangement ours;
+  // OpenGL 4.3, table 8.18; Vulkan 1.3, "Cube Map Face Selection"; Direct3D 11.3 functional specification, 7.18: the one
+  // table, in whatever axes the program uses. None of the three has panoramas. Left-handed worlds see the table's images
+  // as pictures: UnityGLTF (SchemaExtensions.cs) takes our (x, y, z) to (-x, y, z), Unreal's GLTFCore
+  // (ConversionUtilities.h) to (x, z, y).
+  const CubeArrangement x_mirrored = tableIn({.x = minus_x});
+  const CubeArrangement z_up = tableIn({.x = plus_x, .y = plus_z, .z = plus_y});
+  static const std::array<Preset, 11> presets{{
+      {"opengl", "OpenGL", ours, plus_z, CubeLayout::faces},
+      {"vulkan", "Vulkan", ours, plus_z, CubeLayout::faces},
+      {"directx", "Direct3D", ours, plus_z, CubeLayout::faces},
+      // Skybox-Panoramic.shader: u = 1/2 - atan2(z, x) / 2 pi in Unity's axes.
+      {"unity", "Unity", x_mirrored, minus_x, CubeLayout::faces},
+      // TextureCompressorModule.cpp, LookupLongLat: u = 1/2 + atan2(x, -y) / 2 pi in Unreal's axes.
+      {"unreal", "Unreal Engine", z_up, minus_z, CubeLayout::faces},
+      // sky.glsl: u = atan2(x, -z) / 2 pi. ResourceImporterLayeredTexture cuts one picture into the six faces.
+      {"godot", "Godot", ours, plus_z, CubeLayout::tiles},
+      // cmgen (CubemapUtils.cpp, mirrorCubemap and equirectangularToCubemap): u = 1/2 + atan2(-x, z) / 2 pi, and cubes by
+      // the table, at which the shaders look with world directions (surface_light_indirect.fs).
+      {"filament", "Filament", ours, plus_z, CubeLayout::faces},
+      // envmap_fragment.glsl.js: textureCube(envMap, (-x, y, z)), and u = 1/2 + atan2(z, x) / 2 pi.
+      {"three", "three.js", x_mirrored, plus_x, CubeLayout::faces},
+      // Cycles, camera/projection.h: u = 1/2 - atan2(y, x) / 2 pi in Blender's axes, our (x, -z, y).
+      {"blender", "Blender", std::nullopt, plus_x, CubeLayout::faces},
+      // RISpec 3.2, RiMakeCubeFaceEnvironment, as Aqsis has it (cubeenvironmentsampler.h): OpenGL's table came from there.
+      // OpenUSD's hdPrman (light.cpp) turns a dome light so that OpenEXR's directions hold.
+      {"renderman", "RenderMan", ours, plus_z, CubeLayout::faces},
+      // ImfEnvmap.h: the faces are pictures seen from inside, those of +-Y upright for an eye that looks along -Z.
+      {"openexr", "OpenEXR",
+       CubeArrangement{{{{plus_x, plus_z, minus_y},
+                         {minus_x, minus_z, minus_y},
+                         {plus_y, plus_x, minus_z},
+                         {minus_y, plus_x, plus_z},
+                         {plus_z, minus_x, minus_y},
+                         {minus_z, plus_x, minus_y}}}},
+       plus_z, CubeLayout::vstrip, FaceNaming::signs, true},
+  }};
+  return presets;
+}
+
+}  // namespace
+
+std::span<const Preset> presets() { return table(); }
+
+std::span<const std::string_view> presetNames() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const Preset& preset : presets()) all.push_back(preset.name);
+    return all;
+  }();
+  return names;
+}
+
+Result<Preset> presetNamed(std::string_view name) {
+  if (const auto index = indexOfName(name, presetNames(), kAliases)) return presets()[*index];
+  return tl::unexpected<Error>(unknownName("program", name, presetNames()));
+}
+
+Result<MapForm> formFor(const Preset& preset, Projection projection, CubeLayout layout) {
+  const std::string program(preset.program);
+  MapForm form{projection, layout};
+  form.has_texels_on_edges = preset.has_texels_on_edges;
+  if (projection == Projection::equirect) {
+    form.centre = preset.centre;
+    return form;
+  }
+  if (faceCount(projection) != 6 || (projection == Projection::eac && form.has_texels_on_edges))
+    return fail(ErrorCode::usage, "for " + program + " only cubes and panoramas are known, no map of projection " +
+                                      std::string(nameOf(projection)) + "; leave '" + std::string(preset.name) +
+                                      "' out");
+  if (!preset.cube)
+    return fail(ErrorCode::usage, program + " has no cube maps; give it a panorama (convert --to equirect)");
+  if (form.has_texels_on_edges && layout != CubeLayout::faces && layout != preset.layout)
+    return fail(ErrorCode::usage, program + " has cubes in the layout " + std::string(nameOf(preset.layout)) +
+                                      " (or faces) only, not " + std::string(nameOf(layout)));
+  form.arrangement = *preset.cube;
+  return form;
+}
+
+}  // namespace mirrorball

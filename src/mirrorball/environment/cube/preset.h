@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/environment/cube/cube_arrangement.h"
+#include "mirrorball/environment/file/face_files.h"
+#include "mirrorball/environment/file/map_form.h"
+
+namespace mirrorball {
+
+/// How another program's environment maps lie in files. docs/conventions.md has the table with each row's source.
+struct Preset {
+  std::string_view name;                ///< "three"
+  std::string_view program;             ///< "three.js"
+  std::optional<CubeArrangement> cube;  ///< nothing where it has no cube maps
+  SignedAxis centre;                    ///< our direction in the middle of its upright panoramas
+  CubeLayout layout;                    ///< of a cube, where nothing else is asked for
+  FaceNaming naming = FaceNaming::px;   ///< of a cube's six files
+  bool has_texels_on_edges = false;     ///< MapForm::has_texels_on_edges
+};
+
+/// opengl, vulkan, directx, unity, unreal, godot, filament, three, blender, renderman, openexr
+std::span<const Preset> presets();
+
+/// Their names, in that order.
+std::span<const std::string_view> presetNames();
+
+/// Also by other names of the programs: "threejs", "dx".
+///
+/// errors   usage: lists the names
+Result<Preset> presetNamed(std::string_view name);
+
+/// How a program wants a map.
+///
+/// layout   of a cube; Preset::layout where nothing else is asked for
+/// errors   usage: it has no such maps, or the preset says nothing of that projection
+Result<MapForm> formFor(const Preset& preset, Projection projection, CubeLayout layout);
+
+}  // namespace mirrorball

@@ -1,0 +1,92 @@
+#include "mirrorball/environment/cube/preset.h"
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "formula/constants.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/environment_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// u of our direction in a program's panorama, by the program's own formula.
+using Longitude = float (*)(glm::vec3 direction);
+
+/// atan2 in turns of the circle.
+float turns(float y, float x) { return std::atan2(y, x) / formula::kTwoPi; }
+
+TEST(Preset, EveryArrangementIsACube) {
+  for (const Preset& preset : presets())
+    if (preset.cube) {
+      EXPECT_TRUE(isComplete(*preset.cube)) << preset.name;
+    }
+}
+
+// Unity's and three.js' look-ups mirror x, Unreal's exchange y and z; all three then read by OpenGL's table.
+TEST(Preset, ACubeAnswersByTheProgramsLookUp) {
+  const EnvironmentMap cube = *convert(Environment(testing::smoothRadiance, 128), Projection::cube, 64);
+  const auto expectLookUp = [&](std::string_view name, glm::mat3 program_from_ours) {
+    const EnvironmentMap images(Projection::cube,
+                                imagesOf(cube, *formFor(*presetNamed(name), Projection::cube, CubeLayout::faces)));
+    for (const glm::vec3 d : testing::manyDirections(300))
+      EXPECT_LT(glm::length(images.radiance(program_from_ours * d) - cube.radiance(d)), 1e-4f) << name;
+  };
+  const glm::mat3 x_mirrored(glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1));
+  const glm::mat3 z_up(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0));
+  for (const std::string_view name : {"opengl", "vulkan", "directx", "godot", "filament", "renderman"})
+    expectLookUp(name, glm::mat3(1.0f));
+  expectLookUp("unity", x_mirrored);
+  expectLookUp("three", x_mirrored);
+  expectLookUp("unreal", z_up);
+}
+
+// The formulas are those of the sources in docs/conventions.md, with each program's axes written in ours.
+TEST(Preset, APanoramaAnswersByTheProgramsFormula) {
+  const EnvironmentMap map = *convert(Environment(testing::smoothRadiance, 256), Projection::equirect, 128);
+  const auto expectLongitude = [&](std::string_view name, Longitude longitude) {
+    const Image picture = pictureOf(map, *formFor(*presetNamed(name), Projection::equirect, CubeLayout::faces));
+    for (const glm::vec3 d : testing::manyDirections(300)) {
+      const float v = std::acos(d.y) / formula::kPi;
+      if (v < 0.05f || v > 0.95f) continue;
+      const glm::vec2 position(glm::fract(longitude(d)) * 256.0f, v * 128.0f);
+      const auto fetch = [&](int x, int y) { return glm::vec4(rgbAt(picture, (x + 256) % 256, y), 1.0f); };
+      EXPECT_LT(glm::length(glm::vec3(bilinear(position, fetch)) - testing::smoothRadiance(d)), 3e-3f) << name;
+    }
+  };
+  for (const std::string_view name : {"opengl", "vulkan", "directx", "godot", "renderman"})
+    expectLongitude(name, [](glm::vec3 d) { return turns(d.x, -d.z); });
+  expectLongitude("filament", [](glm::vec3 d) { return 0.5f + turns(-d.x, d.z); });
+  expectLongitude("three", [](glm::vec3 d) { return 0.5f + turns(d.z, d.x); });
+  expectLongitude("unity", [](glm::vec3 d) { return 0.5f - turns(d.z, -d.x); });
+  expectLongitude("unreal", [](glm::vec3 d) { return 0.5f + turns(d.x, -d.z); });
+  expectLongitude("blender", [](glm::vec3 d) { return 0.5f - turns(-d.z, d.x); });
+}
+
+TEST(Preset, WhatAProgramDoesNotTakeIsTold) {
+  const auto messageFor = [](std::string_view name, Projection projection) {
+    return formFor(*presetNamed(name), projection, CubeLayout::hcross).error().message;
+  };
+  EXPECT_THAT(messageFor("blender", Projection::cube), HasSubstr("Blender has no cube maps"));
+  EXPECT_THAT(messageFor("three", Projection::angular), HasSubstr("no map of projection angular"));
+  EXPECT_THAT(messageFor("openexr", Projection::eac), HasSubstr("no map of projection eac"));
+  EXPECT_THAT(messageFor("openexr", Projection::cube), HasSubstr("in the layout vstrip (or faces) only, not hcross"));
+  EXPECT_THAT(presetNamed("unreel").error().message, HasSubstr("did you mean 'unreal'?"));
+}
+
+TEST(Preset, EachHasARowInTheConventions) {
+  std::ifstream stream(std::string(MIRRORBALL_SOURCE_DIR) + "/docs/conventions.md");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  for (const Preset& preset : presets())
+    EXPECT_NE(text.find("| `" + std::string(preset.name) + "` |"), std::string::npos) << preset.name;
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <limits>
+
+#include "mirrorball/environment/environment.h"
+
+namespace mirrorball {
+
+/// How light is changed before anything else is done with it.
+struct LightLimits {
+  float scale = 1.0f;                                  ///< times which all light is taken
+  float max = std::numeric_limits<float>::infinity();  ///< then the brightest channel's greatest radiance
+
+  bool areNone() const { return scale == 1.0f && max == std::numeric_limits<float>::infinity(); }
+};
+
+/// What a limit took away: luminance over solid angle.
+struct LostLight {
+  double lost = 0.0;
+  double kept = 0.0;
+
+  void add(const LostLight& other) {
+    lost += other.lost;
+    kept += other.kept;
+  }
+  /// Of all light that there was, in [0, 1].
+  double share() const { return lost > 0.0 ? lost / (lost + kept) : 0.0; }
+};
+
+/// Lowers every texel whose brightest channel is above `most` until it is not, its hue kept. Texels that are not finite
+/// stay.
+///
+/// texels   a rectangle of one of the images of a map of that projection
+/// extent   of that whole image
+/// begin    where in it the first of the texels is
+/// returns  with solid angles that are one for each of some 128² blocks of texels: to a percent of themselves
+/// cost     that of reading the texels
+LostLight limitLight(Projection projection, glm::ivec2 extent, glm::ivec2 begin, float max, Image& texels);
+
+/// Scales and limits the light of one of the images of a map, or of a mip level.
+LostLight limitLight(Projection projection, const LightLimits& limits, Image& image);
+
+/// Scales and limits the light of a map, or of a function.
+LostLight limitLight(EnvironmentMap& map, const LightLimits& limits);
+LostLight limitLight(Environment& environment, const LightLimits& limits);
+
+}  // namespace mirrorball

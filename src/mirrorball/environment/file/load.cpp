@@ -1,0 +1,331 @@
+#include "mirrorball/environment/file/load.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/cube/cube_arrangement.h"
+#include "mirrorball/environment/cube/cube_edges.h"
+#include "mirrorball/environment/file/face_files.h"
+
+namespace mirrorball {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Counts texels that are NaN or infinite, and refuses them unless the options say what to do.
+Result<NonFinite> checkNonFinite(const std::string& name, const Image& image, const EnvironmentLoadOptions& options) {
+  const NonFinite bad = findNonFinite(image);
+  if (bad.count == 0 || options.keep_bad || options.repair) return bad;
+  return fail(ErrorCode::non_finite, name + ": " + textOf(bad) + "; --repair replaces them by their neighbours");
+}
+
+Result<void> repairImage(const std::string& name, Image& image) {
+  if (const auto repaired = repairNonFinite(image); !repaired)
+    return fail(repaired.error().code, name + ": " + repaired.error().message);
+  return {};
+}
+
+/// Mends each image of a map, so that nothing from beside a face in its picture gets in.
+Result<void> repairImages(const std::string& name, ImageSet& images) {
+  for (int face = 0; face < images.faces(); ++face) MIRRORBALL_TRY_VOID(repairImage(name, images.at(0, face)));
+  return {};
+}
+
+/// Whatever a picture has beside its disc, no light comes from there.
+void clearBesideDisc(Projection projection, Image& image) {
+  if (!hasDisc(projection)) return;
+  const glm::vec2 extent(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (!covers(projection, (glm::vec2(x, y) + 0.5f) / extent))
+        std::fill_n(image.texel(x, y), image.channels(), 0.0f);
+}
+
+/// Counts another image's bad texels in.
+void add(const NonFinite& more, NonFinite& total) {
+  if (total.count == 0) total.first = more.first;
+  total.count += more.count;
+}
+
+/// How six faces may lie other than by OpenGL's table, and still each in its own place. Mirrored, a whole cross goes on
+/// across its edges as before; in strips and files each face may be mirrored by itself.
+std::vector<CubeArrangement> otherArrangements(CubeLayout layout) {
+  constexpr std::array kPoles{SignedAxis::plus_y, SignedAxis::minus_y};
+  constexpr std::array kBack{SignedAxis::minus_z};
+  const CubeArrangement ours;
+  if (layout == CubeLayout::vcross) return {turned(ours, kBack)};
+  if (layout == CubeLayout::hcross) return {turned(ours, kBack), turned(ours, kPoles)};
+  return {asSeen(ours), turned(asSeen(ours), kPoles), turned(ours, kPoles)};
+}
+
+/// The arrangement in which a guessed cube's faces meet clearly best; without such a one, as it was guessed.
+CubeArrangement arrangementByEdges(const EnvironmentMap& map, const MapForm& form) {
+  CubeArrangement best = form.arrangement;
+  EdgeFit best_fit = edgeFit(map);
+  for (const CubeArrangement& other : otherArrangements(form.layout))
+    if (const EdgeFit fit = edgeFit(map, other); fit.meets() && fit.isClearlyBetterThan(best_fit)) {
+      best = other;
+      best_fit = fit;
+    }
+  return best;
+}
+
+/// What is said of a cube whose faces do not meet.
+std::string doubtOf(const Recognition& recognition) {
+  const CubeLayout layout = recognition.form.layout;
+  return "taken as " + textOf(recognition.form) + " (" + recognition.told_by +
+         "), but its faces do not meet at their edges: a photograph is no map, and " +
+         (layout == CubeLayout::hcross   ? "--from lecture or "
+          : layout == CubeLayout::vcross ? "--from vcross:turn=-z or "
+                                         : "") +
+         "--from cube:as-seen names another form";
+}
+
+/// Takes a cube whose form is a guess as the form in which its faces meet.
+///
+/// other_map    of another form
+/// returns      what to say where there is none
+template <typename OtherMap>
+Result<std::string> decideByEdges(Recognition& recognition, EnvironmentMap& map, OtherMap&& other_map) {
+  if (!recognition.is_guess || faceCount(recognition.form.projection) != 6) return std::string();
+  const auto take = [&](const MapForm& form, EnvironmentMap other) {
+    map = std::move(other);
+    recognition = {form, recognition.told_by + ", and how its edges meet", true};
+    return std::string();
+  };
+  MapForm form = recognition.form;
+  form.arrangement = arrangementByEdges(map, form);
+  if (form.arrangement != recognition.form.arrangement) {
+    MIRRORBALL_TRY(other, other_map(form));
+    return take(form, std::move(other));
+  }
+  const EdgeFit fit = edgeFit(map);
+  if (fit.meets()) return std::string();
+  if (form.layout == CubeLayout::hcross) {
+    form.layout = CubeLayout::lecture;
+    MIRRORBALL_TRY(other, other_map(form));
+    if (edgeFit(other).meets()) return take(form, std::move(other));
+  }
+  return fit.jumps() ? doubtOf(recognition) : std::string();
+}
+
+/// A cube whose six images are there.
+Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::string format, std::string color,
+                                 Metadata metadata, Recognition recognition, const NonFinite& bad,
+                                 std::vector<std::string> files, const EnvironmentLoadOptions& options) {
+  if (faceCount(recognition.form.projection) != 6)
+    return fail(ErrorCode::bad_shape, name + ": has the six faces of a cube, and a map of projection " +
+                                          std::string(nameOf(recognition.form.projection)) +
+                                          " is one picture; leave --from out, or name cube or eac");
+  const glm::ivec2 size(images.at(0, 0).width());
+  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
+  EnvironmentMap map = mapOfImages(std::move(images), recognition.form);
+  MIRRORBALL_TRY(doubt, decideByEdges(recognition, map, [&](const MapForm& form) -> Result<EnvironmentMap> {
+                   return mapOfImages(imagesOf(map, recognition.form), form);
+                 }));
+  return LoadedEnvironment{.environment = Environment(std::move(map)),
+                           .name = name,
+                           .format = std::move(format),
+                           .color = std::move(color),
+                           .recognition = std::move(recognition),
+                           .file_size = size,
+                           .bad_texels = bad,
+                           .files = std::move(files),
+                           .metadata = std::move(metadata),
+                           .doubt = std::move(doubt)};
+}
+
+Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& files,
+                                    const EnvironmentLoadOptions& options) {
+  ImageSet images(1, 6);
+  Recognition recognition;
+  std::string format;
+  std::string color;
+  Metadata metadata;
+  NonFinite bad;
+  for (int slot = 0; slot < 6; ++slot) {
+    const std::string path = files.paths[static_cast<std::size_t>(slot)].string();
+    MIRRORBALL_TRY(decoded, readImage(path));
+    MIRRORBALL_TRY(bad_here, checkNonFinite(path, decoded.image, options));
+    if (slot == 0) {
+      metadata = std::move(decoded.metadata);
+      recognition = recognizeFaces(metadata, options.from, "its name, one of six faces " + textOf(files.naming));
+    }
+    add(bad_here, bad);
+    const int side = slot == 0 ? decoded.image.height() : images.at(0, 0).height();
+    if (decoded.image.width() != side || decoded.image.height() != side)
+      return fail(ErrorCode::bad_shape, path + ": is " + std::to_string(decoded.image.width()) + "x" +
+                                            std::to_string(decoded.image.height()) +
+                                            ", and the six faces of a cube are squares of one size");
+    if (slot > 0 && decoded.image.channels() != images.at(0, 0).channels())
+      return fail(ErrorCode::bad_shape, path + ": has other colour channels than the cube's first face");
+    images.at(0, slot) = std::move(decoded.image);
+    format = decoded.format;
+    color = decoded.color;
+  }
+  return cubeOf(name, std::move(images), std::move(format), std::move(color), std::move(metadata),
+                std::move(recognition), bad, {files.paths.begin(), files.paths.end()}, options);
+}
+
+Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage decoded,
+                                      const EnvironmentLoadOptions& options) {
+  const glm::ivec2 size(decoded.image.width(), decoded.image.height());
+  MIRRORBALL_TRY(recognition, recognize(name, size.x, size.y, decoded.metadata, options.from));
+  if (faceCount(recognition.form.projection) == 1) clearBesideDisc(recognition.form.projection, decoded.image);
+  MIRRORBALL_TRY(bad, checkNonFinite(name, decoded.image, options));
+  const auto mapIn = [&](Image picture, const MapForm& form) -> Result<EnvironmentMap> {
+    auto images = imagesInPicture(std::move(picture), form);
+    if (!images) return fail(images.error().code, name + ": " + images.error().message);
+    if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, *images));
+    return mapOfImages(std::move(*images), form);
+  };
+  // The lecture's cross has faces in cells that are empty in the other.
+  const bool is_kept = recognition.is_guess && recognition.form.layout == CubeLayout::hcross;
+  MIRRORBALL_TRY(map, mapIn(is_kept ? decoded.image : std::move(decoded.image), recognition.form));
+  MIRRORBALL_TRY(doubt, decideByEdges(recognition, map, [&](const MapForm& form) -> Result<EnvironmentMap> {
+                   if (form.layout != recognition.form.layout) return mapIn(decoded.image, form);
+                   return mapOfImages(imagesOf(map, recognition.form), form);
+                 }));
+  return LoadedEnvironment{.environment = Environment(std::move(map)),
+                           .name = name,
+                           .format = decoded.format,
+                           .color = decoded.color,
+                           .recognition = recognition,
+                           .file_size = size,
+                           .bad_texels = bad,
+                           .files = {name},
+                           .metadata = std::move(decoded.metadata),
+                           .doubt = std::move(doubt)};
+}
+
+/// "9 mip levels, the first of 2 layers": what else a texture has.
+std::string restOf(const ImageSet& texture) {
+  std::string rest;
+  if (texture.levels() > 1) rest += ", " + std::to_string(texture.levels()) + " mip levels";
+  if (texture.layers() > 1) rest += ", the first of " + std::to_string(texture.layers()) + " layers";
+  return rest;
+}
+
+/// A cube as a GPU has it.
+Result<LoadedEnvironment> loadCubeTexture(const std::string& name, DecodedImageSet texture,
+                                          const EnvironmentLoadOptions& options) {
+  ImageSet images(1, 6);
+  NonFinite bad;
+  for (int slot = 0; slot < 6; ++slot) {
+    MIRRORBALL_TRY(bad_here, checkNonFinite(name, texture.images.at(0, slot), options));
+    add(bad_here, bad);
+    images.at(0, slot) = std::move(texture.images.at(0, slot));
+  }
+  Recognition recognition = recognizeFaces(texture.metadata, options.from, "its texture, a cube");
+  return cubeOf(name, std::move(images), texture.format + restOf(texture.images), texture.color,
+                std::move(texture.metadata), std::move(recognition), bad, {name}, options);
+}
+
+/// A texture of one face.
+Result<LoadedEnvironment> loadPictureTexture(const std::string& name, DecodedImageSet texture,
+                                             const EnvironmentLoadOptions& options) {
+  std::string format = texture.format + restOf(texture.images);
+  return loadPicture(
+      name,
+      {std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(format), std::move(texture.color)},
+      options);
+}
+
+Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoadOptions& options,
+                                   const ProgressFunction& progress) {
+  MIRRORBALL_TRY(bytes, readFile(name));
+  if (!isImageSet(bytes)) {
+    MIRRORBALL_TRY(decoded, decodeImage(bytes, name, progress));
+    return loadPicture(name, std::move(decoded), options);
+  }
+  MIRRORBALL_TRY(texture, decodeImageSet(bytes, name));
+  const int levels = texture.images.levels();
+  auto loaded = texture.images.faces() == 6 ? loadCubeTexture(name, std::move(texture), options)
+                                            : loadPictureTexture(name, std::move(texture), options);
+  if (loaded) loaded->levels = levels;
+  return loaded;
+}
+
+Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const EnvironmentLoadOptions& options,
+                                     const ProgressFunction& progress) {
+  std::error_code status;
+  const bool exists = fs::exists(name_or_path, status);
+  // A folder that happens to be called "studio" is no map.
+  if (isBuiltinEnvironment(name_or_path) && (!exists || fs::is_directory(name_or_path, status))) {
+    MIRRORBALL_TRY(environment, builtinEnvironment(name_or_path));
+    return LoadedEnvironment{std::move(environment), name_or_path, "built in", "linear, Rec.709", std::nullopt, {}, {}};
+  }
+  const bool faces_named = options.from.layout == CubeLayout::faces;
+  const bool is_cube = !options.from.projection || faceCount(*options.from.projection) == 6;
+  if (fs::is_directory(name_or_path, status)) {
+    if (!is_cube)
+      return fail(ErrorCode::usage, name_or_path + ": is a folder; only a cube's six files may be named so");
+    MIRRORBALL_TRY(files, faceFilesIn(fs::path(name_or_path)));
+    return loadFaces(name_or_path, files, options);
+  }
+  const auto files = faceFilesBeside(name_or_path);
+  // A name that only happens to end like a face's, such as the left of two pictures, stands for itself.
+  const bool has_siblings = files && files->present > 3;
+  if (files && (faces_named || (has_siblings && is_cube && !options.from.layout)))
+    return loadFaces(name_or_path, *files, options);
+  if (faces_named)
+    return fail(ErrorCode::usage, name_or_path +
+                                      ": name one of the six faces, whose names end in _px _nx _py _ny _pz _nz "
+                                      "or as docs/conventions.md says");
+  if (!exists) return tl::unexpected<Error>(noSuchEnvironment(name_or_path));
+  return loadFile(name_or_path, options, progress);
+}
+
+}  // namespace
+
+Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options,
+                                          const ProgressFunction& progress) {
+  MIRRORBALL_TRY(loaded, loadAsItIs(name_or_path, options, progress));
+  loaded.lost = limitLight(loaded.environment, options.light);
+  return loaded;
+}
+
+Result<std::optional<ImageSet>> loadLevels(const LoadedEnvironment& loaded, const MapForm& form,
+                                           const EnvironmentLoadOptions& options) {
+  if (loaded.levels == 1) return std::nullopt;
+  const MapForm& own = loaded.recognition->form;
+  MIRRORBALL_TRY(texture, readImageSet(loaded.name));
+  const int faces = texture.images.faces();
+  if (faces != faceCount(own.projection) || hasDisc(own.projection) || own.has_texels_on_edges) return std::nullopt;
+  ImageSet levels(texture.images.levels(), faces);
+  for (int level = 0; level < levels.levels(); ++level)
+    for (int face = 0; face < faces; ++face) {
+      const std::string name = loaded.name + ", level " + std::to_string(level);
+      Image& image = levels.at(level, face) = rgbOf(texture.images.at(level, face));
+      MIRRORBALL_TRY_VOID(checkNonFinite(name, image, options));
+      if (options.repair) MIRRORBALL_TRY_VOID(repairImage(name, image));
+      limitLight(own.projection, options.light, image);
+    }
+  // Small levels of a panorama cannot be turned without being resampled.
+  if (own.centre == form.centre && own.arrangement == form.arrangement) return levels;
+  return imagesOf(levelsOfImages(std::move(levels), own), form);
+}
+
+Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,
+                                                 const EnvironmentLoadOptions& options) {
+  std::error_code status;
+  if (options.repair || !options.light.areNone() || !fs::is_regular_file(name_or_path, status) ||
+      faceFilesBeside(name_or_path))
+    return std::nullopt;
+  MIRRORBALL_TRY(rows, openRows(name_or_path));
+  if (!rows) return std::nullopt;
+  const RowReader::Description& picture = rows->description();
+  MIRRORBALL_TRY(recognition, recognize(name_or_path, picture.width, picture.height, picture.metadata, options.from));
+  const MapForm& form = recognition.form;
+  if (form.projection != Projection::equirect || form.has_texels_on_edges) return std::nullopt;
+  const glm::mat3 picture_from_world = glm::transpose(centredOn(vectorOf(form.centre)));
+  return PanoramaRows{std::move(rows), picture_from_world};
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "mirrorball/base/progress.h"
+#include "mirrorball/codec/row_reader.h"
+#include "mirrorball/environment/environment.h"
+#include "mirrorball/environment/file/light_limits.h"
+#include "mirrorball/environment/file/recognize.h"
+#include "mirrorball/image/image_set.h"
+
+namespace mirrorball {
+
+/// How to read an environment.
+struct EnvironmentLoadOptions {
+  FormHint from = {};      ///< overrides what is recognised
+  bool repair = false;     ///< replace NaN and infinite texels by their neighbours' mean
+  bool keep_bad = false;   ///< leave them as they are: for `info`, which only counts them
+  LightLimits light = {};  ///< of the file's own texels, or of a built-in's light
+};
+
+/// An environment and what is known about where it came from.
+struct LoadedEnvironment {
+  Environment environment;
+  std::string name;                        ///< the path, or the built-in's name
+  std::string format;                      ///< the file's; "built in"
+  std::string color;                       ///< the file's, and what was done about it: DecodedImage::color
+  std::optional<Recognition> recognition;  ///< of a file
+  glm::ivec2 file_size{0};                 ///< of the picture in the file (of one face where each has its own)
+  NonFinite bad_texels;                    ///< as found, before any repair
+  std::vector<std::string> files = {};     ///< that were read
+  LostLight lost = {};                     ///< by the limit of the light
+  Metadata metadata = {};                  ///< what the file says of itself; of six files the first
+  std::string doubt = {};                  ///< what speaks against the form that was recognised, for the user
+  int levels = 1;                          ///< mip levels that its file holds, the map itself among them
+};
+
+/// Loads a built-in by its name (builtin.h), else a file of any format that is read (codec/image_format.h): of a texture its
+/// largest level, of an array its first element. The name of one of a cube's six files (face_files.h), if most of them are
+/// there, and that of the folder that holds them stand for all six. Where only a picture's shape or the names tell that it is
+/// a cube, its edges decide how its faces lie, if they meet in one way only (cube_edges.h).
+///
+/// progress told while a picture is decoded, if it is OpenEXR's or TIFF's
+/// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel; --repair mends it);
+///          interrupted; whatever the codec finds
+Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
+                                          const ProgressFunction& progress = {});
+
+/// The mip levels that a texture holds, three channels; level 0 is the map that was loaded. The smaller ones may be
+/// anything: the reflections in rougher and rougher surfaces, for one.
+///
+/// loaded     by loadEnvironment with the same options; its file is read once more
+/// form       how they are wanted; of the map's projection, without OpenEXR's registration
+/// returns    nothing where the file holds one level, or has its map in a form whose levels are no maps: a cube's layout in
+///            one picture, discs, OpenEXR's registration
+/// errors     as loadEnvironment's
+Result<std::optional<ImageSet>> loadLevels(const LoadedEnvironment& loaded, const MapForm& form,
+                                           const EnvironmentLoadOptions& options = {});
+
+/// A panorama that is read by rows while it is converted (convert_rows.h).
+struct PanoramaRows {
+  std::unique_ptr<RowReader> rows;
+  /// Turns our directions into the picture's own: it may have another than +Z at its centre.
+  glm::mat3 picture_from_world{1.0f};
+};
+
+/// Opens a panorama for being read by rows.
+///
+/// returns  nothing where it has to be loaded as a whole: built-ins, cubes and other projections, formats that cannot be
+///          read so (openRows), and what is repaired, limited or resampled when it is loaded
+/// errors   as loadEnvironment's
+Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,
+                                                 const EnvironmentLoadOptions& options = {});
+
+}  // namespace mirrorball

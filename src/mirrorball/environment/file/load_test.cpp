@@ -1,0 +1,313 @@
+#include "mirrorball/environment/file/load.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/environment_testing.h"
+#include "mirrorball/environment/file/face_files.h"
+#include "test_data.h"
+
+namespace mirrorball {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+/// Ours, changed by a word; "turn=" changes nothing.
+CubeArrangement arrangementOf(std::string_view word) {
+  return word == "turn=" ? CubeArrangement{} : *rearranged(CubeArrangement{}, word);
+}
+
+class LoadTest : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  const fs::path folder_ = fs::path(::testing::TempDir()) / ("mirrorball_load_test_" + std::to_string(::getpid()));
+};
+
+TEST_F(LoadTest, AFileIsReadAndRecognised) {
+  ASSERT_TRUE(writeImage(path("a.exr"), Image(8, 4, 3, 2.0f)));
+  const auto loaded = loadEnvironment(path("a.exr"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->recognition->form.projection, Projection::equirect);
+  EXPECT_EQ(loaded->environment.radiance({0, 0, 1}), glm::vec3(2.0f));
+  EXPECT_EQ(loaded->file_size, glm::ivec2(8, 4));
+}
+
+TEST_F(LoadTest, ATexturesLevelsAreReadInItsForm) {
+  ImageSet levels(2, 6);
+  for (int face = 0; face < 6; ++face) {
+    levels.at(0, face) = Image(2, 2, 4, static_cast<float>(face));
+    levels.at(1, face) = Image(1, 1, 4, static_cast<float>(10 + face));
+  }
+  const MapForm as_seen{.projection = Projection::cube, .arrangement = asSeen(CubeArrangement{})};
+  ASSERT_TRUE(writeImageSet(path("a.ktx2"), arranged(levels, as_seen.arrangement), {.metadata = metadataOf(as_seen)}));
+  const EnvironmentLoadOptions twice{.light = {.scale = 2.0f}};
+  const auto loaded = loadEnvironment(path("a.ktx2"), twice);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->levels, 2);
+  const auto read = loadLevels(*loaded, {Projection::cube}, twice);
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_TRUE(*read);
+  for (int face = 0; face < 6; ++face) {
+    EXPECT_EQ((*read)->at(0, face).channels(), 3);
+    EXPECT_EQ(rgbAt((*read)->at(0, face), 1, 1), rgbAt(loaded->environment.map()->face(face), 1, 1));
+    EXPECT_EQ(rgbAt((*read)->at(1, face), 0, 0), glm::vec3(2.0f * static_cast<float>(10 + face)));
+  }
+  const auto rolled = loadEnvironment(path("a.ktx2"), {.from = *formHintNamed("cube:for=openexr")});
+  ASSERT_TRUE(rolled) << rolled.error().message;
+  EXPECT_FALSE(*loadLevels(*rolled, {Projection::cube})) << "its texels are other ones";
+  ASSERT_TRUE(writeImage(path("b.exr"), Image(8, 4, 3, 2.0f)));
+  EXPECT_FALSE(*loadLevels(*loadEnvironment(path("b.exr")), {}));
+}
+
+EnvironmentMap cubeOf(RadianceFunction light, int side) {
+  return *convert(Environment(std::move(light), 1), Projection::cube, side);
+}
+
+/// A cube in a picture that does not say how its faces lie.
+std::string writeCube(const std::string& path, const MapForm& form, const EnvironmentMap& cube) {
+  EXPECT_TRUE(writeImage(path, pictureOf(cube, form)));
+  return path;
+}
+
+/// Light that is the same for (x, y, z) and (-x, -y, z), which is −Z turned by 180°, but for a little.
+glm::vec3 nearlySymmetric(glm::vec3 d) {
+  return 0.5f * (testing::waves(d) + testing::waves({-d.x, -d.y, d.z})) * (1.0f + 1e-3f * d.y);
+}
+
+/// A dim sky over a dim ground with a sun 10⁴ times as bright, as the codes of a camera that exposed for the sun.
+glm::vec3 dimWithSun(glm::vec3 d) {
+  const float sun = glm::dot(d, glm::normalize(glm::vec3(0.3f, 0.5f, 0.8f))) > 0.9998f ? 1.0f : 0.0f;
+  return glm::vec3(sun + (d.y > 0.0f ? 0.003f + 0.002f * d.y : 0.001f) * (1.0f + 0.5f * std::sin(9.0f * d.x)));
+}
+
+/// Waves under strong noise, a value of its own for each texel.
+RadianceFunction noisyWaves() {
+  return [](glm::vec3 d) {
+    const glm::vec3 cell = glm::fract(d * 7919.0f);
+    const float chance = glm::fract(43758.547f * std::sin(glm::dot(cell, glm::vec3(12.9898f, 78.233f, 37.719f))));
+    return testing::waves(d) * (0.7f + 0.6f * chance);
+  };
+}
+
+TEST_F(LoadTest, EdgesTellHowTheFacesOfACubeLie) {
+  const CubeArrangement seen = asSeen(CubeArrangement{});
+  const EnvironmentMap waves = cubeOf(testing::waves, 256);
+  for (const MapForm& form :
+       {MapForm{Projection::cube, CubeLayout::hcross}, MapForm{Projection::cube, CubeLayout::lecture},
+        MapForm{Projection::cube, CubeLayout::vcross}, MapForm{Projection::cube, CubeLayout::tiles},
+        MapForm{Projection::cube, CubeLayout::tiles, seen}, MapForm{Projection::cube, CubeLayout::vstrip, seen},
+        MapForm{Projection::cube, CubeLayout::vcross, arrangementOf("turn=-z")},
+        MapForm{Projection::cube, CubeLayout::hcross, arrangementOf("turn=-z")},
+        MapForm{Projection::cube, CubeLayout::hcross, arrangementOf("turn=+y-y")},
+        MapForm{Projection::cube, CubeLayout::hstrip,
+                formFor(*presetNamed("openexr"), Projection::cube, CubeLayout::faces)->arrangement}}) {
+    const auto loaded = loadEnvironment(writeCube(path("cube.exr"), form, waves));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(textOf(loaded->recognition->form), textOf(form));
+    EXPECT_EQ(loaded->doubt, "") << textOf(form);
+    for (const glm::vec3 d : {glm::vec3(0.6f, 0.0f, 0.8f), glm::vec3(0.0f, 0.6f, -0.8f)})
+      EXPECT_NEAR(loaded->environment.radiance(d).x, testing::waves(d).x, 0.02f) << textOf(form);
+  }
+}
+
+/// What a vertical cross is taken for whose −Z is as the word says.
+std::string crossTakenFor(const EnvironmentMap& cube, const std::string& path, const char* word) {
+  const auto loaded =
+      loadEnvironment(writeCube(path, {Projection::cube, CubeLayout::vcross, arrangementOf(word)}, cube));
+  EXPECT_EQ(loaded->doubt, "") << path << " " << word;
+  return textOf(loaded->recognition->form);
+}
+
+TEST_F(LoadTest, EdgesTellWhetherMinusZStandsOnItsHead) {
+  const auto expectTold = [&](const EnvironmentMap& cube, const std::string& name) {
+    EXPECT_EQ(crossTakenFor(cube, path(name), "turn="), "cube, vcross") << name;
+    EXPECT_EQ(crossTakenFor(cube, path(name), "turn=-z"), "cube, vcross, turn=-z") << name;
+  };
+  expectTold(*convert(*builtinEnvironment("studio"), Projection::cube, 128), "studio.hdr");
+  expectTold(cubeOf(noisyWaves(), 128), "noise.exr");
+  expectTold(cubeOf(dimWithSun, 128), "sun.png");
+  // Where hardly anything tells, the cross that hangs together stays.
+  for (const EnvironmentMap& cube :
+       {cubeOf(nearlySymmetric, 128), cubeOf([](glm::vec3) { return glm::vec3(0.7f); }, 32)}) {
+    EXPECT_EQ(crossTakenFor(cube, path("cross.exr"), "turn="), "cube, vcross");
+    EXPECT_EQ(crossTakenFor(cube, path("cross.exr"), "turn=-z"), "cube, vcross");
+  }
+}
+
+TEST_F(LoadTest, RealPanoramasTellWhetherMinusZStandsOnItsHead) {
+  for (const char* name : {"chinese_garden_1k.hdr", "lightroom_14b.hdr", "courtyard.exr", "studio.exr"}) {
+    const auto panorama = testing::sharedData(name);
+    if (!panorama) GTEST_SKIP() << "no shared/data/" << name;
+    const EnvironmentMap cube = *convert(loadEnvironment(panorama->string())->environment, Projection::cube, 128);
+    for (const char* extension : {".hdr", ".jpg"}) {
+      const std::string file = path(name) + extension;
+      EXPECT_EQ(crossTakenFor(cube, file, "turn="), "cube, vcross") << file;
+      EXPECT_EQ(crossTakenFor(cube, file, "turn=-z"), "cube, vcross, turn=-z") << file;
+    }
+  }
+}
+
+TEST_F(LoadTest, WhereMinusZIsTurnedIsSaidByFrom) {
+  const MapForm form{Projection::cube, CubeLayout::vcross, arrangementOf("turn=-z")};
+  const EnvironmentMap cube = cubeOf(testing::waves, 256);
+  const auto loaded =
+      loadEnvironment(writeCube(path("cross.exr"), form, cube), {.from = *formHintNamed("vcross:turn=-z")});
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(loaded->recognition->told_by, "--from");
+  const glm::vec3 behind = glm::normalize(glm::vec3(0.2f, 0.3f, -1.0f));
+  EXPECT_NEAR(loaded->environment.radiance(behind).x, testing::waves(behind).x, 0.02f);
+  // What is said goes before what the edges tell.
+  const auto upright = loadEnvironment(path("cross.exr"), {.from = *formHintNamed("vcross")});
+  EXPECT_EQ(textOf(upright->recognition->form), "cube, vcross");
+}
+
+TEST_F(LoadTest, APhotographOfACubesShapeIsDoubted) {
+  Image photograph(768, 512, 3);
+  for (int y = 0; y < 512; ++y)
+    for (int x = 0; x < 768; ++x)
+      std::fill_n(photograph.texel(x, y), 3, 0.1f + 0.8f * float(y) / 512.0f + 0.1f * std::sin(0.2f * float(x)));
+  ASSERT_TRUE(writeImage(path("photo.png"), photograph));
+  const auto loaded = loadEnvironment(path("photo.png"));
+  ASSERT_TRUE(loaded);
+  EXPECT_THAT(loaded->doubt, HasSubstr("its faces do not meet"));
+  FormHint hint;
+  hint.layout = CubeLayout::tiles;
+  EXPECT_EQ(loadEnvironment(path("photo.png"), {.from = hint})->doubt, "");
+  Image upright(384, 512, 3);
+  for (int y = 0; y < 512; ++y) std::copy_n(photograph.texel(0, y), upright.row(y).size(), upright.texel(0, y));
+  ASSERT_TRUE(writeImage(path("upright.png"), upright));
+  EXPECT_THAT(loadEnvironment(path("upright.png"))->doubt, HasSubstr("--from vcross:turn=-z"));
+}
+
+TEST_F(LoadTest, SixFacesAreOneCube) {
+  const std::array<const char*, 6> names{"a_px.exr", "a_nx.exr", "a_py.exr", "a_ny.exr", "a_pz.exr", "a_nz.exr"};
+  for (std::size_t face = 0; face < 6; ++face)
+    ASSERT_TRUE(writeImage(path(names[face]), Image(4, 4, 3, static_cast<float>(face))));
+  const auto loaded = loadEnvironment(path("a_py.exr"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->environment.radiance({-1, 0, 0}), glm::vec3(1.0f));
+  EXPECT_EQ(loaded->environment.radiance({0, 1, 0}), glm::vec3(2.0f));
+
+  ASSERT_TRUE(writeImage(path("a_nz.exr"), Image(5, 5, 3)));
+  EXPECT_THAT(loadEnvironment(path("a_px.exr")).error().message, HasSubstr("a_nz.exr: is 5x5"));
+  fs::remove(path("a_ny.exr"));
+  EXPECT_THAT(loadEnvironment(path("a_px.exr")).error().message, HasSubstr("a_ny.exr: no such file"));
+  EXPECT_EQ(loadEnvironment(path("b.exr"), {.from = *formHintNamed("faces")}).error().code, ErrorCode::usage);
+}
+
+TEST_F(LoadTest, EveryProjectionIsReadBackFromItsFile) {
+  for (const Projection projection : testing::kEveryProjection) {
+    const EnvironmentMap map = *convert(Environment(testing::smoothRadiance, 64), projection, 32);
+    const MapForm form{projection, CubeLayout::hcross};
+    ASSERT_TRUE(writeImage(path("map.exr"), pictureOf(map, form), {.metadata = metadataOf(form)}));
+    const auto loaded = loadEnvironment(path("map.exr"));
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded->environment.map()->projection(), projection);
+    for (const glm::vec3 direction : testing::manyDirections(200))
+      EXPECT_EQ(loaded->environment.radiance(direction), map.radiance(direction)) << textOf(form);
+  }
+}
+
+// As pictures the faces of both kinds of cube look alike: the files say which they are, or --from does.
+TEST_F(LoadTest, SixFacesMayBeAnEquiangularCube) {
+  for (const char* suffix : {"px", "nx", "py", "ny", "pz", "nz"}) {
+    const Metadata metadata = metadataOf({Projection::eac, CubeLayout::faces});
+    ASSERT_TRUE(writeImage(path(std::string("told_") + suffix + ".exr"), Image(4, 4, 3), {.metadata = metadata}));
+    ASSERT_TRUE(writeImage(path(std::string("mute_") + suffix + ".exr"), Image(4, 4, 3)));
+  }
+  EXPECT_EQ(textOf(loadEnvironment(path("told_px.exr"))->recognition->form), "eac, faces");
+  EXPECT_EQ(textOf(loadEnvironment(path("mute_px.exr"))->recognition->form), "cube, faces");
+  const auto named = loadEnvironment(path("mute_px.exr"), {.from = *formHintNamed("eac")});
+  EXPECT_EQ(textOf(named->recognition->form), "eac, faces");
+  EXPECT_EQ(named->recognition->told_by, "--from");
+}
+
+TEST_F(LoadTest, SixFilesOfAnotherProgramAreReadByItsName) {
+  const EnvironmentMap cube = *convert(Environment(testing::smoothRadiance, 64), Projection::cube, 8);
+  const MapForm form = *formFor(*presetNamed("three"), Projection::cube, CubeLayout::faces);
+  const ImageSet images = imagesOf(cube, form);
+  for (int slot = 0; slot < 6; ++slot) {
+    const std::string ending(endingsOf(FaceNaming::top)[static_cast<std::size_t>(slot)]);
+    ASSERT_TRUE(writeImage(path(ending + ".exr"), images.at(0, slot)));
+    ASSERT_TRUE(writeImage(path("told-" + ending + ".exr"), images.at(0, slot), {.metadata = metadataOf(form)}));
+  }
+  const auto named = loadEnvironment(path("top.exr"), {.from = *formHintNamed("faces:for=three")});
+  const auto told = loadEnvironment(path("told-left.exr"));
+  ASSERT_TRUE(named && told);
+  EXPECT_EQ(told->recognition->told_by, "its name, one of six faces right left top bottom front back");
+  for (const glm::vec3 direction : testing::manyDirections(200)) {
+    EXPECT_EQ(named->environment.radiance(direction), cube.radiance(direction));
+    EXPECT_EQ(told->environment.radiance(direction), cube.radiance(direction));
+  }
+  EXPECT_THAT(loadEnvironment(folder_.string()).error().message, HasSubstr("holds 2 cubes"));
+  for (const std::string_view ending : endingsOf(FaceNaming::top)) fs::remove(path(std::string(ending) + ".exr"));
+  EXPECT_EQ(loadEnvironment(folder_.string())->environment.radiance({0, 1, 0}), cube.radiance({0, 1, 0}));
+  EXPECT_EQ(loadEnvironment(folder_.string(), {.from = *formHintNamed("sphere")}).error().code, ErrorCode::usage);
+}
+
+// Two eyes are no cube.
+TEST_F(LoadTest, APairOfLeftAndRightIsNoCube) {
+  ASSERT_TRUE(writeImage(path("left.exr"), Image(8, 4, 3, 1.0f)));
+  ASSERT_TRUE(writeImage(path("right.exr"), Image(8, 4, 3, 2.0f)));
+  EXPECT_EQ(textOf(loadEnvironment(path("right.exr"))->recognition->form), "equirect");
+}
+
+TEST_F(LoadTest, OpenExrsMapsAreResampledAndMendedBefore) {
+  const EnvironmentMap map = *convert(Environment(testing::smoothRadiance, 256), Projection::equirect, 64);
+  const MapForm form = *formFor(*presetNamed("openexr"), Projection::equirect, CubeLayout::faces);
+  Image picture = pictureOf(map, form);
+  picture.texel(20, 30)[1] = std::numeric_limits<float>::infinity();
+  ASSERT_TRUE(writeImage(path("map.exr"), picture, {.metadata = metadataOf(form)}));
+  const auto loaded = loadEnvironment(path("map.exr"), {.repair = true});
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(textOf(loaded->recognition->form), "equirect, OpenEXR's texels (resampled)");
+  EXPECT_EQ(loaded->bad_texels.count, 1u);
+  for (const glm::vec3 direction : testing::manyDirections(500))
+    EXPECT_LT(glm::length(loaded->environment.radiance(direction) - testing::smoothRadiance(direction)), 4e-3f);
+}
+
+TEST_F(LoadTest, BadTexelsAreRefusedCountedOrRepaired) {
+  Image image(8, 4, 3, 2.0f);
+  image.texel(3, 1)[0] = std::numeric_limits<float>::quiet_NaN();
+  image.texel(5, 2)[2] = std::numeric_limits<float>::infinity();
+  ASSERT_TRUE(writeImage(path("bad.exr"), image));
+
+  const auto refused = loadEnvironment(path("bad.exr"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::non_finite);
+  EXPECT_THAT(refused.error().message, HasSubstr("2 texels are NaN or infinite, the first at (3, 1)"));
+
+  const auto counted = loadEnvironment(path("bad.exr"), {.keep_bad = true});
+  ASSERT_TRUE(counted);
+  EXPECT_EQ(counted->bad_texels.count, 2u);
+
+  const auto repaired = loadEnvironment(path("bad.exr"), {.repair = true});
+  ASSERT_TRUE(repaired);
+  EXPECT_EQ(repaired->environment.map()->face(0).texel(3, 1)[0], 2.0f);
+}
+
+TEST_F(LoadTest, WrongShapesAndNamesAreTold) {
+  ASSERT_TRUE(writeImage(path("odd.exr"), Image(7, 4, 3)));
+  EXPECT_THAT(loadEnvironment(path("odd.exr")).error().message, HasSubstr("is 7x4"));
+  EXPECT_THAT(loadEnvironment(path("none.hdr")).error().message, HasSubstr("no such file"));
+  EXPECT_EQ(loadEnvironment("studoi").error().code, ErrorCode::not_found);
+  EXPECT_TRUE(loadEnvironment("studio"));
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,246 @@
+#include "mirrorball/environment/file/recognize.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "mirrorball/base/text.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr const char* kProjectionKey = "mirrorball:projection";
+constexpr const char* kLayoutKey = "mirrorball:layout";
+constexpr const char* kBallDistanceKey = "mirrorball:ball_distance";
+constexpr const char* kArrangementKey = "mirrorball:arrangement";
+constexpr const char* kCentreKey = "mirrorball:centre";
+constexpr const char* kTexelsKey = "mirrorball:texels";
+constexpr const char* kTexelsOnEdges = "on-edges";
+constexpr const char* kEnvmapKey = "envmap";
+constexpr const char* kSheetKey = "mirrorball:sheet";
+
+std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+/// "4:3" of a layout.
+std::string proportionText(CubeLayout layout) {
+  const glm::ivec2 cells = cellsOf(layout);
+  return std::to_string(cells.x) + ":" + std::to_string(cells.y);
+}
+
+bool isCube(const FormHint& hint) { return hint.layout || (hint.projection && faceCount(*hint.projection) == 6); }
+
+/// The axis in the middle of a panorama.
+Result<SignedAxis> centreNamed(std::string_view name) {
+  MIRRORBALL_TRY(axis, signedAxisNamed(name));
+  if (vectorOf(axis).y == 0.0f) return axis;
+  return fail(ErrorCode::usage,
+              "the centre of a panorama is on the horizon: +x, -x, +z or -z, not " + std::string(nameOf(axis)));
+}
+
+/// Takes up what a program's preset says of the hint's projection.
+Result<void> applyPreset(std::string_view name, FormHint& hint) {
+  MIRRORBALL_TRY(preset, presetNamed(name));
+  MIRRORBALL_TRY(form, formFor(preset, hint.projection.value_or(Projection::cube), preset.layout));
+  hint.arrangement = form.arrangement;
+  hint.centre = form.centre;
+  hint.has_texels_on_edges = form.has_texels_on_edges;
+  return {};
+}
+
+/// Takes up one word of those after the colon.
+Result<void> applyWord(const std::string& word, FormHint& hint) {
+  const std::string key = word.substr(0, word.find('='));
+  const std::string value = key.size() < word.size() ? word.substr(key.size() + 1) : std::string();
+  if (key == "for") return applyPreset(value, hint);
+  if ((key == "centre" || key == "center") && hint.projection == Projection::equirect) {
+    MIRRORBALL_TRY(centre, centreNamed(value));
+    hint.centre = centre;
+    return {};
+  }
+  if (!isCube(hint))
+    return fail(ErrorCode::usage, "'" + word + "' says nothing of a map of projection " +
+                                      std::string(nameOf(*hint.projection)) +
+                                      (*hint.projection == Projection::equirect ? "; for=PROGRAM and centre=AXIS do"
+                                                                                : ", which takes no parameters"));
+  if (key == "layout" && hint.projection) {
+    MIRRORBALL_TRY(layout, cubeLayoutNamed(value));
+    hint.layout = layout;
+    return {};
+  }
+  MIRRORBALL_TRY(arrangement, rearranged(hint.arrangement, word));
+  hint.arrangement = arrangement;
+  return {};
+}
+
+/// What OpenEXR's own attribute says: its registration, and a cube's faces in a strip downwards.
+Result<FormHint> hintOfEnvmap(const std::string& envmap) {
+  if (envmap == "latlong") return formHintNamed("equirect:for=openexr");
+  if (envmap == "cube") return formHintNamed("cube:layout=vstrip,for=openexr");
+  return FormHint{};
+}
+
+/// What the metadata says, as far as it says something that this program knows.
+Result<FormHint> hintOfMetadata(const Metadata& metadata) {
+  const auto find = [&](const char* key) {
+    const auto entry = metadata.find(key);
+    return entry == metadata.end() ? std::string() : entry->second;
+  };
+  const std::string projection = find(kProjectionKey);
+  if (projection.empty()) return hintOfEnvmap(find(kEnvmapKey));
+  FormHint hint;
+  MIRRORBALL_TRY(named, projectionNamed(projection));
+  hint.projection = named;
+  if (const std::string distance = find(kBallDistanceKey); named == Projection::ball && !distance.empty()) {
+    MIRRORBALL_TRY(ball, ballAtDistance(distance));
+    hint.projection = ball;
+  }
+  if (const std::string layout = find(kLayoutKey); !layout.empty()) {
+    MIRRORBALL_TRY(named_layout, cubeLayoutNamed(layout));
+    hint.layout = named_layout;
+  }
+  if (const std::string arrangement = find(kArrangementKey); faceCount(named) == 6 && !arrangement.empty()) {
+    MIRRORBALL_TRY(frames, rearranged(CubeArrangement{}, arrangement));
+    hint.arrangement = frames;
+  }
+  if (const std::string centre = find(kCentreKey); named == Projection::equirect && !centre.empty()) {
+    MIRRORBALL_TRY(axis, centreNamed(centre));
+    hint.centre = axis;
+  }
+  const bool may_lie_on_edges = named == Projection::cube || named == Projection::equirect;
+  hint.has_texels_on_edges = may_lie_on_edges && find(kTexelsKey) == kTexelsOnEdges;
+  return hint;
+}
+
+/// A form of which a hint says all but a cube's layout.
+MapForm formWith(const FormHint& hint, Projection projection, CubeLayout layout) {
+  return {projection, layout, hint.arrangement, hint.centre, hint.has_texels_on_edges};
+}
+
+/// The form that a hint and the shape give together; the hint names a projection or a layout.
+Result<MapForm> formOfHint(const FormHint& hint, int width, int height) {
+  MapForm form = formWith(hint, hint.projection.value_or(Projection::cube), CubeLayout::hcross);
+  if (faceCount(form.projection) != 6) {
+    const bool is_double = form.projection == Projection::equirect || form.projection == Projection::paraboloid;
+    if (width == (is_double ? 2 : 1) * height) return form;
+    return fail(ErrorCode::bad_shape, "is " + sizeText(width, height) + ", and a map of projection " +
+                                          std::string(nameOf(form.projection)) +
+                                          (is_double ? " is 2:1; crop or scale it" : " is square; crop it"));
+  }
+
+  const auto layout = hint.layout ? hint.layout : layoutOfShape(width, height);
+  if (!layout)
+    return fail(ErrorCode::bad_shape,
+                "is " + sizeText(width, height) + ", which is no cube layout that is known (4:3 3:4 6:1 1:6 3:2)");
+  form.layout = *layout;
+  const glm::ivec2 cells = cellsOf(form.layout);
+  if (width % cells.x != 0 || height % cells.y != 0 || width / cells.x != height / cells.y)
+    return fail(ErrorCode::bad_shape, "is " + sizeText(width, height) + ", and the cube layout " +
+                                          std::string(nameOf(form.layout)) + " is " + proportionText(form.layout));
+  return form;
+}
+
+Result<Recognition> recognizeShape(int width, int height) {
+  if (width == 2 * height) return Recognition{{Projection::equirect}, "its shape, 2:1"};
+  if (width == height) return Recognition{{Projection::sphere}, "its shape, 1:1"};
+  if (const auto layout = layoutOfShape(width, height))
+    return Recognition{{Projection::cube, *layout}, "its shape, " + proportionText(*layout), true};
+  return fail(ErrorCode::bad_shape,
+              "is " + sizeText(width, height) +
+                  ", which is neither 2:1 (equirect) nor 1:1 (sphere) nor a cube layout (4:3 3:4 6:1 1:6 3:2); "
+                  "crop it, or name its form with --from");
+}
+
+}  // namespace
+
+Result<FormHint> formHintNamed(std::string_view name) {
+  if (name.empty()) return FormHint{};
+  const std::size_t colon = name.find(':');
+  const std::string_view base = name.substr(0, colon);
+  FormHint hint;
+  const auto projection = projectionNamed(base);
+  if (projection && *projection == Projection::ball) {
+    MIRRORBALL_TRY(ball, projectionNamed(name));
+    hint.projection = ball;
+    return hint;
+  }
+  if (projection) {
+    hint.projection = *projection;
+  } else if (const auto layout = cubeLayoutNamed(base)) {
+    hint.layout = *layout;
+  } else {
+    std::vector<std::string_view> all(projectionNames().begin(), projectionNames().end());
+    all.insert(all.end(), cubeLayoutNames().begin(), cubeLayoutNames().end());
+    return tl::unexpected<Error>(unknownName("projection or cube layout", base, all));
+  }
+  if (colon == std::string_view::npos) return hint;
+  for (const std::string& word : split(name.substr(colon + 1), ',')) MIRRORBALL_TRY_VOID(applyWord(word, hint));
+  return hint;
+}
+
+Metadata metadataOf(const MapForm& form) {
+  const bool is_cube = faceCount(form.projection) == 6;
+  // The attribute speaks of a whole map: one face of six is none.
+  if (form.has_texels_on_edges && !(is_cube && form.layout == CubeLayout::faces))
+    return {{kEnvmapKey, is_cube ? "cube" : "latlong"}};
+  Metadata metadata;
+  metadata[kProjectionKey] = nameOf(form.projection);
+  if (is_cube) {
+    metadata[kLayoutKey] = nameOf(form.layout);
+    if (const std::string arrangement = textOf(form.arrangement); !arrangement.empty())
+      metadata[kArrangementKey] = arrangement;
+  }
+  if (form.centre != SignedAxis::plus_z) metadata[kCentreKey] = nameOf(form.centre);
+  if (form.has_texels_on_edges) metadata[kTexelsKey] = kTexelsOnEdges;
+  if (form.projection == Projection::ball)
+    metadata[kBallDistanceKey] = formatNumber(double(form.projection.ball_distance));
+  return metadata;
+}
+
+Metadata metadataOfLevelSheet() { return {{kSheetKey, "mip levels"}}; }
+
+bool isRecognizedUnsaid(const MapForm& form) {
+  if (form.has_texels_on_edges) return false;
+  if (form.projection == Projection::equirect) return form.centre == SignedAxis::plus_z;
+  if (form.projection == Projection::cube)
+    return form.arrangement == CubeArrangement{} || form.arrangement == asSeen(CubeArrangement{});
+  return form.projection == Projection::sphere;
+}
+
+Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by) {
+  const auto stated = hintOfMetadata(metadata);
+  const bool is_told = stated && stated->projection && stated->layout == CubeLayout::faces;
+  if (hint.projection || hint.layout) {
+    const Projection of_file = is_told ? *stated->projection : Projection(Projection::cube);
+    return {formWith(hint, hint.projection.value_or(of_file), CubeLayout::faces), "--from"};
+  }
+  if (!is_told) return {{Projection::cube, CubeLayout::faces}, told_by, true};
+  return {formWith(*stated, *stated->projection, CubeLayout::faces), told_by};
+}
+
+Result<Recognition> recognize(const std::string& name, int width, int height, const Metadata& metadata,
+                              const FormHint& hint) {
+  const auto named = [&](auto&& failed) { return fail(failed.error().code, name + ": " + failed.error().message); };
+  if (hint.projection || hint.layout) {
+    auto form = formOfHint(hint, width, height);
+    if (!form) return named(form);
+    return Recognition{*form, "--from"};
+  }
+  if (metadata.contains(kSheetKey))
+    return fail(ErrorCode::bad_shape,
+                name + ": is a sheet of mip levels, no map; name what it was made of, or one level: convert --level");
+  auto stated = hintOfMetadata(metadata);
+  if (!stated) return named(stated);
+  if (stated->layout == CubeLayout::faces)
+    return fail(ErrorCode::bad_shape, name +
+                                          ": is one face of a cube; the names of all six must end in _px _nx _py _ny "
+                                          "_pz _nz, or as docs/conventions.md says");
+  if (stated->projection) {
+    auto form = formOfHint(*stated, width, height);
+    if (!form) return named(form);
+    return Recognition{*form, "the file's metadata"};
+  }
+  auto shape = recognizeShape(width, height);
+  if (!shape) return named(shape);
+  return shape;
+}
+
+}  // namespace mirrorball

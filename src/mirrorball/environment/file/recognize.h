@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/environment/cube/preset.h"
+#include "mirrorball/environment/file/map_form.h"
+
+namespace mirrorball {
+
+/// What --from names.
+struct FormHint {
+  std::optional<Projection> projection = {};
+  std::optional<CubeLayout> layout = {};
+  CubeArrangement arrangement = {};  ///< the rest as in MapForm
+  SignedAxis centre = SignedAxis::plus_z;
+  bool has_texels_on_edges = false;
+};
+
+/// "": no hint. A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout ("hcross",
+/// "faces"). After a colon, with commas between, how it lies in the file where that is not our own way:
+///   for=PROGRAM          as a preset has it (preset.h): "cube:for=unity", "equirect:for=blender"
+///   layout=LAYOUT        of cube and eac: "eac:layout=vcross"
+///   as-seen, flip=…, turn=…, order=…, axes=…   of a cube (cube_arrangement.h), each applied to what stands before it
+///   centre=AXIS          of an equirect: our direction in its middle, "+x", "-x", "+z" or "-z"
+///
+/// errors   usage: lists the names
+Result<FormHint> formHintNamed(std::string_view name);
+
+/// A form, and what told it.
+struct Recognition {
+  MapForm form;
+  std::string told_by;    ///< "--from", "the file's metadata", "its shape, 2:1"
+  bool is_guess = false;  ///< only shape or names told it: another form may be right
+};
+
+/// What a file says of its form, for `recognize` to read back: "mirrorball:projection", a cube's "mirrorball:layout", a
+/// ball's "mirrorball:ball_distance" and, where they are not our own, a cube's "mirrorball:arrangement", a panorama's
+/// "mirrorball:centre" and "mirrorball:texels". A whole map in OpenEXR's registration has OpenEXR's own "envmap" instead.
+Metadata metadataOf(const MapForm& form);
+
+/// What a sheet of mip levels (image/level_sheet.h) says of itself, so that nobody takes it for a map of its shape.
+Metadata metadataOfLevelSheet();
+
+/// Whether a texture that says nothing of itself is taken for a map of that form: by its six faces and how their edges meet,
+/// or by its shape.
+bool isRecognizedUnsaid(const MapForm& form);
+
+/// Tells the form of six files with an image each, by the hint, else by the first one's metadata.
+///
+/// told_by  what told that they are six faces, when neither says more
+Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by);
+
+/// Tells a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1 sphere
+/// map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles). All other forms have to be named.
+///
+/// name     the file, for messages
+/// errors   bad_shape: the shape fits no form, or not the one that was named
+Result<Recognition> recognize(const std::string& name, int width, int height, const Metadata& metadata,
+                              const FormHint& hint = {});
+
+}  // namespace mirrorball

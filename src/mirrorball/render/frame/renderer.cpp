@@ -1,0 +1,351 @@
+#include "mirrorball/render/frame/renderer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <future>
+#include <optional>
+#include <vector>
+
+#include <epoxy/gl.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "formula/bsdf.h"
+#include "formula/color.h"
+#include "formula/prefilter.h"
+#include "formula/projection.h"
+#include "formula/surface.h"
+#include "mirrorball/environment/projection/texel_geometry.h"
+#include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/render/light/gpu_prefilter.h"
+#include "mirrorball/render/surface/scene_buffers.h"
+#include "mirrorball/render/surface/sphere_map.h"
+#include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/scene/camera/framing.h"
+
+namespace mirrorball {
+namespace {
+
+/// Directions of the world, in an environment that is turned about +Y by an angle, +Z towards +X.
+glm::mat3 environmentFromWorld(float rotation_rad) {
+  return glm::mat3(glm::rotate(glm::mat4(1.0f), -rotation_rad, glm::vec3(0, 1, 0)));
+}
+
+/// The camera with its picture shifted by a part of a pixel.
+Camera shifted(Camera camera, glm::vec2 offset_px, glm::ivec2 size) {
+  const glm::vec2 ndc = offset_px * 2.0f / glm::vec2(size);
+  camera.clip_from_view = glm::translate(glm::mat4(1.0f), glm::vec3(ndc, 0.0f)) * camera.clip_from_view;
+  return camera;
+}
+
+/// What is behind all that is drawn: a display's colour, or nothing.
+glm::vec4 backdropOf(const FrameSettings& settings) {
+  return settings.background == BackgroundKind::display_color ? glm::vec4(settings.background_color, 1.0f)
+                                                              : glm::vec4(0.0f);
+}
+
+/// Whether the mean of the samples is of a display's light. One sample is kept as radiance: there is nothing to average.
+bool isDisplayed(const FrameSettings& settings) { return settings.resolve == Resolve::display && settings.samples > 1; }
+
+/// How a display shows radiance, for shaders/accumulate.frag and tone_map.frag.
+void setDisplay(gl::Program& program, const FrameSettings& settings) {
+  program.set("as_displayed", isDisplayed(settings) ? 1.0f : 0.0f);
+  program.set("exposure", settings.display.exposure());
+  program.set("tone_map", static_cast<int>(settings.display.tone_map));
+}
+
+/// How rough a mirror would blur the environment as `--background blur` does.
+constexpr float kBackgroundRoughness = 0.35f;
+
+/// Lays an image of four channels over a light that fills what is left of each texel.
+void layOver(Image& image, glm::vec4 backdrop) {
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec4 texel = formula::laidOver(rgbaAt(image, x, y), backdrop);
+      std::copy_n(&texel.x, 4, image.texel(x, y));
+    }
+}
+
+/// The middle of the box around a mesh, in its own frame.
+glm::vec3 centerOf(const Mesh& mesh) {
+  if (mesh.vertices.empty()) return glm::vec3(0.0f);
+  glm::vec3 low = mesh.vertices.front().position;
+  glm::vec3 high = low;
+  for (const Vertex& vertex : mesh.vertices) {
+    low = glm::min(low, vertex.position);
+    high = glm::max(high, vertex.position);
+  }
+  return (low + high) / 2.0f;
+}
+
+}  // namespace
+
+struct Renderer::State {
+  gl::Api api;
+  const Scene& scene;
+  const Environment& environment;
+  EnvironmentLight light;
+  SceneBuffers buffers;
+  BoundingSphere bounds;
+  SurfacePrograms surfaces;
+  gl::Program background;
+  gl::Program accumulate;
+  gl::Program tone_map;
+  gl::VertexArray screen;
+  std::optional<GpuPrefilter> gpu_prefilter;  ///< made when --blur gpu first asks for it
+  std::optional<gl::Texture> sphere_map;
+  std::optional<gl::Framebuffer> sample;  ///< one sample's picture
+  std::optional<gl::Framebuffer> sum;     ///< the mean, when there is more than one
+  std::optional<gl::Framebuffer> display;
+  FrameSettings last;  ///< the settings of the last frame
+
+  const gl::Framebuffer& result() const { return last.samples > 1 ? *sum : *sample; }
+
+  Result<void> makeFramebuffers(const FrameSettings& settings);
+  Result<PrefilteredChain> prefilteredChain(BlurKind blur);
+  Result<void> makeSphereMap(const FrameUniforms& frame);
+  Result<void> drawSample(const FrameUniforms& frame, const FrameSettings& settings);
+  void drawBackground(const FrameUniforms& frame, const FrameSettings& settings);
+  void drawInstance(int instance, const FrameSettings& settings);
+  void drawOpaque(const FrameSettings& settings);
+  void drawBlended(const FrameUniforms& frame, const FrameSettings& settings);
+  void addSample(int count);
+
+  const Material& materialOf(const Instance& instance) const {
+    return scene.materials[std::size_t(scene.meshes[std::size_t(instance.mesh)].material)];
+  }
+};
+
+Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, const Environment& environment,
+                                const PreparedEnvironment& prepared) {
+  const gl::Api api = context.api();
+  // Made while the driver takes in the environment and compiles.
+  std::future<Result<Image>> making_table = std::async(std::launch::async, surfaceBrdfTable);
+  MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, context.filtersFloats()));
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(scene));
+  MIRRORBALL_TRY(background, gl::Program::load(api, "screen.vert", "background.frag"));
+  MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
+  MIRRORBALL_TRY(tone_map, gl::Program::load(api, "screen.vert", "tone_map.frag"));
+  MIRRORBALL_TRY(brdf_table, making_table.get());
+  MIRRORBALL_TRY(surfaces, SurfacePrograms::make(api, brdf_table));
+  return Renderer(std::unique_ptr<State>(new State{api,
+                                                   scene,
+                                                   environment,
+                                                   std::move(light),
+                                                   std::move(buffers),
+                                                   boundingSphere(scene),
+                                                   std::move(surfaces),
+                                                   std::move(background),
+                                                   std::move(accumulate),
+                                                   std::move(tone_map),
+                                                   gl::VertexArray(),
+                                                   {},
+                                                   {},
+                                                   {},
+                                                   {},
+                                                   {},
+                                                   {}}));
+}
+
+const BoundingSphere& Renderer::bounds() const { return state_->bounds; }
+
+Result<void> Renderer::draw(const FrameSettings& settings, const ProgressFunction& progress) {
+  const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
+  const CameraOptions camera = framed(state_->scene, state_->bounds, settings.camera, aspect);
+  return draw(makeCamera(camera, state_->bounds, aspect), settings, progress);
+}
+
+Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress) {
+  State& state = *state_;
+  state.last = settings;
+  MIRRORBALL_TRY_VOID(state.makeFramebuffers(settings));
+
+  FrameUniforms frame;
+  MIRRORBALL_TRY(chain, state.prefilteredChain(settings.blur));
+  frame.prefiltered = chain;
+  frame.camera = camera;
+  frame.environment_from_world = glm::transpose(settings.env_tilt) * environmentFromWorld(settings.env_rotation_rad);
+  frame.sphere_map_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
+  if (settings.mapping == Mapping::sphere) MIRRORBALL_TRY_VOID(state.makeSphereMap(frame));
+
+  for (int index = 0; index < settings.samples; ++index) {
+    frame.camera = shifted(camera, formula::sampleOffset(index, settings.samples) - 0.5f, settings.size);
+    MIRRORBALL_TRY_VOID(state.drawSample(frame, settings));
+    if (settings.samples > 1) state.addSample(index);
+    if (!progress) continue;
+    // Else the driver would only take note of what is to be drawn.
+    glFinish();
+    if (!progress(static_cast<std::size_t>(index) + 1, static_cast<std::size_t>(settings.samples)))
+      return fail(ErrorCode::interrupted, "interrupted; the picture was not written");
+  }
+  return {};
+}
+
+Image Renderer::radiance() const {
+  assert(!isDisplayed(state_->last));
+  Image image = state_->result().readFloat();
+  if (const glm::vec4 backdrop = backdropOf(state_->last); backdrop.w > 0.0f) layOver(image, backdrop);
+  return image;
+}
+
+Result<Image8> Renderer::picture() {
+  State& state = *state_;
+  const gl::Framebuffer& result = state.result();
+  if (!state.display || state.display->width() != result.width() || state.display->height() != result.height()) {
+    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba8, result.width(), result.height(), false));
+    state.display = std::move(made);
+  }
+  state.display->bind();
+  glDisable(GL_DEPTH_TEST);
+  result.color().bind(TextureUnit::picture);
+  state.tone_map.set("picture", TextureUnit::picture);
+  setDisplay(state.tone_map, state.last);
+  state.tone_map.set("backdrop", backdropOf(state.last));
+  state.screen.draw(3);
+  return state.display->readBytes();
+}
+
+Result<void> Renderer::State::makeFramebuffers(const FrameSettings& settings) {
+  const glm::ivec2 size = settings.size;
+  if (!sample || sample->width() != size.x || sample->height() != size.y) {
+    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, true));
+    sample = std::move(made);
+    sum.reset();
+  }
+  if (settings.samples > 1 && !sum) {
+    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, false));
+    sum = std::move(made);
+  }
+  return {};
+}
+
+Result<PrefilteredChain> Renderer::State::prefilteredChain(BlurKind blur) {
+  if (blur != BlurKind::gpu) return PrefilteredChain{&light.prefiltered(), 1};
+  if (!gpu_prefilter) {
+    const gl::Texture& cube = light.cube();
+    MIRRORBALL_TRY(made, GpuPrefilter::make(api, cube.width(), cube.format()));
+    gpu_prefilter = std::move(made);
+    gpu_prefilter->run(cube);
+  }
+  return PrefilteredChain{&gpu_prefilter->chain(), 0};
+}
+
+/// Photographs the mirror ball from the camera's direction, so that the lecture's look-up is right for every camera.
+Result<void> Renderer::State::makeSphereMap(const FrameUniforms& frame) {
+  const glm::mat3 environment_from_view =
+      frame.environment_from_world * glm::transpose(glm::mat3(frame.camera.view_from_world));
+  const int size = std::min(environment.naturalSize(Projection::sphere), 2048);
+  Image image = sphereMapTexture(environment, environment_from_view, size);
+  for (float& light_sample : image.samples()) light_sample /= light.unit();
+  const gl::Format format = light.cube().format();
+  MIRRORBALL_TRY(made, gl::Texture::fromImages(format, ImageSet(std::move(image))));
+  made.setSampling({.filter = gl::Sampling::Filter::linear});
+  sphere_map = std::move(made);
+  sphere_map->bind(TextureUnit::sphere_map);
+  return {};
+}
+
+Result<void> Renderer::State::drawSample(const FrameUniforms& frame, const FrameSettings& settings) {
+  MIRRORBALL_TRY_VOID(surfaces.begin(scene, light, frame, settings));
+  sample->bind();
+  const bool has_color = settings.background == BackgroundKind::radiance;
+  const glm::vec3 color = has_color ? settings.background_color : glm::vec3(0.0f);
+  glClearColor(color.x, color.y, color.z, has_color ? 1.0f : 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glDisable(GL_BLEND);
+  // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  drawOpaque(settings);
+  if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
+    drawBackground(frame, settings);
+  drawBlended(frame, settings);
+  return {};
+}
+
+void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSettings& settings) {
+  const bool blurred = settings.background == BackgroundKind::blur;
+  glDisable(GL_CULL_FACE);
+  // Blurred exactly it is one level of the prefiltered chain.
+  const bool is_prefiltered = blurred && (settings.blur == BlurKind::exact || settings.blur == BlurKind::gpu);
+  const PrefilteredChain& chain = frame.prefiltered;
+  const gl::Texture& cube = is_prefiltered ? *chain.texture : light.cube();
+  cube.bind(TextureUnit::background);
+  background.set("environment", TextureUnit::background);
+  background.set("environment_from_world", frame.environment_from_world);
+  background.set("environment_intensity", settings.env_intensity * light.unit());
+  // Only directions are asked for. Without the camera's place they are exact however far away from the origin it stands.
+  const glm::mat4 clip_from_directions =
+      frame.camera.clip_from_view * glm::mat4(glm::mat3(frame.camera.view_from_world));
+  background.set("world_from_clip", glm::inverse(clip_from_directions));
+  background.set("camera_forward", frame.camera.forward);
+  background.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
+  background.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
+  background.set("samples_per_pixel", static_cast<float>(settings.samples));
+  const float prefiltered_level = formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
+                                  static_cast<float>(chain.first_level);
+  background.set("least_level", is_prefiltered ? prefiltered_level : 0.0f);
+  background.set("lobe_roughness", blurred && !is_prefiltered ? kBackgroundRoughness : 0.0f);
+  screen.draw(3);
+}
+
+void Renderer::State::drawInstance(int instance, const FrameSettings& settings) {
+  if (materialOf(scene.instances[std::size_t(instance)]).double_sided)
+    glDisable(GL_CULL_FACE);
+  else
+    glEnable(GL_CULL_FACE);
+  surfaces.draw(scene, instance, buffers, settings);
+}
+
+void Renderer::State::drawOpaque(const FrameSettings& settings) {
+  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance)
+    if (materialOf(scene.instances[std::size_t(instance)]).alpha_mode != AlphaMode::blend)
+      drawInstance(instance, settings);
+}
+
+/// What shines through is drawn over the rest, the farthest first.
+void Renderer::State::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
+  std::vector<int> blended;
+  for (int index = 0; index < static_cast<int>(scene.instances.size()); ++index)
+    if (materialOf(scene.instances[std::size_t(index)]).alpha_mode == AlphaMode::blend) blended.push_back(index);
+  if (blended.empty()) return;
+  // The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
+  const auto depth = [&](int index) {
+    const Instance& instance = scene.instances[std::size_t(index)];
+    const glm::vec4 center(centerOf(scene.meshes[std::size_t(instance.mesh)]), 1.0f);
+    const glm::vec3 from_eye = glm::vec3(instance.world_from_object * center) - frame.camera.position;
+    return frame.camera.orthographic ? glm::dot(from_eye, frame.camera.forward) : glm::length(from_eye);
+  };
+  std::stable_sort(blended.begin(), blended.end(), [&](int a, int b) { return depth(a) > depth(b); });
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthMask(GL_FALSE);
+  for (const int instance : blended) drawInstance(instance, settings);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+void Renderer::State::addSample(int index) {
+  sum->bind();
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  if (index == 0) {
+    glDisable(GL_BLEND);
+  } else {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+  }
+  sample->color().bind(TextureUnit::picture);
+  accumulate.set("picture", TextureUnit::picture);
+  setDisplay(accumulate, last);
+  accumulate.set("share", 1.0f / static_cast<float>(last.samples));
+  screen.draw(3);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,527 @@
+#include "mirrorball/render/frame/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "formula/bsdf.h"
+#include "formula/color.h"
+#include "mirrorball/bake/brdf/directional_albedo.h"
+#include "mirrorball/bake/prefilter/mip_chain.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/light/cube_look_up_testing.h"
+#include "mirrorball/render/render_testing.h"
+#include "mirrorball/scene/load_model.h"
+
+namespace mirrorball {
+namespace {
+
+/// A model in an environment, as the command line would draw it.
+struct Shot {
+  std::string model = "sphere";
+  RenderOptions options;
+};
+
+/// Draws a shot on the current context; what fails becomes a test failure and an empty image.
+class Studio {
+ public:
+  Studio(const gl::Context& context, Environment environment)
+      : context_(context), environment_(std::move(environment)), prepared_(*testing::prepareOnce(environment_)) {}
+
+  Image radiance(Shot shot) {
+    shot.options.resolve = Resolve::radiance;
+    Image image;
+    take(shot, [&](Renderer& renderer) { image = renderer.radiance(); });
+    return image;
+  }
+
+  Image8 picture(const Shot& shot) {
+    Image8 image;
+    take(shot, [&](Renderer& renderer) {
+      auto made = renderer.picture();
+      if (made)
+        image = std::move(*made);
+      else
+        ADD_FAILURE() << made.error().message;
+    });
+    return image;
+  }
+
+ private:
+  void take(const Shot& shot, const std::function<void(Renderer&)>& use) {
+    auto scene = loadModel(shot.model);
+    ASSERT_TRUE(scene) << scene.error().message;
+    const auto applied = applyMaterialOptions(shot.options, *scene);
+    ASSERT_TRUE(applied) << applied.error().message;
+    const auto settings = frameSettings(shot.options);
+    ASSERT_TRUE(settings) << settings.error().message;
+    auto renderer = Renderer::make(context_, *scene, environment_, prepared_);
+    ASSERT_TRUE(renderer) << renderer.error().message;
+    const auto drawn = renderer->draw(*settings);
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    use(*renderer);
+  }
+
+  const gl::Context& context_;
+  Environment environment_;
+  PreparedEnvironment prepared_;
+};
+
+Shot smallShot(std::string model, std::string material) {
+  Shot shot;
+  shot.model = std::move(model);
+  shot.options.size = "96x64";
+  shot.options.material = std::move(material);
+  return shot;
+}
+
+class RendererTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto made = gl::Context::createHeadless();
+    if (!made) GTEST_SKIP() << made.error().message;
+    context_.emplace(std::move(*made));
+  }
+  /// A built-in environment, in as much detail as pictures of 96 × 64 need.
+  Studio smallStudio(std::string_view environment) {
+    return Studio(*context_, Environment(*convert(*builtinEnvironment(environment), Projection::cube, 128)));
+  }
+  Studio studio(std::string_view environment) { return Studio(*context_, *builtinEnvironment(environment)); }
+  const gl::Context& context() const { return *context_; }
+
+ private:
+  std::optional<gl::Context> context_;
+};
+
+/// Every texel that the object covers wholly is 1 within 0.1 %.
+void expectFurnaceWhite(const Image& image, const std::string& what) {
+  int covered = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec4 texel = rgbaAt(image, x, y);
+      if (texel.w < 1.0f) continue;
+      ++covered;
+      for (int channel = 0; channel < 3; ++channel)
+        ASSERT_NEAR(texel[channel], 1.0f, 1e-3f) << what << " at (" << x << ", " << y << ")";
+    }
+  EXPECT_GT(covered, image.width() * image.height() / 20) << what << " covers too little to tell";
+}
+
+TEST_F(RendererTest, InAWhiteEnvironmentMirrorAndWhiteDiffuseVanish) {
+  Studio white = studio("white");
+  for (const char* model : {"sphere", "torus", "knot", "teapot", "cube"}) {
+    Shot mirror = smallShot(model, "mirror");
+    mirror.options.background = "transparent";
+    expectFurnaceWhite(white.radiance(mirror), std::string(model) + " mirror");
+    Shot diffuse = smallShot(model, "");
+    diffuse.options.background = "transparent";
+    diffuse.options.set = {"base_color=1"};
+    expectFurnaceWhite(white.radiance(diffuse), std::string(model) + " white dielectric");
+    diffuse.options.set = {"base_color=1", "specular=0"};
+    expectFurnaceWhite(white.radiance(diffuse), std::string(model) + " white diffuse");
+    Shot glass = smallShot(model, "glass");
+    glass.options.background = "transparent";
+    expectFurnaceWhite(white.radiance(glass), std::string(model) + " glass");
+  }
+}
+
+TEST_F(RendererTest, AWhiteMetalVanishesHoweverRoughItIs) {
+  Studio white = studio("white");
+  for (int tenths = 0; tenths <= 10; ++tenths) {
+    Shot shot = smallShot("sphere", "");
+    shot.options.background = "transparent";
+    const std::string roughness = "perceptual_roughness=" + std::to_string(static_cast<float>(tenths) / 10.0f);
+    shot.options.set = {"base_color=1", "metallic=1", roughness};
+    expectFurnaceWhite(white.radiance(shot), "white metal of " + roughness);
+    shot.options.set = {"base_color=1", roughness};
+    expectFurnaceWhite(white.radiance(shot), "white dielectric of " + roughness);
+  }
+}
+
+// Without light from several bounces a pixel of a metal shows f0 · scale + bias of the table, at its angle and roughness;
+// f0 of 0.02 leaves next to nothing to a second one.
+TEST_F(RendererTest, ADarkMetalReflectsWhatTheBrdfTableSays) {
+  Studio white = studio("white");
+  Shot shot = smallShot("sphere", "");
+  shot.options.size = "129x129";
+  shot.options.orthographic = {2.0f};
+  shot.options.camera = {0, 0};
+  shot.options.samples = 1;
+  const glm::vec3 f0(0.02f);
+  for (const float roughness : {0.25f, 0.5f, 1.0f}) {
+    shot.options.set = {"base_color=0.02", "metallic=1", "perceptual_roughness=" + std::to_string(roughness)};
+    const Image image = white.radiance(shot);
+    for (int x = 1; x < 128; ++x) {
+      const float nx = (static_cast<float>(x) + 0.5f) / 64.5f - 1.0f;
+      const DirectionalAlbedo share = directionalAlbedo(Distribution::ggx, roughness, std::sqrt(1.0f - nx * nx));
+      const glm::vec3 once = f0 * share.scale + share.bias;
+      const glm::vec3 more = formula::multipleScattering(once, formula::meanFresnel(f0, 1.0f), share.total());
+      // The table's 0.002, and a sphere of flat triangles.
+      EXPECT_NEAR(rgbAt(image, x, 64).x, once.x + more.x, 0.004f) << "roughness " << roughness << " at nx " << nx;
+    }
+  }
+}
+
+TEST_F(RendererTest, EveryMappingIsWhiteInTheFurnace) {
+  Studio white = studio("white");
+  for (const Mapping mapping : {Mapping::reflection, Mapping::normal, Mapping::sphere})
+    for (const ReflectAt reflect_at : {ReflectAt::vertex, ReflectAt::fragment, ReflectAt::triangle}) {
+      Shot shot = smallShot("teapot", "mirror");
+      shot.options.background = "transparent";
+      shot.options.mapping = mapping;
+      shot.options.reflect_at = reflect_at;
+      expectFurnaceWhite(white.radiance(shot), "mapping " + std::to_string(static_cast<int>(mapping)));
+    }
+}
+
+// Looking along +Z with +Y up, +X is on the left (docs/conventions.md).
+TEST_F(RendererTest, TheBackgroundIsTheRightWayRound) {
+  Studio marked(context(), Environment([](glm::vec3 d) { return glm::max(d, glm::vec3(0.0f)); }, 128));
+  Shot shot = smallShot("none", "");
+  shot.options.size = "65x65";
+  shot.options.fov_deg = 90;
+  shot.options.camera = {180, 0};
+  const Image image = marked.radiance(shot);
+  EXPECT_NEAR(rgbAt(image, 32, 32).z, 1.0f, 1e-2f) << "+Z in the middle";
+  EXPECT_GT(rgbAt(image, 2, 32).x, 0.6f) << "+X on the left";
+  EXPECT_EQ(rgbAt(image, 62, 32).x, 0.0f) << "-X on the right";
+  EXPECT_GT(rgbAt(image, 32, 2).y, 0.6f) << "+Y above";
+}
+
+// A mirror ball seen from +Z shows what is behind the camera in its middle, +X on its right.
+TEST_F(RendererTest, AMirrorSphereIsTheSphereMap) {
+  const auto light = [](glm::vec3 d) {
+    return glm::vec3(1.0f + d.x, 1.0f + d.y, 1.0f + d.z) * (1.5f + std::sin(9.0f * d.x) * std::cos(7.0f * d.y + d.z));
+  };
+  const Environment environment(light, 256);
+  Studio room(context(), environment);
+  Shot shot = smallShot("sphere", "mirror");
+  shot.options.size = "256x256";
+  shot.options.camera = {0, 0};
+  shot.options.orthographic = {2.0f};
+  const Image rendered = room.radiance(shot);
+  const EnvironmentMap expected = *convert(environment, Projection::sphere, 256);
+  double sum = 0.0;
+  int count = 0;
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) {
+      const glm::vec2 p = (glm::vec2(x, y) + 0.5f) / 128.0f - 1.0f;
+      if (glm::dot(p, p) >= 0.9f) continue;
+      const glm::vec3 difference = (rgbAt(rendered, x, y) - rgbAt(expected.face(0), x, y)) / 5.0f;
+      sum += double(glm::dot(difference, difference)) / 3.0;
+      ++count;
+    }
+  // The cube between is interpolated bilinearly and kept in halves; a shift of half a pixel would leave 37 dB.
+  EXPECT_GT(-10.0 * std::log10(sum / count), 50.0);
+}
+
+TEST_F(RendererTest, TheSphereMappingOfAnOrthographicSphereIsItsReflection) {
+  Studio room(context(), Environment([](glm::vec3 d) { return d * 0.5f + 0.5f; }, 256));
+  Shot shot = smallShot("sphere", "mirror");
+  shot.options.size = "128x128";
+  shot.options.orthographic = {2.0f};
+  shot.options.background = "transparent";
+  for (const float azimuth : {0.0f, 130.0f}) {
+    shot.options.camera = {azimuth, 25.0f};
+    shot.options.mapping = Mapping::reflection;
+    const Image reflected = room.radiance(shot);
+    shot.options.mapping = Mapping::sphere;
+    const Image mapped = room.radiance(shot);
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 0; y < 128; ++y)
+      for (int x = 0; x < 128; ++x) {
+        const glm::vec2 p = (glm::vec2(x, y) + 0.5f) / 64.0f - 1.0f;
+        if (glm::dot(p, p) >= 0.9f) continue;
+        sum += double(glm::length(rgbAt(reflected, x, y) - rgbAt(mapped, x, y)));
+        ++count;
+      }
+    EXPECT_LT(sum / count, 0.005) << "azimuth " << azimuth;
+  }
+}
+
+TEST_F(RendererTest, EnvRotationTurnsPlusZTowardsPlusX) {
+  Studio lamp(context(), Environment([](glm::vec3 d) { return glm::vec3(d.z > 0.9f ? 1.0f : 0.0f); }, 128));
+  Shot shot = smallShot("none", "");
+  shot.options.size = "33x33";
+  shot.options.env_rotation_deg = {90.0f};
+  shot.options.camera = {270, 0};  // stands on −X and looks along +X
+  EXPECT_NEAR(rgbAt(lamp.radiance(shot), 16, 16).x, 1.0f, 1e-3f);
+  shot.options.camera = {90, 0};
+  EXPECT_EQ(rgbAt(lamp.radiance(shot), 16, 16).x, 0.0f);
+}
+
+// The lamp over +Z: pitched by 90 degrees it stands below, and a turn by 90 degrees after that does not move it. One over
+// +X, rolled by 90 degrees, stands over +Y, and pitch brings that to +Z, yaw to +X.
+TEST_F(RendererTest, PitchAndRollTurnTheEnvironmentBeforeItsYaw) {
+  const auto lightOf = [&](const Environment& lamp, std::vector<float> turn_deg, std::vector<float> camera) {
+    Studio studio(context(), lamp);
+    Shot shot = smallShot("none", "");
+    shot.options.size = "33x33";
+    shot.options.env_rotation_deg = std::move(turn_deg);
+    shot.options.camera = std::move(camera);
+    return rgbAt(studio.radiance(shot), 16, 16).x;
+  };
+  const Environment over_z([](glm::vec3 d) { return glm::vec3(d.z > 0.9f ? 1.0f : 0.0f); }, 128);
+  EXPECT_NEAR(lightOf(over_z, {90.0f, 90.0f}, {0, 90}), 1.0f, 1e-3f) << "the camera stands on +Y and looks down";
+  EXPECT_EQ(lightOf(over_z, {90.0f, 90.0f}, {270, 0}), 0.0f);
+  const Environment over_x([](glm::vec3 d) { return glm::vec3(d.x > 0.9f ? 1.0f : 0.0f); }, 128);
+  EXPECT_NEAR(lightOf(over_x, {90.0f, 90.0f, 90.0f}, {270, 0}), 1.0f, 1e-3f);
+}
+
+TEST_F(RendererTest, RefractionBendsBySnellsLawAndReflectsPastTheCriticalAngle) {
+  const auto light = [](glm::vec3 d) { return d * 0.5f + 0.5f; };
+  Studio room(context(), Environment(light, 256));
+  Shot shot = smallShot("sphere", "");
+  shot.options.size = "129x129";
+  shot.options.orthographic = {2.0f};
+  shot.options.camera = {0, 0};
+  shot.options.samples = 1;
+  for (const float ior : {1.5f, 0.7f}) {
+    shot.options.set = {"transmission=1", "base_color=1", "perceptual_roughness=0", "ior=" + std::to_string(ior)};
+    const Image image = room.radiance(shot);
+    for (int x = 4; x < 125; ++x) {
+      const float nx = (static_cast<float>(x) + 0.5f) / 64.5f - 1.0f;
+      const glm::vec3 n(nx, 0.0f, std::sqrt(1.0f - nx * nx));
+      const glm::vec3 ray(0, 0, -1);
+      const float reflectance = formula::fresnelDielectric(n.z, ior);
+      const glm::vec3 expected = light(glm::reflect(ray, n)) * reflectance +
+                                 light(formula::refractedDirection(ray, n, ior)) * (1.0f - reflectance);
+      EXPECT_LT(glm::length(rgbAt(image, x, 64) - expected), 0.02f) << "ior " << ior << " at nx " << nx;
+    }
+  }
+}
+
+TEST_F(RendererTest, TransparentBackgroundHasPremultipliedAlpha) {
+  Studio white = studio("white");
+  Shot shot = smallShot("sphere", "mirror");
+  shot.options.background = "transparent";
+  const Image radiance = white.radiance(shot);
+  const Image8 picture = white.picture(shot);
+  int partial = 0;
+  for (int y = 0; y < radiance.height(); ++y)
+    for (int x = 0; x < radiance.width(); ++x) {
+      const glm::vec4 texel = rgbaAt(radiance, x, y);
+      EXPECT_NEAR(texel.x, texel.w, 1e-3f) << "radiance 1 premultiplied by alpha";
+      EXPECT_NEAR(picture.texel(x, y)[3] / 255.0f, texel.w, 0.003f);
+      if (texel.w <= 0.0f || texel.w >= 1.0f) continue;
+      ++partial;
+      // Straight alpha: the edge has the colour of the middle.
+      EXPECT_NEAR(picture.texel(x, y)[0], picture.texel(48, 32)[0], 1);
+    }
+  EXPECT_GT(partial, 20);
+}
+
+TEST_F(RendererTest, ThePictureIsTheFormulaOfTheRadiance) {
+  Studio room = smallStudio("studio");
+  Shot shot = smallShot("knot", "gold");
+  shot.options.exposure_ev = 0.5f;
+  shot.options.resolve = Resolve::radiance;
+  const Image radiance = room.radiance(shot);
+  for (const ToneMap curve : {ToneMap::agx, ToneMap::aces, ToneMap::neutral, ToneMap::reinhard, ToneMap::linear}) {
+    shot.options.tone_map = curve;
+    const Image8 picture = room.picture(shot);
+    for (int y = 0; y < radiance.height(); ++y)
+      for (int x = 0; x < radiance.width(); ++x) {
+        const glm::vec4 shown =
+            formula::displayed(rgbaAt(radiance, x, y), std::exp2(0.5f), static_cast<int>(curve)) * 255.0f;
+        for (int channel = 0; channel < 4; ++channel)
+          EXPECT_NEAR(picture.texel(x, y)[channel], shown[channel], 1.0f) << static_cast<int>(curve);
+      }
+  }
+}
+
+// Whatever the exposure and the curve, and where an edge covers half a pixel, half of its light.
+TEST_F(RendererTest, AColourOfTheDisplayIsThatColourInThePicture) {
+  Studio room = smallStudio("studio");
+  Shot shot = smallShot("knot", "gold");
+  shot.options.exposure_ev = 1.5f;
+  for (const ToneMap curve : {ToneMap::agx, ToneMap::aces, ToneMap::neutral, ToneMap::reinhard, ToneMap::linear}) {
+    shot.options.tone_map = curve;
+    shot.options.background = "transparent";
+    const Image8 cut_out = room.picture(shot);
+    for (const auto& [written, code] :
+         {std::pair{"#ffffff", glm::ivec3(255)}, {"#336699", glm::ivec3(0x33, 0x66, 0x99)}}) {
+      shot.options.background = written;
+      const Image8 picture = room.picture(shot);
+      for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+          const std::uint8_t* texel = picture.texel(x, y);
+          EXPECT_EQ(texel[3], 255);
+          const float alpha = static_cast<float>(cut_out.texel(x, y)[3]) / 255.0f;
+          for (int channel = 0; channel < 3; ++channel) {
+            if (alpha == 0.0f) {
+              ASSERT_EQ(texel[channel], code[channel]) << written;
+            }
+            const auto light = [](int of_code) {
+              return formula::linearFromSrgb1(static_cast<float>(of_code) / 255.0f);
+            };
+            const float mean = glm::mix(light(code[channel]), light(cut_out.texel(x, y)[channel]), alpha);
+            EXPECT_NEAR(texel[channel], 255.0f * formula::srgbFromLinear1(mean), 1.5f) << written << " alpha " << alpha;
+          }
+        }
+    }
+  }
+}
+
+// A lamp a thousand times brighter than white: an edge pixel that it half covers is half as bright as the display can be.
+// The mean of radiance is white wherever one sample of 16 meets the lamp: such an edge has steps at any number of samples.
+TEST_F(RendererTest, TheOutlineOfALampIsAsSmoothAsItsCoverage) {
+  Studio dark(context(), Environment([](glm::vec3) { return glm::vec3(0.0f); }, 8));
+  Shot lamp = smallShot("sphere", "");
+  lamp.options.set = {"emission=1000"};
+  lamp.options.samples = 16;
+  lamp.options.background = "transparent";
+  const Image8 cut_out = dark.picture(lamp);
+  lamp.options.background = "0,0,0";
+  const Image8 resolved = dark.picture(lamp);
+  lamp.options.resolve = Resolve::radiance;
+  const Image8 averaged = dark.picture(lamp);
+  int partial = 0;
+  for (int y = 0; y < cut_out.height(); ++y)
+    for (int x = 0; x < cut_out.width(); ++x) {
+      const int alpha = cut_out.texel(x, y)[3];
+      const float coverage = static_cast<float>(alpha) / 255.0f;
+      EXPECT_NEAR(resolved.texel(x, y)[0], 255.0f * formula::srgbFromLinear1(coverage), 1.5f) << "covered " << coverage;
+      if (alpha == 0 || alpha == 255) continue;
+      ++partial;
+      EXPECT_EQ(cut_out.texel(x, y)[0], 255) << "the colour of the middle";
+      EXPECT_GE(averaged.texel(x, y)[0], 254) << "covered " << coverage;
+    }
+  EXPECT_GT(partial, 100);
+}
+
+TEST_F(RendererTest, AColourOfTheDisplayIsItsLinearLightAmongRadiance) {
+  Studio room = smallStudio("studio");
+  Shot shot = smallShot("knot", "gold");
+  shot.options.background = "#336699";
+  const Image of_display = room.radiance(shot);
+  shot.options.background = "0.0331048,0.1328683,0.3185468";  // IEC 61966-2-1
+  const Image of_radiance = room.radiance(shot);
+  ASSERT_EQ(of_display.samples().size(), of_radiance.samples().size());
+  for (std::size_t i = 0; i < of_display.samples().size(); ++i)
+    ASSERT_NEAR(of_display.samples()[i], of_radiance.samples()[i], 1e-5f);
+}
+
+// A level whose texels were only as wide as the lobe's alpha left 0.5 to 1.2 here.
+TEST_F(RendererTest, AMipLevelBlursAsWideAsTheLobe) {
+  Studio room = smallStudio("studio");
+  Shot shot = smallShot("sphere", "mirror");
+  shot.options.orthographic = {2.0f};
+  shot.options.background = "0,0,0";
+  for (const char* roughness : {"0.3", "0.5", "0.7", "1"}) {
+    shot.options.set = {std::string("perceptual_roughness=") + roughness};
+    shot.options.blur = BlurKind::exact;
+    const Image exact = room.radiance(shot);
+    shot.options.blur = BlurKind::mip;
+    const Image level = room.radiance(shot);
+    double difference = 0.0;
+    double light = 0.0;
+    for (int y = 0; y < exact.height(); ++y)
+      for (int x = 0; x < exact.width(); ++x) {
+        const glm::vec3 apart = rgbAt(level, x, y) - rgbAt(exact, x, y);
+        difference += double(glm::dot(apart, apart));
+        light += double(glm::dot(rgbAt(exact, x, y), rgbAt(exact, x, y)));
+      }
+    EXPECT_LT(std::sqrt(difference / light), 0.3) << "roughness " << roughness;
+  }
+}
+
+// A sun in a dim room, as a cube of 96², 48² … 6², 3², 1 texels. What is odd in such a picture, a square sun and a pale frame
+// around a face where the level of one texel has a share, is in the levels: the look-up on the CPU has it too.
+TEST_F(RendererTest, AMipLevelIsWhatALookUpInTheChainSays) {
+  constexpr int kSide = 96;
+  EnvironmentMap cube = *convert(Environment([](glm::vec3 d) { return 0.2f + 0.1f * d; }, 64), Projection::cube, kSide);
+  Image sunny = cube.face(5);
+  std::fill_n(sunny.texel(20, 20), 3, 5000.0f);
+  ImageSet images = cube.images();
+  images.at(0, 5) = sunny;
+  cube = EnvironmentMap(Projection::cube, images);
+  const ImageSet chain = mipChain(cube);
+  Studio room(context(), Environment(cube));
+  Shot shot = smallShot("none", "");
+  shot.options.size = "64x64";
+  shot.options.fov_deg = 90.0f;
+  shot.options.samples = 1;
+  shot.options.blur = BlurKind::mip;
+  shot.options.background = "blur";
+  for (const float azimuth : {0.0f, 70.0f, 180.0f}) {
+    shot.options.camera = {azimuth, 0.0f};
+    const Image image = room.radiance(shot);
+    const float c = std::cos(glm::radians(azimuth));
+    const float s = std::sin(glm::radians(azimuth));
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const glm::vec2 p((static_cast<float>(x) - 31.5f) / 32.0f, (31.5f - static_cast<float>(y)) / 32.0f);
+        const glm::vec3 d = glm::normalize(glm::vec3(c * p.x - s, p.y, -s * p.x - c));
+        const testing::CubeLookUp expected(chain, d, formula::lodOfLobe(0.35f, kSide / 2.0f, d));
+        // A driver has 8 bits of the place between two texels.
+        ASSERT_NEAR(rgbAt(image, x, y).x, expected.light.x, 0.01f * expected.max) << azimuth << ": " << x << ", " << y;
+      }
+  }
+}
+
+TEST_F(RendererTest, APointLightLightsItsSideOnly) {
+  Studio dark(context(), Environment([](glm::vec3) { return glm::vec3(0.0f); }, 8));
+  Shot shot = smallShot("sphere", "");
+  shot.options.size = "65x65";
+  shot.options.camera = {0, 0};
+  shot.options.set = {"specular=0", "base_color=0.5"};
+  shot.options.lights = {"1000,0,0,2,1,0"};
+  const Image image = dark.radiance(shot);
+  EXPECT_EQ(rgbAt(image, 12, 32), glm::vec3(0.0f)) << "the side away from the light";
+  const glm::vec3 lit = rgbAt(image, 48, 32);
+  EXPECT_GT(lit.x, 0.3f);
+  EXPECT_NEAR(lit.x, 2.0f * lit.y, 1e-4f);
+  EXPECT_LE(lit.x, 1.0f);
+}
+
+TEST_F(RendererTest, ABumpBendsNormalsAndAFlatBumpDoesNot) {
+  Studio room = smallStudio("studio");
+  Shot smooth = smallShot("sphere", "orange");
+  smooth.options.set = {"bump=none"};
+  Shot flat = smallShot("sphere", "orange");
+  flat.options.set = {"bump_height=0"};
+  const Image a = room.radiance(smooth);
+  const Image b = room.radiance(flat);
+  const Image c = room.radiance(smallShot("sphere", "orange"));
+  float flat_difference = 0.0f;
+  float bump_difference = 0.0f;
+  for (std::size_t i = 0; i < a.samples().size(); ++i) {
+    flat_difference = std::max(flat_difference, std::abs(a.samples()[i] - b.samples()[i]));
+    bump_difference = std::max(bump_difference, std::abs(a.samples()[i] - c.samples()[i]));
+  }
+  EXPECT_LT(flat_difference, 1e-3f);
+  EXPECT_GT(bump_difference, 0.05f);
+}
+
+TEST_F(RendererTest, TheSameFrameTwiceIsTheSame) {
+  Studio room = smallStudio("sky");
+  Shot shot = smallShot("showcase", "");
+  const Image first = room.radiance(shot);
+  const Image second = room.radiance(shot);
+  EXPECT_TRUE(std::equal(first.samples().begin(), first.samples().end(), second.samples().begin()));
+}
+
+// The shaders are the same text; only the drivers' arithmetic may differ.
+TEST(RendererApis, Es30DrawsTheSamePictureAsDesktop) {
+  Image8 pictures[2];
+  for (const gl::Api api : {gl::Api::desktop43, gl::Api::es30}) {
+    MIRRORBALL_NEEDS_GL(context, api);
+    Studio room(context, *builtinEnvironment("studio"));
+    pictures[api == gl::Api::es30] = room.picture(smallShot("showcase", ""));
+  }
+  ASSERT_EQ(pictures[0].samples().size(), pictures[1].samples().size());
+  ASSERT_FALSE(pictures[0].empty());
+  for (std::size_t i = 0; i < pictures[0].samples().size(); ++i)
+    EXPECT_NEAR(pictures[0].samples()[i], pictures[1].samples()[i], 2);
+}
+
+}  // namespace
+}  // namespace mirrorball

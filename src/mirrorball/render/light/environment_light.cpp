@@ -1,0 +1,120 @@
+#include "mirrorball/render/light/environment_light.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mirrorball/bake/prefilter/mip_chain.h"
+#include "mirrorball/bake/prefilter/prefilter.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/projection/texel_geometry.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr float kLargestHalf = 65504.0f;
+
+float maxSample(const ImageSet& chain) {
+  float max = 0.0f;
+  for (int face = 0; face < 6; ++face)
+    for (const float sample : chain.at(0, face).samples()) max = std::max(max, sample);
+  return max;
+}
+
+/// Of the chain's level 0, where the environment has that much detail. The first blurred level has half of it; on 256² its
+/// narrow lobe is two texels wide.
+constexpr int kMaxPrefilteredSide = 512;
+constexpr int kMinPrefilteredSide = 32;
+constexpr int kIrradianceSide = 32;
+
+/// A cube of light in units of `unit`.
+Result<gl::Texture> cubeTexture(gl::Format format, ImageSet images, float unit) {
+  if (unit != 1.0f)
+    for (int level = 0; level < images.levels(); ++level)
+      for (int face = 0; face < images.faces(); ++face)
+        for (float& sample : images.at(level, face).samples()) sample /= unit;
+  MIRRORBALL_TRY(cube, gl::Texture::fromImages(format, images));
+  cube.setSampling({.filter = gl::Sampling::Filter::trilinear});
+  return cube;
+}
+
+/// Of the chain's level 0, which prefiltered() leaves out.
+int prefilteredSide(const Environment& environment) {
+  const auto side = static_cast<unsigned>(cubeSideFor(environment.texelDensity()));
+  return std::clamp(static_cast<int>(std::bit_ceil(side)), kMinPrefilteredSide, kMaxPrefilteredSide);
+}
+
+PrefilteredShape prefilteredShape(int side) {
+  PrefilteredShape shape{{}, {kIrradianceSide}};
+  for (int level = 1; level <= lastLevel(side); ++level) shape.chain.push_back(levelSide(side, level));
+  return shape;
+}
+
+Result<Prefiltered> prefiltered(const Environment& environment, int side) {
+  std::vector<PrefilterLevel> levels = prefilterLevels({.size = side});
+  levels.erase(levels.begin());
+  std::vector<Lobe> lobes = lobesOf(levels);
+  lobes.push_back(Lobe::cosine());
+  MIRRORBALL_TRY(light, LightHarmonics::make(environment, lobes));
+  MIRRORBALL_TRY(chain, prefilter(environment, light, levels));
+  MIRRORBALL_TRY(irradiance, cubeOf(light, lobes.back(), kIrradianceSide));
+  return Prefiltered{std::move(chain), std::move(irradiance).takeImages()};
+}
+
+/// From the cache, or else made and kept there. Either way it has the values that a texture will hold.
+Result<Prefiltered> prefilteredOnce(const Environment& environment, const PreparedEnvironment& prepared,
+                                    const PrefilterCache& cache) {
+  const int side = prefilteredSide(environment);
+  const std::string key = PrefilterCache::keyOf(prepared.chain);
+  if (std::optional<Prefiltered> found = cache.find(key, prefilteredShape(side))) return std::move(*found);
+  MIRRORBALL_TRY(made, prefiltered(environment, side));
+  cache.keep(key, made, prepared.needs_floats ? TexelFormat::float32 : TexelFormat::half);
+  return made;
+}
+
+}  // namespace
+
+int cubeSideFor(float texels_per_radian) {
+  // A face's texels are widest in its middle.
+  const float side = texels_per_radian / texelDensity(Projection::cube, 1);
+  if (side <= 64.0f) return std::max(static_cast<int>(std::ceil(side)), 1);
+  return static_cast<int>(std::ceil(side / 64.0f)) * 64;
+}
+
+Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
+                                               const std::optional<PrefilterCache>& cache) {
+  PreparedEnvironment prepared;
+  if (const EnvironmentMap* map = environment.map(); map && map->projection() == Projection::cube) {
+    prepared.chain = mipChain(*map);
+  } else {
+    MIRRORBALL_TRY(cube, convert(environment, Projection::cube, cubeSideFor(environment.texelDensity())));
+    prepared.chain = mipChain(cube);
+  }
+  prepared.needs_floats = maxSample(prepared.chain) > kLargestHalf;
+  MIRRORBALL_TRY(blurred, cache ? prefilteredOnce(environment, prepared, *cache)
+                                : prefiltered(environment, prefilteredSide(environment)));
+  prepared.prefiltered = std::move(blurred.chain);
+  prepared.irradiance = std::move(blurred.irradiance);
+  return prepared;
+}
+
+Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepared, bool filters_floats) {
+  const bool are_floats = prepared.needs_floats && filters_floats;
+  const gl::Format format = are_floats ? gl::Format::rgba32f : gl::Format::rgba16f;
+  // A power of two: nothing is rounded but what becomes too small for a half.
+  const float unit = prepared.needs_floats && !are_floats
+                         ? std::exp2(std::ceil(std::log2(maxSample(prepared.chain) / kLargestHalf)))
+                         : 1.0f;
+  MIRRORBALL_TRY(cube, cubeTexture(format, prepared.chain, unit));
+  MIRRORBALL_TRY(prefiltered, cubeTexture(format, prepared.prefiltered, unit));
+  MIRRORBALL_TRY(irradiance, cubeTexture(format, prepared.irradiance, unit));
+  return EnvironmentLight(std::move(cube), std::move(prefiltered), std::move(irradiance), unit);
+}
+
+float EnvironmentLight::texelsPerRadian() const { return texelDensity(Projection::cube, cube_.width()); }
+
+}  // namespace mirrorball

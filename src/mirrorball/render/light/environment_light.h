@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/environment/environment.h"
+#include "mirrorball/gl/texture.h"
+#include "mirrorball/image/image_set.h"
+#include "mirrorball/render/light/prefilter_cache.h"
+
+namespace mirrorball {
+
+/// An environment made ready for the GPU, still on the CPU: independent of any GL context, so that it can be made while
+/// the driver starts. All are cubes.
+struct PreparedEnvironment {
+  ImageSet chain;             ///< the environment, with all mip levels
+  ImageSet prefiltered;       ///< bake/prefilter/prefilter.h
+  ImageSet irradiance;        ///< divided by π
+  bool needs_floats = false;  ///< some radiance is above 65504, the largest half float
+};
+
+/// A face side at which a cube has at least that many texels a radian everywhere, rounded up to a multiple of 64 so that
+/// the first mip levels halve evenly.
+int cubeSideFor(float texels_per_radian);
+
+/// Lays the environment out as a cube with mip levels, prefilters it for rough surfaces, and blurs it for matt ones. A
+/// cube stays as it is; anything else is resampled so that no detail is lost in the middle of a face, where texels are
+/// widest.
+///
+/// cache    where prefiltered environments are kept, if they are
+/// errors   too_large
+Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
+                                               const std::optional<PrefilterCache>& cache = {});
+
+/// The light of an environment on the GPU.
+class EnvironmentLight {
+ public:
+  /// filters_floats   gl::Context::filtersFloats: else light too bright for half floats is kept in larger units
+  /// errors           too_large (for this driver)
+  static Result<EnvironmentLight> make(const PreparedEnvironment& prepared, bool filters_floats);
+
+  const gl::Texture& cube() const { return cube_; }
+  /// PreparedEnvironment::prefiltered: level 1 and the further ones of a chain.
+  const gl::Texture& prefiltered() const { return prefiltered_; }
+  const gl::Texture& irradiance() const { return irradiance_; }
+
+  /// What 1 in the textures stands for, as radiance.
+  float unit() const { return unit_; }
+
+  /// Of level 0, in the middle of a face.
+  float texelsPerRadian() const;
+
+ private:
+  EnvironmentLight(gl::Texture cube, gl::Texture prefiltered, gl::Texture irradiance, float unit)
+      : cube_(std::move(cube)), prefiltered_(std::move(prefiltered)), irradiance_(std::move(irradiance)), unit_(unit) {}
+
+  gl::Texture cube_;
+  gl::Texture prefiltered_;
+  gl::Texture irradiance_;
+  float unit_;
+};
+
+}  // namespace mirrorball

@@ -1,0 +1,194 @@
+#include "mirrorball/render/surface/surface_program.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "mirrorball/bake/brdf/brdf_table.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr std::array<const char*, 3> kBlocks{"FrameBlock", "InstanceBlock", "MaterialBlock"};  // by BlockPoint
+
+/// Blur::kind in formula/prefilter/blur.glsl: both chains are looked up alike.
+int blurKindOfFormula(BlurKind blur) {
+  switch (blur) {
+    case BlurKind::mip:
+      return 1;
+    case BlurKind::cone:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
+/// Every parameter that the block has; what a choice only chooses a part by, it has not.
+void setParameters(gl::UniformBlock& block, const Material& material) {
+  for (const MaterialParameter& parameter : materialParameters()) {
+    const std::string name = "material." + std::string(parameter.text.name);
+    if (const auto* number = std::get_if<float Material::*>(&parameter.field)) block.set(name, material.**number);
+    if (const auto* color = std::get_if<glm::vec3 Material::*>(&parameter.field)) block.set(name, material.**color);
+  }
+  block.set("material.fresnel", material.fresnel);
+}
+
+/// KHR_texture_transform: translation · rotation · scale, as the columns of a matrix and an offset.
+void setMaps(gl::UniformBlock& block, const Material& material) {
+  std::vector<glm::vec4> matrices;
+  std::vector<glm::vec4> offsets;
+  for (const MaterialMap& map : materialMaps()) {
+    const TextureSlot& slot = material.*map.slot;
+    const float sine = std::sin(slot.rotation_rad);
+    const float cosine = std::cos(slot.rotation_rad);
+    matrices.emplace_back(cosine * slot.scale.x, -sine * slot.scale.x, sine * slot.scale.y, cosine * slot.scale.y);
+    offsets.emplace_back(slot.offset, static_cast<float>(slot.uv_set), 0.0f);
+  }
+  block.set("map_matrix", std::span<const glm::vec4>(matrices));
+  block.set("map_offset", std::span<const glm::vec4>(offsets));
+}
+
+/// Binds the material's textures, each to one unit however many maps it is, and tells the program which.
+void bindMaps(gl::Program& program, const Material& material, const SceneBuffers& buffers) {
+  std::vector<int> bound;
+  for (const MaterialMap& map : materialMaps()) {
+    const int texture = (material.*map.slot).texture;
+    if (texture < 0) continue;
+    const auto found = std::find(bound.begin(), bound.end(), texture);
+    const int unit = TextureUnit::first_of_material + static_cast<int>(found - bound.begin());
+    if (found == bound.end()) {
+      buffers.texture(texture).bind(unit);
+      bound.push_back(texture);
+    }
+    program.set(map.name, unit);
+  }
+}
+
+void setLamps(gl::Program& program, const std::vector<PointLight>& lights) {
+  if (lights.empty()) return;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> colors;
+  for (const PointLight& light : lights) {
+    positions.push_back(light.position);
+    colors.push_back(light.color);
+  }
+  program.set("lamp_position", std::span<const glm::vec3>(positions));
+  program.set("lamp_color", std::span<const glm::vec3>(colors));
+}
+
+const Material& materialOf(const Scene& scene, int instance) {
+  const Mesh& mesh = scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)];
+  return scene.materials[std::size_t(mesh.material)];
+}
+
+}  // namespace
+
+Result<Image> surfaceBrdfTable() {
+  // Made once, since it is the same for every renderer and all its inputs stand here. Textures have one, three or four channels.
+  static const Result<Image> table = brdfTable({.channels = 3, .axes = BrdfAxes::warped});
+  return table;
+}
+
+Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_table) {
+  // OpenGL ES filters no more than half floats, which keep a share to 2.5e-4.
+  MIRRORBALL_TRY(texture, gl::Texture::fromImages(gl::Format::rgba16f, ImageSet(brdf_table)));
+  texture.setSampling({.filter = gl::Sampling::Filter::linear});
+  return SurfacePrograms(api, std::move(texture));
+}
+
+/// Says which unit and which binding point each sampler and block reads; they are the same in all programs.
+void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant) {
+  program.set("brdf_table", TextureUnit::brdf_table);
+  program.set("irradiance", TextureUnit::irradiance);
+  const bool is_sphere_map = variant.has(Part::look_up, LookUpPart::sphere_map);
+  if (is_sphere_map) program.set("sphere_map", TextureUnit::sphere_map);
+  program.set("environment", TextureUnit::environment);
+  program.set("prefiltered", TextureUnit::prefiltered);
+  for (unsigned point = 0; point < block_points; ++point) {
+    const auto layout = program.connect(kBlocks[point], point);
+    if (layout && !layouts_[point]) layouts_[point] = std::make_shared<gl::BlockLayout>(*layout);
+  }
+}
+
+Result<gl::Program*> SurfacePrograms::programFor(const SurfaceVariant& variant) {
+  auto found = programs_.find(variant);
+  if (found == programs_.end()) {
+    MIRRORBALL_TRY(shaders, surfaceShaders(api_, variant));
+    MIRRORBALL_TRY(program, gl::Program::build(shaders.vertex, shaders.fragment, "surface.vert with surface.frag"));
+    connect(program, variant);
+    found = programs_.emplace(variant, std::move(program)).first;
+  }
+  return &found->second;
+}
+
+void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniforms& frame,
+                               const FrameSettings& settings) {
+  if (!frame_) frame_.emplace(layouts_[frame_point]);
+  gl::UniformBlock& block = *frame_;
+  block.set("clip_from_world", frame.camera.clip_from_view * frame.camera.view_from_world);
+  block.set("sphere_map_matrix", frame.sphere_map_matrix);
+  block.set("environment_from_world", frame.environment_from_world);
+  block.set("camera_position", frame.camera.position);
+  block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
+  block.set("camera_forward", frame.camera.forward);
+  block.set("environment_intensity", settings.env_intensity * light.unit());
+  const PrefilteredChain& chain = frame.prefiltered;
+  block.set("blur_kind", blurKindOfFormula(settings.blur));
+  block.set("first_level", static_cast<float>(chain.first_level));
+  block.set("last_level", static_cast<float>(chain.lastLevel()));
+  block.set("texels_per_radian", light.texelsPerRadian());
+  block.set("coarser", std::log2(static_cast<float>(light.cube().width()) / static_cast<float>(chain.size())));
+  block.set("samples_per_pixel", static_cast<float>(settings.samples));
+}
+
+gl::UniformBlock& SurfacePrograms::instanceBlock(const Scene& scene, int instance) {
+  const auto [found, is_new] = instances_.try_emplace(instance, layouts_[instance_point]);
+  if (is_new) {
+    const glm::mat4& world_from_object = scene.instances[std::size_t(instance)].world_from_object;
+    found->second.set("world_from_object", world_from_object);
+    found->second.set("normal_matrix", glm::transpose(glm::inverse(glm::mat3(world_from_object))));
+  }
+  return found->second;
+}
+
+gl::UniformBlock& SurfacePrograms::materialBlock(const Scene& scene, int material) {
+  const auto [found, is_new] = materials_.try_emplace(material, layouts_[material_point]);
+  if (is_new) {
+    setParameters(found->second, scene.materials[std::size_t(material)]);
+    setMaps(found->second, scene.materials[std::size_t(material)]);
+  }
+  return found->second;
+}
+
+Result<void> SurfacePrograms::begin(const Scene& scene, const EnvironmentLight& light, const FrameUniforms& frame,
+                                    const FrameSettings& settings) {
+  if (scene.instances.empty()) return {};
+  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
+    MIRRORBALL_TRY(program, programFor(surfaceVariant(materialOf(scene, instance), settings)));
+    if (!settings.lights.empty()) setLamps(*program, settings.lights);
+  }
+  setFrame(light, frame, settings);
+  light.cube().bind(TextureUnit::environment);
+  frame.prefiltered.texture->bind(TextureUnit::prefiltered);
+  light.irradiance().bind(TextureUnit::irradiance);
+  brdf_table_.bind(TextureUnit::brdf_table);
+  return {};
+}
+
+void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers& buffers,
+                           const FrameSettings& settings) {
+  const Material& material = materialOf(scene, instance);
+  const int mesh = scene.instances[std::size_t(instance)].mesh;
+  gl::Program& program = programs_.find(surfaceVariant(material, settings))->second;
+  bindMaps(program, material, buffers);
+  frame_->bind(frame_point);
+  instanceBlock(scene, instance).bind(instance_point);
+  materialBlock(scene, scene.meshes[std::size_t(mesh)].material).bind(material_point);
+  program.use();
+  buffers.drawMesh(mesh);
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/program.h"
+#include "mirrorball/gl/texture.h"
+#include "mirrorball/gl/uniform_block.h"
+#include "mirrorball/image/image.h"
+#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/surface/scene_buffers.h"
+#include "mirrorball/render/surface/surface_variant.h"
+#include "mirrorball/scene/camera/camera.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// The texture units that the shaders read from.
+struct TextureUnit {
+  static constexpr int environment = 0;
+  static constexpr int sphere_map = 1;
+  static constexpr int picture = 2;
+  static constexpr int background = 2;  ///< no shader reads both
+  static constexpr int brdf_table = 3;
+  static constexpr int prefiltered = 4;
+  static constexpr int irradiance = 5;
+  static constexpr int first_of_material = 6;
+};
+
+/// A chain of prefiltered cubes, of which a texture holds the levels from `first_level` on.
+struct PrefilteredChain {
+  const gl::Texture* texture = nullptr;
+  int first_level = 0;
+
+  /// That of roughness 1.
+  int lastLevel() const { return first_level + texture->levels() - 1; }
+  /// The side of its level 0, in the texture or not.
+  int size() const { return texture->width() << first_level; }
+};
+
+/// What all surfaces of a frame share.
+struct FrameUniforms {
+  PrefilteredChain prefiltered;
+  Camera camera;
+  glm::mat3 environment_from_world{1.0f};
+  glm::mat4 sphere_map_matrix{1.0f};
+};
+
+/// The BRDF table as shaders/surface/ looks it up; needs no GL context.
+///
+/// cost     about 10 ms on 2 cores
+Result<Image> surfaceBrdfTable();
+
+/// The shader programs for surfaces, one for each variant that some material needs, made when first needed, and the
+/// uniform blocks that they read.
+class SurfacePrograms {
+ public:
+  /// brdf_table   surfaceBrdfTable()
+  /// errors       too_large (for this driver)
+  static Result<SurfacePrograms> make(gl::Api api, const Image& brdf_table);
+
+  /// Makes the programs that a frame needs and sets what all surfaces share. Each frame begins with it; `draw` must be
+  /// called with the same scene and settings.
+  ///
+  /// errors   unsupported (the driver does not compile a shader)
+  Result<void> begin(const Scene& scene, const EnvironmentLight& light, const FrameUniforms& frame,
+                     const FrameSettings& settings);
+
+  /// Draws an instance of the scene.
+  void draw(const Scene& scene, int instance, const SceneBuffers& buffers, const FrameSettings& settings);
+
+ private:
+  /// The binding points of the uniform blocks.
+  enum BlockPoint : unsigned { frame_point, instance_point, material_point, block_points };
+
+  SurfacePrograms(gl::Api api, gl::Texture brdf_table) : api_(api), brdf_table_(std::move(brdf_table)) {}
+
+  Result<gl::Program*> programFor(const SurfaceVariant& variant);
+  void connect(gl::Program& program, const SurfaceVariant& variant);
+  void setFrame(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
+  gl::UniformBlock& instanceBlock(const Scene& scene, int instance);
+  gl::UniformBlock& materialBlock(const Scene& scene, int material);
+
+  gl::Api api_;
+  gl::Texture brdf_table_;
+  std::map<SurfaceVariant, gl::Program> programs_;
+  std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
+  std::optional<gl::UniformBlock> frame_;
+  std::map<int, gl::UniformBlock> instances_;
+  std::map<int, gl::UniformBlock> materials_;
+};
+
+}  // namespace mirrorball

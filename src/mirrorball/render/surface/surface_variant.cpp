@@ -1,0 +1,120 @@
+#include "mirrorball/render/surface/surface_variant.h"
+
+#include <vector>
+
+#include "shaders/embedded_text.h"
+
+namespace mirrorball {
+namespace {
+
+using Names = std::string_view;
+constexpr std::array<Names, 1> kPoint{"point_raster.glsl"};
+constexpr std::array<Names, 2> kNormal{"normal_vertex.glsl", "normal_bump.glsl"};
+constexpr std::array<Names, 2> kDetail{"detail_none.glsl", "detail_normal_map.glsl"};
+constexpr std::array<Names, 1> kMaterial{"material_core.glsl"};
+constexpr std::array<Names, 1> kArrivingLight{"arriving_light_distant.glsl"};
+constexpr std::array<Names, 5> kLookUp{"look_up_reflection.glsl", "look_up_vertex_reflection.glsl",
+                                       "look_up_triangle_reflection.glsl", "look_up_normal.glsl",
+                                       "look_up_sphere_map.glsl"};
+constexpr std::array<Names, 2> kTransmission{"transmission_none.glsl", "transmission_single.glsl"};
+constexpr std::array<Names, 2> kLamps{"lamps_none.glsl", "lamps_point.glsl"};
+constexpr std::array<Names, 3> kAlpha{"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"};
+
+constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
+    {"point", kPoint},
+    {"normal", kNormal},
+    {"detail", kDetail},
+    {"material", kMaterial},
+    {"arriving light", kArrivingLight},
+    {"look-up", kLookUp},
+    {"transmission", kTransmission},
+    {"lamps", kLamps},
+    {"alpha", kAlpha},
+}};
+
+constexpr std::string_view kMapsFile = "material_maps.glsl";  // made below
+
+LookUpPart lookUpPart(const FrameSettings& settings) {
+  if (settings.mapping == Mapping::normal) return LookUpPart::normal;
+  if (settings.mapping == Mapping::sphere) return LookUpPart::sphere_map;
+  switch (settings.reflect_at) {
+    case ReflectAt::vertex:
+      return LookUpPart::vertex_reflection;
+    case ReflectAt::triangle:
+      return LookUpPart::triangle_reflection;
+    case ReflectAt::fragment:
+      break;
+  }
+  return LookUpPart::reflection;
+}
+
+/// For each row of materialMaps() its function `vec4 base_color_map_at(SurfacePoint point)`: the texture where the
+/// material has one, and else 1, which multiplies nothing.
+std::string mapsText(const SurfaceVariant& variant) {
+  std::string text =
+      "vec2 mapCoordinates(SurfacePoint point, int map) {\n"
+      "  vec2 uv = map_offset[map].z > 0.5 ? point.uv_1 : point.uv_0;\n"
+      "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * uv + map_offset[map].xy;\n"
+      "}\n";
+  for (std::size_t row = 0; row < materialMaps().size(); ++row) {
+    const std::string name(materialMaps()[row].name);
+    const std::string function = "vec4 " + name + "_at(SurfacePoint point) { return ";
+    if ((variant.maps >> row & 1u) != 0)
+      text += "uniform sampler2D " + name + ";\n" + function + "texture(" + name + ", mapCoordinates(point, " +
+              std::to_string(row) + ")); }\n";
+    else
+      text += function + "vec4(1.0); }\n";
+  }
+  return text;
+}
+
+/// surface.frag with the names of the variant's files in place of the questions.
+std::string answeredText(const SurfaceVariant& variant) {
+  std::string text(embeddedText("surface.frag").value());
+  const auto answer = [&text](std::string_view question, std::string_view file) {
+    const std::string asked = "\"part: " + std::string(question) + '"';
+    if (const std::size_t begin = text.find(asked); begin != std::string::npos)
+      text.replace(begin, asked.size(), '"' + std::string(file) + '"');
+  };
+  answer("maps", kMapsFile);
+  for (std::size_t part = 0; part < kParts; ++part)
+    answer(kQuestions[part].name, kQuestions[part].answers[variant.answers[part]]);
+  return text;
+}
+
+}  // namespace
+
+std::span<const SurfaceQuestion, kParts> surfaceQuestions() { return kQuestions; }
+
+SurfaceVariant surfaceVariant(const Material& material, const FrameSettings& settings) {
+  SurfaceVariant variant;
+  for (std::size_t row = 0; row < materialMaps().size(); ++row)
+    if ((material.*materialMaps()[row].slot).texture >= 0) variant.maps |= 1u << row;
+  variant.choose(Part::normal, material.bump == BumpHeight::orange ? NormalPart::bump : NormalPart::vertex);
+  variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
+  variant.choose(Part::look_up, lookUpPart(settings));
+  variant.choose(Part::transmission, material.transmission > 0.0f ? TransmissionPart::single : TransmissionPart::none);
+  variant.choose(Part::lamps, settings.lights.empty() ? LampsPart::none : LampsPart::point);
+  variant.lamp_count = static_cast<std::uint8_t>(settings.lights.size());
+  if (material.alpha_mode == AlphaMode::mask) variant.choose(Part::alpha, AlphaPart::mask);
+  if (material.alpha_mode == AlphaMode::blend) variant.choose(Part::alpha, AlphaPart::blend);
+  return variant;
+}
+
+Result<SurfaceShaders> surfaceShaders(gl::Api api, const SurfaceVariant& variant) {
+  const std::string answered = answeredText(variant);
+  const std::string maps = mapsText(variant);
+  const gl::FindText find = [&](std::string_view name) -> std::optional<std::string_view> {
+    if (name == "surface.frag") return answered;
+    if (name == kMapsFile) return maps;
+    return embeddedText(name);
+  };
+  std::vector<std::string> defines{"MAP_COUNT " + std::to_string(materialMaps().size())};
+  if (variant.lamp_count > 0) defines.push_back("LAMP_COUNT " + std::to_string(variant.lamp_count));
+  const std::vector<std::string_view> views(defines.begin(), defines.end());
+  MIRRORBALL_TRY(vertex, gl::shaderSource(api, "surface.vert", views, find));
+  MIRRORBALL_TRY(fragment, gl::shaderSource(api, "surface.frag", views, find));
+  return SurfaceShaders{std::move(vertex), std::move(fragment)};
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/shader_source.h"
+#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/scene/material/material.h"
+
+namespace mirrorball {
+
+/// A question that a surface's shader answers, and the parts (files of shaders/surface/) that it can be answered with.
+/// A technique is one more answer; how one is added is told in docs/architecture.md.
+struct SurfaceQuestion {
+  std::string_view name;  ///< as shaders/surface/surface.frag asks it
+  std::span<const std::string_view> answers;
+};
+
+/// The questions, in the order of their numbers.
+enum class Part { point, normal, detail, material, arriving_light, look_up, transmission, lamps, alpha };
+constexpr std::size_t kParts = 9;
+std::span<const SurfaceQuestion, kParts> surfaceQuestions();
+
+// The answers, in the order of the table.
+enum class NormalPart : std::uint8_t { vertex, bump };
+enum class DetailPart : std::uint8_t { none, normal_map };
+enum class LookUpPart : std::uint8_t { reflection, vertex_reflection, triangle_reflection, normal, sphere_map };
+enum class TransmissionPart : std::uint8_t { none, single };
+enum class LampsPart : std::uint8_t { none, point };
+enum class AlphaPart : std::uint8_t { opaque, mask, blend };
+
+/// Which shader draws a surface: an answer for each question, and which maps its material has.
+struct SurfaceVariant {
+  std::array<std::uint8_t, kParts> answers{};
+  std::uint32_t maps = 0;       ///< bit i: row i of materialMaps() has a texture
+  std::uint8_t lamp_count = 0;  ///< of LampsPart::point
+
+  template <typename Answer>
+  void choose(Part part, Answer answer) {
+    answers[static_cast<std::size_t>(part)] = static_cast<std::uint8_t>(answer);
+  }
+  template <typename Answer>
+  bool has(Part part, Answer answer) const {
+    return answers[static_cast<std::size_t>(part)] == static_cast<std::uint8_t>(answer);
+  }
+  auto operator<=>(const SurfaceVariant&) const = default;
+};
+
+SurfaceVariant surfaceVariant(const Material& material, const FrameSettings& settings);
+
+/// The two shaders of a variant.
+struct SurfaceShaders {
+  gl::ShaderSource vertex;
+  gl::ShaderSource fragment;
+};
+
+/// errors   not_found: a part's file (a mistake in the table)
+Result<SurfaceShaders> surfaceShaders(gl::Api api, const SurfaceVariant& variant);
+
+}  // namespace mirrorball

@@ -1,0 +1,94 @@
+#include "mirrorball/scene/camera/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "formula/projection.h"
+
+namespace mirrorball {
+namespace {
+
+/// A depth buffer of 24 bits then still tells surfaces apart at the far end that are 1/1700 of their distance apart.
+constexpr float kMinNearOverFar = 1e-4f;
+
+/// From the target towards a camera at those angles.
+glm::vec3 towardsCamera(float azimuth_rad, float elevation_rad) {
+  return {std::cos(elevation_rad) * std::sin(azimuth_rad), std::sin(elevation_rad),
+          std::cos(elevation_rad) * std::cos(azimuth_rad)};
+}
+
+/// Up for that camera: the direction in which elevation grows, which has a value at the poles too.
+glm::vec3 upOfCamera(float azimuth_rad, float elevation_rad) {
+  return {-std::sin(elevation_rad) * std::sin(azimuth_rad), std::cos(elevation_rad),
+          -std::sin(elevation_rad) * std::cos(azimuth_rad)};
+}
+
+/// How much more than a ball is seen where it fills the narrower side of the picture.
+constexpr float kFramingMargin = 1.06f;
+
+/// The distance in radii from which a ball of radius 1 does.
+float framingDistance(float fov_rad, float aspect) {
+  const float half_height = std::tan(fov_rad / 2.0f);
+  const float narrower = std::atan(half_height * std::min(aspect, 1.0f));
+  return kFramingMargin / std::sin(narrower);
+}
+
+}  // namespace
+
+Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, float aspect) {
+  const float azimuth = glm::radians(options.azimuth_deg);
+  const float elevation = glm::radians(options.elevation_deg);
+  const float fov = glm::radians(options.fov_deg);
+  const glm::vec3 target = options.target.value_or(bounds.center);
+  const glm::vec3 backward = towardsCamera(azimuth, elevation);
+  const float distance = options.distance.value_or(framingDistance(fov, aspect)) * bounds.radius;
+
+  Camera camera;
+  camera.orthographic = options.orthographic_height.has_value();
+  camera.forward = -backward;
+  camera.position = target + backward * distance;
+  camera.view_from_world = glm::lookAt(camera.position, target, upOfCamera(azimuth, elevation));
+
+  // The depths between which the whole model lies. A perspective camera sees nothing behind itself.
+  const float center_depth = glm::dot(bounds.center - camera.position, camera.forward);
+  const float margin = bounds.radius * 1.01f;
+  const float far_depth = std::max(center_depth + margin, bounds.radius * 0.01f);
+  if (camera.orthographic) {
+    const float height = *options.orthographic_height;
+    const float half_height = (height > 0.0f ? height / 2.0f : kFramingMargin / std::min(aspect, 1.0f)) * bounds.radius;
+    camera.clip_from_view = glm::ortho(-half_height * aspect, half_height * aspect, -half_height, half_height,
+                                       center_depth - margin, center_depth + margin);
+  } else {
+    const float near_depth = std::max(center_depth - margin, far_depth * kMinNearOverFar);
+    camera.clip_from_view = glm::perspective(fov, aspect, near_depth, far_depth);
+  }
+  return camera;
+}
+
+DepthRange depthsAround(glm::vec3 position, const BoundingSphere& bounds, std::optional<float> nearest) {
+  const float distance = glm::distance(position, bounds.center);
+  const float margin = bounds.radius * 1.01f;
+  const float farthest = distance + margin;
+  // A face's corners are √3 times as far away as its middle.
+  const float begin = (distance - margin) / std::sqrt(3.0f);
+  const float chosen = nearest.value_or(std::max(begin, farthest * kMinNearOverFar));
+  return {chosen, std::max(farthest, chosen * 2.0f)};
+}
+
+Camera cubeFaceCamera(int face, glm::vec3 position, const DepthRange& depths) {
+  const glm::vec3 middle = formula::cubePoint(face, {0.5f, 0.5f});
+  // The table is left-handed, and turns right-handed with t upwards: this is a rotation.
+  const glm::vec3 right = formula::cubePoint(face, {1.0f, 0.5f}) - middle;
+  const glm::vec3 up = formula::cubePoint(face, {0.5f, 1.0f}) - middle;
+  Camera camera;
+  camera.position = position;
+  camera.forward = middle;
+  const glm::mat4 turn(glm::transpose(glm::mat3(right, up, -middle)));
+  camera.view_from_world = glm::translate(turn, -position);
+  camera.clip_from_view = glm::perspective(glm::radians(90.0f), 1.0f, depths.nearest, depths.farthest);
+  return camera;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,167 @@
+#include "mirrorball/scene/camera/framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "mirrorball/scene/mesh_file/positions.h"
+
+namespace mirrorball {
+namespace {
+
+/// The share of the picture that the model may take of each side.
+constexpr double kFilled = 15.0 / 16.0;
+
+/// How near to the model's foremost point a camera may come, in radii: a line that points at the camera fills nothing.
+constexpr double kMinDistance = 0.01;
+
+/// The greatest of a linear function of the model's points, and the depth of the point that has it.
+struct Reach {
+  double value = -std::numeric_limits<double>::infinity();
+  double depth = 0.0;
+
+  void take(double other, double other_depth) {
+    if (other > value) *this = {other, other_depth};
+  }
+};
+
+/// The model as seen along a direction: x to the right, y up, z towards the camera, from the target.
+class View {
+ public:
+  View(const Scene& scene, const CameraOptions& options, glm::dvec3 target, FramingOf what)
+      : scene_(scene),
+        is_whole_turn_(what == FramingOf::whole_turn),
+        sine_(std::sin(glm::radians(double(options.elevation_deg)))),
+        cosine_(std::cos(glm::radians(double(options.elevation_deg)))) {
+    // Turned about the upright axis, the camera stands over +Z; for a whole turn its azimuth does not matter.
+    const double azimuth = glm::radians(double(options.azimuth_deg));
+    turned_ = glm::rotate(glm::dmat4(1.0), -azimuth, glm::dvec3(0, 1, 0)) * glm::translate(glm::dmat4(1.0), -target);
+  }
+
+  /// Towards one side of the picture and the other, 0 right and left, 1 up and down: the greatest of
+  /// across · (±x or ±y) + slope · z.
+  struct Sides {
+    Reach plus;
+    Reach minus;
+  };
+  Sides reach(int axis, double across, double slope) const {
+    Sides sides;
+    forEachPosition(scene_, turned_, [&](glm::dvec3 p) {
+      if (is_whole_turn_)
+        takeCircle(axis, across, slope, std::hypot(p.x, p.z), p.y, sides);
+      else
+        takePoint(axis, across, slope, p, sides);
+    });
+    return sides;
+  }
+
+  /// A point that a camera at (x, y) looks at, seen from the target: at the target's depth, or for a whole turn on its
+  /// axis, which stays where it is while the camera goes round.
+  glm::dvec3 lookedAt(glm::dvec2 camera) const {
+    if (!is_whole_turn_) return {camera, 0.0};
+    return isAxisSeen() ? glm::dvec3(0.0, camera.y, camera.y * sine_ / cosine_) : glm::dvec3(0.0);
+  }
+
+  /// The world's direction and length of what is seen as (x, y, z).
+  glm::dvec3 inWorld(glm::dvec3 seen) const {
+    const glm::dvec3 upright(seen.x, seen.y * cosine_ + seen.z * sine_, seen.z * cosine_ - seen.y * sine_);
+    // A rotation's inverse from the left.
+    return upright * glm::dmat3(turned_);
+  }
+
+ private:
+  /// From straight above the axis is a point, and the model turns about the picture's middle.
+  bool isAxisSeen() const { return std::abs(cosine_) > 1e-4; }
+
+  void takePoint(int axis, double across, double slope, glm::dvec3 p, Sides& sides) const {
+    const double z = p.y * sine_ + p.z * cosine_;
+    const double aside = across * (axis == 0 ? p.x : p.y * cosine_ - p.z * sine_);
+    sides.plus.take(aside + slope * z, z);
+    sides.minus.take(slope * z - aside, z);
+  }
+
+  /// The circle of a radius and a height, whose point at an angle a is x = ρ sin a, y = h cos e − ρ cos a sin e,
+  /// z = h sin e + ρ cos a cos e: a function A cos a + B sin a is √(A² + B²) at most.
+  void takeCircle(int axis, double across, double slope, double radius, double height, Sides& sides) const {
+    const auto take = [&](Reach& reach, double sign) {
+      const double along_sine = axis == 0 ? across : 0.0;
+      const double along_cosine = slope * cosine_ - (axis == 0 ? 0.0 : sign * across * sine_);
+      const double length = std::hypot(along_sine, along_cosine);
+      const double cosine = length > 0.0 ? along_cosine / length : 1.0;
+      const double of_height = slope * sine_ + (axis == 0 ? 0.0 : sign * across * cosine_);
+      reach.take(height * of_height + radius * length, height * sine_ + radius * cosine * cosine_);
+    };
+    take(sides.plus, 1.0);
+    take(sides.minus, -1.0);
+  }
+
+  const Scene& scene_;
+  bool is_whole_turn_;
+  double sine_;
+  double cosine_;
+  glm::dmat4 turned_{1.0};
+};
+
+/// Where a camera at a depth stands on one axis, so that the model reaches as far to one side as to the other: the least
+/// slope t of a border with reach+(t) + reach−(t) ≤ 2 t depth, by Newton's steps from below, where a convex function is
+/// never overshot.
+double centered(const View& view, int axis, double depth) {
+  View::Sides sides;
+  double slope = 0.0;
+  for (int step = 0; step < 8; ++step) {
+    sides = view.reach(axis, 1.0, slope);
+    const double excess = sides.plus.value + sides.minus.value - 2.0 * slope * depth;
+    const double fall = 2.0 * depth - sides.plus.depth - sides.minus.depth;
+    if (excess <= 1e-7 * depth) break;
+    slope += excess / fall;
+  }
+  return (sides.plus.value - sides.minus.value) / 2.0;
+}
+
+/// Slopes of the borders to the right and upwards.
+glm::dvec2 borderSlopes(const CameraOptions& options, double aspect) {
+  const double up = std::tan(glm::radians(double(options.fov_deg)) / 2.0) * kFilled;
+  return {up * aspect, up};
+}
+
+}  // namespace
+
+CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const CameraOptions& options, float aspect,
+                     FramingOf what) {
+  const bool is_parallel = options.orthographic_height.has_value();
+  if (is_parallel ? *options.orthographic_height > 0.0f : options.distance.has_value()) return options;
+  if (scene.empty()) return options;
+
+  const glm::dvec3 target(options.target.value_or(bounds.center));
+  const double radius = bounds.radius;
+  const View view(scene, options, target, what);
+  CameraOptions chosen = options;
+  glm::dvec3 camera(0.0);
+  const bool is_free = !options.target.has_value();
+  const glm::dvec2 slopes = is_parallel ? glm::dvec2(0.0) : borderSlopes(options, aspect);
+  const View::Sides x = view.reach(0, 1.0, slopes.x);
+  const View::Sides y = view.reach(1, 1.0, slopes.y);
+  const auto needed = [&](const View::Sides& sides) {
+    return is_free ? (sides.plus.value + sides.minus.value) / 2.0 : std::max(sides.plus.value, sides.minus.value);
+  };
+  if (is_parallel) {
+    const double half_height = std::max({needed(x) / aspect, needed(y), kMinDistance * radius});
+    chosen.orthographic_height = static_cast<float>(2.0 * half_height / (kFilled * radius));
+    if (is_free) camera = {(x.plus.value - x.minus.value) / 2.0, (y.plus.value - y.minus.value) / 2.0, 0.0};
+  } else {
+    const double foremost = view.reach(0, 0.0, 1.0).plus.value;
+    camera.z = std::max({needed(x) / slopes.x, needed(y) / slopes.y, std::max(foremost, 0.0) + kMinDistance * radius});
+    if (is_free) {
+      camera.x = centered(view, 0, camera.z);
+      camera.y = centered(view, 1, camera.z);
+    }
+  }
+  const glm::dvec3 looked_at = view.lookedAt(camera);
+  chosen.target = glm::vec3(target + view.inWorld(looked_at));
+  if (!is_parallel) chosen.distance = static_cast<float>((camera.z - looked_at.z) / radius);
+  return chosen;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,144 @@
+#include "mirrorball/scene/camera/framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/mesh_file/positions.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+/// What a picture shows of a scene, from −1 to 1 on each axis.
+struct Outline {
+  glm::dvec2 min{1e9};
+  glm::dvec2 max{-1e9};
+  bool is_before_camera = true;
+
+  double halfExtent() const { return std::max({-min.x, -min.y, max.x, max.y}); }
+};
+
+void add(Outline& outline, const Scene& scene, const Camera& camera) {
+  const glm::dmat4 clip_from_world = glm::dmat4(camera.clip_from_view) * glm::dmat4(camera.view_from_world);
+  forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
+    const glm::dvec4 clip = clip_from_world * glm::dvec4(position, 1.0);
+    const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
+    outline.min = glm::min(outline.min, ndc);
+    outline.max = glm::max(outline.max, ndc);
+    outline.is_before_camera = outline.is_before_camera && std::abs(clip.z) <= clip.w;
+  });
+}
+
+Outline outlineOf(const Scene& scene, const CameraOptions& options, float aspect) {
+  const BoundingSphere bounds = boundingSphere(scene);
+  Outline outline;
+  add(outline, scene, makeCamera(framed(scene, bounds, options, aspect), bounds, aspect));
+  return outline;
+}
+
+/// Expects that it touches the border on one axis, stays inside of it on the other, and lies in the middle.
+void expectFilled(const Outline& outline, const std::string& what) {
+  EXPECT_NEAR(outline.halfExtent(), 15.0 / 16.0, 2e-4) << what;
+  EXPECT_NEAR(outline.min.x, -outline.max.x, 2e-4) << what;
+  EXPECT_NEAR(outline.min.y, -outline.max.y, 2e-4) << what;
+  EXPECT_TRUE(outline.is_before_camera) << what;
+}
+
+Scene moved(Scene scene) {
+  glm::mat4 place(1.0f);
+  place[0] = glm::vec4(3, 0, 0, 0);  // three times as wide
+  place[3] = glm::vec4(100, -50, 30, 1);
+  for (Instance& instance : scene.instances) instance.world_from_object = place * instance.world_from_object;
+  return scene;
+}
+
+TEST(Framed, EveryModelFillsThePictureFromEverywhere) {
+  for (const char* name : {"teapot", "cube", "plane", "showcase"}) {
+    const Scene scene = *loadModel(name);
+    for (const float aspect : {16.0f / 9.0f, 1.0f, 0.4f})
+      for (const glm::vec2 angles : {glm::vec2(30, 15), glm::vec2(0, 0), glm::vec2(200, -60), glm::vec2(77, 90)})
+        for (const float fov : {5.0f, 35.0f, 80.0f}) {
+          const CameraOptions options{.azimuth_deg = angles.x, .elevation_deg = angles.y, .fov_deg = fov};
+          const std::string what = std::string(name) + " " + std::to_string(aspect) + " " + std::to_string(angles.x) +
+                                   " " + std::to_string(fov);
+          expectFilled(outlineOf(scene, options, aspect), what);
+          expectFilled(outlineOf(moved(scene), options, aspect), what + " moved");
+        }
+  }
+}
+
+TEST(Framed, AParallelProjectionIsFilledToo) {
+  const Scene scene = moved(*loadModel("teapot"));
+  CameraOptions options{.azimuth_deg = 40.0f, .elevation_deg = 25.0f};
+  options.orthographic_height = 0.0f;
+  for (const float aspect : {16.0f / 9.0f, 0.4f}) expectFilled(outlineOf(scene, options, aspect), "parallel");
+}
+
+TEST(Framed, ATargetIsInTheMiddleAndTheModelInThePicture) {
+  const Scene scene = *loadModel("teapot");
+  const BoundingSphere bounds = boundingSphere(scene);
+  CameraOptions options;
+  options.target = bounds.center + glm::vec3(0.5f, 0.2f, 0.0f);
+  EXPECT_NEAR(outlineOf(scene, options, 1.5f).halfExtent(), 15.0 / 16.0, 1e-4);
+  EXPECT_EQ(framed(scene, bounds, options, 1.5f).target, options.target);
+  // Before the model, and behind it: the camera still looks at it.
+  for (const float side : {-5.0f, 5.0f}) {
+    options = {.azimuth_deg = 0.0f, .elevation_deg = 0.0f};
+    options.target = bounds.center + glm::vec3(0, 0, side);
+    const CameraOptions chosen = framed(scene, bounds, options, 1.5f);
+    EXPECT_GT(*chosen.distance, 0.0f);
+    EXPECT_LE(outlineOf(scene, options, 1.5f).halfExtent(), 15.0 / 16.0 + 1e-4);
+  }
+}
+
+TEST(Framed, WhatIsToldStaysAsItIs) {
+  const Scene scene = *loadModel("teapot");
+  const BoundingSphere bounds = boundingSphere(scene);
+  CameraOptions options;
+  options.distance = 3.0f;
+  EXPECT_EQ(framed(scene, bounds, options, 1.0f).distance, 3.0f);
+  EXPECT_FALSE(framed(scene, bounds, options, 1.0f).target.has_value());
+  options.distance = {};
+  options.orthographic_height = 2.0f;
+  EXPECT_EQ(framed(scene, bounds, options, 1.0f).orthographic_height, 2.0f);
+  EXPECT_FALSE(framed(Scene{}, {}, CameraOptions{}, 1.0f).distance.has_value()) << "there is nothing to fill it with";
+}
+
+// From no azimuth does a turntable's model leave the picture, and from some it touches the border.
+TEST(Framed, AWholeTurnHasOneFraming) {
+  const Scene scene = moved(*loadModel("teapot"));
+  const BoundingSphere bounds = boundingSphere(scene);
+  for (const float elevation : {0.0f, 20.0f, -70.0f, 90.0f})
+    for (const bool is_parallel : {false, true}) {
+      CameraOptions options{.elevation_deg = elevation};
+      if (is_parallel) options.orthographic_height = 0.0f;
+      options = framed(scene, bounds, options, 1.5f, FramingOf::whole_turn);
+      Outline outline;
+      for (int degree = 0; degree < 360; ++degree) {
+        options.azimuth_deg = static_cast<float>(degree);
+        add(outline, scene, makeCamera(options, bounds, 1.5f));
+      }
+      EXPECT_NEAR(outline.halfExtent(), 15.0 / 16.0, 1e-3) << elevation;
+      EXPECT_NEAR(outline.min.x, -outline.max.x, 2e-3) << elevation;
+      EXPECT_NEAR(outline.min.y, -outline.max.y, 2e-3) << elevation;
+    }
+}
+
+TEST(Framed, WhatHasNoExtentIsStillBeforeTheCamera) {
+  Mesh line;
+  line.vertices.resize(3);
+  line.vertices[1].position = glm::vec3(0, 0, 1);
+  line.vertices[2].position = glm::vec3(0, 0, -1);
+  line.indices = {0, 1, 2};
+  const Scene scene = sceneOf(line);
+  const CameraOptions options{.azimuth_deg = 0.0f, .elevation_deg = 0.0f};
+  EXPECT_GT(*framed(scene, boundingSphere(scene), options, 1.0f).distance, 1.0f);
+  EXPECT_TRUE(outlineOf(scene, options, 1.0f).is_before_camera);
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,224 @@
+#include "mirrorball/scene/gltf/gltf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/scene/gltf/gltf_file.h"
+#include "mirrorball/scene/gltf/gltf_material.h"
+#include "mirrorball/scene/gltf/gltf_mesh.h"
+
+namespace mirrorball {
+namespace gltf {
+namespace {
+
+// 2²⁶ vertices of 72 bytes each: a small file that names the same accessor again and again must not fill the memory.
+constexpr std::size_t kMaxVertices = std::size_t{1} << 26;
+
+bool isFinite(const glm::dmat4& matrix) {
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      // Within the range of float, with which the renderer goes on.
+      if (!(std::abs(matrix[column][row]) < 1e30)) return false;
+  return true;
+}
+
+/// A mesh seen in a mirror: triangles turned round so that their outside is outside, and the sense of the bitangent too.
+Mesh mirrored(Mesh mesh) {
+  for (std::size_t first = 0; first < mesh.indices.size(); first += 3)
+    std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
+  for (Vertex& vertex : mesh.vertices) vertex.tangent.w = -vertex.tangent.w;
+  return mesh;
+}
+
+/// How much memory a primitive asks for, by what its accessors say: vertices, or corners where it has more of them.
+std::size_t declaredSize(const Document& document, const Primitive& primitive) {
+  const auto count_of = [&](int accessor) {
+    const bool exists = accessor >= 0 && std::size_t(accessor) < document.accessors.size();
+    return exists ? document.accessors[std::size_t(accessor)].count : 0;
+  };
+  const auto position = primitive.attributes.find("POSITION");
+  const std::size_t vertices = position == primitive.attributes.end() ? 0 : count_of(position->second);
+  return std::max(vertices, count_of(primitive.indices));
+}
+
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(const File& file) : file_(file), document_(file.document), materials_(file, scene_) {}
+
+  Result<Scene> build() {
+    for (const std::string& what : document_.left_out)
+      scene_.warnings.push_back(file_.name + ": its " + what + " are left out");
+    MIRRORBALL_TRY(roots, rootNodes());
+    MIRRORBALL_TRY(placements, walk(roots));
+    MIRRORBALL_TRY(jobs, planPrimitives(placements));
+    MIRRORBALL_TRY_VOID(readPrimitives(jobs));
+    addInstances(placements);
+    if (scene_.instances.empty()) return fail(ErrorCode::bad_file, file_.name + ": its scene shows no triangles");
+    MIRRORBALL_TRY_VOID(materials_.decodeTextures());
+    return std::move(scene_);
+  }
+
+ private:
+  struct Visit {
+    int node;
+    glm::dmat4 world_from_parent;
+    std::string key;  // what refers to the node
+  };
+  struct Placement {
+    int mesh;  // of the file
+    glm::dmat4 world_from_node;
+  };
+  struct Job {
+    int mesh;  // of the file
+    const Primitive* primitive;
+    int material;  // of the scene
+    int normal_uv_set;
+    std::string key;
+  };
+
+  /// The nodes of the default scene; of a file that names none, all that are nobody's child.
+  Result<std::vector<Visit>> rootNodes() const {
+    std::vector<Visit> roots;
+    if (const int scene = document_.scene; scene != -1) {
+      MIRRORBALL_TRY_VOID(checkIndex(file_, scene, document_.scenes.size(), "scene", "scenes"));
+      for (const int node : document_.scenes[std::size_t(scene)])
+        roots.push_back({node, glm::dmat4(1.0), quoted("scenes", std::size_t(scene)) + ".nodes"});
+      return roots;
+    }
+    std::vector<bool> is_child(document_.nodes.size(), false);
+    for (const Node& node : document_.nodes)
+      for (const int child : node.children)
+        if (child >= 0 && std::size_t(child) < is_child.size()) is_child[std::size_t(child)] = true;
+    for (std::size_t i = 0; i < is_child.size(); ++i)
+      if (!is_child[i]) roots.push_back({static_cast<int>(i), glm::dmat4(1.0), "nodes"});
+    return roots;
+  }
+
+  /// Walks the tree with a stack of its own, so that a deep one cannot overflow the program's.
+  Result<std::vector<Placement>> walk(std::vector<Visit> pending) const {
+    std::vector<Placement> placements;
+    std::vector<bool> visited(document_.nodes.size(), false);
+    while (!pending.empty()) {
+      const Visit visit = std::move(pending.back());
+      pending.pop_back();
+      MIRRORBALL_TRY_VOID(checkIndex(file_, visit.node, document_.nodes.size(), visit.key, "nodes"));
+      const auto index = std::size_t(visit.node);
+      const std::string key = quoted("nodes", index);
+      if (visited[index])
+        return fail(ErrorCode::bad_file,
+                    file_.name + ": " + key + " is reached twice; nodes must form a tree without cycles");
+      visited[index] = true;
+
+      const Node& node = document_.nodes[index];
+      const glm::dmat4 world_from_node = visit.world_from_parent * node.parent_from_node;
+      if (!isFinite(world_from_node))
+        return fail(ErrorCode::bad_file, file_.name + ": " + key + " has a transform that is too large");
+      if (node.mesh != -1) {
+        MIRRORBALL_TRY_VOID(checkIndex(file_, node.mesh, document_.meshes.size(), key + ".mesh", "meshes"));
+        // What is scaled to nothing is a file's way to hide it.
+        if (determinantOf(world_from_node) != 0.0) placements.push_back({node.mesh, world_from_node});
+      }
+      for (const int child : node.children) pending.push_back({child, world_from_node, key + ".children"});
+    }
+    return placements;
+  }
+
+  static double determinantOf(const glm::dmat4& matrix) { return glm::determinant(glm::dmat3(matrix)); }
+
+  /// Lists the primitives of the meshes that are placed, with their materials, and refuses them if they take too much
+  /// memory together.
+  Result<std::vector<Job>> planPrimitives(const std::vector<Placement>& placements) {
+    std::set<int> meshes;
+    for (const Placement& placement : placements) meshes.insert(placement.mesh);
+    std::vector<Job> jobs;
+    std::size_t left = kMaxVertices;
+    for (const int mesh : meshes) {
+      const std::vector<Primitive>& primitives = document_.meshes[std::size_t(mesh)];
+      for (std::size_t i = 0; i < primitives.size(); ++i) {
+        const Primitive& primitive = primitives[i];
+        const std::string key = quoted("meshes", std::size_t(mesh)) + "." + quoted("primitives", i);
+        if (!hasTriangles(primitive)) {
+          scene_.warnings.push_back(file_.name + ": " + key + " is made of points or lines; it is left out");
+          continue;
+        }
+        if (primitive.has_targets)
+          scene_.warnings.push_back(file_.name + ": " + key + ".targets are left out; it keeps its basic shape");
+        const std::size_t size = declaredSize(document_, primitive);
+        if (size > left)
+          return fail(ErrorCode::too_large, file_.name + ": " + key + " brings the model above " +
+                                                std::to_string(kMaxVertices) + " vertices");
+        left -= size;
+        MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
+        const int normal_uv_set = scene_.materials[std::size_t(material)].normal_map.uv_set;
+        jobs.push_back({mesh, &primitive, material, normal_uv_set, key});
+      }
+    }
+    return jobs;
+  }
+
+  Result<void> readPrimitives(const std::vector<Job>& jobs) {
+    std::vector<Result<Mesh>> meshes(jobs.size());
+    parallelFor(jobs.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        meshes[i] = readPrimitive(file_, *jobs[i].primitive, jobs[i].normal_uv_set, jobs[i].key);
+    });
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      if (!meshes[i]) return fail(std::move(meshes[i]));
+      if (meshes[i]->indices.empty()) continue;
+      meshes[i]->material = jobs[i].material;
+      scene_meshes_[jobs[i].mesh].push_back(addMesh(std::move(*meshes[i])));
+    }
+    return {};
+  }
+
+  void addInstances(const std::vector<Placement>& placements) {
+    for (const auto& [mesh, world_from_node] : placements) {
+      for (const int scene_mesh : scene_meshes_[mesh]) {
+        const int turned = determinantOf(world_from_node) < 0.0 ? mirroredMesh(scene_mesh) : scene_mesh;
+        scene_.instances.push_back({turned, glm::mat4(world_from_node)});
+      }
+    }
+  }
+
+  int mirroredMesh(int mesh) {
+    const auto found = mirrored_.find(mesh);
+    if (found != mirrored_.end()) return found->second;
+    return mirrored_[mesh] = addMesh(mirrored(scene_.meshes[std::size_t(mesh)]));
+  }
+
+  int addMesh(Mesh mesh) {
+    scene_.meshes.push_back(std::move(mesh));
+    return static_cast<int>(scene_.meshes.size()) - 1;
+  }
+
+  const File& file_;
+  const Document& document_;
+  Scene scene_;
+  Materials materials_;
+  std::map<int, std::vector<int>> scene_meshes_;  // mesh of the file → its primitives in the scene
+  std::map<int, int> mirrored_;                   // scene mesh → its mirrored copy
+};
+
+}  // namespace
+}  // namespace gltf
+
+Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+  MIRRORBALL_TRY(file, gltf::openFile(bytes, path));
+  MIRRORBALL_TRY(scene, gltf::SceneBuilder(file).build());
+  scene.files.insert(scene.files.end(), file.files.begin(), file.files.end());
+  return scene;
+}
+
+Result<Scene> loadGltf(const std::filesystem::path& path) {
+  MIRRORBALL_TRY(bytes, readFile(path));
+  return decodeGltf(bytes, path);
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,274 @@
+#include <limits>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/scene/gltf/gltf.h"
+#include "mirrorball/scene/gltf/gltf_testing.h"
+#include "test_data.h"
+
+// What is wrong with a glTF file is refused in one line that names the key, and nothing makes the reader crash.
+
+namespace mirrorball {
+namespace {
+
+using testing::GltfMaker;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+const std::string kPrimitive = "{\"attributes\":{\"POSITION\":0}}";
+
+void expectRefused(const std::string& json, const std::string& part, ErrorCode code = ErrorCode::bad_file) {
+  const Result<Scene> scene = decodeGltf(Bytes(json.begin(), json.end()), ::testing::TempDir() + "model.gltf");
+  ASSERT_FALSE(scene) << part;
+  EXPECT_EQ(scene.error().code, code) << scene.error().message;
+  EXPECT_THAT(scene.error().message, HasSubstr("model.gltf: "));
+  EXPECT_THAT(scene.error().message, HasSubstr(part));
+  EXPECT_THAT(scene.error().message, Not(HasSubstr("\n")));
+  EXPECT_LT(scene.error().message.size(), 400u);
+}
+
+/// A file whose primitive, accessor or rest is wrong.
+std::string withPrimitive(const std::string& primitive, const std::string& rest = "") {
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  maker.accessor(std::vector<std::uint16_t>{0, 1, 3}, "SCALAR");
+  return maker.gltf(primitive, rest);
+}
+std::string withRest(const std::string& rest) { return withPrimitive(kPrimitive, rest); }
+std::string withAccessor(const std::string& accessor) {
+  GltfMaker maker;
+  maker.view(kTriangle);
+  maker.rawAccessor(accessor);
+  return maker.gltf(kPrimitive);
+}
+std::string withMaterial(const std::string& rest) {
+  return withPrimitive("{\"attributes\":{\"POSITION\":0},\"material\":0}",
+                       "\"materials\":[{\"normalTexture\":{\"index\":0}}]," + rest);
+}
+
+TEST(GltfDamage, NamesTheKeyOfAWrongAccessor) {
+  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":75,\"type\":\"VEC3\"}"),
+                "accessors[0] reaches byte 900 of bufferViews[0], which has 36");
+  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":9007199254740991,\"type\":\"VEC3\"}"),
+                "brings the model above", ErrorCode::too_large);
+  expectRefused(withAccessor("{\"bufferView\":0,\"byteOffset\":18446744073709551615,\"componentType\":5126,\"count\":3,"
+                             "\"type\":\"VEC3\"}"),
+                "past the end of every buffer");
+  expectRefused(withAccessor("{\"bufferView\":7,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}"),
+                "accessors[0].bufferView is 7, but there are 1 bufferViews");
+  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":-3,\"type\":\"VEC3\"}"),
+                "accessors[0].count is no whole number");
+  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\"}"),
+                "accessors[0].count is missing");
+  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5130,\"count\":1,\"type\":\"VEC3\"}"),
+                "accessors[0] has a type");
+  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":1,\"type\":\"MAT4\"}"),
+                "accessors[0] has a type");
+  expectRefused(withAccessor("{\"componentType\":5126,\"count\":20000000,\"type\":\"VEC3\"}"), "accessors[0].count",
+                ErrorCode::too_large);
+}
+
+TEST(GltfDamage, NamesTheKeyOfAWrongSparseAccessor) {
+  const auto sparse = [](const std::string& json) {
+    return withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"sparse\":" + json +
+                        "}");
+  };
+  expectRefused(
+      sparse("{\"count\":4,\"indices\":{\"bufferView\":0,\"componentType\":5121},\"values\":{\"bufferView\":0}}"),
+      "accessors[0].sparse.count is 4");
+  expectRefused(
+      sparse("{\"count\":3,\"indices\":{\"bufferView\":0,\"componentType\":5126},\"values\":{\"bufferView\":0}}"),
+      "sparse.indices.componentType");
+  expectRefused(
+      sparse("{\"count\":3,\"indices\":{\"bufferView\":0,\"byteOffset\":34,\"componentType\":5121},\"values\":"
+             "{\"bufferView\":0}}"),
+      "accessors[0].sparse.indices reaches byte 37");
+  expectRefused(
+      sparse("{\"count\":1,\"indices\":{\"bufferView\":0,\"byteOffset\":14,\"componentType\":5121},\"values\":"
+             "{\"bufferView\":0}}"),
+      "names element 128 of 3");  // a byte of the float 1
+  expectRefused(sparse("{\"count\":1}"), "sparse.indices is missing");
+}
+
+TEST(GltfDamage, NamesTheKeyOfAWrongPrimitive) {
+  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"indices\":1}"), "names vertex 3 in element 2");
+  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":5}}"),
+                "meshes[0].primitives[0].attributes.POSITION is 5, but there are 2 accessors");
+  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"indices\":0}"), "accessors[0] has a type");
+  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":1}}"), "attributes.POSITION has 1 components");
+  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"material\":2}"), "primitives[0].material is 2");
+  expectRefused(withPrimitive("{}"), "meshes[0].primitives[0].attributes is missing");
+  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"mode\":1}"), "shows no triangles");
+
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  maker.accessor(std::vector<float>{0, 0, 1}, "VEC3");
+  expectRefused(maker.gltf("{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}}"),
+                "NORMAL has 1 elements, but POSITION has 3");
+  GltfMaker not_finite;
+  not_finite.accessor(std::vector<float>{0, 0, 0, 1, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 0}, "VEC3");
+  expectRefused(not_finite.gltf(kPrimitive), "holds NaN or infinity in element 1");
+}
+
+TEST(GltfDamage, NamesTheKeyOfAWrongNode) {
+  expectRefused(withRest("\"nodes\":[{\"mesh\":4}]"), "nodes[0].mesh is 4, but there are 1 meshes");
+  expectRefused(withRest("\"nodes\":[{\"children\":[9]}]"), "nodes[0].children is 9");
+  expectRefused(withRest("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"children\":[1]},{\"children\":[0]}]"),
+                "nodes[0] is reached twice");
+  expectRefused(withRest("\"nodes\":[{\"children\":[1,2]},{\"children\":[2]},{\"mesh\":0}]"), "is reached twice");
+  expectRefused(withRest("\"nodes\":[{\"children\":[0]}]"), "shows no triangles");
+  expectRefused(withRest("\"scene\":1,\"scenes\":[{}]"), "scene is 1");
+  expectRefused(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1,1]}]"), "nodes[0].scale has not 3 numbers");
+  expectRefused(withRest("\"nodes\":[{\"mesh\":0,\"rotation\":[0,0,0,0]}]"), "nodes[0].rotation has no length");
+  expectRefused(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1e300,1,1]}]"),
+                "nodes[0] has a transform that is too large");
+}
+
+TEST(GltfDamage, ADeepTreeOfNodesIsRead) {
+  std::string nodes = "\"nodes\":[";
+  for (int i = 0; i < 50000; ++i) nodes += "{\"children\":[" + std::to_string(i + 1) + "]},";
+  const std::string json = withRest(nodes + "{\"mesh\":0}]");
+  EXPECT_TRUE(decodeGltf(Bytes(json.begin(), json.end()), "model.gltf"));
+}
+
+TEST(GltfDamage, NamesTheKeyOfAWrongTexture) {
+  expectRefused(withMaterial("\"textures\":[]"), "materials[0].normalTexture.index is 0, but there are 0 textures");
+  expectRefused(withMaterial("\"textures\":[{\"source\":1}]"), "textures[0].source is 1, but there are 0 images");
+  expectRefused(withMaterial("\"textures\":[{\"source\":0,\"sampler\":0}],\"images\":[{\"uri\":\"a.png\"}]"),
+                "textures[0].sampler is 0");
+  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"no-such.png\"}]"),
+                "images[0].uri 'no-such.png' is missing; put it beside the model");
+  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"..\"}]"), "images[0].uri '..'");
+  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"bufferView\":3}]"),
+                "images[0].bufferView is 3");
+  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"bufferView\":0}]"), "images[0]");
+  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{}]"), "images[0] has neither");
+  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"data:image/png;base64,*\"}]"),
+                "images[0].uri is no base64 data");
+  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"https://a.b/c.png\"}]"),
+                "lies in a network", ErrorCode::unsupported);
+}
+
+TEST(GltfDamage, NamesTheKeyOfAWrongBuffer) {
+  const std::string head = "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[";
+  expectRefused(head + "{\"byteLength\":4,\"uri\":\"no-such.bin\"}]}",
+                "buffers[0].uri 'no-such.bin' is missing; put it beside the model");
+  expectRefused(head + "{\"byteLength\":4,\"uri\":\"data:application/octet-stream;base64,AAA=\"}]}",
+                "buffers[0].byteLength is 4, but 'data:application/octet-stream;base64,AAA=' has 2 bytes");
+  expectRefused(head + "{\"byteLength\":4}]}", "buffers[0].byteLength is 4, but the binary chunk has 0 bytes");
+  expectRefused(head + "{\"uri\":\"a.bin\"}]}", "buffers[0].byteLength is missing");
+  expectRefused(head + "{\"byteLength\":4,\"uri\":\"" + std::string(5000, 'x') + "\"}]}", "is missing");
+
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  std::string json = maker.gltf(kPrimitive);
+  const std::size_t at = json.find("\"byteLength\":36");
+  json.replace(at, 15, "\"byteLength\":99");
+  expectRefused(json, "bufferViews[0] takes 99 bytes from byte 0 of buffers[0], which has 36");
+}
+
+TEST(GltfDamage, RefusesWhatItCannotRead) {
+  expectRefused("{\"asset\":{\"version\":\"1.0\"}}", "asset.version is '1.0'", ErrorCode::unsupported);
+  expectRefused("{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_meshopt_compression\"]}",
+                "EXT_meshopt_compression", ErrorCode::unsupported);
+  expectRefused("{}", "asset is missing");
+  expectRefused("", "no valid JSON");
+  expectRefused("[1,2]", "is no object");
+  expectRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":7}", "nodes is no array");
+  expectRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[7]}", "nodes[0] is no object");
+  expectRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":1e999}]}", "number out of range");
+  expectRefused("{\"asset\":{\"version\":\"2.0\"}}", "shows no triangles");
+  expectRefused(std::string(1000000, '['), "no valid JSON");
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  expectRefused("{\"asset\":{\"version\":\"2.0\"},\"extras\":" + deep + "}", "shows no triangles");
+}
+
+TEST(GltfDamage, RefusesAModelThatRepeatsItselfBeyondMemory) {
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  maker.rawAccessor("{\"componentType\":5125,\"count\":16000000,\"type\":\"SCALAR\"}");
+  const std::string zeros = "{\"attributes\":{\"POSITION\":0},\"indices\":1}";
+  expectRefused(maker.gltf(zeros + "," + zeros + "," + zeros + "," + zeros + "," + zeros), "brings the model above",
+                ErrorCode::too_large);
+}
+
+/// A .glb with indices, a picture and a material.
+Bytes smallGlb() {
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  maker.accessor(std::vector<std::uint16_t>{0, 1, 2}, "SCALAR");
+  const std::string path = ::testing::TempDir() + "gltf_damage.png";
+  EXPECT_TRUE(writePicture(path, Image8(2, 2, 3, 50)));
+  const int view = maker.view(*readFile(path));
+  return maker.glb("{\"attributes\":{\"POSITION\":0},\"indices\":1,\"material\":0}",
+                   "\"images\":[{\"bufferView\":" + std::to_string(view) +
+                       "}],\"textures\":[{\"source\":0}],\"materials\":[{\"normalTexture\":{\"index\":0}}]");
+}
+
+void expectSafe(const Scene& scene) {
+  for (const Instance& instance : scene.instances) ASSERT_LT(std::size_t(instance.mesh), scene.meshes.size());
+  for (const Mesh& mesh : scene.meshes) {
+    ASSERT_LT(std::size_t(mesh.material), scene.materials.size());
+    for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.vertices.size());
+  }
+}
+
+TEST(GltfDamage, ABinaryFileIsRefusedWhenCutAnywhere) {
+  const Bytes whole = smallGlb();
+  ASSERT_TRUE(decodeGltf(whole, "model.glb"));
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+    const Result<Scene> scene = decodeGltf(cut, "model.glb");
+    ASSERT_FALSE(scene) << size;
+    EXPECT_THAT(scene.error().message, HasSubstr("model.glb: "));
+  }
+}
+
+TEST(GltfDamage, ABinaryFileSurvivesRandomDamage) {
+  const Bytes whole = smallGlb();
+  std::mt19937 random(4);
+  int read = 0;
+  for (int i = 0; i < 5000; ++i) {
+    Bytes damaged = whole;
+    for (int flips = 0; flips < 2; ++flips)
+      damaged[random() % damaged.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
+    const Result<Scene> scene = decodeGltf(damaged, "model.glb");
+    if (!scene) continue;
+    ++read;
+    expectSafe(*scene);
+  }
+  EXPECT_GT(read, 0);
+}
+
+TEST(GltfDamage, ACompressedMeshSurvivesRandomDamage) {
+  const auto path = testing::sharedData("FlightHelmet/FlightHelmet.bin");
+  if (!path) GTEST_SKIP() << "FlightHelmet is not in the shared data folder";
+  const Result<Bytes> buffers = readFile(*path);
+  ASSERT_TRUE(buffers);
+  // The smallest of its meshes: bytes 159484 to 164359.
+  const Bytes compressed(buffers->begin() + 159484, buffers->begin() + 164359);
+  std::mt19937 random(5);
+  for (int i = 0; i < 500; ++i) {
+    Bytes damaged = compressed;
+    if (i > 0) damaged[random() % damaged.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
+    GltfMaker maker;
+    maker.view(damaged);
+    maker.rawAccessor("{\"componentType\":5126,\"count\":436,\"type\":\"VEC3\"}");
+    maker.rawAccessor("{\"componentType\":5123,\"count\":2208,\"type\":\"SCALAR\"}");
+    const Result<Scene> scene = decodeGltf(
+        maker.glb("{\"attributes\":{\"POSITION\":0},\"indices\":1,\"extensions\":{\"KHR_draco_mesh_compression\":"
+                  "{\"bufferView\":0,\"attributes\":{\"TEXCOORD_0\":0,\"NORMAL\":1,\"TANGENT\":2,\"POSITION\":3}}}}"),
+        "model.glb");
+    if (i == 0) {
+      ASSERT_TRUE(scene) << scene.error().message;
+    }
+    if (scene) expectSafe(*scene);
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,261 @@
+#include "mirrorball/scene/gltf/gltf_document.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <variant>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "mirrorball/scene/gltf/json_reader.h"
+
+// Khronos, "glTF 2.0 Specification" (ISO/IEC 12113:2022).
+
+namespace mirrorball::gltf {
+namespace {
+
+constexpr std::array<std::string_view, 9> kKnownExtensions = {
+    "KHR_draco_mesh_compression", "KHR_mesh_quantization",           "KHR_texture_transform",
+    "KHR_materials_ior",          "KHR_materials_specular",          "KHR_materials_transmission",
+    "KHR_materials_dispersion",   "KHR_materials_emissive_strength", "EXT_texture_webp",
+};
+
+float notNegative(const JsonReader& value, float otherwise) {
+  return static_cast<float>(std::max(value.number(otherwise), 0.0));
+}
+
+/// The accessors of a primitive by attribute, or the ids of a compressed mesh.
+std::map<std::string, int> indicesByName(const JsonReader& object) {
+  std::map<std::string, int> indices;
+  for (const auto& [name, index] : object.members()) indices[name] = index.index();
+  return indices;
+}
+
+std::vector<int> indicesOf(const JsonReader& array) {
+  std::vector<int> indices;
+  for (const JsonReader& index : array.elements()) indices.push_back(index.index());
+  return indices;
+}
+
+Accessor parseAccessor(const JsonReader& json) {
+  Accessor accessor;
+  accessor.buffer_view = json["bufferView"].index();
+  accessor.byte_offset = json["byteOffset"].size(0);
+  accessor.count = json["count"].required().size(0);
+  accessor.component_type = json["componentType"].required().index();
+  accessor.normalized = json["normalized"].flag(false);
+  const std::string type = json["type"].required().text("");
+  if (type == "SCALAR") accessor.components = 1;
+  if (type == "VEC2") accessor.components = 2;
+  if (type == "VEC3") accessor.components = 3;
+  if (type == "VEC4") accessor.components = 4;
+  if (const JsonReader sparse = json["sparse"]; sparse.exists()) {
+    const JsonReader indices = sparse["indices"].required();
+    const JsonReader values = sparse["values"].required();
+    accessor.sparse = Sparse{sparse["count"].required().size(0),      indices["bufferView"].required().index(),
+                             indices["byteOffset"].size(0),           indices["componentType"].required().index(),
+                             values["bufferView"].required().index(), values["byteOffset"].size(0)};
+  }
+  return accessor;
+}
+
+BufferView parseBufferView(const JsonReader& json) {
+  return {json["buffer"].required().index(), json["byteOffset"].size(0), json["byteLength"].required().size(0),
+          json["byteStride"].size(0)};
+}
+
+std::optional<std::string> parseUri(const JsonReader& json) {
+  if (!json.exists()) return {};
+  return json.text("");
+}
+
+Buffer parseBuffer(const JsonReader& json) { return {parseUri(json["uri"]), json["byteLength"].required().size(0)}; }
+
+Image parseImage(const JsonReader& json) {
+  Image image{json["bufferView"].index(), parseUri(json["uri"])};
+  if (image.buffer_view < 0 && !image.uri) json.refuse("has neither a bufferView nor a uri");
+  return image;
+}
+
+Sampler parseSampler(const JsonReader& json) {
+  constexpr int kNearest = 9728;
+  const auto wrap = [](const JsonReader& mode) {
+    constexpr int kClampToEdge = 33071;
+    constexpr int kMirroredRepeat = 33648;
+    if (mode.index() == kClampToEdge) return Wrap::clamp_to_edge;
+    return mode.index() == kMirroredRepeat ? Wrap::mirrored_repeat : Wrap::repeat;
+  };
+  return {wrap(json["wrapS"]), wrap(json["wrapT"]), json["magFilter"].index() == kNearest};
+}
+
+/// EXT_texture_webp names the picture itself, and its source beside the extension one for readers that do not know WebP.
+Texture parseTexture(const JsonReader& json) {
+  const int webp = json["extensions"]["EXT_texture_webp"]["source"].index();
+  return {webp >= 0 ? webp : json["source"].index(), json["sampler"].index()};
+}
+
+TextureSlot parseSlot(const JsonReader& json) {
+  TextureSlot slot;
+  if (!json.exists()) return slot;
+  slot.texture = json["index"].required().index();
+  slot.uv_set = static_cast<int>(json["texCoord"].size(0));
+  if (const JsonReader transform = json["extensions"]["KHR_texture_transform"]; transform.exists()) {
+    const std::vector<double> offset = transform["offset"].numbers({0, 0});
+    const std::vector<double> scale = transform["scale"].numbers({1, 1});
+    slot.offset = glm::vec2(offset[0], offset[1]);
+    slot.scale = glm::vec2(scale[0], scale[1]);
+    slot.rotation_rad = static_cast<float>(transform["rotation"].number(0));
+    if (transform["texCoord"].exists()) slot.uv_set = transform["texCoord"].index();  // overrides the one outside
+  }
+  if (slot.uv_set > 1) json["texCoord"].refuse("is above 1; only the sets 0 and 1 are read");
+  return slot;
+}
+
+/// A parameter as glTF has it, cut to its range; what the file does not say stays as it is.
+void readParameter(const MaterialParameter& parameter, const JsonReader& json, Material& material) {
+  const JsonReader value = json.at(parameter.gltf);
+  const auto inRange = [&](double number) {
+    return static_cast<float>(std::clamp(number, parameter.text.minimum, parameter.text.maximum));
+  };
+  if (const auto* number = std::get_if<float Material::*>(&parameter.field)) {
+    material.** number = inRange(value.number(material.**number));
+  } else if (const auto* flag = std::get_if<bool Material::*>(&parameter.field)) {
+    material.** flag = value.flag(material.**flag);
+  } else if (const auto* color = std::get_if<glm::vec3 Material::*>(&parameter.field)) {
+    const glm::vec3 before = material.**color;
+    std::vector<double> numbers{before.x, before.y, before.z};
+    if (*color == &Material::base_color) numbers.push_back(material.opacity);
+    numbers = value.numbers(numbers);
+    material.** color = {inRange(numbers[0]), inRange(numbers[1]), inRange(numbers[2])};
+    if (numbers.size() == 4) material.opacity = static_cast<float>(std::clamp(numbers[3], 0.0, 1.0));
+  }
+}
+
+Material parseMaterial(const JsonReader& json) {
+  Material material = defaultMaterial();
+  material.name = json["name"].text("");
+  for (const MaterialParameter& parameter : materialParameters())
+    if (!parameter.gltf.empty()) readParameter(parameter, json, material);
+  // An index of 0 asks for the specular-glossiness model's mirror; it is read as the default.
+  if (material.ior < 1.0f) material.ior = defaultMaterial().ior;
+  material.emission *= notNegative(json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"], 1.0f);
+  const std::string alpha_mode = json["alphaMode"].text("OPAQUE");
+  if (alpha_mode == "MASK") material.alpha_mode = AlphaMode::mask;
+  if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;
+  if (material.alpha_mode == AlphaMode::opaque) material.opacity = 1.0f;
+  for (const MaterialMap& map : materialMaps()) material.*map.slot = parseSlot(json.at(map.gltf));
+  return material;
+}
+
+Primitive parsePrimitive(const JsonReader& json) {
+  Primitive primitive;
+  primitive.attributes = indicesByName(json["attributes"].required());
+  primitive.indices = json["indices"].index();
+  primitive.material = json["material"].index();
+  primitive.mode = static_cast<int>(std::min<std::size_t>(json["mode"].size(kTriangles), 1000));
+  primitive.has_targets = json["targets"].exists();
+  const JsonReader draco = json["extensions"]["KHR_draco_mesh_compression"];
+  if (draco.exists()) {
+    primitive.draco_view = draco["bufferView"].required().index();
+    primitive.draco_attributes = indicesByName(draco["attributes"].required());
+  }
+  return primitive;
+}
+
+std::vector<Primitive> parseMesh(const JsonReader& json) {
+  std::vector<Primitive> primitives;
+  for (const JsonReader& primitive : json["primitives"].required().elements())
+    primitives.push_back(parsePrimitive(primitive));
+  return primitives;
+}
+
+/// A node's matrix, or translation · rotation · scale.
+glm::dmat4 parseTransform(const JsonReader& json) {
+  glm::dmat4 matrix(1.0);
+  if (json["matrix"].exists()) {
+    const std::vector<double> numbers = json["matrix"].numbers(std::vector<double>(16, 0.0));
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = numbers[std::size_t(i)];  // column by column
+    return matrix;
+  }
+  const std::vector<double> translation = json["translation"].numbers({0, 0, 0});
+  const std::vector<double> rotation = json["rotation"].numbers({0, 0, 0, 1});
+  const std::vector<double> scale = json["scale"].numbers({1, 1, 1});
+  const glm::dquat quaternion(rotation[3], rotation[0], rotation[1], rotation[2]);
+  if (glm::length(quaternion) > 0.0)
+    matrix = glm::mat4_cast(glm::normalize(quaternion));
+  else
+    json["rotation"].refuse("has no length");
+  for (int axis = 0; axis < 3; ++axis) {
+    matrix[axis] *= scale[std::size_t(axis)];
+    matrix[3][axis] = translation[std::size_t(axis)];
+  }
+  return matrix;
+}
+
+Node parseNode(const JsonReader& json) {
+  return {parseTransform(json), json["mesh"].index(), indicesOf(json["children"])};
+}
+
+std::vector<int> parseScene(const JsonReader& json) { return indicesOf(json["nodes"]); }
+
+template <typename Part>
+void parseAll(const JsonReader& array, Part (*parse)(const JsonReader&), std::vector<Part>& parts) {
+  for (const JsonReader& element : array.elements()) parts.push_back(parse(element));
+}
+
+Result<void> checkSupported(const JsonReader& root, const std::string& name) {
+  const std::string version = root["asset"].required()["version"].required().text("");
+  if (!version.empty() && (!version.starts_with("2.") || root["asset"]["minVersion"].text("2.0") > "2.0"))
+    return fail(ErrorCode::unsupported, name + ": asset.version is '" + version + "'; only glTF 2.0 is read");
+  for (const JsonReader& extension : root["extensionsRequired"].elements()) {
+    const std::string required = extension.text("");
+    if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), required) == kKnownExtensions.end())
+      return fail(ErrorCode::unsupported, name + ": extensionsRequired names '" + required +
+                                              "', which this program cannot read; export the model without it");
+  }
+  return {};
+}
+
+}  // namespace
+
+Material defaultMaterial() {
+  Material material;
+  material.base_color = glm::vec3(1.0f);
+  material.metallic = 1.0f;
+  material.perceptual_roughness = 1.0f;
+  return material;
+}
+
+Result<Document> parseDocument(std::string_view text, const std::string& name) {
+  nlohmann::json parsed;
+  try {
+    parsed = nlohmann::json::parse(text.begin(), text.end());
+  } catch (const nlohmann::json::parse_error& error) {
+    return fail(ErrorCode::bad_file, name + ": is no valid JSON at byte " + std::to_string(error.byte) +
+                                         " of it; the file is damaged or not glTF");
+  } catch (const nlohmann::json::exception&) {
+    return fail(ErrorCode::bad_file, name + ": its JSON holds a number out of range");
+  }
+  JsonProblem problem;
+  const JsonReader root(&parsed, "", problem);
+  MIRRORBALL_TRY_VOID(checkSupported(root, name));
+
+  Document document;
+  parseAll(root["accessors"], parseAccessor, document.accessors);
+  parseAll(root["bufferViews"], parseBufferView, document.buffer_views);
+  parseAll(root["buffers"], parseBuffer, document.buffers);
+  parseAll(root["images"], parseImage, document.images);
+  parseAll(root["samplers"], parseSampler, document.samplers);
+  parseAll(root["textures"], parseTexture, document.textures);
+  parseAll(root["materials"], parseMaterial, document.materials);
+  parseAll(root["meshes"], parseMesh, document.meshes);
+  parseAll(root["nodes"], parseNode, document.nodes);
+  parseAll(root["scenes"], parseScene, document.scenes);
+  document.scene = root["scene"].index();
+  for (const char* key : {"animations", "skins"})
+    if (!root[key].elements().empty()) document.left_out.emplace_back(key);
+  if (problem.any()) return fail(ErrorCode::bad_file, name + ": " + problem.message);
+  return document;
+}
+
+}  // namespace mirrorball::gltf

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/scene/material/material.h"
+#include "mirrorball/scene/scene.h"
+
+/// The JSON of a glTF 2.0 file as plain data. Types and required keys are checked; indices are −1 where there is none,
+/// and neither they nor ranges of bytes are checked against what they point to.
+namespace mirrorball::gltf {
+
+/// The numbers that glTF takes from OpenGL.
+enum ComponentType { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
+enum Mode { kTriangles = 4, kTriangleStrip, kTriangleFan };
+
+struct Sparse {
+  std::size_t count = 0;
+  int indices_view = -1;
+  std::size_t indices_offset = 0;
+  int indices_type = 0;
+  int values_view = -1;
+  std::size_t values_offset = 0;
+};
+
+struct Accessor {
+  int buffer_view = -1;
+  std::size_t byte_offset = 0;
+  std::size_t count = 0;
+  int component_type = 0;
+  std::size_t components = 0;  ///< 1 to 4; 0 for matrices, which no mesh uses
+  bool normalized = false;
+  std::optional<Sparse> sparse;
+};
+
+struct BufferView {
+  int buffer = -1;
+  std::size_t byte_offset = 0;
+  std::size_t byte_length = 0;
+  std::size_t byte_stride = 0;  ///< 0: elements follow each other
+};
+
+struct Buffer {
+  std::optional<std::string> uri;  ///< none: the .glb's binary chunk
+  std::size_t byte_length = 0;
+};
+
+struct Image {
+  int buffer_view = -1;
+  std::optional<std::string> uri;
+};
+
+struct Sampler {
+  Wrap wrap_s = Wrap::repeat;
+  Wrap wrap_t = Wrap::repeat;
+  bool nearest = false;
+};
+
+struct Texture {
+  int image = -1;
+  int sampler = -1;
+};
+
+struct Primitive {
+  std::map<std::string, int> attributes;  ///< name → accessor
+  int indices = -1;
+  int material = -1;
+  int mode = kTriangles;
+  bool has_targets = false;
+  int draco_view = -1;                          ///< of KHR_draco_mesh_compression
+  std::map<std::string, int> draco_attributes;  ///< name → the attribute's unique id in the compressed mesh
+};
+
+struct Node {
+  glm::dmat4 parent_from_node{1.0};
+  int mesh = -1;
+  std::vector<int> children;
+};
+
+struct Document {
+  std::vector<Accessor> accessors;
+  std::vector<BufferView> buffer_views;
+  std::vector<Buffer> buffers;
+  std::vector<Image> images;
+  std::vector<Sampler> samplers;
+  std::vector<Texture> textures;
+  std::vector<Material> materials;  ///< whose slots hold indices into `textures` here
+  std::vector<std::vector<Primitive>> meshes;
+  std::vector<Node> nodes;
+  std::vector<std::vector<int>> scenes;  ///< root nodes
+  int scene = -1;
+  std::vector<std::string> left_out;  ///< "animations", "skins": what the file holds and this program does not read
+};
+
+/// glTF's default material (section 3.9.6): white, and the factors' defaults.
+Material defaultMaterial();
+
+/// Reads a file's JSON.
+///
+/// name     for messages
+/// errors   bad_file (the byte or key is named); unsupported (the version, or an extension that the file requires)
+Result<Document> parseDocument(std::string_view json, const std::string& name);
+
+}  // namespace mirrorball::gltf

@@ -1,0 +1,201 @@
+#include "mirrorball/scene/gltf/gltf_file.h"
+
+#include <array>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace mirrorball::gltf {
+namespace {
+
+constexpr std::size_t kGlbHeaderSize = 12;
+constexpr std::size_t kChunkHeaderSize = 8;
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;    // "JSON"
+constexpr std::uint32_t kBinaryChunk = 0x004E4942;  // "BIN"
+
+struct Container {
+  std::string_view json;
+  std::span<const std::uint8_t> binary;  // of a .glb with a second chunk
+};
+
+bool isGlb(std::span<const std::uint8_t> bytes) {
+  return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+}
+
+std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at) {
+  return std::uint32_t{bytes[at]} | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16 |
+         std::uint32_t{bytes[at + 3]} << 24;
+}
+
+/// Takes a .glb apart (section 4.4): its header, then chunks of a length, a type, and the bytes.
+Result<Container> readGlb(std::span<const std::uint8_t> bytes, const std::string& name) {
+  const auto truncated = [&](const char* what, std::uint64_t end) {
+    return fail(ErrorCode::bad_file, name + ": " + what + " reaches byte " + std::to_string(end) +
+                                         ", but the file has " + std::to_string(bytes.size()) + "; it is truncated");
+  };
+  constexpr std::size_t kJsonAt = kGlbHeaderSize + kChunkHeaderSize;
+  if (bytes.size() < kJsonAt) return truncated("its header", kJsonAt);
+  if (const std::uint32_t version = wordAt(bytes, 4); version != 2)
+    return fail(ErrorCode::unsupported,
+                name + ": is of glTF version " + std::to_string(version) + "; only version 2 is read");
+  if (const std::uint32_t length = wordAt(bytes, 8); length > bytes.size())
+    return truncated("its length", length);
+  else
+    bytes = bytes.first(std::max<std::size_t>(length, kJsonAt));
+
+  if (wordAt(bytes, kGlbHeaderSize + 4) != kJsonChunk)
+    return fail(ErrorCode::bad_file, name + ": its first chunk is not JSON");
+  const std::size_t json_size = wordAt(bytes, kGlbHeaderSize);
+  if (json_size > bytes.size() - kJsonAt) return truncated("its JSON chunk", std::uint64_t{kJsonAt} + json_size);
+  Container container;
+  container.json = {reinterpret_cast<const char*>(bytes.data()) + kJsonAt, json_size};
+
+  std::span<const std::uint8_t> rest = bytes.subspan(kJsonAt + json_size);
+  if (rest.size() < kChunkHeaderSize) return container;
+  const std::size_t size = wordAt(rest, 0);
+  if (size > rest.size() - kChunkHeaderSize)
+    return truncated("its second chunk", bytes.size() - rest.size() + kChunkHeaderSize + std::uint64_t{size});
+  if (wordAt(rest, 4) == kBinaryChunk) container.binary = rest.subspan(kChunkHeaderSize, size);
+  return container;
+}
+
+/// RFC 4648, with or without padding.
+std::optional<Bytes> decodeBase64(std::string_view text) {
+  while (text.ends_with('=')) text.remove_suffix(1);
+  if (text.size() % 4 == 1) return {};
+  Bytes bytes;
+  bytes.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char letter : text) {
+    std::uint32_t digit = 0;
+    if (letter >= 'A' && letter <= 'Z')
+      digit = static_cast<std::uint32_t>(letter - 'A');
+    else if (letter >= 'a' && letter <= 'z')
+      digit = static_cast<std::uint32_t>(letter - 'a' + 26);
+    else if (letter >= '0' && letter <= '9')
+      digit = static_cast<std::uint32_t>(letter - '0' + 52);
+    else if (letter == '+')
+      digit = 62;
+    else if (letter == '/')
+      digit = 63;
+    else
+      return {};
+    bits = (bits << 6 | digit) & 0xFFFFFF;
+    count += 6;
+    if (count >= 8) {
+      count -= 8;
+      bytes.push_back(static_cast<std::uint8_t>(bits >> count));
+    }
+  }
+  return bytes;
+}
+
+/// Turns "%20" into a space (RFC 3986, section 2.1).
+std::string percentDecoded(std::string_view text) {
+  const auto digit = [](char letter) {
+    if (letter >= '0' && letter <= '9') return letter - '0';
+    if (letter >= 'a' && letter <= 'f') return letter - 'a' + 10;
+    if (letter >= 'A' && letter <= 'F') return letter - 'A' + 10;
+    return -1;
+  };
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '%' && i + 2 < text.size() && digit(text[i + 1]) >= 0 && digit(text[i + 2]) >= 0) {
+      decoded += static_cast<char>(digit(text[i + 1]) * 16 + digit(text[i + 2]));
+      i += 2;
+    } else {
+      decoded += text[i];
+    }
+  }
+  return decoded;
+}
+
+/// A uri as a message can show it: short, and without letters that would break the line.
+std::string shown(std::string_view uri) {
+  constexpr std::size_t kLongest = 100;
+  std::string line;
+  for (const char letter : uri.substr(0, kLongest)) line += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
+  return uri.size() > kLongest ? line + "…" : line;
+}
+
+Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
+  for (std::size_t i = 0; i < file.document.buffers.size(); ++i) {
+    const Buffer& buffer = file.document.buffers[i];
+    const std::string key = quoted("buffers", i);
+    std::span<const std::uint8_t> bytes = binary;
+    if (buffer.uri) {
+      MIRRORBALL_TRY(read, readUri(file, *buffer.uri, key + ".uri"));
+      bytes = file.storage.emplace_back(std::move(read));
+      if (const auto path = fileOf(file, *buffer.uri)) file.files.push_back(path->string());
+    } else if (i > 0 || binary.empty()) {
+      // Only the first may be the binary chunk; another has its content in an extension that is not read.
+      bytes = {};
+    }
+    if (bytes.size() < buffer.byte_length)
+      return fail(ErrorCode::bad_file, file.name + ": " + key + ".byteLength is " + std::to_string(buffer.byte_length) +
+                                           ", but " +
+                                           (buffer.uri ? "'" + shown(*buffer.uri) + "'" : "the binary chunk") +
+                                           " has " + std::to_string(bytes.size()) + " bytes");
+    file.buffers.push_back(bytes.first(buffer.byte_length));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string quoted(const char* array, std::size_t index) {
+  return std::string(array) + "[" + std::to_string(index) + "]";
+}
+
+Result<void> checkIndex(const File& file, int index, std::size_t count, const std::string& key, const char* things) {
+  if (index >= 0 && std::size_t(index) < count) return {};
+  return fail(ErrorCode::bad_file, file.name + ": " + key + " is " + std::to_string(index) + ", but there are " +
+                                       std::to_string(count) + " " + things);
+}
+
+std::optional<std::filesystem::path> fileOf(const File& file, const std::string& uri) {
+  if (uri.starts_with("data:")) return {};
+  return file.folder / percentDecoded(uri);
+}
+
+Result<Bytes> readUri(const File& file, const std::string& uri, const std::string& key) {
+  if (uri.starts_with("data:")) {
+    constexpr std::string_view kMark = ";base64,";
+    const std::size_t mark = uri.find(kMark);
+    std::optional<Bytes> bytes;
+    if (mark != std::string::npos) bytes = decodeBase64(std::string_view(uri).substr(mark + kMark.size()));
+    if (!bytes) return fail(ErrorCode::bad_file, file.name + ": " + key + " is no base64 data: '" + shown(uri) + "'");
+    return std::move(*bytes);
+  }
+  if (uri.find("://") != std::string::npos)
+    return fail(ErrorCode::unsupported, file.name + ": " + key + " '" + shown(uri) +
+                                            "' lies in a network; fetch it and put it beside the model");
+  const std::filesystem::path path = *fileOf(file, uri);
+  std::error_code status;
+  if (!std::filesystem::is_regular_file(path, status))
+    return fail(ErrorCode::bad_file,
+                file.name + ": " + key + " '" + shown(uri) + "' is missing; put it beside the model");
+  return readFile(path);
+}
+
+Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+  File file;
+  file.name = path.string();
+  file.folder = path.parent_path();
+  Container container;
+  if (isGlb(bytes)) {
+    MIRRORBALL_TRY(glb, readGlb(bytes, file.name));
+    container = glb;
+  } else {
+    container.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+  MIRRORBALL_TRY(document, parseDocument(container.json, file.name));
+  file.document = std::move(document);
+  file.storage.reserve(file.document.buffers.size());
+  MIRRORBALL_TRY_VOID(readBuffers(file, container.binary));
+  return file;
+}
+
+}  // namespace mirrorball::gltf

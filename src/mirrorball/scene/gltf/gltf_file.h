@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/scene/gltf/gltf_document.h"
+
+namespace mirrorball::gltf {
+
+/// A glTF file: its JSON, and the bytes of its buffers. Everything that reads an accessor, a buffer view or a picture
+/// checks its range here.
+struct File {
+  std::string name;  ///< for messages
+  std::filesystem::path folder;
+  Document document;
+  std::vector<std::span<const std::uint8_t>> buffers;
+  std::vector<Bytes> storage;      ///< of the buffers that do not lie in the file itself
+  std::vector<std::string> files;  ///< where those were read
+};
+
+/// Reads the container (.glb or .gltf, told by its first bytes), the JSON, and the buffers.
+///
+/// bytes    must live as long as the result, which points into them
+/// errors   bad_file; unsupported; io
+Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
+
+/// The file that a uri names; nothing for data in the uri itself.
+std::optional<std::filesystem::path> fileOf(const File& file, const std::string& uri);
+
+/// The bytes that a uri names: base64 data, or a file beside or below the model.
+///
+/// key      what holds the uri, for messages
+/// errors   bad_file (no base64; a missing file); unsupported (a network address)
+Result<Bytes> readUri(const File& file, const std::string& uri, const std::string& key);
+
+/// An attribute's numbers: `components` to an element.
+struct Numbers {
+  std::vector<float> values;
+  std::size_t components = 0;
+  std::size_t count() const { return components == 0 ? 0 : values.size() / components; }
+};
+
+/// Reads an accessor as floats: normalised integers become [0, 1] or [−1, 1], sparse values are put in.
+///
+/// key      what refers to the accessor, for messages
+/// errors   bad_file (out of range; a value that is not finite); too_large
+Result<Numbers> readNumbers(const File& file, int accessor, const std::string& key);
+
+/// Refuses numbers among which there is NaN or infinity.
+Result<void> checkFinite(const File& file, const Numbers& numbers, const std::string& key);
+
+/// Reads an accessor of unsigned integers, such as vertex indices.
+Result<std::vector<std::uint32_t>> readIntegers(const File& file, int accessor, const std::string& key);
+
+/// The bytes of a buffer view, such as those of an embedded picture.
+Result<std::span<const std::uint8_t>> viewBytes(const File& file, int view, const std::string& key);
+
+/// Decodes what a primitive keeps in KHR_draco_mesh_compression.
+struct DracoMesh {
+  std::map<std::string, Numbers> attributes;
+  std::vector<std::uint32_t> corners;  ///< three a triangle, each the index of a vertex
+};
+Result<DracoMesh> decodeDraco(const File& file, const Primitive& primitive, const std::string& key);
+
+/// Refuses an index that is not that of one of `count` things.
+Result<void> checkIndex(const File& file, int index, std::size_t count, const std::string& key, const char* things);
+
+/// "accessors[3]"
+std::string quoted(const char* array, std::size_t index);
+
+}  // namespace mirrorball::gltf

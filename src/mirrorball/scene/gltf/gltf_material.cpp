@@ -1,0 +1,90 @@
+#include "mirrorball/scene/gltf/gltf_material.h"
+
+#include <cstddef>
+
+#include "mirrorball/scene/picture_decoding.h"
+
+namespace mirrorball::gltf {
+
+Result<int> Materials::sceneMaterial(int index, const std::string& key) {
+  if (const auto found = materials_.find(index); found != materials_.end()) return found->second;
+  Material material = defaultMaterial();
+  if (index >= 0) {
+    MIRRORBALL_TRY_VOID(checkIndex(file_, index, file_.document.materials.size(), key, "materials"));
+    material = file_.document.materials[std::size_t(index)];
+    const std::string own = quoted("materials", std::size_t(index)) + ".";
+    for (const MaterialMap& map : materialMaps())
+      MIRRORBALL_TRY_VOID(bindTexture(material.*map.slot, map.srgb, own + std::string(map.gltf)));
+  }
+  scene_.materials.push_back(std::move(material));
+  return materials_[index] = static_cast<int>(scene_.materials.size()) - 1;
+}
+
+/// Turns the slot's index into glTF's textures into one into the scene's.
+Result<void> Materials::bindTexture(TextureSlot& slot, bool srgb, const std::string& key) {
+  if (slot.texture == -1) return {};
+  MIRRORBALL_TRY(texture, sceneTexture(slot.texture, srgb, key + ".index"));
+  slot.texture = texture;
+  return {};
+}
+
+Result<int> Materials::sceneTexture(int index, bool srgb, const std::string& key) {
+  MIRRORBALL_TRY_VOID(checkIndex(file_, index, file_.document.textures.size(), key, "textures"));
+  if (const auto found = textures_.find({index, srgb}); found != textures_.end()) return found->second;
+
+  const Texture& source = file_.document.textures[std::size_t(index)];
+  const std::string texture_key = quoted("textures", std::size_t(index));
+  if (source.image == -1) {
+    scene_.warnings.push_back(file_.name + ": " + texture_key +
+                              " has its picture only in an extension that is not read; it is left out");
+    return textures_[{index, srgb}] = -1;
+  }
+  MIRRORBALL_TRY_VOID(checkIndex(file_, source.image, file_.document.images.size(), texture_key + ".source", "images"));
+  mirrorball::Texture texture;
+  texture.srgb = srgb;
+  if (source.sampler != -1) {
+    MIRRORBALL_TRY_VOID(
+        checkIndex(file_, source.sampler, file_.document.samplers.size(), texture_key + ".sampler", "samplers"));
+    const Sampler& sampler = file_.document.samplers[std::size_t(source.sampler)];
+    texture.wrap_s = sampler.wrap_s;
+    texture.wrap_t = sampler.wrap_t;
+    texture.nearest = sampler.nearest;
+  }
+  scene_.textures.push_back(std::move(texture));
+  images_.push_back(source.image);
+  return textures_[{index, srgb}] = static_cast<int>(scene_.textures.size()) - 1;
+}
+
+Result<std::span<const std::uint8_t>> Materials::encoded(int index) {
+  const Image& image = file_.document.images[std::size_t(index)];
+  const std::string key = quoted("images", std::size_t(index));
+  if (!image.uri) return viewBytes(file_, image.buffer_view, key + ".bufferView");
+  MIRRORBALL_TRY(bytes, readUri(file_, *image.uri, key + ".uri"));
+  if (const auto path = fileOf(file_, *image.uri)) scene_.files.push_back(path->string());
+  return std::span<const std::uint8_t>(storage_[index] = std::move(bytes));
+}
+
+Result<void> Materials::decodeTextures() {
+  std::map<int, std::size_t> place;  // glTF image → which of `pictures`
+  std::vector<EncodedPicture> pictures;
+  for (const int image : images_) {
+    if (!place.emplace(image, pictures.size()).second) continue;
+    MIRRORBALL_TRY(bytes, encoded(image));
+    pictures.push_back({file_.name + ": " + quoted("images", std::size_t(image)), bytes});
+  }
+
+  std::vector<Result<Image8>> decoded = decodePictures(pictures);
+  for (Result<Image8>& image : decoded)
+    if (!image) return fail(std::move(image));
+  std::vector<std::size_t> users(pictures.size(), 0);
+  for (const int image : images_) ++users[place[image]];
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    const std::size_t picture = place[images_[i]];
+    // The last texture that shows a picture takes it; those before it need a copy.
+    scene_.textures[i].image = --users[picture] == 0 ? std::move(*decoded[picture]) : *decoded[picture];
+  }
+  storage_.clear();
+  return {};
+}
+
+}  // namespace mirrorball::gltf

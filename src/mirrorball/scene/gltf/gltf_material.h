@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/scene/gltf/gltf_file.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball::gltf {
+
+/// Gives a scene the materials of a glTF file, each when it is first asked for, so that pictures which nothing uses are
+/// neither read nor decoded.
+class Materials {
+ public:
+  Materials(const File& file, Scene& scene) : file_(file), scene_(scene) {}
+
+  /// The index in the scene of the glTF material; −1 means glTF's default material.
+  ///
+  /// key      what refers to it, for messages
+  /// errors   bad_file (an index is out of range)
+  Result<int> sceneMaterial(int material, const std::string& key);
+
+  /// Reads and decodes the pictures of all materials asked for, and gives them to the scene's textures.
+  ///
+  /// errors   bad_file (missing or damaged); too_large
+  Result<void> decodeTextures();
+
+ private:
+  Result<void> bindTexture(TextureSlot& slot, bool srgb, const std::string& key);
+  Result<int> sceneTexture(int texture, bool srgb, const std::string& key);
+  Result<std::span<const std::uint8_t>> encoded(int image);
+
+  const File& file_;
+  Scene& scene_;
+  std::map<int, int> materials_;                  // glTF index → scene index
+  std::map<std::pair<int, bool>, int> textures_;  // glTF index, sRGB → scene index
+  std::vector<int> images_;                       // scene texture → glTF image
+  std::map<int, Bytes> storage_;                  // of the images that do not lie in a buffer
+};
+
+}  // namespace mirrorball::gltf

@@ -1,0 +1,105 @@
+#include "mirrorball/scene/mesh_file/obj_material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/scene/picture_decoding.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr int kDiffuseWithoutHighlight = 1;  // an illumination model of the .mtl specification
+
+float share(float number) { return std::isfinite(number) ? std::clamp(number, 0.0f, 1.0f) : 0.0f; }
+
+/// Pictures that materials share are read once for each of the two ways to read their colours.
+class Pictures {
+ public:
+  Pictures(std::filesystem::path folder, Scene& scene) : folder_(std::move(folder)), scene_(scene) {}
+
+  /// The texture's index in the scene, or −1 where there is none or it cannot be read.
+  int texture(std::string name, bool srgb) {
+    if (name.empty()) return -1;
+    std::replace(name.begin(), name.end(), '\\', '/');  // as programs on Windows write it
+    const auto [found, is_new] = textures_.try_emplace({name, srgb}, -1);
+    if (!is_new) return found->second;
+    Result<Bytes> bytes = readRegularFile(folder_ / name);
+    if (!bytes) {
+      scene_.warnings.push_back(bytes.error().message + "; the material goes without it");
+      return -1;
+    }
+    pending_.push_back({(folder_ / name).string(), std::move(*bytes)});
+    scene_.files.push_back(pending_.back().first);
+    scene_.textures.emplace_back().srgb = srgb;
+    return found->second = static_cast<int>(scene_.textures.size()) - 1;
+  }
+
+  void decode() {
+    std::vector<EncodedPicture> encoded;
+    for (const auto& [name, bytes] : pending_) encoded.push_back({name, bytes});
+    std::vector<Result<Image8>> decoded = decodePictures(encoded);
+    for (std::size_t i = 0; i < decoded.size(); ++i) {
+      if (decoded[i]) {
+        scene_.textures[i].image = std::move(*decoded[i]);
+      } else {
+        scene_.warnings.push_back(decoded[i].error().message + "; the material goes without it");
+        scene_.textures[i].image = Image8(1, 1, 4, 255);
+      }
+    }
+  }
+
+ private:
+  std::filesystem::path folder_;
+  Scene& scene_;
+  std::map<std::pair<std::string, bool>, int> textures_;
+  std::vector<std::pair<std::string, Bytes>> pending_;
+};
+
+Material convert(const tinyobj::material_t& source, Pictures& pictures, std::vector<std::string>& warnings) {
+  Material material;
+  material.name = source.name;
+  material.base_color = glm::vec3(share(source.diffuse[0]), share(source.diffuse[1]), share(source.diffuse[2]));
+  for (int channel = 0; channel < 3; ++channel)
+    if (const float light = source.emission[channel]; std::isfinite(light))
+      material.emission[channel] = std::max(light, 0.0f);
+  if (source.ior > 1.0f && std::isfinite(source.ior)) material.ior = source.ior;
+  material.opacity = share(source.dissolve);
+  if (material.opacity < 1.0f) material.alpha_mode = AlphaMode::blend;
+
+  // The width of the Beckmann lobe that a Phong highlight of this exponent has (Walter et al. 2007, section 5.2).
+  const float exponent = std::isfinite(source.shininess) ? std::max(source.shininess, 0.0f) : 0.0f;
+  const float alpha = std::sqrt(2.0f / (exponent + 2.0f));
+  material.perceptual_roughness = source.roughness > 0.0f ? share(source.roughness) : std::sqrt(alpha);
+  material.metallic = share(source.metallic);
+  const bool has_highlight = source.specular[0] > 0.0f || source.specular[1] > 0.0f || source.specular[2] > 0.0f;
+  if (source.illum == kDiffuseWithoutHighlight && !has_highlight) material.specular = 0.0f;
+
+  material.base_color_map.texture = pictures.texture(source.diffuse_texname, true);
+  material.emission_map.texture = pictures.texture(source.emissive_texname, true);
+  material.normal_map.texture = pictures.texture(source.normal_texname, false);
+  // Many programs write black beside a picture, which would hide it.
+  if (material.base_color_map.texture >= 0 && material.base_color == glm::vec3(0.0f))
+    material.base_color = glm::vec3(1.0f);
+  if (material.emission_map.texture >= 0 && material.emission == glm::vec3(0.0f)) material.emission = glm::vec3(1.0f);
+  for (const std::string& left_out : {source.bump_texname, source.alpha_texname})
+    if (!left_out.empty())
+      warnings.push_back("material '" + source.name + "': the picture '" + left_out + "' is left out");
+  return material;
+}
+
+}  // namespace
+
+void addObjMaterials(std::span<const tinyobj::material_t> materials, const std::filesystem::path& folder,
+                     Scene& scene) {
+  Pictures pictures(folder, scene);
+  for (const tinyobj::material_t& material : materials)
+    scene.materials.push_back(convert(material, pictures, scene.warnings));
+  pictures.decode();
+}
+
+}  // namespace mirrorball

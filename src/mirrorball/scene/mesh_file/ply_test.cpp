@@ -1,0 +1,152 @@
+#include "mirrorball/scene/mesh_file/ply.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/scene/mesh_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Bytes bytesOf(std::string_view text) { return Bytes(text.begin(), text.end()); }
+
+Result<Scene> decode(const Bytes& bytes) { return decodePly(bytes, "model.ply"); }
+
+void expectRefused(const Bytes& bytes, ErrorCode code, const std::string& part) {
+  const Result<Scene> scene = decode(bytes);
+  ASSERT_FALSE(scene) << part;
+  EXPECT_EQ(scene.error().code, code) << scene.error().message;
+  EXPECT_THAT(scene.error().message, HasSubstr("model.ply: "));
+  EXPECT_THAT(scene.error().message, HasSubstr(part));
+}
+
+/// A square of two triangles with normals of its own, all values binary.
+Bytes binarySquare(std::endian order) {
+  Bytes bytes = bytesOf(std::string("ply\nformat ") +
+                        (order == std::endian::little ? "binary_little_endian" : "binary_big_endian") +
+                        " 1.0\ncomment by hand\nelement vertex 4\nproperty double x\nproperty float y\n"
+                        "property short z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+                        "element face 1\nproperty uchar flags\nproperty list uchar uint vertex_indices\nend_header\n");
+  const auto put = [&](auto value) {
+    std::uint8_t raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    if (order != std::endian::native) std::reverse(raw, raw + sizeof value);
+    bytes.insert(bytes.end(), raw, raw + sizeof value);
+  };
+  for (const auto& [x, y] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
+    put(static_cast<double>(x));
+    put(static_cast<float>(y));
+    put(std::int16_t{7});
+    put(0.0f);
+    put(0.0f);
+    put(2.0f);
+  }
+  put(std::uint8_t{9});
+  put(std::uint8_t{4});
+  for (const std::uint32_t index : {0u, 1u, 2u, 3u}) put(index);
+  return bytes;
+}
+
+TEST(Ply, ReadsBinaryOfBothByteOrders) {
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    const Result<Scene> scene = decode(binarySquare(order));
+    ASSERT_TRUE(scene) << scene.error().message;
+    const Mesh& mesh = scene->meshes.at(0);
+    ASSERT_EQ(mesh.vertices.size(), 4u);
+    EXPECT_EQ(mesh.vertices[2].position, glm::vec3(1, 1, 7));
+    EXPECT_EQ(mesh.vertices[2].normal, glm::vec3(0, 0, 1));
+    EXPECT_THAT(mesh.indices, ElementsAre(0, 1, 2, 0, 2, 3));
+  }
+}
+
+TEST(Ply, ReadsAsciiWithColoursAndTextureCoordinates) {
+  const Result<Scene> scene =
+      decode(bytesOf("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float z\r\nproperty float y\r\n"
+                     "property float x\r\nproperty float s\r\nproperty float t\r\nproperty uchar red\r\n"
+                     "property uchar green\r\nproperty uchar blue\r\nproperty uchar alpha\r\n"
+                     "element face 1\r\nproperty list uchar int vertex_index\r\nend_header\r\n"
+                     "0 0 1 0.25 0.75 255 188 0 51\r\n0 1 0 0 0 0 0 0 255\r\n1 0 0 1 1 0 0 0 255\r\n3 0 1 2\r\n"));
+  ASSERT_TRUE(scene) << scene.error().message;
+  const Vertex& vertex = scene->meshes.at(0).vertices.at(0);
+  EXPECT_EQ(vertex.position, glm::vec3(1, 0, 0));
+  EXPECT_EQ(vertex.uv[0], glm::vec2(0.25f, 0.25f));
+  EXPECT_EQ(vertex.color.r, 1.0f);
+  EXPECT_NEAR(vertex.color.g, 0.5028864f, 1e-5f);  // sRGB 188
+  EXPECT_EQ(vertex.color.b, 0.0f);
+  EXPECT_NEAR(vertex.color.a, 0.2f, 1e-6f);
+  EXPECT_NEAR(vertex.normal.x, 0.57735f, 1e-5f);  // none in the file: computed
+}
+
+TEST(Ply, ReadsTriangleStrips) {
+  const Result<Scene> scene =
+      decode(bytesOf("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                     "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                     "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 1 2\n"));
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_THAT(scene->meshes.at(0).indices, ElementsAre(0, 1, 2, 1, 3, 2, 0, 1, 2));
+}
+
+const std::string kAsciiHeader =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+TEST(Ply, NamesWhatIsWrong) {
+  expectRefused(bytesOf("solid"), ErrorCode::bad_file, "not a PLY file");
+  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex 3\n"), ErrorCode::bad_file, "header does not end");
+  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex minus\n"), ErrorCode::bad_file, "line 3");
+  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty vector x\nend_header\n"),
+                ErrorCode::bad_file, "line 4: not a valid property");
+  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
+                        "property float z\nend_header\n0 0 0\n"),
+                ErrorCode::bad_file, "more than its 6 bytes of data can hold");
+  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n"), ErrorCode::bad_file,
+                "truncated");
+  expectRefused(bytesOf(kAsciiHeader + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file,
+                "line 2 of its data: no finite number for 'z' of vertex 1");
+  expectRefused(bytesOf(kAsciiHeader + "0 0 0\n1 0 1e300\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file, "too large");
+  expectRefused(bytesOf(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), ErrorCode::bad_file, "uses vertex 3 of 3");
+  expectRefused(bytesOf(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), ErrorCode::bad_file, "uses vertex -1 of 3");
+  expectRefused(bytesOf(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n99999999 0 1 2\n"), ErrorCode::bad_file,
+                "no valid length");
+  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                        "property float z\nend_header\n0 0 0\n"),
+                ErrorCode::unsupported, "no faces");
+}
+
+TEST(Ply, RefusesFacesThatPrecedeVerticesTheyLack) {
+  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
+                        "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+                        "3 0 1 7\n0 0 0\n1 0 0\n0 1 0\n"),
+                ErrorCode::bad_file, "uses vertex 7 of 3");
+}
+
+TEST(Ply, IsRefusedWhenCutAnywhere) {
+  const Bytes whole = binarySquare(std::endian::little);
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_FALSE(decode(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
+}
+
+TEST(Ply, SurvivesRandomDamage) {
+  const Bytes whole = binarySquare(std::endian::big);
+  std::mt19937 random(1);
+  for (int i = 0; i < 4000; ++i) {
+    Bytes damaged = whole;
+    for (int flips = 0; flips < 3; ++flips)
+      damaged[random() % damaged.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
+    const Result<Scene> scene = decode(damaged);
+    if (!scene) continue;
+    for (const std::uint32_t index : scene->meshes.at(0).indices) ASSERT_LT(index, scene->meshes[0].vertices.size());
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball

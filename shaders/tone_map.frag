@@ -3,6 +3,7 @@
 #include "color.glsl"
 
 uniform sampler2D picture;
+uniform float share;         // what makes a mean of the sum of those samples that there are
 uniform float as_displayed;  // 1: `picture` is a display's light
 uniform float exposure;
 uniform int tone_map;
@@ -11,7 +12,7 @@ uniform vec4 backdrop;  // linear, premultiplied
 out vec4 fragment;
 
 void main() {
-  vec4 light = texelFetch(picture, ivec2(gl_FragCoord.xy), 0);
+  vec4 light = texelFetch(picture, ivec2(gl_FragCoord.xy), 0) * share;
   if (as_displayed < 0.5) light = displayLight(light, exposure, tone_map);
   fragment = encodedPicture(laidOver(light, backdrop));
 }

@@ -67,23 +67,23 @@ const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
 }};
 
 /// What has no meaning for a map of all directions, or a map's own option in its place.
-constexpr std::array<std::string_view, 10> kOptionsOfPictures{
-    "size", "frames", "turn", "exposure", "tone-map", "resolve", "camera", "target", "fov", "orthographic"};
+constexpr std::array<std::string_view, 8> kOptionsOfPictures{"size",   "exposure", "tone-map", "resolve",
+                                                             "camera", "target",   "fov",      "orthographic"};
 
 /// All that `capture` was told.
 struct CaptureRequest {
   SceneRequest scene;
   CaptureOptions options;
-  RenderOptions look;
+  FrameSettings look;
+  MaterialChanges materials;
   MapOutputOptions output;
 };
 
 /// errors   usage: what a map of all directions cannot show
-Result<FrameSettings> lookOf(const RenderOptions& options) {
-  MIRRORBALL_TRY(frame, frameSettings(options));
+Result<void> checkLook(const FrameSettings& frame) {
   if (frame.background == BackgroundKind::transparent)
     return fail(ErrorCode::usage, "a map has light for every direction; --background 0,0,0 leaves it dark");
-  return frame;
+  return {};
 }
 
 Result<Projection> projectionOf(const CaptureRequest& request) {
@@ -111,13 +111,11 @@ void remarkOnDistance(glm::vec3 place, const BoundingSphere& scene) {
          shortText(scene.center) + "; the map hardly shows it");
 }
 
-Result<EnvironmentMap> captureMap(const SceneInputs& inputs, Projection to, int size, CaptureSettings settings,
+Result<EnvironmentMap> captureMap(SceneInputs inputs, Projection to, int size, CaptureSettings settings,
                                   StageClock& clock) {
   settings.size = faceSideFor(to, size);
-  MIRRORBALL_TRY(renderer, clock.time("GL: upload, compile", [&] {
-    return Renderer::make(inputs.context, inputs.scene, inputs.environment, inputs.prepared);
-  }));
-  if (!inputs.scene.empty()) remarkOnDistance(settings.position, renderer.bounds());
+  MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
+  if (!renderer.scene().empty()) remarkOnDistance(settings.position, renderer.bounds());
   MIRRORBALL_TRY(cube, clock.time("faces: draw and read back",
                                   [&] { return captureEnvironment(renderer, settings, progressBar("capture")); }));
   if (to == Projection::cube) return cube;
@@ -132,16 +130,16 @@ Result<void> capture(const CaptureRequest& request) {
   if (options.at.empty()) return fail(ErrorCode::usage, "capture needs a place: --at X,Y,Z");
   CaptureSettings settings{.position = {options.at[0], options.at[1], options.at[2]}};
   if (options.nearest > 0.0f) settings.nearest = options.nearest;
-  MIRRORBALL_TRY(frame, lookOf(request.look));
-  settings.frame = frame;
+  MIRRORBALL_TRY_VOID(checkLook(request.look));
+  settings.frame = request.look;
   MIRRORBALL_TRY(to, projectionOf(request));
   MIRRORBALL_TRY_VOID(checkFolder(request.output.output));
   MIRRORBALL_TRY(output, MapOutput::resolve(request.output, to));
   const int size = options.size > 0 ? options.size : equivalentSize(Projection::cube, kUsualSize, to);
   MIRRORBALL_TRY_VOID(output.checkLevelOfSize(size));
 
-  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.look, output.paths(), clock));
-  MIRRORBALL_TRY(map, captureMap(inputs, to, size, std::move(settings), clock));
+  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, output.paths(), clock));
+  MIRRORBALL_TRY(map, captureMap(std::move(inputs), to, size, std::move(settings), clock));
   tellClamped(output.paths().front(), limitLight(map, lightLimits(request.output)));
   MIRRORBALL_TRY_VOID(clock.time("map: encode and write", [&] { return output.write(std::move(map)); }));
   if (request.scene.timings) clock.print();
@@ -152,13 +150,13 @@ Result<void> capture(const CaptureRequest& request) {
 
 std::span<const Option<CaptureOptions>> captureOptions() { return kCaptureOptions; }
 
-std::span<const Option<RenderOptions>> captureLookOptions() {
-  static const std::vector<Option<RenderOptions>> look = [] {
-    std::vector<Option<RenderOptions>> kept;
-    std::ranges::copy_if(renderOptions(), std::back_inserter(kept), [](const Option<RenderOptions>& option) {
+std::span<const Option<FrameSettings>> captureLookOptions() {
+  static const std::vector<Option<FrameSettings>> look = [] {
+    std::vector<Option<FrameSettings>> kept;
+    std::ranges::copy_if(frameOptions(), std::back_inserter(kept), [](const Option<FrameSettings>& option) {
       return std::ranges::find(kOptionsOfPictures, option.text.name) == kOptionsOfPictures.end();
     });
-    for (Option<RenderOptions>& option : kept) {
+    for (Option<FrameSettings>& option : kept) {
       // A sphere map is right for one viewing direction, and a capture looks into all. The mappings that are left are the
       // first of the enumeration.
       if (option.text.name == "mapping") {
@@ -187,6 +185,7 @@ Command captureCommand() {
   addOptions(command, captureOptions(), request->options);
   addOptions(command, mapOutputOptions(), request->output);
   addOptions(command, captureLookOptions(), request->look);
+  addOptions(command, materialOptions(), request->materials);
   command.action = [request] {
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->output.output,
                                [&] { return capture(*request); });

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mirrorball/base/option.h"
-#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/render/frame/frame_settings.h"
 
 namespace mirrorball::cli {
 
@@ -20,6 +20,6 @@ struct CaptureOptions {
 std::span<const Option<CaptureOptions>> captureOptions();
 
 /// The options of `render` that say what a scene looks like, without those that say how a picture of it is taken.
-std::span<const Option<RenderOptions>> captureLookOptions();
+std::span<const Option<FrameSettings>> captureLookOptions();
 
 }  // namespace mirrorball::cli

@@ -73,9 +73,7 @@ template <typename Target>
 void addOptions(Command& command, std::span<const Option<Target>> table, Target& target,
                 GivenOptions* given = nullptr) {
   for (const Option<Target>& option : table)
-    command.options.push_back({option.text, written(option, target),
-                               std::holds_alternative<bool Target::*>(option.field),
-                               std::holds_alternative<std::vector<std::string> Target::*>(option.field),
+    command.options.push_back({option.text, written(option, target), option.isFlag(), option.mayRepeat(),
                                [&option, &target, given](const std::string& value) {
                                  if (given != nullptr) given->insert(option.text.name);
                                  return assign(option, target, value);

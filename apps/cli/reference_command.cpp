@@ -31,9 +31,7 @@ const std::array<Option<ReferenceRequest>, 1> kReferenceOptions{{
 
 template <typename Target>
 CommandOption rowOf(const Option<Target>& option, const Target& defaults) {
-  return {.text = option.text,
-          .default_value = written(option, defaults),
-          .is_flag = std::holds_alternative<bool Target::*>(option.field)};
+  return {.text = option.text, .default_value = written(option, defaults), .is_flag = option.isFlag()};
 }
 
 template <typename Target>

@@ -38,7 +38,9 @@ const std::array<Option<RenderFiles>, 1> kFileOptions{{
 struct RenderRequest {
   SceneRequest scene;
   RenderFiles files;
-  RenderOptions options;
+  FrameSettings frame;
+  MaterialChanges materials;
+  Turntable turntable;
   GivenOptions given;
 };
 
@@ -85,7 +87,7 @@ FramingOf turningOf(Turn turn) { return turn == Turn::environment ? FramingOf::s
 /// errors   usage
 Result<std::vector<std::string>> outputPaths(const RenderRequest& request) {
   std::string output = request.files.output;
-  const int frames = request.options.frames;
+  const int frames = request.turntable.frames;
   if (frames == 0) return std::vector{output};
   if (numberPlaces(output).empty()) {
     const std::size_t digits = std::max<std::size_t>(3, std::to_string(frames - 1).size());
@@ -123,7 +125,7 @@ Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, 
 
 Result<void> checkOutput(const RenderRequest& request, const FrameSettings& settings) {
   const std::string& output = request.files.output;
-  if (request.options.frames == 0 && request.options.turn != Turn::camera)
+  if (request.turntable.frames == 0 && request.turntable.turn != Turn::camera)
     return fail(ErrorCode::usage,
                 "--turn says what goes round in a turntable, and one picture is none; add --frames N");
   MIRRORBALL_TRY_VOID(checkFolder(output));
@@ -131,7 +133,7 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
   GivenOptions given = request.given;
   if (settings.resolve == Resolve::radiance) given.erase("resolve");
   MIRRORBALL_TRY_VOID(refusePictureOptions(given, output, ""));
-  if (request.options.frames == 0 && !numberPlaces(output).empty())
+  if (request.turntable.frames == 0 && !numberPlaces(output).empty())
     remark(output + ": is one picture under that very name; --frames N makes several, with numbers in their names");
   const std::string extension = extensionOf(output);
   const bool keeps_alpha = extension == "png" || extension == "exr";
@@ -142,23 +144,22 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
 
 Result<void> render(const RenderRequest& request) {
   StageClock clock;
-  MIRRORBALL_TRY(settings, frameSettings(request.options));
+  FrameSettings settings = request.frame;
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
   if (storesLinearLight(request.files.output)) settings.resolve = Resolve::radiance;
   MIRRORBALL_TRY(outputs, outputPaths(request));
-  if (isStandardOutputTaken() && request.options.frames > 0)
+  if (isStandardOutputTaken() && request.turntable.frames > 0)
     return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
-  if (request.options.frames > 0) whenInterrupted(interruptedAfter(0, outputs.size()));
-  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.options, outputs, clock));
-  MIRRORBALL_TRY(renderer, clock.time("GL: upload, compile", [&] {
-    return Renderer::make(inputs.context, inputs.scene, inputs.environment, inputs.prepared);
-  }));
-  if (request.options.frames > 0) {
+  if (request.turntable.frames > 0) whenInterrupted(interruptedAfter(0, outputs.size()));
+  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, outputs, clock));
+  MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
+  if (request.turntable.frames > 0) {
     const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
-    settings.camera = framed(inputs.scene, renderer.bounds(), settings.camera, aspect, turningOf(request.options.turn));
+    settings.camera =
+        framed(renderer.scene(), renderer.bounds(), settings.camera, aspect, turningOf(request.turntable.turn));
   }
-  Result<void> drawn = request.options.frames > 0
-                           ? renderTurntable(renderer, settings, request.options.turn, outputs, clock)
+  Result<void> drawn = request.turntable.frames > 0
+                           ? renderTurntable(renderer, settings, request.turntable.turn, outputs, clock)
                            : renderFrame(renderer, settings, outputs.front(), clock, progressBar("samples"));
   if (request.scene.timings) clock.print();
   if (drawn) announce(outputs.size() == 1 ? outputs.front() : outputs.front() + " … " + outputs.back());
@@ -181,7 +182,9 @@ Command renderCommand() {
   addModel(command, "MODEL", request->scene);
   addOptions(command, sceneOptions(), request->scene);
   addOptions(command, renderFileOptions(), request->files);
-  addOptions(command, renderOptions(), request->options, &request->given);
+  addOptions(command, frameOptions(), request->frame, &request->given);
+  addOptions(command, turntableOptions(), request->turntable, &request->given);
+  addOptions(command, materialOptions(), request->materials, &request->given);
   command.action = [request] {
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });

@@ -57,10 +57,10 @@ const std::array<Option<SceneRequest>, 7> kSceneOptions{{
     {kMaxMemoryText, &SceneRequest::max_memory},
 }};
 
-Result<Scene> loadScene(const SceneRequest& request, const RenderOptions& options) {
+Result<Scene> loadScene(const SceneRequest& request, const MaterialChanges& materials) {
   MIRRORBALL_TRY(scene, loadModel(request.model));
   standUpright(scene, request.up);
-  MIRRORBALL_TRY_VOID(applyMaterialOptions(options, scene));
+  MIRRORBALL_TRY_VOID(changeMaterials(scene, materials));
   return scene;
 }
 
@@ -78,13 +78,13 @@ void addModel(Command& command, std::string_view name, SceneRequest& request) {
               request.model);
 }
 
-Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions& options,
+Result<SceneInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
                                std::span<const std::string> outputs, StageClock& clock) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
   MIRRORBALL_TRY(hint, formHintNamed(request.from));
   // A wrong name among the materials is told before anything is loaded.
   Scene no_scene;
-  MIRRORBALL_TRY_VOID(applyMaterialOptions(options, no_scene));
+  MIRRORBALL_TRY_VOID(changeMaterials(no_scene, materials));
 
   std::optional<PrefilterCache> cache;
   if (!request.is_uncached) {
@@ -93,8 +93,8 @@ Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions&
   }
 
   // None of the three needs the others.
-  auto scene_later = std::async(besideOthers(),
-                                [&] { return clock.time("model: read", [&] { return loadScene(request, options); }); });
+  auto scene_later = std::async(
+      besideOthers(), [&] { return clock.time("model: read", [&] { return loadScene(request, materials); }); });
   auto environment_later =
       std::async(besideOthers(), [&]() -> Result<std::pair<LoadedEnvironment, PreparedEnvironment>> {
         MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {
@@ -119,6 +119,15 @@ Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions&
   MIRRORBALL_TRY_VOID(refuseOverwriting(std::span(&request.model, 1), outputs));
   for (const std::string& warning : scene->warnings) remark(warning);
   return SceneInputs{std::move(*scene), std::move(loaded.environment), std::move(prepared), std::move(*context)};
+}
+
+Result<Renderer> rendererOf(SceneInputs inputs, StageClock& clock) {
+  return clock.time("GL: upload, compile", [&]() -> Result<Renderer> {
+    MIRRORBALL_TRY(renderer, Renderer::on(std::move(inputs.context)));
+    MIRRORBALL_TRY_VOID(renderer.setEnvironment(std::move(inputs.environment), inputs.prepared));
+    MIRRORBALL_TRY_VOID(renderer.setScene(std::move(inputs.scene)));
+    return renderer;
+  });
 }
 
 }  // namespace mirrorball::cli

@@ -8,8 +8,9 @@
 #include "cli/stage_clock.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/context.h"
-#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/scene/material/material_changes.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball::cli {
@@ -40,12 +41,17 @@ struct SceneInputs {
   gl::Context context;  ///< current
 };
 
-/// Loads driver, model and environment at the same time, and gives the model the materials that `options` name.
+/// Loads driver, model and environment at the same time, and changes the model's materials.
 ///
 /// outputs  the files that will be written, none of which may be one that is read
 /// errors   usage, before anything is loaded where it can be told then; as loadModel's, loadEnvironment's and
 ///          gl::Context::createHeadless's
-Result<SceneInputs> loadInputs(const SceneRequest& request, const RenderOptions& options,
+Result<SceneInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
                                std::span<const std::string> outputs, StageClock& clock);
+
+/// A renderer of them.
+///
+/// errors   as Renderer's
+Result<Renderer> rendererOf(SceneInputs inputs, StageClock& clock);
 
 }  // namespace mirrorball::cli

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/cli_testing.h"
-#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/render/frame/frame_settings.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -74,7 +74,7 @@ TEST_F(CompletionTest, BashOffersCommandsOptionsAndTheirValues) {
 TEST_F(CompletionTest, BashOffersEveryOptionThatHelpHas) {
   if (!isInstalled("bash")) GTEST_SKIP() << "there is no bash";
   const std::vector<std::string> offered = offers({"render", "-"});
-  for (const Option<RenderOptions>& option : renderOptions())
+  for (const Option<FrameSettings>& option : frameOptions())
     EXPECT_THAT(offered, Contains("--" + std::string(option.text.name)));
   EXPECT_THAT(offered, IsSupersetOf({"--quiet", "--threads", "--help", "-o"}));
 }
@@ -93,7 +93,7 @@ TEST_F(CompletionTest, EachShellReadsItsOwn) {
 
 TEST_F(CompletionTest, ManShowsItsPageWithoutAWarning) {
   const std::string page = succeed("reference --format man");
-  for (const Option<RenderOptions>& option : renderOptions()) {
+  for (const Option<FrameSettings>& option : frameOptions()) {
     std::string name;
     for (const char letter : option.text.name) name += letter == '-' ? std::string("\\-") : std::string(1, letter);
     EXPECT_THAT(page, HasSubstr("\\fB\\-\\-" + name + "\\fR"));

@@ -14,7 +14,7 @@
 #include "mirrorball/environment/cube/cube_layout.h"
 #include "mirrorball/environment/cube/preset.h"
 #include "mirrorball/environment/projection/projection.h"
-#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/material/material.h"
 
@@ -56,7 +56,7 @@ TEST_F(HelpTest, EveryCommandHasTheVersion) {
 
 TEST_F(HelpTest, HelpOfRenderHasEveryOptionWithUnitRangeAndDefault) {
   const std::string help = succeed("render --help");
-  for (const Option<RenderOptions>& option : renderOptions()) {
+  for (const Option<FrameSettings>& option : frameOptions()) {
     const std::string name(option.text.name);
     EXPECT_THAT(optionsIn(help), Contains("--" + name));
     EXPECT_THAT(help, HasSubstr(option.text.help)) << name;
@@ -71,7 +71,7 @@ TEST_F(HelpTest, HelpOfRenderHasEveryOptionWithUnitRangeAndDefault) {
 
 TEST_F(HelpTest, TheReferenceHasEveryOptionAndParameter) {
   const std::string reference = succeed("reference");
-  for (const Option<RenderOptions>& option : renderOptions())
+  for (const Option<FrameSettings>& option : frameOptions())
     EXPECT_THAT(reference, HasSubstr("| `--" + std::string(option.text.name) + "`"));
   for (const Option<Material>& parameter : materialParameters())
     EXPECT_THAT(reference, HasSubstr("| `" + std::string(parameter.text.name) + "` |"));

@@ -6,13 +6,14 @@
 #include <limits>
 
 #include "formula/color.h"
-#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/render/frame/frame_settings.h"
 
 namespace mirrorball::testing {
 namespace {
 
 glm::vec3 onDisplay(glm::vec3 light) {
-  return glm::vec3(formula::displayed(glm::vec4(light, 1.0f), 1.0f, static_cast<int>(RenderOptions{}.tone_map)));
+  return glm::vec3(
+      formula::displayed(glm::vec4(light, 1.0f), 1.0f, static_cast<int>(FrameSettings{}.display.tone_map)));
 }
 
 /// Calls visit(|a − b|) for every pair of samples; false when the images are not of one size and kind.

@@ -47,14 +47,6 @@ OptionText toldOf(const OptionText& text, const OptionText& bounds, std::string_
   return text;
 }
 
-/// "fov takes a number in degrees (1 … 170); it was given 'wide'"
-tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, std::string_view given) {
-  std::string message = std::string(text.name) + " takes " + std::string(wants);
-  if (!text.unit.empty()) message += (text.max_count > 1 ? ", in " : " in ") + std::string(text.unit);
-  if (const std::string range = rangeText(text); !range.empty()) message += " (" + range + ")";
-  return fail(ErrorCode::usage, message + "; it was given '" + std::string(given) + "'");
-}
-
 std::string wantedNumbers(const OptionText& text) {
   if (text.max_count == 1) return "a number";
   if (text.min_count == text.max_count) return std::to_string(text.max_count) + " numbers with commas between";
@@ -73,6 +65,13 @@ std::optional<std::vector<float>> numbersIn(const OptionText& bounds, std::strin
 }
 
 }  // namespace
+
+tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, std::string_view given) {
+  std::string message = std::string(text.name) + " takes " + std::string(wants);
+  if (!text.unit.empty()) message += (text.max_count > 1 ? ", in " : " in ") + std::string(text.unit);
+  if (const std::string range = rangeText(text); !range.empty()) message += " (" + range + ")";
+  return fail(ErrorCode::usage, message + "; it was given '" + std::string(given) + "'");
+}
 
 Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view written) {
   const OptionText bounds = bounded(text, kLargestNumber);

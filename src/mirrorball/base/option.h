@@ -59,15 +59,34 @@ struct ChoiceAccess<Member> {
 template <auto Member>
 inline constexpr auto choiceField = detail::ChoiceAccess<Member>::field;
 
+/// Fields of `Target` that take a text of their own kind: a size "640x480", a colour.
+template <typename Target>
+struct ParsedField {
+  /// As the user would write them; "" where they hold nothing.
+  std::string (*write)(const Target&);
+  /// errors   usage: names the option by its text
+  Result<void> (*parse)(const OptionText&, std::string_view written, Target&);
+  bool may_repeat = false;
+};
+
 /// One row of a table: its text, and the field of `Target` that it sets. The field's initialiser is the default.
 template <typename Target>
 struct Option {
   OptionText text;
   std::variant<bool Target::*, int Target::*, std::optional<int> Target::*, float Target::*, glm::vec3 Target::*,
                std::string Target::*, std::vector<float> Target::*, std::vector<std::string> Target::*,
-               ChoiceField<Target>>
+               ChoiceField<Target>, ParsedField<Target>>
       field;
+
+  bool isFlag() const { return std::holds_alternative<bool Target::*>(field); }
+  bool mayRepeat() const {
+    const auto* parsed = std::get_if<ParsedField<Target>>(&field);
+    return parsed ? parsed->may_repeat : std::holds_alternative<std::vector<std::string> Target::*>(field);
+  }
 };
+
+/// "fov takes a number in degrees (1 … 170); it was given 'wide'", with the option's own name, unit and range.
+tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, std::string_view given);
 
 /// Numbers written "1,2.5,3", as many as `text` allows and each in its range; without one up to ±1e30, so that what is
 /// computed from them stays finite.
@@ -117,6 +136,8 @@ Result<void> assign(const Option<Target>& option, Target& target, std::string_vi
         } else if constexpr (std::is_same_v<Field, ChoiceField<Target>>) {
           MIRRORBALL_TRY(index, parseChoice(option.text, written));
           field.set(target, index);
+        } else if constexpr (std::is_same_v<Field, ParsedField<Target>>) {
+          return field.parse(option.text, written, target);
         } else if constexpr (std::is_same_v<Field, glm::vec3 Target::*>) {
           MIRRORBALL_TRY(vector, parseVector(option.text, written));
           target.*field = vector;
@@ -159,6 +180,8 @@ std::string written(const Option<Target>& option, const Target& target) {
           return writeNumbers(target.*field);
         } else if constexpr (std::is_same_v<Field, std::vector<std::string> Target::*>) {
           return "";
+        } else if constexpr (std::is_same_v<Field, ParsedField<Target>>) {
+          return field.write(target);
         } else {
           return std::string(choiceAt(option.text, field.get(target)));
         }

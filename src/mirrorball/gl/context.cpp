@@ -158,14 +158,16 @@ void setDefaults(Api api) {
 const char* nameOf(Api api) { return api == Api::desktop43 ? "OpenGL 4.3" : "OpenGL ES 3.0"; }
 
 struct Context::State {
-  std::shared_ptr<Display> display;
+  std::shared_ptr<Display> display;  ///< none of an adopted context
   EGLContext context = EGL_NO_CONTEXT;
   Api api = Api::desktop43;
 
   State(std::shared_ptr<Display> on, EGLContext made, Api of) : display(std::move(on)), context(made), api(of) {}
+  explicit State(Api of) : api(of) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State() {
+    if (!display) return;
     bindApi(api);  // eglGetCurrentContext answers for the API that is bound
     if (eglGetCurrentContext() == context) {
       eglMakeCurrent(display->handle, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -215,12 +217,24 @@ Result<Context> Context::createHeadless(Api api) {
               std::string("no driver for ") + nameOf(api) + " found (tried: " + tried + "); " + kHowToInstall);
 }
 
+Result<Context> Context::adoptCurrent() {
+  if (glGetString(GL_VERSION) == nullptr)
+    return fail(ErrorCode::no_gl, "no OpenGL context is current in this thread; make the window's current first");
+  const Api api = epoxy_is_desktop_gl() ? Api::desktop43 : Api::es30;
+  if (epoxy_gl_version() < (api == Api::desktop43 ? 43 : 30))
+    return fail(ErrorCode::no_gl,
+                "the current OpenGL context is of version " + glString(GL_VERSION) + "; " + nameOf(api) + " is needed");
+  setDefaults(api);
+  return Context(std::make_unique<State>(api));
+}
+
 Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
 
 void Context::makeCurrent() {
+  assert(state_->display && "an adopted context is made current by its owner");
   bindApi(state_->api);
   [[maybe_unused]] const EGLBoolean made =
       eglMakeCurrent(state_->display->handle, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->context);

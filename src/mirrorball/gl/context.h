@@ -28,11 +28,18 @@ class Context {
   /// cost     about 25 ms on Mesa's llvmpipe, of which nearly all is the driver's own start
   static Result<Context> createHeadless(Api api = Api::desktop43);
 
+  /// Takes over the context that is current in the calling thread, a window's for instance: it stays its owner's, who
+  /// makes it current and outlives this. State that the rest of this room counts on is set as createHeadless does.
+  ///
+  /// errors   no_gl: none is current, or it is older than OpenGL 4.3 and OpenGL ES 3.0
+  static Result<Context> adoptCurrent();
+
   Context(Context&&) noexcept;
   Context& operator=(Context&&) noexcept;
   ~Context();
 
-  /// Makes this context current in the calling thread, for programs that have more than one.
+  /// Makes this context current in the calling thread, for programs that have more than one. One that was adopted its
+  /// owner makes current.
   void makeCurrent();
 
   Api api() const;

@@ -51,6 +51,25 @@ TEST(Context, TwoLiveSideBySide) {
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
+TEST_P(ContextTest, TheCurrentOneCanBeAdoptedAndStaysItsOwners) {
+  MIRRORBALL_NEEDS_GL(owner, GetParam());
+  glDisable(GL_DITHER);
+  {
+    const Result<Context> adopted = Context::adoptCurrent();
+    ASSERT_TRUE(adopted) << adopted.error().message;
+    EXPECT_EQ(adopted->api(), GetParam());
+    EXPECT_EQ(adopted->largestTexture(), owner.largestTexture());
+  }
+  EXPECT_EQ(glIsEnabled(GL_DITHER), GL_FALSE) << "the same context is still there and current";
+}
+
+TEST(Context, WithoutACurrentOneThereIsNothingToAdopt) {
+  { MIRRORBALL_NEEDS_GL(gone, Api::desktop43); }
+  const Result<Context> adopted = Context::adoptCurrent();
+  ASSERT_FALSE(adopted);
+  EXPECT_THAT(adopted.error().message, HasSubstr("no OpenGL context is current"));
+}
+
 /// Sets an environment variable and reports what createHeadless says, in a process of its own: a
 /// driver reads its variables once.
 [[noreturn]] void reportWith(const char* variable, const char* value) {

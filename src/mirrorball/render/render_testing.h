@@ -1,11 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/light/environment_light.h"
 
 namespace mirrorball::testing {
@@ -25,6 +29,28 @@ inline Result<PreparedEnvironment> prepareOnce(const Environment& environment) {
   };
   static const Folder folder;
   return prepareEnvironment(environment, PrefilterCache(folder.path));
+}
+
+/// A renderer on the context that is current.
+inline Result<Renderer> rendererOf(Scene scene, Environment environment, const PreparedEnvironment& prepared) {
+  MIRRORBALL_TRY(context, gl::Context::adoptCurrent());
+  MIRRORBALL_TRY(renderer, Renderer::on(std::move(context)));
+  MIRRORBALL_TRY_VOID(renderer.setEnvironment(std::move(environment), prepared));
+  MIRRORBALL_TRY_VOID(renderer.setScene(std::move(scene)));
+  return renderer;
+}
+
+/// Sets a frame's option from what a user writes.
+inline void set(FrameSettings& settings, std::string_view name, std::string_view written) {
+  const auto option = std::ranges::find(frameOptions(), name, [](const auto& row) { return row.text.name; });
+  ASSERT_NE(option, frameOptions().end()) << name;
+  const auto assigned = assign(*option, settings, written);
+  ASSERT_TRUE(assigned) << assigned.error().message;
+}
+
+inline void aim(FrameSettings& settings, float azimuth_deg, float elevation_deg) {
+  settings.camera.azimuth_deg = azimuth_deg;
+  settings.camera.elevation_deg = elevation_deg;
 }
 
 }  // namespace mirrorball::testing

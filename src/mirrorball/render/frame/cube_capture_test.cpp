@@ -121,7 +121,7 @@ class CubeCaptureTest : public gl::GlTest {
   Result<EnvironmentMap> tryCapture(const Scene& scene, const Environment& environment, const CaptureSettings& settings,
                                     const ProgressFunction& progress) const {
     MIRRORBALL_TRY(prepared, testing::prepareOnce(environment));
-    MIRRORBALL_TRY(renderer, Renderer::make(context(), scene, environment, prepared));
+    MIRRORBALL_TRY(renderer, testing::rendererOf(scene, environment, prepared));
     return captureEnvironment(renderer, settings, progress);
   }
 };
@@ -164,7 +164,7 @@ TEST_P(CubeCaptureTest, EvenOneTexelAFaceIsTheMeanOfWhatItSees) {
 
 TEST_P(CubeCaptureTest, TurnsAndDimsTheEnvironmentAsAPictureDoes) {
   CaptureSettings settings = at({0, 0, 0});
-  settings.frame.env_rotation_rad = glm::radians(90.0f);
+  settings.frame.env_rotation_deg.x = 90.0f;
   settings.frame.env_intensity = 0.5f;
   // +Z of the environment is seen towards +X.
   const auto turned = [](glm::vec3 d) { return 0.5f * testing::smoothRadiance({-d.z, d.y, d.x}); };

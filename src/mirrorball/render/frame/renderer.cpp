@@ -26,11 +26,6 @@
 namespace mirrorball {
 namespace {
 
-/// Directions of the world, in an environment that is turned about +Y by an angle, +Z towards +X.
-glm::mat3 environmentFromWorld(float rotation_rad) {
-  return glm::mat3(glm::rotate(glm::mat4(1.0f), -rotation_rad, glm::vec3(0, 1, 0)));
-}
-
 /// The camera with its picture shifted by a part of a pixel.
 Camera shifted(Camera camera, glm::vec2 offset_px, glm::ivec2 size) {
   const glm::vec2 ndc = offset_px * 2.0f / glm::vec2(size);
@@ -81,35 +76,40 @@ glm::vec3 centerOf(const Mesh& mesh) {
 }  // namespace
 
 struct Renderer::State {
-  gl::Api api;
-  const Scene& scene;
-  const Environment& environment;
-  EnvironmentLight light;
-  SceneBuffers buffers;
-  BoundingSphere bounds;
-  SurfacePrograms surfaces;
+  gl::Context context;  ///< outlives all else
   gl::Program background;
   gl::Program accumulate;
   gl::Program tone_map;
-  gl::VertexArray screen;
-  std::optional<GpuPrefilter> gpu_prefilter;  ///< made when --blur gpu first asks for it
-  std::optional<gl::Texture> sphere_map;
-  std::optional<gl::Framebuffer> sample;  ///< one sample's picture
-  std::optional<gl::Framebuffer> sum;     ///< the mean, when there is more than one
-  std::optional<gl::Framebuffer> display;
-  FrameSettings last;  ///< the settings of the last frame
+  std::future<Result<Image>> brdf_table;  ///< for `surfaces`; made while the driver takes in the rest
+  Scene scene = {};
+  std::optional<Environment> environment = {};
+  std::optional<EnvironmentLight> light = {};
+  std::optional<SceneBuffers> buffers = {};
+  BoundingSphere bounds = {};
+  std::optional<SurfacePrograms> surfaces = {};  ///< made for the first frame
+  gl::VertexArray screen = {};
+  std::optional<GpuPrefilter> gpu_prefilter = {};  ///< made when BlurKind::gpu first asks for it
+  std::optional<gl::Texture> sphere_map = {};
+  std::optional<gl::Framebuffer> sample = {};  ///< one sample's picture
+  std::optional<gl::Framebuffer> sum = {};     ///< the mean, when there is more than one
+  std::optional<gl::Framebuffer> display = {};
+  FrameSettings settings = {};  ///< of the last frame
+  FrameUniforms frame = {};     ///< of it
+  int samples_drawn = 0;        ///< of it
 
-  const gl::Framebuffer& result() const { return last.samples > 1 ? *sum : *sample; }
+  const gl::Framebuffer& result() const { return settings.samples > 1 ? *sum : *sample; }
 
-  Result<void> makeFramebuffers(const FrameSettings& settings);
-  Result<PrefilteredChain> prefilteredChain(BlurKind blur);
-  Result<void> makeSphereMap(const FrameUniforms& frame);
-  Result<void> drawSample(const FrameUniforms& frame, const FrameSettings& settings);
-  void drawBackground(const FrameUniforms& frame, const FrameSettings& settings);
-  void drawInstance(int instance, const FrameSettings& settings);
-  void drawOpaque(const FrameSettings& settings);
-  void drawBlended(const FrameUniforms& frame, const FrameSettings& settings);
-  void addSample(int count);
+  Result<void> makeSurfaces();
+  Result<void> makeFramebuffers();
+  Result<PrefilteredChain> prefilteredChain();
+  Result<void> makeSphereMap();
+  Result<void> drawSample(const Camera& camera);
+  void drawBackground(const Camera& camera);
+  void drawInstance(int instance);
+  void drawOpaque();
+  void drawBlended(const Camera& camera);
+  void addSample();
+  void drawPicture();
 
   const Material& materialOf(const Instance& instance) const {
     return scene.materials[std::size_t(scene.meshes[std::size_t(instance.mesh)].material)];
@@ -121,96 +121,164 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-Result<Renderer> Renderer::make(const gl::Context& context, const Scene& scene, const Environment& environment,
-                                const PreparedEnvironment& prepared) {
+Result<Renderer> Renderer::headless() {
+  MIRRORBALL_TRY(context, gl::Context::createHeadless());
+  return on(std::move(context));
+}
+
+Result<Renderer> Renderer::on(gl::Context context) {
   const gl::Api api = context.api();
-  // Made while the driver takes in the environment and compiles.
-  std::future<Result<Image>> making_table = std::async(std::launch::async, surfaceBrdfTable);
-  MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, context.filtersFloats()));
-  MIRRORBALL_TRY(buffers, SceneBuffers::make(scene));
+  std::future<Result<Image>> brdf_table = std::async(std::launch::async, surfaceBrdfTable);
   MIRRORBALL_TRY(background, gl::Program::load(api, "screen.vert", "background.frag"));
   MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
   MIRRORBALL_TRY(tone_map, gl::Program::load(api, "screen.vert", "tone_map.frag"));
-  MIRRORBALL_TRY(brdf_table, making_table.get());
-  MIRRORBALL_TRY(surfaces, SurfacePrograms::make(api, brdf_table));
-  return Renderer(std::unique_ptr<State>(new State{api,
-                                                   scene,
-                                                   environment,
-                                                   std::move(light),
-                                                   std::move(buffers),
-                                                   boundingSphere(scene),
-                                                   std::move(surfaces),
-                                                   std::move(background),
-                                                   std::move(accumulate),
-                                                   std::move(tone_map),
-                                                   gl::VertexArray(),
-                                                   {},
-                                                   {},
-                                                   {},
-                                                   {},
-                                                   {},
-                                                   {}}));
+  return Renderer(std::unique_ptr<State>(new State{std::move(context), std::move(background), std::move(accumulate),
+                                                   std::move(tone_map), std::move(brdf_table)}));
 }
 
+Result<void> Renderer::setScene(Scene scene) {
+  State& state = *state_;
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(scene));
+  state.scene = std::move(scene);
+  state.buffers = std::move(buffers);
+  state.bounds = boundingSphere(state.scene);
+  if (state.surfaces) state.surfaces->forgetScene();
+  return {};
+}
+
+Result<void> Renderer::setEnvironment(Environment environment, const std::optional<PrefilterCache>& cache) {
+  MIRRORBALL_TRY(prepared, prepareEnvironment(environment, cache));
+  return setEnvironment(std::move(environment), prepared);
+}
+
+Result<void> Renderer::setEnvironment(Environment environment, const PreparedEnvironment& prepared) {
+  State& state = *state_;
+  MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, state.context.filtersFloats()));
+  state.light = std::move(light);
+  state.environment = std::move(environment);
+  state.gpu_prefilter.reset();
+  return {};
+}
+
+const Scene& Renderer::scene() const { return state_->scene; }
 const BoundingSphere& Renderer::bounds() const { return state_->bounds; }
 
+Result<Image8> Renderer::render(const FrameSettings& settings, const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(draw(settings, progress));
+  return picture();
+}
+
+Result<Image> Renderer::renderRadiance(const FrameSettings& settings, const ProgressFunction& progress) {
+  FrameSettings of_radiance = settings;
+  of_radiance.resolve = Resolve::radiance;
+  MIRRORBALL_TRY_VOID(draw(of_radiance, progress));
+  return radiance();
+}
+
 Result<void> Renderer::draw(const FrameSettings& settings, const ProgressFunction& progress) {
-  const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
-  const CameraOptions camera = framed(state_->scene, state_->bounds, settings.camera, aspect);
-  return draw(makeCamera(camera, state_->bounds, aspect), settings, progress);
+  return draw(cameraFor(settings), settings, progress);
 }
 
 Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress) {
-  State& state = *state_;
-  state.last = settings;
-  MIRRORBALL_TRY_VOID(state.makeFramebuffers(settings));
-
-  FrameUniforms frame;
-  MIRRORBALL_TRY(chain, state.prefilteredChain(settings.blur));
-  frame.prefiltered = chain;
-  frame.camera = camera;
-  frame.environment_from_world = glm::transpose(settings.env_tilt) * environmentFromWorld(settings.env_rotation_rad);
-  frame.sphere_map_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
-  if (settings.mapping == Mapping::sphere) MIRRORBALL_TRY_VOID(state.makeSphereMap(frame));
-
-  for (int index = 0; index < settings.samples; ++index) {
-    frame.camera = shifted(camera, formula::sampleOffset(index, settings.samples) - 0.5f, settings.size);
-    MIRRORBALL_TRY_VOID(state.drawSample(frame, settings));
-    if (settings.samples > 1) state.addSample(index);
+  MIRRORBALL_TRY_VOID(begin(camera, settings));
+  for (int drawn = 0; drawn < settings.samples;) {
+    MIRRORBALL_TRY(now, drawSample());
+    drawn = now;
     if (!progress) continue;
     // Else the driver would only take note of what is to be drawn.
     glFinish();
-    if (!progress(static_cast<std::size_t>(index) + 1, static_cast<std::size_t>(settings.samples)))
+    if (!progress(static_cast<std::size_t>(drawn), static_cast<std::size_t>(settings.samples)))
       return fail(ErrorCode::interrupted, "interrupted; the picture was not written");
   }
   return {};
 }
 
+Camera Renderer::cameraFor(const FrameSettings& settings) const {
+  const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
+  const CameraOptions camera = framed(state_->scene, state_->bounds, settings.camera, aspect);
+  return makeCamera(camera, state_->bounds, aspect);
+}
+
+Result<void> Renderer::begin(const FrameSettings& settings) { return begin(cameraFor(settings), settings); }
+
+Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings) {
+  State& state = *state_;
+  assert(state.light && "a frame needs an environment");
+  MIRRORBALL_TRY_VOID(state.makeSurfaces());
+  state.settings = settings;
+  state.samples_drawn = 0;
+  MIRRORBALL_TRY_VOID(state.makeFramebuffers());
+  MIRRORBALL_TRY(chain, state.prefilteredChain());
+  state.frame.prefiltered = chain;
+  state.frame.camera = camera;
+  state.frame.environment_from_world = settings.environmentFromWorld();
+  state.frame.sphere_map_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
+  if (settings.mapping == Mapping::sphere) MIRRORBALL_TRY_VOID(state.makeSphereMap());
+  return {};
+}
+
+Result<int> Renderer::drawSample() {
+  State& state = *state_;
+  const int samples = state.settings.samples;
+  if (state.samples_drawn == samples) return samples;
+  const glm::vec2 offset_px = formula::sampleOffset(state.samples_drawn, samples) - 0.5f;
+  MIRRORBALL_TRY_VOID(state.drawSample(shifted(state.frame.camera, offset_px, state.settings.size)));
+  if (samples > 1) state.addSample();
+  return ++state.samples_drawn;
+}
+
+void Renderer::show(unsigned framebuffer) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, state_->settings.size.x, state_->settings.size.y);
+  // What is written is encoded already.
+  const bool encodes = state_->context.api() == gl::Api::desktop43;
+  if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
+  state_->drawPicture();
+  if (encodes) glEnable(GL_FRAMEBUFFER_SRGB);
+}
+
 Image Renderer::radiance() const {
-  assert(!isDisplayed(state_->last));
+  assert(!isDisplayed(state_->settings));
   Image image = state_->result().readFloat();
-  if (const glm::vec4 backdrop = backdropOf(state_->last); backdrop.w > 0.0f) layOver(image, backdrop);
+  if (const glm::vec4 backdrop = backdropOf(state_->settings); backdrop.w > 0.0f) layOver(image, backdrop);
   return image;
 }
 
 Result<Image8> Renderer::picture() {
   State& state = *state_;
-  const gl::Framebuffer& result = state.result();
-  if (!state.display || state.display->width() != result.width() || state.display->height() != result.height()) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba8, result.width(), result.height(), false));
+  const glm::ivec2 size = state.settings.size;
+  if (!state.display || state.display->width() != size.x || state.display->height() != size.y) {
+    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba8, size.x, size.y, false));
     state.display = std::move(made);
   }
   state.display->bind();
-  glDisable(GL_DEPTH_TEST);
-  result.color().bind(TextureUnit::picture);
-  state.tone_map.set("picture", TextureUnit::picture);
-  setDisplay(state.tone_map, state.last);
-  state.tone_map.set("backdrop", backdropOf(state.last));
-  state.screen.draw(3);
+  state.drawPicture();
   return state.display->readBytes();
 }
 
-Result<void> Renderer::State::makeFramebuffers(const FrameSettings& settings) {
+/// Tone maps the mean of the samples that there are.
+void Renderer::State::drawPicture() {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  result().color().bind(TextureUnit::picture);
+  tone_map.set("picture", TextureUnit::picture);
+  tone_map.set("share",
+               settings.samples > 1 ? static_cast<float>(settings.samples) / static_cast<float>(samples_drawn) : 1.0f);
+  setDisplay(tone_map, settings);
+  tone_map.set("backdrop", backdropOf(settings));
+  screen.draw(3);
+}
+
+Result<void> Renderer::State::makeSurfaces() {
+  if (surfaces) return {};
+  MIRRORBALL_TRY(table, brdf_table.get());
+  MIRRORBALL_TRY(made, SurfacePrograms::make(context.api(), table));
+  surfaces = std::move(made);
+  return {};
+}
+
+Result<void> Renderer::State::makeFramebuffers() {
   const glm::ivec2 size = settings.size;
   if (!sample || sample->width() != size.x || sample->height() != size.y) {
     MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, true));
@@ -224,11 +292,11 @@ Result<void> Renderer::State::makeFramebuffers(const FrameSettings& settings) {
   return {};
 }
 
-Result<PrefilteredChain> Renderer::State::prefilteredChain(BlurKind blur) {
-  if (blur != BlurKind::gpu) return PrefilteredChain{&light.prefiltered(), 1};
+Result<PrefilteredChain> Renderer::State::prefilteredChain() {
+  if (settings.blur != BlurKind::gpu) return PrefilteredChain{&light->prefiltered(), 1};
   if (!gpu_prefilter) {
-    const gl::Texture& cube = light.cube();
-    MIRRORBALL_TRY(made, GpuPrefilter::make(api, cube.width(), cube.format()));
+    const gl::Texture& cube = light->cube();
+    MIRRORBALL_TRY(made, GpuPrefilter::make(context.api(), cube.width(), cube.format()));
     gpu_prefilter = std::move(made);
     gpu_prefilter->run(cube);
   }
@@ -236,13 +304,13 @@ Result<PrefilteredChain> Renderer::State::prefilteredChain(BlurKind blur) {
 }
 
 /// Photographs the mirror ball from the camera's direction, so that the lecture's look-up is right for every camera.
-Result<void> Renderer::State::makeSphereMap(const FrameUniforms& frame) {
+Result<void> Renderer::State::makeSphereMap() {
   const glm::mat3 environment_from_view =
       frame.environment_from_world * glm::transpose(glm::mat3(frame.camera.view_from_world));
-  const int size = std::min(environment.naturalSize(Projection::sphere), 2048);
-  Image image = sphereMapTexture(environment, environment_from_view, size);
-  for (float& light_sample : image.samples()) light_sample /= light.unit();
-  const gl::Format format = light.cube().format();
+  const int size = std::min(environment->naturalSize(Projection::sphere), 2048);
+  Image image = sphereMapTexture(*environment, environment_from_view, size);
+  for (float& light_sample : image.samples()) light_sample /= light->unit();
+  const gl::Format format = light->cube().format();
   MIRRORBALL_TRY(made, gl::Texture::fromImages(format, ImageSet(std::move(image))));
   made.setSampling({.filter = gl::Sampling::Filter::linear});
   sphere_map = std::move(made);
@@ -250,8 +318,10 @@ Result<void> Renderer::State::makeSphereMap(const FrameUniforms& frame) {
   return {};
 }
 
-Result<void> Renderer::State::drawSample(const FrameUniforms& frame, const FrameSettings& settings) {
-  MIRRORBALL_TRY_VOID(surfaces.begin(scene, light, frame, settings));
+Result<void> Renderer::State::drawSample(const Camera& camera) {
+  FrameUniforms of_sample = frame;
+  of_sample.camera = camera;
+  MIRRORBALL_TRY_VOID(surfaces->begin(scene, *light, of_sample, settings));
   sample->bind();
   const bool has_color = settings.background == BackgroundKind::radiance;
   const glm::vec3 color = has_color ? settings.background_color : glm::vec3(0.0f);
@@ -261,30 +331,29 @@ Result<void> Renderer::State::drawSample(const FrameUniforms& frame, const Frame
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  drawOpaque(settings);
+  drawOpaque();
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
-    drawBackground(frame, settings);
-  drawBlended(frame, settings);
+    drawBackground(camera);
+  drawBlended(camera);
   return {};
 }
 
-void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSettings& settings) {
+void Renderer::State::drawBackground(const Camera& camera) {
   const bool blurred = settings.background == BackgroundKind::blur;
   glDisable(GL_CULL_FACE);
   // Blurred exactly it is one level of the prefiltered chain.
   const bool is_prefiltered = blurred && (settings.blur == BlurKind::exact || settings.blur == BlurKind::gpu);
   const PrefilteredChain& chain = frame.prefiltered;
-  const gl::Texture& cube = is_prefiltered ? *chain.texture : light.cube();
+  const gl::Texture& cube = is_prefiltered ? *chain.texture : light->cube();
   cube.bind(TextureUnit::background);
   background.set("environment", TextureUnit::background);
   background.set("environment_from_world", frame.environment_from_world);
-  background.set("environment_intensity", settings.env_intensity * light.unit());
+  background.set("environment_intensity", settings.env_intensity * light->unit());
   // Only directions are asked for. Without the camera's place they are exact however far away from the origin it stands.
-  const glm::mat4 clip_from_directions =
-      frame.camera.clip_from_view * glm::mat4(glm::mat3(frame.camera.view_from_world));
+  const glm::mat4 clip_from_directions = camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world));
   background.set("world_from_clip", glm::inverse(clip_from_directions));
-  background.set("camera_forward", frame.camera.forward);
-  background.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
+  background.set("camera_forward", camera.forward);
+  background.set("orthographic", camera.orthographic ? 1.0f : 0.0f);
   background.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
   background.set("samples_per_pixel", static_cast<float>(settings.samples));
   const float prefiltered_level = formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
@@ -294,22 +363,21 @@ void Renderer::State::drawBackground(const FrameUniforms& frame, const FrameSett
   screen.draw(3);
 }
 
-void Renderer::State::drawInstance(int instance, const FrameSettings& settings) {
+void Renderer::State::drawInstance(int instance) {
   if (materialOf(scene.instances[std::size_t(instance)]).double_sided)
     glDisable(GL_CULL_FACE);
   else
     glEnable(GL_CULL_FACE);
-  surfaces.draw(scene, instance, buffers, settings);
+  surfaces->draw(scene, instance, *buffers, settings);
 }
 
-void Renderer::State::drawOpaque(const FrameSettings& settings) {
+void Renderer::State::drawOpaque() {
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance)
-    if (materialOf(scene.instances[std::size_t(instance)]).alpha_mode != AlphaMode::blend)
-      drawInstance(instance, settings);
+    if (materialOf(scene.instances[std::size_t(instance)]).alpha_mode != AlphaMode::blend) drawInstance(instance);
 }
 
 /// What shines through is drawn over the rest, the farthest first.
-void Renderer::State::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
+void Renderer::State::drawBlended(const Camera& camera) {
   std::vector<int> blended;
   for (int index = 0; index < static_cast<int>(scene.instances.size()); ++index)
     if (materialOf(scene.instances[std::size_t(index)]).alpha_mode == AlphaMode::blend) blended.push_back(index);
@@ -318,23 +386,23 @@ void Renderer::State::drawBlended(const FrameUniforms& frame, const FrameSetting
   const auto depth = [&](int index) {
     const Instance& instance = scene.instances[std::size_t(index)];
     const glm::vec4 center(centerOf(scene.meshes[std::size_t(instance.mesh)]), 1.0f);
-    const glm::vec3 from_eye = glm::vec3(instance.world_from_object * center) - frame.camera.position;
-    return frame.camera.orthographic ? glm::dot(from_eye, frame.camera.forward) : glm::length(from_eye);
+    const glm::vec3 from_eye = glm::vec3(instance.world_from_object * center) - camera.position;
+    return camera.orthographic ? glm::dot(from_eye, camera.forward) : glm::length(from_eye);
   };
   std::stable_sort(blended.begin(), blended.end(), [&](int a, int b) { return depth(a) > depth(b); });
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);
-  for (const int instance : blended) drawInstance(instance, settings);
+  for (const int instance : blended) drawInstance(instance);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
 }
 
-void Renderer::State::addSample(int index) {
+void Renderer::State::addSample() {
   sum->bind();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  if (index == 0) {
+  if (samples_drawn == 0) {
     glDisable(GL_BLEND);
   } else {
     glEnable(GL_BLEND);
@@ -342,8 +410,8 @@ void Renderer::State::addSample(int index) {
   }
   sample->color().bind(TextureUnit::picture);
   accumulate.set("picture", TextureUnit::picture);
-  setDisplay(accumulate, last);
-  accumulate.set("share", 1.0f / static_cast<float>(last.samples));
+  setDisplay(accumulate, settings);
+  accumulate.set("share", 1.0f / static_cast<float>(settings.samples));
   screen.draw(3);
   glDisable(GL_BLEND);
 }

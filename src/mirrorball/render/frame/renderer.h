@@ -1,57 +1,106 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+
+#include <glm/glm.hpp>
 
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/context.h"
 #include "mirrorball/image/image.h"
-#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
 
-/// Draws a scene in an environment on the current GL context.
+/// Draws a scene in an environment. It owns both, and each may be exchanged between frames.
 ///
 /// A frame is: the background, the objects (each lit by the whole environment, and by point lights if there are any),
 /// drawn once for each sample of a pixel with the picture shifted within the pixel, and the mean of them all, as light of
-/// the display or as radiance.
+/// the display or as radiance. It is drawn at once (render, draw) or sample by sample (begin, drawSample, show), for
+/// windows that must answer in between.
+///
+/// Its context must be current in the thread that calls it. Before the first frame it needs an environment; without a scene
+/// it shows that alone.
 class Renderer {
  public:
-  /// Uploads everything. `scene` and `environment` must outlive the renderer.
+  /// On an OpenGL context of its own, without a window.
   ///
-  /// errors   too_large (a texture for this driver)
-  static Result<Renderer> make(const gl::Context& context, const Scene& scene, const Environment& environment,
-                               const PreparedEnvironment& prepared);
+  /// errors   no_gl
+  static Result<Renderer> headless();
+  /// On that context, which is current: a window's is Context::adoptCurrent.
+  ///
+  /// errors   unsupported (it does not compile a shader)
+  static Result<Renderer> on(gl::Context context);
 
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// Draws a frame; the pictures below are then of it.
+  /// errors   too_large (a texture for this driver); then the scene is as before
+  Result<void> setScene(Scene scene);
+
+  /// Makes the environment ready and takes it.
   ///
-  /// progress  is called after each sample of the pixels
-  /// errors    too_large; no_gl (the driver cannot draw floats); unsupported (it does not compile a shader);
-  ///           interrupted (when `progress` says so)
-  Result<void> draw(const FrameSettings& settings, const ProgressFunction& progress = {});
+  /// cache    where what takes long is kept from one process to the next, if it is
+  /// errors   too_large
+  /// cost     about a second on two cores, for a panorama of 1024 rows that is not in the cache; some 50 ms for one that is
+  Result<void> setEnvironment(Environment environment, const std::optional<PrefilterCache>& cache = {});
+  /// The same for one that was made ready elsewhere, in another thread for instance.
+  ///
+  /// errors   too_large (a texture for this driver)
+  Result<void> setEnvironment(Environment environment, const PreparedEnvironment& prepared);
 
-  /// The same as another camera sees it, instead of the one that the settings describe.
-  Result<void> draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress = {});
-
+  const Scene& scene() const;
   /// Of the scene.
   const BoundingSphere& bounds() const;
 
-  /// Linear radiance: 4 channels, premultiplied alpha, row 0 at the top. Of a frame that was drawn with Resolve::radiance.
-  Image radiance() const;
+  /// Draws a frame, exposed and tone mapped as the settings say, over its background where that is a display's colour, and
+  /// sRGB-encoded.
+  ///
+  /// progress  is called after each sample of the pixels
+  /// returns   4 channels, straight alpha, row 0 at the top
+  /// errors    as draw's
+  Result<Image8> render(const FrameSettings& settings, const ProgressFunction& progress = {});
+  /// The same as linear radiance, whatever the settings' `resolve` says: 4 channels, premultiplied alpha.
+  Result<Image> renderRadiance(const FrameSettings& settings, const ProgressFunction& progress = {});
 
-  /// Exposed and tone mapped as the frame's settings say, over its background where that is a display's colour, and
-  /// sRGB-encoded: 4 channels, straight alpha, row 0 at the top.
+  /// Draws a frame; `radiance`, `picture` and `show` are then of it.
+  ///
+  /// errors    too_large; no_gl (the driver cannot draw floats); unsupported (it does not compile a shader);
+  ///           interrupted (when `progress` says so)
+  Result<void> draw(const FrameSettings& settings, const ProgressFunction& progress = {});
+  /// The same as another camera sees it, instead of the one that the settings describe.
+  Result<void> draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress = {});
+
+  /// Begins a frame of which nothing is drawn yet.
+  ///
+  /// errors   as draw's
+  Result<void> begin(const FrameSettings& settings);
+  Result<void> begin(const Camera& camera, const FrameSettings& settings);
+  /// Draws the next sample of all pixels of the frame, if there is one left.
+  ///
+  /// returns  how many there are now
+  /// errors   unsupported
+  Result<int> drawSample();
+
+  /// Shows the mean of the samples that there are in a framebuffer, as a picture: exposed, tone mapped and encoded, row 0 at
+  /// the bottom. It fills the lower left corner as far as it goes.
+  ///
+  /// framebuffer  OpenGL's name of it, of 8 bits a channel; 0 is a window's. It stays bound
+  void show(unsigned framebuffer) const;
+
+  /// Linear radiance: 4 channels, premultiplied alpha, row 0 at the top. Of a whole frame with Resolve::radiance.
+  Image radiance() const;
+  /// The whole frame as `render` returns it.
   Result<Image8> picture();
 
  private:
   struct State;
+  Camera cameraFor(const FrameSettings& settings) const;
   explicit Renderer(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -14,10 +14,12 @@
 #include "mirrorball/bake/prefilter/mip_chain.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/light/cube_look_up_testing.h"
 #include "mirrorball/render/render_testing.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/material/material_changes.h"
 
 namespace mirrorball {
 namespace {
@@ -25,50 +27,39 @@ namespace {
 /// A model in an environment, as the command line would draw it.
 struct Shot {
   std::string model = "sphere";
-  RenderOptions options;
+  FrameSettings frame = {};
+  MaterialChanges materials = {};
 };
 
-/// Draws a shot on the current context; what fails becomes a test failure and an empty image.
+/// Takes a shot on the current context; what fails becomes a test failure and an empty image.
 class Studio {
  public:
-  Studio(const gl::Context& context, Environment environment)
-      : context_(context), environment_(std::move(environment)), prepared_(*testing::prepareOnce(environment_)) {}
+  explicit Studio(Environment environment)
+      : environment_(std::move(environment)), prepared_(*testing::prepareOnce(environment_)) {}
 
-  Image radiance(Shot shot) {
-    shot.options.resolve = Resolve::radiance;
-    Image image;
-    take(shot, [&](Renderer& renderer) { image = renderer.radiance(); });
-    return image;
+  Image radiance(const Shot& shot) {
+    return taken<Image>(shot, [&](Renderer& renderer) { return renderer.renderRadiance(shot.frame); });
   }
 
   Image8 picture(const Shot& shot) {
-    Image8 image;
-    take(shot, [&](Renderer& renderer) {
-      auto made = renderer.picture();
-      if (made)
-        image = std::move(*made);
-      else
-        ADD_FAILURE() << made.error().message;
-    });
-    return image;
+    return taken<Image8>(shot, [&](Renderer& renderer) { return renderer.render(shot.frame); });
   }
 
  private:
-  void take(const Shot& shot, const std::function<void(Renderer&)>& use) {
-    auto scene = loadModel(shot.model);
-    ASSERT_TRUE(scene) << scene.error().message;
-    const auto applied = applyMaterialOptions(shot.options, *scene);
-    ASSERT_TRUE(applied) << applied.error().message;
-    const auto settings = frameSettings(shot.options);
-    ASSERT_TRUE(settings) << settings.error().message;
-    auto renderer = Renderer::make(context_, *scene, environment_, prepared_);
-    ASSERT_TRUE(renderer) << renderer.error().message;
-    const auto drawn = renderer->draw(*settings);
-    ASSERT_TRUE(drawn) << drawn.error().message;
-    use(*renderer);
+  template <typename Picture, typename Render>
+  Picture taken(const Shot& shot, const Render& render) {
+    const auto draw = [&]() -> Result<Picture> {
+      MIRRORBALL_TRY(scene, loadModel(shot.model));
+      MIRRORBALL_TRY_VOID(changeMaterials(scene, shot.materials));
+      MIRRORBALL_TRY(renderer, testing::rendererOf(std::move(scene), environment_, prepared_));
+      return render(renderer);
+    };
+    auto picture = draw();
+    if (picture) return std::move(*picture);
+    ADD_FAILURE() << picture.error().message;
+    return {};
   }
 
-  const gl::Context& context_;
   Environment environment_;
   PreparedEnvironment prepared_;
 };
@@ -76,8 +67,8 @@ class Studio {
 Shot smallShot(std::string model, std::string material) {
   Shot shot;
   shot.model = std::move(model);
-  shot.options.size = "96x64";
-  shot.options.material = std::move(material);
+  shot.frame.size = {96, 64};
+  shot.materials.material = std::move(material);
   return shot;
 }
 
@@ -90,10 +81,9 @@ class RendererTest : public ::testing::Test {
   }
   /// A built-in environment, in as much detail as pictures of 96 × 64 need.
   Studio smallStudio(std::string_view environment) {
-    return Studio(*context_, Environment(*convert(*builtinEnvironment(environment), Projection::cube, 128)));
+    return Studio(Environment(*convert(*builtinEnvironment(environment), Projection::cube, 128)));
   }
-  Studio studio(std::string_view environment) { return Studio(*context_, *builtinEnvironment(environment)); }
-  const gl::Context& context() const { return *context_; }
+  Studio studio(std::string_view environment) { return Studio(*builtinEnvironment(environment)); }
 
  private:
   std::optional<gl::Context> context_;
@@ -117,16 +107,16 @@ TEST_F(RendererTest, InAWhiteEnvironmentMirrorAndWhiteDiffuseVanish) {
   Studio white = studio("white");
   for (const char* model : {"sphere", "torus", "knot", "teapot", "cube"}) {
     Shot mirror = smallShot(model, "mirror");
-    mirror.options.background = "transparent";
+    mirror.frame.background = BackgroundKind::transparent;
     expectFurnaceWhite(white.radiance(mirror), std::string(model) + " mirror");
     Shot diffuse = smallShot(model, "");
-    diffuse.options.background = "transparent";
-    diffuse.options.set = {"base_color=1"};
+    diffuse.frame.background = BackgroundKind::transparent;
+    diffuse.materials.set = {"base_color=1"};
     expectFurnaceWhite(white.radiance(diffuse), std::string(model) + " white dielectric");
-    diffuse.options.set = {"base_color=1", "specular=0"};
+    diffuse.materials.set = {"base_color=1", "specular=0"};
     expectFurnaceWhite(white.radiance(diffuse), std::string(model) + " white diffuse");
     Shot glass = smallShot(model, "glass");
-    glass.options.background = "transparent";
+    glass.frame.background = BackgroundKind::transparent;
     expectFurnaceWhite(white.radiance(glass), std::string(model) + " glass");
   }
 }
@@ -135,11 +125,11 @@ TEST_F(RendererTest, AWhiteMetalVanishesHoweverRoughItIs) {
   Studio white = studio("white");
   for (int tenths = 0; tenths <= 10; ++tenths) {
     Shot shot = smallShot("sphere", "");
-    shot.options.background = "transparent";
+    shot.frame.background = BackgroundKind::transparent;
     const std::string roughness = "perceptual_roughness=" + std::to_string(static_cast<float>(tenths) / 10.0f);
-    shot.options.set = {"base_color=1", "metallic=1", roughness};
+    shot.materials.set = {"base_color=1", "metallic=1", roughness};
     expectFurnaceWhite(white.radiance(shot), "white metal of " + roughness);
-    shot.options.set = {"base_color=1", roughness};
+    shot.materials.set = {"base_color=1", roughness};
     expectFurnaceWhite(white.radiance(shot), "white dielectric of " + roughness);
   }
 }
@@ -149,13 +139,13 @@ TEST_F(RendererTest, AWhiteMetalVanishesHoweverRoughItIs) {
 TEST_F(RendererTest, ADarkMetalReflectsWhatTheBrdfTableSays) {
   Studio white = studio("white");
   Shot shot = smallShot("sphere", "");
-  shot.options.size = "129x129";
-  shot.options.orthographic = {2.0f};
-  shot.options.camera = {0, 0};
-  shot.options.samples = 1;
+  shot.frame.size = {129, 129};
+  shot.frame.camera.orthographic_height = 2.0f;
+  testing::aim(shot.frame, 0, 0);
+  shot.frame.samples = 1;
   const glm::vec3 f0(0.02f);
   for (const float roughness : {0.25f, 0.5f, 1.0f}) {
-    shot.options.set = {"base_color=0.02", "metallic=1", "perceptual_roughness=" + std::to_string(roughness)};
+    shot.materials.set = {"base_color=0.02", "metallic=1", "perceptual_roughness=" + std::to_string(roughness)};
     const Image image = white.radiance(shot);
     for (int x = 1; x < 128; ++x) {
       const float nx = (static_cast<float>(x) + 0.5f) / 64.5f - 1.0f;
@@ -173,20 +163,20 @@ TEST_F(RendererTest, EveryMappingIsWhiteInTheFurnace) {
   for (const Mapping mapping : {Mapping::reflection, Mapping::normal, Mapping::sphere})
     for (const ReflectAt reflect_at : {ReflectAt::vertex, ReflectAt::fragment, ReflectAt::triangle}) {
       Shot shot = smallShot("teapot", "mirror");
-      shot.options.background = "transparent";
-      shot.options.mapping = mapping;
-      shot.options.reflect_at = reflect_at;
+      shot.frame.background = BackgroundKind::transparent;
+      shot.frame.mapping = mapping;
+      shot.frame.reflect_at = reflect_at;
       expectFurnaceWhite(white.radiance(shot), "mapping " + std::to_string(static_cast<int>(mapping)));
     }
 }
 
 // Looking along +Z with +Y up, +X is on the left (docs/conventions.md).
 TEST_F(RendererTest, TheBackgroundIsTheRightWayRound) {
-  Studio marked(context(), Environment([](glm::vec3 d) { return glm::max(d, glm::vec3(0.0f)); }, 128));
+  Studio marked(Environment([](glm::vec3 d) { return glm::max(d, glm::vec3(0.0f)); }, 128));
   Shot shot = smallShot("none", "");
-  shot.options.size = "65x65";
-  shot.options.fov_deg = 90;
-  shot.options.camera = {180, 0};
+  shot.frame.size = {65, 65};
+  shot.frame.camera.fov_deg = 90;
+  testing::aim(shot.frame, 180, 0);
   const Image image = marked.radiance(shot);
   EXPECT_NEAR(rgbAt(image, 32, 32).z, 1.0f, 1e-2f) << "+Z in the middle";
   EXPECT_GT(rgbAt(image, 2, 32).x, 0.6f) << "+X on the left";
@@ -200,11 +190,11 @@ TEST_F(RendererTest, AMirrorSphereIsTheSphereMap) {
     return glm::vec3(1.0f + d.x, 1.0f + d.y, 1.0f + d.z) * (1.5f + std::sin(9.0f * d.x) * std::cos(7.0f * d.y + d.z));
   };
   const Environment environment(light, 256);
-  Studio room(context(), environment);
+  Studio room(environment);
   Shot shot = smallShot("sphere", "mirror");
-  shot.options.size = "256x256";
-  shot.options.camera = {0, 0};
-  shot.options.orthographic = {2.0f};
+  shot.frame.size = {256, 256};
+  testing::aim(shot.frame, 0, 0);
+  shot.frame.camera.orthographic_height = 2.0f;
   const Image rendered = room.radiance(shot);
   const EnvironmentMap expected = *convert(environment, Projection::sphere, 256);
   double sum = 0.0;
@@ -222,16 +212,16 @@ TEST_F(RendererTest, AMirrorSphereIsTheSphereMap) {
 }
 
 TEST_F(RendererTest, TheSphereMappingOfAnOrthographicSphereIsItsReflection) {
-  Studio room(context(), Environment([](glm::vec3 d) { return d * 0.5f + 0.5f; }, 256));
+  Studio room(Environment([](glm::vec3 d) { return d * 0.5f + 0.5f; }, 256));
   Shot shot = smallShot("sphere", "mirror");
-  shot.options.size = "128x128";
-  shot.options.orthographic = {2.0f};
-  shot.options.background = "transparent";
+  shot.frame.size = {128, 128};
+  shot.frame.camera.orthographic_height = 2.0f;
+  shot.frame.background = BackgroundKind::transparent;
   for (const float azimuth : {0.0f, 130.0f}) {
-    shot.options.camera = {azimuth, 25.0f};
-    shot.options.mapping = Mapping::reflection;
+    testing::aim(shot.frame, azimuth, 25.0f);
+    shot.frame.mapping = Mapping::reflection;
     const Image reflected = room.radiance(shot);
-    shot.options.mapping = Mapping::sphere;
+    shot.frame.mapping = Mapping::sphere;
     const Image mapped = room.radiance(shot);
     double sum = 0.0;
     int count = 0;
@@ -246,45 +236,114 @@ TEST_F(RendererTest, TheSphereMappingOfAnOrthographicSphereIsItsReflection) {
   }
 }
 
+// A frame of 9 samples is drawn one by one; what is shown after each is the mean so far. The window's framebuffer is a
+// texture of its own here, larger than the picture.
+TEST_F(RendererTest, ShowsTheMeanOfTheSamplesThatThereAreInAnotherFramebuffer) {
+  const Environment uv = *builtinEnvironment("uv");
+  auto renderer = testing::rendererOf(*loadModel("sphere"), uv, *testing::prepareOnce(uv));
+  ASSERT_TRUE(renderer) << renderer.error().message;
+  for (const Resolve resolve : {Resolve::display, Resolve::radiance}) {
+    FrameSettings settings = smallShot("sphere", "").frame;
+    settings.samples = 9;
+    settings.resolve = resolve;
+    const Image8 whole = *renderer->render(settings);
+    const auto window = gl::Framebuffer::make(gl::Format::rgba8, 100, 70, false);
+    ASSERT_TRUE(window);
+    ASSERT_TRUE(renderer->begin(settings));
+    double first = 0.0;
+    for (int drawn = 1; drawn <= 9; ++drawn) {
+      EXPECT_EQ(*renderer->drawSample(), drawn);
+      window->bind();
+      GLint name = 0;
+      glGetIntegerv(GL_FRAMEBUFFER_BINDING, &name);
+      renderer->show(static_cast<unsigned>(name));
+      const Image8 shown = window->readBytes();
+      double difference = 0.0;
+      for (int y = 0; y < whole.height(); ++y)
+        for (int x = 0; x < whole.width(); ++x)
+          for (int c = 0; c < 4; ++c)
+            difference += std::abs(int(whole.texel(x, y)[c]) - int(shown.texel(x, y + 70 - 64)[c]));
+      difference /= 96.0 * 64.0;
+      if (drawn == 1) first = difference;
+      EXPECT_LT(difference, 12.0) << "no mean is darker for having few samples";
+      EXPECT_EQ(difference == 0.0, drawn == 9);
+    }
+    EXPECT_GT(first, 0.1) << "one sample is no mean of nine";
+    EXPECT_EQ(*renderer->drawSample(), 9) << "there is none left";
+  }
+}
+
+// What a frame shows is of what the renderer was given last, whatever it drew before.
+TEST_F(RendererTest, SceneEnvironmentAndMaterialsMayChangeBetweenFrames) {
+  const Environment uv = *builtinEnvironment("uv");
+  const Environment studio = *builtinEnvironment("studio");
+  const PreparedEnvironment of_uv = *testing::prepareOnce(uv);
+  const PreparedEnvironment of_studio = *testing::prepareOnce(studio);
+  const FrameSettings settings = smallShot("", "").frame;
+  const auto bytesOf = [&](Renderer& used) {
+    const Image8 picture = *used.render(settings);
+    return std::vector<std::uint8_t>(picture.samples().begin(), picture.samples().end());
+  };
+  const auto pictureOf = [&](const char* model, const char* material, const Environment& light) {
+    Scene scene = *loadModel(model);
+    EXPECT_TRUE(changeMaterials(scene, {.material = material}));
+    auto fresh = testing::rendererOf(scene, light, &light == &uv ? of_uv : of_studio);
+    return bytesOf(*fresh);
+  };
+  auto renderer = testing::rendererOf(*loadModel("cube"), uv, of_uv);
+  ASSERT_TRUE(renderer);
+  ASSERT_TRUE(renderer->render(settings));
+  Scene teapot = *loadModel("teapot");
+  ASSERT_TRUE(changeMaterials(teapot, {.material = "gold"}));
+  ASSERT_TRUE(renderer->setScene(std::move(teapot)));
+  EXPECT_EQ(bytesOf(*renderer), pictureOf("teapot", "gold", uv));
+  ASSERT_TRUE(renderer->setEnvironment(studio, of_studio));
+  EXPECT_EQ(bytesOf(*renderer), pictureOf("teapot", "gold", studio));
+  Scene sphere = *loadModel("sphere");
+  ASSERT_TRUE(changeMaterials(sphere, {.material = "glass"}));
+  ASSERT_TRUE(renderer->setScene(std::move(sphere)));
+  EXPECT_EQ(bytesOf(*renderer), pictureOf("sphere", "glass", studio));
+}
+
 TEST_F(RendererTest, EnvRotationTurnsPlusZTowardsPlusX) {
-  Studio lamp(context(), Environment([](glm::vec3 d) { return glm::vec3(d.z > 0.9f ? 1.0f : 0.0f); }, 128));
+  Studio lamp(Environment([](glm::vec3 d) { return glm::vec3(d.z > 0.9f ? 1.0f : 0.0f); }, 128));
   Shot shot = smallShot("none", "");
-  shot.options.size = "33x33";
-  shot.options.env_rotation_deg = {90.0f};
-  shot.options.camera = {270, 0};  // stands on −X and looks along +X
+  shot.frame.size = {33, 33};
+  shot.frame.env_rotation_deg.x = 90.0f;
+  testing::aim(shot.frame, 270, 0);  // stands on −X and looks along +X
   EXPECT_NEAR(rgbAt(lamp.radiance(shot), 16, 16).x, 1.0f, 1e-3f);
-  shot.options.camera = {90, 0};
+  testing::aim(shot.frame, 90, 0);
   EXPECT_EQ(rgbAt(lamp.radiance(shot), 16, 16).x, 0.0f);
 }
 
 // The lamp over +Z: pitched by 90 degrees it stands below, and a turn by 90 degrees after that does not move it. One over
 // +X, rolled by 90 degrees, stands over +Y, and pitch brings that to +Z, yaw to +X.
 TEST_F(RendererTest, PitchAndRollTurnTheEnvironmentBeforeItsYaw) {
-  const auto lightOf = [&](const Environment& lamp, std::vector<float> turn_deg, std::vector<float> camera) {
-    Studio studio(context(), lamp);
+  const auto lightOf = [&](const Environment& lamp, glm::vec3 turn_deg, glm::vec2 camera_deg) {
+    Studio studio(lamp);
     Shot shot = smallShot("none", "");
-    shot.options.size = "33x33";
-    shot.options.env_rotation_deg = std::move(turn_deg);
-    shot.options.camera = std::move(camera);
+    shot.frame.size = {33, 33};
+    shot.frame.env_rotation_deg = turn_deg;
+    testing::aim(shot.frame, camera_deg.x, camera_deg.y);
     return rgbAt(studio.radiance(shot), 16, 16).x;
   };
   const Environment over_z([](glm::vec3 d) { return glm::vec3(d.z > 0.9f ? 1.0f : 0.0f); }, 128);
-  EXPECT_NEAR(lightOf(over_z, {90.0f, 90.0f}, {0, 90}), 1.0f, 1e-3f) << "the camera stands on +Y and looks down";
-  EXPECT_EQ(lightOf(over_z, {90.0f, 90.0f}, {270, 0}), 0.0f);
+  EXPECT_NEAR(lightOf(over_z, {90.0f, 90.0f, 0.0f}, {0, 90}), 1.0f, 1e-3f) << "the camera stands on +Y and looks down";
+  EXPECT_EQ(lightOf(over_z, {90.0f, 90.0f, 0.0f}, {270, 0}), 0.0f);
   const Environment over_x([](glm::vec3 d) { return glm::vec3(d.x > 0.9f ? 1.0f : 0.0f); }, 128);
   EXPECT_NEAR(lightOf(over_x, {90.0f, 90.0f, 90.0f}, {270, 0}), 1.0f, 1e-3f);
 }
 
 TEST_F(RendererTest, RefractionBendsBySnellsLawAndReflectsPastTheCriticalAngle) {
   const auto light = [](glm::vec3 d) { return d * 0.5f + 0.5f; };
-  Studio room(context(), Environment(light, 256));
+  Studio room(Environment(light, 256));
   Shot shot = smallShot("sphere", "");
-  shot.options.size = "129x129";
-  shot.options.orthographic = {2.0f};
-  shot.options.camera = {0, 0};
-  shot.options.samples = 1;
+  shot.frame.size = {129, 129};
+  shot.frame.camera.orthographic_height = 2.0f;
+  testing::aim(shot.frame, 0, 0);
+  shot.frame.samples = 1;
   for (const float ior : {1.5f, 0.7f}) {
-    shot.options.set = {"transmission=1", "base_color=1", "perceptual_roughness=0", "ior=" + std::to_string(ior)};
+    shot.materials.set = {"transmission=1", "base_color=1", "perceptual_roughness=0", "ior=" + std::to_string(ior)};
     const Image image = room.radiance(shot);
     for (int x = 4; x < 125; ++x) {
       const float nx = (static_cast<float>(x) + 0.5f) / 64.5f - 1.0f;
@@ -301,7 +360,7 @@ TEST_F(RendererTest, RefractionBendsBySnellsLawAndReflectsPastTheCriticalAngle) 
 TEST_F(RendererTest, TransparentBackgroundHasPremultipliedAlpha) {
   Studio white = studio("white");
   Shot shot = smallShot("sphere", "mirror");
-  shot.options.background = "transparent";
+  shot.frame.background = BackgroundKind::transparent;
   const Image radiance = white.radiance(shot);
   const Image8 picture = white.picture(shot);
   int partial = 0;
@@ -321,11 +380,11 @@ TEST_F(RendererTest, TransparentBackgroundHasPremultipliedAlpha) {
 TEST_F(RendererTest, ThePictureIsTheFormulaOfTheRadiance) {
   Studio room = smallStudio("studio");
   Shot shot = smallShot("knot", "gold");
-  shot.options.exposure_ev = 0.5f;
-  shot.options.resolve = Resolve::radiance;
+  shot.frame.display.exposure_ev = 0.5f;
+  shot.frame.resolve = Resolve::radiance;
   const Image radiance = room.radiance(shot);
   for (const ToneMap curve : {ToneMap::agx, ToneMap::aces, ToneMap::neutral, ToneMap::reinhard, ToneMap::linear}) {
-    shot.options.tone_map = curve;
+    shot.frame.display.tone_map = curve;
     const Image8 picture = room.picture(shot);
     for (int y = 0; y < radiance.height(); ++y)
       for (int x = 0; x < radiance.width(); ++x) {
@@ -341,14 +400,14 @@ TEST_F(RendererTest, ThePictureIsTheFormulaOfTheRadiance) {
 TEST_F(RendererTest, AColourOfTheDisplayIsThatColourInThePicture) {
   Studio room = smallStudio("studio");
   Shot shot = smallShot("knot", "gold");
-  shot.options.exposure_ev = 1.5f;
+  shot.frame.display.exposure_ev = 1.5f;
   for (const ToneMap curve : {ToneMap::agx, ToneMap::aces, ToneMap::neutral, ToneMap::reinhard, ToneMap::linear}) {
-    shot.options.tone_map = curve;
-    shot.options.background = "transparent";
+    shot.frame.display.tone_map = curve;
+    shot.frame.background = BackgroundKind::transparent;
     const Image8 cut_out = room.picture(shot);
     for (const auto& [written, code] :
          {std::pair{"#ffffff", glm::ivec3(255)}, {"#336699", glm::ivec3(0x33, 0x66, 0x99)}}) {
-      shot.options.background = written;
+      testing::set(shot.frame, "background", written);
       const Image8 picture = room.picture(shot);
       for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x) {
@@ -373,15 +432,15 @@ TEST_F(RendererTest, AColourOfTheDisplayIsThatColourInThePicture) {
 // A lamp a thousand times brighter than white: an edge pixel that it half covers is half as bright as the display can be.
 // The mean of radiance is white wherever one sample of 16 meets the lamp: such an edge has steps at any number of samples.
 TEST_F(RendererTest, TheOutlineOfALampIsAsSmoothAsItsCoverage) {
-  Studio dark(context(), Environment([](glm::vec3) { return glm::vec3(0.0f); }, 8));
+  Studio dark(Environment([](glm::vec3) { return glm::vec3(0.0f); }, 8));
   Shot lamp = smallShot("sphere", "");
-  lamp.options.set = {"emission=1000"};
-  lamp.options.samples = 16;
-  lamp.options.background = "transparent";
+  lamp.materials.set = {"emission=1000"};
+  lamp.frame.samples = 16;
+  lamp.frame.background = BackgroundKind::transparent;
   const Image8 cut_out = dark.picture(lamp);
-  lamp.options.background = "0,0,0";
+  lamp.frame.background = BackgroundKind::radiance;
   const Image8 resolved = dark.picture(lamp);
-  lamp.options.resolve = Resolve::radiance;
+  lamp.frame.resolve = Resolve::radiance;
   const Image8 averaged = dark.picture(lamp);
   int partial = 0;
   for (int y = 0; y < cut_out.height(); ++y)
@@ -400,9 +459,9 @@ TEST_F(RendererTest, TheOutlineOfALampIsAsSmoothAsItsCoverage) {
 TEST_F(RendererTest, AColourOfTheDisplayIsItsLinearLightAmongRadiance) {
   Studio room = smallStudio("studio");
   Shot shot = smallShot("knot", "gold");
-  shot.options.background = "#336699";
+  testing::set(shot.frame, "background", "#336699");
   const Image of_display = room.radiance(shot);
-  shot.options.background = "0.0331048,0.1328683,0.3185468";  // IEC 61966-2-1
+  testing::set(shot.frame, "background", "0.0331048,0.1328683,0.3185468");  // IEC 61966-2-1
   const Image of_radiance = room.radiance(shot);
   ASSERT_EQ(of_display.samples().size(), of_radiance.samples().size());
   for (std::size_t i = 0; i < of_display.samples().size(); ++i)
@@ -413,13 +472,13 @@ TEST_F(RendererTest, AColourOfTheDisplayIsItsLinearLightAmongRadiance) {
 TEST_F(RendererTest, AMipLevelBlursAsWideAsTheLobe) {
   Studio room = smallStudio("studio");
   Shot shot = smallShot("sphere", "mirror");
-  shot.options.orthographic = {2.0f};
-  shot.options.background = "0,0,0";
+  shot.frame.camera.orthographic_height = 2.0f;
+  shot.frame.background = BackgroundKind::radiance;
   for (const char* roughness : {"0.3", "0.5", "0.7", "1"}) {
-    shot.options.set = {std::string("perceptual_roughness=") + roughness};
-    shot.options.blur = BlurKind::exact;
+    shot.materials.set = {std::string("perceptual_roughness=") + roughness};
+    shot.frame.blur = BlurKind::exact;
     const Image exact = room.radiance(shot);
-    shot.options.blur = BlurKind::mip;
+    shot.frame.blur = BlurKind::mip;
     const Image level = room.radiance(shot);
     double difference = 0.0;
     double light = 0.0;
@@ -444,15 +503,15 @@ TEST_F(RendererTest, AMipLevelIsWhatALookUpInTheChainSays) {
   images.at(0, 5) = sunny;
   cube = EnvironmentMap(Projection::cube, images);
   const ImageSet chain = mipChain(cube);
-  Studio room(context(), Environment(cube));
+  Studio room{Environment(cube)};
   Shot shot = smallShot("none", "");
-  shot.options.size = "64x64";
-  shot.options.fov_deg = 90.0f;
-  shot.options.samples = 1;
-  shot.options.blur = BlurKind::mip;
-  shot.options.background = "blur";
+  shot.frame.size = {64, 64};
+  shot.frame.camera.fov_deg = 90.0f;
+  shot.frame.samples = 1;
+  shot.frame.blur = BlurKind::mip;
+  shot.frame.background = BackgroundKind::blur;
   for (const float azimuth : {0.0f, 70.0f, 180.0f}) {
-    shot.options.camera = {azimuth, 0.0f};
+    testing::aim(shot.frame, azimuth, 0.0f);
     const Image image = room.radiance(shot);
     const float c = std::cos(glm::radians(azimuth));
     const float s = std::sin(glm::radians(azimuth));
@@ -468,12 +527,12 @@ TEST_F(RendererTest, AMipLevelIsWhatALookUpInTheChainSays) {
 }
 
 TEST_F(RendererTest, APointLightLightsItsSideOnly) {
-  Studio dark(context(), Environment([](glm::vec3) { return glm::vec3(0.0f); }, 8));
+  Studio dark(Environment([](glm::vec3) { return glm::vec3(0.0f); }, 8));
   Shot shot = smallShot("sphere", "");
-  shot.options.size = "65x65";
-  shot.options.camera = {0, 0};
-  shot.options.set = {"specular=0", "base_color=0.5"};
-  shot.options.lights = {"1000,0,0,2,1,0"};
+  shot.frame.size = {65, 65};
+  testing::aim(shot.frame, 0, 0);
+  shot.materials.set = {"specular=0", "base_color=0.5"};
+  testing::set(shot.frame, "light", "1000,0,0,2,1,0");
   const Image image = dark.radiance(shot);
   EXPECT_EQ(rgbAt(image, 12, 32), glm::vec3(0.0f)) << "the side away from the light";
   const glm::vec3 lit = rgbAt(image, 48, 32);
@@ -485,9 +544,9 @@ TEST_F(RendererTest, APointLightLightsItsSideOnly) {
 TEST_F(RendererTest, ABumpBendsNormalsAndAFlatBumpDoesNot) {
   Studio room = smallStudio("studio");
   Shot smooth = smallShot("sphere", "orange");
-  smooth.options.set = {"bump=none"};
+  smooth.materials.set = {"bump=none"};
   Shot flat = smallShot("sphere", "orange");
-  flat.options.set = {"bump_height=0"};
+  flat.materials.set = {"bump_height=0"};
   const Image a = room.radiance(smooth);
   const Image b = room.radiance(flat);
   const Image c = room.radiance(smallShot("sphere", "orange"));
@@ -514,7 +573,7 @@ TEST(RendererApis, Es30DrawsTheSamePictureAsDesktop) {
   Image8 pictures[2];
   for (const gl::Api api : {gl::Api::desktop43, gl::Api::es30}) {
     MIRRORBALL_NEEDS_GL(context, api);
-    Studio room(context, *builtinEnvironment("studio"));
+    Studio room(*builtinEnvironment("studio"));
     pictures[api == gl::Api::es30] = room.picture(smallShot("showcase", ""));
   }
   ASSERT_EQ(pictures[0].samples().size(), pictures[1].samples().size());

@@ -1,8 +1,22 @@
 #pragma once
 
-#include "mirrorball/render/frame/render_options.h"
+#include <span>
+
+#include "mirrorball/base/option.h"
+#include "mirrorball/render/frame/frame_settings.h"
 
 namespace mirrorball {
+
+enum class Turn { camera, model, environment };  ///< what goes round in a turntable
+
+/// Pictures of something that turns once round.
+struct Turntable {
+  int frames = 0;  ///< 0: one picture, and no turntable
+  Turn turn = Turn::camera;
+};
+
+/// The table of its options.
+std::span<const Option<Turntable>> turntableOptions();
 
 /// The settings of a picture in which something is turned about the upright axis, +Z towards +X: the model and the camera
 /// about the axis through the camera's target. What is not turned stays in the picture as it was: with Turn::model the

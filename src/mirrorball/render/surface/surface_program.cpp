@@ -178,6 +178,11 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const EnvironmentLight& 
   return {};
 }
 
+void SurfacePrograms::forgetScene() {
+  instances_.clear();
+  materials_.clear();
+}
+
 void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) {
   const Material& material = materialOf(scene, instance);

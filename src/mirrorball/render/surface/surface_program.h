@@ -12,7 +12,7 @@
 #include "mirrorball/gl/texture.h"
 #include "mirrorball/gl/uniform_block.h"
 #include "mirrorball/image/image.h"
-#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_variant.h"
@@ -65,12 +65,15 @@ class SurfacePrograms {
   /// errors       too_large (for this driver)
   static Result<SurfacePrograms> make(gl::Api api, const Image& brdf_table);
 
-  /// Makes the programs that a frame needs and sets what all surfaces share. Each frame begins with it; `draw` must be
+  /// Makes the programs that a frame needs and sets what all surfaces share. Each sample begins with it; `draw` must be
   /// called with the same scene and settings.
   ///
   /// errors   unsupported (the driver does not compile a shader)
   Result<void> begin(const Scene& scene, const EnvironmentLight& light, const FrameUniforms& frame,
                      const FrameSettings& settings);
+
+  /// Must be called when the scene is another one, or its materials or instances have changed.
+  void forgetScene();
 
   /// Draws an instance of the scene.
   void draw(const Scene& scene, int instance, const SceneBuffers& buffers, const FrameSettings& settings);

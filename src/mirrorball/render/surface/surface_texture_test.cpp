@@ -158,9 +158,8 @@ class SurfaceTextureTest : public ::testing::TestWithParam<gl::Api> {
  private:
   Result<Image> radiance(const Scene& scene, const Environment& environment, const FrameSettings& settings) const {
     MIRRORBALL_TRY(prepared, testing::prepareOnce(environment));
-    MIRRORBALL_TRY(renderer, Renderer::make(*context_, scene, environment, prepared));
-    MIRRORBALL_TRY_VOID(renderer.draw(settings));
-    return renderer.radiance();
+    MIRRORBALL_TRY(renderer, testing::rendererOf(scene, environment, prepared));
+    return renderer.renderRadiance(settings);
   }
 
   std::optional<gl::Context> context_;

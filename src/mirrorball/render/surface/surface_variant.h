@@ -10,7 +10,7 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/shader_source.h"
-#include "mirrorball/render/frame/render_options.h"
+#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/scene/material/material.h"
 
 namespace mirrorball {

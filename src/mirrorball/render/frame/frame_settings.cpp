@@ -1,0 +1,289 @@
+#include "mirrorball/render/frame/frame_settings.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "formula/color.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/environment/convert/convert.h"
+
+namespace mirrorball {
+namespace {
+
+using Field = ParsedField<FrameSettings>;
+
+constexpr int kLongestSide = 16384;
+
+constexpr Field kSize{[](const FrameSettings& s) { return std::to_string(s.size.x) + "x" + std::to_string(s.size.y); },
+                      [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+                        const auto sides =
+                            split(std::string(written), written.find('X') == std::string_view::npos ? 'x' : 'X');
+                        glm::ivec2 size(0);
+                        for (int side = 0; side < 2 && side < static_cast<int>(sides.size()); ++side) {
+                          const auto number = parseNumber(sides[static_cast<std::size_t>(side)]);
+                          if (number && *number == std::floor(*number) && *number >= 1 && *number <= kLongestSide)
+                            size[side] = static_cast<int>(*number);
+                        }
+                        OptionText bounded = text;
+                        bounded.minimum = 1;
+                        bounded.maximum = kLongestSide;
+                        if (sides.size() != 2 || size.x == 0 || size.y == 0)
+                          return misused(bounded, "WIDTHxHEIGHT", written);
+                        s.size = size;
+                        return {};
+                      }};
+
+/// A number at the place in the settings that `number` finds.
+template <auto number>
+constexpr Field kNumberAt{[](const FrameSettings& s) { return formatNumber(number(s)); },
+                          [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+                            MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+                            number(s) = numbers[0];
+                            return {};
+                          }};
+
+constexpr Field kExposure = kNumberAt < [](auto& s) -> auto& { return s.display.exposure_ev; }
+> ;
+constexpr Field kFieldOfView = kNumberAt < [](auto& s) -> auto& { return s.camera.fov_deg; }
+> ;
+
+constexpr ChoiceField<FrameSettings> kToneMap{
+    [](const FrameSettings& s) { return static_cast<int>(s.display.tone_map); },
+    [](FrameSettings& s, int index) { s.display.tone_map = static_cast<ToneMap>(index); }};
+
+/// "#rrggbb" as linear light.
+std::optional<glm::vec3> parseHexColor(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  unsigned bits = 0;
+  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, bits, 16);
+  if (error != std::errc{} || end != text.data() + 7) return std::nullopt;
+  const glm::vec3 encoded((bits >> 16) & 255u, (bits >> 8) & 255u, bits & 255u);
+  return formula::linearFromSrgb(encoded / 255.0f);
+}
+
+/// "336699", which is a number too.
+bool lacksHash(std::string_view text) {
+  return text.size() == 6 && text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+}
+
+constexpr std::array<std::string_view, 3> kBackgroundNames{"env", "blur", "transparent"};
+constexpr std::array<BackgroundKind, 3> kBackgroundKinds{BackgroundKind::environment, BackgroundKind::blur,
+                                                         BackgroundKind::transparent};
+
+Result<void> parseBackground(const OptionText& text, std::string_view written, FrameSettings& settings) {
+  const std::string name(text.name);
+  if (lacksHash(written))
+    return fail(ErrorCode::usage, name + " " + std::string(written) + ": a colour begins with #, in quotes: '#" +
+                                      std::string(written) + "'");
+  if (const auto index = indexOfName(written, kBackgroundNames)) {
+    settings.background = kBackgroundKinds[*index];
+    return {};
+  }
+  if (const auto color = parseHexColor(written)) {
+    settings.background = BackgroundKind::display_color;
+    settings.background_color = *color;
+    return {};
+  }
+  constexpr OptionText kRadiance{.name = "background", .minimum = 0, .maximum = 1e6};
+  if (const auto numbers = parseVector(kRadiance, written)) {
+    settings.background = BackgroundKind::radiance;
+    settings.background_color = *numbers;
+    return {};
+  }
+  const auto meant = nearestWord(written, kBackgroundNames);
+  return fail(ErrorCode::usage, name + " takes " + join(kBackgroundNames) + ", #rrggbb or R,G,B (" +
+                                    rangeText(kRadiance) + "); it was given '" + std::string(written) + "'" +
+                                    (meant ? "; did you mean '" + std::string(*meant) + "'?" : ""));
+}
+
+std::string writtenBackground(const FrameSettings& settings) {
+  for (std::size_t i = 0; i < kBackgroundKinds.size(); ++i)
+    if (settings.background == kBackgroundKinds[i]) return std::string(kBackgroundNames[i]);
+  return writeNumbers({&settings.background_color.x, 3});
+}
+
+constexpr Field kBackground{writtenBackground, parseBackground};
+
+Result<void> parseOrbit(const OptionText& text, std::string_view written, FrameSettings& settings) {
+  MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+  if (std::abs(numbers[1]) > 90.0f) return misused({.name = text.name}, "an elevation from -90 to 90 degrees", written);
+  if (numbers.size() > 2 && numbers[2] <= 0.0f)
+    return misused({.name = text.name}, "a distance above 0, in model radii", written);
+  settings.camera.azimuth_deg = numbers[0];
+  settings.camera.elevation_deg = numbers[1];
+  settings.camera.distance = numbers.size() > 2 ? std::optional(numbers[2]) : std::nullopt;
+  return {};
+}
+
+std::string writtenOrbit(const FrameSettings& settings) {
+  std::vector<float> numbers{settings.camera.azimuth_deg, settings.camera.elevation_deg};
+  if (settings.camera.distance) numbers.push_back(*settings.camera.distance);
+  return writeNumbers(numbers);
+}
+
+constexpr Field kOrbit{writtenOrbit, parseOrbit};
+
+constexpr Field kTarget{[](const FrameSettings& s) {
+                          return s.camera.target ? writeNumbers({&s.camera.target->x, 3}) : std::string();
+                        },
+                        [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+                          MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+                          s.camera.target = glm::vec3(numbers[0], numbers[1], numbers[2]);
+                          return {};
+                        }};
+
+constexpr Field kOrthographic{[](const FrameSettings& s) {
+                                return s.camera.orthographic_height ? formatNumber(*s.camera.orthographic_height) : "";
+                              },
+                              [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+                                MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+                                s.camera.orthographic_height = numbers[0];
+                                return {};
+                              }};
+
+constexpr Field kRotation{[](const FrameSettings& s) {
+                            const glm::vec3& turn = s.env_rotation_deg;
+                            return writeNumbers({&turn.x, turn.z != 0.0f   ? std::size_t{3}
+                                                          : turn.y != 0.0f ? std::size_t{2}
+                                                                           : std::size_t{1}});
+                          },
+                          [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+                            MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+                            numbers.resize(3, 0.0f);
+                            s.env_rotation_deg = glm::vec3(numbers[0], numbers[1], numbers[2]);
+                            return {};
+                          }};
+
+constexpr Field kLight{[](const FrameSettings&) { return std::string(); },
+                       [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+                         MIRRORBALL_TRY(n, parseNumbers(text, written));
+                         if (s.lights.size() == FrameSettings::kMaxLights)
+                           return fail(ErrorCode::usage, std::string(text.name) + " may be given " +
+                                                             std::to_string(FrameSettings::kMaxLights) +
+                                                             " times at most");
+                         s.lights.push_back({{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
+                         return {};
+                       },
+                       true};
+
+const std::array<Option<FrameSettings>, 16> kOptions{{
+    {{.name = "size", .value = "WxH", .unit = "pixels", .help = "size of the picture", .group = "Picture"}, kSize},
+    {{.name = "samples",
+      .value = "N",
+      .minimum = 1,
+      .maximum = 4096,
+      .help = "samples of each pixel, evenly spread over its area",
+      .group = "Picture"},
+     &FrameSettings::samples},
+    {{.name = "resolve",
+      .choices = "display|radiance",
+      .help =
+          "what is averaged over the samples: the light that a display shows of each, so that outlines of what is far "
+          "brighter than white are smooth, or radiance, which is then tone mapped; .exr and .hdr hold radiance",
+      .group = "Picture"},
+     choiceField<&FrameSettings::resolve>},
+    {exposureText(), kExposure},
+    {toneMapText(), kToneMap},
+    {{.name = "background",
+      .value = "env|blur|COLOR|transparent",
+      .help = "what is behind the model; COLOR is #rrggbb, which the picture shows as it is (a map or a picture of "
+              "radiance holds its linear light), or R,G,B, radiance that is exposed and tone mapped",
+      .group = "Picture"},
+     kBackground},
+
+    {{.name = "camera",
+      .value = "AZIMUTH,ELEVATION[,DISTANCE]",
+      .unit = "degrees and model radii",
+      .min_count = 2,
+      .max_count = 3,
+      .help = "azimuth 0 stands on +Z and looks along -Z, 90 on +X; elevation 90 on +Y; without a distance the model "
+              "fills the picture and is in its middle",
+      .group = "Camera"},
+     kOrbit},
+    {{.name = "target",
+      .value = "X,Y,Z",
+      .unit = "world units",
+      .min_count = 3,
+      .max_count = 3,
+      .help = "the point that the camera looks at; without it the model's centre, or the middle of what is seen of it",
+      .group = "Camera"},
+     kTarget},
+    {{.name = "fov",
+      .value = "DEG",
+      .unit = "degrees",
+      .minimum = 1,
+      .maximum = 170,
+      .help = "vertical angle of view",
+      .group = "Camera"},
+     kFieldOfView},
+    {{.name = "orthographic",
+      .value = "HEIGHT",
+      .unit = "model radii",
+      .minimum = 0,
+      .maximum = 1e4,
+      .help = "parallel projection of that height; 2 inscribes a sphere; 0: the model fills the picture",
+      .implied = "0",
+      .group = "Camera"},
+     kOrthographic},
+
+    {{.name = "env-rotation",
+      .value = "YAW[,PITCH[,ROLL]]",
+      .unit = "degrees",
+      .max_count = 3,
+      .help = "turns the environment about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, +Z towards +X",
+      .group = "Environment",
+      .also = "rotate"},
+     kRotation},
+    {{.name = "env-intensity",
+      .value = "FACTOR",
+      .minimum = 0,
+      .maximum = 1e6,
+      .help = "strength of its light",
+      .group = "Environment"},
+     &FrameSettings::env_intensity},
+    {{.name = "blur",
+      .choices = "exact|gpu|mip|cone",
+      .help = "how rough surfaces blur the environment: prefiltered exactly, prefiltered on the GPU in a few "
+              "milliseconds, by a "
+              "coarser mip level, or by the mean of 64 rays in a cone",
+      .group = "Look"},
+     choiceField<&FrameSettings::blur>},
+    {{.name = "mapping",
+      .choices = "reflection|normal|sphere",
+      .help = "what looks the map up: the reflected ray, the surface normal, or the normal as texture coordinates of a "
+              "sphere map, which is always sharp",
+      .group = "Environment"},
+     choiceField<&FrameSettings::mapping>},
+    {{.name = "reflect-at",
+      .choices = "vertex|fragment|triangle",
+      .help = "where the ray is reflected: at vertices, the result interpolated, at each fragment, or once a triangle, "
+              "as a mirror made of tiles",
+      .group = "Environment"},
+     choiceField<&FrameSettings::reflect_at>},
+    {{.name = "light",
+      .value = "X,Y,Z,R,G,B",
+      .unit = "world units and radiance",
+      .min_count = 6,
+      .max_count = 6,
+      .help = "a point light after Phong; may be repeated",
+      .group = "Environment"},
+     kLight},
+
+}};
+
+}  // namespace
+
+std::span<const Option<FrameSettings>> frameOptions() { return kOptions; }
+
+glm::mat3 FrameSettings::environmentFromWorld() const {
+  const glm::vec3 turn = glm::radians(env_rotation_deg);
+  const glm::mat3 unturned(glm::rotate(glm::mat4(1.0f), -turn.x, glm::vec3(0, 1, 0)));
+  return glm::transpose(turnedBy(0.0f, turn.y, turn.z)) * unturned;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/option.h"
+#include "mirrorball/codec/color/display.h"
+#include "mirrorball/scene/camera/camera.h"
+
+namespace mirrorball {
+
+enum class Mapping { reflection, normal, sphere };
+enum class ReflectAt { vertex, fragment, triangle };
+enum class BlurKind { exact, gpu, mip, cone };
+enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
+
+/// What is averaged over the samples of a pixel.
+enum class Resolve {
+  display,   ///< the light that a display sends, after the tone map: what is beyond a display's white counts as white
+  radiance,  ///< radiance, which is tone mapped afterwards
+};
+
+/// A point light, for Phong's model.
+struct PointLight {
+  glm::vec3 position{0.0f};  ///< world
+  glm::vec3 color{1.0f};     ///< the radiance that a white diffuse surface facing it shows
+};
+
+/// All that one picture of a scene in an environment needs to be told.
+struct FrameSettings {
+  static constexpr std::size_t kMaxLights = 8;
+
+  glm::ivec2 size{1280, 720};  ///< pixels
+  CameraOptions camera;
+  Display display{.tone_map = ToneMap::neutral};
+  glm::vec3 env_rotation_deg{
+      0.0f};  ///< yaw about +Y, +Z towards +X; before it pitch about +X, before that roll about +Z
+  float env_intensity = 1.0f;
+  BackgroundKind background = BackgroundKind::environment;
+  glm::vec3 background_color{0.0f};  ///< linear: radiance, or a display's light in [0, 1]
+  int samples = 4;                   ///< of each pixel, 1 … 4096
+  Resolve resolve = Resolve::display;
+  BlurKind blur = BlurKind::exact;
+  Mapping mapping = Mapping::reflection;
+  ReflectAt reflect_at = ReflectAt::fragment;
+  std::vector<PointLight> lights;  ///< at most kMaxLights
+
+  /// Directions of the environment from those of the world.
+  glm::mat3 environmentFromWorld() const;
+};
+
+/// The table of them.
+std::span<const Option<FrameSettings>> frameOptions();
+
+}  // namespace mirrorball

@@ -1,0 +1,95 @@
+#include "mirrorball/render/frame/frame_settings.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace mirrorball {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Gives an option a value; what is wrong with it, or nothing.
+std::string set(FrameSettings& settings, std::string_view name, std::string_view value) {
+  const auto option = std::ranges::find(frameOptions(), name, [](const auto& row) { return row.text.name; });
+  const auto assigned = assign(*option, settings, value);
+  return assigned ? "" : assigned.error().message;
+}
+
+TEST(FrameOptions, DefaultsAreWhatTheProjectPromises) {
+  const FrameSettings settings;
+  std::string defaults;
+  for (const auto& option : frameOptions()) defaults += written(option, settings) + " ";
+  EXPECT_EQ(defaults, "1280x720 4 display 0 neutral env 30,15  35  0 1 exact reflection fragment  ");
+  EXPECT_EQ(settings.display.exposure(), 1.0f);
+}
+
+TEST(FrameOptions, EveryRowHasANameOfItsOwnAndHelp) {
+  std::set<std::string_view> names;
+  for (const auto& option : frameOptions()) {
+    EXPECT_TRUE(names.insert(option.text.name).second) << option.text.name;
+    EXPECT_FALSE(option.text.help.empty()) << option.text.name;
+  }
+}
+
+// What a row writes it also reads.
+TEST(FrameOptions, AreWrittenAsTheyAreRead) {
+  const std::vector<std::pair<std::string, std::string>> values{
+      {"size", "640x480"},     {"exposure", "-1.5"},      {"tone-map", "aces"},
+      {"background", "blur"},  {"camera", "1,2,3"},       {"target", "1,2,3"},
+      {"fov", "60"},           {"orthographic", "2"},     {"samples", "9"},
+      {"env-rotation", "1,2"}, {"env-rotation", "1,0,3"}, {"env-intensity", "0.5"},
+      {"blur", "cone"},        {"background", "0.5,2,0"}};
+  for (const auto& [name, value] : values) {
+    FrameSettings settings;
+    EXPECT_EQ(set(settings, name, value), "");
+    const auto option = std::ranges::find(frameOptions(), name, [](const auto& row) { return row.text.name; });
+    EXPECT_EQ(written(*option, settings), value) << name;
+  }
+}
+
+TEST(FrameOptions, SizesAreChecked) {
+  FrameSettings settings;
+  EXPECT_EQ(set(settings, "size", "640x480"), "");
+  EXPECT_EQ(settings.size, glm::ivec2(640, 480));
+  for (const char* wrong : {"", "640", "640x", "0x480", "640x480x3", "640.5x480", "-1x5", "99999x1", "axb"})
+    EXPECT_THAT(set(settings, "size", wrong), HasSubstr("size takes WIDTHxHEIGHT")) << wrong;
+  EXPECT_EQ(settings.size, glm::ivec2(640, 480)) << "a wrong one changes nothing";
+}
+
+TEST(FrameOptions, BackgroundsAreParsed) {
+  FrameSettings settings;
+  EXPECT_EQ(set(settings, "background", "#ff8000"), "");
+  EXPECT_EQ(settings.background, BackgroundKind::display_color);
+  EXPECT_NEAR(settings.background_color.x, 1.0f, 1e-6f);
+  EXPECT_NEAR(settings.background_color.y, 0.2158605f, 1e-5f) << "sRGB 128";
+  EXPECT_EQ(set(settings, "background", "0.5,2,0"), "");
+  EXPECT_EQ(settings.background, BackgroundKind::radiance);
+  EXPECT_EQ(settings.background_color, glm::vec3(0.5f, 2.0f, 0.0f));
+  EXPECT_EQ(set(settings, "background", "transparent"), "");
+  EXPECT_EQ(settings.background, BackgroundKind::transparent);
+  for (const char* wrong : {"#ff80", "#gg8000", "red", "1,2"})
+    EXPECT_THAT(set(settings, "background", wrong), HasSubstr("background takes env, blur")) << wrong;
+}
+
+TEST(FrameOptions, LightsAreParsedAndLimited) {
+  FrameSettings settings;
+  EXPECT_THAT(set(settings, "light", "1,2,3"), HasSubstr("light takes 6 numbers"));
+  for (std::size_t i = 0; i < FrameSettings::kMaxLights; ++i) EXPECT_EQ(set(settings, "light", "1,2,3,4,5,6"), "");
+  EXPECT_EQ(settings.lights[7].color, glm::vec3(4, 5, 6));
+  EXPECT_THAT(set(settings, "light", "1,2,3,4,5,6"), HasSubstr("8 times at most"));
+}
+
+TEST(FrameOptions, CamerasAreChecked) {
+  FrameSettings settings;
+  EXPECT_EQ(set(settings, "camera", "10,20,3"), "");
+  EXPECT_EQ(settings.camera.distance, 3.0f);
+  EXPECT_THAT(set(settings, "camera", "10,91"), HasSubstr("elevation from -90 to 90"));
+  EXPECT_THAT(set(settings, "camera", "10,20,0"), HasSubstr("distance above 0"));
+}
+
+}  // namespace
+}  // namespace mirrorball

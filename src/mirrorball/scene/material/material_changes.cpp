@@ -1,0 +1,54 @@
+#include "mirrorball/scene/material/material_changes.h"
+
+#include <array>
+
+#include "mirrorball/base/text.h"
+#include "mirrorball/scene/material/material.h"
+#include "mirrorball/scene/material/set_parameter.h"
+
+namespace mirrorball {
+namespace {
+
+const std::string kMaterialHelp = "gives every surface this material: " + join(materialNames(), " ");
+
+const std::array<Option<MaterialChanges>, 3> kMaterialOptions{{
+    {{.name = "material", .value = "NAME", .help = kMaterialHelp, .group = "Material", .names = materialNames},
+     &MaterialChanges::material},
+    {{.name = "set",
+      .value = "KEY=VALUE",
+      .help = "sets one parameter of every material; may be repeated. `mirrorball reference` lists the parameters",
+      .group = "Material"},
+     &MaterialChanges::set},
+    {{.name = "fresnel",
+      .choices = "material|exact|schlick|empirical",
+      .help = "form of Fresnel's law for every material; empirical is offset + scale (1 + V·N)^power",
+      .group = "Material"},
+     choiceField<&MaterialChanges::fresnel>},
+}};
+
+/// One material for every surface.
+void replaceMaterials(Scene& scene, const Material& material) {
+  scene.materials = {material};
+  for (Mesh& mesh : scene.meshes) {
+    mesh.material = 0;
+    for (Vertex& vertex : mesh.vertices) vertex.color = glm::vec4(1.0f);
+  }
+}
+
+}  // namespace
+
+std::span<const Option<MaterialChanges>> materialOptions() { return kMaterialOptions; }
+
+Result<void> changeMaterials(Scene& scene, const MaterialChanges& changes) {
+  if (!changes.material.empty()) {
+    MIRRORBALL_TRY(material, materialNamed(changes.material));
+    replaceMaterials(scene, material);
+  }
+  if (scene.materials.empty()) scene.materials.emplace_back();
+  if (changes.fresnel != FresnelOverride::material)
+    for (Material& material : scene.materials) material.fresnel = static_cast<int>(changes.fresnel) - 1;
+  for (const std::string& assignment : changes.set) MIRRORBALL_TRY_VOID(setParameter(scene, assignment));
+  return {};
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mirrorball/base/option.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+enum class FresnelOverride { material, exact, schlick, empirical };
+
+/// What is to be changed about the materials of a scene.
+struct MaterialChanges {
+  std::string material = {};          ///< gives every surface this one of materialNames(); empty: they keep theirs
+  std::vector<std::string> set = {};  ///< then sets these parameters of all: "key=value" (set_parameter.h)
+  FresnelOverride fresnel = FresnelOverride::material;
+};
+
+/// The table of them.
+std::span<const Option<MaterialChanges>> materialOptions();
+
+/// Changes the materials of a scene.
+///
+/// errors   usage; as setParameter's
+Result<void> changeMaterials(Scene& scene, const MaterialChanges& changes);
+
+}  // namespace mirrorball

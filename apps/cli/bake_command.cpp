@@ -141,7 +141,7 @@ const std::array<Option<BakeOptions>, 19> kBakeOptions{{
 
 /// The table as the cubes are stored, but for formats that would round it to a percent.
 BrdfFile brdfFile(const std::string& stem, std::string_view extension, const BakeOptions& options,
-                  const MapOutputOptions& output) {
+                  const MapFileOptions& output) {
   BrdfFile file{
       .path = stem + "." + std::string(extension),
       .facts = {writtenValue(options, "distribution"), writtenValue(options, "brdf-axes"), options.brdf_channels}};
@@ -197,12 +197,13 @@ std::string nameOfFolder(const std::string& folder) {
 /// The files of irradiance and of the BRDF table, which a program may have none of.
 Result<void> addOurFiles(const BakeRequest& request, std::string_view extension, BakedFiles& files) {
   const BakeOptions& options = request.options;
-  MIRRORBALL_TRY(irradiance, CubeFiles::resolve(request.output, files.folder, {"irradiance", "i"}, extension, 1));
+  MIRRORBALL_TRY(irradiance, CubeFiles::resolve(request.output.file, files.folder, {"irradiance", "i"}, extension, 1,
+                                                terminalObserver()));
   files.irradiance = std::move(irradiance);
   const std::string brdf =
       options.brdf_extension.empty() ? std::string(extension == "hdr" ? "exr" : extension) : options.brdf_extension;
   MIRRORBALL_TRY(brdf_extension, extensionNamed(brdf, brdfExtensions()));
-  files.brdf = brdfFile(files.folder + "/brdf", brdf_extension, options, request.output);
+  files.brdf = brdfFile(files.folder + "/brdf", brdf_extension, options, request.output.file);
   return {};
 }
 
@@ -227,11 +228,13 @@ Result<BakedFiles> filesOf(const BakeRequest& request) {
                                       writtenExtensions(Holds::texture, " or ") + " file for the chain only");
   const std::string prefix = is_cmgens ? nameOfFolder(folder) + "_" : "";
   const CubeNames chain{is_cmgens ? prefix + "ibl" : "specular", "m", true};
-  MIRRORBALL_TRY(specular, CubeFiles::resolve(request.output, folder, chain, extension, levelCount(request)));
+  MIRRORBALL_TRY(specular, CubeFiles::resolve(request.output.file, folder, chain, extension, levelCount(request),
+                                              terminalObserver()));
   BakedFiles files{
       .source = request.environment, .folder = folder, .set = request.set, .specular = std::move(specular)};
   if (is_cmgens || options.skybox || options.skybox_size > 0) {
-    MIRRORBALL_TRY(skybox, CubeFiles::resolve(request.output, folder, {prefix + "skybox", "skybox"}, extension, 1));
+    MIRRORBALL_TRY(skybox, CubeFiles::resolve(request.output.file, folder, {prefix + "skybox", "skybox"}, extension, 1,
+                                              terminalObserver()));
     files.skybox = std::move(skybox);
   }
   if (!is_cmgens) MIRRORBALL_TRY_VOID(addOurFiles(request, extension, files));
@@ -249,15 +252,14 @@ Result<void> refuseOptionsOfFolders(const BakeOptions& options) {
 }
 
 Result<void> bakeFile(const BakeRequest& request, StageClock& clock) {
-  MapOutputOptions to_file = request.output;
-  to_file.output = request.options.output;
-  if (!isTexturePath(to_file.output))
-    return fail(ErrorCode::usage, to_file.output + ": a prefiltered chain goes into " +
+  const std::string& path = request.options.output;
+  if (!isTexturePath(path))
+    return fail(ErrorCode::usage, path + ": a prefiltered chain goes into " +
                                       writtenExtensions(Holds::texture, " or ") +
                                       "; or name a folder, without an extension");
   MIRRORBALL_TRY_VOID(refuseOptionsOfFolders(request.options));
-  MIRRORBALL_TRY(output, MapOutput::resolve(to_file, Projection::cube));
-  MIRRORBALL_TRY_VOID(checkFolder(to_file.output));
+  MIRRORBALL_TRY(output, mapFileFor(request.output, path, Projection::cube));
+  MIRRORBALL_TRY_VOID(checkFolder(path));
   MIRRORBALL_TRY(chain, bakeChain(request, output, clock));
   MIRRORBALL_TRY_VOID(
       clock.time("files: write", [&] { return output.writeLevels(std::move(chain.levels), chain.facts); }));
@@ -308,7 +310,7 @@ Result<void> bakeMany(const std::vector<std::string>& inputs, BakeRequest reques
 /// errors   usage: there is no such program, or there are not so many levels
 Result<void> settleBy(BakeRequest& request) {
   BakeOptions& options = request.options;
-  MIRRORBALL_TRY(set, engineSetFor(request.output.program));
+  MIRRORBALL_TRY(set, engineSetFor(request.output.file.program));
   request.set = set;
   if (options.mip_mapping == MipMappingChoice::as_for) options.mip_mapping = set.mip_mapping;
   if (options.levels > maxLevels(options.size))
@@ -317,7 +319,7 @@ Result<void> settleBy(BakeRequest& request) {
                                       ", the last of one texel a face; ask for no more");
   const std::string extension = isFile(options.output) ? extensionOf(options.output) : options.extension;
   if (!extension.empty() && !indexOfName(extension, {&set.extension, 1})) return {};
-  std::optional<TexelFormat>& format = request.output.format;
+  std::optional<TexelFormat>& format = request.output.file.format;
   if (!format) format = set.format;
   if (!set.format || format == set.format) return {};
   if (std::ranges::find(set.other_formats, *format) != set.other_formats.end()) return {};
@@ -380,7 +382,7 @@ Command bakeCommand() {
                .takes_path = true},
               request->inputs);
   addOptions(command, bakeOptions(), request->bake.options);
-  addOptions(command, textureOutputOptions(), request->bake.output);
+  addOptions(command, textureFileOptions(), request->bake.output.file);
   command.action = [request] {
     return withStandardStreams(pointersTo(request->inputs), request->bake.options.output,
                                [&] { return bake(request->inputs, request->bake); });

@@ -14,6 +14,7 @@
 #include "cli/files.h"
 #include "cli/map_inputs.h"
 #include "cli/terminal.h"
+#include "mirrorball/bake/bake.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/convert/convert.h"
@@ -67,30 +68,37 @@ Result<void> checkLight(const std::string& name, std::optional<TexelFormat> form
 Result<LoadedEnvironment> loadLight(const BakeRequest& request, std::span<const std::string> outputs) {
   MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
   MIRRORBALL_TRY(loaded, loadMap(request.environment,
-                                 {.from = hint, .repair = request.options.repair, .light = lightLimits(request.output)},
+                                 {.from = hint, .repair = request.options.repair, .light = request.output.file.light},
                                  progressBar("read")));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, outputs));
   tellClamped(loaded.name, loaded.lost);
   EnvironmentMap* map = loaded.environment.map();
-  if (map) MIRRORBALL_TRY_VOID(checkLight(loaded.name, request.output.format, *map));
+  if (map) MIRRORBALL_TRY_VOID(checkLight(loaded.name, request.output.file.format, *map));
   return loaded;
 }
 
-std::vector<PrefilterLevel> levelsOf(const BakeRequest& request) {
+/// What is made of the environment, but for what lies beside the chain.
+BakeSettings settingsOf(const BakeRequest& request) {
   const BakeOptions& options = request.options;
-  std::vector<PrefilterLevel> levels = prefilterLevels({.size = options.size,
-                                                        .distribution = options.distribution,
-                                                        .mip_mapping = mipMappingOf(options.mip_mapping),
-                                                        .levels = levelCount(request)});
-  const std::size_t last = levels.size() - 1;
+  return {.size = options.size,
+          .levels = levelCount(request),
+          .distribution = options.distribution,
+          .mip_mapping = mipMappingOf(options.mip_mapping),
+          .irradiance_size = 0,
+          .harmonics_degree = request.set.files == SetFiles::cmgens ? 2 : 0,
+          .source_from_target = sourceFromRotated(options.rotate_deg)};
+}
+
+void remarkOnLevels(const BakeRequest& request) {
+  const BakeOptions& options = request.options;
+  const int last = levelCount(request) - 1;
   if (options.levels == 0 && last == 0)
     remark("a chain of --size " + std::to_string(options.size) +
            " has level 0 only, the environment itself; --levels asks for more");
-  constexpr std::size_t kLastLevelOfUnity = 6;  // UNITY_SPECCUBE_LOD_STEPS
+  constexpr int kLastLevelOfUnity = 6;  // UNITY_SPECCUBE_LOD_STEPS
   if (options.mip_mapping == MipMappingChoice::unity && last != kLastLevelOfUnity)
     remark("Unity looks for roughness 1 in level 6, and this chain has it in level " + std::to_string(last) +
            "; --levels 7 mends it");
-  return levels;
 }
 
 std::uint64_t bytesOfTable(const BakeOptions& options) {
@@ -129,19 +137,6 @@ class LaterTable {
 /// A table that is so small that it may be made beside the reading of an environment whose size is not known yet.
 constexpr std::uint64_t kSmallTable_bytes = std::uint64_t{4} << 20;
 
-Result<LightHarmonics> analysed(const Environment& environment, const std::vector<Lobe>& lobes, StageClock& clock) {
-  return clock.time("harmonics: analyse",
-                    [&] { return LightHarmonics::make(environment, lobes, progressBar("analyse light")); });
-}
-
-Result<ImageSet> prefiltered(Environment environment, const LightHarmonics& light,
-                             const std::vector<PrefilterLevel>& levels, const glm::mat3& source_from_target,
-                             StageClock& clock) {
-  return clock.time("specular: prefilter", [&] {
-    return prefilter(std::move(environment), light, levels, source_from_target, progressBar("prefilter"));
-  });
-}
-
 std::uint64_t bytesOfChain(const std::vector<PrefilterLevel>& levels) {
   std::uint64_t bytes = 0;
   for (const PrefilterLevel& level : levels) bytes += cubeBytes(level.size);
@@ -154,42 +149,27 @@ int skyboxSize(const BakeOptions& options, const Environment& environment) {
   return options.skybox_size > 0 ? options.skybox_size : std::min(environment.naturalSize(Projection::cube), kMax);
 }
 
-Result<EnvironmentMap> skyboxOf(const Environment& environment, int size, const glm::mat3& source_from_target,
-                                StageClock& clock) {
-  return clock.time("skybox: convert", [&] {
-    return convert(environment, Projection::cube, size, {.source_from_target = source_from_target},
-                   progressBar("skybox"));
-  });
-}
-
 /// The most memory that is needed at a time, beside the BRDF table.
-std::uint64_t memoryFor(const BakeRequest& request, const BakedFiles& files, const BakedSet& set,
-                        const Environment& environment) {
-  const int irradiance_size = files.irradiance ? request.options.irradiance_size : 0;
-  const std::uint64_t made = prefilterMemory(environment, set.levels, Lobe::cosine(), irradiance_size);
-  std::uint64_t packed = files.specular.memoryToWrite(request.options.size);
-  if (files.irradiance) packed = std::max(packed, files.irradiance->memoryToWrite(irradiance_size));
-  if (files.skybox) packed = std::max(packed, files.skybox->memoryToWrite(set.skybox_size));
-  const std::uint64_t written = bytesOfChain(set.levels) + cubeBytes(irradiance_size) + packed;
-  return cubeBytes(set.skybox_size) + std::max(made, written);
+std::uint64_t memoryFor(const BakedFiles& files, const BakeSettings& settings, const Environment& environment) {
+  std::uint64_t packed = files.specular.memoryToWrite(settings.size);
+  if (files.irradiance) packed = std::max(packed, files.irradiance->memoryToWrite(settings.irradiance_size));
+  if (files.skybox) packed = std::max(packed, files.skybox->memoryToWrite(settings.skybox_size));
+  const std::uint64_t written =
+      bytesOfChain(levelsOf(settings)) + cubeBytes(settings.irradiance_size) + cubeBytes(settings.skybox_size) + packed;
+  return std::max(memoryToBake(environment, settings), written);
 }
 
 }  // namespace
 
-Result<BakedChain> bakeChain(const BakeRequest& request, const MapOutput& output, StageClock& clock) {
+Result<BakedChain> bakeChain(const BakeRequest& request, const MapFile& output, StageClock& clock) {
   MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request, output.paths()); }));
-  const std::vector<PrefilterLevel> levels = clock.time("lobes: bands", [&] { return levelsOf(request); });
-  const std::uint64_t written = bytesOfChain(levels) + output.memoryToWrite(request.options.size);
-  MIRRORBALL_TRY_VOID(checkMemory("the chain of " + loaded.name,
-                                  std::max(prefilterMemory(loaded.environment, levels, Lobe::cosine(), 0), written)));
-  std::vector<Lobe> lobes = lobesOf(levels);
-  const bool has_harmonics = request.set.files == SetFiles::cmgens;
-  if (has_harmonics) lobes.push_back(Lobe::cosine());
-  MIRRORBALL_TRY(light, analysed(loaded.environment, lobes, clock));
-  const glm::mat3 source_from_target = sourceFromRotated(request.options.rotate_deg);
-  MIRRORBALL_TRY(chain, prefiltered(std::move(loaded.environment), light, levels, source_from_target, clock));
-  if (!has_harmonics) return BakedChain{std::move(chain), {}};
-  return BakedChain{std::move(chain), factsFor(request.set, radianceHarmonics(light, 2, source_from_target))};
+  remarkOnLevels(request);
+  const BakeSettings settings = settingsOf(request);
+  const std::uint64_t written = bytesOfChain(levelsOf(settings)) + output.memoryToWrite(settings.size);
+  MIRRORBALL_TRY_VOID(
+      checkMemory("the chain of " + loaded.name, std::max(memoryToBake(loaded.environment, settings), written)));
+  MIRRORBALL_TRY(maps, bake(std::move(loaded.environment), settings, clock.observing(terminalObserver())));
+  return BakedChain{std::move(maps.specular), factsFor(request.set, maps.radiance)};
 }
 
 Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, StageClock& clock) {
@@ -200,36 +180,25 @@ Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, St
   std::optional<LaterTable> table;
   if (files.brdf && table_bytes <= kSmallTable_bytes) table.emplace(options, clock);
   MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] { return loadLight(request, files.paths()); }));
+  remarkOnLevels(request);
+
+  BakeSettings settings = settingsOf(request);
+  if (files.irradiance) settings.irradiance_size = options.irradiance_size;
+  settings.harmonics_degree = options.harmonics_degree;
+  if (files.skybox) settings.skybox_size = skyboxSize(options, loaded.environment);
+  MIRRORBALL_TRY_VOID(
+      checkMemory("baking " + loaded.name, table_bytes + memoryFor(files, settings, loaded.environment)));
 
   BakedSet set;
   set.inputs = loaded.files;
-  set.levels = clock.time("lobes: bands", [&] { return levelsOf(request); });
-  if (files.skybox) set.skybox_size = skyboxSize(options, loaded.environment);
-  MIRRORBALL_TRY_VOID(
-      checkMemory("baking " + loaded.name, table_bytes + memoryFor(request, files, set, loaded.environment)));
-
-  const glm::mat3 source_from_target = sourceFromRotated(options.rotate_deg);
+  set.skybox_size = settings.skybox_size;
   if (files.brdf) {
     if (!table) table.emplace(options, clock);
     MIRRORBALL_TRY(brdf, table->get());
     set.brdf = std::move(brdf);
   }
-  if (files.skybox) {
-    MIRRORBALL_TRY(skybox, skyboxOf(loaded.environment, set.skybox_size, source_from_target, clock));
-    set.skybox = std::move(skybox);
-  }
-  std::vector<Lobe> lobes = lobesOf(set.levels);
-  lobes.push_back(Lobe::cosine());
-  MIRRORBALL_TRY(light, analysed(loaded.environment, lobes, clock));
-  MIRRORBALL_TRY(specular, prefiltered(std::move(loaded.environment), light, set.levels, source_from_target, clock));
-  set.specular = std::move(specular);
-  if (files.irradiance) {
-    MIRRORBALL_TRY(irradiance, clock.time("irradiance: cube", [&] {
-      return cubeOf(light, lobes.back(), options.irradiance_size, source_from_target, progressBar("irradiance"));
-    }));
-    set.irradiance = std::move(irradiance);
-  }
-  set.radiance = radianceHarmonics(light, options.harmonics_degree, source_from_target);
+  MIRRORBALL_TRY(maps, bake(std::move(loaded.environment), settings, clock.observing(terminalObserver())));
+  set.maps = std::move(maps);
   return set;
 }
 

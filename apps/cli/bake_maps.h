@@ -15,7 +15,7 @@ struct BakedChain {
 ///
 /// output   that the chain is for: may not be the input itself, and what writing it takes is counted
 /// errors   as loadEnvironment's; usage (the output is the input); too_large; interrupted
-Result<BakedChain> bakeChain(const BakeRequest& request, const MapOutput& output, StageClock& clock);
+Result<BakedChain> bakeChain(const BakeRequest& request, const MapFile& output, StageClock& clock);
 
 /// The same for all that a folder has.
 Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, StageClock& clock);

@@ -59,9 +59,9 @@ Json specularJson(const BakedSet& set, const BakedFiles& files, const BakeOption
   json["distribution"] = writtenValue(options, "distribution");
   json["mip_mapping"] = writtenValue(options, "mip-mapping");
   json["look_up"] = std::string(lookUpOf(mipMappingOf(options.mip_mapping))) +
-                    ", r the perceptual roughness, M = " + std::to_string(set.levels.size() - 1);
-  for (std::size_t i = 0; i < set.levels.size(); ++i) {
-    const PrefilterLevel& level = set.levels[i];
+                    ", r the perceptual roughness, M = " + std::to_string(set.maps.levels.size() - 1);
+  for (std::size_t i = 0; i < set.maps.levels.size(); ++i) {
+    const PrefilterLevel& level = set.maps.levels[i];
     Json row{{"size", level.size},
              {"perceptual_roughness", level.perceptual_roughness},
              {"alpha", formula::alphaFromPerceptualRoughness(level.perceptual_roughness)},

@@ -67,8 +67,8 @@ Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& 
   };
   removeOlderSet(files, set.inputs);
   WrittenFormats formats;
-  MIRRORBALL_TRY(specular,
-                 of_set(files.specular.write(std::move(set.specular), factsFor(files.set, set.radiance), go_on)));
+  MIRRORBALL_TRY(specular, of_set(files.specular.write(std::move(set.maps.specular),
+                                                       factsFor(files.set, set.maps.radiance), go_on)));
   formats.specular = specular;
   const auto writeCube = [&](const std::optional<CubeFiles>& cube, EnvironmentMap map,
                              std::string& format) -> Result<void> {
@@ -78,12 +78,12 @@ Result<void> writeSet(BakedSet set, const BakedFiles& files, const BakeOptions& 
     format = written;
     return {};
   };
-  MIRRORBALL_TRY_VOID(writeCube(files.irradiance, std::move(set.irradiance), formats.irradiance));
-  MIRRORBALL_TRY_VOID(writeCube(files.skybox, std::move(set.skybox), formats.skybox));
+  MIRRORBALL_TRY_VOID(writeCube(files.irradiance, std::move(set.maps.irradiance), formats.irradiance));
+  MIRRORBALL_TRY_VOID(writeCube(files.skybox, std::move(set.maps.skybox), formats.skybox));
   MIRRORBALL_TRY_VOID(go_on());
   if (files.brdf) MIRRORBALL_TRY_VOID(of_set(writeBrdf(std::move(set.brdf), *files.brdf)));
   MIRRORBALL_TRY_VOID(go_on());
-  MIRRORBALL_TRY_VOID(writeHarmonics(set.radiance, files, options));
+  MIRRORBALL_TRY_VOID(writeHarmonics(set.maps.radiance, files, options));
   MIRRORBALL_TRY_VOID(writeText(files.folder + "/manifest.json", manifestOf(set, files, options, formats)));
   folder.keep();
   return {};

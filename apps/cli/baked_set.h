@@ -7,19 +7,15 @@
 #include "cli/brdf_file.h"
 #include "cli/cube_files.h"
 #include "cli/engine_set.h"
-#include "mirrorball/bake/harmonics/spherical_harmonics.h"
+#include "mirrorball/bake/bake.h"
 
 namespace mirrorball::cli {
 
 /// All that `bake` makes of an environment for an engine; cubes and table as far as they are asked for.
 struct BakedSet {
   std::vector<std::string> inputs;  ///< the environment's files
-  std::vector<PrefilterLevel> levels;
-  ImageSet specular;
-  EnvironmentMap irradiance = {};  ///< divided by π
-  EnvironmentMap skybox = {};
+  BakedMaps maps;
   int skybox_size = 0;
-  Harmonics radiance;
   Image brdf;
 };
 

@@ -134,13 +134,13 @@ Result<void> capture(const CaptureRequest& request) {
   settings.frame = request.look;
   MIRRORBALL_TRY(to, projectionOf(request));
   MIRRORBALL_TRY_VOID(checkFolder(request.output.output));
-  MIRRORBALL_TRY(output, MapOutput::resolve(request.output, to));
+  MIRRORBALL_TRY(output, mapFileFor(request.output, request.output.output, to));
   const int size = options.size > 0 ? options.size : equivalentSize(Projection::cube, kUsualSize, to);
   MIRRORBALL_TRY_VOID(output.checkLevelOfSize(size));
 
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, output.paths(), clock));
   MIRRORBALL_TRY(map, captureMap(std::move(inputs), to, size, std::move(settings), clock));
-  tellClamped(output.paths().front(), limitLight(map, lightLimits(request.output)));
+  tellClamped(output.paths().front(), limitLight(map, request.output.file.light));
   MIRRORBALL_TRY_VOID(clock.time("map: encode and write", [&] { return output.write(std::move(map)); }));
   if (request.scene.timings) clock.print();
   return {};
@@ -183,7 +183,7 @@ Command captureCommand() {
   addModel(command, "SCENE", request->scene);
   addOptions(command, sceneOptions(), request->scene);
   addOptions(command, captureOptions(), request->options);
-  addOptions(command, mapOutputOptions(), request->output);
+  addMapOutput(command, request->output);
   addOptions(command, captureLookOptions(), request->look);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {

@@ -89,9 +89,9 @@ Result<ConvertRequest> requestOf(const ConvertOptions& options, const MapOutputO
   ConvertRequest request{std::nullopt,
                          options.size,
                          resamplingOf(options),
-                         {.repair = options.repair, .light = lightLimits(output)},
+                         {.repair = options.repair, .light = output.file.light},
                          output};
-  request.output.display = {options.exposure_ev, options.tone_map};
+  request.output.file.display = {options.exposure_ev, options.tone_map};
   if (!options.to.empty()) {
     MIRRORBALL_TRY(to, projectionToWrite(options.to));
     request.to = to;
@@ -119,21 +119,6 @@ Result<void> convertInputs(const std::vector<std::string>& inputs, const Convert
 
 std::span<const Option<ConvertOptions>> convertOptions() { return kConvertOptions; }
 
-namespace {
-
-/// As that of every command that writes a map, and for many inputs a folder.
-std::span<const Option<MapOutputOptions>> convertOutputOption() {
-  static const std::string help = std::string(mapOutputOptions().front().text.help) + "; for several inputs a folder";
-  static const Option<MapOutputOptions> option = [] {
-    Option<MapOutputOptions> output = mapOutputOptions().front();
-    output.text.help = help;
-    return output;
-  }();
-  return {&option, 1};
-}
-
-}  // namespace
-
 Command convertCommand() {
   struct Request {
     std::vector<std::string> inputs;
@@ -158,8 +143,8 @@ Command convertCommand() {
                .takes_path = true},
               request->inputs);
   addOptions(command, convertOptions(), request->options, &request->output.given);
-  addOptions(command, convertOutputOption(), request->output);
-  addOptions(command, mapOutputOptions().subspan(1), request->output);
+  static const std::string of_output = std::string(mapOutputHelp()) + "; for several inputs a folder";
+  addMapOutput(command, request->output, of_output);
   command.action = [request] {
     return withStandardStreams(pointersTo(request->inputs), request->output.output,
                                [&] { return convertInputs(request->inputs, request->options, request->output); });

@@ -54,7 +54,7 @@ Result<void> copyTexels(const Image& image, Projection to, int face, int row, co
 }
 
 /// Writes what `convert_to` converts, as it comes or as a whole.
-Result<void> writeConverted(const MapOutput& output, int size, std::uint64_t source_bytes,
+Result<void> writeConverted(const MapFile& output, int size, std::uint64_t source_bytes,
                             const std::function<Result<void>(const TakeTexels&)>& convert_to) {
   const Projection to = output.form().projection;
   MIRRORBALL_TRY_VOID(output.checkLevelOfSize(size));
@@ -84,7 +84,7 @@ Result<void> copyRows(RowReader& rows, const std::string& name, const TakeTexels
 }
 
 Result<void> convertByRows(const std::string& input, std::optional<PanoramaRows> panorama,
-                           const ConvertRequest& request, const MapOutput& output, const ProgressFunction& progress) {
+                           const ConvertRequest& request, const MapFile& output, const ProgressFunction& progress) {
   const Projection to = output.form().projection;
   const RowReader::Description picture = panorama->rows->description();
   const int size = request.size > 0 ? request.size : equivalentSize(Projection::equirect, picture.height, to);
@@ -113,11 +113,10 @@ bool isLarge(const PanoramaRows& panorama) {
 
 /// Where an input goes.
 ///
-/// errors   usage: as MapOutput::resolve's, or it would overwrite the input
-Result<MapOutput> outputOf(const std::string& input, MapOutputOptions options, const std::string& path,
-                           Projection projection) {
-  options.output = path;
-  MIRRORBALL_TRY(output, MapOutput::resolve(options, projection));
+/// errors   usage: as MapFile::resolve's, or it would overwrite the input
+Result<MapFile> outputOf(const std::string& input, const MapOutputOptions& options, const std::string& path,
+                         Projection projection) {
+  MIRRORBALL_TRY(output, mapFileFor(options, path, projection));
   MIRRORBALL_TRY_VOID(refuseOverwriting({&input, 1}, output.paths()));
   return output;
 }
@@ -130,8 +129,8 @@ Result<void> checkOutput(const std::string& input, const ConvertRequest& request
 }
 
 /// The output of an input that is loaded, which may have to keep its projection.
-Result<MapOutput> outputOf(const LoadedEnvironment& loaded, const std::string& input, const ConvertRequest& request,
-                           const std::string& path) {
+Result<MapFile> outputOf(const LoadedEnvironment& loaded, const std::string& input, const ConvertRequest& request,
+                         const std::string& path) {
   if (request.to) return outputOf(input, request.output, path, *request.to);
   if (!loaded.recognition)
     return fail(ErrorCode::usage,
@@ -141,7 +140,7 @@ Result<MapOutput> outputOf(const LoadedEnvironment& loaded, const std::string& i
   MapOutputOptions options = request.output;
   // A texture's cube has no layout of its own.
   const bool has_layout = faceCount(form.projection) == 6 && !isTexturePath(input) && !isTexturePath(path);
-  if (has_layout && options.layout.empty() && options.program.empty()) options.layout = nameOf(form.layout);
+  if (has_layout && !options.file.layout && options.file.program.empty()) options.file.layout = form.layout;
   return outputOf(input, options, path, form.projection);
 }
 
@@ -156,7 +155,7 @@ Result<void> copyMap(const EnvironmentMap& map, const TakeTexels& take) {
 ///
 /// returns  whether that is so
 Result<bool> writeOwnLevels(const LoadedEnvironment& loaded, bool is_copy, const ConvertRequest& request,
-                            const MapOutput& output) {
+                            const MapFile& output) {
   if (loaded.levels == 1 || !output.takesOwnLevels()) return false;
   if (is_copy) {
     MIRRORBALL_TRY(levels, loadLevels(loaded, output.form(), request.load));

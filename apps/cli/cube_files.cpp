@@ -16,30 +16,29 @@ EnvironmentMap levelOf(ImageSet& levels, int level) {
 
 }  // namespace
 
-Result<CubeFiles> CubeFiles::resolve(const MapOutputOptions& options, const std::string& folder, const CubeNames& names,
-                                     std::string_view extension, int levels) {
+Result<CubeFiles> CubeFiles::resolve(const MapFileOptions& options, const std::string& folder, const CubeNames& names,
+                                     std::string_view extension, int levels, const Observer& observer) {
   const std::string ending = "." + std::string(extension);
   CubeFiles files;
-  const auto add = [&](const std::string& name, const char* layout) -> Result<void> {
-    MapOutputOptions one = options;
-    one.output = folder + "/" + name + ending;
+  const auto add = [&](const std::string& name, std::optional<CubeLayout> layout) -> Result<void> {
+    MapFileOptions one = options;
     one.layout = layout;
-    MIRRORBALL_TRY(output, MapOutput::resolve(one, Projection::cube));
+    MIRRORBALL_TRY(output, MapFile::resolve(folder + "/" + name + ending, one, Projection::cube, observer));
     files.outputs_.push_back(std::move(output));
     return {};
   };
   if (isTexturePath(names.texture + ending)) {
-    MIRRORBALL_TRY_VOID(add(names.texture, ""));
+    MIRRORBALL_TRY_VOID(add(names.texture, std::nullopt));
     return files;
   }
   for (int level = 0; level < levels; ++level)
-    MIRRORBALL_TRY_VOID(add(names.picture + (names.has_levels ? std::to_string(level) : ""), "faces"));
+    MIRRORBALL_TRY_VOID(add(names.picture + (names.has_levels ? std::to_string(level) : ""), CubeLayout::faces));
   return files;
 }
 
 std::vector<std::string> CubeFiles::paths() const {
   std::vector<std::string> all;
-  for (const MapOutput& output : outputs_)
+  for (const MapFile& output : outputs_)
     for (std::string& path : output.paths()) all.push_back(std::move(path));
   return all;
 }

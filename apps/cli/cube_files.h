@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/map_output.h"
+#include "mirrorball/output/map_file.h"
 
 namespace mirrorball::cli {
 
@@ -19,10 +19,10 @@ struct CubeNames {
 /// Where a cube goes with all its levels: one texture, or six pictures of each level.
 class CubeFiles {
  public:
-  /// options   all but the output's name and layout
-  /// errors    as MapOutput::resolve's
-  static Result<CubeFiles> resolve(const MapOutputOptions& options, const std::string& folder, const CubeNames& names,
-                                   std::string_view extension, int levels);
+  /// options   all but the layout
+  /// errors    as MapFile::resolve's
+  static Result<CubeFiles> resolve(const MapFileOptions& options, const std::string& folder, const CubeNames& names,
+                                   std::string_view extension, int levels, const Observer& observer = {});
 
   bool isTexture() const { return isTexturePath(paths().front()); }
   std::vector<std::string> paths() const;
@@ -40,7 +40,7 @@ class CubeFiles {
   Result<std::string> write(ImageSet levels, const Metadata& facts, const std::function<Result<void>()>& go_on) const;
 
  private:
-  std::vector<MapOutput> outputs_;  // the texture, or each level's pictures
+  std::vector<MapFile> outputs_;  // the texture, or each level's pictures
 };
 
 }  // namespace mirrorball::cli

@@ -246,7 +246,7 @@ Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, s
   MIRRORBALL_TRY(ball, findOrTake());
   tellBall(ball, light, is_given);
   tellBlindCone(ball.view);
-  if (!side.debug.empty()) MIRRORBALL_TRY_VOID(writePicture(side.debug, outlinePicture(light, ball.view)));
+  if (!side.debug.empty()) MIRRORBALL_TRY_VOID(savePicture(side.debug, outlinePicture(light, ball.view)));
   return BallPhotograph{std::move(light), ball.view, side.turn_deg};
 }
 
@@ -271,7 +271,7 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
   MIRRORBALL_TRY_VOID(checkPerspective(options));
   MIRRORBALL_TRY(to, projectionToWrite(options.to));
   MIRRORBALL_TRY_VOID(checkFolder(output_options.output));
-  MIRRORBALL_TRY(output, MapOutput::resolve(output_options, to));
+  MIRRORBALL_TRY(output, mapFileFor(output_options, output_options.output, to));
   MIRRORBALL_TRY_VOID(checkFiles(inputs, options, output.paths()));
   std::vector<BallPhotograph> sides;
   std::optional<Response> curve;
@@ -291,7 +291,7 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
         unwrapped.filled_sr / (4.0 * glm::radians(180.0)) * 100.0);
   const int size = options.size > 0 ? options.size : unwrapped.environment.naturalSize(to);
   MIRRORBALL_TRY(map, convert(unwrapped.environment, to, size, {}, progressBar("unwrap")));
-  tellClamped(inputs.front(), limitLight(map, lightLimits(output_options)));
+  tellClamped(inputs.front(), limitLight(map, output_options.file.light));
   return output.write(std::move(map));
 }
 
@@ -323,7 +323,7 @@ Command photoCommand() {
                .missing = "name a photograph",
                .takes_path = true},
               request->inputs);
-  addOptions(command, mapOutputOptions(), request->output);
+  addMapOutput(command, request->output);
   addOptions(command, photoOptions(), request->options);
   command.action = [request] {
     std::vector<std::string*> inputs = pointersTo(request->inputs);

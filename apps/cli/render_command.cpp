@@ -52,7 +52,7 @@ Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, cons
     return clock.time("picture: encode and write", [&] { return writeImage(output, radiance); });
   }
   MIRRORBALL_TRY(picture, clock.time("frame: finish, tone map, read back", [&] { return renderer.picture(); }));
-  return clock.time("picture: encode and write", [&] { return writePicture(output, picture); });
+  return clock.time("picture: encode and write", [&] { return savePicture(output, picture); });
 }
 
 /// Where a file name has a picture's number: "%04d" as printf has it, or at least two "#", a digit each.

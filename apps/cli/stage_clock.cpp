@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace mirrorball::cli {
 namespace {
@@ -12,9 +13,16 @@ double milliseconds(StageClock::Clock::duration duration) {
 
 }  // namespace
 
-void StageClock::add(const char* name, Clock::time_point begin, Clock::time_point end) {
+void StageClock::add(std::string name, Clock::time_point begin, Clock::time_point end) {
   const std::lock_guard lock(mutex_);
-  stages_.push_back({name, milliseconds(begin - start_), milliseconds(end - begin)});
+  stages_.push_back({std::move(name), milliseconds(begin - start_), milliseconds(end - begin)});
+}
+
+Observer StageClock::observing(Observer observer) {
+  observer.timing = [this](std::string_view stage) -> std::function<void()> {
+    return [this, name = std::string(stage), begin = Clock::now()] { add(name, begin, Clock::now()); };
+  };
+  return observer;
 }
 
 void StageClock::print() const {

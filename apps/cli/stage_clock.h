@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "mirrorball/base/observer.h"
+
 namespace mirrorball::cli {
 
 /// Collects how long the stages of a command take, for --timings. May be used from several threads.
@@ -24,6 +26,9 @@ class StageClock {
     return work();
   }
 
+  /// The observer, which times the stages of what it observes too.
+  Observer observing(Observer observer);
+
   /// Prints the stages in the order in which they began, each with its begin and length, to standard error.
   void print() const;
 
@@ -33,7 +38,7 @@ class StageClock {
     double begin_ms;
     double length_ms;
   };
-  void add(const char* name, Clock::time_point begin, Clock::time_point end);
+  void add(std::string name, Clock::time_point begin, Clock::time_point end);
 
   Clock::time_point start_ = Clock::now();
   std::mutex mutex_;

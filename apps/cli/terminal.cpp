@@ -98,6 +98,32 @@ void remark(const std::string& text) {
   if (!is_quiet) say(stderr, "mirrorball: note: " + text);
 }
 
+namespace {
+
+/// Which options help, as the end of a remark.
+std::string adviceOn(const Remark& remark) {
+  switch (remark.kind) {
+    case RemarkKind::light_lost:
+      return "; --scale-light or --format float32 would keep it";
+    case RemarkKind::digits_lost:
+      return "; --format float32 holds them all";
+    case RemarkKind::form_unsaid:
+      return "; to read this one, add --from " + remark.detail;
+    case RemarkKind::levels_few:
+      return "; --levels " + remark.detail + " mends it";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+Observer terminalObserver() {
+  return {.remark = [](const Remark& told) { remark(told.message + adviceOn(told)); },
+          .written = announce,
+          .progress = [](std::string_view stage) { return progressBar(std::string(stage)); }};
+}
+
 void complain(const Error& error) { say(stderr, "mirrorball: " + error.message); }
 
 Result<void> outcomeOfMany(std::size_t failed, std::size_t all, const std::string& done, const std::string& folder) {

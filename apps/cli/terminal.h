@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 
+#include "mirrorball/base/observer.h"
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 
@@ -33,6 +34,9 @@ void tell(const std::string& line);
 
 /// Says on standard error what the user did not ask for but should know: "note: …".
 void remark(const std::string& text);
+
+/// Shows the progress of library work, announces its files, and says its remarks with the options that help.
+Observer terminalObserver();
 
 /// Says on standard error what is wrong.
 void complain(const Error& error);

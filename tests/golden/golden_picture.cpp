@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 std::string writtenTo(const fs::path& path, const Image8& picture) {
   std::error_code seen_when_writing;
   fs::create_directories(path.parent_path(), seen_when_writing);
-  const Result<void> written = writePicture(path, picture);
+  const Result<void> written = savePicture(path, picture);
   return written ? path.string() : written.error().message;
 }
 

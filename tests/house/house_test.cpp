@@ -35,6 +35,7 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"environment", {"codec"}},
     {"photo", {"environment"}},
     {"bake", {"environment"}},
+    {"output", {"bake"}},
     {"surface", {"image"}},
     {"scene", {"codec", "surface"}},
     {"gl", {"image"}},
@@ -92,11 +93,12 @@ std::set<std::string> reachableFrom(const std::string& room) {
   return reachable;
 }
 
-/// The third part of src/mirrorball/ROOM/…; empty for a file outside the rooms.
+/// The third part of src/mirrorball/ROOM/…; empty for a file outside the rooms, as src/mirrorball/mirrorball.h is.
 std::string roomOf(const std::string& path) {
   const std::string rooms = "src/mirrorball/";
   if (!startsWith(path, rooms)) return "";
-  return path.substr(rooms.size(), path.find('/', rooms.size()) - rooms.size());
+  const std::size_t end = path.find('/', rooms.size());
+  return end == std::string::npos ? "" : path.substr(rooms.size(), end - rooms.size());
 }
 
 Complaints checkRoomRule(const SourceFile& file) {

@@ -160,7 +160,7 @@ Result<Image8> decodeTexture(Span bytes, const std::string& name) {
   return withinMemory<Image8>(name, [&] { return decodeTextureByMagic(bytes, name); });
 }
 
-Result<void> writePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata) {
+Result<void> savePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata) {
   const std::string name = path.string();
   MIRRORBALL_TRY(format, formatToWrite(path, {Holds::picture}));
   MIRRORBALL_TRY_VOID(checkShape(picture, name));

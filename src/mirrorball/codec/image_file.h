@@ -73,7 +73,7 @@ Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes, const std::str
 bool holdsCodes(std::span<const std::uint8_t> bytes);
 
 /// Writes an encoded picture of 3 or 4 channels (straight alpha; JPEG drops it) as .png or .jpg.
-Result<void> writePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata = {});
+Result<void> savePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata = {});
 
 /// Whether the extension of `path` is one that writeImage takes; the error lists the right ones.
 Result<void> checkWritable(const std::filesystem::path& path);

@@ -104,13 +104,13 @@ TEST(Codec, LinearFormatsAreTold) {
 
 TEST_F(CodecFile, PicturesKeepTheirCodes) {
   Image8 picture(3, 2, 4, 77);
-  ASSERT_TRUE(writePicture(folder_ / "a.png", picture, {{"mirrorball:projection", "sphere"}}));
+  ASSERT_TRUE(savePicture(folder_ / "a.png", picture, {{"mirrorball:projection", "sphere"}}));
   const auto bytes = readFile(folder_ / "a.png");
   ASSERT_TRUE(bytes);
   EXPECT_THAT(decodeTexture(*bytes, "a")->samples(), ::testing::ElementsAreArray(picture.samples()));
   EXPECT_EQ(readImage(folder_ / "a.png")->metadata.at("mirrorball:projection"), "sphere");
-  EXPECT_TRUE(writePicture(folder_ / "a.jpg", picture));
-  EXPECT_EQ(writePicture(folder_ / "a.exr", picture).error().code, ErrorCode::usage);
+  EXPECT_TRUE(savePicture(folder_ / "a.jpg", picture));
+  EXPECT_EQ(savePicture(folder_ / "a.exr", picture).error().code, ErrorCode::usage);
 }
 
 TEST_F(CodecFile, ForeignMetadataIsRefused) {

@@ -166,6 +166,12 @@ Result<FaceOrder> faceOrderNamed(std::string_view written) {
   return order;
 }
 
+std::string textOf(const FaceOrder& order) {
+  std::string text;
+  for (const int slot : order) text += (text.empty() ? "" : ",") + std::string(nameOf(static_cast<SignedAxis>(slot)));
+  return text;
+}
+
 CubeArrangement reordered(const CubeArrangement& arrangement, const FaceOrder& order) {
   CubeArrangement result;
   for (std::size_t slot = 0; slot < order.size(); ++slot)

@@ -78,6 +78,9 @@ using FaceOrder = std::array<int, 6>;
 /// errors   usage: not six, or not each once
 Result<FaceOrder> faceOrderNamed(std::string_view written);
 
+/// "+x,-x,+y,-y,+z,-z", as faceOrderNamed reads it.
+std::string textOf(const FaceOrder& order);
+
 CubeArrangement reordered(const CubeArrangement& arrangement, const FaceOrder& order);
 
 /// Where another program's +X, +Y and +Z point in our world: three different axes, left-handed or not.

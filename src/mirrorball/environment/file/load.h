@@ -35,6 +35,10 @@ struct LoadedEnvironment {
   Metadata metadata = {};                  ///< what the file says of itself; of six files the first
   std::string doubt = {};                  ///< what speaks against the form that was recognised, for the user
   int levels = 1;                          ///< mip levels that its file holds, the map itself among them
+
+  /// It is taken wherever an environment is: as itself, or, when it is not needed any more, with its images.
+  operator const Environment&() const& { return environment; }
+  operator Environment() && { return std::move(environment); }
 };
 
 /// Loads a built-in by its name (builtin.h), else a file of any format that is read (codec/image_format.h): of a texture its

@@ -202,7 +202,7 @@ Bytes smallGlb() {
   maker.accessor(kTriangle, "VEC3");
   maker.accessor(std::vector<std::uint16_t>{0, 1, 2}, "SCALAR");
   const std::string path = ::testing::TempDir() + "gltf_damage.png";
-  EXPECT_TRUE(writePicture(path, Image8(2, 2, 3, 50)));
+  EXPECT_TRUE(savePicture(path, Image8(2, 2, 3, 50)));
   const int view = maker.view(*readFile(path));
   return maker.glb("{\"attributes\":{\"POSITION\":0},\"indices\":1,\"material\":0}",
                    "\"images\":[{\"bufferView\":" + std::to_string(view) +

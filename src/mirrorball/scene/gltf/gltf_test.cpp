@@ -203,7 +203,7 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
   Image8 picture(2, 1, 3, 0);
   picture.texel(1, 0)[0] = 200;
   const std::string path = ::testing::TempDir() + "gltf picture.png";
-  ASSERT_TRUE(writePicture(path, picture));
+  ASSERT_TRUE(savePicture(path, picture));
   const Result<Bytes> png = readFile(path);
   ASSERT_TRUE(png);
   const int view = maker.view(*png);
@@ -273,7 +273,7 @@ TEST(Gltf, ReadsOnePictureForBothKindsOfColour) {
   GltfMaker maker;
   maker.accessor(kTriangle, "VEC3");
   const std::string path = ::testing::TempDir() + "gltf_both.png";
-  ASSERT_TRUE(writePicture(path, Image8(1, 1, 3, 9)));
+  ASSERT_TRUE(savePicture(path, Image8(1, 1, 3, 9)));
   const Scene scene = decoded(maker.gltf(
       primitive("", ",\"material\":0"),
       "\"images\":[{\"uri\":\"gltf_both.png\"}],\"textures\":[{\"source\":0}],\"materials\":[{\"emissiveTexture\":"
@@ -315,7 +315,7 @@ TEST(Gltf, ComputesTangentsAlongTheNormalMapsCoordinates) {
   maker.accessor(std::vector<float>{0, 1, 1, 1, 0, 0}, "VEC2");  // u along +X
   maker.accessor(std::vector<float>{0, 0, 0, 1, 1, 0}, "VEC2");  // u along +Y
   const std::string path = ::testing::TempDir() + "gltf_normal.png";
-  ASSERT_TRUE(writePicture(path, Image8(1, 1, 3, 128)));
+  ASSERT_TRUE(savePicture(path, Image8(1, 1, 3, 128)));
   const auto tangent = [&](int set) {
     return decoded(maker.gltf(primitive(",\"NORMAL\":1,\"TEXCOORD_0\":2,\"TEXCOORD_1\":3", ",\"material\":0"),
                               "\"images\":[{\"uri\":\"gltf_normal.png\"}],\"textures\":[{\"source\":0}],\"materials\":["

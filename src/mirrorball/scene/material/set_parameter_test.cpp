@@ -17,7 +17,7 @@ std::string onePixel() {
   const std::string path = ::testing::TempDir() + "set_parameter_pixel.png";
   Image8 image(1, 1, 4, 255);
   image.texel(0, 0)[1] = 100;
-  EXPECT_TRUE(writePicture(path, image));
+  EXPECT_TRUE(savePicture(path, image));
   return path;
 }
 

@@ -139,7 +139,7 @@ TEST(Obj, SmoothingGroupsSayWhatIsSmooth) {
 
 TEST(Obj, ReadsMaterialsAndTheirPictures) {
   Image8 picture(1, 1, 3, 128);
-  ASSERT_TRUE(writePicture(std::filesystem::path(::testing::TempDir()) / "obj_colour.png", picture));
+  ASSERT_TRUE(savePicture(std::filesystem::path(::testing::TempDir()) / "obj_colour.png", picture));
   writeText("obj_test.mtl",
             "newmtl shiny\nKd 0.5 0.25 0.125\nKs 1 1 1\nNs 198\nNi 1.33\nd 0.5\nKe 2 0 0\n"
             "newmtl painted\nKd 1 1 1\nmap_Kd obj_colour.png\nmap_Bump bumps.png\nPr 0.3\nPm 1\n"

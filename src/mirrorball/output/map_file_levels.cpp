@@ -6,15 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "cli/map_output.h"
-#include "cli/terminal.h"
 #include "mirrorball/bake/prefilter/mip_chain.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/environment/file/recognize.h"
 #include "mirrorball/image/level_sheet.h"
+#include "mirrorball/output/map_file.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 namespace {
 
 /// One level of a set that is not needed any more.
@@ -26,42 +25,40 @@ ImageSet takeLevel(ImageSet& levels, int level) {
 
 }  // namespace
 
-Result<void> MapOutput::setLevels(const MapOutputOptions& options) {
+Result<void> MapFile::setLevels(const MapFileOptions& options) {
   all_levels_ = options.mips;
   level_ = options.level;
   mip_source_ = options.mip_source;
   if (!hasLevels()) return {};
-  const std::string option = all_levels_ ? "--mips" : "--level";
   if (hasDisc(form_.projection))
-    return fail(ErrorCode::usage, option + " of " + std::string(nameOf(form_.projection)) +
-                                      " would mix in what lies beside the disc; use --to cube or equirect");
+    return fail(ErrorCode::usage, "mip levels of " + std::string(nameOf(form_.projection)) +
+                                      " would mix in what lies beside the disc; a cube or a panorama has none such");
   if (form_.has_texels_on_edges)
-    return fail(ErrorCode::usage,
-                option + ": OpenEXR's texels on the edges are of a whole map; leave --for openexr out");
+    return fail(ErrorCode::usage, "OpenEXR's texels on the edges are of a whole map; mip levels are not for openexr");
   return {};
 }
 
-Result<void> MapOutput::checkLevel(int levels) const {
+Result<void> MapFile::checkLevel(int levels) const {
   if (!level_ || *level_ < levels) return {};
-  return fail(ErrorCode::usage, output_ + ": there is no level " + std::to_string(*level_) + "; the last is " +
-                                    std::to_string(levels - 1));
+  return fail(ErrorCode::usage,
+              path_ + ": there is no level " + std::to_string(*level_) + "; the last is " + std::to_string(levels - 1));
 }
 
-Result<void> MapOutput::checkLevelOfSize(int size) const {
+Result<void> MapFile::checkLevelOfSize(int size) const {
   const glm::ivec2 extent = imageSize(form_.projection, size);
   return checkLevel(levelCount(std::max(extent.x, extent.y)));
 }
 
-Result<ImageSet> MapOutput::wantedOf(ImageSet levels) const {
+Result<ImageSet> MapFile::wantedOf(ImageSet levels) const {
   if (!level_) return levels;
   MIRRORBALL_TRY_VOID(checkLevel(levels.levels()));
   return takeLevel(levels, *level_);
 }
 
-Result<ImageSet> MapOutput::levelsOf(EnvironmentMap map) const {
+Result<ImageSet> MapFile::levelsOf(EnvironmentMap map) const {
   const glm::ivec2 extent = map.extent();
-  MIRRORBALL_TRY_VOID(checkMemory(output_, std::uint64_t(extent.x) * std::uint64_t(extent.y) *
-                                               std::uint64_t(map.faces()) * 3 * sizeof(float) * 7 / 3));
+  MIRRORBALL_TRY_VOID(checkMemory(path_, std::uint64_t(extent.x) * std::uint64_t(extent.y) *
+                                             std::uint64_t(map.faces()) * 3 * sizeof(float) * 7 / 3));
   const MipWeights weights = mip_source_ == MipSource::box ? MipWeights::box : MipWeights::solid_angle;
   const bool is_cube = map.faces() == 6;
   ImageSet levels = is_cube ? mipChain(map, weights)
@@ -70,7 +67,7 @@ Result<ImageSet> MapOutput::levelsOf(EnvironmentMap map) const {
   return wantedOf(is_cube ? arranged(std::move(levels), form_.arrangement) : std::move(levels));
 }
 
-Result<void> MapOutput::writePictures(ImageSet images) const {
+Result<void> MapFile::writePictures(ImageSet images) const {
   if (display_ != Display{}) forEachImage(images, [&](Image& image) { showOn(display_, image); });
   const bool is_sheet = all_levels_ && images.levels() > 1;
   const ImageWriteOptions how{.half = half_, .metadata = is_sheet ? metadataOfLevelSheet() : metadataOf(form_)};
@@ -81,9 +78,9 @@ Result<void> MapOutput::writePictures(ImageSet images) const {
       levels.push_back(files.size() > 1 ? std::move(images.at(level, static_cast<int>(file)))
                                         : pictureOfImages(takeLevel(images, level), form_));
     MIRRORBALL_TRY_VOID(writeImage(files[file], is_sheet ? levelSheet(levels) : std::move(levels.front()), how));
-    announce(files[file]);
+    observer_.tellWritten(files[file]);
   }
   return {};
 }
 
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "mirrorball/base/progress.h"
+
+namespace mirrorball {
+
+/// What a remark is about, for callers that treat kinds differently.
+enum class RemarkKind {
+  light_lost,       ///< a format that was asked for holds no light that bright
+  digits_lost,      ///< it holds few digits of light that dark
+  negative_raised,  ///< values below 0 became 0
+  format_widened,   ///< written in 32-bit floats, since half floats do not hold the light
+  alpha_lost,       ///< the format has no alpha
+  form_unsaid,      ///< the file does not say what map it holds; `detail` is what tells it (FormHint's words)
+  levels_few,       ///< the mip levels are fewer than their reader looks for
+};
+
+/// What a caller did not ask for but should know.
+struct Remark {
+  RemarkKind kind;
+  std::string message;      ///< one line, which begins with the file's name where it is of one
+  std::string detail = {};  ///< as its kind says
+};
+
+/// What work tells its caller while it goes on. Each may be left out.
+struct Observer {
+  std::function<void(const Remark&)> remark = {};
+  std::function<void(const std::string& path)> written = {};              ///< a file is finished
+  std::function<ProgressFunction(std::string_view stage)> progress = {};  ///< of each stage that takes long
+  std::function<std::function<void()>(std::string_view stage)> timing =
+      {};  ///< a stage begins; what it returns ends it
+
+  void tell(RemarkKind kind, std::string message, std::string detail = {}) const {
+    if (remark) remark({kind, std::move(message), std::move(detail)});
+  }
+  void tellWritten(const std::string& path) const {
+    if (written) written(path);
+  }
+  ProgressFunction progressOf(std::string_view stage) const { return progress ? progress(stage) : ProgressFunction(); }
+
+  /// Does `work` as a stage of that name.
+  template <typename Work>
+  auto timed(std::string_view stage, const Work& work) const {
+    const std::function<void()> end = timing ? timing(stage) : std::function<void()>();
+    auto result = work();
+    if (end) end();
+    return result;
+  }
+};
+
+}  // namespace mirrorball

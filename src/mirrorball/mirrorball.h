@@ -1,0 +1,18 @@
+#pragma once
+
+/// All that one needs to load, convert, prefilter and save environment maps, and to render models in their light. The
+/// functions and what they may fail with are told where they are declared; MIRRORBALL_TRY (base/result.h) passes failures on.
+/// Link mirrorball::mirrorball.
+
+#include "mirrorball/bake/bake.h"
+#include "mirrorball/bake/brdf/brdf_table.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/environment/file/load.h"
+#include "mirrorball/output/save_map.h"
+#include "mirrorball/render/frame/cube_capture.h"
+#include "mirrorball/render/frame/renderer.h"
+#include "mirrorball/render/frame/turntable.h"
+#include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/material/material_changes.h"

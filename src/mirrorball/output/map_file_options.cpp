@@ -1,0 +1,166 @@
+// The table of how a map goes into its file.
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_format.h"
+#include "mirrorball/output/map_file.h"
+
+namespace mirrorball {
+namespace {
+
+/// The names of formats, of those that a picture in .exr has or of all.
+std::vector<std::string_view> formatNames(bool only_of_exr) {
+  std::vector<std::string_view> names;
+  for (const TexelFormatName& format : kTexelFormatNames)
+    if (format.is_in_exr || !only_of_exr) names.push_back(format.name);
+  return names;
+}
+
+/// "float16=half|fp16=half": the other names.
+std::string formatAliases() {
+  std::string aliases;
+  for (const TexelFormatName& format : kTexelFormatNames)
+    for (const std::string& also : split(format.also, ' '))
+      aliases += (aliases.empty() ? "" : "|") + also + "=" + std::string(format.name);
+  return aliases;
+}
+
+const std::string kFormatChoices = "auto|" + join(formatNames(false), "|");
+const std::string kFormatAliases = formatAliases();
+const std::string kFormatHelp = "of texels: " + join(formatNames(true), ", ", " or ") + " in .exr; " +
+                                join(formatNames(false), ", ", " or ") + " in " +
+                                writtenExtensions(Holds::texture, " and ") +
+                                "; auto is float32 in .exr, in textures half where it holds all values; bc6h is "
+                                "compressed to a byte a texel";
+
+constexpr ChoiceField<MapFileOptions> kFormatField{
+    [](const MapFileOptions& options) { return options.format ? static_cast<int>(*options.format) + 1 : 0; },
+    [](MapFileOptions& options, int index) {
+      options.format = index > 0 ? std::optional(static_cast<TexelFormat>(index - 1)) : std::nullopt;
+    }};
+
+using Field = ParsedField<MapFileOptions>;
+
+constexpr Field kFaceOrderField{
+    [](const MapFileOptions& options) { return options.face_order ? textOf(*options.face_order) : std::string(); },
+    [](const OptionText& text, std::string_view written, MapFileOptions& options) -> Result<void> {
+      auto order = faceOrderNamed(written);
+      if (!order) return fail(ErrorCode::usage, std::string(text.name) + ": " + order.error().message);
+      options.face_order = *order;
+      return {};
+    }};
+
+constexpr Field kLayoutField{
+    [](const MapFileOptions& options) { return options.layout ? std::string(nameOf(*options.layout)) : std::string(); },
+    [](const OptionText& text, std::string_view written, MapFileOptions& options) -> Result<void> {
+      auto layout = cubeLayoutNamed(written);
+      if (!layout) return fail(ErrorCode::usage, std::string(text.name) + ": " + layout.error().message);
+      options.layout = *layout;
+      return {};
+    }};
+
+constexpr Field kScaleField{
+    [](const MapFileOptions& options) { return formatNumber(options.light.scale); },
+    [](const OptionText& text, std::string_view written, MapFileOptions& options) -> Result<void> {
+      MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+      options.light.scale = numbers[0];
+      return {};
+    }};
+
+/// 0 stands for no limit.
+constexpr Field kClampField{
+    [](const MapFileOptions& options) {
+      return formatNumber(std::isfinite(options.light.max) ? options.light.max : 0.0f);
+    },
+    [](const OptionText& text, std::string_view written, MapFileOptions& options) -> Result<void> {
+      MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+      options.light.max = numbers[0] > 0.0f ? numbers[0] : std::numeric_limits<float>::infinity();
+      return {};
+    }};
+
+const std::string kProgramHelp = "as that program wants it: " + join(presetNames(), " ");
+const std::string kLayoutHelp =
+    "of a cube in pictures: " + join(cubeLayoutNames()) + " (faces are six files); else as --for has it, or hcross";
+
+const std::string kMipsHelp =
+    "all mip levels: " + writtenExtensions(Holds::texture, " and ") +
+    " hold them, a picture shows them on one sheet, the smaller ones beside or below the first";
+// First those that any texture of a cube may be asked for.
+constexpr std::size_t kTextureOptions = 8;
+const std::array<Option<MapFileOptions>, 12> kMapFileOptions{{
+    {{.name = "for", .value = "PROGRAM", .help = kProgramHelp, .group = "Output", .names = presetNames},
+     &MapFileOptions::program},
+    {{.name = "as-seen",
+      .help = "cube faces as pictures seen from inside, not by OpenGL's left-handed table",
+      .group = "Output"},
+     &MapFileOptions::as_seen},
+    {{.name = "flip",
+      .choices = "none|horizontal|vertical|both",
+      .help = "turns each cube face over, after --for and --as-seen",
+      .group = "Output"},
+     choiceField<&MapFileOptions::flip>},
+    {{.name = "face-order",
+      .value = "ORDER",
+      .help = "which face is the first, second, … sixth: +x,-x,+y,-y,+z,-z is the usual order",
+      .group = "Output"},
+     kFaceOrderField},
+    {{.name = "format",
+      .value = "FORMAT",
+      .choices = kFormatChoices,
+      .aliases = kFormatAliases,
+      .help = kFormatHelp,
+      .group = "Output"},
+     kFormatField},
+    {{.name = "zstd",
+      .value = "LEVEL",
+      .minimum = 0,
+      .maximum = 22,
+      .help = "Zstandard compression of .ktx2: 1 fast … 22 small, 0 none",
+      .group = "Output"},
+     &MapFileOptions::zstandard_level},
+    {{.name = "scale-light",
+      .value = "FACTOR",
+      .minimum = 1e-30,
+      .maximum = 1e30,
+      .help = "takes all light times FACTOR, before anything else is done with it",
+      .group = "Output"},
+     kScaleField},
+    {{.name = "clamp-light",
+      .value = "MAX",
+      .unit = "radiance",
+      .minimum = 0,
+      .maximum = 1e38,
+      .help = "then lowers texels that are brighter in any channel to MAX, their hue kept; 0: none",
+      .group = "Output"},
+     kClampField},
+    {{.name = "layout", .value = "LAYOUT", .help = kLayoutHelp, .group = "Output", .names = cubeLayoutNames},
+     kLayoutField},
+    {{.name = "mips", .help = kMipsHelp, .group = "Output"}, &MapFileOptions::mips},
+    {{.name = "level",
+      .value = "N",
+      .minimum = 0,
+      .maximum = 30,
+      .help = "one mip level instead of the map; 0 is the map itself, each next one half as large",
+      .group = "Output"},
+     &MapFileOptions::level},
+    {{.name = "mip",
+      .choices = "auto|solid-angle|box",
+      .help = "how a mip level's texels weigh: by their solid angle, or all alike (plain 2 x 2 boxes); auto is "
+              "solid-angle, but keeps the levels of a texture whose map stays as it is",
+      .group = "Output"},
+     choiceField<&MapFileOptions::mip_source>},
+}};
+
+}  // namespace
+
+std::span<const Option<MapFileOptions>> mapFileOptions() { return kMapFileOptions; }
+
+std::span<const Option<MapFileOptions>> textureFileOptions() { return mapFileOptions().subspan(0, kTextureOptions); }
+
+}  // namespace mirrorball

@@ -133,6 +133,7 @@ Result<std::vector<double>> parseExposures(const std::string& written) {
 struct Side {
   std::vector<std::string> files;
   std::vector<float> circle;
+  std::string circle_option;
   std::string exposures;
   double turn_deg = 0.0;
   std::string debug;
@@ -222,6 +223,19 @@ void tellBall(const FoundBall& ball, const Image& light, bool is_given) {
         glm::degrees(fov));
 }
 
+/// Says so where another circle may be the ball's.
+void tellDoubt(const FoundBall& ball, const Side& side) {
+  if (ball.isSure()) return;
+  std::array<char, 128> rival{};
+  if (ball.rival)
+    std::snprintf(rival.data(), rival.size(), "; the next likely one is about %.0f,%.0f,%.0f", ball.rival->center_px.x,
+                  ball.rival->center_px.y, ball.rival->radius_px);
+  remark(side.files.front() + ": this circle may not be the ball's (confidence " +
+         std::to_string(std::lround(100.0 * ball.confidence)) + " %" + rival.data() +
+         "): look at it with --debug found.png, and if it is wrong give the right one with " + side.circle_option +
+         " X,Y,R");
+}
+
 double capSolidAngle(double half_angle_rad) { return 2.0 * glm::radians(180.0) * (1.0 - std::cos(half_angle_rad)); }
 
 void tellBlindCone(const BallView& view) {
@@ -245,6 +259,7 @@ Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, s
   };
   MIRRORBALL_TRY(ball, findOrTake());
   tellBall(ball, light, is_given);
+  tellDoubt(ball, side);
   tellBlindCone(ball.view);
   if (!side.debug.empty()) MIRRORBALL_TRY_VOID(savePicture(side.debug, outlinePicture(light, ball.view)));
   return BallPhotograph{std::move(light), ball.view, side.turn_deg};
@@ -275,14 +290,15 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
   MIRRORBALL_TRY_VOID(checkFiles(inputs, options, output.paths()));
   std::vector<BallPhotograph> sides;
   std::optional<Response> curve;
-  MIRRORBALL_TRY(first, readSide({inputs, options.circle, options.exposures, 0.0, options.debug}, options, curve));
+  MIRRORBALL_TRY(first,
+                 readSide({inputs, options.circle, "--circle", options.exposures, 0.0, options.debug}, options, curve));
   sides.push_back(std::move(first));
   if (!options.second.empty()) {
     const std::string& exposures = options.second_exposures.empty() ? options.exposures : options.second_exposures;
     const std::string debug = options.debug.empty() ? "" : suffixed(options.debug, "_second");
-    MIRRORBALL_TRY(
-        second, readSide({options.second, options.second_circle, exposures, double(options.second_rotation_deg), debug},
-                         options, curve));
+    MIRRORBALL_TRY(second, readSide({options.second, options.second_circle, "--second-circle", exposures,
+                                     double(options.second_rotation_deg), debug},
+                                    options, curve));
     sides.push_back(std::move(second));
   }
   MIRRORBALL_TRY(unwrapped, unwrapBall(std::move(sides)));

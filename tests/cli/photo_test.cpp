@@ -56,6 +56,29 @@ TEST_F(PhotoTest, ToStandardOutputGoesTheMapAndNothingElse) {
   EXPECT_THAT(refuse(2, "photo ball.png map2.exr"), HasSubstr("say -o map2.exr"));
 }
 
+TEST_F(PhotoTest, ADoubtfulBallIsToldWithTheWayOut) {
+  // Two balls alike; a picture without any.
+  Image balls(240, 120, 3, 0.05f);
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 240; ++x)
+      if (glm::length(glm::vec2(x % 120, y) + 0.5f - 60.0f) < 40.0f)
+        std::fill_n(balls.texel(x, y), 3, y / 8 % 2 == x / 8 % 2 ? 0.3f : 0.6f);
+  write("balls.png", balls);
+  const Outcome outcome = run("photo balls.png --size 32 -o map.exr");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(
+      outcome.err,
+      ContainsRegex("mirrorball: note: balls.png: this circle may not be the ball's \\(confidence [0-9]+ %; the "
+                    "next likely one is about [0-9]+,60,40\\): .*--debug found.png.* --circle X,Y,R\n$"));
+  EXPECT_THAT(run("photo balls.png --circle 60,60,40 --size 32 -o map.exr").err, Not(HasSubstr("may not be")));
+  EXPECT_THAT(run("photo ball.png --circle 32,32,28 --second balls.png --second-rotation 90 --size 32 -o map.exr").err,
+              HasSubstr(" with --second-circle X,Y,R"));
+  write("wall.png", Image(200, 150, 3, 0.5f));
+  const Outcome none = run("photo wall.png -o map.exr");
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_THAT(none.err, HasSubstr("wall.png: no mirror ball is found; give it with --circle X,Y,R in pixels\n"));
+}
+
 // Before anything is read, and so with nothing told.
 TEST_F(PhotoTest, AWrongCameraIsToldAtOnce) {
   EXPECT_THAT(refuse(2, line_ + "a.exr --distance 0.5"), HasSubstr("in radii of the ball, so more than 1"));

@@ -1,11 +1,16 @@
 #include "mirrorball/photo/find_ball.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include <glm/gtc/constants.hpp>
 
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/photo/ball_evidence.h"
 #include "mirrorball/photo/rim_fit.h"
 #include "mirrorball/photo/rim_votes.h"
 
@@ -14,9 +19,13 @@ namespace {
 
 constexpr int kCoarseSide = 320;
 constexpr double kLeastShare = 0.4;
+constexpr double kLeastVisible = 0.4;
+constexpr double kLeastRadius_px = 8.0;
+/// Below it no circle is named.
+constexpr double kLeastConfidence = 0.2;
 
 /// Brightness as the eye grades it, in any exposure: the median becomes a middle grey, lights above it are compressed,
-/// so that a lamp's edge is no stronger than a hundred times the rim's.
+/// so that a lamp's edge is no stronger than a hundred times the rim's, and what is nearly black does not show its noise.
 Image greyOf(const Image& light) {
   Image grey(light.width(), light.height(), 1);
   std::vector<float> sorted;
@@ -27,8 +36,9 @@ Image greyOf(const Image& light) {
     }
   const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
   std::ranges::nth_element(sorted, middle);
+  constexpr float kDark = 0.01f;
   const float scale = 0.25f / std::max(*middle, 1e-6f);
-  for (float& sample : grey.samples()) sample = std::sqrt(sample * scale / (1.0f + sample * scale));
+  for (float& sample : grey.samples()) sample = std::sqrt((sample * scale + kDark) / (1.0f + sample * scale));
   return grey;
 }
 
@@ -56,59 +66,79 @@ Image planeImage(const PlanePicture& picture, int width, int height, double scal
   return plane;
 }
 
+/// A circle that may be the ball's, fitted to the edges around it.
+struct Candidate {
+  Circle circle;
+  double log_odds = 0.0;  ///< that it is, against there being no ball
+};
+
+double distanceBetween(const Circle& a, const Circle& b) {
+  return std::max(glm::distance(a.center_px, b.center_px), std::abs(a.radius_px - b.radius_px));
+}
+
+/// Fits a circle to the edges around it; nothing where no rim is there. `pixel` is the size of the picture's texels.
+std::optional<Candidate> fitCandidate(const PlanePicture& picture, const Circle& start, double pixel) {
+  constexpr int kRays = 180;
+  constexpr double kWeakest = 0.005;  // change of brightness a texel
+  const double reach = std::max(3.0 * pixel, 0.12 * start.radius_px);
+  const double tolerance = std::max(1.2 * pixel, 0.012 * start.radius_px);
+  const double blur = std::max(0.8 * pixel, 0.006 * start.radius_px);
+  Circle circle = start;
+  // What is found at the end of the reach is looked for once more, from there.
+  for (int round = 0; round < 2; ++round) {
+    const Circle before = circle;
+    const auto edges = edgesAcross(picture, before, kRays, reach, blur, kWeakest / pixel);
+    circle = mostSupported(edges, before, kRays, reach, tolerance);
+    circle = refineCircle(edges, circle, 2.0 * tolerance, tolerance);
+    if (distanceBetween(circle, before) < 0.5 * reach) break;
+  }
+  if (!(circle.radius_px >= kLeastRadius_px) || distanceBetween(circle, start) > 2.0 * reach) return {};
+  // Along the fitted circle again: an edge counts only where it runs across the fitted circle's own radii.
+  const auto across = edgesAcross(picture, circle, kRays, 2.0 * tolerance, blur, kWeakest / pixel);
+  const RimSupport support = supportOf(picture, circle, across, kRays, tolerance);
+  if (support.visible < kLeastVisible) return {};
+  return Candidate{circle, ballLogOdds(picture, circle, support.share, pixel)};
+}
+
+/// All candidates of the coarse picture, the likeliest first, each rim once.
+std::vector<Candidate> findCandidates(const PlanePicture& picture, int width, int height, double pixel) {
+  constexpr double kSame = 0.04;  // of the radius: circles nearer than that stand for the same rim
+  const std::vector<Circle> votes = voteForCircles(planeImage(picture, width, height, pixel));
+  std::vector<std::optional<Candidate>> fits(votes.size());
+  parallelFor(votes.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      fits[i] = fitCandidate(picture, {votes[i].center_px * pixel, votes[i].radius_px * pixel}, pixel);
+  });
+  std::erase(fits, std::nullopt);
+  std::ranges::stable_sort(fits, std::greater{}, [](const auto& fit) { return fit->log_odds; });
+  std::vector<Candidate> candidates;
+  for (const auto& fit : fits)
+    if (std::ranges::none_of(candidates, [&](const Candidate& better) {
+          return distanceBetween(better.circle, fit->circle) < kSame * better.circle.radius_px;
+        }))
+      candidates.push_back(*fit);
+  return candidates;
+}
+
+/// How likely the first is the ball, of all candidates and none.
+double confidenceIn(const std::vector<Candidate>& candidates) {
+  const double most = std::max(candidates.front().log_odds, 0.0);  // keeps the powers in range
+  double sum = std::exp(-most);
+  for (const Candidate& candidate : candidates) sum += std::exp(candidate.log_odds - most);
+  return std::exp(candidates.front().log_odds - most) / sum;
+}
+
 struct Fit {
   Circle circle;
   RimSupport support;
-  double sureness = 0.0;  ///< 0 … 1: share, less what circles a little larger and smaller have, less for small circles
 };
 
-/// Fits a candidate to the edges around it. `pixel` is the size of the picture's texels.
-Fit fitCandidate(const PlanePicture& picture, const Circle& candidate, double pixel) {
-  constexpr int kRays = 180;
-  constexpr double kWeakest = 0.005;  // change of brightness a texel
-  const double reach = std::max(3.0 * pixel, 0.12 * candidate.radius_px);
-  const double tolerance = std::max(1.2 * pixel, 0.012 * candidate.radius_px);
-  const double blur = std::max(0.8 * pixel, 0.006 * candidate.radius_px);
-  const auto edges = edgesAcross(picture, candidate, kRays, reach, blur, kWeakest / pixel);
-  Fit fit;
-  fit.circle =
-      refineCircle(edges, mostSupported(edges, candidate, kRays, reach, tolerance), 2.0 * tolerance, tolerance);
-  // Along the fitted circle again: an edge counts only where it runs across the fitted circle's own radii.
-  const auto across = edgesAcross(picture, fit.circle, kRays, 3.5 * tolerance, blur, kWeakest / pixel);
-  fit.support = supportOf(picture, fit.circle, across, kRays, tolerance);
-  double chance = 0.0;
-  for (const double side : {-2.5, 2.5}) {
-    const Circle beside{fit.circle.center_px, fit.circle.radius_px + side * tolerance};
-    chance += 0.5 * supportOf(picture, beside, across, kRays, tolerance).share;
-  }
-  // The fewer texels a circle has, the more easily chance makes one: 10 texels of radius count half, 30 nearly wholly.
-  const double size = 1.0 - std::exp(-candidate.radius_px / pixel / 15.0);
-  fit.sureness = size * (fit.support.share - 0.5 * chance);
-  return fit;
-}
-
-/// The best candidate of the coarse picture.
-std::optional<Fit> bestCandidate(const PlanePicture& picture, int width, int height, double pixel) {
-  const std::vector<Circle> candidates = voteForCircles(planeImage(picture, width, height, pixel));
-  std::vector<Fit> fits(candidates.size());
-  parallelFor(candidates.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      fits[i] = fitCandidate(picture, {candidates[i].center_px * pixel, candidates[i].radius_px * pixel}, pixel);
-  });
-  std::optional<Fit> best;
-  for (const Fit& fit : fits)
-    if (fit.support.visible > 0.4 && (!best || fit.sureness > best->sureness)) best = fit;
-  return best;
-}
-
-/// Refines in the full picture, from a fit that is right within `within_px`.
-Fit refined(const PlanePicture& picture, Circle circle, double within_px) {
+/// Refines in the full picture, from a fit that is right within `within_px`, where the rim spreads over `blur` pixels.
+Fit refined(const PlanePicture& picture, Circle circle, double within_px, double blur) {
   constexpr int kRays = 720;
   constexpr double kWeakest = 0.008;
   Fit fit;
   std::vector<EdgePoint> edges;
-  // A rim is as sharp as the lens: in large pictures it spreads over several pixels.
-  const double blur = std::clamp(circle.radius_px / 400.0, 0.7, 3.0);
   for (const double reach : {within_px, std::max(within_px / 3.0, 3.0 * blur), 3.0 * blur}) {
     edges = edgesAcross(picture, circle, kRays, reach, blur, kWeakest / blur);
     if (reach == within_px) circle = mostSupported(edges, circle, kRays, reach, 1.5 * blur);
@@ -119,6 +149,19 @@ Fit refined(const PlanePicture& picture, Circle circle, double within_px) {
   fit.circle = circle;
   fit.support = supportOf(picture, circle, edges, kRays, 1.5 * blur);
   return fit;
+}
+
+/// Refines with the least blur that shows the rim: the more, the more do the lines just inside draw it inwards.
+Fit refined(const PlanePicture& picture, const Circle& start, double within_px) {
+  // A rim is as sharp as the lens: in large pictures it spreads over several pixels.
+  const double sharpest = std::clamp(start.radius_px / 400.0, 0.7, 3.0);
+  Fit best;
+  for (const double width : {1.0, 2.0, 3.5}) {
+    const Fit fit = refined(picture, start, within_px, width * sharpest);
+    if (fit.support.share > best.support.share) best = fit;
+    if (best.support.share >= kLeastShare) break;
+  }
+  return best;
 }
 
 /// The circle of the lens' plane that fits these positions of the picture best.
@@ -163,23 +206,19 @@ Circle circleInPicture(const BallView& view) {
 }
 
 Result<FoundBall> findBall(const Image& light, const Perspective& perspective, const std::string& name) {
-  const std::string advice = "; give it with --circle x,y,r in pixels";
+  const std::string advice = "; give it with --circle X,Y,R in pixels";
   const glm::dvec2 middle = glm::dvec2(light.width(), light.height()) / 2.0;
   const Image grey = greyOf(light);
   const int factor = std::max(1, std::max(light.width(), light.height()) / kCoarseSide);
   const Image coarse = shrunk(grey, factor);
-  Lens lens{middle, perspective.focal_px};
-  const auto found = bestCandidate(PlanePicture(coarse, lens, factor), coarse.width(), coarse.height(), factor);
-  if (!found || found->sureness < kLeastShare)
-    return fail(ErrorCode::bad_shape,
-                name + ": no ball's rim is found" +
-                    (found ? " (the best circle has an edge along only " + percent(found->support.share) +
-                                 " of its rim, others by chance nearly as much)"
-                           : "") +
-                    advice);
+  const Lens seen_through{middle, perspective.focal_px};
+  Lens lens = seen_through;
+  const auto candidates = findCandidates(PlanePicture(coarse, lens, factor), coarse.width(), coarse.height(), factor);
+  const double confidence = candidates.empty() ? 0.0 : confidenceIn(candidates);
+  if (confidence < kLeastConfidence) return fail(ErrorCode::bad_shape, name + ": no mirror ball is found" + advice);
 
-  double within = std::max(2.5 * factor, 0.012 * found->circle.radius_px);
-  Fit fit = refined(PlanePicture(grey, lens, 1.0), found->circle, within);
+  const Circle& likeliest = candidates.front().circle;
+  Fit fit = refined(PlanePicture(grey, lens, 1.0), likeliest, std::max(2.5 * factor, 0.02 * likeliest.radius_px));
   // The lens follows from the rim and the distance, and the rim's exact shape from the lens.
   for (int round = 0; round < 3 && perspective.distance > 0.0; ++round) {
     const BallView seen(lens, fit.circle);
@@ -188,10 +227,13 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective, c
     fit = refined(PlanePicture(grey, lens, 1.0), planeCircle(lens, seen.outline(64), fit.circle),
                   std::max(4.0, 0.03 * fit.circle.radius_px));
   }
-  if (fit.support.share < kLeastShare || fit.circle.radius_px < 8.0)
+  if (fit.support.share < kLeastShare || fit.circle.radius_px < kLeastRadius_px)
     return fail(ErrorCode::bad_shape, name + ": the ball's rim is not sure (an edge along only " +
                                           percent(fit.support.share) + " of it)" + advice);
-  return FoundBall{BallView(lens, fit.circle), fit.support.share, fit.support.visible, fit.support.rms_px};
+  FoundBall ball{BallView(lens, fit.circle), fit.support.share, fit.support.visible,
+                 fit.support.rms_px,         confidence,        {}};
+  if (candidates.size() > 1) ball.rival = circleInPicture(BallView(seen_through, candidates[1].circle));
+  return ball;
 }
 
 Result<FoundBall> ballOfCircle(const Circle& circle, glm::ivec2 size, const Perspective& perspective) {

@@ -18,21 +18,28 @@ struct Perspective {
 /// A ball in a photograph, and how sure its rim is.
 struct FoundBall {
   BallView view;
-  double share = 1.0;    ///< of the rim inside the picture, how much has an edge that runs along it
-  double visible = 1.0;  ///< how much of the rim lies inside the picture
-  double rms_px = 0.0;   ///< root of the mean square distance of those edges from the rim
+  double share = 1.0;                ///< of the rim inside the picture, how much has an edge that runs along it
+  double visible = 1.0;              ///< how much of the rim lies inside the picture
+  double rms_px = 0.0;               ///< root of the mean square distance of those edges from the rim
+  double confidence = 1.0;           ///< 0 … 1: how likely this is the ball, of all circles that were found and none
+  std::optional<Circle> rival = {};  ///< the next likely one, within some percent, as ballOfCircle takes it
+
+  /// Whether it need hardly be looked at: of traced photographs 1 in 100 that is sure is off by more than 3 % of the radius.
+  bool isSure() const { return confidence >= 0.7; }
 };
 
 /// Finds a mirror ball's rim in a photograph, to a fraction of a pixel.
 ///
-/// Circles are voted for by edges in a coarse picture (rim_votes.h). Each candidate is then fitted to the edges across
-/// its radii by trying circles through three of them, and counted by how much of its rim has an edge that runs along it
-/// beyond what neighbouring circles have by chance. The best is refined by robust least squares in the full picture.
+///   1. Circles are voted for by edges in a coarse picture (rim_votes.h).
+///   2. Each is moved to where its radii have an edge and few have one outside (rim_fit.h).
+///   3. The likeliest is taken: edges at the rim, more detail inside than outside, size (ball_evidence.h).
+///   4. It is refined in the full picture by robust least squares.
 /// All of this happens in the lens' plane, where the rim is a circle even beside the picture's middle.
 ///
 /// light    a photograph, linear; 1 or 3 channels or more
 /// name     the file, for messages
-/// errors   bad_shape: no rim that is sure enough, or the ball would surround the camera
+/// returns  a circle that may be the wrong one unless isSure()
+/// errors   bad_shape: nothing that is likely a ball, or the ball would surround the camera
 /// cost     about 0.3 s, little depending on the size; deterministic
 Result<FoundBall> findBall(const Image& light, const Perspective& perspective, const std::string& name);
 

@@ -18,7 +18,6 @@ using testing::clutter;
 using testing::expectFound;
 using ::testing::HasSubstr;
 using testing::kPromised_px;
-using testing::lampsInMist;
 using testing::outlineError_px;
 using testing::throughJpeg;
 
@@ -26,7 +25,7 @@ TEST(FindBall, FarBesideTheMiddleTheRimIsAnEllipse) {
   BallScene scene;
   scene.focal_px = 420.0;
   scene.center = {2.6, -1.6, -7.0};
-  scene.environment = lampsInMist();
+  scene.environment = builtin("studio");
   scene.background = clutter(3);
   const Image photograph = throughJpeg(scene.photograph());
   expectFound(scene, photograph);
@@ -40,7 +39,7 @@ TEST(FindBall, DistanceTellsTheFieldOfView) {
   BallScene scene;
   scene.focal_px = 500.0;
   scene.center = {1.3, 0.9, -5.0};
-  scene.environment = lampsInMist();
+  scene.environment = builtin("sky");
   const auto found = findBall(throughJpeg(scene.photograph()), {.distance = scene.distance(), .focal_px = 0.0}, "test");
   ASSERT_TRUE(found) << found.error().message;
   EXPECT_LT(outlineError_px(scene, *found), kPromised_px);
@@ -51,7 +50,7 @@ TEST(FindBall, DistanceTellsTheFieldOfView) {
 
 TEST(FindBall, PartOfTheRimIsHiddenByAStand) {
   BallScene scene;
-  scene.environment = lampsInMist();
+  scene.environment = builtin("studio");
   scene.background = clutter(9);
   // A stand that is broader than half the ball, over the lowest sixth of its rim.
   scene.foreground = [](glm::dvec2 p) -> std::optional<glm::vec3> {
@@ -63,7 +62,7 @@ TEST(FindBall, PartOfTheRimIsHiddenByAStand) {
 
 TEST(FindBall, CrossesTheBorder) {
   BallScene scene;
-  scene.environment = lampsInMist();
+  scene.environment = builtin("studio");
   scene.center = {(1.25 * 240.0 - scene.focal_px / 8.0) / scene.focal_px * 8.0, 0.0, -8.0};
   double visible = 1.0;
   // A quarter of the diameter lies outside, where the error of the rest of the rim is extrapolated.
@@ -73,13 +72,34 @@ TEST(FindBall, CrossesTheBorder) {
 
 TEST(FindBall, LowContrastOnOneSide) {
   BallScene scene;
-  scene.environment = lampsInMist();
+  scene.environment = builtin("studio");
   // To the left the background is as bright as what the rim mirrors, to the right it is not.
   scene.background = [&scene](glm::vec3 ray) {
     const float share = glm::smoothstep(-0.05f, 0.05f, ray.x);
     return glm::mix(scene.environment(ray), glm::vec3(0.9f), share);
   };
   expectFound(scene, throughJpeg(scene.photograph()), 0.5);
+}
+
+TEST(FindBall, IsSureOfOneBallAndNotOfOneOfTwo) {
+  BallScene scene;
+  scene.size = {300, 300};
+  scene.environment = builtin("sky");
+  const Image one = scene.photograph();
+  const auto alone = findBall(one, {}, "test");
+  ASSERT_TRUE(alone) << alone.error().message;
+  EXPECT_TRUE(alone->isSure()) << alone->confidence;
+  // The same ball twice, beside each other.
+  Image two(600, 300, 3);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 600; ++x) std::copy_n(one.texel(x % 300, y), 3, two.texel(x, y));
+  const auto either = findBall(two, {}, "test");
+  ASSERT_TRUE(either) << either.error().message;
+  EXPECT_FALSE(either->isSure()) << either->confidence;
+  ASSERT_TRUE(either->rival);
+  const Circle found = circleInPicture(either->view);
+  EXPECT_NEAR(std::abs(either->rival->center_px.x - found.center_px.x), 300.0, 3.0);
+  EXPECT_NEAR(either->rival->radius_px, found.radius_px, 3.0);
 }
 
 TEST(FindBall, IsTheSameEveryTime) {
@@ -108,7 +128,7 @@ TEST(FindBall, PicturesWithoutABallAreRefused) {
   expectRefused(noise, "noise");
   BallScene scene;
   scene.center = {100.0, 0.0, -8.0};
-  scene.environment = lampsInMist();
+  scene.environment = builtin("studio");
   expectRefused(scene.photograph(), "a room");
   for (unsigned seed = 1; seed <= 5; ++seed) {
     scene.background = clutter(seed, false);

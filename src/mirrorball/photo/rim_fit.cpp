@@ -209,26 +209,31 @@ RimSupport supportOf(const PlanePicture& picture, const Circle& circle, std::spa
 Circle mostSupported(std::span<const EdgePoint> edges, const Circle& start, int rays, double reach_px,
                      double tolerance_px) {
   constexpr int kTries = 400;
+  constexpr double kOfOneOutside = 0.5;
   if (edges.size() < 3) return start;
   // A generator of its own with a fixed seed: the same circle every time.
   std::minstd_rand random(1);
   const auto any = [&] { return edges[random() % edges.size()].plane_px; };
   std::vector<char> hit(static_cast<std::size_t>(rays));
-  const auto hits = [&](const Circle& circle) {
+  const auto supportFor = [&](const Circle& circle) {
     std::ranges::fill(hit, 0);
-    for (const EdgePoint& edge : edges)
-      if (std::abs(distanceTo(circle, edge.plane_px)) < tolerance_px) hit[std::size_t(edge.ray)] = 1;
-    return std::ranges::count(hit, 1);
+    std::ptrdiff_t outside = 0;
+    for (const EdgePoint& edge : edges) {
+      const double distance = distanceTo(circle, edge.plane_px);
+      if (std::abs(distance) < tolerance_px) hit[std::size_t(edge.ray)] = 1;
+      if (distance >= tolerance_px) ++outside;
+    }
+    return double(std::ranges::count(hit, 1)) - kOfOneOutside * double(outside);
   };
   Circle best = start;
-  auto most = hits(start);
+  double most = supportFor(start);
   for (int attempt = 0; attempt < kTries; ++attempt) {
     const auto circle = circleThrough(any(), any(), any());
     if (!circle || glm::distance(circle->center_px, start.center_px) > reach_px ||
         std::abs(circle->radius_px - start.radius_px) > reach_px)
       continue;
-    if (const auto count = hits(*circle); count > most) {
-      most = count;
+    if (const double support = supportFor(*circle); support > most) {
+      most = support;
       best = *circle;
     }
   }

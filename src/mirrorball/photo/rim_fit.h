@@ -63,7 +63,10 @@ struct RimSupport {
 RimSupport supportOf(const PlanePicture& picture, const Circle& circle, std::span<const EdgePoint> edges, int rays,
                      double tolerance_px);
 
-/// The circle near which most radii have an edge: circles through three edges each are tried, in a fixed order.
+/// The circle near which most radii have an edge and few have one outside: a mirror ball squeezes its surroundings into
+/// lines that run along its rim, inside of it and nowhere else, and some of them look more like a rim than the rim
+/// itself. An edge outside counts half against what one radius with an edge at the rim counts for. Circles through
+/// three edges each are tried, in a fixed order.
 Circle mostSupported(std::span<const EdgePoint> edges, const Circle& start, int rays, double reach_px,
                      double tolerance_px);
 

@@ -1,15 +1,15 @@
-# mirrorball_room(NAME [COMPUTES] [UNITY] SOURCES … DEPENDS … [TESTS …] [ACCURACY_TESTS …])
+# mirrorball_room(NAME [COMPUTES] [UNITY] [HEADERS …] SOURCES … DEPENDS … [TESTS …] [ACCURACY_TESTS …])
 #
 # One room of the house (docs/architecture.md): the static library mirrorball_NAME, aliased
-# mirrorball::NAME, with its test programs beside it. DEPENDS are the targets that the room's own
-# headers or sources use. One that COMPUTES is optimised further. One with UNITY is compiled as a
+# mirrorball::NAME, with its test programs beside it. HEADERS are those that are installed: what a program outside may
+# include. DEPENDS are the targets that the room's own headers or sources use. One that COMPUTES is optimised further. One with UNITY is compiled as a
 # single file, which is for few small files that share most headers. ACCURACY_TESTS hold results to brute force, over many
 # inputs.
 #
 # What is in the rooms, their tests and the packages that they use are collected in the properties MIRRORBALL_…, for the
 # package (MirrorballInstall.cmake) and for the sanitizers (tests/sanitized).
 function(mirrorball_room name)
-  cmake_parse_arguments(ROOM "COMPUTES;UNITY" "" "SOURCES;DEPENDS;TESTS;ACCURACY_TESTS" ${ARGN})
+  cmake_parse_arguments(ROOM "COMPUTES;UNITY" "" "HEADERS;SOURCES;DEPENDS;TESTS;ACCURACY_TESTS" ${ARGN})
   set(target mirrorball_${name})
   add_library(${target} STATIC ${ROOM_SOURCES})
   add_library(mirrorball::${name} ALIAS ${target})
@@ -27,9 +27,10 @@ function(mirrorball_room name)
     mirrorball_use_precompiled_headers(${target})
   endif()
 
+  mirrorball_component(${name} DEPENDS ${ROOM_DEPENDS})
+  set_property(GLOBAL PROPERTY MIRRORBALL_HEADERS_${name} ${ROOM_HEADERS})
   list(TRANSFORM ROOM_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
   list(FILTER ROOM_DEPENDS EXCLUDE REGEX "^mirrorball::")
-  set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOMS ${target})
   if(ROOM_COMPUTES)
     set_property(GLOBAL APPEND PROPERTY MIRRORBALL_COMPUTING_SOURCES ${ROOM_SOURCES})
   else()
@@ -43,6 +44,16 @@ function(mirrorball_room name)
   if(MIRRORBALL_TESTS AND ROOM_ACCURACY_TESTS)
     mirrorball_test(${name}_accuracy SOURCES ${ROOM_ACCURACY_TESTS} DEPENDS ${target} LABELS accuracy)
   endif()
+endfunction()
+
+# mirrorball_component(NAME [DEPENDS …])
+#
+# Makes the target mirrorball_NAME a component of the package (MirrorballInstall.cmake), which needs these targets.
+# Components are told of in the order in which one needs another.
+function(mirrorball_component name)
+  cmake_parse_arguments(COMPONENT "" "" "DEPENDS" ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY MIRRORBALL_COMPONENTS ${name})
+  set_property(GLOBAL PROPERTY MIRRORBALL_NEEDS_${name} ${COMPONENT_DEPENDS})
 endfunction()
 
 # mirrorball_test(NAME SOURCES … DEPENDS … [LABELS …])

@@ -2,6 +2,7 @@
 
 option(MIRRORBALL_TESTS "Build the tests" ON)
 option(MIRRORBALL_BENCH "Build the benchmarks" ON)
+option(MIRRORBALL_THREADS "Compute on all cores, with oneTBB" ON)
 option(MIRRORBALL_FUZZ "Build the fuzzers (clang with libFuzzer)" OFF)
 option(MIRRORBALL_WARNINGS_AS_ERRORS "Stop at the first compiler warning" OFF)
 set(MIRRORBALL_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "cli/command_line.h"
-#include "cli/common_options.h"
 #include "cli/files.h"
 #include "cli/map_inputs.h"
 #include "cli/terminal.h"
 #include "mirrorball/bake/bake.h"
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/file/load.h"

@@ -33,6 +33,4 @@ void use(const CommonOptions& options) {
   ::setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), kKeepWhatIsSet);
 }
 
-std::launch besideOthers() { return threadLimit() > 1 ? std::launch::async : std::launch::deferred; }
-
 }  // namespace mirrorball::cli

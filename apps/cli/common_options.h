@@ -1,6 +1,5 @@
 #pragma once
 
-#include <future>
 #include <span>
 
 #include "mirrorball/base/option.h"
@@ -17,9 +16,5 @@ std::span<const Option<CommonOptions>> commonOptions();
 
 /// Puts them into force, before anything is computed.
 void use(const CommonOptions& options);
-
-/// How a task is started that others need not wait for: on a thread of its own; where only one thread may compute, when
-/// somebody waits for it.
-std::launch besideOthers();
 
 }  // namespace mirrorball::cli

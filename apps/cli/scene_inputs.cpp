@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "cli/command_line.h"
-#include "cli/common_options.h"
 #include "cli/files.h"
 #include "cli/map_inputs.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"

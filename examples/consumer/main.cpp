@@ -1,40 +1,38 @@
-// Turns a built-in environment into a cube map in one picture, and asks two formulas a question.
+// Converts a panorama to a cube map, prefilters it for an engine, and renders a model in its light.
+//
+// usage: consumer PANORAMA MODEL FOLDER
 
 #include <cstdio>
-#include <filesystem>
+#include <string>
 
-#include "formula/formula.h"
-#include "mirrorball/base/result.h"
-#include "mirrorball/codec/image_file.h"
-#include "mirrorball/environment/builtin/builtin.h"
-#include "mirrorball/environment/convert/convert.h"
-#include "mirrorball/environment/cube/cube_layout.h"
+#include "mirrorball/mirrorball.h"
+
+using namespace mirrorball;
 
 namespace {
 
-mirrorball::Result<void> writeCross(const std::filesystem::path& path) {
-  MIRRORBALL_TRY(environment, mirrorball::builtinEnvironment("white"));
-  MIRRORBALL_TRY(cube, mirrorball::convert(environment, mirrorball::Projection::cube, 32));
-  const mirrorball::Image cross = composeLayout(cube.images(), mirrorball::CubeLayout::hcross);
-  MIRRORBALL_TRY_VOID(mirrorball::writeImage(path, cross));
-
-  MIRRORBALL_TRY(decoded, mirrorball::readImage(path));
-  const glm::vec3 front = mirrorball::rgbAt(decoded.image, 32 + 16, 32 + 16);
-  std::printf("cross: %d x %d, front %g %g %g\n", decoded.image.width(), decoded.image.height(), front.r, front.g,
-              front.b);
-  return {};
+Result<void> run(const std::string& panorama, const std::string& model_name, const std::string& folder) {
+  MIRRORBALL_TRY(room, loadEnvironment(panorama));
+  MIRRORBALL_TRY(cube, convert(room, Projection::cube, 64));
+  MIRRORBALL_TRY_VOID(saveMap(folder + "/room.ktx2", cube, {.mips = true}));
+  MIRRORBALL_TRY(maps, bake(room, {.size = 64}));
+  MIRRORBALL_TRY_VOID(saveMap(folder + "/specular.ktx2", maps.specular));
+  MIRRORBALL_TRY(model, loadModel(model_name));  // a built-in's name too
+  MIRRORBALL_TRY(renderer, Renderer::headless());
+  MIRRORBALL_TRY_VOID(renderer.setScene(std::move(model)));
+  MIRRORBALL_TRY_VOID(renderer.setEnvironment(std::move(room)));
+  MIRRORBALL_TRY(frame, renderer.render({.size = {320, 180}}));
+  return savePicture(folder + "/model.png", frame);
 }
 
 }  // namespace
 
 int main(int count, char** words) {
-  const auto written = writeCross(count > 1 ? words[1] : "cross.exr");
-  if (!written) {
-    std::fprintf(stderr, "%s\n", written.error().message.c_str());
-    return 1;
+  if (count != 4) {
+    std::fprintf(stderr, "usage: consumer PANORAMA MODEL FOLDER\n");
+    return 2;
   }
-  const glm::vec3 right(1.0f, 0.0f, 0.0f);
-  std::printf("+X lies on face %d\n", mirrorball::formula::cubeFace(right));
-  std::printf("glass reflects %.4f head on\n", mirrorball::formula::fresnelDielectric(1.0f, 1.0f / 1.5f));
-  return 0;
+  const Result<void> done = run(words[1], words[2], words[3]);
+  if (!done) std::fprintf(stderr, "%s\n", done.error().message.c_str());
+  return done ? 0 : 1;
 }

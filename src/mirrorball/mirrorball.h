@@ -1,16 +1,25 @@
 #pragma once
 
+/// \mainpage
 /// All that one needs to load, convert, prefilter and save environment maps, and to render models in their light. The
 /// functions and what they may fail with are told where they are declared; MIRRORBALL_TRY (base/result.h) passes failures on.
 /// Link mirrorball::mirrorball.
 
 #include "mirrorball/bake/bake.h"
 #include "mirrorball/bake/brdf/brdf_table.h"
+#include "mirrorball/base/memory.h"
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/file/load.h"
+#include "mirrorball/environment/statistics.h"
 #include "mirrorball/output/save_map.h"
+#include "mirrorball/photo/find_ball.h"
+#include "mirrorball/photo/merge.h"
+#include "mirrorball/photo/photograph.h"
+#include "mirrorball/photo/unwrap.h"
 #include "mirrorball/render/frame/cube_capture.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/frame/turntable.h"

@@ -63,27 +63,31 @@ TEST_F(BadConvertOptionTest, AWrongValueIsToldWithWhatIsRight) {
 
 TEST_F(BadConvertOptionTest, WhatAFileCannotHoldIsToldWithWhatCan) {
   refuseAll({
-      {"--to cube -o a.exr --zstd 5", {"a.exr: ", "--zstd is for .ktx2"}},
-      {"--to cube -o a.dds --zstd 5", {"a.dds: ", "--zstd is for .ktx2"}},
+      {"--to cube -o a.exr --zstd 5", {"a.exr: ", "no Zstandard compression; .ktx2 has"}},
+      {"--to cube -o a.dds --zstd 5", {"a.dds: ", "no Zstandard compression; .ktx2 has"}},
       {"--to cube -o a.exr --format b10g11r11", {"a.exr: ", "b10g11r11", "half and float32"}},
-      {"--to cube -o a.hdr --format half", {"a.hdr: ", "--format half"}},
-      {"--to cube -o a.png --format float32", {"a.png: ", "--format float32"}},
-      {"--to cube -o a.ktx2 --layout hcross", {"a.ktx2: ", "leave --layout out"}},
-      {"--to cube -o a.dds --layout faces", {"a.dds: ", "leave --layout out"}},
+      {"--to cube -o a.hdr --format half", {"a.hdr: ", "cannot hold half texels"}},
+      {"--to cube -o a.png --format float32", {"a.png: ", "cannot hold float32 texels"}},
+      {"--to cube -o a.ktx2 --layout hcross", {"a.ktx2: ", "in no layout"}},
+      {"--to cube -o a.dds --layout faces", {"a.dds: ", "in no layout"}},
       {"--to cube -o a.ktx2 --for openexr", {"a.ktx2: ", ".exr"}},
       {"--to equirect -o a.hdr --for openexr", {"a.hdr: ", ".exr"}},
-      {"--to sphere -o a.ktx2 --mips", {"--mips", "sphere", "cube or equirect"}},
-      {"--to paraboloid -o a.dds --mips", {"--mips", "paraboloid"}},
+      {"--to sphere -o a.ktx2 --mips", {"mip levels of sphere", "a cube or a panorama"}},
+      {"--to paraboloid -o a.dds --mips", {"mip levels of paraboloid"}},
       {"--to cube -o a.ktx2 --mip box", {"--mip", "--mips"}},
       {"--to cube -o a.pfm", {"a.pfm: is not a format that Mirrorball writes", ".hdr or .exr", ".ktx2, .ktx or .dds"}},
   });
 }
 
 TEST_F(BadConvertOptionTest, WhatSaysNothingOfTheProjectionIsRefused) {
-  for (const std::string option : {"--layout lecture", "--as-seen", "--flip both", "--face-order -x+x+y-y+z-z"})
+  const std::vector<std::pair<std::string, std::string>> options{{"--layout lecture", "layout lecture: "},
+                                                                 {"--as-seen", "as seen: "},
+                                                                 {"--flip both", "flip both: "},
+                                                                 {"--face-order -x+x+y-y+z-z", "face order -x,+x"}};
+  for (const auto& [option, words] : options)
     for (const std::string to : {"sphere", "equirect", "octahedral", "paraboloid"})
       EXPECT_THAT(refuse(2, "convert white --to " + to + " -o a.exr " + option),
-                  AllOf(HasSubstr(option.substr(0, option.find(' '))), HasSubstr("for cubes"), HasSubstr(to)));
+                  AllOf(HasSubstr(words), HasSubstr("for cubes"), HasSubstr(to)));
   refuseAll({
       {"--to sphere -o a.exr --for unity", {"Unity", "cubes and panoramas", "sphere"}},
       {"--to cube -o a.exr --for blender", {"Blender", "--to equirect"}},

@@ -147,8 +147,10 @@ TEST_F(BakePicturesTest, TheSkyboxIsAsFineAsTheEnvironment) {
 TEST_F(BakePicturesTest, OneFileHasNoPictures) {
   EXPECT_THAT(refuse(2, "bake map.exr -o chain.exr"), HasSubstr("name a folder"));
   EXPECT_THAT(refuse(2, "bake map.exr -o chain.ktx2 --skybox"), HasSubstr("--skybox"));
-  EXPECT_THAT(refuse(2, kSmall + std::string("-o out --extension exr --format bc6h")), HasSubstr("--format bc6h"));
-  EXPECT_THAT(refuse(2, kSmall + std::string("-o out --extension exr --zstd 3")), HasSubstr("--zstd is for .ktx2"));
+  EXPECT_THAT(refuse(2, kSmall + std::string("-o out --extension exr --format bc6h")),
+              HasSubstr("cannot hold bc6h texels"));
+  EXPECT_THAT(refuse(2, kSmall + std::string("-o out --extension exr --zstd 3")),
+              HasSubstr("no Zstandard compression; .ktx2 has"));
 }
 
 }  // namespace

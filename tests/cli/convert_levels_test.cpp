@@ -233,10 +233,10 @@ TEST_F(ConvertLevelsTest, WhatCannotBeIsRefused) {
   EXPECT_THAT(refuse(2, "convert map.exr --mips --level 1 --extension png -o out/"),
               HasSubstr("leave one of them out"));
   EXPECT_THAT(refuse(2, "convert map.exr --to sphere --level 1 -o a.png"),
-              AllOf(HasSubstr("--level"), HasSubstr("disc")));
+              AllOf(HasSubstr("mip levels of sphere"), HasSubstr("disc")));
   EXPECT_THAT(refuse(2, "convert map.exr --to paraboloid --mips -o a.png"),
-              AllOf(HasSubstr("--mips"), HasSubstr("disc")));
-  EXPECT_THAT(refuse(2, "convert map.exr --for openexr --mips -o a.exr"), HasSubstr("leave --for openexr out"));
+              AllOf(HasSubstr("mip levels of paraboloid"), HasSubstr("disc")));
+  EXPECT_THAT(refuse(2, "convert map.exr --for openexr --mips -o a.exr"), HasSubstr("mip levels are not for openexr"));
 }
 
 TEST_F(ConvertLevelsTest, ASheetIsNoMap) {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: consumer_test.sh SOURCE_DIR BUILD_DIR SCRATCH_DIR
 #
-# Installs the build into a folder of its own, then configures, builds and runs examples/consumer against it.
+# Installs the build into a folder of its own, then configures, builds and runs the examples against it.
 
 set -eu
 source_dir=$1
@@ -20,11 +20,20 @@ done
 
 cmake -S "$source_dir/examples/consumer" -B "$scratch/consumer" -G Ninja -DCMAKE_PREFIX_PATH="$prefix"
 cmake --build "$scratch/consumer"
-"$scratch/consumer/consumer" "$scratch/cross.exr" >"$scratch/output"
+"$prefix/bin/mirrorball" convert studio --to equirect --size 128 -o "$scratch/room.hdr"
+"$scratch/consumer/consumer" "$scratch/room.hdr" teapot "$scratch"
+"$prefix/bin/mirrorball" info "$scratch/room.ktx2" | grep -q "cube"
+"$prefix/bin/mirrorball" info "$scratch/specular.ktx2" | grep -q "cube"
+"$prefix/bin/mirrorball" info "$scratch/model.png" | grep -q "320 x 180"
+
+# Who wants the formulas needs none of the codecs.
+cmake -S "$source_dir/examples/formulas" -B "$scratch/formulas" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" \
+  -DCMAKE_DISABLE_FIND_PACKAGE_OpenEXR=ON -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON
+cmake --build "$scratch/formulas"
+"$scratch/formulas/formulas" >"$scratch/output"
 diff - "$scratch/output" <<'END'
-cross: 128 x 96, front 1 1 1
 +X lies on face 0
-glass reflects 0.0400 head on
+glass reflects 0.0400 at normal incidence
 END
 
 cmake -S "$source_dir/tests/consumer/headers" -B "$scratch/headers" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" \

@@ -35,4 +35,6 @@ void setThreadLimit(int threads) {
   threadControl().emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
 }
 
+std::launch besideOthers() { return threadLimit() > 1 ? std::launch::async : std::launch::deferred; }
+
 }  // namespace mirrorball

@@ -2,8 +2,12 @@
 
 #include <cstddef>
 #include <functional>
+#include <future>
 
 namespace mirrorball {
+
+// Where the build has no threads (MIRRORBALL_THREADS=OFF), everything here is done by the one that there is, with the same
+// results: parallel_serial.cpp.
 
 /// Calls `body(begin, end)` for consecutive pieces of [0, count) on all cores, and returns when all are done.
 ///
@@ -17,9 +21,13 @@ void parallelFor(std::size_t count, std::size_t grain,
 /// How many threads compute at a time: as many as there are cores, or as setThreadLimit said.
 int threadLimit();
 
-/// Changes it for the whole process, before it computes anything. Results do not depend on it.
+/// Changes it for the whole process, before it computes anything. Results do not depend on it; without threads it stays 1.
 ///
 /// threads  at least 1
 void setThreadLimit(int threads);
+
+/// How a task is started with std::async that others need not wait for: on a thread of its own; where only one may compute,
+/// when somebody waits for it.
+std::launch besideOthers();
 
 }  // namespace mirrorball

@@ -36,6 +36,17 @@ std::string hintFor(const MapFileOptions& options, Projection projection) {
   return textOf(projection) + words;
 }
 
+/// What the options say of how a cube lies: "layout vcross, as seen".
+std::string wordsOfCubes(const MapFileOptions& options) {
+  std::vector<std::string> words;
+  if (options.layout) words.push_back("layout " + std::string(nameOf(*options.layout)));
+  if (options.as_seen) words.emplace_back("as seen");
+  if (options.flip != Flip::none)
+    words.push_back("flip " + std::string(flipNames()[static_cast<std::size_t>(options.flip)]));
+  if (options.face_order) words.push_back("face order " + textOf(*options.face_order));
+  return join(words);
+}
+
 /// The names of formats that a picture in .exr has.
 std::vector<std::string_view> formatsOfExr() {
   std::vector<std::string_view> names;
@@ -76,9 +87,8 @@ Result<void> MapFile::setForm(const MapFileOptions& options, Projection projecti
   hint_ = hintFor(options, projection);
   if (is_texture_) form_.layout = CubeLayout::faces;  // which is what its readers look for
   const bool is_cube = faceCount(projection) == 6;
-  if (!is_cube && (layout || form_.arrangement != before))
-    return fail(ErrorCode::usage, "a layout, faces as seen, flipped or in another order are for cubes, and " +
-                                      std::string(nameOf(projection)) + " is none; leave them out");
+  if (const std::string words = wordsOfCubes(options); !is_cube && !words.empty())
+    return fail(ErrorCode::usage, words + ": that is for cubes, and " + std::string(nameOf(projection)) + " is none");
   if (is_texture_ && layout)
     return fail(ErrorCode::usage,
                 path_ + ": holds a cube as such, in no layout; name none, or write .exr, .hdr or .png");

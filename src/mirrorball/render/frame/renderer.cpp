@@ -15,6 +15,7 @@
 #include "formula/prefilter.h"
 #include "formula/projection.h"
 #include "formula/surface.h"
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/render/light/gpu_prefilter.h"
@@ -128,7 +129,7 @@ Result<Renderer> Renderer::headless() {
 
 Result<Renderer> Renderer::on(gl::Context context) {
   const gl::Api api = context.api();
-  std::future<Result<Image>> brdf_table = std::async(std::launch::async, surfaceBrdfTable);
+  std::future<Result<Image>> brdf_table = std::async(besideOthers(), surfaceBrdfTable);
   MIRRORBALL_TRY(background, gl::Program::load(api, "screen.vert", "background.frag"));
   MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
   MIRRORBALL_TRY(tone_map, gl::Program::load(api, "screen.vert", "tone_map.frag"));

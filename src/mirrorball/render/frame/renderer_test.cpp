@@ -492,6 +492,25 @@ TEST_F(RendererTest, AMipLevelBlursAsWideAsTheLobe) {
   }
 }
 
+// Light above 65504 is kept in 32-bit floats, whose chain has to be filtered like one of halves.
+TEST_F(RendererTest, TheGpuBlursASunThatIsBrighterThanAHalfLikeTheExactChain) {
+  EnvironmentMap cube = *convert(Environment([](glm::vec3 d) { return 0.2f + 0.1f * d; }, 64), Projection::cube, 128);
+  std::fill_n(cube.face(4).texel(80, 50), 3, 1e5f);
+  Studio sunny(context(), Environment(cube));
+  Shot shot = smallShot("sphere", "mirror");
+  shot.options.background = "blur";
+  for (const char* roughness : {"0.25", "0.5", "1"}) {
+    shot.options.set = {std::string("perceptual_roughness=") + roughness};
+    shot.options.blur = BlurKind::exact;
+    const Image exact = sunny.radiance(shot);
+    shot.options.blur = BlurKind::gpu;
+    const Image made = sunny.radiance(shot);
+    for (int y = 0; y < exact.height(); ++y)
+      for (int x = 0; x < exact.width(); ++x)
+        ASSERT_NEAR(rgbAt(made, x, y).y / rgbAt(exact, x, y).y, 1.0f, 0.03f) << roughness << ": " << x << ", " << y;
+  }
+}
+
 // A sun in a dim room, as a cube of 96², 48² … 6², 3², 1 texels. What is odd in such a picture, a square sun and a pale frame
 // around a face where the level of one texel has a share, is in the levels: the look-up on the CPU has it too.
 TEST_F(RendererTest, AMipLevelIsWhatALookUpInTheChainSays) {

@@ -63,15 +63,16 @@ Result<GpuPrefilter> GpuPrefilter::make(gl::Api api, int size, gl::Format format
   assert(size >= 1 && size <= kMaxSize && (format == gl::Format::rgba16f || format == gl::Format::rgba32f));
   const int last = lastLevel(size);
   MIRRORBALL_TRY(programs, loadPrograms(api));
-  MIRRORBALL_TRY(split, LightSplit::make(size, restLevels(size)));
+  MIRRORBALL_TRY(split, LightSplit::make(size, restLevels(size), format));
   std::optional<LightSplit> coarse_split;
   if (last > kCoarseBeforeLast) {
     const int coarse_size = levelSide(size, last - kCoarseBeforeLast);
-    MIRRORBALL_TRY(made, LightSplit::make(coarse_size, restLevels(coarse_size)));
+    MIRRORBALL_TRY(made, LightSplit::make(coarse_size, restLevels(coarse_size), format));
     coarse_split = std::move(made);
   }
   MIRRORBALL_TRY(taps, gl::Texture::make2d(gl::Format::rgba32f, kMaxTaps, std::max(last, 1)));
   MIRRORBALL_TRY(chain, gl::Texture::makeCube(format, size, last + 1));
+  chain.setSampling({.filter = gl::Sampling::Filter::trilinear});
   GpuPrefilter made(std::move(programs), std::move(split), std::move(coarse_split), std::move(taps), std::move(chain));
   made.drawing_.target().bind(made.chain_, 0, 0);
   if (!made.drawing_.target().isComplete())

@@ -24,7 +24,7 @@ class GpuPrefilter {
   /// Compiles the passes and finds the taps of each level.
   ///
   /// size     of the cubes that it will be given, 1 to kMaxSize
-  /// format   of the chain: half or 32-bit floats, which OpenGL ES cannot filter
+  /// format   of the chain and of what it is made from: half floats, or 32-bit floats where gl::Context::filtersFloats()
   /// errors   too_large; no_gl: the driver cannot draw into floats; unsupported (a shader)
   /// cost     some 10 ms for the taps, and the driver's compiler
   static Result<GpuPrefilter> make(gl::Api api, int size, gl::Format format = gl::Format::rgba16f);
@@ -36,8 +36,8 @@ class GpuPrefilter {
   /// cost     six reads a texel of level 0; of the others a read a tap and two a point of light. The same bits each time
   void run(const gl::Texture& cube);
 
-  /// Levels 0 to lastLevel(size) with the roughnesses of MipMapping::filament, filtered between levels where its format
-  /// can be. Level 0 is the cube itself; half floats end at 65504.
+  /// Levels 0 to lastLevel(size) with the roughnesses of MipMapping::filament, filtered within and between them. Level 0
+  /// is the cube itself; half floats end at 65504.
   const gl::Texture& chain() const { return chain_; }
 
   static constexpr int kMaxSize = 8192;  ///< beyond, level 1 is narrower than Lobe::kMinAlpha

@@ -172,13 +172,37 @@ TEST_P(GpuPrefilterTest, BlackStaysBlack) {
 
 TEST_P(GpuPrefilterTest, ASunOfOneTexelLeavesNoFireflies) {
   const ImageSet exact = exactSunChain(128);
-  const ImageSet made = chainOf(sunCube(128));
-  for (int level = 1; level < exact.levels(); ++level) {
-    const Difference off = differenceOf(made, exact, level);
-    EXPECT_LE(off.largest, 0.02) << "level " << level << ": no texel is off, however near the sun";
-    EXPECT_NEAR(fluxOf(made, level) / fluxOf(exact, level), 1.0, 0.003)
-        << "level " << level << ": the sun's light is kept";
+  for (const gl::Format format : {gl::Format::rgba16f, gl::Format::rgba32f}) {
+    if (format == gl::Format::rgba32f && !context().filtersFloats()) continue;
+    const ImageSet made = chainOf(sunCube(128), 1, format);
+    for (int level = 1; level < exact.levels(); ++level) {
+      const Difference off = differenceOf(made, exact, level);
+      EXPECT_LE(off.largest, 0.02) << "level " << level << ": no texel is off, however near the sun";
+      EXPECT_NEAR(fluxOf(made, level) / fluxOf(exact, level), 1.0, 0.003)
+          << "level " << level << ": the sun's light is kept";
+    }
   }
+}
+
+// More bright texels than there are points of light: what is left of a lamp is above 65504 too.
+TEST_P(GpuPrefilterTest, LightAboveAHalfIsBlurredLikeDimmerLight) {
+  if (!context().filtersFloats()) GTEST_SKIP() << "the driver does not filter 32-bit floats";
+  const auto chainOfLamp = [](float scale) {
+    EnvironmentMap cube = smoothCube(64);
+    for (int face = 0; face < 6; ++face)
+      for (float& sample : cube.face(face).samples()) sample *= scale;
+    for (int y = 20; y < 40; ++y)
+      for (int x = 20; x < 40; ++x) std::fill_n(cube.face(2).texel(x, y), 3, 1e3f * scale);
+    return chainOf(cube, 1, gl::Format::rgba32f);
+  };
+  constexpr float kScale = 1024.0f;  // a power of two: nothing is rounded
+  const ImageSet dim = chainOfLamp(1.0f);
+  const ImageSet bright = chainOfLamp(kScale);
+  for (int level = 0; level < dim.levels(); ++level)
+    forEachTexel(dim, level, [&](int face, int x, int y) {
+      const float expected = dim.at(level, face).texel(x, y)[1];
+      ASSERT_NEAR(bright.at(level, face).texel(x, y)[1] / kScale, expected, 1e-4f * expected) << "level " << level;
+    });
 }
 
 // Two texels that meet in an edge must be off by the same, or the edge shows.

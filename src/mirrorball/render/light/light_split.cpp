@@ -35,7 +35,7 @@ Result<LightSplitPrograms> LightSplitPrograms::load(gl::Api api) {
                             std::move(lights),      std::move(rest),        std::move(halve)};
 }
 
-Result<LightSplit> LightSplit::make(int size, int levels) {
+Result<LightSplit> LightSplit::make(int size, int levels, gl::Format format) {
   const auto floats = [](int width, int height) {
     return gl::Framebuffer::make(gl::Format::rgba32f, width, height, false);
   };
@@ -46,7 +46,8 @@ Result<LightSplit> LightSplit::make(int size, int levels) {
   MIRRORBALL_TRY(fine, floats(1, 1));
   MIRRORBALL_TRY(chosen, floats(1, 1));
   MIRRORBALL_TRY(lights, floats(kMaxLights, 2));
-  MIRRORBALL_TRY(rest, gl::Texture::makeCube(gl::Format::rgba16f, size, levels));
+  MIRRORBALL_TRY(rest, gl::Texture::makeCube(format, size, levels));
+  rest.setSampling({.filter = gl::Sampling::Filter::trilinear});
   return LightSplit(std::move(cells), std::move(blocks), std::move(coarse), std::move(fine), std::move(chosen),
                     std::move(lights), std::move(rest));
 }

@@ -26,8 +26,9 @@ class LightSplit {
  public:
   /// size     of the cubes to be split
   /// levels   mip levels of the rest
+  /// format   of the rest: half floats, or 32-bit floats where gl::Context::filtersFloats()
   /// errors   too_large; no_gl: the driver cannot draw into floats
-  static Result<LightSplit> make(int size, int levels);
+  static Result<LightSplit> make(int size, int levels, gl::Format format);
 
   /// cube     what shaders see as its level 0 has the size given; radiance of at least 0
   /// cost     five reads a texel
@@ -37,7 +38,7 @@ class LightSplit {
   const gl::Texture& lights() const { return lights_.color(); }
   /// One texel: the threshold, a number of no use to others, and how many points of light there are.
   const gl::Texture& chosen() const { return chosen_.color(); }
-  /// What is left, in half floats; each level the mean of the one before with its texels' solid angles.
+  /// What is left, filtered within and between levels; each level the mean of the one before with its texels' solid angles.
   gl::Texture& rest() { return rest_; }
 
   static constexpr int kMaxLights = 128;

@@ -17,7 +17,7 @@ FN vec2 brdfTableCoordinates(float perceptual_roughness, float cosine, float siz
   return (place * (size - 1.0f) + 0.5f) / size;
 }
 
-// What such a table holds, in its first two channels: scale and bias of f0.
+// What such a table holds, in its first two channels.
 FN vec2 environmentBrdf(MAP_SAMPLER table, float perceptual_roughness, float cosine) {
   vec4 texel = sampleMap(table, brdfTableCoordinates(perceptual_roughness, cosine, mapSize(table).x));
   return vec2(texel.x, texel.y);

@@ -6,7 +6,7 @@ struct Surface {
   Material material;      // its numbers here: times what its textures hold
   vec3 normal;            // unit, on the viewer's side
   float occlusion;
-  vec2 environment_brdf;  // scale and bias of the BRDF table for its roughness and n·v
+  vec2 environment_brdf;  // for its roughness and n·v what the BRDF table's scale and bias lack to 1, and the bias
 };
 
 // Shares of a white environment's light.
@@ -40,11 +40,13 @@ FN vec3 smoothDielectric(Surface s, float cosine) {
 // roughness ¼ (alpha 1/16) is so narrow that Fresnel's equations hold at its middle; from 0 to there they give way to the
 // BRDF table, which knows only the reflectance head-on.
 FN Reflectance roughReflectance(Surface s, vec3 here, vec3 head_on, float grazing) {
-  float whole = s.environment_brdf.x + s.environment_brdf.y;
-  vec3 rough = head_on * s.environment_brdf.x + vec3(grazing * s.environment_brdf.y);
+  float missing = s.environment_brdf.x;
+  float bias = s.environment_brdf.y;
+  float whole = 1.0f - missing;
+  vec3 rough = head_on * (whole - bias) + vec3(grazing * bias);
   Reflectance r;
   r.once = mix(here * whole, rough, clamp(s.material.perceptual_roughness * 4.0f, 0.0f, 1.0f));
-  r.more = multipleScattering(r.once, meanFresnel(head_on, grazing), whole);
+  r.more = multipleScattering(r.once, meanFresnel(head_on, grazing), missing);
   return r;
 }
 

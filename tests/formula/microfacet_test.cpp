@@ -74,22 +74,22 @@ TEST(LodOfLobe, KnowsThatLevelsHalveRoundingDown) {
 }
 
 TEST(Microfacet, WhatAWhiteSurfaceDoesNotReflectAtOnceItReflectsLater) {
-  for (const float whole : {0.3f, 0.7f, 1.0f})
-    EXPECT_NEAR(multipleScattering(vec3(whole), vec3(1.0f), whole).x, 1.0f - whole, 1e-6f);
+  for (const float missing : {0.7f, 0.3f, 0.0f})
+    EXPECT_NEAR(multipleScattering(vec3(1.0f - missing), vec3(1.0f), missing).x, missing, 1e-6f);
   EXPECT_EQ(multipleScattering(vec3(0.5f), vec3(0.0f), 0.5f).x, 0.0f) << "black facets reflect nothing twice";
 }
 
 TEST(Microfacet, EachFurtherBounceTakesItsShare) {
   const float once = 0.5f;
   const float mean_fresnel = 0.8f;
-  const float whole = 0.6f;
+  const float missing = 0.4f;
   float sum = 0.0f;
   float share = once;
   for (int bounce = 0; bounce < 50; ++bounce) {
-    share *= mean_fresnel * (1.0f - whole);
+    share *= mean_fresnel * missing;
     sum += share;
   }
-  EXPECT_NEAR(multipleScattering(vec3(once), vec3(mean_fresnel), whole).x, sum, 1e-6f);
+  EXPECT_NEAR(multipleScattering(vec3(once), vec3(mean_fresnel), missing).x, sum, 1e-6f);
 }
 
 TEST(Microfacet, MeanFresnelIsSchlicksOverTheHemisphere) {
@@ -116,7 +116,7 @@ TEST(Shading, AMixtureOfMetalAndDielectricLosesNothing) {
       for (float sine = 0.0f; sine < 1.0f; sine += 0.19f) {
         surface.material.metallic = metallic;
         surface.material.perceptual_roughness = perceptual_roughness;
-        surface.environment_brdf = vec2(0.9f - 0.6f * perceptual_roughness, 0.1f * sine);
+        surface.environment_brdf = vec2(0.1f + 0.5f * perceptual_roughness, 0.1f * sine);
         const vec3 ray(sine, 0.0f, -std::sqrt(1.0f - sine * sine));
         const vec3 light = shadedByEnvironment(surface, ray, vec3(1.0f), vec3(0.0f), vec3(1.0f));
         EXPECT_NEAR(light.x, 1.0f, 1e-5f) << metallic << ", roughness " << perceptual_roughness << " at " << sine;

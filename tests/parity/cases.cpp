@@ -145,7 +145,7 @@ const Case kCases[] = {
 
     // microfacet
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.25f + 0.75f * r.x), 0.0f)),
+    PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
     PARITY(meanFresnel, unit, kTight, vec4(meanFresnel(vec3(p), p.w), 0.0f)),
 
     // mip_mapping

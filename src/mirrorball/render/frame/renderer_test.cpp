@@ -151,10 +151,30 @@ TEST_F(RendererTest, ADarkMetalReflectsWhatTheBrdfTableSays) {
       const float nx = (static_cast<float>(x) + 0.5f) / 64.5f - 1.0f;
       const DirectionalAlbedo share = directionalAlbedo(Distribution::ggx, roughness, std::sqrt(1.0f - nx * nx));
       const glm::vec3 once = f0 * share.scale + share.bias;
-      const glm::vec3 more = formula::multipleScattering(once, formula::meanFresnel(f0, 1.0f), share.total());
+      const glm::vec3 more = formula::multipleScattering(once, formula::meanFresnel(f0, 1.0f), 1.0f - share.total());
       // The table's 0.002, and a sphere of flat triangles.
       EXPECT_NEAR(rgbAt(image, x, 64).x, once.x + more.x, 0.004f) << "roughness " << roughness << " at nx " << nx;
     }
+  }
+}
+
+// A mirror shows what lies in its mirror direction, however bright the sun is elsewhere: nothing of it is missing that
+// the light from all sides would have to make up for.
+TEST_F(RendererTest, AMirrorSeesNothingOfTheSunFarFromIt) {
+  Image panorama(64, 32, 3);
+  for (float& sample : panorama.samples()) sample = 1.0f;
+  std::fill_n(panorama.texel(20, 12), 3, 1e8f);
+  Studio sunny(context(), Environment(EnvironmentMap(Projection::equirect, ImageSet(std::move(panorama)))));
+  for (const char* material : {"mirror", "glass"}) {
+    Shot shot = smallShot("sphere", material);
+    shot.options.samples = 1;
+    const Image image = sunny.radiance(shot);
+    int far_from_sun = 0;
+    for (const float sample : image.samples()) {
+      ASSERT_GE(sample, 0.0f) << material;
+      if (sample >= 0.999f && sample <= 1.001f) ++far_from_sun;
+    }
+    EXPECT_GT(far_from_sun, 9 * static_cast<int>(image.samples().size()) / 10) << material;
   }
 }
 

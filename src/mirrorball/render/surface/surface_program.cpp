@@ -84,16 +84,32 @@ const Material& materialOf(const Scene& scene, int instance) {
   return scene.materials[std::size_t(mesh.material)];
 }
 
+/// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light around
+/// it, and from rounded shares it would come out as some 2e-4 of that where it is nothing: of a sun more than of a room.
+Result<Image> missingAndBias() {
+  MIRRORBALL_TRY(table, brdfTable({.axes = BrdfAxes::warped}));
+  Image shares(table.width(), table.height(), 3);  // textures have one, three or four channels
+  for (int y = 0; y < table.height(); ++y)
+    for (int x = 0; x < table.width(); ++x) {
+      const float* scale_and_bias = table.texel(x, y);
+      float* share = shares.texel(x, y);
+      // A mirror, row 0, has no facets that light could go to and fro between.
+      share[0] = y == 0 ? 0.0f : std::max(1.0f - scale_and_bias[0] - scale_and_bias[1], 0.0f);
+      share[1] = scale_and_bias[1];
+    }
+  return shares;
+}
+
 }  // namespace
 
 Result<Image> surfaceBrdfTable() {
-  // Made once, since it is the same for every renderer and all its inputs stand here. Textures have one, three or four channels.
-  static const Result<Image> table = brdfTable({.channels = 3, .axes = BrdfAxes::warped});
+  // Made once, since it is the same for every renderer and all its inputs stand here.
+  static const Result<Image> table = missingAndBias();
   return table;
 }
 
 Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_table) {
-  // OpenGL ES filters no more than half floats, which keep a share to 2.5e-4.
+  // OpenGL ES filters no more than half floats, which keep each share to 5e-4 of itself.
   MIRRORBALL_TRY(texture, gl::Texture::fromImages(gl::Format::rgba16f, ImageSet(brdf_table)));
   texture.setSampling({.filter = gl::Sampling::Filter::linear});
   return SurfacePrograms(api, std::move(texture));

@@ -1,3 +1,3 @@
 #include "picture.h"
 
-MIRRORBALL_HARNESS(bmp) { return mirrorball::fuzz::readPicture(data, size, "a.bmp"); }
+MIRRORBALL_HARNESS(bmp) { return mirrorball::fuzz::readPicture(data, size); }

@@ -1,3 +1,3 @@
 #include "picture.h"
 
-MIRRORBALL_HARNESS(jpeg) { return mirrorball::fuzz::readPicture(data, size, "a.jpeg"); }
+MIRRORBALL_HARNESS(jpeg) { return mirrorball::fuzz::readPicture(data, size); }

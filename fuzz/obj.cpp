@@ -3,6 +3,6 @@
 #include "fuzz.h"
 
 MIRRORBALL_HARNESS(obj) {
-  mirrorball::fuzz::checkError(mirrorball::decodeObj({data, size}, "a.obj"), "a.obj");
+  mirrorball::fuzz::checkError(mirrorball::decodeObj({data, size}, "a.obj"));
   return 0;
 }

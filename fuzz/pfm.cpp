@@ -1,3 +1,3 @@
 #include "picture.h"
 
-MIRRORBALL_HARNESS(pfm) { return mirrorball::fuzz::readPicture(data, size, "a.pfm"); }
+MIRRORBALL_HARNESS(pfm) { return mirrorball::fuzz::readPicture(data, size); }

@@ -1,3 +1,3 @@
 #include "picture.h"
 
-MIRRORBALL_HARNESS(png) { return mirrorball::fuzz::readPicture(data, size, "a.png"); }
+MIRRORBALL_HARNESS(png) { return mirrorball::fuzz::readPicture(data, size); }

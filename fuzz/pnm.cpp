@@ -1,3 +1,3 @@
 #include "picture.h"
 
-MIRRORBALL_HARNESS(pnm) { return mirrorball::fuzz::readPicture(data, size, "a.pnm"); }
+MIRRORBALL_HARNESS(pnm) { return mirrorball::fuzz::readPicture(data, size); }

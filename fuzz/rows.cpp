@@ -47,7 +47,7 @@ MIRRORBALL_HARNESS(rows) {
   const auto rows = openRows(file.path());
   fuzz::checkError(rows, file.path());
   if (!rows || !*rows) return 0;
-  const auto whole = isHdr(bytes) ? decodeImage(bytes, file.path()) : Result<DecodedImage>(DecodedImage{});
+  const auto whole = isHdr(bytes) ? decodeImage(bytes) : Result<DecodedImage>(DecodedImage{});
   const int height = (*rows)->description().height;
   for (int first = 0; first < height; first += kRowsPerRead) {
     const auto part = (*rows)->read(std::min(kRowsPerRead, height - first));

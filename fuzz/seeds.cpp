@@ -102,7 +102,7 @@ Bytes exr(Imf::Compression compression, Arguments... arguments) {
   Imf::Header header(12, 10);
   header.compression() = compression;
   const std::vector<Imf::Rgba> texels(12 * 10, Imf::Rgba(0.5f, 0.25f, 2.0f, 1.0f));
-  ExrOutput stream("seed.exr");
+  ExrOutput stream;
   {
     File file(stream, header, arguments...);
     file.setFrameBuffer(texels.data(), 1, 12);
@@ -129,7 +129,7 @@ Bytes withChunk(Bytes png, const std::string& type, const Bytes& data) {
 
 /// A PNG that states its colour by these chunks instead of sRGB's.
 void addColoredPngs(Corpus& corpus) {
-  Bytes plain = *encodePng(pictureFromLinear(gradient(9, 7, 3), 3), {}, "seed");
+  Bytes plain = *encodePng(pictureFromLinear(gradient(9, 7, 3), 3), {});
   constexpr std::ptrdiff_t kSrgbChunk = 33;
   constexpr std::ptrdiff_t kSrgbSize = 13;
   plain.erase(plain.begin() + kSrgbChunk, plain.begin() + kSrgbChunk + kSrgbSize);
@@ -168,13 +168,13 @@ void addImages(Corpus& corpus) {
   corpus.add("exr", "tiles", exr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8, Imf::ONE_LEVEL));
 
   corpus.add("jpeg", "profile",
-             testing::jpegWithProfile(*encodeJpeg(pictureFromLinear(gradient(9, 7, 3), 3), {}, "seed"),
+             testing::jpegWithProfile(*encodeJpeg(pictureFromLinear(gradient(9, 7, 3), 3), {}),
                                       testing::iccProfile4(u"Display P3")));
   for (const int channels : {1, 3, 4}) {
     const Image8 picture = pictureFromLinear(gradient(9, 7, channels), channels);
-    corpus.add("png", std::to_string(channels) + "_channels", *encodePng(picture, {{"envmap", "cube"}}, "seed"));
+    corpus.add("png", std::to_string(channels) + "_channels", *encodePng(picture, {{"envmap", "cube"}}));
     if (channels < 4)
-      corpus.add("jpeg", std::to_string(channels) + "_channels", *encodeJpeg(picture, {{"envmap", "cube"}}, "seed"));
+      corpus.add("jpeg", std::to_string(channels) + "_channels", *encodeJpeg(picture, {{"envmap", "cube"}}));
   }
 }
 

@@ -1,3 +1,3 @@
 #include "picture.h"
 
-MIRRORBALL_HARNESS(tga) { return mirrorball::fuzz::readPicture(data, size, "a.tga"); }
+MIRRORBALL_HARNESS(tga) { return mirrorball::fuzz::readPicture(data, size); }

@@ -1,3 +1,3 @@
 #include "picture.h"
 
-MIRRORBALL_HARNESS(tiff) { return mirrorball::fuzz::readPicture(data, size, "a.tiff"); }
+MIRRORBALL_HARNESS(tiff) { return mirrorball::fuzz::readPicture(data, size); }

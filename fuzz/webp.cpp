@@ -1,3 +1,3 @@
 #include "picture.h"
 
-MIRRORBALL_HARNESS(webp) { return mirrorball::fuzz::readPicture(data, size, "a.webp"); }
+MIRRORBALL_HARNESS(webp) { return mirrorball::fuzz::readPicture(data, size); }

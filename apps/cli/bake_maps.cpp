@@ -166,8 +166,8 @@ Result<BakedChain> bakeChain(const BakeRequest& request, const MapFile& output, 
   remarkOnLevels(request);
   const BakeSettings settings = settingsOf(request);
   const std::uint64_t written = bytesOfChain(levelsOf(settings)) + output.memoryToWrite(settings.size);
-  MIRRORBALL_TRY_VOID(
-      checkMemory("the chain of " + loaded.name, std::max(memoryToBake(loaded.environment, settings), written)));
+  MIRRORBALL_TRY_VOID(withName("the chain of " + loaded.name,
+                               checkMemory(std::max(memoryToBake(loaded.environment, settings), written))));
   MIRRORBALL_TRY(maps, bake(std::move(loaded.environment), settings, clock.observing(terminalObserver())));
   return BakedChain{std::move(maps.specular), factsFor(request.set, maps.radiance)};
 }
@@ -175,7 +175,7 @@ Result<BakedChain> bakeChain(const BakeRequest& request, const MapFile& output, 
 Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, StageClock& clock) {
   const BakeOptions& options = request.options;
   const std::uint64_t table_bytes = files.brdf ? bytesOfTable(options) : 0;
-  MIRRORBALL_TRY_VOID(checkMemory("the BRDF table", table_bytes));
+  MIRRORBALL_TRY_VOID(withName("the BRDF table", checkMemory(table_bytes)));
   // The table needs no environment; reading one leaves cores idle.
   std::optional<LaterTable> table;
   if (files.brdf && table_bytes <= kSmallTable_bytes) table.emplace(options, clock);
@@ -187,7 +187,7 @@ Result<BakedSet> bakeSet(const BakeRequest& request, const BakedFiles& files, St
   settings.harmonics_degree = options.harmonics_degree;
   if (files.skybox) settings.skybox_size = skyboxSize(options, loaded.environment);
   MIRRORBALL_TRY_VOID(
-      checkMemory("baking " + loaded.name, table_bytes + memoryFor(files, settings, loaded.environment)));
+      withName("baking " + loaded.name, checkMemory(table_bytes + memoryFor(files, settings, loaded.environment))));
 
   BakedSet set;
   set.inputs = loaded.files;

@@ -59,7 +59,7 @@ Result<void> writeConverted(const MapFile& output, int size, std::uint64_t sourc
   const Projection to = output.form().projection;
   MIRRORBALL_TRY_VOID(output.checkLevelOfSize(size));
   if (output.takesPieces()) return output.writePieces(size, convert_to);
-  MIRRORBALL_TRY_VOID(checkMemory("the converted map", source_bytes + bytesOfMap(to, size)));
+  MIRRORBALL_TRY_VOID(withName("the converted map", checkMemory(source_bytes + bytesOfMap(to, size))));
   MIRRORBALL_TRY(images, imagesFor(to, size));
   MIRRORBALL_TRY_VOID(convert_to(copyInto(images)));
   return output.write(EnvironmentMap(to, std::move(images)));
@@ -101,7 +101,7 @@ Result<void> convertByRows(const std::string& input, std::optional<PanoramaRows>
     }
     const PanoramaRows once = *std::exchange(panorama, std::nullopt);
     if (is_copy) return copyRows(*once.rows, input, take, progress);
-    return convertRows(*once.rows, input, window, to, size, resampling, take, progress);
+    return convertRows(*once.rows, window, to, size, resampling, take, progress);
   });
 }
 

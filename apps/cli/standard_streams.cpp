@@ -76,7 +76,7 @@ Result<void> copyAll(int from, int to, const char* name, std::uint64_t max) {
     if (count < 0) return failed(name, "reading failed");
     if (count == 0) return {};
     copied += static_cast<std::uint64_t>(count);
-    if (copied > max) return checkMemory(name, copied);
+    if (copied > max) return withName(name, checkMemory(copied));
     MIRRORBALL_TRY_VOID(writeAll(to, std::span(piece).first(static_cast<std::size_t>(count)), name));
   }
 }

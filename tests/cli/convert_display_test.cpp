@@ -32,7 +32,7 @@ class ConvertDisplayTest : public CliTest {
     return pictureFromLinear(radiance, radiance.channels());
   }
 
-  Image8 codes(const std::string& file) const { return *decodeTexture(bytes(file), file); }
+  Image8 codes(const std::string& file) const { return *decodeTexture(bytes(file)); }
 
   /// How many texels' codes differ, alpha too.
   static int differences(const Image8& a, const Image8& b) {

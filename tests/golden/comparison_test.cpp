@@ -105,7 +105,7 @@ TEST_F(MeantFailure, LeavesAContactSheetUntilThePictureIsRight) {
 
   const auto bytes = readFile(folder_ / "mirror.png");
   ASSERT_TRUE(bytes) << bytes.error().message;
-  const auto sheet = decodeTexture(*bytes, "contact sheet");
+  const auto sheet = decodeTexture(*bytes);
   ASSERT_TRUE(sheet) << sheet.error().message;
   const int gap = 4;
   EXPECT_EQ(sheet->width(), 3 * golden->width() + 2 * gap);

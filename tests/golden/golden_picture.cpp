@@ -5,6 +5,7 @@
 
 #include "golden/comparison.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/result.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 
@@ -39,7 +40,7 @@ Result<Image8> readGolden(const std::string& name) {
                 path.string() +
                     ": there is no golden picture; to make it: MIRRORBALL_UPDATE_GOLDEN=1 ./test --quick -L golden");
   MIRRORBALL_TRY(bytes, readFile(path));
-  return decodeTexture(bytes, path.string());
+  return withName(path.string(), decodeTexture(bytes));
 }
 
 ::testing::AssertionResult matchesGolden(const std::string& name, const Image8& now, const Tolerance& tolerance,

@@ -40,7 +40,7 @@ TEST_P(Golden, PictureIsMadeAgain) {
     ASSERT_TRUE(written) << written.error().message;
     GTEST_SKIP() << "not compared: wrote " << path.string();
   }
-  const Result<Image8> now = decodeTexture(*file, "the picture now");
+  const Result<Image8> now = decodeTexture(*file);
   ASSERT_TRUE(now) << now.error().message;
   EXPECT_TRUE(matchesGolden(golden_case.name, *now, *golden_case.tolerance, MIRRORBALL_GOLDEN_FAILURES));
 }

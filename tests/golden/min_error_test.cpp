@@ -28,7 +28,7 @@ TEST_P(GoldenMinError, IsFound) {
   ASSERT_TRUE(golden) << golden.error().message;
   const Result<Bytes> file = pictureMadeBy(commandOf(golden_case, golden_case.min_error));
   ASSERT_TRUE(file) << file.error().message;
-  const Result<Image8> wrong = decodeTexture(*file, "the picture with an error");
+  const Result<Image8> wrong = decodeTexture(*file);
   ASSERT_TRUE(wrong) << wrong.error().message;
   const Difference difference = differenceOf(*golden, *wrong);
   EXPECT_FALSE(isWithin(difference, *golden_case.tolerance))

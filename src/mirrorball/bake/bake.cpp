@@ -27,7 +27,7 @@ std::uint64_t memoryToBake(const Environment& environment, const BakeSettings& s
 }
 
 Result<BakedMaps> bake(Environment environment, const BakeSettings& settings, const Observer& observer) {
-  MIRRORBALL_TRY_VOID(checkMemory("baking", memoryToBake(environment, settings)));
+  MIRRORBALL_TRY_VOID(withName("baking", checkMemory(memoryToBake(environment, settings))));
   BakedMaps maps;
   maps.levels = observer.timed("lobes: bands", [&] { return levelsOf(settings); });
   if (settings.skybox_size > 0) {

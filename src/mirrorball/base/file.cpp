@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <utility>
 
 #include <fcntl.h>
@@ -18,6 +19,10 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
+
+tl::unexpected<Error> cannotBeWritten(int error_number) {
+  return fail(ErrorCode::io, std::string("cannot be written: ") + std::strerror(error_number));
+}
 
 std::string reason() { return std::strerror(errno); }
 
@@ -39,7 +44,7 @@ Result<void> checkRegular(const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest) {
+Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest) try {
   const std::string name = path.string();
   MIRRORBALL_TRY_VOID(checkReadable(path));
   std::error_code status;
@@ -64,6 +69,8 @@ Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest
   if (std::ferror(file.get())) return fail(ErrorCode::io, name + ": reading failed: " + reason());
   bytes.resize(filled);
   return bytes;
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::too_large, path.string() + ": not enough memory to read it");
 }
 
 Result<Bytes> readRegularFile(const std::filesystem::path& path) {
@@ -99,7 +106,7 @@ Result<std::size_t> FileReader::readAt(std::uint64_t offset, std::span<std::uint
     const ssize_t count =
         ::pread(descriptor_, bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return fail(ErrorCode::io, name_ + ": reading failed: " + reason());
+    if (count < 0) return fail(ErrorCode::io, "reading failed: " + reason());
     if (count == 0) break;
     filled += static_cast<std::size_t>(count);
   }
@@ -129,15 +136,11 @@ Result<FileWriter> FileWriter::create(const std::filesystem::path& path) {
   return FileWriter(name, std::move(temporary), descriptor);
 }
 
-tl::unexpected<Error> FileWriter::failed(int error_number) const {
-  return fail(ErrorCode::io, name_ + ": cannot be written: " + std::strerror(error_number));
-}
-
 Result<void> FileWriter::writeAt(std::uint64_t offset, std::span<const std::uint8_t> bytes) const {
   while (!bytes.empty()) {
     const ssize_t count = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return failed(count < 0 ? errno : ENOSPC);
+    if (count <= 0) return cannotBeWritten(count < 0 ? errno : ENOSPC);
     bytes = bytes.subspan(static_cast<std::size_t>(count));
     offset += static_cast<std::uint64_t>(count);
   }
@@ -146,13 +149,13 @@ Result<void> FileWriter::writeAt(std::uint64_t offset, std::span<const std::uint
 
 Result<void> FileWriter::commit() {
   if (::close(std::exchange(descriptor_, -1)) == 0 && temporary_.finishAs(name_)) return {};
-  return failed(errno);
+  return cannotBeWritten(errno);
 }
 
 Result<void> writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
   MIRRORBALL_TRY(writer, FileWriter::create(path));
-  MIRRORBALL_TRY_VOID(writer.writeAt(0, bytes));
-  return writer.commit();
+  MIRRORBALL_TRY_VOID(withName(path.string(), writer.writeAt(0, bytes)));
+  return withName(path.string(), writer.commit());
 }
 
 std::string extensionOf(const std::filesystem::path& path) {

@@ -16,7 +16,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 /// Reads a whole file.
 ///
-/// errors   not_found; io (a folder, no permission); too_large (above `largest`)
+/// errors   not_found; io (a folder, no permission); too_large (above `largest`, or no memory)
 Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest = std::uintmax_t{1} << 34);
 
 /// The same for a file that another file names: a device or a pipe is refused, since it may never end.
@@ -32,12 +32,13 @@ class FileReader {
   FileReader& operator=(FileReader&&) = delete;
   ~FileReader();
 
+  const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
 
   /// Reads bytes from a place counted from the file's beginning.
   ///
   /// returns  how many were read: fewer than `bytes` has room for only at the file's end
-  /// errors   io
+  /// errors   io; without the file's name
   Result<std::size_t> readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
 
  private:
@@ -63,7 +64,7 @@ class FileWriter {
   /// Writes bytes at a place counted from the file's beginning, in any order; what is never written reads as 0.
   /// Several threads may write different places at the same time.
   ///
-  /// errors   io (disk full)
+  /// errors   io (disk full); without the file's name, as commit()'s
   Result<void> writeAt(std::uint64_t offset, std::span<const std::uint8_t> bytes) const;
 
   /// Gives the file its name. Nothing can be written any more.
@@ -71,9 +72,10 @@ class FileWriter {
   /// errors   io (the name is a folder's, disk full)
   Result<void> commit();
 
+  const std::string& name() const { return name_; }
+
  private:
   FileWriter(std::string name, UnfinishedPath temporary, int descriptor);
-  tl::unexpected<Error> failed(int error_number) const;
 
   std::string name_;
   UnfinishedPath temporary_;

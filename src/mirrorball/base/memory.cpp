@@ -40,10 +40,9 @@ std::uint64_t memoryLimit() { return limit(); }
 
 void setMemoryLimit(std::uint64_t bytes) { limit() = bytes; }
 
-Result<void> checkMemory(const std::string& name, std::uint64_t bytes) {
+Result<void> checkMemory(std::uint64_t bytes) {
   if (bytes <= memoryLimit()) return {};
-  return fail(ErrorCode::too_large, name + ": needs " + textOfBytes(bytes) + " of memory, and " +
-                                        textOfBytes(memoryLimit()) +
+  return fail(ErrorCode::too_large, "needs " + textOfBytes(bytes) + " of memory, and " + textOfBytes(memoryLimit()) +
                                         " may be used; --max-memory raises that, a smaller --size needs less");
 }
 

@@ -18,9 +18,8 @@ void setMemoryLimit(std::uint64_t bytes);
 
 /// Refuses to take more than the limit: asked before memory is taken for what a file says.
 ///
-/// name     of what needs it, for the message
 /// errors   too_large
-Result<void> checkMemory(const std::string& name, std::uint64_t bytes);
+Result<void> checkMemory(std::uint64_t bytes);
 
 /// "1.5 GB", "320 MB"; a GB is 2³⁰ bytes.
 std::string textOfBytes(std::uint64_t bytes);

@@ -22,7 +22,8 @@ enum class ErrorCode {
   interrupted,   ///< the user pressed Ctrl-C
 };
 
-/// A failure as the user reads it: one line that names the file or option, what is wrong, and what to do.
+/// A failure as the user reads it: one line that says what is wrong and what to do. Whoever knows the name of the file
+/// that it is about puts it in front (withName).
 struct Error {
   ErrorCode code = ErrorCode::io;
   std::string message;
@@ -35,7 +36,7 @@ class [[nodiscard]] Result : public tl::expected<Value, Error> {
   using tl::expected<Value, Error>::expected;
 };
 
-/// `return fail(ErrorCode::bad_file, name + ": …");`
+/// `return fail(ErrorCode::bad_file, "is truncated at byte 9");`
 inline tl::unexpected<Error> fail(ErrorCode code, std::string message) {
   return tl::unexpected<Error>(Error{code, std::move(message)});
 }
@@ -44,6 +45,23 @@ inline tl::unexpected<Error> fail(ErrorCode code, std::string message) {
 template <typename Value>
 tl::unexpected<Error> fail(Result<Value>&& failed) {
   return tl::unexpected<Error>(std::move(failed).error());
+}
+
+/// Puts in front of a failure's message what it is about: "room.exr: is truncated at byte 9". A decoder says what is wrong
+/// with its bytes, and where (byte, line, key); it knows no name. Who opened the file adds it, once. An interruption is
+/// about no file, and stays as it is.
+///
+/// name     of the file; of a part within it ("images[3]"), before the file's; of what is made ("the BRDF table")
+inline Error withName(const std::string& name, Error error) {
+  if (error.code != ErrorCode::interrupted) error.message.insert(0, name + ": ");
+  return error;
+}
+
+/// The same for a failed Result; a value passes unchanged.
+template <typename Value>
+Result<Value> withName(const std::string& name, Result<Value> result) {
+  if (!result) result.error() = withName(name, std::move(result).error());
+  return result;
 }
 
 }  // namespace mirrorball

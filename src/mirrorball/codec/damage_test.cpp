@@ -37,7 +37,7 @@ Bytes foreignExr(Imf::Compression compression, Arguments... arguments) {
   Imf::Header header(12, 10);
   header.compression() = compression;
   const std::vector<Imf::Rgba> texels(12 * 10, Imf::Rgba(0.5f, 0.25f, 2.0f, 1.0f));
-  ExrOutput stream("foreign.exr");
+  ExrOutput stream;
   {
     File file(stream, header, arguments...);
     file.setFrameBuffer(texels.data(), 1, 12);
@@ -70,7 +70,7 @@ struct Format {
 class Damage : public ::testing::TestWithParam<Format> {};
 
 TEST_P(Damage, TheFileItselfIsRead) {
-  const auto result = decodeImage(GetParam().bytes(), "whole");
+  const auto result = decodeImage(GetParam().bytes());
   EXPECT_TRUE(result) << result.error().message;
 }
 
@@ -79,9 +79,9 @@ TEST_P(Damage, EveryTruncationIsAnError) {
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     // A copy of its own, so that the sanitizer sees a read past its end.
     const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
-    const auto result = decodeImage(part, "part.file");
+    const auto result = decodeImage(part);
     ASSERT_FALSE(result) << length << " of " << bytes.size() << " bytes";
-    EXPECT_TRUE(result.error().message.starts_with("part.file: ")) << result.error().message;
+    EXPECT_FALSE(result.error().message.empty());
     EXPECT_EQ(result.error().message.find('\n'), std::string::npos) << result.error().message;
   }
 }
@@ -106,12 +106,12 @@ TEST_P(Damage, RandomBytesAreSurvived) {
           byte = static_cast<std::uint8_t>(random());
       }
     }
-    const auto result = decodeImage(damaged, "damaged");
+    const auto result = decodeImage(damaged);
     if (result) {
       EXPECT_FALSE(result->image.empty());
       EXPECT_NE(result->image.channels(), 2);
     }
-    static_cast<void>(decodeTexture(damaged, "damaged").has_value());
+    static_cast<void>(decodeTexture(damaged).has_value());
   }
 }
 
@@ -121,7 +121,7 @@ TEST_P(Damage, GarbageBehindTheMagicIsAnError) {
   for (int variant = 0; variant < 200; ++variant) {
     Bytes garbage = bytes;
     for (std::size_t i = 10; i < garbage.size(); ++i) garbage[i] = static_cast<std::uint8_t>(random());
-    EXPECT_FALSE(decodeImage(garbage, "garbage"));
+    EXPECT_FALSE(decodeImage(garbage));
   }
 }
 
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
                [] {
                  return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}});
                }},
-        Format{"HdrOldRle", oldRleHdr}, Format{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}, "a"); }},
+        Format{"HdrOldRle", oldRleHdr}, Format{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}); }},
         Format{"ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }},
         Format{"ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }},
         Format{"ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }},
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
                }},
         Format{"Png",
                [] {
-                 return *encodePng(picture(), {{"envmap", "cube"}}, "a");
+                 return *encodePng(picture(), {{"envmap", "cube"}});
                }},
         Format{"Tga", [] { return testing::tgaOf({.type = 10, .width = 9, .height = 4}, colorRuns(36)); }},
         Format{"Bmp", [] { return testing::bmpOf({.width = 9, .height = 4}, Bytes(4 * 28, 77)); }},
@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
         Format{"WebpLossless", [] { return testing::webpOf(picture(), 101); }},
         Format{"Jpeg",
                [] {
-                 return *encodeJpeg(picture(), {{"envmap", "cube"}}, "a");
+                 return *encodeJpeg(picture(), {{"envmap", "cube"}});
                }}),
     [](const auto& format) { return std::string(format.param.name); });
 

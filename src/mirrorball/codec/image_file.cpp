@@ -32,8 +32,8 @@ using Span = std::span<const std::uint8_t>;
 constexpr std::initializer_list<Holds> kPicturesAndLight{Holds::light, Holds::picture};
 
 /// The error for bytes that no codec takes.
-tl::unexpected<Error> unknownFormat(Span bytes, const std::string& name, std::string_view known) {
-  if (bytes.empty()) return fail(ErrorCode::bad_file, name + ": is empty");
+tl::unexpected<Error> unknownFormat(Span bytes, std::string_view known) {
+  if (bytes.empty()) return fail(ErrorCode::bad_file, "is empty");
   constexpr char kDigits[] = "0123456789abcdef";
   std::string begins;
   for (const std::uint8_t byte : bytes.first(std::min<std::size_t>(bytes.size(), 4))) {
@@ -41,17 +41,15 @@ tl::unexpected<Error> unknownFormat(Span bytes, const std::string& name, std::st
     begins += kDigits[byte >> 4];
     begins += kDigits[byte & 15];
   }
-  return fail(ErrorCode::bad_file, name +
-                                       ": is not an image that can be read (it begins with the "
-                                       "bytes" +
-                                       begins + "); use " + std::string(known));
+  return fail(ErrorCode::bad_file,
+              "is not an image that can be read (it begins with the bytes" + begins + "); use " + std::string(known));
 }
 
 /// The largest level of a texture of one face: its first picture, if it is an array.
-Result<DecodedImage> decodeTexturePicture(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(texture, decodeImageSet(bytes, name));
+Result<DecodedImage> decodeTexturePicture(Span bytes) {
+  MIRRORBALL_TRY(texture, decodeImageSet(bytes));
   if (texture.images.faces() != 1)
-    return fail(ErrorCode::bad_shape, name + ": is the texture of a cube, where one picture is wanted");
+    return fail(ErrorCode::bad_shape, "is the texture of a cube, where one picture is wanted");
   return DecodedImage{std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(texture.format),
                       std::move(texture.color)};
 }
@@ -59,14 +57,14 @@ Result<DecodedImage> decodeTexturePicture(Span bytes, const std::string& name) {
 /// How a format is told by a file's first bytes, and read.
 struct Decoder {
   bool (*begins)(Span bytes);
-  Result<DecodedImage> (*decode)(Span bytes, const std::string& name, const ProgressFunction& progress);
+  Result<DecodedImage> (*decode)(Span bytes, const ProgressFunction& progress);
   /// To 8-bit RGBA as stored; nothing where the format has no integers, or is none of pictures.
-  Result<Image8> (*decode_texture)(Span bytes, const std::string& name);
+  Result<Image8> (*decode_texture)(Span bytes);
 };
 
-template <Result<DecodedImage> (*decode)(Span, const std::string&)>
-Result<DecodedImage> withoutProgress(Span bytes, const std::string& name, const ProgressFunction&) {
-  return decode(bytes, name);
+template <Result<DecodedImage> (*decode)(Span)>
+Result<DecodedImage> withoutProgress(Span bytes, const ProgressFunction&) {
+  return decode(bytes);
 }
 
 /// In the order of kImageFormats. TGA has no first bytes of its own, and is asked for last.
@@ -94,55 +92,50 @@ const Decoder* decoderFor(Span bytes) {
   return tga.begins(bytes) ? &tga : nullptr;
 }
 
-Result<DecodedImage> decodeByMagic(Span bytes, const std::string& name, const ProgressFunction& progress) {
-  if (const Decoder* decoder = decoderFor(bytes)) return decoder->decode(bytes, name, progress);
-  return unknownFormat(bytes, name, readFormatNames());
+Result<DecodedImage> decodeByMagic(Span bytes, const ProgressFunction& progress) {
+  if (const Decoder* decoder = decoderFor(bytes)) return decoder->decode(bytes, progress);
+  return unknownFormat(bytes, readFormatNames());
 }
 
-Result<Image8> decodeTextureByMagic(Span bytes, const std::string& name) {
+Result<Image8> decodeTextureByMagic(Span bytes) {
   const Decoder* decoder = decoderFor(bytes);
   const std::string right = readFormatNames(Holds::picture) + " for textures";
-  if (!decoder) return unknownFormat(bytes, name, right);
-  if (decoder->decode_texture) return decoder->decode_texture(bytes, name);
+  if (!decoder) return unknownFormat(bytes, right);
+  if (decoder->decode_texture) return decoder->decode_texture(bytes);
   const ImageFormat& format = kImageFormats[static_cast<std::size_t>(decoder - kDecoders.data())];
   return fail(ErrorCode::unsupported,
-              name + ": is " + std::string(format.name) + ", which no texture of a model is; use " + right);
+              "is " + std::string(format.name) + ", which no texture of a model is; use " + right);
 }
 
-Result<Bytes> encodePicture(ImageFormatId format, const Image8& picture, const Metadata& metadata,
-                            const std::string& name) {
-  if (format == ImageFormatId::png) return encodePng(picture, metadata, name);
-  return encodeJpeg(picture, metadata, name);
+Result<Bytes> encodePicture(ImageFormatId format, const Image8& picture, const Metadata& metadata) {
+  if (format == ImageFormatId::png) return encodePng(picture, metadata);
+  return encodeJpeg(picture, metadata);
 }
 
-Result<Bytes> encodeImage(ImageFormatId format, const Image& image, const ImageWriteOptions& options,
-                          const std::string& name) {
-  if (format == ImageFormatId::exr) return encodeExr(image, options, name);
+Result<Bytes> encodeImage(ImageFormatId format, const Image& image, const ImageWriteOptions& options) {
+  if (format == ImageFormatId::exr) return encodeExr(image, options);
   if (format == ImageFormatId::hdr) return encodeHdr(image, options.metadata);
   const int channels = format == ImageFormatId::jpeg ? std::min(image.channels(), 3) : image.channels();
-  return encodePicture(format, pictureFromLinear(image, channels), options.metadata, name);
+  return encodePicture(format, pictureFromLinear(image, channels), options.metadata);
 }
 
 template <typename Sample>
-Result<void> checkShape(const ImageOf<Sample>& image, const std::string& name) {
-  if (image.empty()) return fail(ErrorCode::bad_shape, name + ": an image of no texels cannot be written");
+Result<void> checkShape(const ImageOf<Sample>& image) {
+  if (image.empty()) return fail(ErrorCode::bad_shape, "an image of no texels cannot be written");
   if (image.channels() == 2)
-    return fail(ErrorCode::bad_shape, name + ": an image of 2 channels cannot be written; give it 1, 3 or 4");
+    return fail(ErrorCode::bad_shape, "an image of 2 channels cannot be written; give it 1, 3 or 4");
   return {};
 }
 
 }  // namespace
 
 Result<DecodedImage> readImage(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  return withinMemory<DecodedImage>(name, [&]() -> Result<DecodedImage> {
-    MIRRORBALL_TRY(bytes, readFile(path));
-    return decodeByMagic(bytes, name, {});
-  });
+  MIRRORBALL_TRY(bytes, readFile(path));
+  return withName(path.string(), decodeImage(bytes));
 }
 
-Result<DecodedImage> decodeImage(Span bytes, const std::string& name, const ProgressFunction& progress) {
-  return withinMemory<DecodedImage>(name, [&] { return decodeByMagic(bytes, name, progress); });
+Result<DecodedImage> decodeImage(Span bytes, const ProgressFunction& progress) {
+  return withinMemory<DecodedImage>([&] { return decodeByMagic(bytes, progress); });
 }
 
 bool isImage(Span bytes) { return decoderFor(bytes) != nullptr; }
@@ -150,22 +143,22 @@ bool isImage(Span bytes) { return decoderFor(bytes) != nullptr; }
 Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options) {
   const std::string name = path.string();
   MIRRORBALL_TRY(format, formatToWrite(path, kPicturesAndLight));
-  MIRRORBALL_TRY_VOID(checkShape(image, name));
+  MIRRORBALL_TRY_VOID(withName(name, checkShape(image)));
   MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
-  MIRRORBALL_TRY(bytes, withinMemory<Bytes>(name, [&] { return encodeImage(format, image, options, name); }));
+  MIRRORBALL_TRY(bytes, withName(name, withinMemory<Bytes>([&] { return encodeImage(format, image, options); })));
   return writeFile(path, bytes);
 }
 
-Result<Image8> decodeTexture(Span bytes, const std::string& name) {
-  return withinMemory<Image8>(name, [&] { return decodeTextureByMagic(bytes, name); });
+Result<Image8> decodeTexture(Span bytes) {
+  return withinMemory<Image8>([&] { return decodeTextureByMagic(bytes); });
 }
 
 Result<void> savePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata) {
   const std::string name = path.string();
   MIRRORBALL_TRY(format, formatToWrite(path, {Holds::picture}));
-  MIRRORBALL_TRY_VOID(checkShape(picture, name));
+  MIRRORBALL_TRY_VOID(withName(name, checkShape(picture)));
   MIRRORBALL_TRY_VOID(checkMetadata(metadata));
-  MIRRORBALL_TRY(bytes, withinMemory<Bytes>(name, [&] { return encodePicture(format, picture, metadata, name); }));
+  MIRRORBALL_TRY(bytes, withName(name, withinMemory<Bytes>([&] { return encodePicture(format, picture, metadata); })));
   return writeFile(path, bytes);
 }
 

@@ -45,12 +45,11 @@ struct ImageWriteOptions {
 /// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported
 Result<DecodedImage> readImage(const std::filesystem::path& path);
 
-/// The same from memory. `name` is for messages.
+/// The same from memory.
 ///
 /// errors   also interrupted, when `progress` says so: of OpenEXR and TIFF, whose compressions take seconds for large
 ///          pictures
-Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
-                                 const ProgressFunction& progress = {});
+Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
 
 /// Whether the bytes begin as one of the files that decodeImage takes.
 bool isImage(std::span<const std::uint8_t> bytes);
@@ -67,7 +66,7 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
 /// conversion); more bits are rounded.
 ///
 /// returns  4 channels, alpha straight; alpha 255 where the file has none
-Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);
 
 /// Whether the bytes begin as a format of integers that decodeTexture takes, and a TIFF does hold integers.
 bool holdsCodes(std::span<const std::uint8_t> bytes);

@@ -10,18 +10,22 @@
 #include "mirrorball/codec/within_memory.h"
 
 namespace mirrorball {
+namespace {
 
-Result<std::unique_ptr<RowReader>> openRows(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  MIRRORBALL_TRY(file, FileReader::open(path));
+Result<std::unique_ptr<RowReader>> rowsOf(FileReader file) {
   std::array<std::uint8_t, 16> magic{};
   MIRRORBALL_TRY(count, file.readAt(0, magic));
   const auto begin = std::span<const std::uint8_t>(magic).first(count);
-  return withinMemory<std::unique_ptr<RowReader>>(name, [&]() -> Result<std::unique_ptr<RowReader>> {
-    if (isExr(begin)) return openExrRows(std::move(file), name);
-    if (isHdr(begin)) return openHdrRows(std::move(file), name);
-    return nullptr;
-  });
+  if (isExr(begin)) return openExrRows(std::move(file));
+  if (isHdr(begin)) return openHdrRows(std::move(file));
+  return nullptr;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RowReader>> openRows(const std::filesystem::path& path) {
+  MIRRORBALL_TRY(file, FileReader::open(path));
+  return withName(path.string(), withinMemory<std::unique_ptr<RowReader>>([&] { return rowsOf(std::move(file)); }));
 }
 
 }  // namespace mirrorball

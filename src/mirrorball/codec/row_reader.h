@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/codec/image_file.h"
@@ -13,6 +14,7 @@ class RowReader {
  public:
   /// What is known before any texel is read.
   struct Description {
+    std::string name;  ///< the file's
     int width = 0;
     int height = 0;
     int channels = 3;
@@ -28,12 +30,14 @@ class RowReader {
   /// count    at most as many as are left
   /// errors   io; bad_file (what is wrong and at which byte)
   /// cost     as readImage's, on all cores; memory for those rows, and their bytes in the file
-  virtual Result<Image> read(int count) = 0;
+  Result<Image> read(int count) { return withName(description_.name, readRows(count)); }
 
  protected:
   explicit RowReader(Description description) : description_(std::move(description)) {}
 
  private:
+  virtual Result<Image> readRows(int count) = 0;
+
   Description description_;
 };
 

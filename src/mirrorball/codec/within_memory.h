@@ -11,11 +11,11 @@ namespace mirrorball {
 ///
 /// errors   too_large where the memory is not there; else what `work` returns
 template <typename Value, typename Work>
-Result<Value> withinMemory(const std::string& name, const Work& work) {
+Result<Value> withinMemory(const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::too_large, name + ": not enough memory for so many texels");
+    return fail(ErrorCode::too_large, "not enough memory for so many texels");
   }
 }
 

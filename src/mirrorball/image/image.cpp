@@ -116,18 +116,18 @@ Result<void> repairNonFinite(Image& image) {
   return {};
 }
 
-Result<void> checkDimensions(const std::string& name, long long width, long long height) {
+Result<void> checkDimensions(long long width, long long height) {
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   if (width <= 0 || height <= 0)
-    return fail(ErrorCode::bad_file, name + ": says its size is " + size + "; an image has at least one texel");
+    return fail(ErrorCode::bad_file, "says its size is " + size + "; an image has at least one texel");
   if (width > kLargestTexelCount / height)
-    return fail(ErrorCode::too_large, name + ": says its size is " + size + "; at most " +
-                                          std::to_string(kLargestTexelCount) + " texels are read");
+    return fail(ErrorCode::too_large,
+                "says its size is " + size + "; at most " + std::to_string(kLargestTexelCount) + " texels are read");
   return {};
 }
 
-Result<void> checkImageMemory(const std::string& name, int width, int height, int channels) {
-  return checkMemory(name, std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(channels) * sizeof(float));
+Result<void> checkImageMemory(int width, int height, int channels) {
+  return checkMemory(std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(channels) * sizeof(float));
 }
 
 }  // namespace mirrorball

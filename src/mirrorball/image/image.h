@@ -102,14 +102,13 @@ Result<void> repairNonFinite(Image& image);
 
 /// Refuses what no image may be: a side of 0, or more than `kLargestTexelCount` texels.
 ///
-/// name     the file, for the message
 /// errors   bad_file (a side is 0 or negative); too_large
-Result<void> checkDimensions(const std::string& name, long long width, long long height);
+Result<void> checkDimensions(long long width, long long height);
 
 /// Refuses an image of that size in linear light where it would take more memory than may be used (base/memory.h).
 ///
 /// errors   too_large
-Result<void> checkImageMemory(const std::string& name, int width, int height, int channels);
+Result<void> checkImageMemory(int width, int height, int channels);
 
 /// 2³⁰ texels: 32768 × 32768, or 16 GiB as float RGBA.
 inline constexpr long long kLargestTexelCount = 1LL << 30;

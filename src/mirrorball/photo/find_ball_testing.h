@@ -48,8 +48,8 @@ inline RadianceFunction clutter(unsigned seed, bool with_discs = true) {
 
 /// What a camera makes of light: sRGB codes, through JPEG, and back.
 inline Image throughJpeg(const Image& light) {
-  const Bytes bytes = *encodeJpeg(pictureFromLinear(light, 3), {}, "test.jpg");
-  return decodeJpeg(bytes, "test.jpg")->image;
+  const Bytes bytes = *encodeJpeg(pictureFromLinear(light, 3), {});
+  return decodeJpeg(bytes)->image;
 }
 
 /// The greatest distance of the true outline from the found rim.

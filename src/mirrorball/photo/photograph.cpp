@@ -14,11 +14,11 @@ Result<Photograph> readPhotograph(const std::filesystem::path& path) {
   MIRRORBALL_TRY(bytes, readFile(path));
   if (isJpeg(bytes)) photograph.exif = readExif(bytes);
   if (holdsCodes(bytes)) {
-    MIRRORBALL_TRY(codes, decodeTexture(bytes, photograph.name));
+    MIRRORBALL_TRY(codes, withName(photograph.name, decodeTexture(bytes)));
     photograph.codes = upright(std::move(codes), photograph.exif.orientation);
     return photograph;
   }
-  MIRRORBALL_TRY(decoded, decodeImage(bytes, photograph.name));
+  MIRRORBALL_TRY(decoded, withName(photograph.name, decodeImage(bytes)));
   if (const NonFinite bad = findNonFinite(decoded.image); bad.count > 0)
     return fail(ErrorCode::non_finite, photograph.name + ": " + textOf(bad));
   photograph.light = std::move(decoded.image);

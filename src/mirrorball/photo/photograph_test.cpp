@@ -41,7 +41,7 @@ Image8 marked() {
     for (int x = 0; x < 16; ++x) std::fill_n(picture.texel(x, y), 3, std::uint8_t{255});
   return picture;
 }
-Bytes jpegOf(const Image8& picture) { return *encodeJpeg(picture, {}, "test.jpg"); }
+Bytes jpegOf(const Image8& picture) { return *encodeJpeg(picture, {}); }
 
 TEST_F(PhotographTest, ReadsWhatTheCameraWrote) {
   const Exif written{.exposure_time_s = 0.004, .f_number = 5.6, .iso = 200, .focal_length_35mm = 50, .orientation = 6};

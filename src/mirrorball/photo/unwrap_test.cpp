@@ -71,7 +71,7 @@ TEST(Unwrap, ARoomThroughACameraAndJpeg) {
   scene.background = [](glm::vec3) { return glm::vec3(0.03f, 0.05f, 0.04f); };
   Image light = scene.photograph();
   testing::addNoise(light, 0.01f, 0.002f);
-  const Image photograph = decodeJpeg(*encodeJpeg(pictureFromLinear(light, 3), {}, "a.jpg"), "a.jpg")->image;
+  const Image photograph = decodeJpeg(*encodeJpeg(pictureFromLinear(light, 3), {}))->image;
   const auto unwrapped = unwrapBall({found(scene, photograph)});
   ASSERT_TRUE(unwrapped);
   const Environment truth([&](glm::vec3 d) { return 0.8f * scene.environment(d); }, 512);

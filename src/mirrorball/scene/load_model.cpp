@@ -61,13 +61,20 @@ struct ModelFormat {
   std::string_view extension;
   std::string_view name;   ///< with its article
   std::string_view magic;  ///< the first bytes; empty where they do not tell
-  Result<Scene> (*load)(const std::filesystem::path&);
+  Result<Scene> (*decode)(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 };
-constexpr std::array<ModelFormat, 5> kFormats{{{"glb", "a glTF", "glTF", loadGltf},
-                                               {"gltf", "a glTF", "", loadGltf},
-                                               {"obj", "an OBJ", "", loadObj},
-                                               {"ply", "a PLY", "ply", loadPly},
-                                               {"stl", "an STL", "", loadStl}}};
+
+/// A format whose files name no others.
+template <Result<Scene> (*decode)(std::span<const std::uint8_t>)>
+Result<Scene> withoutPath(std::span<const std::uint8_t> bytes, const std::filesystem::path&) {
+  return decode(bytes);
+}
+
+constexpr std::array<ModelFormat, 5> kFormats{{{"glb", "a glTF", "glTF", decodeGltf},
+                                               {"gltf", "a glTF", "", decodeGltf},
+                                               {"obj", "an OBJ", "", decodeObj},
+                                               {"ply", "a PLY", "ply", withoutPath<decodePly>},
+                                               {"stl", "an STL", "", withoutPath<decodeStl>}}};
 
 /// The first bytes of a file: as many as tell what it is.
 std::vector<std::uint8_t> firstBytes(const std::string& path) {
@@ -120,11 +127,11 @@ tl::unexpected<Error> folderForModel(const std::string& folder) {
 }
 
 /// Finite coordinates and transforms may still multiply to what no renderer can hold.
-Result<void> checkExtent(const Scene& scene, const std::string& name) {
+Result<void> checkExtent(const Scene& scene) {
   const BoundingSphere bounds = boundingSphere(scene);
   const float reach = glm::length(bounds.center) + bounds.radius;
   if (reach <= kLargestRadius) return {};
-  return fail(ErrorCode::bad_file, name + ": reaches " + formatNumber(reach) +
+  return fail(ErrorCode::bad_file, "reaches " + formatNumber(reach) +
                                        " units from the origin, more than can be drawn; scale the model down");
 }
 
@@ -139,8 +146,9 @@ Result<Scene> loadModel(const std::string& name_or_path) {
   if (std::filesystem::is_directory(name_or_path, status)) return folderForModel(name_or_path);
   const std::vector<std::uint8_t> begin = firstBytes(name_or_path);
   if (const ModelFormat* format = formatOf(name_or_path, begin)) {
-    MIRRORBALL_TRY(scene, format->load(name_or_path));
-    MIRRORBALL_TRY_VOID(checkExtent(scene, name_or_path));
+    MIRRORBALL_TRY(bytes, readFile(name_or_path));
+    MIRRORBALL_TRY(scene, withName(name_or_path, format->decode(bytes, name_or_path)));
+    MIRRORBALL_TRY_VOID(withName(name_or_path, checkExtent(scene)));
     return scene;
   }
   if (isImage(begin) || isImageSet(begin))

@@ -1,6 +1,8 @@
 #include "mirrorball/scene/load_model.h"
 
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -72,6 +74,23 @@ TEST(LoadModel, RefusesWhatIsTooLargeToDraw) {
   ASSERT_FALSE(scene);
   EXPECT_EQ(scene.error().code, ErrorCode::bad_file);
   EXPECT_THAT(scene.error().message, HasSubstr("scale the model down"));
+}
+
+TEST(LoadModel, TheFilesNameStandsInFrontOfAnErrorOnce) {
+  constexpr std::pair<const char*, const char*> kDamaged[] = {
+      {"bad.ply", "ply\nformat ascii 1.0\n"},
+      {"bad.stl", "solid\n"},
+      {"bad.obj", "v 0 0 0\nf 1 2 3\n"},
+      {"bad.gltf", R"({"asset": {"version": "1.0"}})"},
+  };
+  for (const auto& [name, text] : kDamaged) {
+    const std::string path = ::testing::TempDir() + name;
+    ASSERT_TRUE(writeFile(path, Bytes(text, text + std::string_view(text).size())));
+    const Result<Scene> scene = loadModel(path);
+    ASSERT_FALSE(scene) << name;
+    EXPECT_THAT(scene.error().message, ::testing::StartsWith(path + ": "));
+    EXPECT_EQ(scene.error().message.rfind(path), 0u) << scene.error().message;
+  }
 }
 
 TEST(LoadModel, LoadsRealFiles) {

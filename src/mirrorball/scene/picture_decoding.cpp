@@ -10,7 +10,7 @@ namespace mirrorball {
 std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures) {
   std::vector<Result<Image8>> images(pictures.size());
   parallelFor(pictures.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) images[i] = decodeTexture(pictures[i].bytes, pictures[i].name);
+    for (std::size_t i = begin; i < end; ++i) images[i] = decodeTexture(pictures[i]);
   });
   return images;
 }

@@ -10,11 +10,8 @@
 
 namespace mirrorball {
 
-/// A picture as it lies in a model's file or beside it.
-struct EncodedPicture {
-  std::string name;  ///< for messages
-  std::span<const std::uint8_t> bytes;
-};
+/// A picture's bytes as they lie in a model's file or beside it.
+using EncodedPicture = std::span<const std::uint8_t>;
 
 /// Decodes pictures (codec.h: decodeTexture), several at the same time: with large textures this is where a model's loading time
 /// goes.

@@ -27,8 +27,8 @@ namespace {
 
 /// Reads luminance and subsampled chroma through OpenEXR's own reconstruction filter, which works
 /// in half floats.
-void readChroma(std::span<const std::uint8_t> bytes, const std::string& name, const ExrPart& part, Image& image) {
-  ExrInput stream(bytes, name);
+void readChroma(std::span<const std::uint8_t> bytes, const ExrPart& part, Image& image) {
+  ExrInput stream(bytes);
   Imf::RgbaInputFile file(stream, part.layer());
   const Imath::Box2i window = file.dataWindow();
 
@@ -65,15 +65,14 @@ Result<void> readRows(const ExrPart& part, const ProgressFunction& progress, Ima
   return rows.result();
 }
 
-Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const std::string& name,
-                            const ProgressFunction& progress) {
-  MIRRORBALL_TRY_VOID(checkExrSizes(bytes, bytes.size(), name));
-  MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrInput>(bytes, name), name));
-  MIRRORBALL_TRY_VOID(checkImageMemory(name, part.width(), part.height(), part.channels()));
+Result<DecodedImage> decode(std::span<const std::uint8_t> bytes, const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(checkExrSizes(bytes, bytes.size()));
+  MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrInput>(bytes)));
+  MIRRORBALL_TRY_VOID(checkImageMemory(part.width(), part.height(), part.channels()));
   DecodedImage decoded;
   decoded.image = Image::withoutValues(part.width(), part.height(), part.channels());
   if (part.hasChroma())
-    readChroma(bytes, name, part, decoded.image);
+    readChroma(bytes, part, decoded.image);
   else
     MIRRORBALL_TRY_VOID(readRows(part, progress, decoded.image));
   convertToRec709(decoded.image, part.primaries());
@@ -111,7 +110,7 @@ Imf::Header headerFor(const Image& image, const Metadata& metadata) {
 
 /// samples  interleaved, of the type that `type` says
 Bytes encode(const Image& image, const void* samples, Imf::PixelType type, std::size_t sample_size,
-             const Metadata& metadata, const std::string& name) {
+             const Metadata& metadata) {
   constexpr std::array<const char*, 4> kColors{"R", "G", "B", "A"};
   Imf::Header header = headerFor(image, metadata);
   Imf::FrameBuffer frame;
@@ -123,7 +122,7 @@ Bytes encode(const Image& image, const void* samples, Imf::PixelType type, std::
     frame.insert(channel, Imf::Slice::Make(type, first, header.dataWindow(), texel_size,
                                            texel_size * std::size_t(image.width())));
   }
-  ExrOutput stream(name);
+  ExrOutput stream;
   {
     Imf::OutputFile file(stream, header);
     file.setFrameBuffer(frame);
@@ -139,20 +138,19 @@ bool isExr(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
 }
 
-Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const std::string& name,
-                               const ProgressFunction& progress) {
-  return decodingExr<DecodedImage>(name, [&] { return decode(bytes, name, progress); });
+Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const ProgressFunction& progress) {
+  return decodingExr<DecodedImage>([&] { return decode(bytes, progress); });
 }
 
-Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options, const std::string& name) {
+Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options) {
   try {
     useExrThreads();
-    if (options.half) return encode(image, halvesOf(image).data(), Imf::HALF, sizeof(half), options.metadata, name);
-    return encode(image, image.samples().data(), Imf::FLOAT, sizeof(float), options.metadata, name);
+    if (options.half) return encode(image, halvesOf(image).data(), Imf::HALF, sizeof(half), options.metadata);
+    return encode(image, image.samples().data(), Imf::FLOAT, sizeof(float), options.metadata);
   } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::too_large, name + ": not enough memory to encode it");
+    return fail(ErrorCode::too_large, "not enough memory to encode it");
   } catch (const std::exception& exception) {
-    return fail(ErrorCode::io, name + ": cannot be encoded as OpenEXR: " + reasonOf(exception));
+    return fail(ErrorCode::io, "cannot be encoded as OpenEXR: " + reasonOf(exception));
   }
 }
 

@@ -19,14 +19,12 @@ bool isExr(std::span<const std::uint8_t> bytes);
 ///
 /// errors   bad_file (also when part of the texels is missing); too_large; unsupported (no colour,
 ///          deep data); interrupted (when `progress` says so)
-Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const std::string& name,
-                               const ProgressFunction& progress = {});
+Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
 
 /// Encodes 1 (Y), 3 or 4 channels as scan lines with ZIP compression. NaN and infinity are kept;
 /// with `half`, finite values beyond ±65504 become ±65504.
 ///
-/// name     for messages
 /// errors   too_large (memory)
-Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options, const std::string& name);
+Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options);
 
 }  // namespace mirrorball

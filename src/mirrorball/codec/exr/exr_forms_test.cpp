@@ -50,7 +50,7 @@ Bytes halfFile(Imf::Header header, const Image& image) {
   for (std::size_t c = 0; c < 3; ++c)
     frame.insert(kRgb[c], Imf::Slice::Make(Imf::HALF, samples.data() + c, header.dataWindow(), 3 * sizeof(half),
                                            3 * sizeof(half) * std::size_t(image.width())));
-  ExrOutput stream("half.exr");
+  ExrOutput stream;
   {
     Imf::OutputFile file(stream, header);
     file.setFrameBuffer(frame);
@@ -133,7 +133,7 @@ TEST(ExrForms, UnsignedIntegersBecomeFloats) {
   std::vector<unsigned> samples{0, 1, 70000};
   Imf::Header header(3, 1);
   header.channels().insert("Y", Imf::Channel(Imf::UINT));
-  ExrOutput stream("uint.exr");
+  ExrOutput stream;
   {
     Imf::FrameBuffer frame;
     frame.insert("Y", Imf::Slice::Make(Imf::UINT, samples.data(), header.dataWindow()));
@@ -156,7 +156,7 @@ TEST(ExrForms, EachChannelMayHaveItsOwnType) {
   header.channels().insert("R", Imf::Channel(Imf::HALF));
   header.channels().insert("G", Imf::Channel(Imf::FLOAT));
   header.channels().insert("B", Imf::Channel(Imf::UINT));
-  ExrOutput stream("mixed.exr");
+  ExrOutput stream;
   {
     Imf::FrameBuffer frame;
     frame.insert("R", Imf::Slice::Make(Imf::HALF, reds.data(), header.dataWindow()));
@@ -174,7 +174,7 @@ DecodedImage throughChroma(const Imf::Header& header, glm::vec3 color, Imf::Rgba
   const int width = header.dataWindow().max.x - header.dataWindow().min.x + 1;
   const int height = header.dataWindow().max.y - header.dataWindow().min.y + 1;
   const std::vector<Imf::Rgba> texels(std::size_t(width * height), Imf::Rgba(color.r, color.g, color.b, 0.5f));
-  ExrOutput stream("chroma.exr");
+  ExrOutput stream;
   {
     Imf::RgbaOutputFile file(stream, header, channels);
     // The frame's base is where texel (0, 0) would be.
@@ -259,7 +259,7 @@ Bytes filesOfParts(const Image& image, bool tiled, const Primaries& primaries) {
     headers[1].setType(Imf::TILEDIMAGE);
     headers[1].setTileDescription(Imf::TileDescription(4, 4));
   }
-  ExrOutput stream("parts.exr");
+  ExrOutput stream;
   {
     Imf::MultiPartOutputFile file(stream, headers.data(), 2);
     Imf::OutputPart depth(file, 0);

@@ -73,24 +73,23 @@ std::string listChannels(const Imf::MultiPartInputFile& file) {
   return names.empty() ? "none" : names;
 }
 
-Result<Selection> select(const Imf::MultiPartInputFile& file, const std::string& name) {
+Result<Selection> select(const Imf::MultiPartInputFile& file) {
   for (int part = 0; part < file.parts(); ++part)
     if (auto selection = selectInPart(file.header(part), part)) return std::move(*selection);
-  return fail(ErrorCode::unsupported,
-              name + ": has no colour that can be read (its channels: " + printable(listChannels(file)) +
-                  "); R G B, Y, or Y RY BY are needed, and no deep data");
+  return fail(ErrorCode::unsupported, "has no colour that can be read (its channels: " + printable(listChannels(file)) +
+                                          "); R G B, Y, or Y RY BY are needed, and no deep data");
 }
 
 }  // namespace
 
-Result<ExrPart> ExrPart::open(std::unique_ptr<Imf::IStream> stream, const std::string& name) {
+Result<ExrPart> ExrPart::open(std::unique_ptr<Imf::IStream> stream) {
   useExrThreads();
   // A file whose table of offsets is unfinished is not mended: its writer did not get to the end.
   constexpr bool kMendOffsets = false;
   auto file = std::make_unique<Imf::MultiPartInputFile>(*stream, Imf::globalThreadCount(), kMendOffsets);
-  MIRRORBALL_TRY(selection, select(*file, name));
+  MIRRORBALL_TRY(selection, select(*file));
   if (!file->partComplete(selection.part))
-    return fail(ErrorCode::bad_file, name + ": part of its texels is missing; the file was not written to its end");
+    return fail(ErrorCode::bad_file, "part of its texels is missing; the file was not written to its end");
   ExrPart part;
   part.stream_ = std::move(stream);
   part.file_ = std::move(file);
@@ -166,6 +165,12 @@ std::optional<Primaries> ExrPart::primaries() const {
   return Primaries{xy(given.red), xy(given.green), xy(given.blue), xy(given.white)};
 }
 
-std::string reasonOf(const std::exception& exception) { return printable(exception.what()); }
+std::string reasonOf(const std::exception& exception) {
+  // 'Cannot read image file "". Unknown compression type in image header.': our streams have no name.
+  constexpr std::string_view kUnnamed = "\"\". ";
+  const std::string text = printable(exception.what());
+  const std::size_t at = text.rfind(kUnnamed);
+  return at == std::string::npos ? text : text.substr(at + kUnnamed.size());
+}
 
 }  // namespace mirrorball

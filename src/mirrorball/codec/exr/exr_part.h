@@ -24,7 +24,7 @@ class ExrPart {
   /// Opens a file whose sizes have been checked (checkExrSizes). Errors in its structure throw, as OpenEXR does.
   ///
   /// errors   unsupported (no colour); bad_file (part of the texels is missing)
-  static Result<ExrPart> open(std::unique_ptr<Imf::IStream> stream, const std::string& name);
+  static Result<ExrPart> open(std::unique_ptr<Imf::IStream> stream);
 
   int width() const;
   int height() const;
@@ -56,20 +56,20 @@ class ExrPart {
   std::vector<std::string> channels_;  // without the layer: Y; R G B; R G B A; Y A; Y RY BY
 };
 
-/// One line of an exception's text.
+/// What OpenEXR says is wrong, in one line.
 std::string reasonOf(const std::exception& exception);
 
 /// Runs what reads through OpenEXR, whose errors are exceptions.
 ///
 /// errors   too_large (memory); bad_file; else what `work` returns
 template <typename Value, typename Work>
-Result<Value> decodingExr(const std::string& name, const Work& work) {
+Result<Value> decodingExr(const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::too_large, name + ": not enough memory to decode it");
+    return fail(ErrorCode::too_large, "not enough memory to decode it");
   } catch (const std::exception& exception) {
-    return fail(ErrorCode::bad_file, name + ": is a damaged OpenEXR file: " + reasonOf(exception));
+    return fail(ErrorCode::bad_file, "is a damaged OpenEXR file: " + reasonOf(exception));
   }
 }
 

@@ -14,19 +14,19 @@ constexpr std::uint64_t kUsualHeaderBytes = std::uint64_t{1} << 16;
 constexpr std::uint64_t kMaxHeaderBytes = std::uint64_t{1} << 24;
 
 /// checkExrSizes for what a file begins with.
-Result<void> checkBeginning(const FileReader& file, std::uint64_t max_bytes, const std::string& name) {
+Result<void> checkBeginning(const FileReader& file, std::uint64_t max_bytes) {
   Bytes begin(std::min(file.size(), max_bytes));
   MIRRORBALL_TRY_VOID(file.readAt(0, begin));
-  return checkExrSizes(begin, file.size(), name);
+  return checkExrSizes(begin, file.size());
 }
 
 class ExrRows : public RowReader {
  public:
-  ExrRows(Description description, ExrPart part, std::string name)
-      : RowReader(std::move(description)), part_(std::move(part)), name_(std::move(name)) {}
+  ExrRows(Description description, ExrPart part) : RowReader(std::move(description)), part_(std::move(part)) {}
 
-  Result<Image> read(int count) override {
-    return decodingExr<Image>(name_, [&] {
+ private:
+  Result<Image> readRows(int count) override {
+    return decodingExr<Image>([&] {
       Image rows = Image::withoutValues(part_.width(), count, part_.channels());
       part_.readRows(next_, count, rows.samples().data());
       next_ += count;
@@ -35,22 +35,21 @@ class ExrRows : public RowReader {
     });
   }
 
- private:
   ExrPart part_;
-  std::string name_;
   int next_ = 0;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<RowReader>> openExrRows(FileReader file, const std::string& name) {
+Result<std::unique_ptr<RowReader>> openExrRows(FileReader file) {
   // Headers that are longer than usual seem to end early.
-  if (!checkBeginning(file, kUsualHeaderBytes, name)) MIRRORBALL_TRY_VOID(checkBeginning(file, kMaxHeaderBytes, name));
-  return decodingExr<std::unique_ptr<RowReader>>(name, [&]() -> Result<std::unique_ptr<RowReader>> {
-    MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrFileInput>(std::move(file), name), name));
+  if (!checkBeginning(file, kUsualHeaderBytes)) MIRRORBALL_TRY_VOID(checkBeginning(file, kMaxHeaderBytes));
+  return decodingExr<std::unique_ptr<RowReader>>([&]() -> Result<std::unique_ptr<RowReader>> {
+    const std::string name = file.name();
+    MIRRORBALL_TRY(part, ExrPart::open(std::make_unique<ExrFileInput>(std::move(file))));
     if (part.hasChroma()) return nullptr;
-    RowReader::Description description{part.width(), part.height(), part.channels(), part.metadata()};
-    return std::make_unique<ExrRows>(std::move(description), std::move(part), name);
+    RowReader::Description description{name, part.width(), part.height(), part.channels(), part.metadata()};
+    return std::make_unique<ExrRows>(std::move(description), std::move(part));
   });
 }
 

@@ -53,8 +53,7 @@ constexpr FixedSize kFixedSizes[] = {
 
 class HeaderWalker {
  public:
-  HeaderWalker(std::span<const std::uint8_t> bytes, std::uint64_t file_size, const std::string& name)
-      : bytes_(bytes), file_size_(file_size), name_(name) {}
+  HeaderWalker(std::span<const std::uint8_t> bytes, std::uint64_t file_size) : bytes_(bytes), file_size_(file_size) {}
 
   Result<void> walk() {
     if (bytes_.size() < 8) return truncated();
@@ -69,7 +68,7 @@ class HeaderWalker {
 
  private:
   tl::unexpected<Error> truncated() const {
-    return fail(ErrorCode::bad_file, name_ + ": the header ends early, at byte " + std::to_string(bytes_.size()) +
+    return fail(ErrorCode::bad_file, "the header ends early, at byte " + std::to_string(bytes_.size()) +
                                          "; the file is truncated or damaged");
   }
 
@@ -97,12 +96,12 @@ class HeaderWalker {
       const std::size_t size = numberAt(at_);
       at_ += 4;
       if (size > bytes_.size() - at_)
-        return fail(ErrorCode::bad_file, name_ + ": the header's attribute at byte " + std::to_string(at_ - 4) +
-                                             " says it has " + std::to_string(size) +
+        return fail(ErrorCode::bad_file, "the header's attribute at byte " + std::to_string(at_ - 4) + " says it has " +
+                                             std::to_string(size) +
                                              " bytes, more than the file; it is truncated or damaged");
       if (!isRightSize(type, size))
-        return fail(ErrorCode::bad_file, name_ + ": the header's attribute at byte " + std::to_string(at_ - 4) +
-                                             " says it has " + std::to_string(size) +
+        return fail(ErrorCode::bad_file, "the header's attribute at byte " + std::to_string(at_ - 4) + " says it has " +
+                                             std::to_string(size) +
                                              " bytes, which its type does not have; the file is damaged");
       MIRRORBALL_TRY_VOID(checkAttribute(attribute, type, size));
       at_ += size;
@@ -133,9 +132,9 @@ class HeaderWalker {
 
   Result<void> checkAttribute(std::string_view attribute, std::string_view type, std::size_t size) {
     if (attribute == "dataWindow" && type == "box2i" && size == 16)
-      return checkTexels(name_, signedAt(at_ + 8) - signedAt(at_) + 1, signedAt(at_ + 12) - signedAt(at_ + 4) + 1);
+      return checkTexels(signedAt(at_ + 8) - signedAt(at_) + 1, signedAt(at_ + 12) - signedAt(at_ + 4) + 1);
     if (attribute == "tiles" && type == "tiledesc" && size == 9)
-      return checkTexels(name_ + ": one of its tiles", numberAt(at_), numberAt(at_ + 4));
+      return withName("one of its tiles", checkTexels(numberAt(at_), numberAt(at_ + 4)));
     if (attribute == "chunkCount" && type == "int" && size == 4) {
       constexpr std::size_t kOffsetSize = 8;
       if (numberAt(at_) > file_size_ / kOffsetSize) return truncated();
@@ -143,25 +142,24 @@ class HeaderWalker {
     return {};
   }
 
-  Result<void> checkTexels(const std::string& what, long long width, long long height) const {
-    MIRRORBALL_TRY_VOID(checkDimensions(what, width, height));
+  Result<void> checkTexels(long long width, long long height) const {
+    MIRRORBALL_TRY_VOID(checkDimensions(width, height));
     if (static_cast<std::size_t>(width * height) / kMaxTexelsPerByte > file_size_)
-      return fail(ErrorCode::bad_file, what + ": says its size is " + std::to_string(width) + "x" +
-                                           std::to_string(height) + ", which the file's " + std::to_string(file_size_) +
+      return fail(ErrorCode::bad_file, "says its size is " + std::to_string(width) + "x" + std::to_string(height) +
+                                           ", which the file's " + std::to_string(file_size_) +
                                            " bytes cannot hold; it is truncated or damaged");
     return {};
   }
 
   std::span<const std::uint8_t> bytes_;
   std::uint64_t file_size_;
-  const std::string& name_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-Result<void> checkExrSizes(std::span<const std::uint8_t> bytes, std::uint64_t file_size, const std::string& name) {
-  return HeaderWalker(bytes, file_size, name).walk();
+Result<void> checkExrSizes(std::span<const std::uint8_t> bytes, std::uint64_t file_size) {
+  return HeaderWalker(bytes, file_size).walk();
 }
 
 }  // namespace mirrorball

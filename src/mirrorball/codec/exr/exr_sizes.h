@@ -16,6 +16,6 @@ namespace mirrorball {
 /// file_size  in bytes
 /// errors     bad_file (the byte is named); too_large
 /// from       the OpenEXR file layout, "Header" and "Predefined attribute types"
-Result<void> checkExrSizes(std::span<const std::uint8_t> bytes, std::uint64_t file_size, const std::string& name);
+Result<void> checkExrSizes(std::span<const std::uint8_t> bytes, std::uint64_t file_size);
 
 }  // namespace mirrorball

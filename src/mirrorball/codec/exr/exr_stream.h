@@ -12,8 +12,7 @@ namespace mirrorball {
 /// Bytes in memory as OpenEXR reads them. Reading past the end throws, as OpenEXR expects.
 class ExrInput : public Imf::IStream {
  public:
-  /// name     for OpenEXR's own messages
-  ExrInput(std::span<const std::uint8_t> bytes, const std::string& name) : Imf::IStream(name.c_str()), bytes_(bytes) {}
+  explicit ExrInput(std::span<const std::uint8_t> bytes) : Imf::IStream(""), bytes_(bytes) {}
 
   bool read(char to[], int count) override;
   std::uint64_t tellg() override { return at_; }
@@ -27,7 +26,7 @@ class ExrInput : public Imf::IStream {
 /// A file as OpenEXR reads it, without ever holding it in memory as a whole.
 class ExrFileInput : public Imf::IStream {
  public:
-  ExrFileInput(FileReader file, const std::string& name) : Imf::IStream(name.c_str()), file_(std::move(file)) {}
+  explicit ExrFileInput(FileReader file) : Imf::IStream(""), file_(std::move(file)) {}
 
   bool read(char to[], int count) override;
   std::uint64_t tellg() override { return at_; }
@@ -41,7 +40,7 @@ class ExrFileInput : public Imf::IStream {
 /// A file that OpenEXR writes into memory.
 class ExrOutput : public Imf::OStream {
  public:
-  explicit ExrOutput(const std::string& name) : Imf::OStream(name.c_str()) {}
+  ExrOutput() : Imf::OStream("") {}
 
   void write(const char from[], int count) override;
   std::uint64_t tellp() override { return at_; }

@@ -17,7 +17,7 @@
 namespace mirrorball::testing {
 
 inline DecodedImage decoded(const Bytes& bytes) {
-  auto result = decodeExr(bytes, "test.exr");
+  auto result = decodeExr(bytes);
   if (!result) {
     ADD_FAILURE() << result.error().message;
     return {Image(1, 1, 3), {}, ""};
@@ -49,7 +49,7 @@ inline void addChannels(Imf::Header& header, const std::vector<std::string>& nam
 /// A file written by OpenEXR with channels that this program does not write itself.
 inline Bytes foreignFile(Imf::Header header, const Image& image, const std::vector<std::string>& names) {
   addChannels(header, names);
-  ExrOutput stream("foreign.exr");
+  ExrOutput stream;
   {
     Imf::OutputFile file(stream, header);
     file.setFrameBuffer(frameOf(image, names, header.dataWindow()));
@@ -63,7 +63,7 @@ inline Bytes tiledFile(Imf::Header header, const Image& image, const std::vector
                        Imf::LevelMode levels) {
   header.setTileDescription(Imf::TileDescription(32, 32, levels));
   addChannels(header, names);
-  ExrOutput stream("tiled.exr");
+  ExrOutput stream;
   {
     Imf::TiledOutputFile file(stream, header);
     file.setFrameBuffer(frameOf(image, names, header.dataWindow()));

@@ -91,11 +91,11 @@ bool isHdr(std::span<const std::uint8_t> bytes) {
   });
 }
 
-Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes, const std::string& name) {
-  MIRRORBALL_TRY(header, parseHdrHeader(bytes, name));
-  MIRRORBALL_TRY_VOID(checkLineBytes(header, bytes.size() - header.size, name));
-  MIRRORBALL_TRY_VOID(checkImageMemory(name, header.width, header.height, 3));
-  MIRRORBALL_TRY(index, indexLines(bytes, header.size, header, 0, header.lineCount(), 0, name));
+Result<DecodedImage> decodeHdr(std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(header, parseHdrHeader(bytes));
+  MIRRORBALL_TRY_VOID(checkLineBytes(header, bytes.size() - header.size));
+  MIRRORBALL_TRY_VOID(checkImageMemory(header.width, header.height, 3));
+  MIRRORBALL_TRY(index, indexLines(bytes, header.size, header, 0, header.lineCount(), 0));
   Image image = Image::withoutValues(header.width, header.height, 3);
   decodeLines(bytes, index, header, image);
   return DecodedImage{std::move(image), std::move(header.metadata), describe(header, index.form),

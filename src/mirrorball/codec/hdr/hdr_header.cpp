@@ -13,8 +13,8 @@ namespace {
 /// Walks over the header's lines; knows where it is, for messages.
 class LineReader {
  public:
-  LineReader(std::span<const std::uint8_t> bytes, const std::string& name)
-      : text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()), name_(name) {}
+  explicit LineReader(std::span<const std::uint8_t> bytes)
+      : text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {}
 
   /// The next line without its end; nothing when the file ends before the line does.
   std::optional<std::string_view> next() {
@@ -30,12 +30,11 @@ class LineReader {
   std::size_t position() const { return at_; }
 
   tl::unexpected<Error> failure(ErrorCode code, const std::string& what) const {
-    return fail(code, name_ + ": line " + std::to_string(number_) + " " + what);
+    return fail(code, "line " + std::to_string(number_) + " " + what);
   }
 
  private:
   std::string_view text_;
-  const std::string& name_;
   std::size_t at_ = 0;
   int number_ = 0;
 };
@@ -114,8 +113,7 @@ std::optional<Axis> parseAxis(const std::string& sign_and_name, const std::strin
 
 /// "-Y 1024 +X 2048": the axis named first is the one from scan line to scan line, and its sign
 /// tells whether the coordinate grows, Y upwards (Radiance's file formats, "resolution string").
-Result<void> readResolution(std::string_view line, const LineReader& reader, const std::string& name,
-                            HdrHeader& header) {
+Result<void> readResolution(std::string_view line, const LineReader& reader, HdrHeader& header) {
   const std::vector<std::string> words = split(line, ' ');
   std::optional<Axis> slow;
   std::optional<Axis> fast;
@@ -128,7 +126,7 @@ Result<void> readResolution(std::string_view line, const LineReader& reader, con
   header.columns = slow->name == 'X';
   const Axis& x = header.columns ? *slow : *fast;
   const Axis& y = header.columns ? *fast : *slow;
-  MIRRORBALL_TRY_VOID(checkDimensions(name, x.length, y.length));
+  MIRRORBALL_TRY_VOID(checkDimensions(x.length, y.length));
   header.width = static_cast<int>(x.length);
   header.height = static_cast<int>(y.length);
   header.x_descends = x.descends;
@@ -138,12 +136,12 @@ Result<void> readResolution(std::string_view line, const LineReader& reader, con
 
 }  // namespace
 
-Result<HdrHeader> parseHdrHeader(std::span<const std::uint8_t> bytes, const std::string& name) {
-  LineReader reader(bytes, name);
+Result<HdrHeader> parseHdrHeader(std::span<const std::uint8_t> bytes) {
+  LineReader reader(bytes);
   HdrHeader header;
   const auto ends_early = [&] {
     return fail(ErrorCode::bad_file,
-                name + ": the header ends early, at byte " + std::to_string(bytes.size()) + "; the file is truncated");
+                "the header ends early, at byte " + std::to_string(bytes.size()) + "; the file is truncated");
   };
   while (true) {
     const auto line = reader.next();
@@ -153,7 +151,7 @@ Result<HdrHeader> parseHdrHeader(std::span<const std::uint8_t> bytes, const std:
   }
   const auto line = reader.next();
   if (!line) return ends_early();
-  MIRRORBALL_TRY_VOID(readResolution(*line, reader, name, header));
+  MIRRORBALL_TRY_VOID(readResolution(*line, reader, header));
   header.size = reader.position();
   return header;
 }

@@ -33,6 +33,6 @@ struct HdrHeader {
 /// Parses the header: text lines, an empty line, the resolution line.
 ///
 /// errors   bad_file, too_large or unsupported, with the line's number
-Result<HdrHeader> parseHdrHeader(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<HdrHeader> parseHdrHeader(std::span<const std::uint8_t> bytes);
 
 }  // namespace mirrorball

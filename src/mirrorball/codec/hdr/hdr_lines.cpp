@@ -180,24 +180,24 @@ std::string describeColor(const HdrHeader& header) {
 // Old RLE may put up to four repetitions, of no texels perhaps, behind each texel; new RLE a code behind each byte.
 std::size_t longestLine(std::size_t line_length) { return 20 * line_length + 4; }
 
-Result<void> checkLineBytes(const HdrHeader& header, std::uint64_t left, const std::string& name) {
+Result<void> checkLineBytes(const HdrHeader& header, std::uint64_t left) {
   const std::size_t texels = header.lineCount() * header.lineLength();
   // A scan line has at least one whole texel.
   if (left / 4 >= header.lineCount() && texels / kMaxTexelsPerByte <= left) return {};
-  return fail(ErrorCode::bad_file, name + ": says its size is " + std::to_string(header.width) + "x" +
+  return fail(ErrorCode::bad_file, "says its size is " + std::to_string(header.width) + "x" +
                                        std::to_string(header.height) + ", but only " + std::to_string(left) +
                                        " bytes follow the header; the file is truncated");
 }
 
 Result<LineIndex> indexLines(std::span<const std::uint8_t> bytes, std::size_t at, const HdrHeader& header,
-                             std::size_t first, std::size_t count, std::uint64_t origin, const std::string& name) {
+                             std::size_t first, std::size_t count, std::uint64_t origin) {
   LineIndex index;
   index.starts.reserve(count);
   LineWalker walker(bytes, at);
   for (std::size_t line = first; line < first + count; ++line) {
     index.starts.push_back(walker.position());
     if (const char* wrong = walker.walk<false>(header.lineLength(), nullptr))
-      return fail(ErrorCode::bad_file, name + ": " + wrong + " (scan line " + std::to_string(line) + ", byte " +
+      return fail(ErrorCode::bad_file, std::string(wrong) + " (scan line " + std::to_string(line) + ", byte " +
                                            std::to_string(origin + walker.position()) + ")");
     index.form = std::max(index.form, walker.form());
   }

@@ -43,7 +43,7 @@ struct LineIndex {
 ///
 /// left     bytes behind the header
 /// errors   bad_file
-Result<void> checkLineBytes(const HdrHeader& header, std::uint64_t left, const std::string& name);
+Result<void> checkLineBytes(const HdrHeader& header, std::uint64_t left);
 
 /// Finds scan lines: cheap, and proof that decoding them, in parallel, will not fail.
 ///
@@ -53,7 +53,7 @@ Result<void> checkLineBytes(const HdrHeader& header, std::uint64_t left, const s
 /// origin     the place of `bytes` in the file: for messages
 /// errors     bad_file (the line and byte are named)
 Result<LineIndex> indexLines(std::span<const std::uint8_t> bytes, std::size_t at, const HdrHeader& header,
-                             std::size_t first, std::size_t count, std::uint64_t origin, const std::string& name);
+                             std::size_t first, std::size_t count, std::uint64_t origin);
 
 /// The most bytes that a scan line may have.
 std::size_t longestLine(std::size_t line_length);

@@ -12,34 +12,32 @@ constexpr std::uint64_t kMaxHeaderBytes = std::uint64_t{1} << 16;
 
 class HdrRows : public RowReader {
  public:
-  HdrRows(FileReader file, HdrHeader header, std::string name)
-      : RowReader({header.width, header.height, 3, header.metadata}),
+  HdrRows(FileReader file, HdrHeader header)
+      : RowReader({file.name(), header.width, header.height, 3, header.metadata}),
         file_(std::move(file)),
         header_(std::move(header)),
-        name_(std::move(name)),
         next_byte_(header_.size) {}
 
-  Result<Image> read(int count) override;
-
  private:
+  Result<Image> readRows(int count) override;
+
   FileReader file_;
   HdrHeader header_;
-  std::string name_;
   std::uint64_t next_byte_;  // of the file, where line `next_` begins
   std::size_t next_ = 0;
 };
 
-Result<Image> HdrRows::read(int count) {
+Result<Image> HdrRows::readRows(int count) {
   const auto lines = static_cast<std::size_t>(count);
   const std::uint64_t left = file_.size() - next_byte_;
   // Lines are rarely longer than flat ones: only where they are, more bytes are read and looked through once more.
   Bytes bytes(std::min<std::uint64_t>(left, (4 * header_.lineLength() + 4 * header_.lineLength() / 128 + 64) * lines));
   MIRRORBALL_TRY_VOID(file_.readAt(next_byte_, bytes));
-  auto index = indexLines(bytes, 0, header_, next_, lines, next_byte_, name_);
+  auto index = indexLines(bytes, 0, header_, next_, lines, next_byte_);
   if (!index && bytes.size() < left) {
     bytes.resize(std::min<std::uint64_t>(left, longestLine(header_.lineLength()) * lines));
     MIRRORBALL_TRY_VOID(file_.readAt(next_byte_, bytes));
-    index = indexLines(bytes, 0, header_, next_, lines, next_byte_, name_);
+    index = indexLines(bytes, 0, header_, next_, lines, next_byte_);
   }
   if (!index) return tl::unexpected<Error>(index.error());
   Image rows = Image::withoutValues(header_.width, count, 3);
@@ -51,13 +49,13 @@ Result<Image> HdrRows::read(int count) {
 
 }  // namespace
 
-Result<std::unique_ptr<RowReader>> openHdrRows(FileReader file, const std::string& name) {
+Result<std::unique_ptr<RowReader>> openHdrRows(FileReader file) {
   Bytes begin(std::min(file.size(), kMaxHeaderBytes));
   MIRRORBALL_TRY_VOID(file.readAt(0, begin));
-  MIRRORBALL_TRY(header, parseHdrHeader(begin, name));
+  MIRRORBALL_TRY(header, parseHdrHeader(begin));
   if (header.columns || header.x_descends || header.y_ascends) return nullptr;
-  MIRRORBALL_TRY_VOID(checkLineBytes(header, file.size() - header.size, name));
-  return std::make_unique<HdrRows>(std::move(file), std::move(header), name);
+  MIRRORBALL_TRY_VOID(checkLineBytes(header, file.size() - header.size));
+  return std::make_unique<HdrRows>(std::move(file), std::move(header));
 }
 
 }  // namespace mirrorball

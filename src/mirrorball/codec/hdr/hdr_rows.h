@@ -9,6 +9,6 @@
 namespace mirrorball {
 
 /// openRows for a file that begins as a Radiance picture does.
-Result<std::unique_ptr<RowReader>> openHdrRows(FileReader file, const std::string& name);
+Result<std::unique_ptr<RowReader>> openHdrRows(FileReader file);
 
 }  // namespace mirrorball

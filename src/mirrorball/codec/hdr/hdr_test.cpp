@@ -35,7 +35,7 @@ std::vector<int> reds(const Image& image) {
 }
 
 Image decoded(const Bytes& bytes) {
-  auto result = decodeHdr(bytes, "test.hdr");
+  auto result = decodeHdr(bytes);
   if (!result) {
     ADD_FAILURE() << result.error().message;
     return Image(1, 1, 3);
@@ -44,7 +44,7 @@ Image decoded(const Bytes& bytes) {
 }
 
 Error failureOf(const Bytes& bytes) {
-  const auto result = decodeHdr(bytes, "test.hdr");
+  const auto result = decodeHdr(bytes);
   if (result) {
     ADD_FAILURE() << "was read";
     return {};
@@ -118,8 +118,7 @@ TEST(Hdr, NewRunLengthsByHand) {
                                                        128 + 3, 9,   5, 1,  2, 3, 4, 5,  // R: 9 9 9, then five literals
                                                        128 + 8, 0,                       // G
                                                        128 + 8, 0,                       // B
-                                                       128 + 7, 136, 1, 137}),  // E: the last is twice as bright
-                                "a");
+                                                       128 + 7, 136, 1, 137}));  // E: the last is twice as bright
   ASSERT_TRUE(result);
   EXPECT_THAT(reds(result->image), ElementsAre(9, 9, 9, 1, 2, 3, 4, 10));
   EXPECT_EQ(result->format, "Radiance HDR, RLE");
@@ -127,8 +126,7 @@ TEST(Hdr, NewRunLengthsByHand) {
 
 TEST(Hdr, OldRunLengthsByHand) {
   const auto result = decodeHdr(file("", "-Y 2 +X 4", {7, 0, 0, 136, 1, 1, 1, 3,  // one texel, three times more
-                                                       5, 0, 0, 136, 6, 0, 0, 136, 1, 1, 1, 2}),
-                                "a");
+                                                       5, 0, 0, 136, 6, 0, 0, 136, 1, 1, 1, 2}));
   ASSERT_TRUE(result);
   EXPECT_THAT(reds(result->image), ElementsAre(7, 7, 7, 7, 5, 6, 6, 6));
   EXPECT_EQ(result->format, "Radiance HDR, old RLE");
@@ -142,7 +140,7 @@ TEST(Hdr, OldRunsInARowCountInDigitsOf256) {
 }
 
 TEST(Hdr, FlatTexels) {
-  const auto result = decodeHdr(file("", "-Y 1 +X 2", {3, 6, 9, 136, 1, 2, 3, 0}), "a");
+  const auto result = decodeHdr(file("", "-Y 1 +X 2", {3, 6, 9, 136, 1, 2, 3, 0}));
   ASSERT_TRUE(result);
   EXPECT_EQ(rgbAt(result->image, 0, 0), glm::vec3(3, 6, 9));
   EXPECT_EQ(rgbAt(result->image, 1, 0), glm::vec3(0)) << "exponent 0 is black";
@@ -193,7 +191,7 @@ TEST(Hdr, SeveralCorrectionsMultiply) {
 TEST(Hdr, XyzBecomesRec709) {
   // D65's XYZ is (0.9505, 1, 1.0888). These are the nearest mantissas over 128; their steps of 0.4
   // % come out up to 3.2 times as large.
-  const auto result = decodeHdr(file("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 1", {122, 128, 139, 129}), "a");
+  const auto result = decodeHdr(file("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 1", {122, 128, 139, 129}));
   ASSERT_TRUE(result);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(result->image.samples()[std::size_t(c)], 1.0f, 0.0125f);
   EXPECT_EQ(result->format, "Radiance HDR, XYZE, flat");
@@ -211,10 +209,10 @@ TEST(Hdr, PrimariesAreConvertedUnlessTheyAreNone) {
 
 // Each program that touches a picture adds its lines; the last PRIMARIES tell what stands there now.
 TEST(Hdr, OfSeveralPrimariesTheLastCount) {
-  const auto result = decodeHdr(file("PRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329\nEXPOSURE=2\n"
-                                     "PRIMARIES=0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290\n",
-                                     "-Y 1 +X 1", {128, 0, 0, 130}),
-                                "a");
+  const auto result =
+      decodeHdr(file("PRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329\nEXPOSURE=2\n"
+                     "PRIMARIES=0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290\n",
+                     "-Y 1 +X 1", {128, 0, 0, 130}));
   ASSERT_TRUE(result);
   EXPECT_NEAR(result->image.samples()[0], 1.6605f, 1e-3f);
   EXPECT_EQ(result->color, "linear, primaries of the file (Rec.2020): converted");
@@ -239,7 +237,7 @@ TEST(Hdr, HeaderMayHaveCommentsUnknownLinesAndCarriageReturns) {
       "#?RGBE\r\n# Made by hand\r\n# mirrorball:projection=sphere\r\n\tpfilt -x 3\r\nGAMMA=1\r\n"
       "FORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 1\r\n");
   bytes.insert(bytes.end(), {9, 0, 0, 136});
-  const auto result = decodeHdr(bytes, "a");
+  const auto result = decodeHdr(bytes);
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_EQ(result->image.samples()[0], 9.0f);
   EXPECT_EQ(result->metadata, (Metadata{{"mirrorball:projection", "sphere"}}));
@@ -247,7 +245,7 @@ TEST(Hdr, HeaderMayHaveCommentsUnknownLinesAndCarriageReturns) {
 
 TEST(Hdr, MetadataComesBack) {
   const Metadata metadata{{"mirrorball:projection", "cube"}, {"mirrorball:layout", "hcross"}};
-  EXPECT_EQ(decodeHdr(encodeHdr(Image(1, 1, 3), metadata), "a")->metadata, metadata);
+  EXPECT_EQ(decodeHdr(encodeHdr(Image(1, 1, 3), metadata))->metadata, metadata);
 }
 
 TEST(Hdr, HeaderErrorsNameTheLine) {

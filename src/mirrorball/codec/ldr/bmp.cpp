@@ -41,9 +41,9 @@ struct Header {
   std::size_t texelCount() const { return std::size_t(width) * std::size_t(height); }
 };
 
-tl::unexpected<Error> truncated(const std::string& name, std::size_t size) {
-  return fail(ErrorCode::bad_file, name + ": ends at byte " + std::to_string(size) +
-                                       ", before its last texel; the file is truncated or damaged");
+tl::unexpected<Error> truncated(std::size_t size) {
+  return fail(ErrorCode::bad_file,
+              "ends at byte " + std::to_string(size) + ", before its last texel; the file is truncated or damaged");
 }
 
 /// Whether texels of that many bits can be compressed so.
@@ -66,7 +66,7 @@ bool isKnown(const Header& header) {
 }
 
 /// Where masks are named they lie behind the 40 bytes of the third header, or as a part of later ones.
-Result<void> readMasks(Span bytes, const std::string& name, Header& header) {
+Result<void> readMasks(Span bytes, Header& header) {
   if (header.compression == kPlain) {
     if (header.bits == 16) header.masks = {0x7c00, 0x3e0, 0x1f, 0};
     if (header.bits == 32) header.masks = {0xff0000, 0xff00, 0xff, 0};
@@ -74,19 +74,19 @@ Result<void> readMasks(Span bytes, const std::string& name, Header& header) {
   }
   const bool has_alpha = header.compression == kMasksWithAlpha || header.size >= kInfoHeader + 16;
   const std::size_t count = has_alpha ? 4 : 3;
-  if (bytes.size() < kFileHeader + kInfoHeader + 4 * count) return truncated(name, bytes.size());
+  if (bytes.size() < kFileHeader + kInfoHeader + 4 * count) return truncated(bytes.size());
   for (std::size_t i = 0; i < count; ++i) header.masks[i] = littleU32(&bytes[kFileHeader + kInfoHeader + 4 * i]);
   return {};
 }
 
-Result<Header> readHeader(Span bytes, const std::string& name) {
-  if (bytes.size() < kFileHeader + kCoreHeader) return truncated(name, bytes.size());
+Result<Header> readHeader(Span bytes) {
+  if (bytes.size() < kFileHeader + kCoreHeader) return truncated(bytes.size());
   Header header{.size = littleU32(&bytes[kFileHeader]), .texels_at = littleU32(&bytes[10])};
   const bool is_core = header.size == kCoreHeader;
   if (!is_core && (header.size < 16 || header.size > 1000))
-    return fail(ErrorCode::bad_file, name + ": says that its header has " + std::to_string(header.size) +
+    return fail(ErrorCode::bad_file, "says that its header has " + std::to_string(header.size) +
                                          " bytes, which no bitmap's has; the file is damaged");
-  if (bytes.size() < kFileHeader + header.size) return truncated(name, bytes.size());
+  if (bytes.size() < kFileHeader + header.size) return truncated(bytes.size());
   const std::uint8_t* fields = &bytes[kFileHeader];
   if (is_core) {
     header.width = littleU16(fields + 4);
@@ -101,33 +101,33 @@ Result<Header> readHeader(Span bytes, const std::string& name) {
   }
   header.from_top = header.height < 0;
   header.height = std::abs(header.height);
-  MIRRORBALL_TRY_VOID(checkDimensions(name, header.width, header.height));
+  MIRRORBALL_TRY_VOID(checkDimensions(header.width, header.height));
   if (!isKnown(header))
-    return fail(ErrorCode::unsupported, name + ": is a bitmap of " + std::to_string(header.bits) +
-                                            " bits with compression " + std::to_string(header.compression) +
+    return fail(ErrorCode::unsupported, "is a bitmap of " + std::to_string(header.bits) + " bits with compression " +
+                                            std::to_string(header.compression) +
                                             ", which is not read; save it plain, or as PNG");
   if (!header.isRunLengthCoded() && !header.hasPalette() && header.bits != 24)
-    MIRRORBALL_TRY_VOID(readMasks(bytes, name, header));
+    MIRRORBALL_TRY_VOID(readMasks(bytes, header));
   return header;
 }
 
 /// Whether its bytes can be all the texels.
-Result<void> checkTexels(const Header& header, Span bytes, const std::string& name) {
+Result<void> checkTexels(const Header& header, Span bytes) {
   const int width = static_cast<int>(header.width);
   const int height = static_cast<int>(header.height);
-  MIRRORBALL_TRY_VOID(checkPictureMemory(name, width, height, 4, 2));  // palette indices, and codes
+  MIRRORBALL_TRY_VOID(checkPictureMemory(width, height, 4, 2));  // palette indices, and codes
   const std::size_t there = bytes.size() - std::min(header.texels_at, bytes.size());
   // Two bytes make at most 255 texels, and a run-length coded file may skip some, but hardly most of a large picture.
   constexpr std::size_t kSmall = 65536;
   const bool fits = header.isRunLengthCoded()
                         ? there >= 2 && (header.texelCount() <= kSmall || header.texelCount() / 128 <= there)
                         : header.rowBytes() * std::size_t(height) <= there;
-  if (!fits) return cannotHold(name, width, height, bytes.size());
+  if (!fits) return cannotHold(width, height, bytes.size());
   return {};
 }
 
 /// Blue, green and red, and a byte that means nothing but in OS/2's first version, which lacks it.
-Result<std::vector<Rgba>> readPalette(const Header& header, Span bytes, const std::string& name) {
+Result<std::vector<Rgba>> readPalette(const Header& header, Span bytes) {
   if (!header.hasPalette()) return std::vector<Rgba>();
   const std::size_t max = std::size_t{1} << header.bits;
   const std::size_t entry = header.size == kCoreHeader ? 3 : 4;
@@ -136,7 +136,7 @@ Result<std::vector<Rgba>> readPalette(const Header& header, Span bytes, const st
   const std::size_t there = end < at ? 0 : (end - at) / entry;
   const std::size_t count = header.colors == 0 ? max : std::min<std::size_t>(header.colors, max);
   if (there < count && header.colors != 0)
-    return fail(ErrorCode::bad_file, name + ": says that its palette has " + std::to_string(count) +
+    return fail(ErrorCode::bad_file, "says that its palette has " + std::to_string(count) +
                                          " colours, and has room for " + std::to_string(there) +
                                          "; the file is damaged");
   std::vector<Rgba> palette;
@@ -275,13 +275,13 @@ void fillFromMasks(const Header& header, const Rows& rows, Image8& picture) {
 }
 
 Result<void> fillFromPalette(const Header& header, const Rows& rows, const std::vector<Rgba>& palette,
-                             const std::string& name, Image8& picture) {
+                             Image8& picture) {
   const std::uint32_t bits = header.isRunLengthCoded() ? 8 : header.bits;  // of an index
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) {
       const std::size_t index = indexAt(bits, rows[y], std::size_t(x));
       if (index >= palette.size())
-        return fail(ErrorCode::bad_file, name + ": texel (" + std::to_string(x) + ", " + std::to_string(y) +
+        return fail(ErrorCode::bad_file, "texel (" + std::to_string(x) + ", " + std::to_string(y) +
                                              ") has the colour " + std::to_string(index) + " of a palette of " +
                                              std::to_string(palette.size()) + "; the file is damaged");
       std::copy_n(palette[index].begin(), picture.channels(), picture.texel(x, y));
@@ -289,22 +289,22 @@ Result<void> fillFromPalette(const Header& header, const Rows& rows, const std::
   return {};
 }
 
-Result<Picture> readPicture(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(header, readHeader(bytes, name));
-  MIRRORBALL_TRY_VOID(checkTexels(header, bytes, name));
-  MIRRORBALL_TRY(palette, readPalette(header, bytes, name));
+Result<Picture> readPicture(Span bytes) {
+  MIRRORBALL_TRY(header, readHeader(bytes));
+  MIRRORBALL_TRY_VOID(checkTexels(header, bytes));
+  MIRRORBALL_TRY(palette, readPalette(header, bytes));
   Span texels = bytes.subspan(header.texels_at);
   std::optional<std::vector<std::uint8_t>> indices;
   if (header.isRunLengthCoded()) {
     indices = RunReader(header, texels).read();
-    if (!indices) return truncated(name, bytes.size());
+    if (!indices) return truncated(bytes.size());
     texels = *indices;
   }
   Image8 picture = Image8::withoutValues(static_cast<int>(header.width), static_cast<int>(header.height),
                                          header.masks[3] != 0 ? 4 : 3);
   const Rows rows(header, texels);
   if (header.hasPalette()) {
-    MIRRORBALL_TRY_VOID(fillFromPalette(header, rows, palette, name, picture));
+    MIRRORBALL_TRY_VOID(fillFromPalette(header, rows, palette, picture));
   } else {
     fillFromMasks(header, rows, picture);
   }
@@ -328,8 +328,8 @@ bool isBmp(Span bytes) {
   return bytes.size() >= kFileHeader + 4 && bytes[0] == 'B' && bytes[1] == 'M' && bytes[16] == 0 && bytes[17] == 0;
 }
 
-Result<DecodedImage> decodeBmp(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(picture, readPicture(bytes, name));
+Result<DecodedImage> decodeBmp(Span bytes) {
+  MIRRORBALL_TRY(picture, readPicture(bytes));
   Image light = lightOf(picture.codes);
   std::string format = "BMP, " + std::to_string(picture.header.bits) + " bit";
   if (picture.header.hasPalette()) format += " palette";
@@ -339,8 +339,8 @@ Result<DecodedImage> decodeBmp(Span bytes, const std::string& name) {
   return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
 }
 
-Result<Image8> decodeBmpTexture(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(picture, readPicture(bytes, name));
+Result<Image8> decodeBmpTexture(Span bytes) {
+  MIRRORBALL_TRY(picture, readPicture(bytes));
   return textureOf(std::move(picture.codes));
 }
 

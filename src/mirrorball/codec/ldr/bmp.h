@@ -18,9 +18,9 @@ bool isBmp(std::span<const std::uint8_t> bytes);
 ///
 /// errors   bad_file; too_large; unsupported (JPEG or PNG inside, OS/2's own compressions, 64 bits)
 /// from     Microsoft, "Windows GDI: Bitmap Storage" and [MS-WMF] 2.2.2.3; OS/2 2.0 Presentation Manager Reference
-Result<DecodedImage> decodeBmp(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<DecodedImage> decodeBmp(std::span<const std::uint8_t> bytes);
 
 /// Decodes a bitmap to 8-bit RGBA as stored.
-Result<Image8> decodeBmpTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<Image8> decodeBmpTexture(std::span<const std::uint8_t> bytes);
 
 }  // namespace mirrorball

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::vector<int> codes(const Bytes& bytes) {
-  const auto texture = decodeBmpTexture(bytes, "a.bmp");
+  const auto texture = decodeBmpTexture(bytes);
   EXPECT_TRUE(texture) << texture.error().message;
   return texture ? std::vector<int>(texture->samples().begin(), texture->samples().end()) : std::vector<int>();
 }
@@ -30,7 +30,7 @@ std::vector<int> indices(testing::BmpForm form, const Bytes& texels) {
 }
 
 Error refused(const Bytes& bytes) {
-  const auto result = decodeBmp(bytes, "a.bmp");
+  const auto result = decodeBmp(bytes);
   EXPECT_FALSE(result);
   return result ? Error() : result.error();
 }
@@ -39,7 +39,7 @@ TEST(Bmp, RowsRunUpUnlessTheHeightIsNegative) {
   const Bytes texels{3, 2, 1, 0, 6, 5, 4, 0};  // each row padded to four bytes
   EXPECT_THAT(codes(bmpOf({.width = 1, .height = 2}, texels)), ElementsAre(4, 5, 6, 255, 1, 2, 3, 255));
   EXPECT_THAT(codes(bmpOf({.width = 1, .height = -2}, texels)), ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
-  const auto image = decodeBmp(bmpOf({.width = 1, .height = 2}, texels), "a");
+  const auto image = decodeBmp(bmpOf({.width = 1, .height = 2}, texels));
   EXPECT_EQ(image->format, "BMP, 24 bit");
   EXPECT_EQ(image->color, "sRGB");
   EXPECT_EQ(image->image.channels(), 3);
@@ -85,7 +85,7 @@ TEST(Bmp, OnlyAMaskMakesAlpha) {
                               .compression = 3,
                               .masks = {0xff0000, 0xff00, 0xff, 0xff000000}};
   EXPECT_THAT(codes(bmpOf(form, {3, 2, 1, 9})), ElementsAre(1, 2, 3, 9));
-  EXPECT_EQ(decodeBmp(bmpOf(form, {3, 2, 1, 9}), "a")->image.channels(), 4);
+  EXPECT_EQ(decodeBmp(bmpOf(form, {3, 2, 1, 9}))->image.channels(), 4);
 }
 
 TEST(Bmp, RunsLiteralsAndSkips) {
@@ -100,7 +100,7 @@ TEST(Bmp, RunsLiteralsAndSkips) {
   testing::BmpForm cut = rle8;
   cut.palette = {0, 1, 2};
   EXPECT_THAT(refused(bmpOf(cut, {2, 1, 0, 0, 0, 3, 1})).message, HasSubstr("before its last texel"));
-  EXPECT_EQ(decodeBmp(bmpOf(cut, {2, 1, 0, 1}), "a")->format, "BMP, 8 bit palette, RLE");
+  EXPECT_EQ(decodeBmp(bmpOf(cut, {2, 1, 0, 1}))->format, "BMP, 8 bit palette, RLE");
 }
 
 TEST(Bmp, TexelsThatBeginBeforeThePaletteLeaveItNoRoom) {
@@ -114,8 +114,7 @@ TEST(Bmp, TexelsThatBeginBeforeThePaletteLeaveItNoRoom) {
 
 TEST(Bmp, AProfileIsNamed) {
   const testing::BmpForm form{.header = 124, .width = 1, .height = 1, .profile = testing::iccProfile("Display P3")};
-  EXPECT_EQ(decodeBmp(bmpOf(form, {3, 2, 1, 0}), "a")->color,
-            "sRGB assumed: its ICC profile (Display P3) is not applied");
+  EXPECT_EQ(decodeBmp(bmpOf(form, {3, 2, 1, 0}))->color, "sRGB assumed: its ICC profile (Display P3) is not applied");
 }
 
 TEST(Bmp, WhatCannotBeReadIsNamed) {

@@ -41,13 +41,13 @@ Image8 rgba8Of(const ImageOf<Sample>& image) {
 
 }  // namespace
 
-Result<void> checkPictureMemory(const std::string& name, int width, int height, int channels, int sample_bytes) {
+Result<void> checkPictureMemory(int width, int height, int channels, int sample_bytes) {
   const std::uint64_t samples = std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(channels);
-  return checkMemory(name, samples * (sizeof(float) + std::uint64_t(sample_bytes)));
+  return checkMemory(samples * (sizeof(float) + std::uint64_t(sample_bytes)));
 }
 
-tl::unexpected<Error> cannotHold(const std::string& name, long long width, long long height, std::size_t bytes) {
-  return fail(ErrorCode::bad_file, name + ": says its size is " + std::to_string(width) + "x" + std::to_string(height) +
+tl::unexpected<Error> cannotHold(long long width, long long height, std::size_t bytes) {
+  return fail(ErrorCode::bad_file, "says its size is " + std::to_string(width) + "x" + std::to_string(height) +
                                        ", which its " + std::to_string(bytes) +
                                        " bytes cannot hold; the file is truncated or damaged");
 }

@@ -17,10 +17,10 @@ using CodedPicture = std::variant<Image8, ImageOf<std::uint16_t>>;
 ///
 /// sample_bytes  of a code
 /// errors        too_large
-Result<void> checkPictureMemory(const std::string& name, int width, int height, int channels, int sample_bytes);
+Result<void> checkPictureMemory(int width, int height, int channels, int sample_bytes);
 
 /// The error for a file too small for the size that it says it has.
-tl::unexpected<Error> cannotHold(const std::string& name, long long width, long long height, std::size_t bytes);
+tl::unexpected<Error> cannotHold(long long width, long long height, std::size_t bytes);
 
 /// Linear light of the codes.
 Image lightOf(const CodedPicture& picture, const TransferCurve& curve = kSrgbCurve);

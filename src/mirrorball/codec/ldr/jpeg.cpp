@@ -119,19 +119,19 @@ struct Compressor {
   unsigned long size = 0;
 };
 
-tl::unexpected<Error> failure(const Decompressor& decoder, const std::string& name, std::size_t size) {
+tl::unexpected<Error> failure(const Decompressor& decoder, std::size_t size) {
   const std::string text = decoder.errors.message;
   switch (decoder.errors.code) {
     case JERR_BAD_PRECISION:
     case JERR_SOF_UNSUPPORTED:
-      return fail(ErrorCode::unsupported, name + ": " + text + "; save it as baseline or progressive JPEG of 8 bits");
+      return fail(ErrorCode::unsupported, text + "; save it as baseline or progressive JPEG of 8 bits");
     case JERR_OUT_OF_MEMORY:
-      return fail(ErrorCode::too_large, name + ": not enough memory to decode it");
+      return fail(ErrorCode::too_large, "not enough memory to decode it");
     default: {
       const std::size_t left = decoder.codec.src ? decoder.codec.src->bytes_in_buffer : size;
       // libjpeg supplies two bytes of its own when the data end early.
       const std::size_t at = decoder.errors.code == JWRN_JPEG_EOF ? size : size - std::min(left, size);
-      return fail(ErrorCode::bad_file, name + ": is a damaged JPEG, at byte " + std::to_string(at) + ": " + text);
+      return fail(ErrorCode::bad_file, "is a damaged JPEG, at byte " + std::to_string(at) + ": " + text);
     }
   }
 }
@@ -145,7 +145,7 @@ Metadata readComments(const jpeg_decompress_struct& codec) {
 }
 
 /// Reads up to the first scan and refuses what cannot be decoded.
-Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> bytes, const std::string& name) {
+Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> bytes) {
   jpeg_decompress_struct& codec = decoder.codec;
   const bool read = guarded(decoder.errors, [&] {
     jpeg_create_decompress(&codec);
@@ -155,15 +155,13 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
     jpeg_save_markers(&codec, JPEG_APP0 + 2, 0xffff);  // parts of an ICC profile
     jpeg_read_header(&codec, TRUE);
   });
-  if (!read) return failure(decoder, name, bytes.size());
-  MIRRORBALL_TRY_VOID(checkDimensions(name, codec.image_width, codec.image_height));
-  MIRRORBALL_TRY_VOID(
-      checkImageMemory(name, static_cast<int>(codec.image_width), static_cast<int>(codec.image_height), 3));
+  if (!read) return failure(decoder, bytes.size());
+  MIRRORBALL_TRY_VOID(checkDimensions(codec.image_width, codec.image_height));
+  MIRRORBALL_TRY_VOID(checkImageMemory(static_cast<int>(codec.image_width), static_cast<int>(codec.image_height), 3));
   const std::size_t texels = std::size_t(codec.image_width) * codec.image_height;
-  if (texels / kMaxTexelsPerByte > bytes.size())
-    return cannotHold(name, codec.image_width, codec.image_height, bytes.size());
+  if (texels / kMaxTexelsPerByte > bytes.size()) return cannotHold(codec.image_width, codec.image_height, bytes.size());
   if (codec.jpeg_color_space == JCS_CMYK || codec.jpeg_color_space == JCS_YCCK)
-    return fail(ErrorCode::unsupported, name + ": is a CMYK JPEG; save it as RGB");
+    return fail(ErrorCode::unsupported, "is a CMYK JPEG; save it as RGB");
   return {};
 }
 
@@ -184,9 +182,9 @@ struct Decoded {
 };
 
 /// texture  RGBA for everything; else grey or RGB as the file has it
-Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, const std::string& name, bool texture) {
+Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, bool texture) {
   Decompressor decoder;
-  MIRRORBALL_TRY_VOID(readHeader(decoder, bytes, name));
+  MIRRORBALL_TRY_VOID(readHeader(decoder, bytes));
   jpeg_decompress_struct& codec = decoder.codec;
   Metadata metadata = readComments(codec);  // which finishing the decoding forgets, as it does the profile
   std::string icc_description = readIccDescription(decoder);
@@ -206,7 +204,7 @@ Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, const std::stri
     }
     jpeg_finish_decompress(&codec);
   });
-  if (!decoded) return failure(decoder, name, bytes.size());
+  if (!decoded) return failure(decoder, bytes.size());
   return Decoded{std::move(picture), std::move(metadata), std::move(icc_description)};
 }
 
@@ -244,25 +242,25 @@ bool isJpeg(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
 }
 
-Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes, const std::string& name) {
-  MIRRORBALL_TRY(decoded, readPicture(bytes, name, false));
+Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(decoded, readPicture(bytes, false));
   std::string color = decoded.icc_description.empty() ? describeColor(kSrgbCurve, {}, decoded.picture.channels())
                                                       : describeIccColor(decoded.icc_description);
   return DecodedImage{linearFromPicture(decoded.picture), std::move(decoded.metadata), "JPEG, 8 bit", std::move(color)};
 }
 
-Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes, const std::string& name) {
-  MIRRORBALL_TRY(decoded, readPicture(bytes, name, true));
+Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(decoded, readPicture(bytes, true));
   return std::move(decoded.picture);
 }
 
-Result<Bytes> encodeJpeg(const Image8& picture, const Metadata& metadata, const std::string& name) {
+Result<Bytes> encodeJpeg(const Image8& picture, const Metadata& metadata) {
   if (picture.width() > JPEG_MAX_DIMENSION || picture.height() > JPEG_MAX_DIMENSION)
     return fail(ErrorCode::bad_shape,
-                name + ": a JPEG has at most " + std::to_string(JPEG_MAX_DIMENSION) + " texels a side; use .png");
+                "a JPEG has at most " + std::to_string(JPEG_MAX_DIMENSION) + " texels a side; use .png");
   Compressor encoder;
   if (!guarded(encoder.errors, [&] { writePixels(encoder, picture, metadata); }))
-    return fail(ErrorCode::too_large, name + ": cannot be encoded as JPEG: " + std::string(encoder.errors.message));
+    return fail(ErrorCode::too_large, "cannot be encoded as JPEG: " + std::string(encoder.errors.message));
   return Bytes(encoder.bytes, encoder.bytes + encoder.size);
 }
 

@@ -16,16 +16,15 @@ bool isJpeg(std::span<const std::uint8_t> bytes);
 /// A file that ends early is an error, never a picture whose rest is grey.
 ///
 /// errors   bad_file; too_large; unsupported (CMYK, 12 bit)
-Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes);
 
 /// Decodes a JPEG to 8-bit RGBA as stored; alpha is 255.
-Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes);
 
 /// Encodes 1 (grey), 3 or 4 channels at quality 95 without chroma subsampling; alpha is dropped,
 /// metadata stands in comments.
 ///
-/// name     for messages
 /// errors   bad_shape (a side above 65500, JPEG's limit)
-Result<Bytes> encodeJpeg(const Image8& picture, const Metadata& metadata, const std::string& name);
+Result<Bytes> encodeJpeg(const Image8& picture, const Metadata& metadata);
 
 }  // namespace mirrorball

@@ -21,6 +21,7 @@ namespace {
 
 using testing::bytesOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 /// Smooth, as photographs are at the scale of a block.
 Image8 photograph(int width, int height, int channels) {
@@ -33,7 +34,7 @@ Image8 photograph(int width, int height, int channels) {
 }
 
 Bytes encoded(const Image8& picture, const Metadata& metadata = {}) {
-  auto result = encodeJpeg(picture, metadata, "test.jpg");
+  auto result = encodeJpeg(picture, metadata);
   EXPECT_TRUE(result);
   return result ? std::move(*result) : Bytes();
 }
@@ -83,7 +84,7 @@ class JpegSize : public ::testing::TestWithParam<std::tuple<glm::ivec2, int>> {}
 TEST_P(JpegSize, ComesBackWithinItsQuality) {
   const auto [size, channels] = GetParam();
   const Image8 picture = photograph(size.x, size.y, channels);
-  const auto back = decodeJpegTexture(encoded(picture), "a");
+  const auto back = decodeJpegTexture(encoded(picture));
   ASSERT_TRUE(back) << back.error().message;
   ASSERT_EQ(back->width(), size.x);
   ASSERT_EQ(back->height(), size.y);
@@ -102,13 +103,13 @@ INSTANTIATE_TEST_SUITE_P(SizesAndChannels, JpegSize,
                                             ::testing::Values(1, 3, 4)));
 
 TEST(Jpeg, LightIsLinearAndGreyHasOneChannel) {
-  const auto grey = decodeJpeg(encoded(Image8(9, 9, 1, 128)), "a");
+  const auto grey = decodeJpeg(encoded(Image8(9, 9, 1, 128)));
   ASSERT_TRUE(grey);
   EXPECT_EQ(grey->image.channels(), 1);
   EXPECT_EQ(srgb8FromLinear(grey->image.samples()[0]), 128);
   EXPECT_EQ(grey->format, "JPEG, 8 bit");
   EXPECT_EQ(grey->color, "sRGB, grey");
-  EXPECT_EQ(decodeJpeg(encoded(Image8(9, 9, 3, 128)), "a")->image.channels(), 3);
+  EXPECT_EQ(decodeJpeg(encoded(Image8(9, 9, 3, 128)))->image.channels(), 3);
 }
 
 TEST(Jpeg, ChromaIsNotSubsampled) {
@@ -120,21 +121,21 @@ TEST(Jpeg, ChromaIsNotSubsampled) {
 
 TEST(Jpeg, MetadataComesBack) {
   const Metadata metadata{{"mirrorball:projection", "sphere"}, {"envmap", "latlong"}};
-  EXPECT_EQ(decodeJpeg(encoded(Image8(2, 2, 3), metadata), "a")->metadata, metadata);
+  EXPECT_EQ(decodeJpeg(encoded(Image8(2, 2, 3), metadata))->metadata, metadata);
 }
 
 TEST(Jpeg, AProfileIsNamedAndNotApplied) {
   const Bytes plain = encoded(Image8(9, 9, 3, 128));
-  const auto adobe = decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("Adobe RGB (1998)")), "a");
+  const auto adobe = decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("Adobe RGB (1998)")));
   ASSERT_TRUE(adobe) << adobe.error().message;
   EXPECT_EQ(adobe->color, "sRGB assumed: its ICC profile (Adobe RGB (1998)) is not applied");
   EXPECT_EQ(srgb8FromLinear(adobe->image.samples()[0]), 128);
-  EXPECT_EQ(decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("sRGB IEC61966-2.1")), "a")->color, "sRGB");
+  EXPECT_EQ(decodeJpeg(testing::jpegWithProfile(plain, testing::iccProfile("sRGB IEC61966-2.1")))->color, "sRGB");
   // Bytes of a profile are no comment.
-  EXPECT_TRUE(decodeJpeg(testing::jpegWithProfile(plain, bytesOf("envmap=cube")), "a")->metadata.empty());
+  EXPECT_TRUE(decodeJpeg(testing::jpegWithProfile(plain, bytesOf("envmap=cube")))->metadata.empty());
 }
 
-TEST(Jpeg, ProgressiveIsRead) { EXPECT_TRUE(decodeJpeg(foreignFile(JCS_RGB, 3, true), "a")); }
+TEST(Jpeg, ProgressiveIsRead) { EXPECT_TRUE(decodeJpeg(foreignFile(JCS_RGB, 3, true))); }
 
 // Such a file takes hours for a few megabytes (of a large image; here it is small).
 TEST(Jpeg, AFileOfEndlessScansIsRefused) {
@@ -146,23 +147,23 @@ TEST(Jpeg, AFileOfEndlessScansIsRefused) {
   Bytes again(bytes.begin(), end);
   for (int i = 0; i < 600; ++i) again.insert(again.end(), scan, end);
   again.insert(again.end(), end, bytes.end());
-  ASSERT_TRUE(decodeJpeg(bytes, "a.jpg"));
-  const auto refused = decodeJpeg(again, "a.jpg");
+  ASSERT_TRUE(decodeJpeg(bytes));
+  const auto refused = decodeJpeg(again);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::bad_file);
-  EXPECT_THAT(refused.error().message, HasSubstr("a.jpg: is a damaged JPEG, at byte "));
+  EXPECT_THAT(refused.error().message, StartsWith("is a damaged JPEG, at byte "));
   EXPECT_THAT(refused.error().message, HasSubstr("more than 500 scans"));
 }
 
 TEST(Jpeg, WhatCannotBeReadIsNamed) {
-  const auto cmyk = decodeJpeg(foreignFile(JCS_CMYK, 4, false), "a.jpg");
+  const auto cmyk = decodeJpeg(foreignFile(JCS_CMYK, 4, false));
   ASSERT_FALSE(cmyk);
   EXPECT_EQ(cmyk.error().code, ErrorCode::unsupported);
   EXPECT_THAT(cmyk.error().message, HasSubstr("CMYK"));
 
   Bytes twelve_bits = encoded(photograph(16, 16, 3));
   twelve_bits[frameHeader(twelve_bits) + 4] = 12;
-  EXPECT_EQ(decodeJpeg(twelve_bits, "a").error().code, ErrorCode::unsupported);
+  EXPECT_EQ(decodeJpeg(twelve_bits).error().code, ErrorCode::unsupported);
 }
 
 /// A small picture whose frame header says another size.
@@ -177,7 +178,7 @@ Bytes withSize(int width, int height) {
 }
 
 TEST(Jpeg, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
-  const auto error = [](int width, int height) { return decodeJpeg(withSize(width, height), "a.jpg").error(); };
+  const auto error = [](int width, int height) { return decodeJpeg(withSize(width, height)).error(); };
   EXPECT_EQ(error(0, 16).code, ErrorCode::bad_file);
   EXPECT_EQ(error(65500, 65500).code, ErrorCode::too_large);
   EXPECT_THAT(error(30000, 30000).message, HasSubstr("cannot hold"));
@@ -197,12 +198,12 @@ TEST(JpegMemory, AnEarlyEndCostsNoMoreThanItsTexels) {
   Bytes bytes = withSize(30000, 30000);
   bytes.resize(150000);
   const long before = peak_kb();
-  EXPECT_THAT(decodeJpeg(bytes, "a.jpg").error().message, HasSubstr("damaged JPEG"));
+  EXPECT_THAT(decodeJpeg(bytes).error().message, HasSubstr("damaged JPEG"));
   EXPECT_LT(peak_kb() - before, 200000) << "the picture would have 2.7 GB";
 }
 
 TEST(Jpeg, ATooLargeSideIsRefusedOnWriting) {
-  const auto result = encodeJpeg(Image8(65501, 1, 3), {}, "a.jpg");
+  const auto result = encodeJpeg(Image8(65501, 1, 3), {});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::bad_shape);
 }

@@ -27,20 +27,20 @@ bool isPfm(Span bytes) {
          (bytes[2] == ' ' || (bytes[2] >= '\t' && bytes[2] <= '\r'));
 }
 
-Result<DecodedImage> decodePfm(Span bytes, const std::string& name) {
+Result<DecodedImage> decodePfm(Span bytes) {
   constexpr std::uint32_t kMaxSide = 1u << 30;
-  PnmWords words(bytes, name);
+  PnmWords words(bytes);
   words.skip(2);
   MIRRORBALL_TRY(width, words.number("the width", kMaxSide));
   MIRRORBALL_TRY(height, words.number("the height", kMaxSide));
   MIRRORBALL_TRY(scale, readScale(words));
   MIRRORBALL_TRY_VOID(words.endHeader());
   const int channels = bytes[1] == 'F' ? 3 : 1;
-  MIRRORBALL_TRY_VOID(checkDimensions(name, width, height));
-  MIRRORBALL_TRY_VOID(checkImageMemory(name, static_cast<int>(width), static_cast<int>(height), channels));
+  MIRRORBALL_TRY_VOID(checkDimensions(width, height));
+  MIRRORBALL_TRY_VOID(checkImageMemory(static_cast<int>(width), static_cast<int>(height), channels));
   const Span stored = bytes.subspan(words.position());
   if (stored.size() / sizeof(float) / std::size_t(channels) / width < height)
-    return cannotHold(name, width, height, bytes.size());
+    return cannotHold(width, height, bytes.size());
 
   Image image = Image::withoutValues(static_cast<int>(width), static_cast<int>(height), channels);
   const std::uint8_t* from = stored.data();

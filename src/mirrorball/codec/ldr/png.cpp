@@ -149,43 +149,42 @@ Metadata readTexts(png_structp png, png_infop info) {
   return metadata;
 }
 
-tl::unexpected<Error> damaged(const Reader& reader, const std::string& name) {
-  return fail(ErrorCode::bad_file, name + ": is a damaged PNG, at byte " + std::to_string(reader.context.at) + ": " +
-                                       reader.context.message);
+tl::unexpected<Error> damaged(const Reader& reader) {
+  return fail(ErrorCode::bad_file,
+              "is a damaged PNG, at byte " + std::to_string(reader.context.at) + ": " + reader.context.message);
 }
 
 /// Checks the chunks' sizes against the file's, up to its end chunk: libpng takes a chunk's memory,
 /// and clears it, before it finds that the bytes are not there.
-Result<void> checkChunks(std::span<const std::uint8_t> bytes, const std::string& name) {
+Result<void> checkChunks(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kSignature = 8;
   constexpr std::size_t kFrame = 12;  // a chunk's length, its type, and its checksum behind the data
   constexpr std::uint8_t kEnd[] = {'I', 'E', 'N', 'D'};
   for (std::size_t at = kSignature; bytes.size() - at >= kFrame;) {
     const std::size_t length = png_get_uint_32(bytes.data() + at);
     if (length > bytes.size() - at - kFrame)
-      return fail(ErrorCode::bad_file, name + ": the chunk at byte " + std::to_string(at) + " says it has " +
+      return fail(ErrorCode::bad_file, "the chunk at byte " + std::to_string(at) + " says it has " +
                                            std::to_string(length) +
                                            " bytes, more than the file; it is truncated or damaged");
     if (std::equal(std::begin(kEnd), std::end(kEnd), bytes.data() + at + 4)) return {};
     at += length + kFrame;
   }
-  return fail(ErrorCode::bad_file, name + ": has no end chunk before its end at byte " + std::to_string(bytes.size()) +
-                                       "; the file is truncated");
+  return fail(ErrorCode::bad_file,
+              "has no end chunk before its end at byte " + std::to_string(bytes.size()) + "; the file is truncated");
 }
 
-Result<void> readHeader(Reader& reader, const std::string& name, Pixels& pixels) {
+Result<void> readHeader(Reader& reader, Pixels& pixels) {
   const bool read = guarded(reader.png, [&] {
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkDimensions decides
     png_read_info(reader.png, reader.info);
   });
-  if (!read) return damaged(reader, name);
+  if (!read) return damaged(reader);
   const png_uint_32 width = png_get_image_width(reader.png, reader.info);
   const png_uint_32 height = png_get_image_height(reader.png, reader.info);
-  MIRRORBALL_TRY_VOID(checkDimensions(name, width, height));
-  MIRRORBALL_TRY_VOID(checkImageMemory(name, static_cast<int>(width), static_cast<int>(height), 4));
+  MIRRORBALL_TRY_VOID(checkDimensions(width, height));
+  MIRRORBALL_TRY_VOID(checkImageMemory(static_cast<int>(width), static_cast<int>(height), 4));
   const std::size_t stored = png_get_rowbytes(reader.png, reader.info) * std::size_t(height);
-  if (stored / kMaxBytesPerByte > reader.context.in.size())
-    return cannotHold(name, width, height, reader.context.in.size());
+  if (stored / kMaxBytesPerByte > reader.context.in.size()) return cannotHold(width, height, reader.context.in.size());
   pixels.width = static_cast<int>(width);
   pixels.height = static_cast<int>(height);
   pixels.stored_bits = png_get_bit_depth(reader.png, reader.info);
@@ -193,19 +192,19 @@ Result<void> readHeader(Reader& reader, const std::string& name, Pixels& pixels)
   return {};
 }
 
-Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, const std::string& name, Form form) {
-  MIRRORBALL_TRY_VOID(checkChunks(bytes, name));
+Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form) {
+  MIRRORBALL_TRY_VOID(checkChunks(bytes));
   Reader reader(bytes);
-  if (!reader.info) return fail(ErrorCode::too_large, name + ": not enough memory to decode it");
+  if (!reader.info) return fail(ErrorCode::too_large, "not enough memory to decode it");
   Pixels pixels;
-  MIRRORBALL_TRY_VOID(readHeader(reader, name, pixels));
+  MIRRORBALL_TRY_VOID(readHeader(reader, pixels));
 
   const bool prepared = guarded(reader.png, [&] {
     setTransforms(reader.png, reader.info, form);
     png_set_interlace_handling(reader.png);
     png_read_update_info(reader.png, reader.info);
   });
-  if (!prepared) return damaged(reader, name);
+  if (!prepared) return damaged(reader);
   const std::size_t row_size = png_get_rowbytes(reader.png, reader.info);
   pixels.channels = png_get_channels(reader.png, reader.info);
   pixels.bits = png_get_bit_depth(reader.png, reader.info);
@@ -218,7 +217,7 @@ Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, const std::string
     png_read_image(reader.png, rows.data());
     png_read_end(reader.png, reader.info);
   });
-  if (!decoded) return damaged(reader, name);
+  if (!decoded) return damaged(reader);
   pixels.metadata = readTexts(reader.png, reader.info);
   return pixels;
 }
@@ -264,21 +263,21 @@ bool isPng(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= sizeof kMagic && std::equal(std::begin(kMagic), std::end(kMagic), bytes.begin());
 }
 
-Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
-  MIRRORBALL_TRY(pixels, readPixels(bytes, name, Form::light));
+Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(pixels, readPixels(bytes, Form::light));
   return DecodedImage{lightOf(pixels), std::move(pixels.metadata),
                       "PNG, " + std::to_string(pixels.stored_bits) + " bit",
                       describeColor(pixels.color, pixels.channels)};
 }
 
-Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes, const std::string& name) {
-  MIRRORBALL_TRY(pixels, readPixels(bytes, name, Form::texture));
+Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(pixels, readPixels(bytes, Form::texture));
   return pictureOf(pixels);
 }
 
-Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, const std::string& name) {
+Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata) {
   Writer writer;
-  if (!writer.info) return fail(ErrorCode::too_large, name + ": not enough memory to encode it");
+  if (!writer.info) return fail(ErrorCode::too_large, "not enough memory to encode it");
   std::vector<png_text> texts;
   for (const auto& [key, value] : metadata) {
     png_text text{};
@@ -301,8 +300,7 @@ Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, const s
     for (int y = 0; y < picture.height(); ++y) png_write_row(writer.png, picture.row(y).data());
     png_write_end(writer.png, nullptr);
   });
-  if (!written)
-    return fail(ErrorCode::too_large, name + ": cannot be encoded as PNG: " + std::string(writer.context.message));
+  if (!written) return fail(ErrorCode::too_large, "cannot be encoded as PNG: " + std::string(writer.context.message));
   return std::move(writer.context.out);
 }
 

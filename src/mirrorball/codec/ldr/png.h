@@ -17,15 +17,14 @@ bool isPng(std::span<const std::uint8_t> bytes);
 /// iCCP are ignored.
 ///
 /// errors   bad_file; too_large
-Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes);
 
 /// Decodes a PNG to 8-bit RGBA as stored.
-Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes);
 
 /// Encodes 1 (grey), 3 or 4 channels of 8 bits, marked as sRGB; metadata as tEXt.
 ///
-/// name     for messages
 /// errors   too_large (memory); bad_shape (a side above 2³¹ − 1)
-Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata, const std::string& name);
+Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata);
 
 }  // namespace mirrorball

@@ -43,7 +43,7 @@ constexpr std::uint32_t kMaxSide = std::numeric_limits<int>::max();
 constexpr std::uint32_t kMaxCode = 65535;
 
 /// The lines of a PAM's header: a word and its value.
-Result<void> readPamHeader(PnmWords& words, const std::string& name, Header& header) {
+Result<void> readPamHeader(PnmWords& words, Header& header) {
   std::string kind;
   while (true) {
     const std::string_view key = words.word();
@@ -67,18 +67,18 @@ Result<void> readPamHeader(PnmWords& words, const std::string& name, Header& hea
   constexpr std::string_view kKinds[]{"",    "BLACKANDWHITE", "BLACKANDWHITE_ALPHA", "GRAYSCALE", "GRAYSCALE_ALPHA",
                                       "RGB", "RGB_ALPHA"};
   if (header.channels < 1 || header.channels > 4 || std::ranges::find(kKinds, kind) == std::end(kKinds))
-    return fail(ErrorCode::unsupported, name + ": is a PAM of the kind '" + printable(kind) + "' with " +
+    return fail(ErrorCode::unsupported, "is a PAM of the kind '" + printable(kind) + "' with " +
                                             std::to_string(header.channels) +
                                             " samples a texel; grey and RGB, with or without alpha, are read");
   return {};
 }
 
-Result<Header> readHeader(Span bytes, const std::string& name) {
-  PnmWords words(bytes, name);
+Result<Header> readHeader(Span bytes) {
+  PnmWords words(bytes);
   words.skip(2);
   Header header{.version = static_cast<char>(bytes[1])};
   if (header.version == '7') {
-    MIRRORBALL_TRY_VOID(readPamHeader(words, name, header));
+    MIRRORBALL_TRY_VOID(readPamHeader(words, header));
   } else {
     header.coding = header.version <= '3' ? Coding::text : header.version == '4' ? Coding::bits : Coding::bytes;
     header.channels = header.version == '3' || header.version == '6' ? 3 : 1;
@@ -91,28 +91,27 @@ Result<Header> readHeader(Span bytes, const std::string& name) {
       header.max = max;
     }
   }
-  if (header.max == 0) return fail(ErrorCode::bad_file, name + ": says that its greatest sample is 0");
+  if (header.max == 0) return fail(ErrorCode::bad_file, "says that its greatest sample is 0");
   MIRRORBALL_TRY_VOID(words.endHeader());
   header.samples_at = words.position();
   return header;
 }
 
 /// Before memory is taken. A sample of a text has at least one byte.
-Result<void> checkSize(const Header& header, Span bytes, const std::string& name) {
-  MIRRORBALL_TRY_VOID(checkDimensions(name, header.width, header.height));
-  MIRRORBALL_TRY_VOID(checkPictureMemory(name, header.width, header.height, header.channels == 2 ? 4 : header.channels,
+Result<void> checkSize(const Header& header, Span bytes) {
+  MIRRORBALL_TRY_VOID(checkDimensions(header.width, header.height));
+  MIRRORBALL_TRY_VOID(checkPictureMemory(header.width, header.height, header.channels == 2 ? 4 : header.channels,
                                          header.fitsEightBits() ? 1 : 2));
   const std::size_t row = header.coding == Coding::text ? header.rowSamples() : header.rowBytes();
   if ((bytes.size() - header.samples_at) / row < std::size_t(header.height))
-    return cannotHold(name, header.width, header.height, bytes.size());
+    return cannotHold(header.width, header.height, bytes.size());
   return {};
 }
 
 /// Reads row after row, in the file's order.
 class PnmRows {
  public:
-  PnmRows(const Header& header, Span bytes, const std::string& name)
-      : header_(header), bytes_(bytes.subspan(header.samples_at)), words_(bytes, name), name_(name) {
+  PnmRows(const Header& header, Span bytes) : header_(header), bytes_(bytes.subspan(header.samples_at)), words_(bytes) {
     words_.skip(header.samples_at);
   }
 
@@ -125,7 +124,7 @@ class PnmRows {
     }
     const std::uint32_t max = *std::ranges::max_element(row);
     if (max > header_.max)
-      return fail(ErrorCode::bad_file, name_ + ": a sample in row " + std::to_string(y) + " is " + std::to_string(max) +
+      return fail(ErrorCode::bad_file, "a sample in row " + std::to_string(y) + " is " + std::to_string(max) +
                                            ", above the greatest that the header names, " +
                                            std::to_string(header_.max));
     if (header_.isBitmap())
@@ -154,15 +153,14 @@ class PnmRows {
   const Header& header_;
   Span bytes_;
   PnmWords words_;
-  const std::string& name_;
 };
 
 template <typename Sample>
-Result<CodedPicture> readSamples(const Header& header, Span bytes, const std::string& name) {
+Result<CodedPicture> readSamples(const Header& header, Span bytes) {
   constexpr std::uint32_t kMax = std::numeric_limits<Sample>::max();
   const bool is_grey_with_alpha = header.channels == 2;
   auto image = ImageOf<Sample>::withoutValues(header.width, header.height, is_grey_with_alpha ? 4 : header.channels);
-  PnmRows reader(header, bytes, name);
+  PnmRows reader(header, bytes);
   std::vector<std::uint32_t> row(header.rowSamples());
   for (int y = 0; y < header.height; ++y) {
     MIRRORBALL_TRY_VOID(reader.read(y, row));
@@ -180,11 +178,11 @@ struct Picture {
   CodedPicture codes;
 };
 
-Result<Picture> readPicture(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(header, readHeader(bytes, name));
-  MIRRORBALL_TRY_VOID(checkSize(header, bytes, name));
-  MIRRORBALL_TRY(codes, header.fitsEightBits() ? readSamples<std::uint8_t>(header, bytes, name)
-                                               : readSamples<std::uint16_t>(header, bytes, name));
+Result<Picture> readPicture(Span bytes) {
+  MIRRORBALL_TRY(header, readHeader(bytes));
+  MIRRORBALL_TRY_VOID(checkSize(header, bytes));
+  MIRRORBALL_TRY(codes, header.fitsEightBits() ? readSamples<std::uint8_t>(header, bytes)
+                                               : readSamples<std::uint16_t>(header, bytes));
   return Picture{header, std::move(codes)};
 }
 
@@ -195,8 +193,8 @@ bool isPnm(Span bytes) {
   return bytes[2] == '#' || bytes[2] == ' ' || (bytes[2] >= '\t' && bytes[2] <= '\r');
 }
 
-Result<DecodedImage> decodePnm(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(picture, readPicture(bytes, name));
+Result<DecodedImage> decodePnm(Span bytes) {
+  MIRRORBALL_TRY(picture, readPicture(bytes));
   constexpr std::string_view kNames[]{"PBM, text", "PGM, text", "PPM, text", "PBM", "PGM", "PPM", "PAM"};
   std::string format(kNames[picture.header.version - '1']);
   if (!picture.header.isBitmap()) format += ", 0 to " + std::to_string(picture.header.max);
@@ -205,8 +203,8 @@ Result<DecodedImage> decodePnm(Span bytes, const std::string& name) {
   return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
 }
 
-Result<Image8> decodePnmTexture(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(picture, readPicture(bytes, name));
+Result<Image8> decodePnmTexture(Span bytes) {
+  MIRRORBALL_TRY(picture, readPicture(bytes));
   return textureOf(std::move(picture.codes));
 }
 

@@ -17,10 +17,10 @@ bool isPnm(std::span<const std::uint8_t> bytes);
 ///
 /// errors   bad_file; too_large; unsupported (a PAM of another kind)
 /// from     Netpbm's pages pbm(5), pgm(5), ppm(5), pam(5)
-Result<DecodedImage> decodePnm(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<DecodedImage> decodePnm(std::span<const std::uint8_t> bytes);
 
 /// Decodes such a picture to 8-bit RGBA as stored, 16 bits rounded.
-Result<Image8> decodePnmTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<Image8> decodePnmTexture(std::span<const std::uint8_t> bytes);
 
 /// Whether the bytes begin as a Portable FloatMap does.
 bool isPfm(std::span<const std::uint8_t> bytes);
@@ -30,6 +30,6 @@ bool isPfm(std::span<const std::uint8_t> bytes);
 ///
 /// errors   bad_file; too_large
 /// from     P. Debevec, "Portable FloatMap Image Format"; Netpbm's page pfm(5)
-Result<DecodedImage> decodePfm(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<DecodedImage> decodePfm(std::span<const std::uint8_t> bytes);
 
 }  // namespace mirrorball

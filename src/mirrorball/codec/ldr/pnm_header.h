@@ -15,8 +15,8 @@ namespace mirrorball {
 /// Walks over the words at the beginning of one of Netpbm's files, and over the samples of those that are texts.
 class PnmWords {
  public:
-  PnmWords(std::span<const std::uint8_t> bytes, const std::string& name)
-      : text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()), name_(name) {}
+  explicit PnmWords(std::span<const std::uint8_t> bytes)
+      : text_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {}
 
   /// How many bytes were read.
   std::size_t position() const { return at_; }
@@ -70,7 +70,7 @@ class PnmWords {
 
   tl::unexpected<Error> failure(const std::string& what, std::string_view found) const {
     const std::string there = found.empty() ? "the file ends there" : "it is '" + printable(found.substr(0, 20)) + "'";
-    return fail(ErrorCode::bad_file, name_ + ": at byte " + std::to_string(at_) + " " + what + ", and " + there);
+    return fail(ErrorCode::bad_file, "at byte " + std::to_string(at_) + " " + what + ", and " + there);
   }
 
  private:
@@ -86,7 +86,6 @@ class PnmWords {
   }
 
   std::string_view text_;
-  const std::string& name_;
   std::size_t at_ = 0;
 };
 

@@ -17,22 +17,21 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::vector<int> codes(const std::string& file) {
-  const auto texture = decodePnmTexture(bytesOf(file), "a.pnm");
+  const auto texture = decodePnmTexture(bytesOf(file));
   EXPECT_TRUE(texture) << texture.error().message;
   return texture ? std::vector<int>(texture->samples().begin(), texture->samples().end()) : std::vector<int>();
 }
 
 DecodedImage decoded(const std::string& file) {
-  auto image = decodePnm(bytesOf(file), "a.pnm");
+  auto image = decodePnm(bytesOf(file));
   EXPECT_TRUE(image) << image.error().message;
   return image ? std::move(*image) : DecodedImage{};
 }
 
 Error refused(const std::string& file) {
-  const auto result = decodePnm(bytesOf(file), "a.pnm");
+  const auto result = decodePnm(bytesOf(file));
   EXPECT_FALSE(result) << file;
   if (result) return {};
-  EXPECT_TRUE(result.error().message.starts_with("a.pnm: "));
   return result.error();
 }
 
@@ -105,7 +104,7 @@ TEST(Pfm, RowsRunUpInEitherByteOrder) {
   for (const bool big_endian : {false, true}) {
     const std::string file = std::string("PF\n1 2\n") + (big_endian ? "1.0" : "-1.0") + "\n" +
                              floatBytes({1, 2, 3, 0.25f, 1e6f, -5}, big_endian);
-    const auto image = decodePfm(bytesOf(file), "a.pfm");
+    const auto image = decodePfm(bytesOf(file));
     ASSERT_TRUE(image) << image.error().message;
     EXPECT_THAT(image->image.samples(), ElementsAre(0.25f, 1e6f, -5.0f, 1.0f, 2.0f, 3.0f));
     EXPECT_EQ(image->format, big_endian ? "PFM, big-endian" : "PFM, little-endian");
@@ -114,18 +113,18 @@ TEST(Pfm, RowsRunUpInEitherByteOrder) {
 }
 
 TEST(Pfm, TheScaleIsTheSamplesUnit) {
-  const auto image = decodePfm(bytesOf("Pf 2 1 -2.5 " + floatBytes({1, 4}, false)), "a.pfm");
+  const auto image = decodePfm(bytesOf("Pf 2 1 -2.5 " + floatBytes({1, 4}, false)));
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_THAT(image->image.samples(), ElementsAre(2.5f, 10.0f));
   EXPECT_EQ(image->format, "PFM, little-endian, scaled by 2.5");
-  EXPECT_FALSE(decodePfm(bytesOf("Pf 2 1 0 " + floatBytes({1, 4}, false)), "a.pfm"));
+  EXPECT_FALSE(decodePfm(bytesOf("Pf 2 1 0 " + floatBytes({1, 4}, false))));
 }
 
 TEST(Pfm, EveryTruncationIsAnError) {
   const std::string file = "Pf 2 1 -1\n" + floatBytes({1, 4}, false);
   for (std::size_t length = 3; length < file.size(); ++length)
-    EXPECT_FALSE(decodePfm(bytesOf(file.substr(0, length)), "a.pfm")) << length;
-  EXPECT_THAT(decodePfm(bytesOf("PF 30000 30000 -1\nabcd"), "a.pfm").error().message, HasSubstr("cannot hold"));
+    EXPECT_FALSE(decodePfm(bytesOf(file.substr(0, length)))) << length;
+  EXPECT_THAT(decodePfm(bytesOf("PF 30000 30000 -1\nabcd")).error().message, HasSubstr("cannot hold"));
 }
 
 }  // namespace

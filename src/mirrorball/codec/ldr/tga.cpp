@@ -122,7 +122,7 @@ bool unpackRuns(Span packed, std::size_t texel_bytes, std::span<std::uint8_t> te
 
 class Reader {
  public:
-  Reader(Span bytes, const std::string& name, const Header& header) : bytes_(bytes), name_(name), header_(header) {}
+  Reader(Span bytes, const Header& header) : bytes_(bytes), header_(header) {}
 
   Result<CodedPicture> read() {
     MIRRORBALL_TRY_VOID(check());
@@ -155,15 +155,15 @@ class Reader {
   bool saysAlpha() const { return hasPlaceForAlpha() && (header_.kind == Kind::grey || header_.alpha_bits > 0); }
 
   Result<void> check() const {
-    MIRRORBALL_TRY_VOID(checkDimensions(name_, header_.width, header_.height));
+    MIRRORBALL_TRY_VOID(checkDimensions(header_.width, header_.height));
     constexpr int kSampleBytes = 2;  // as packets leave them, and as codes
-    MIRRORBALL_TRY_VOID(checkPictureMemory(name_, header_.width, header_.height, 4, kSampleBytes));
+    MIRRORBALL_TRY_VOID(checkPictureMemory(header_.width, header_.height, 4, kSampleBytes));
     const std::size_t size = bytes_.size();
     const std::size_t there = size - std::min(header_.texelsAt(), size);
     const std::size_t min = header_.is_run_length_coded
                                 ? header_.texelCount() / kMaxTexelsPerPacket * (header_.texelBytes() + 1)
                                 : header_.texelCount() * header_.texelBytes();
-    if (there < min || there == 0) return cannotHold(name_, header_.width, header_.height, size);
+    if (there < min || there == 0) return cannotHold(header_.width, header_.height, size);
     return {};
   }
 
@@ -176,7 +176,7 @@ class Reader {
     unpacked_ = std::make_unique_for_overwrite<std::uint8_t[]>(size);
     texels_ = {unpacked_.get(), size};
     if (unpackRuns(stored, header_.texelBytes(), {unpacked_.get(), size})) return {};
-    return fail(ErrorCode::bad_file, name_ + ": ends at byte " + std::to_string(bytes_.size()) +
+    return fail(ErrorCode::bad_file, "ends at byte " + std::to_string(bytes_.size()) +
                                          ", before its last texel; the file is truncated or damaged");
   }
 
@@ -206,7 +206,7 @@ class Reader {
     for (int y = 0; y < header_.height; ++y)
       for (int x = 0; x < header_.width; ++x)
         if (indexOf(texelAt(x, y)) >= palette_.size())
-          return fail(ErrorCode::bad_file, name_ + ": texel (" + std::to_string(x) + ", " + std::to_string(y) +
+          return fail(ErrorCode::bad_file, "texel (" + std::to_string(x) + ", " + std::to_string(y) +
                                                ") has a colour that the palette of " + std::to_string(palette_.size()) +
                                                " does not; the file is damaged");
     return {};
@@ -219,25 +219,24 @@ class Reader {
   }
 
   Span bytes_;
-  const std::string& name_;
   const Header& header_;
   std::unique_ptr<std::uint8_t[]> unpacked_;
   Span texels_;
   std::vector<Rgba> palette_;
 };
 
-Result<CodedPicture> readPicture(Span bytes, const std::string& name) {
+Result<CodedPicture> readPicture(Span bytes) {
   const auto header = readHeader(bytes);
-  if (!header) return fail(ErrorCode::bad_file, name + ": is a TGA whose first 18 bytes are not those of one");
-  return Reader(bytes, name, *header).read();
+  if (!header) return fail(ErrorCode::bad_file, "is a TGA whose first 18 bytes are not those of one");
+  return Reader(bytes, *header).read();
 }
 
 }  // namespace
 
 bool isTga(Span bytes) { return hasFooter(bytes) || readHeader(bytes); }
 
-Result<DecodedImage> decodeTga(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(picture, readPicture(bytes, name));
+Result<DecodedImage> decodeTga(Span bytes) {
+  MIRRORBALL_TRY(picture, readPicture(bytes));
   Image light = lightOf(picture);
   const auto header = readHeader(bytes);
   std::string format = "TGA, " + std::to_string(header->bits) + " bit";
@@ -247,8 +246,8 @@ Result<DecodedImage> decodeTga(Span bytes, const std::string& name) {
   return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
 }
 
-Result<Image8> decodeTgaTexture(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(picture, readPicture(bytes, name));
+Result<Image8> decodeTgaTexture(Span bytes) {
+  MIRRORBALL_TRY(picture, readPicture(bytes));
   return textureOf(std::move(picture));
 }
 

@@ -20,9 +20,9 @@ bool isTga(std::span<const std::uint8_t> bytes);
 ///
 /// errors   bad_file; too_large
 /// from     Truevision TGA File Format Specification, version 2.0 (1991)
-Result<DecodedImage> decodeTga(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<DecodedImage> decodeTga(std::span<const std::uint8_t> bytes);
 
 /// Decodes a TGA to 8-bit RGBA as stored.
-Result<Image8> decodeTgaTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<Image8> decodeTgaTexture(std::span<const std::uint8_t> bytes);
 
 }  // namespace mirrorball

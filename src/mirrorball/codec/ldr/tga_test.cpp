@@ -17,19 +17,19 @@ using testing::tgaOf;
 
 /// The codes of a picture, RGBA.
 std::vector<int> codes(const Bytes& bytes) {
-  const auto texture = decodeTgaTexture(bytes, "a.tga");
+  const auto texture = decodeTgaTexture(bytes);
   EXPECT_TRUE(texture) << texture.error().message;
   return texture ? std::vector<int>(texture->samples().begin(), texture->samples().end()) : std::vector<int>();
 }
 
 int channelsOf(const Bytes& bytes) {
-  const auto image = decodeTga(bytes, "a.tga");
+  const auto image = decodeTga(bytes);
   EXPECT_TRUE(image) << image.error().message;
   return image ? image->image.channels() : 0;
 }
 
 Error refused(const Bytes& bytes) {
-  const auto result = decodeTga(bytes, "a.tga");
+  const auto result = decodeTga(bytes);
   EXPECT_FALSE(result);
   return result ? Error() : result.error();
 }
@@ -37,7 +37,7 @@ Error refused(const Bytes& bytes) {
 TEST(Tga, ColorsAreStoredBlueFirst) {
   const Bytes file = tgaOf({.width = 1, .height = 1, .id = "a name"}, {3, 2, 1});
   EXPECT_THAT(codes(file), ElementsAre(1, 2, 3, 255));
-  const auto image = decodeTga(file, "a.tga");
+  const auto image = decodeTga(file);
   EXPECT_EQ(image->format, "TGA, 24 bit");
   EXPECT_EQ(image->color, "sRGB");
   EXPECT_EQ(image->image.channels(), 3);
@@ -46,8 +46,8 @@ TEST(Tga, ColorsAreStoredBlueFirst) {
 TEST(Tga, EveryCornerMayBeTheFirst) {
   const Bytes grey{1, 2, 3, 4};
   const auto from = [&](std::uint8_t descriptor) {
-    const auto image = decodeTgaTexture(
-        tgaOf({.type = 3, .width = 2, .height = 2, .bits = 8, .descriptor = descriptor}, grey), "a.tga");
+    const auto image =
+        decodeTgaTexture(tgaOf({.type = 3, .width = 2, .height = 2, .bits = 8, .descriptor = descriptor}, grey));
     std::vector<int> reds;
     for (std::size_t i = 0; i < 16; i += 4) reds.push_back(image->samples()[i]);
     return reds;
@@ -95,7 +95,7 @@ TEST(Tga, PalettesAreLookedUp) {
   form.palette_length = 2;
   form.palette_bits = 24;
   EXPECT_THAT(codes(tgaOf(form, {3, 2, 1, 30, 20, 10, 6, 5})), ElementsAre(10, 20, 30, 255, 1, 2, 3, 255));
-  EXPECT_EQ(decodeTga(tgaOf(form, {3, 2, 1, 30, 20, 10, 6, 5}), "a")->format, "TGA, 8 bit palette");
+  EXPECT_EQ(decodeTga(tgaOf(form, {3, 2, 1, 30, 20, 10, 6, 5}))->format, "TGA, 8 bit palette");
   EXPECT_THAT(refused(tgaOf(form, {3, 2, 1, 30, 20, 10, 6, 7})).message, HasSubstr("texel (1, 0)"));
   EXPECT_THAT(refused(tgaOf(form, {3, 2, 1, 30, 20, 10, 6, 4})).message, HasSubstr("texel (1, 0)"));
   form.bits = 16;
@@ -104,7 +104,7 @@ TEST(Tga, PalettesAreLookedUp) {
 
 TEST(Tga, RunsMayGoOnInTheNextRow) {
   const testing::TgaForm form{.type = 11, .width = 3, .height = 2, .bits = 8};
-  const auto image = decodeTga(tgaOf(form, {129, 9, 2, 1, 2, 3, 0, 4}), "a");
+  const auto image = decodeTga(tgaOf(form, {129, 9, 2, 1, 2, 3, 0, 4}));
   ASSERT_TRUE(image);
   EXPECT_EQ(image->format, "TGA, 8 bit, RLE");
   const std::vector<int> all = codes(tgaOf(form, {129, 9, 2, 1, 2, 3, 0, 4}));

@@ -17,41 +17,41 @@ namespace {
 
 using Span = std::span<const std::uint8_t>;
 
-tl::unexpected<Error> failure(VP8StatusCode status, const std::string& name, std::size_t size) {
+tl::unexpected<Error> failure(VP8StatusCode status, std::size_t size) {
   switch (status) {
     case VP8_STATUS_OUT_OF_MEMORY:
-      return fail(ErrorCode::too_large, name + ": not enough memory to decode it");
+      return fail(ErrorCode::too_large, "not enough memory to decode it");
     case VP8_STATUS_NOT_ENOUGH_DATA:
     case VP8_STATUS_SUSPENDED:
-      return fail(ErrorCode::bad_file, name + ": ends at byte " + std::to_string(size) +
-                                           ", before its last texel; the file is truncated or damaged");
+      return fail(ErrorCode::bad_file,
+                  "ends at byte " + std::to_string(size) + ", before its last texel; the file is truncated or damaged");
     default:
-      return fail(ErrorCode::bad_file, name + ": is a damaged WebP");
+      return fail(ErrorCode::bad_file, "is a damaged WebP");
   }
 }
 
 /// texture  RGBA for everything; else RGB where there is no alpha
 /// features become the file's
-Result<Image8> readPicture(Span bytes, const std::string& name, bool texture, WebPBitstreamFeatures& features) {
+Result<Image8> readPicture(Span bytes, bool texture, WebPBitstreamFeatures& features) {
   const VP8StatusCode known = WebPGetFeatures(bytes.data(), bytes.size(), &features);
-  if (known != VP8_STATUS_OK) return failure(known, name, bytes.size());
+  if (known != VP8_STATUS_OK) return failure(known, bytes.size());
   if (features.has_animation != 0)
-    return fail(ErrorCode::unsupported, name + ": is an animated WebP; save one of its pictures by itself");
-  MIRRORBALL_TRY_VOID(checkDimensions(name, features.width, features.height));
+    return fail(ErrorCode::unsupported, "is an animated WebP; save one of its pictures by itself");
+  MIRRORBALL_TRY_VOID(checkDimensions(features.width, features.height));
   constexpr int kSampleBytes = 2;  // libwebp's own picture, and ours
-  MIRRORBALL_TRY_VOID(checkPictureMemory(name, features.width, features.height, 4, kSampleBytes));
+  MIRRORBALL_TRY_VOID(checkPictureMemory(features.width, features.height, 4, kSampleBytes));
 
   const int channels = texture || features.has_alpha != 0 ? 4 : 3;
   // Without values, so that a size that lies costs no memory: only rows that are decoded are touched.
   Image8 picture = Image8::withoutValues(features.width, features.height, channels);
   WebPDecoderConfig config;
   if (WebPInitDecoderConfig(&config) == 0)
-    return fail(ErrorCode::unsupported, name + ": libwebp is another version than the program was built with");
+    return fail(ErrorCode::unsupported, "libwebp is another version than the program was built with");
   config.output.colorspace = channels == 4 ? MODE_RGBA : MODE_RGB;
   config.output.is_external_memory = 1;
   config.output.u.RGBA = {picture.samples().data(), features.width * channels, picture.samples().size()};
   const VP8StatusCode decoded = WebPDecode(bytes.data(), bytes.size(), &config);
-  if (decoded != VP8_STATUS_OK) return failure(decoded, name, bytes.size());
+  if (decoded != VP8_STATUS_OK) return failure(decoded, bytes.size());
   return picture;
 }
 
@@ -75,9 +75,9 @@ bool isWebp(Span bytes) {
   return bytes.size() >= 12 && has(0, "RIFF") && has(8, "WEBP");
 }
 
-Result<DecodedImage> decodeWebp(Span bytes, const std::string& name) {
+Result<DecodedImage> decodeWebp(Span bytes) {
   WebPBitstreamFeatures features;
-  MIRRORBALL_TRY(picture, readPicture(bytes, name, false, features));
+  MIRRORBALL_TRY(picture, readPicture(bytes, false, features));
   constexpr std::string_view kForms[]{"", ", lossy", ", lossless"};
   std::string format = "WebP" + std::string(kForms[std::clamp(features.format, 0, 2)]);
   const std::string profile = readIccDescription(bytes);
@@ -85,9 +85,9 @@ Result<DecodedImage> decodeWebp(Span bytes, const std::string& name) {
   return DecodedImage{linearFromPicture(picture), {}, std::move(format), std::move(color)};
 }
 
-Result<Image8> decodeWebpTexture(Span bytes, const std::string& name) {
+Result<Image8> decodeWebpTexture(Span bytes) {
   WebPBitstreamFeatures features;
-  return readPicture(bytes, name, true, features);
+  return readPicture(bytes, true, features);
 }
 
 }  // namespace mirrorball

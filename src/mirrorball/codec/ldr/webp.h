@@ -14,9 +14,9 @@ bool isWebp(std::span<const std::uint8_t> bytes);
 /// Decodes a WebP picture, lossy or lossless, with or without alpha; samples are taken as sRGB.
 ///
 /// errors   bad_file; too_large; unsupported (an animation)
-Result<DecodedImage> decodeWebp(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<DecodedImage> decodeWebp(std::span<const std::uint8_t> bytes);
 
 /// Decodes a WebP to 8-bit RGBA as stored.
-Result<Image8> decodeWebpTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<Image8> decodeWebpTexture(std::span<const std::uint8_t> bytes);
 
 }  // namespace mirrorball

@@ -25,12 +25,12 @@ TEST(Webp, LosslessComesBack) {
   for (const int channels : {3, 4}) {
     const Image8 source = picture(channels);
     const Bytes bytes = webpOf(source, kLossless);
-    const auto image = decodeWebp(bytes, "a.webp");
+    const auto image = decodeWebp(bytes);
     ASSERT_TRUE(image) << image.error().message;
     EXPECT_THAT(image->image.samples(), ElementsAreArray(linearFromPicture(source).samples()));
     EXPECT_EQ(image->format, "WebP, lossless");
     EXPECT_EQ(image->color, "sRGB");
-    const auto texture = decodeWebpTexture(bytes, "a.webp");
+    const auto texture = decodeWebpTexture(bytes);
     ASSERT_TRUE(texture);
     for (std::size_t i = 0; i < source.texelCount(); ++i)
       for (std::size_t c = 0; c < 4; ++c)
@@ -45,23 +45,23 @@ TEST(Webp, LossyComesBackWithinItsQuality) {
     for (int x = 0; x < 40; ++x)
       for (int c = 0; c < 3; ++c) smooth.texel(x, y)[c] = static_cast<std::uint8_t>(60 + 3 * x + 2 * y);
   smooth.texel(3, 4)[3] = 128;
-  const auto texture = decodeWebpTexture(webpOf(smooth, 95), "a.webp");
+  const auto texture = decodeWebpTexture(webpOf(smooth, 95));
   ASSERT_TRUE(texture) << texture.error().message;
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 40; ++x) ASSERT_NEAR(texture->texel(x, y)[1], smooth.texel(x, y)[1], 6);
   EXPECT_EQ(texture->texel(3, 4)[3], 128);  // alpha is lossless
-  EXPECT_EQ(decodeWebp(webpOf(smooth, 95), "a.webp")->format, "WebP, lossy");
+  EXPECT_EQ(decodeWebp(webpOf(smooth, 95))->format, "WebP, lossy");
 }
 
 TEST(Webp, AProfileIsNamed) {
   const Bytes bytes = testing::extendedWebp(picture(3), 0x20, "ICCP", testing::iccProfile("Display P3"));
-  const auto image = decodeWebp(bytes, "a.webp");
+  const auto image = decodeWebp(bytes);
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->color, "sRGB assumed: its ICC profile (Display P3) is not applied");
 }
 
 TEST(Webp, AnAnimationIsRefused) {
-  const auto refused = decodeWebp(testing::extendedWebp(picture(3), 0x02, "ANIM", Bytes(6)), "a.webp");
+  const auto refused = decodeWebp(testing::extendedWebp(picture(3), 0x02, "ANIM", Bytes(6)));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
   EXPECT_THAT(refused.error().message, HasSubstr("is an animated WebP"));
@@ -72,9 +72,9 @@ TEST(Webp, EveryTruncationIsAnError) {
     const Bytes bytes = webpOf(picture(4), quality);
     for (std::size_t length = 12; length < bytes.size(); ++length) {
       const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
-      const auto result = decodeWebp(part, "a.webp");
+      const auto result = decodeWebp(part);
       ASSERT_FALSE(result) << length;
-      EXPECT_TRUE(result.error().message.starts_with("a.webp: ")) << result.error().message;
+      EXPECT_FALSE(result.error().message.empty());
     }
   }
 }

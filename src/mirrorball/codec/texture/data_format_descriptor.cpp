@@ -103,8 +103,8 @@ std::optional<Primaries> primariesOf(int number) {
 }  // namespace
 
 Result<DescribedColor> readDataFormatDescriptor(std::span<const std::uint8_t> bytes, std::size_t begin,
-                                                std::size_t size, const std::string& name) {
-  const std::string place = name + ": the data format descriptor at byte " + std::to_string(begin);
+                                                std::size_t size) {
+  const std::string place = "the data format descriptor at byte " + std::to_string(begin);
   const std::uint8_t* descriptor = bytes.data() + begin;
   if (size < 4 + kBlockSize || littleU32(descriptor) != size)
     return fail(ErrorCode::bad_file,

@@ -25,7 +25,7 @@ struct DescribedColor {
 /// errors   bad_file (the byte is named); unsupported (a transfer function other than linear and sRGB)
 /// from     Khronos Data Format Specification 1.4, "The Khronos Basic Data Format Descriptor Block"
 Result<DescribedColor> readDataFormatDescriptor(std::span<const std::uint8_t> bytes, std::size_t begin,
-                                                std::size_t size, const std::string& name);
+                                                std::size_t size);
 
 /// The descriptor of one of the formats that are written: linear light, Rec.709, straight alpha.
 Bytes dataFormatDescriptor(TexelFormat format);

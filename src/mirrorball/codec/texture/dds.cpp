@@ -76,12 +76,12 @@ constexpr MaskRow kMaskRows[] = {
 };
 
 /// The format from the 32 bytes of DDS_PIXELFORMAT, for files without the DX10 header.
-Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format, const std::string& name) {
+Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format) {
   const std::uint32_t flags = littleU32(pixel_format + 4);
   const std::uint32_t code = littleU32(pixel_format + 8);
   if (flags & kPixelFourLetters) {
     const auto format = formatOfCode(code);
-    if (!format) return unsupportedTexture(name, nameOfCode(code), kInstead);
+    if (!format) return unsupportedTexture(nameOfCode(code), kInstead);
     return *format;
   }
   const std::uint32_t bits = littleU32(pixel_format + 12);
@@ -92,54 +92,52 @@ Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format, const st
     for (const MaskRow& row : kMaskRows)
       if (row.bits == bits && row.red == mask(0) && row.green == mask(1) && row.blue == mask(2) && row.alpha == alpha)
         return row.format;
-  return unsupportedTexture(name, "a pixel format of " + std::to_string(bits) + " bits with masks of its own",
-                            kInstead);
+  return unsupportedTexture("a pixel format of " + std::to_string(bits) + " bits with masks of its own", kInstead);
 }
 
-Result<void> readDx10Header(const std::uint8_t* dx10, Header& header, const std::string& name) {
+Result<void> readDx10Header(const std::uint8_t* dx10, Header& header) {
   const auto format = formatOfDxgi(littleU32(dx10));
-  if (!format) return unsupportedTexture(name, nameOfDxgi(littleU32(dx10)), kInstead);
+  if (!format) return unsupportedTexture(nameOfDxgi(littleU32(dx10)), kInstead);
   header.format = *format;
-  if (littleU32(dx10 + 4) != kTexture2d)
-    return unsupportedTexture(name, "a texture that is not two-dimensional", kInstead);
+  if (littleU32(dx10 + 4) != kTexture2d) return unsupportedTexture("a texture that is not two-dimensional", kInstead);
   if (littleU32(dx10 + 8) & kMiscCube) header.shape.faces = 6;
   header.shape.layers = littleU32(dx10 + 12);
   return {};
 }
 
-Result<Header> readHeader(Span bytes, const std::string& name) {
+Result<Header> readHeader(Span bytes) {
   if (bytes.size() < kHeaderSize)
-    return fail(ErrorCode::bad_file, name + ": the header ends early, at byte " + std::to_string(bytes.size()) +
-                                         " of " + std::to_string(kHeaderSize) + "; the file is truncated");
+    return fail(ErrorCode::bad_file, "the header ends early, at byte " + std::to_string(bytes.size()) + " of " +
+                                         std::to_string(kHeaderSize) + "; the file is truncated");
   const auto u32 = [&](std::size_t at) { return littleU32(bytes.data() + at); };
   // The sizes of DDS_HEADER and of DDS_PIXELFORMAT.
   if (u32(4) != 124 || u32(76) != 32)
-    return fail(ErrorCode::bad_file, name + ": the header's sizes at bytes 4 and 76 are not 124 and 32; it is damaged");
+    return fail(ErrorCode::bad_file, "the header's sizes at bytes 4 and 76 are not 124 and 32; it is damaged");
   Header header;
   header.size = kHeaderSize;
   header.shape.height = u32(12);
   header.shape.width = u32(16);
   header.shape.levels = std::max(u32(28), 1u);
   const std::uint32_t caps2 = u32(112);
-  if (caps2 & kCaps2Volume) return unsupportedTexture(name, "a three-dimensional texture", kInstead);
+  if (caps2 & kCaps2Volume) return unsupportedTexture("a three-dimensional texture", kInstead);
   const bool is_dx10 = (u32(80) & kPixelFourLetters) && u32(84) == kDx10;
   if (is_dx10) {
     header.size += kDx10HeaderSize;
     if (bytes.size() < header.size)
-      return fail(ErrorCode::bad_file, name + ": the DX10 header ends early, at byte " + std::to_string(bytes.size()) +
-                                           " of " + std::to_string(header.size) + "; the file is truncated");
-    MIRRORBALL_TRY_VOID(readDx10Header(bytes.data() + kHeaderSize, header, name));
+      return fail(ErrorCode::bad_file, "the DX10 header ends early, at byte " + std::to_string(bytes.size()) + " of " +
+                                           std::to_string(header.size) + "; the file is truncated");
+    MIRRORBALL_TRY_VOID(readDx10Header(bytes.data() + kHeaderSize, header));
   } else {
-    MIRRORBALL_TRY(format, formatBeforeDx10(bytes.data() + 76, name));
+    MIRRORBALL_TRY(format, formatBeforeDx10(bytes.data() + 76));
     header.format = format;
     header.encoding_assumed = format.type == SampleType::srgb8;
     if (caps2 & kCaps2Cube) {
       if ((caps2 & kCaps2AllFaces) != kCaps2AllFaces)
-        return unsupportedTexture(name, "a cube with fewer than six faces", kInstead);
+        return unsupportedTexture("a cube with fewer than six faces", kInstead);
       header.shape.faces = 6;
     }
   }
-  MIRRORBALL_TRY_VOID(checkTextureShape(header.shape, name));
+  MIRRORBALL_TRY_VOID(checkTextureShape(header.shape));
   return header;
 }
 
@@ -202,14 +200,14 @@ Bytes encodeHeader(const TextureShape& shape, TexelFormat format, bool has_alpha
 
 bool isDds(Span bytes) { return bytes.size() >= 4 && littleU32(bytes.data()) == kMagic; }
 
-Result<DecodedImageSet> decodeDds(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(header, readHeader(bytes, name));
+Result<DecodedImageSet> decodeDds(Span bytes) {
+  MIRRORBALL_TRY(header, readHeader(bytes));
   const std::uint64_t expected = chainSize(header.shape, header.format) * header.shape.imagesPerLevel();
   if (expected > bytes.size() - header.size)
-    return fail(ErrorCode::bad_file, name + ": its texels have " + std::to_string(expected) + " bytes from byte " +
+    return fail(ErrorCode::bad_file, "its texels have " + std::to_string(expected) + " bytes from byte " +
                                          std::to_string(header.size) + " on, but the file has " +
                                          std::to_string(bytes.size()) + "; it is truncated or damaged");
-  MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, header.format, name));
+  MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, header.format));
   const char* assumed = header.encoding_assumed ? " (assumed)" : "";
   return DecodedImageSet{readImages(bytes.data() + header.size, header),
                          {},
@@ -232,11 +230,10 @@ TextureLayout ddsLayout(const TextureShape& shape, bool has_alpha, const Texture
   return layout;
 }
 
-Result<void> writeDds(const ImageSet& images, const TextureWriteOptions& options, const std::string& name,
-                      const WriteAt& write) {
+Result<void> writeDds(const ImageSet& images, const TextureWriteOptions& options, const WriteAt& write) {
   const TextureLayout layout = ddsLayout(shapeOf(images), images.at(0, 0).channels() == 4, options);
   MIRRORBALL_TRY_VOID(write(0, layout.header));
-  return streamTexels(images, layout.images, options.format, name, write, options.progress);
+  return streamTexels(images, layout.images, options.format, write, options.progress);
 }
 
 }  // namespace mirrorball

@@ -18,7 +18,7 @@ bool isDds(std::span<const std::uint8_t> bytes);
 ///
 /// errors   as decodeImageSet
 /// from     Microsoft, "Programming Guide for DDS" and "DDS_HEADER_DXT10"
-Result<DecodedImageSet> decodeDds(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<DecodedImageSet> decodeDds(std::span<const std::uint8_t> bytes);
 
 /// Where the images of a DDS file with the DX10 header stand: by layer, face, level. Metadata is dropped.
 TextureLayout ddsLayout(const TextureShape& shape, bool has_alpha, const TextureWriteOptions& options);
@@ -27,7 +27,6 @@ TextureLayout ddsLayout(const TextureShape& shape, bool has_alpha, const Texture
 ///
 /// images   checked for shape already
 /// errors   out_of_range; what `write` returns
-Result<void> writeDds(const ImageSet& images, const TextureWriteOptions& options, const std::string& name,
-                      const WriteAt& write);
+Result<void> writeDds(const ImageSet& images, const TextureWriteOptions& options, const WriteAt& write);
 
 }  // namespace mirrorball

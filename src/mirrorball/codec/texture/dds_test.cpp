@@ -119,18 +119,18 @@ TEST(Dds, FormatsFromBeforeDx10AreRead) {
       {"G16R16F", {.flags = 4, .code = 112}, {0, 0x40, 0, 0x3c}, {2.0f, 1.0f, 0.0f, 1.0f}},
   };
   for (const Old& kind : kinds) {
-    const auto read = decodeDds(oldDds(kind.header, kind.texel), "a");
+    const auto read = decodeDds(oldDds(kind.header, kind.texel));
     ASSERT_TRUE(read) << kind.name << ": " << read.error().message;
     EXPECT_EQ(rgbaAt(read->images.at(0, 0), 0, 0), kind.light) << kind.name;
   }
   testing::OldDds cube = kinds[5].header;
   cube.caps2 = 0xfe00;
-  EXPECT_EQ(decodeDds(oldDds(cube, Bytes(6 * 8)), "a")->images.faces(), 6);
+  EXPECT_EQ(decodeDds(oldDds(cube, Bytes(6 * 8)))->images.faces(), 6);
 }
 
 TEST(Dds, WhatIsNotReadIsNamed) {
   const auto expectUnsupported = [](const Bytes& file, const char* what) {
-    const auto result = decodeDds(file, "a.dds");
+    const auto result = decodeDds(file);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::unsupported);
     EXPECT_THAT(result.error().message, HasSubstr(what));
@@ -154,7 +154,7 @@ TEST(Dds, LyingHeadersAreNamedWithTheirPlace) {
   const auto with = [&](std::size_t at, std::uint32_t number) {
     Bytes changed = file;
     for (std::size_t i = 0; i < 4; ++i) changed[at + i] = static_cast<std::uint8_t>(number >> 8 * i);
-    const auto result = decodeDds(changed, "a.dds");
+    const auto result = decodeDds(changed);
     return result ? "" : result.error().message;
   };
   EXPECT_THAT(with(4, 123), HasSubstr("bytes 4 and 76"));

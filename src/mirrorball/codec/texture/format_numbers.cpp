@@ -119,9 +119,9 @@ std::optional<std::string> blockCompressionOfGl(std::uint32_t gl_internal_format
   return blockCompression(kGlFamilies, gl_internal_format);
 }
 
-tl::unexpected<Error> unsupportedTexture(const std::string& name, const std::string& what, const std::string& instead) {
+tl::unexpected<Error> unsupportedTexture(const std::string& what, const std::string& instead) {
   return fail(ErrorCode::unsupported,
-              name + ": holds " + what + ", which is not read; store it as " + instead + ", for example");
+              "holds " + what + ", which is not read; store it as " + instead + ", for example");
 }
 
 }  // namespace mirrorball

@@ -27,6 +27,6 @@ std::optional<std::string> blockCompressionOfGl(std::uint32_t gl_internal_format
 ///
 /// what     "BC7 block compression"
 /// instead  the name of a format that is read, in the words of the container
-tl::unexpected<Error> unsupportedTexture(const std::string& name, const std::string& what, const std::string& instead);
+tl::unexpected<Error> unsupportedTexture(const std::string& what, const std::string& instead);
 
 }  // namespace mirrorball

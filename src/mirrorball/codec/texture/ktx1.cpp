@@ -79,18 +79,16 @@ std::optional<SampleType> sampleType(std::uint32_t gl_type, std::uint32_t gl_int
 }
 
 /// The format that glType and glFormat describe; glInternalFormat tells sRGB and names block compression.
-Result<StoredFormat> texelFormat(std::uint32_t gl_type, std::uint32_t gl_format, std::uint32_t gl_internal_format,
-                                 const std::string& name) {
+Result<StoredFormat> texelFormat(std::uint32_t gl_type, std::uint32_t gl_format, std::uint32_t gl_internal_format) {
   if (gl_internal_format == kRgbBptcSignedFloat) return StoredFormat{SampleType::bc6h_signed, 3};
   if (gl_internal_format == kRgbBptcUnsignedFloat) return StoredFormat{SampleType::bc6h_unsigned, 3};
-  if (const auto blocks = blockCompressionOfGl(gl_internal_format)) return unsupportedTexture(name, *blocks, kInstead);
+  if (const auto blocks = blockCompressionOfGl(gl_internal_format)) return unsupportedTexture(*blocks, kInstead);
   const auto* row = std::find_if(std::begin(kGlFormats), std::end(kGlFormats),
                                  [&](const GlFormat& known) { return known.number == gl_format; });
   const auto type = sampleType(gl_type, gl_internal_format);
   const bool packed = type == SampleType::b10g11r11 || type == SampleType::e5b9g9r9;
   if (!type || row == std::end(kGlFormats) || (packed && row->channels != 3))
-    return unsupportedTexture(name,
-                              "texels of glType " + hex(gl_type) + ", glFormat " + hex(gl_format) +
+    return unsupportedTexture("texels of glType " + hex(gl_type) + ", glFormat " + hex(gl_format) +
                                   ", glInternalFormat " + hex(gl_internal_format),
                               kInstead);
   return StoredFormat{*type, row->channels, row->blue_first};
@@ -99,26 +97,26 @@ Result<StoredFormat> texelFormat(std::uint32_t gl_type, std::uint32_t gl_format,
 /// Walks over the levels: a size, then images, all at multiples of 4.
 class Reader {
  public:
-  Reader(Span bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+  explicit Reader(Span bytes) : bytes_(bytes) {}
 
   Result<DecodedImageSet> read() {
     if (bytes_.size() < kHeaderSize) return truncated("the header");
     big_endian_ = bytes_[12] == 4;
     if (u32(12) != kByteOrder)
-      return fail(ErrorCode::bad_file, name_ + ": has no byte order mark at byte 12; the file is damaged");
+      return fail(ErrorCode::bad_file, "has no byte order mark at byte 12; the file is damaged");
     TextureShape shape{u32(36), u32(40), std::max(u32(56), 1u), std::max(u32(48), 1u), u32(52)};
-    if (u32(44) > 1) return unsupportedTexture(name_, "a three-dimensional texture", kInstead);
-    if (shape.height == 0 && shape.width > 0) return unsupportedTexture(name_, "a one-dimensional texture", kInstead);
-    MIRRORBALL_TRY_VOID(checkTextureShape(shape, name_));
-    MIRRORBALL_TRY(format, texelFormat(u32(16), u32(24), u32(28), name_));
+    if (u32(44) > 1) return unsupportedTexture("a three-dimensional texture", kInstead);
+    if (shape.height == 0 && shape.width > 0) return unsupportedTexture("a one-dimensional texture", kInstead);
+    MIRRORBALL_TRY_VOID(checkTextureShape(shape));
+    MIRRORBALL_TRY(format, texelFormat(u32(16), u32(24), u32(28)));
 
     const std::uint32_t key_value_size = u32(60);
     if (key_value_size > bytes_.size() - kHeaderSize) return truncated("the key/value data");
-    MIRRORBALL_TRY(values, readKtxKeyValues(bytes_, kHeaderSize, key_value_size, big_endian_, name_));
+    MIRRORBALL_TRY(values, readKtxKeyValues(bytes_, kHeaderSize, key_value_size, big_endian_));
     at_ = kHeaderSize + key_value_size;
     const bool is_array = u32(48) > 0;
     MIRRORBALL_TRY_VOID(checkTotal(shape, format));
-    MIRRORBALL_TRY_VOID(checkTextureMemory(shape, format, name_));
+    MIRRORBALL_TRY_VOID(checkTextureMemory(shape, format));
     MIRRORBALL_TRY(images, readLevels(shape, format, is_array));
     if (images.faces() == 1) forEachImage(images, [&](Image& image) { turnUpright(image, values); });
     return DecodedImageSet{std::move(images), std::move(values.metadata),
@@ -132,8 +130,8 @@ class Reader {
   }
 
   tl::unexpected<Error> truncated(const std::string& what) const {
-    return fail(ErrorCode::bad_file, name_ + ": " + what + " ends early, at byte " + std::to_string(bytes_.size()) +
-                                         "; the file is truncated or damaged");
+    return fail(ErrorCode::bad_file,
+                what + " ends early, at byte " + std::to_string(bytes_.size()) + "; the file is truncated or damaged");
   }
 
   /// Before memory is taken: the file is long enough for all levels.
@@ -142,7 +140,7 @@ class Reader {
     for (std::uint32_t level = 0; level < shape.levels; ++level)
       total += 4 + imageSize(shape, format, static_cast<int>(level), kAlignment) * shape.imagesPerLevel();
     if (total <= bytes_.size() - at_) return {};
-    return fail(ErrorCode::bad_file, name_ + ": its levels have " + std::to_string(total) + " bytes from byte " +
+    return fail(ErrorCode::bad_file, "its levels have " + std::to_string(total) + " bytes from byte " +
                                          std::to_string(at_) + " on, but the file has " +
                                          std::to_string(bytes_.size()) + "; it is truncated or damaged");
   }
@@ -155,9 +153,9 @@ class Reader {
       const std::uint64_t expected = is_array ? size * shape.imagesPerLevel() : size;
       const std::uint32_t stated = u32(at_);
       if (stated != expected)
-        return fail(ErrorCode::bad_file, name_ + ": level " + std::to_string(level) + " at byte " +
-                                             std::to_string(at_) + " says it has " + std::to_string(stated) +
-                                             " bytes; as " + nameOf(format) + " it has " + std::to_string(expected));
+        return fail(ErrorCode::bad_file, "level " + std::to_string(level) + " at byte " + std::to_string(at_) +
+                                             " says it has " + std::to_string(stated) + " bytes; as " + nameOf(format) +
+                                             " it has " + std::to_string(expected));
       at_ += 4;
       for (int layer = 0; layer < images.layers(); ++layer)
         for (int face = 0; face < images.faces(); ++face, at_ += size)
@@ -181,7 +179,6 @@ class Reader {
   }
 
   Span bytes_;
-  const std::string& name_;
   bool big_endian_ = false;
   std::size_t at_ = 0;
 };
@@ -192,6 +189,6 @@ bool isKtx1(Span bytes) {
   return bytes.size() >= kIdentifier.size() && std::equal(kIdentifier.begin(), kIdentifier.end(), bytes.begin());
 }
 
-Result<DecodedImageSet> decodeKtx1(Span bytes, const std::string& name) { return Reader(bytes, name).read(); }
+Result<DecodedImageSet> decodeKtx1(Span bytes) { return Reader(bytes).read(); }
 
 }  // namespace mirrorball

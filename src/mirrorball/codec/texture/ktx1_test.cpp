@@ -18,6 +18,7 @@ using testing::appendU32;
 using ::testing::HasSubstr;
 using testing::Ktx1;
 using testing::ktx1Header;
+using ::testing::StartsWith;
 
 constexpr std::uint32_t kRgb = 0x1907;
 constexpr std::uint32_t kRgba = 0x1908;
@@ -40,20 +41,20 @@ Bytes floats(std::initializer_list<float> values, bool big_endian) {
 TEST(Ktx1, BothByteOrdersAreRead) {
   for (const bool big_endian : {false, true}) {
     const Bytes file = oneLevel({.big_endian = big_endian}, 16, floats({1.0f, 2.0f, 3.0f, 4.0f}, big_endian));
-    const auto read = decodeKtx1(file, "a");
+    const auto read = decodeKtx1(file);
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(rgbaAt(read->images.at(0, 0), 0, 0), glm::vec4(1, 2, 3, 4));
     EXPECT_EQ(read->format, std::string("KTX1, r32g32b32a32 sfloat") + (big_endian ? ", big-endian" : ""));
   }
   // Halves are turned by twos, words by fours.
   const Ktx1 half{.type = 0x140b, .type_size = 2, .format = kRgba, .internal_format = 0x881a, .big_endian = true};
-  EXPECT_EQ(rgbaAt(decodeKtx1(oneLevel(half, 8, {0x3c, 0, 0x40, 0, 0x44, 0, 0x38, 0}), "a")->images.at(0, 0), 0, 0),
+  EXPECT_EQ(rgbaAt(decodeKtx1(oneLevel(half, 8, {0x3c, 0, 0x40, 0, 0x44, 0, 0x38, 0}))->images.at(0, 0), 0, 0),
             glm::vec4(1.0f, 2.0f, 4.0f, 0.5f));
   const Ktx1 shared{.type = 0x8c3e, .format = kRgb, .internal_format = 0x8c3d, .big_endian = true};
-  EXPECT_EQ(rgbAt(decodeKtx1(oneLevel(shared, 4, {0x81, 0x01, 0x01, 0x00}), "a")->images.at(0, 0), 0, 0),
+  EXPECT_EQ(rgbAt(decodeKtx1(oneLevel(shared, 4, {0x81, 0x01, 0x01, 0x00}))->images.at(0, 0), 0, 0),
             glm::vec3(1.0f, 0.5f, 0.25f));
   const Ktx1 packed{.type = 0x8c3b, .format = kRgb, .internal_format = 0x8c3a};
-  EXPECT_EQ(rgbAt(decodeKtx1(oneLevel(packed, 4, {0xc0, 0x03, 0x20, 0x70}), "a")->images.at(0, 0), 0, 0),
+  EXPECT_EQ(rgbAt(decodeKtx1(oneLevel(packed, 4, {0xc0, 0x03, 0x20, 0x70}))->images.at(0, 0), 0, 0),
             glm::vec3(1.0f, 2.0f, 0.5f));
 }
 
@@ -61,7 +62,7 @@ TEST(Ktx1, BothByteOrdersAreRead) {
 TEST(Ktx1, FilesOfFilamentsCmgenAreRead) {
   for (const std::uint32_t format : {kRgb, 0x8c3au}) {
     const Ktx1 cmgen{.type = 0x8c3a, .type_size = 1, .format = format, .internal_format = 0x8c3a};
-    const auto read = decodeKtx1(oneLevel(cmgen, 4, {0xc0, 0x03, 0x20, 0x70}), "a");
+    const auto read = decodeKtx1(oneLevel(cmgen, 4, {0xc0, 0x03, 0x20, 0x70}));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(rgbAt(read->images.at(0, 0), 0, 0), glm::vec3(1.0f, 2.0f, 0.5f));
     EXPECT_EQ(read->format, "KTX1, b10g11r11 ufloat");
@@ -74,7 +75,7 @@ TEST(Ktx1, Bc6hIsRead) {
   ASSERT_TRUE(packTexels(TexelFormat::bc6h, white, 3, 6, blocks));
   for (const std::uint32_t format : {0x8e8eu, 0x8e8fu}) {
     const Ktx1 header{.type = 0, .type_size = 1, .format = 0, .internal_format = format, .width = 6, .height = 5};
-    const auto read = decodeKtx1(oneLevel(header, 64, blocks), "a");
+    const auto read = decodeKtx1(oneLevel(header, 64, blocks));
     ASSERT_TRUE(read) << read.error().message;
     const bool is_signed = format == 0x8e8e;
     EXPECT_EQ(read->format, is_signed ? "KTX1, bc6h sfloat" : "KTX1, bc6h ufloat");
@@ -92,7 +93,7 @@ TEST(Ktx1, RowsArePaddedToFour) {
     for (int i = 0; i < 9; ++i) texels.push_back(static_cast<std::uint8_t>(100 * row + i));
     texels.insert(texels.end(), {77, 77, 77});
   }
-  const auto read = decodeKtx1(oneLevel(header, 24, texels), "a");
+  const auto read = decodeKtx1(oneLevel(header, 24, texels));
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(rgbAt(read->images.at(0, 0), 2, 1).z, formula::linearFromSrgb1(108.0f / 255.0f)) << "GL_SRGB8";
 }
@@ -109,7 +110,7 @@ TEST(Ktx1, CubesArraysAndLevels) {
         for (std::uint32_t i = 0; i < 4 * texels; ++i)
           appendU32(file, std::bit_cast<std::uint32_t>(static_cast<float>(100 * level + image)), false);
     }
-    const auto read = decodeKtx1(file, "a");
+    const auto read = decodeKtx1(file);
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->images.layers(), static_cast<int>(std::max(layers, 1u)));
     for (int level = 0; level < 2; ++level)
@@ -129,7 +130,7 @@ TEST(Ktx1, OrientationAndMetadataAreRead) {
   for (const char c : std::string("envmap\0cube", 11)) key_values.push_back(static_cast<std::uint8_t>(c));
   key_values.push_back(0);
   const Ktx1 header{.type = 0x1406, .format = 0x1903, .internal_format = 0x822e, .height = 2};
-  const auto read = decodeKtx1(oneLevel(header, 8, floats({1.0f, 2.0f}, false), key_values), "a");
+  const auto read = decodeKtx1(oneLevel(header, 8, floats({1.0f, 2.0f}, false), key_values));
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->images.at(0, 0).texel(0, 0)[0], 2.0f) << "stored bottom up";
   EXPECT_EQ(read->metadata, (Metadata{{"envmap", "cube"}}));
@@ -137,7 +138,7 @@ TEST(Ktx1, OrientationAndMetadataAreRead) {
 
 TEST(Ktx1, WhatIsNotReadIsNamed) {
   const auto messageOf = [](const Bytes& file) {
-    const auto result = decodeKtx1(file, "a.ktx");
+    const auto result = decodeKtx1(file);
     EXPECT_FALSE(result);
     return result ? "" : result.error().message;
   };
@@ -191,11 +192,11 @@ TEST(Ktx1, TheHeaderIsAsFilamentReadsIt) {
 
 TEST(Ktx1, ALevelHasLessThanFourGibibytes) {
   const TextureShape shape{.width = 16384, .height = 16384, .faces = 6};
-  EXPECT_TRUE(ktx1Layout(shape, {.format = TexelFormat::half}, "a.ktx"));
-  const auto layout = ktx1Layout(shape, {.format = TexelFormat::float32}, "a.ktx");
+  EXPECT_TRUE(ktx1Layout(shape, {.format = TexelFormat::half}));
+  const auto layout = ktx1Layout(shape, {.format = TexelFormat::float32});
   ASSERT_FALSE(layout);
   EXPECT_EQ(layout.error().code, ErrorCode::too_large);
-  EXPECT_THAT(layout.error().message, HasSubstr("a.ktx: a level of a KTX file has at most 4 GiB; use .ktx2"));
+  EXPECT_THAT(layout.error().message, StartsWith("a level of a KTX file has at most 4 GiB; use .ktx2"));
 }
 
 }  // namespace

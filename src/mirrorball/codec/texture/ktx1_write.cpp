@@ -65,11 +65,10 @@ Bytes header(const TextureShape& shape, const TextureWriteOptions& options) {
 
 }  // namespace
 
-Result<TextureLayout> ktx1Layout(const TextureShape& shape, const TextureWriteOptions& options,
-                                 const std::string& name) {
+Result<TextureLayout> ktx1Layout(const TextureShape& shape, const TextureWriteOptions& options) {
   const StoredFormat stored = storedFormat(options.format);
   if (statedSize(shape, stored, 0) > std::numeric_limits<std::uint32_t>::max())
-    return fail(ErrorCode::too_large, name + ": a level of a KTX file has at most 4 GiB; use .ktx2");
+    return fail(ErrorCode::too_large, "a level of a KTX file has at most 4 GiB; use .ktx2");
   // All formats that are written have texels of a multiple of four bytes: nothing has to be aligned.
   TextureLayout layout{header(shape, options), {}};
   std::uint64_t at = layout.header.size();
@@ -84,10 +83,9 @@ Result<TextureLayout> ktx1Layout(const TextureShape& shape, const TextureWriteOp
   return layout;
 }
 
-Result<void> writeKtx1(const ImageSet& images, const TextureWriteOptions& options, const std::string& name,
-                       const WriteAt& write) {
+Result<void> writeKtx1(const ImageSet& images, const TextureWriteOptions& options, const WriteAt& write) {
   const TextureShape shape = shapeOf(images);
-  MIRRORBALL_TRY(layout, ktx1Layout(shape, options, name));
+  MIRRORBALL_TRY(layout, ktx1Layout(shape, options));
   MIRRORBALL_TRY_VOID(write(0, layout.header));
   for (int level = 1; level < images.levels(); ++level) {
     LittleEndianWriter size;
@@ -95,7 +93,7 @@ Result<void> writeKtx1(const ImageSet& images, const TextureWriteOptions& option
     const std::uint64_t begin = layout.images[std::size_t(level) * shape.imagesPerLevel()].offset;
     MIRRORBALL_TRY_VOID(write(begin - sizeof(std::uint32_t), size.takeBytes()));
   }
-  return streamTexels(images, layout.images, options.format, name, write, options.progress);
+  return streamTexels(images, layout.images, options.format, write, options.progress);
 }
 
 }  // namespace mirrorball

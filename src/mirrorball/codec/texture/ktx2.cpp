@@ -48,10 +48,10 @@ struct Header {
 
 constexpr const char* kInstead = "r16g16b16a16 sfloat";
 
-Result<Header> readHeader(Span bytes, const std::string& name) {
+Result<Header> readHeader(Span bytes) {
   if (bytes.size() < kKtx2HeaderSize)
-    return fail(ErrorCode::bad_file, name + ": the header ends early, at byte " + std::to_string(bytes.size()) +
-                                         " of " + std::to_string(kKtx2HeaderSize) + "; the file is truncated");
+    return fail(ErrorCode::bad_file, "the header ends early, at byte " + std::to_string(bytes.size()) + " of " +
+                                         std::to_string(kKtx2HeaderSize) + "; the file is truncated");
   const auto u32 = [&](std::size_t at) { return littleU32(bytes.data() + at); };
   const auto u64 = [&](std::size_t at) { return littleU64(bytes.data() + at); };
   Header header;
@@ -66,22 +66,22 @@ Result<Header> readHeader(Span bytes, const std::string& name) {
   header.descriptor = {u32(48), u32(52), "the data format descriptor"};
   header.key_values = {u32(56), u32(60), "the key/value data"};
   header.global_data = {u64(64), u64(72), "the supercompression global data"};
-  if (header.depth > 0) return unsupportedTexture(name, "a three-dimensional texture", kInstead);
+  if (header.depth > 0) return unsupportedTexture("a three-dimensional texture", kInstead);
   if (header.shape.height == 0 && header.shape.width > 0)
-    return unsupportedTexture(name, "a one-dimensional texture", kInstead);
-  MIRRORBALL_TRY_VOID(checkTextureShape(header.shape, name));
+    return unsupportedTexture("a one-dimensional texture", kInstead);
+  MIRRORBALL_TRY_VOID(checkTextureShape(header.shape));
 
   const std::size_t index_end = kKtx2HeaderSize + header.shape.levels * kKtx2LevelSize;
   if (bytes.size() < index_end)
-    return fail(ErrorCode::bad_file, name + ": the level index ends early, at byte " + std::to_string(bytes.size()) +
-                                         " of " + std::to_string(index_end) + "; the file is truncated");
+    return fail(ErrorCode::bad_file, "the level index ends early, at byte " + std::to_string(bytes.size()) + " of " +
+                                         std::to_string(index_end) + "; the file is truncated");
   for (std::size_t at = kKtx2HeaderSize; at < index_end; at += kKtx2LevelSize)
     header.levels.push_back({u64(at), u64(at + 8), u64(at + 16)});
   return header;
 }
 
 /// All parts lie within the file, and no two of them in the same place.
-Result<void> checkRanges(const Header& header, std::size_t file_size, const std::string& name) {
+Result<void> checkRanges(const Header& header, std::size_t file_size) {
   std::vector<Range> ranges = {{0, kKtx2HeaderSize + header.levels.size() * kKtx2LevelSize, "the header"},
                                header.descriptor};
   // Where there is nothing of these, their offset means nothing.
@@ -91,32 +91,31 @@ Result<void> checkRanges(const Header& header, std::size_t file_size, const std:
     ranges.push_back({header.levels[level].offset, header.levels[level].size, "level " + std::to_string(level)});
   for (const Range& range : ranges)
     if (range.begin > file_size || range.size > file_size - range.begin)
-      return fail(ErrorCode::bad_file, name + ": " + range.what + " says it has " + std::to_string(range.size) +
-                                           " bytes from byte " + std::to_string(range.begin) +
-                                           " on, but the file has " + std::to_string(file_size) +
-                                           "; it is truncated or damaged");
+      return fail(ErrorCode::bad_file, range.what + " says it has " + std::to_string(range.size) + " bytes from byte " +
+                                           std::to_string(range.begin) + " on, but the file has " +
+                                           std::to_string(file_size) + "; it is truncated or damaged");
   std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.begin < b.begin; });
   for (std::size_t i = 1; i < ranges.size(); ++i)
     if (ranges[i].begin < ranges[i - 1].begin + ranges[i - 1].size)
-      return fail(ErrorCode::bad_file, name + ": " + ranges[i].what + " at byte " + std::to_string(ranges[i].begin) +
-                                           " overlaps " + ranges[i - 1].what + "; the file is damaged");
+      return fail(ErrorCode::bad_file, ranges[i].what + " at byte " + std::to_string(ranges[i].begin) + " overlaps " +
+                                           ranges[i - 1].what + "; the file is damaged");
   return {};
 }
 
 /// The format of the texels once they are decompressed.
-Result<StoredFormat> texelFormat(const Header& header, const DescribedColor& color, const std::string& name) {
+Result<StoredFormat> texelFormat(const Header& header, const DescribedColor& color) {
   constexpr int kModelEtc1s = 163;
   constexpr int kModelUastc = 166;
   if (header.scheme == 1 || (header.vk_format == 0 && (color.model == kModelEtc1s || color.model == kModelUastc)))
-    return unsupportedTexture(name, "Basis Universal block compression", kInstead);
+    return unsupportedTexture("Basis Universal block compression", kInstead);
   auto format = formatOfVulkan(header.vk_format);
-  if (!format) return unsupportedTexture(name, nameOfVulkan(header.vk_format), kInstead);
+  if (!format) return unsupportedTexture(nameOfVulkan(header.vk_format), kInstead);
   if (header.scheme != kKtx2Plain && header.scheme != kKtx2Zstandard)
-    return unsupportedTexture(name, "supercompression scheme " + std::to_string(header.scheme), kInstead);
+    return unsupportedTexture("supercompression scheme " + std::to_string(header.scheme), kInstead);
   // Some writers say "unorm" and mean sRGB; the descriptor tells.
   if (color.srgb && format->type == SampleType::unorm8) format->type = SampleType::srgb8;
   if (color.srgb && format->type != SampleType::srgb8)
-    return unsupportedTexture(name, nameOf(*format) + " encoded as sRGB", kInstead);
+    return unsupportedTexture(nameOf(*format) + " encoded as sRGB", kInstead);
   return *format;
 }
 
@@ -128,11 +127,11 @@ bool mayUnpackTo(std::uint64_t size, std::uint64_t unpacked_size) {
 }
 
 /// The sizes that the level index states, against what the shape makes them.
-Result<void> checkLevelSizes(const Header& header, const StoredFormat& format, const std::string& name) {
+Result<void> checkLevelSizes(const Header& header, const StoredFormat& format) {
   for (std::size_t i = 0; i < header.levels.size(); ++i) {
     const Level& level = header.levels[i];
     const std::uint64_t expected = imageSize(header.shape, format, static_cast<int>(i)) * header.shape.imagesPerLevel();
-    const std::string place = name + ": level " + std::to_string(i) + " (byte " +
+    const std::string place = "level " + std::to_string(i) + " (byte " +
                               std::to_string(kKtx2HeaderSize + i * kKtx2LevelSize) + " of the file)";
     const bool is_plain = header.scheme == kKtx2Plain;
     const std::uint64_t stated = is_plain ? level.size : level.unpacked_size;
@@ -169,7 +168,7 @@ void unpackLevel(const StoredFormat& format, const std::uint8_t* texels, int lev
       images.at(level, face, layer) = unpackTexels(format, texels, row, shape.widthAt(level), shape.heightAt(level));
 }
 
-Result<ImageSet> readLevels(Span bytes, const Header& header, const StoredFormat& format, const std::string& name) {
+Result<ImageSet> readLevels(Span bytes, const Header& header, const StoredFormat& format) {
   const TextureShape& shape = header.shape;
   ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
   for (int i = 0; i < images.levels(); ++i) {
@@ -179,7 +178,7 @@ Result<ImageSet> readLevels(Span bytes, const Header& header, const StoredFormat
       unpackLevel(format, stored.data(), i, shape, images);
       continue;
     }
-    const std::string place = name + ": level " + std::to_string(i) + " at byte " + std::to_string(level.offset);
+    const std::string place = "level " + std::to_string(i) + " at byte " + std::to_string(level.offset);
     MIRRORBALL_TRY(texels, unpackZstandard(stored, level.unpacked_size, place));
     unpackLevel(format, texels.get(), i, shape, images);
   }
@@ -193,15 +192,15 @@ bool isKtx2(Span bytes) {
          std::equal(kKtx2Identifier.begin(), kKtx2Identifier.end(), bytes.begin());
 }
 
-Result<DecodedImageSet> decodeKtx2(Span bytes, const std::string& name) {
-  MIRRORBALL_TRY(header, readHeader(bytes, name));
-  MIRRORBALL_TRY_VOID(checkRanges(header, bytes.size(), name));
-  MIRRORBALL_TRY(color, readDataFormatDescriptor(bytes, header.descriptor.begin, header.descriptor.size, name));
-  MIRRORBALL_TRY(format, texelFormat(header, color, name));
-  MIRRORBALL_TRY_VOID(checkLevelSizes(header, format, name));
-  MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, format, name));
-  MIRRORBALL_TRY(values, readKtxKeyValues(bytes, header.key_values.begin, header.key_values.size, false, name));
-  MIRRORBALL_TRY(images, readLevels(bytes, header, format, name));
+Result<DecodedImageSet> decodeKtx2(Span bytes) {
+  MIRRORBALL_TRY(header, readHeader(bytes));
+  MIRRORBALL_TRY_VOID(checkRanges(header, bytes.size()));
+  MIRRORBALL_TRY(color, readDataFormatDescriptor(bytes, header.descriptor.begin, header.descriptor.size));
+  MIRRORBALL_TRY(format, texelFormat(header, color));
+  MIRRORBALL_TRY_VOID(checkLevelSizes(header, format));
+  MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, format));
+  MIRRORBALL_TRY(values, readKtxKeyValues(bytes, header.key_values.begin, header.key_values.size, false));
+  MIRRORBALL_TRY(images, readLevels(bytes, header, format));
   forEachImage(images, [&](Image& image) {
     convertToRec709(image, color.primaries);
     if (images.faces() == 1) turnUpright(image, values);

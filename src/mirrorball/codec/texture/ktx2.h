@@ -17,7 +17,7 @@ bool isKtx2(std::span<const std::uint8_t> bytes);
 ///
 /// errors   as decodeImageSet
 /// from     KTX 2.0 specification (Khronos, 2020)
-Result<DecodedImageSet> decodeKtx2(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<DecodedImageSet> decodeKtx2(std::span<const std::uint8_t> bytes);
 
 /// Where the images of a KTX 2 file without Zstandard stand: levels smallest first, each at a multiple of its
 /// texel's or block's size and of 4; orientation "rd".
@@ -27,7 +27,6 @@ TextureLayout ktx2Layout(const TextureShape& shape, const TextureWriteOptions& o
 ///
 /// images   checked for shape already
 /// errors   out_of_range; what `write` returns; too_large (memory for a level that is compressed)
-Result<void> writeKtx2(const ImageSet& images, const TextureWriteOptions& options, const std::string& name,
-                       const WriteAt& write);
+Result<void> writeKtx2(const ImageSet& images, const TextureWriteOptions& options, const WriteAt& write);
 
 }  // namespace mirrorball

@@ -22,7 +22,7 @@ void putU32(Bytes& bytes, std::size_t at, std::uint32_t number) {
 }
 
 Error errorOf(const Bytes& bytes) {
-  const auto result = decodeKtx2(bytes, "a.ktx2");
+  const auto result = decodeKtx2(bytes);
   return result ? Error{ErrorCode::usage, ""} : result.error();
 }
 
@@ -145,20 +145,20 @@ TEST(Ktx2, OtherFormatsAreRead) {
   Bytes file = ktx2Of(textureOf(1, 1, 1, 3, 2, 1), {.format = TexelFormat::e5b9g9r9});
   std::copy_n(Bytes{255, 0, 51, 102, 0, 255, 51, 153}.begin(), 8, file.end() - 8);
   putU32(file, 12, 44);  // VK_FORMAT_B8G8R8A8_UNORM
-  const auto unorm = decodeKtx2(file, "a");
+  const auto unorm = decodeKtx2(file);
   ASSERT_TRUE(unorm) << unorm.error().message;
   EXPECT_EQ(rgbaAt(unorm->images.at(0, 0), 0, 0), glm::vec4(0.2f, 0.0f, 1.0f, 0.4f));
   putU32(file, 12, 43);  // VK_FORMAT_R8G8B8A8_SRGB
-  const auto srgb = decodeKtx2(file, "a");
+  const auto srgb = decodeKtx2(file);
   ASSERT_TRUE(srgb);
   EXPECT_EQ(rgbaAt(srgb->images.at(0, 0), 1, 0).w, 0.6f);
   EXPECT_LT(rgbaAt(srgb->images.at(0, 0), 1, 0).z, 0.04f);
   putU32(file, 12, 100);  // VK_FORMAT_R32_SFLOAT
-  EXPECT_EQ(decodeKtx2(file, "a")->images.at(0, 0).channels(), 1);
+  EXPECT_EQ(decodeKtx2(file)->images.at(0, 0).channels(), 1);
   // The descriptor's transfer function says sRGB, whatever the format's name.
   putU32(file, 12, 37);  // VK_FORMAT_R8G8B8A8_UNORM
   file[std::size_t{littleU32(file.data() + 48)} + 14] = 2;
-  EXPECT_EQ(decodeKtx2(file, "a")->format, "KTX2, r8g8b8a8 srgb");
+  EXPECT_EQ(decodeKtx2(file)->format, "KTX2, r8g8b8a8 srgb");
 }
 
 TEST(Ktx2, OrientationTurnsPicturesButNotCubes) {
@@ -168,7 +168,7 @@ TEST(Ktx2, OrientationTurnsPicturesButNotCubes) {
       static_cast<std::size_t>(std::search(file.begin(), file.end(), "rd", "rd" + 3) - file.begin());
   file[orientation] = 'l';
   file[orientation + 1] = 'u';
-  const auto turned = decodeKtx2(file, "a");
+  const auto turned = decodeKtx2(file);
   ASSERT_TRUE(turned);
   for (int y = 0; y < 2; ++y)
     for (int x = 0; x < 3; ++x) EXPECT_EQ(rgbAt(turned->images.at(0, 0), x, y), rgbAt(picture.at(0, 0), 2 - x, 1 - y));
@@ -176,18 +176,18 @@ TEST(Ktx2, OrientationTurnsPicturesButNotCubes) {
   const ImageSet cube = textureOf(1, 6, 1, 3, 2, 2);
   Bytes cube_file = ktx2Of(cube);
   cube_file[orientation + 1] = 'u';
-  EXPECT_EQ(rgbAt(decodeKtx2(cube_file, "a")->images.at(0, 4), 0, 0), rgbAt(cube.at(0, 4), 0, 0));
+  EXPECT_EQ(rgbAt(decodeKtx2(cube_file)->images.at(0, 4), 0, 0), rgbAt(cube.at(0, 4), 0, 0));
 }
 
 TEST(Ktx2, StatedPrimariesAreConverted) {
   Bytes file = ktx2Of(ImageSet(Image(1, 1, 3, 1.0f)));
   std::uint8_t& primaries = file[std::size_t{littleU32(file.data() + 48)} + 13];
   primaries = 4;  // BT.2020: white stays white, to the precision of the matrix
-  const glm::vec3 white = rgbAt(decodeKtx2(file, "a")->images.at(0, 0), 0, 0);
+  const glm::vec3 white = rgbAt(decodeKtx2(file)->images.at(0, 0), 0, 0);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(white[c], 1.0f, 1e-5f);
   // Its red lies outside Rec.709: a half of 1 in red alone.
   std::fill(file.end() - 6, file.end() - 2, std::uint8_t{0});
-  const glm::vec3 red = rgbAt(decodeKtx2(file, "a")->images.at(0, 0), 0, 0);
+  const glm::vec3 red = rgbAt(decodeKtx2(file)->images.at(0, 0), 0, 0);
   EXPECT_NEAR(red.x, 1.6605f, 1e-4f);  // ITU-R BT.2087, the inverse of its matrix M2
   EXPECT_NEAR(red.y, -0.1246f, 1e-4f);
   EXPECT_NEAR(red.z, -0.0182f, 1e-4f);
@@ -225,7 +225,6 @@ TEST(Ktx2, LyingHeadersAreNamedWithTheirPlace) {
     putU32(changed, at, number);
     const Error error = errorOf(changed);
     EXPECT_EQ(error.message.find('\n'), std::string::npos);
-    EXPECT_TRUE(error.message.starts_with("a.ktx2: ")) << error.message;
     return error.message;
   };
   EXPECT_THAT(with(20, 0), HasSubstr("0x4"));

@@ -71,9 +71,9 @@ struct FreeContext {
 };
 
 /// One Zstandard frame, its blocks compressed on all cores where the library can.
-Result<Bytes> compress(std::span<const std::uint8_t> texels, int level, const std::string& name) {
+Result<Bytes> compress(std::span<const std::uint8_t> texels, int level) {
   const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
-  if (!context) return fail(ErrorCode::too_large, name + ": not enough memory for Zstandard");
+  if (!context) return fail(ErrorCode::too_large, "not enough memory for Zstandard");
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
   // A library built without threads refuses this and compresses on one core. At least one worker even on one core, so
   // that the bytes are the same everywhere.
@@ -81,15 +81,14 @@ Result<Bytes> compress(std::span<const std::uint8_t> texels, int level, const st
   Bytes packed(ZSTD_compressBound(texels.size()));
   const std::size_t size = ZSTD_compress2(context.get(), packed.data(), packed.size(), texels.data(), texels.size());
   if (ZSTD_isError(size))
-    return fail(ErrorCode::too_large, name + ": Zstandard could not compress: " + ZSTD_getErrorName(size));
+    return fail(ErrorCode::too_large, std::string("Zstandard could not compress: ") + ZSTD_getErrorName(size));
   packed.resize(size);
   return packed;
 }
 
 /// Compresses level by level: where one begins is only known when the smaller ones are written.
 Result<void> compressLevels(const ImageSet& images, const TextureShape& shape, const TextureWriteOptions& options,
-                            std::uint64_t begin, std::span<Level> levels, const std::string& name,
-                            const WriteAt& write) {
+                            std::uint64_t begin, std::span<Level> levels, const WriteAt& write) {
   const StoredFormat stored = storedFormat(options.format);
   const auto bytesOf = [&](std::size_t level) {
     return std::size_t(imageSize(shape, stored, static_cast<int>(level)) * shape.imagesPerLevel());
@@ -109,8 +108,8 @@ Result<void> compressLevels(const ImageSet& images, const TextureShape& shape, c
     };
     // Next to the compression nothing else counts.
     const ProgressFunction asked = partOf(options.progress, done, 0, all);
-    MIRRORBALL_TRY_VOID(streamTexels(images, placed, options.format, name, keep, asked));
-    MIRRORBALL_TRY(packed, compress(texels, options.zstandard_level, name));
+    MIRRORBALL_TRY_VOID(streamTexels(images, placed, options.format, keep, asked));
+    MIRRORBALL_TRY(packed, compress(texels, options.zstandard_level));
     done += texels.size();
     if (options.progress && !options.progress(done, all))
       return fail(ErrorCode::interrupted, "interrupted; nothing was written");
@@ -140,17 +139,16 @@ TextureLayout ktx2Layout(const TextureShape& shape, const TextureWriteOptions& o
   return layout;
 }
 
-Result<void> writeKtx2(const ImageSet& images, const TextureWriteOptions& options, const std::string& name,
-                       const WriteAt& write) {
+Result<void> writeKtx2(const ImageSet& images, const TextureWriteOptions& options, const WriteAt& write) {
   const TextureShape shape = shapeOf(images);
   if (options.zstandard_level == 0) {
     const TextureLayout layout = ktx2Layout(shape, options);
     MIRRORBALL_TRY_VOID(write(0, layout.header));
-    return streamTexels(images, layout.images, options.format, name, write, options.progress);
+    return streamTexels(images, layout.images, options.format, write, options.progress);
   }
   std::vector<Level> levels(shape.levels);
   const std::uint64_t begin = header(shape, options, levels).size();
-  MIRRORBALL_TRY_VOID(compressLevels(images, shape, options, begin, levels, name, write));
+  MIRRORBALL_TRY_VOID(compressLevels(images, shape, options, begin, levels, write));
   return write(0, header(shape, options, levels));
 }
 

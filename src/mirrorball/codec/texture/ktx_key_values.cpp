@@ -24,13 +24,13 @@ std::string_view textOf(std::string_view value) { return value.substr(0, value.f
 }  // namespace
 
 Result<KtxKeyValues> readKtxKeyValues(std::span<const std::uint8_t> bytes, std::size_t begin, std::size_t size,
-                                      bool big_endian, const std::string& name) {
+                                      bool big_endian) {
   KtxKeyValues values;
   const std::size_t end = begin + size;
   for (std::size_t at = begin; at < end;) {
     const std::size_t left = end - at;
     const std::size_t length = left < 4 ? 0 : (big_endian ? bigU32(bytes.data() + at) : littleU32(bytes.data() + at));
-    const std::string place = name + ": the key/value entry at byte " + std::to_string(at);
+    const std::string place = "the key/value entry at byte " + std::to_string(at);
     if (left < 4 || length > left - 4)
       return fail(ErrorCode::bad_file, place + " reaches beyond its data, which ends at byte " + std::to_string(end) +
                                            "; the file is damaged");

@@ -25,7 +25,7 @@ struct KtxKeyValues {
 /// errors   bad_file (the byte is named)
 /// from     KTX 2.0 specification, "Key/Value Data" and "KTXorientation"
 Result<KtxKeyValues> readKtxKeyValues(std::span<const std::uint8_t> bytes, std::size_t begin, std::size_t size,
-                                      bool big_endian, const std::string& name);
+                                      bool big_endian);
 
 enum class KtxVersion { ktx1, ktx2 };
 

@@ -54,30 +54,29 @@ std::size_t bytesBefore(const StoredFormat& format, const Image& image, std::siz
 }
 
 /// The error for the first texel of a piece that does not fit.
-Error misfitOf(const ImageSet& images, const Piece& piece, TexelFormat format, const std::string& name) {
+Error misfitOf(const ImageSet& images, const Piece& piece, TexelFormat format) {
   const PlacedImage& placed = *piece.placed;
   const Image& image = images.at(placed.level, placed.face, placed.layer);
   const std::size_t channels = std::size_t(image.channels());
   const std::size_t texel =
       piece.begin + firstMisfit(format, image.samples().subspan(piece.begin * channels), image.channels());
   const auto width = static_cast<std::size_t>(image.width());
-  return misfit(name, format, placeName(shapeOf(images), placed.level, placed.layer, placed.face),
+  return misfit(format, placeName(shapeOf(images), placed.level, placed.layer, placed.face),
                 glm::ivec2(texel % width, texel / width), image.samples().subspan(texel * channels, channels));
 }
 
 }  // namespace
 
-Error misfit(const std::string& name, TexelFormat format, const std::string& place, glm::ivec2 texel,
-             std::span<const float> samples) {
+Error misfit(TexelFormat format, const std::string& place, glm::ivec2 texel, std::span<const float> samples) {
   std::string value;
   for (const float sample : samples) value += (value.empty() ? "" : " ") + formatNumber(sample);
-  return {ErrorCode::out_of_range, name + ": texel (" + std::to_string(texel.x) + ", " + std::to_string(texel.y) +
-                                       ") of " + place + " is " + value + ", but " + rangeOf(format) +
+  return {ErrorCode::out_of_range, "texel (" + std::to_string(texel.x) + ", " + std::to_string(texel.y) + ") of " +
+                                       place + " is " + value + ", but " + rangeOf(format) +
                                        "; scale the light, or use --format float32"};
 }
 
 Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> placed, TexelFormat format,
-                          const std::string& name, const WriteAt& write, const ProgressFunction& progress) {
+                          const WriteAt& write, const ProgressFunction& progress) {
   const StoredFormat stored = storedFormat(format);
   const bool is_compressed = blockSide(stored) > 1;
   const std::vector<Piece> pieces = cutIntoPieces(images, placed, stored);
@@ -107,7 +106,7 @@ Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> p
   });
   MIRRORBALL_TRY_VOID(steps.result());
   if (failure) return tl::unexpected<Error>(std::move(*failure));
-  if (first_misfit < pieces.size()) return tl::unexpected<Error>(misfitOf(images, pieces[first_misfit], format, name));
+  if (first_misfit < pieces.size()) return tl::unexpected<Error>(misfitOf(images, pieces[first_misfit], format));
   return {};
 }
 

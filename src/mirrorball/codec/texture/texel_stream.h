@@ -32,8 +32,7 @@ struct TextureLayout {
 ///
 /// place    of its image: "level 0, face +X"
 /// samples  its channels
-Error misfit(const std::string& name, TexelFormat format, const std::string& place, glm::ivec2 texel,
-             std::span<const float> samples);
+Error misfit(TexelFormat format, const std::string& place, glm::ivec2 texel, std::span<const float> samples);
 
 /// Encodes images and writes them, rows tightly packed, without ever holding one of them as a whole.
 ///
@@ -42,6 +41,6 @@ Error misfit(const std::string& name, TexelFormat format, const std::string& pla
 /// errors   out_of_range (the first such texel is named); what `write` returns; interrupted (when `progress` says so)
 /// cost     on all cores; 64 KiB of memory a thread
 Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> placed, TexelFormat format,
-                          const std::string& name, const WriteAt& write, const ProgressFunction& progress);
+                          const WriteAt& write, const ProgressFunction& progress);
 
 }  // namespace mirrorball

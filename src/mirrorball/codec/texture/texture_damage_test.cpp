@@ -32,7 +32,7 @@ struct Kind {
 class TextureDamage : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(TextureDamage, TheFileItselfIsRead) {
-  const auto result = decodeImageSet(GetParam().bytes(), "whole");
+  const auto result = decodeImageSet(GetParam().bytes());
   EXPECT_TRUE(result) << result.error().message;
 }
 
@@ -41,9 +41,9 @@ TEST_P(TextureDamage, EveryTruncationIsAnError) {
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     // A copy of its own, so that the sanitizer sees a read past its end.
     const Bytes part(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
-    const auto result = decodeImageSet(part, "part.file");
+    const auto result = decodeImageSet(part);
     ASSERT_FALSE(result) << length << " of " << bytes.size() << " bytes";
-    EXPECT_TRUE(result.error().message.starts_with("part.file: ")) << result.error().message;
+    EXPECT_FALSE(result.error().message.empty());
     EXPECT_EQ(result.error().message.find('\n'), std::string::npos) << result.error().message;
   }
 }
@@ -60,7 +60,7 @@ TEST_P(TextureDamage, RandomBytesAreSurvived) {
       std::uint8_t& byte = damaged[below(below(4) > 0 ? std::min<std::size_t>(damaged.size(), 200) : damaged.size())];
       byte = below(2) > 0 ? kEvil[below(std::size(kEvil))] : static_cast<std::uint8_t>(random());
     }
-    const auto result = decodeImageSet(damaged, "damaged");
+    const auto result = decodeImageSet(damaged);
     EXPECT_TRUE(!result || !result->images.at(0, 0).empty());
   }
 }
@@ -71,7 +71,7 @@ TEST_P(TextureDamage, GarbageBehindTheMagicIsAnError) {
   for (int variant = 0; variant < 200; ++variant) {
     Bytes garbage = bytes;
     for (std::size_t i = 12; i < garbage.size(); ++i) garbage[i] = static_cast<std::uint8_t>(random());
-    EXPECT_FALSE(decodeImageSet(garbage, "garbage"));
+    EXPECT_FALSE(decodeImageSet(garbage));
   }
 }
 

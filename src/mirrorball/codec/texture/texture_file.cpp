@@ -17,11 +17,11 @@ namespace {
 
 constexpr int kHighestZstandardLevel = 22;
 
-Result<DecodedImageSet> decodeByMagic(std::span<const std::uint8_t> bytes, const std::string& name) {
-  if (isKtx2(bytes)) return decodeKtx2(bytes, name);
-  if (isKtx1(bytes)) return decodeKtx1(bytes, name);
-  if (isDds(bytes)) return decodeDds(bytes, name);
-  return fail(ErrorCode::bad_file, name + ": does not begin as a KTX2, KTX or DDS texture does");
+Result<DecodedImageSet> decodeByMagic(std::span<const std::uint8_t> bytes) {
+  if (isKtx2(bytes)) return decodeKtx2(bytes);
+  if (isKtx1(bytes)) return decodeKtx1(bytes);
+  if (isDds(bytes)) return decodeDds(bytes);
+  return fail(ErrorCode::bad_file, "does not begin as a KTX2, KTX or DDS texture does");
 }
 
 std::string sizeText(const Image& image) {
@@ -30,14 +30,14 @@ std::string sizeText(const Image& image) {
 }
 
 /// All images have the size that their level makes them, and the channels of the first, which the format can hold.
-Result<void> checkShape(const ImageSet& images, TexelFormat format, const std::string& name) {
+Result<void> checkShape(const ImageSet& images, TexelFormat format) {
   if (images.empty() || images.at(0, 0).empty())
-    return fail(ErrorCode::bad_shape, name + ": a texture of no texels cannot be written");
+    return fail(ErrorCode::bad_shape, "a texture of no texels cannot be written");
   const Image& first = images.at(0, 0);
   if (first.channels() == 2 && storedFormat(format).channels != 2)
     return fail(ErrorCode::bad_shape,
-                name + ": a texture of 2 channels needs a format of two; give it one, or 1, 3 or 4 channels");
-  auto shape = checkTextureShape(shapeOf(images), name);
+                "a texture of 2 channels needs a format of two; give it one, or 1, 3 or 4 channels");
+  auto shape = checkTextureShape(shapeOf(images));
   if (!shape) return fail(ErrorCode::bad_shape, std::move(shape.error().message));
   for (int level = 0; level < images.levels(); ++level)
     for (int layer = 0; layer < images.layers(); ++layer)
@@ -46,9 +46,8 @@ Result<void> checkShape(const ImageSet& images, TexelFormat format, const std::s
         if (image.width() == levelSide(first.width(), level) && image.height() == levelSide(first.height(), level) &&
             image.channels() == first.channels())
           continue;
-        return fail(ErrorCode::bad_shape, name + ": " + placeName(shapeOf(images), level, layer, face) + " is " +
-                                              sizeText(image) + ", which does not go with level 0 of " +
-                                              sizeText(first));
+        return fail(ErrorCode::bad_shape, placeName(shapeOf(images), level, layer, face) + " is " + sizeText(image) +
+                                              ", which does not go with level 0 of " + sizeText(first));
       }
   return {};
 }
@@ -67,31 +66,28 @@ Result<ImageFormatId> containerFor(const std::filesystem::path& path, const Text
 }
 
 Result<TextureLayout> layoutIn(ImageFormatId container, const TextureShape& shape, int channels,
-                               const TextureWriteOptions& options, const std::string& name) {
+                               const TextureWriteOptions& options) {
   if (container == ImageFormatId::dds) return ddsLayout(shape, channels == 4, options);
-  if (container == ImageFormatId::ktx) return ktx1Layout(shape, options, name);
+  if (container == ImageFormatId::ktx) return ktx1Layout(shape, options);
   return ktx2Layout(shape, options);
 }
 
 Result<void> writeIn(ImageFormatId container, const ImageSet& images, const TextureWriteOptions& options,
-                     const std::string& name, const WriteAt& write) {
-  if (container == ImageFormatId::dds) return writeDds(images, options, name, write);
-  if (container == ImageFormatId::ktx) return writeKtx1(images, options, name, write);
-  return writeKtx2(images, options, name, write);
+                     const WriteAt& write) {
+  if (container == ImageFormatId::dds) return writeDds(images, options, write);
+  if (container == ImageFormatId::ktx) return writeKtx1(images, options, write);
+  return writeKtx2(images, options, write);
 }
 
 }  // namespace
 
 Result<DecodedImageSet> readImageSet(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  return withinMemory<DecodedImageSet>(name, [&]() -> Result<DecodedImageSet> {
-    MIRRORBALL_TRY(bytes, readFile(path));
-    return decodeByMagic(bytes, name);
-  });
+  MIRRORBALL_TRY(bytes, readFile(path));
+  return withName(path.string(), decodeImageSet(bytes));
 }
 
-Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes, const std::string& name) {
-  return withinMemory<DecodedImageSet>(name, [&] { return decodeByMagic(bytes, name); });
+Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes) {
+  return withinMemory<DecodedImageSet>([&] { return decodeByMagic(bytes); });
 }
 
 bool isImageSet(std::span<const std::uint8_t> bytes) { return isKtx2(bytes) || isKtx1(bytes) || isDds(bytes); }
@@ -100,15 +96,15 @@ Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& im
                            const TextureWriteOptions& options) {
   const std::string name = path.string();
   MIRRORBALL_TRY(container, containerFor(path, options));
-  MIRRORBALL_TRY_VOID(checkShape(images, options.format, name));
-  return withinMemory<void>(name, [&]() -> Result<void> {
-    MIRRORBALL_TRY(writer, FileWriter::create(path));
-    const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) {
-      return writer.writeAt(offset, bytes);
-    };
-    MIRRORBALL_TRY_VOID(writeIn(container, images, options, name, write));
-    return writer.commit();
-  });
+  MIRRORBALL_TRY_VOID(withName(name, checkShape(images, options.format)));
+  MIRRORBALL_TRY(writer, FileWriter::create(path));
+  return withName(name, withinMemory<void>([&]() -> Result<void> {
+                    const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) {
+                      return writer.writeAt(offset, bytes);
+                    };
+                    MIRRORBALL_TRY_VOID(writeIn(container, images, options, write));
+                    return writer.commit();
+                  }));
 }
 
 Result<TextureWriter> TextureWriter::create(const std::filesystem::path& path, glm::ivec2 size, int faces, int channels,
@@ -118,16 +114,17 @@ Result<TextureWriter> TextureWriter::create(const std::filesystem::path& path, g
   const TextureShape shape{.width = static_cast<std::uint32_t>(size.x),
                            .height = static_cast<std::uint32_t>(size.y),
                            .faces = static_cast<std::uint32_t>(faces)};
-  MIRRORBALL_TRY_VOID(checkTextureShape(shape, path.string()));
-  MIRRORBALL_TRY(layout, layoutIn(container, shape, channels, options, path.string()));
+  const std::string name = path.string();
+  MIRRORBALL_TRY_VOID(withName(name, checkTextureShape(shape)));
+  MIRRORBALL_TRY(layout, withName(name, layoutIn(container, shape, channels, options)));
   MIRRORBALL_TRY(file, FileWriter::create(path));
-  MIRRORBALL_TRY_VOID(file.writeAt(0, layout.header));
-  TextureWriter writer(std::move(file), path.string(), size, options.format);
+  MIRRORBALL_TRY_VOID(withName(name, file.writeAt(0, layout.header)));
+  TextureWriter writer(std::move(file), size, options.format);
   for (const PlacedImage& image : layout.images) writer.offsets_.push_back(image.offset);
   return writer;
 }
 
-Result<void> TextureWriter::write(int face, glm::ivec2 begin, const Image& texels) const {
+Result<void> TextureWriter::writeTexels(int face, glm::ivec2 begin, const Image& texels) const {
   const StoredFormat stored = storedFormat(format_);
   [[maybe_unused]] const glm::ivec2 end = begin + glm::ivec2(texels.width(), texels.height());
   assert(begin % blockSide(stored) == glm::ivec2(0));
@@ -140,7 +137,7 @@ Result<void> TextureWriter::write(int face, glm::ivec2 begin, const Image& texel
     const std::size_t index = firstMisfit(format_, texels.samples(), texels.channels());
     const glm::ivec2 texel(index % std::size_t(texels.width()), index / std::size_t(texels.width()));
     const TextureShape shape{.faces = static_cast<std::uint32_t>(offsets_.size())};
-    return tl::unexpected<Error>(misfit(name_, format_, placeName(shape, 0, 0, face), begin + texel,
+    return tl::unexpected<Error>(misfit(format_, placeName(shape, 0, 0, face), begin + texel,
                                         {texels.texel(texel.x, texel.y), std::size_t(texels.channels())}));
   }
   const auto offsetOf = [&](std::size_t row) {

@@ -71,8 +71,8 @@ struct DecodedImageSet {
 ///          compressions: the format is named; one- and three-dimensional textures)
 Result<DecodedImageSet> readImageSet(const std::filesystem::path& path);
 
-/// The same from memory. `name` is for messages.
-Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes, const std::string& name);
+/// The same from memory.
+Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes);
 
 /// Whether the bytes begin as one of the files that decodeImageSet takes.
 bool isImageSet(std::span<const std::uint8_t> bytes);
@@ -107,17 +107,19 @@ class TextureWriter {
   /// begin    where its first texel is in the image; for bc6h both numbers are multiples of 4, and so are the rectangle's
   ///          width and height but at the image's edges
   /// errors   io; out_of_range (the first texel that does not fit the format is named)
-  Result<void> write(int face, glm::ivec2 begin, const Image& texels) const;
+  Result<void> write(int face, glm::ivec2 begin, const Image& texels) const {
+    return withName(file_.name(), writeTexels(face, begin, texels));
+  }
 
   /// Gives the file its name.
-  Result<void> commit() { return file_.commit(); }
+  Result<void> commit() { return withName(file_.name(), file_.commit()); }
 
  private:
-  TextureWriter(FileWriter file, std::string name, glm::ivec2 size, TexelFormat format)
-      : file_(std::move(file)), name_(std::move(name)), size_(size), format_(format) {}
+  TextureWriter(FileWriter file, glm::ivec2 size, TexelFormat format)
+      : file_(std::move(file)), size_(size), format_(format) {}
+  Result<void> writeTexels(int face, glm::ivec2 begin, const Image& texels) const;
 
   FileWriter file_;
-  std::string name_;
   glm::ivec2 size_;
   TexelFormat format_;
   std::vector<std::uint64_t> offsets_ = {};  // of each face

@@ -199,8 +199,8 @@ TEST_F(TextureFileTest, WrongUsesAreNamed) {
 }
 
 TEST_F(TextureFileTest, ForeignBytesAreRefused) {
-  EXPECT_EQ(decodeImageSet({}, "a").error().code, ErrorCode::bad_file);
-  EXPECT_EQ(decodeImageSet(testing::bytesOf("#?RADIANCE\n"), "a").error().code, ErrorCode::bad_file);
+  EXPECT_EQ(decodeImageSet({}).error().code, ErrorCode::bad_file);
+  EXPECT_EQ(decodeImageSet(testing::bytesOf("#?RADIANCE\n")).error().code, ErrorCode::bad_file);
   EXPECT_EQ(readImageSet(folder_ / "none.dds").error().code, ErrorCode::not_found);
 }
 

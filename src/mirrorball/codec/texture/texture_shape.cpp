@@ -7,32 +7,31 @@
 
 namespace mirrorball {
 
-Result<void> checkTextureShape(const TextureShape& shape, const std::string& name) {
-  MIRRORBALL_TRY_VOID(checkDimensions(name, shape.width, shape.height));
+Result<void> checkTextureShape(const TextureShape& shape) {
+  MIRRORBALL_TRY_VOID(checkDimensions(shape.width, shape.height));
   const auto max_levels = static_cast<std::uint32_t>(std::bit_width(std::max(shape.width, shape.height)));
   if (shape.levels == 0 || shape.levels > max_levels)
-    return fail(ErrorCode::bad_file, name + ": says it has " + std::to_string(shape.levels) +
-                                         " mip levels; a texture of " + std::to_string(shape.width) + "x" +
-                                         std::to_string(shape.height) + " has 1 to " + std::to_string(max_levels));
+    return fail(ErrorCode::bad_file, "says it has " + std::to_string(shape.levels) + " mip levels; a texture of " +
+                                         std::to_string(shape.width) + "x" + std::to_string(shape.height) +
+                                         " has 1 to " + std::to_string(max_levels));
   if (shape.faces != 1 && shape.faces != 6)
-    return fail(ErrorCode::bad_file,
-                name + ": says it has " + std::to_string(shape.faces) + " faces; a cube has 6, all else 1");
+    return fail(ErrorCode::bad_file, "says it has " + std::to_string(shape.faces) + " faces; a cube has 6, all else 1");
   if (shape.faces == 6 && shape.width != shape.height)
-    return fail(ErrorCode::bad_file, name + ": says it is a cube of " + std::to_string(shape.width) + "x" +
+    return fail(ErrorCode::bad_file, "says it is a cube of " + std::to_string(shape.width) + "x" +
                                          std::to_string(shape.height) + "; a cube's faces are square");
   if (shape.layers == 0)
-    return fail(ErrorCode::bad_file, name + ": says it is an array of no layers; an array has at least one");
+    return fail(ErrorCode::bad_file, "says it is an array of no layers; an array has at least one");
   if (shape.layers > kMaxLayers)
-    return fail(ErrorCode::too_large, name + ": says it has " + std::to_string(shape.layers) + " layers; at most " +
+    return fail(ErrorCode::too_large, "says it has " + std::to_string(shape.layers) + " layers; at most " +
                                           std::to_string(kMaxLayers) + " are read");
   return {};
 }
 
-Result<void> checkTextureMemory(const TextureShape& shape, const StoredFormat& format, const std::string& name) {
+Result<void> checkTextureMemory(const TextureShape& shape, const StoredFormat& format) {
   std::uint64_t texels = 0;
   for (int level = 0; level < static_cast<int>(shape.levels); ++level)
     texels += std::uint64_t(shape.widthAt(level)) * std::uint64_t(shape.heightAt(level)) * shape.imagesPerLevel();
-  return checkMemory(name, texels * std::uint64_t(imageChannels(format)) * sizeof(float));
+  return checkMemory(texels * std::uint64_t(imageChannels(format)) * sizeof(float));
 }
 
 TextureShape shapeOf(const ImageSet& images) {

@@ -27,12 +27,12 @@ struct TextureShape {
 /// halvings, other than 1 or 6 faces, a cube that is not square, more than `kMaxLayers`.
 ///
 /// errors   bad_file; too_large
-Result<void> checkTextureShape(const TextureShape& shape, const std::string& name);
+Result<void> checkTextureShape(const TextureShape& shape);
 
 /// Refuses a texture whose images, in linear light, would take more memory than may be used (base/memory.h).
 ///
 /// errors   too_large
-Result<void> checkTextureMemory(const TextureShape& shape, const StoredFormat& format, const std::string& name);
+Result<void> checkTextureMemory(const TextureShape& shape, const StoredFormat& format);
 
 /// Above what any graphics interface takes, and small enough to count with.
 inline constexpr std::uint32_t kMaxLayers = 1u << 16;

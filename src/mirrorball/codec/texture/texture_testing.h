@@ -42,7 +42,7 @@ Bytes bytesOfTexture(Write* write_texture, const ImageSet& images, const Texture
     std::memcpy(file.data() + offset, bytes.data(), bytes.size());
     return {};
   };
-  const auto result = write_texture(images, options, "memory", write);
+  const auto result = write_texture(images, options, write);
   EXPECT_TRUE(result) << result.error().message;
   return file;
 }

@@ -27,10 +27,9 @@ using Image16 = ImageOf<std::uint16_t>;
 /// Hands out strips or tiles one after the other.
 class Striles {
  public:
-  Striles(const TiffFile& file, const TiffLayout& layout, const std::string& name, const ProgressFunction& progress)
+  Striles(const TiffFile& file, const TiffLayout& layout, const ProgressFunction& progress)
       : file_(file),
         layout_(layout),
-        name_(name),
         planes_(layout.is_by_planes ? layout.samples : 1),
         per_plane_(std::uint32_t(layout.strilesAcross()) * std::uint32_t(layout.strilesDown())),
         counter_(progress, std::size_t(planes_) * per_plane_),
@@ -65,13 +64,12 @@ class Striles {
     const tmsize_t decoded = layout_.is_tiled ? TIFFReadEncodedTile(file_.get(), index, bytes_.get(), size)
                                               : TIFFReadEncodedStrip(file_.get(), index, bytes_.get(), size);
     // libjpeg only warns where its data end early, and goes on with grey.
-    if (decoded != size || (layout_.is_jpeg && file_.warnings() > warnings)) return file_.damaged(name_);
+    if (decoded != size || (layout_.is_jpeg && file_.warnings() > warnings)) return file_.damaged();
     return {};
   }
 
   const TiffFile& file_;
   const TiffLayout& layout_;
-  const std::string& name_;
   int planes_;
   std::uint32_t per_plane_;
   ProgressCounter counter_;
@@ -114,15 +112,15 @@ float floatAt(const std::uint8_t* row, std::size_t sample, int bits) {
 
 /// Fills an image, each sample by `read(row, sample, channel)`.
 template <typename Sample, typename Read>
-Result<ImageOf<Sample>> readTexels(const TiffFile& file, const TiffLayout& layout, const std::string& name,
-                                   const ProgressFunction& progress, const Read& read) {
+Result<ImageOf<Sample>> readTexels(const TiffFile& file, const TiffLayout& layout, const ProgressFunction& progress,
+                                   const Read& read) {
   constexpr std::uint64_t kSampleBytes = sizeof(Sample) + (std::is_same_v<Sample, float> ? 0 : sizeof(float));
   const int channels = layout.channels();
   const std::uint64_t texels = std::uint64_t(layout.width) * std::uint64_t(layout.height);
-  MIRRORBALL_TRY_VOID(checkMemory(name, texels * std::uint64_t(channels) * kSampleBytes + layout.strileBytes()));
+  MIRRORBALL_TRY_VOID(checkMemory(texels * std::uint64_t(channels) * kSampleBytes + layout.strileBytes()));
   auto image = ImageOf<Sample>::withoutValues(layout.width, layout.height, channels);
   const auto stride = std::size_t(layout.samplesInPlane());
-  Striles striles(file, layout, name, progress);
+  Striles striles(file, layout, progress);
   MIRRORBALL_TRY_VOID(striles.forEach([&](int plane, glm::ivec2 begin, glm::ivec2 size, const std::uint8_t* bytes) {
     for (int c = 0; c < channels; ++c) {
       if (layout.is_by_planes && layout.sampleOf(c) != plane) continue;
@@ -139,8 +137,7 @@ Result<ImageOf<Sample>> readTexels(const TiffFile& file, const TiffLayout& layou
 
 /// Codes that are `Sample`s already, or become the nearest of them.
 template <typename Sample>
-Result<CodedPicture> readCodes(const TiffFile& file, const TiffLayout& layout, const std::string& name,
-                               const ProgressFunction& progress) {
+Result<CodedPicture> readCodes(const TiffFile& file, const TiffLayout& layout, const ProgressFunction& progress) {
   constexpr std::uint32_t kNewMax = std::numeric_limits<Sample>::max();
   const int bits = layout.bits;
   const auto max = static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);
@@ -149,37 +146,34 @@ Result<CodedPicture> readCodes(const TiffFile& file, const TiffLayout& layout, c
     const std::uint32_t code = codeAt(row, sample, bits) ^ (channel == 3 ? 0 : turned);
     return static_cast<Sample>(max == kNewMax ? code : rescaledCode(code, max, kNewMax));
   };
-  MIRRORBALL_TRY(codes, readTexels<Sample>(file, layout, name, progress, read));
+  MIRRORBALL_TRY(codes, readTexels<Sample>(file, layout, progress, read));
   return CodedPicture(std::move(codes));
 }
 
-Result<CodedPicture> readPalette(const TiffFile& file, const TiffLayout& layout, const std::string& name,
-                                 const ProgressFunction& progress) {
+Result<CodedPicture> readPalette(const TiffFile& file, const TiffLayout& layout, const ProgressFunction& progress) {
   const auto read = [&](const std::uint8_t* row, std::size_t sample, int channel) {
     const std::uint32_t code = codeAt(row, sample, layout.bits);
     if (channel < 3) return layout.palette[std::size_t(channel)][code];
     return static_cast<std::uint16_t>(rescaledCode(code, (1u << layout.bits) - 1, 65535));
   };
-  MIRRORBALL_TRY(codes, readTexels<std::uint16_t>(file, layout, name, progress, read));
+  MIRRORBALL_TRY(codes, readTexels<std::uint16_t>(file, layout, progress, read));
   return CodedPicture(std::move(codes));
 }
 
 /// Integers, their alpha straight.
-Result<CodedPicture> readPicture(const TiffFile& file, const TiffLayout& layout, const std::string& name,
-                                 const ProgressFunction& progress) {
+Result<CodedPicture> readPicture(const TiffFile& file, const TiffLayout& layout, const ProgressFunction& progress) {
   const bool fits_8_bits = layout.bits == 8 || layout.bits == 4 || layout.bits == 2 || layout.bits == 1;
-  MIRRORBALL_TRY(picture, layout.hasPalette() ? readPalette(file, layout, name, progress)
-                          : fits_8_bits       ? readCodes<std::uint8_t>(file, layout, name, progress)
-                                              : readCodes<std::uint16_t>(file, layout, name, progress));
+  MIRRORBALL_TRY(picture, layout.hasPalette() ? readPalette(file, layout, progress)
+                          : fits_8_bits       ? readCodes<std::uint8_t>(file, layout, progress)
+                                              : readCodes<std::uint16_t>(file, layout, progress));
   if (layout.is_premultiplied) makeStraight(picture);
   return picture;
 }
 
 /// Floats, multiplied by their alpha.
-Result<Image> readLight(const TiffFile& file, const TiffLayout& layout, const std::string& name,
-                        const ProgressFunction& progress) {
+Result<Image> readLight(const TiffFile& file, const TiffLayout& layout, const ProgressFunction& progress) {
   const auto read = [&](const std::uint8_t* row, std::size_t sample, int) { return floatAt(row, sample, layout.bits); };
-  MIRRORBALL_TRY(light, readTexels<float>(file, layout, name, progress, read));
+  MIRRORBALL_TRY(light, readTexels<float>(file, layout, progress, read));
   if (layout.alpha >= 0 && !layout.is_premultiplied)
     for (std::size_t i = 0; i < light.samples().size(); i += 4)
       for (std::size_t c = 0; c < 3; ++c) light.samples()[i + c] *= light.samples()[i + 3];
@@ -216,15 +210,15 @@ bool isTiff(Span bytes) {
   return (is_little || is_big) && (version == TIFF_VERSION_CLASSIC || version == TIFF_VERSION_BIG);
 }
 
-Result<DecodedImage> decodeTiff(Span bytes, const std::string& name, const ProgressFunction& progress) {
+Result<DecodedImage> decodeTiff(Span bytes, const ProgressFunction& progress) {
   const TiffFile file(bytes);
-  MIRRORBALL_TRY(layout, readTiffLayout(file, name));
+  MIRRORBALL_TRY(layout, readTiffLayout(file));
   Image light;
   if (layout.is_float) {
-    MIRRORBALL_TRY(floats, readLight(file, layout, name, progress));
+    MIRRORBALL_TRY(floats, readLight(file, layout, progress));
     light = std::move(floats);
   } else {
-    MIRRORBALL_TRY(picture, readPicture(file, layout, name, progress));
+    MIRRORBALL_TRY(picture, readPicture(file, layout, progress));
     light = lightOf(picture);
   }
   convertToRec709(light, layout.is_log ? std::optional(kCieXyz) : layout.primaries);
@@ -232,19 +226,19 @@ Result<DecodedImage> decodeTiff(Span bytes, const std::string& name, const Progr
       std::move(light), {}, formatText(layout), colorText(layout, layout.is_float ? kLinearLight : kSrgbCurve)};
 }
 
-Result<Image8> decodeTiffTexture(Span bytes, const std::string& name) {
+Result<Image8> decodeTiffTexture(Span bytes) {
   const TiffFile file(bytes);
-  MIRRORBALL_TRY(layout, readTiffLayout(file, name));
+  MIRRORBALL_TRY(layout, readTiffLayout(file));
   if (layout.is_float)
-    return fail(ErrorCode::unsupported, name + ": holds floats, and a texture has integers; save it with 8 or 16 bits");
-  MIRRORBALL_TRY(picture, readPicture(file, layout, name, {}));
+    return fail(ErrorCode::unsupported, "holds floats, and a texture has integers; save it with 8 or 16 bits");
+  MIRRORBALL_TRY(picture, readPicture(file, layout, {}));
   return textureOf(std::move(picture));
 }
 
 bool isTiffOfIntegers(Span bytes) {
   if (!isTiff(bytes)) return false;
   const TiffFile file(bytes);
-  const auto layout = readTiffLayout(file, "");
+  const auto layout = readTiffLayout(file);
   return layout && !layout->is_float;
 }
 

@@ -25,13 +25,12 @@ bool isTiff(std::span<const std::uint8_t> bytes);
 ///          interrupted
 /// from     Adobe, "TIFF Revision 6.0" (1992); G. W. Larson, "LogLuv Encoding for Full Gamut, High Dynamic Range
 ///          Images" (1998)
-Result<DecodedImage> decodeTiff(std::span<const std::uint8_t> bytes, const std::string& name,
-                                const ProgressFunction& progress = {});
+Result<DecodedImage> decodeTiff(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
 
 /// Decodes a TIFF of integers to 8-bit RGBA as stored, more bits rounded.
 ///
 /// errors   also unsupported: it has floats
-Result<Image8> decodeTiffTexture(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<Image8> decodeTiffTexture(std::span<const std::uint8_t> bytes);
 
 /// Whether a TIFF holds integers, and so can be a texture or the codes of a photograph.
 bool isTiffOfIntegers(std::span<const std::uint8_t> bytes);

@@ -30,9 +30,9 @@ TiffFile::~TiffFile() {
   if (tiff_) TIFFClose(tiff_);
 }
 
-tl::unexpected<Error> TiffFile::damaged(const std::string& name) const {
+tl::unexpected<Error> TiffFile::damaged() const {
   const std::string what = printable(error_[0] != '\0' ? error_ : warning_);
-  return fail(ErrorCode::bad_file, name + ": is a damaged or truncated TIFF" + (what.empty() ? "" : ": " + what));
+  return fail(ErrorCode::bad_file, "is a damaged or truncated TIFF" + (what.empty() ? "" : ": " + what));
 }
 
 /// returns  that libtiff's own handler, which prints, is not to be called as well

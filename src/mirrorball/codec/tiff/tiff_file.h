@@ -27,7 +27,7 @@ class TiffFile {
   int warnings() const { return warnings_; }
 
   /// The error for what libtiff first complained of, or else last warned of.
-  tl::unexpected<Error> damaged(const std::string& name) const;
+  tl::unexpected<Error> damaged() const;
 
  private:
   static int onError(TIFF* tiff, void* user, const char* module, const char* format, va_list arguments);

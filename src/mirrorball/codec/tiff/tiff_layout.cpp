@@ -62,24 +62,24 @@ const char* unreadable(std::uint16_t photometric) {
 }
 
 /// Goes to the first page that is no preview: raw pictures of cameras begin with one, and have nothing else at this level.
-Result<void> findPage(const TiffFile& file, const std::string& name) {
+Result<void> findPage(const TiffFile& file) {
   constexpr int kMaxPages = 16;
   for (int i = 0; i < TIFFGetTagListCount(file.get()); ++i)
     if (TIFFGetTagListEntry(file.get(), i) == TIFFTAG_DNGVERSION)
-      return fail(ErrorCode::unsupported, name + ": " + unreadable(PHOTOMETRIC_CFA));
+      return fail(ErrorCode::unsupported, unreadable(PHOTOMETRIC_CFA));
   for (int page = 0; page < kMaxPages; ++page) {
     if ((field<std::uint32_t>(file.get(), TIFFTAG_SUBFILETYPE, 0) & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) == 0)
       return {};
     if (TIFFReadDirectory(file.get()) == 0) break;
   }
-  return fail(ErrorCode::unsupported, name + ": has nothing but a preview; " + unreadable(PHOTOMETRIC_CFA));
+  return fail(ErrorCode::unsupported, std::string("has nothing but a preview; ") + unreadable(PHOTOMETRIC_CFA));
 }
 
-Result<void> checkCompression(TIFF* tiff, const std::string& name, TiffLayout& layout) {
+Result<void> checkCompression(TIFF* tiff, TiffLayout& layout) {
   const auto number = field<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
   const auto* const known = std::ranges::find(kCompressions, number, &Compression::number);
   if (known == std::end(kCompressions) || TIFFIsCODECConfigured(number) == 0)
-    return fail(ErrorCode::unsupported, name + ": has the compression " + std::to_string(number) +
+    return fail(ErrorCode::unsupported, "has the compression " + std::to_string(number) +
                                             ", which is not read; save it with LZW, deflate or none");
   layout.compression = known->name;
   layout.is_jpeg = number == COMPRESSION_JPEG;
@@ -90,7 +90,7 @@ Result<void> checkCompression(TIFF* tiff, const std::string& name, TiffLayout& l
 }
 
 /// The bits of a sample and how they stand for a number.
-Result<void> readSamples(TIFF* tiff, const std::string& name, TiffLayout& layout) {
+Result<void> readSamples(TIFF* tiff, TiffLayout& layout) {
   layout.bits = field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE, 1);
   const auto format = field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
   layout.is_float = format == SAMPLEFORMAT_IEEEFP;
@@ -98,16 +98,16 @@ Result<void> readSamples(TIFF* tiff, const std::string& name, TiffLayout& layout
                                        : (format == SAMPLEFORMAT_UINT || format == SAMPLEFORMAT_VOID) &&
                                              layout.bits >= 1 && (layout.bits <= 16 || layout.bits == 32);
   if (is_read) return {};
-  return fail(ErrorCode::unsupported, name + ": has samples of " + std::to_string(layout.bits) +
-                                          " bits and TIFF's kind " + std::to_string(format) +
+  return fail(ErrorCode::unsupported, "has samples of " + std::to_string(layout.bits) + " bits and TIFF's kind " +
+                                          std::to_string(format) +
                                           ", which are not read; save it with 8 or 16 bits, or with floats of 32");
 }
 
-Result<void> readPalette(const TiffFile& file, const std::string& name, TiffLayout& layout) {
+Result<void> readPalette(const TiffFile& file, TiffLayout& layout) {
   std::uint16_t* columns[3]{};
   if (layout.is_float || layout.bits > 16 ||
       TIFFGetField(file.get(), TIFFTAG_COLORMAP, &columns[0], &columns[1], &columns[2]) == 0)
-    return file.damaged(name);
+    return file.damaged();
   const std::size_t count = std::size_t{1} << layout.bits;
   std::uint16_t max = 0;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -122,25 +122,25 @@ Result<void> readPalette(const TiffFile& file, const std::string& name, TiffLayo
 }
 
 /// Which samples are colours, and which is alpha.
-Result<void> readChannels(const TiffFile& file, const std::string& name, TiffLayout& layout) {
+Result<void> readChannels(const TiffFile& file, TiffLayout& layout) {
   TIFF* tiff = file.get();
   layout.samples = field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
   layout.is_by_planes = field<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG) == PLANARCONFIG_SEPARATE;
   std::uint16_t photometric = layout.samples >= 3 ? PHOTOMETRIC_RGB : PHOTOMETRIC_MINISBLACK;
   TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &photometric);
-  if (const char* what = unreadable(photometric)) return fail(ErrorCode::unsupported, name + ": " + what);
+  if (const char* what = unreadable(photometric)) return fail(ErrorCode::unsupported, what);
   const bool is_of_log = photometric == PHOTOMETRIC_LOGL || photometric == PHOTOMETRIC_LOGLUV;
-  if (is_of_log != layout.is_log) return file.damaged(name);
+  if (is_of_log != layout.is_log) return file.damaged();
   if (photometric == PHOTOMETRIC_YCBCR && (!layout.is_jpeg || layout.is_by_planes))
-    return fail(ErrorCode::unsupported, name + ": is a TIFF in YCbCr without JPEG compression; save it as RGB");
+    return fail(ErrorCode::unsupported, "is a TIFF in YCbCr without JPEG compression; save it as RGB");
   const bool has_three =
       photometric == PHOTOMETRIC_RGB || photometric == PHOTOMETRIC_YCBCR || photometric == PHOTOMETRIC_LOGLUV;
   layout.colors = has_three ? 3 : 1;
   layout.is_white_zero = photometric == PHOTOMETRIC_MINISWHITE;
-  if (layout.samples < layout.colors) return file.damaged(name);
+  if (layout.samples < layout.colors) return file.damaged();
   if (layout.is_white_zero && layout.is_float)
-    return fail(ErrorCode::unsupported, name + ": is a TIFF of floats whose 0 is white; save it with 0 as black");
-  if (photometric == PHOTOMETRIC_PALETTE) MIRRORBALL_TRY_VOID(readPalette(file, name, layout));
+    return fail(ErrorCode::unsupported, "is a TIFF of floats whose 0 is white; save it with 0 as black");
+  if (photometric == PHOTOMETRIC_PALETTE) MIRRORBALL_TRY_VOID(readPalette(file, layout));
 
   std::uint16_t count = 0;
   std::uint16_t* kinds = nullptr;
@@ -168,56 +168,56 @@ void readColor(TIFF* tiff, TiffLayout& layout) {
   layout.primaries = Primaries{{xy[0], xy[1]}, {xy[2], xy[3]}, {xy[4], xy[5]}, {white[0], white[1]}};
 }
 
-Result<void> readStriles(const TiffFile& file, const std::string& name, TiffLayout& layout) {
+Result<void> readStriles(const TiffFile& file, TiffLayout& layout) {
   TIFF* tiff = file.get();
   layout.is_tiled = TIFFIsTiled(tiff) != 0;
   const auto width = layout.is_tiled ? field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH, 0) : std::uint32_t(layout.width);
   auto height = field<std::uint32_t>(tiff, layout.is_tiled ? TIFFTAG_TILELENGTH : TIFFTAG_ROWSPERSTRIP, 0);
   if (!layout.is_tiled) height = std::min(height, std::uint32_t(layout.height));
   constexpr std::uint32_t kMax = std::numeric_limits<std::int32_t>::max();
-  if (width == 0 || height == 0 || width > kMax || height > kMax) return file.damaged(name);
+  if (width == 0 || height == 0 || width > kMax || height > kMax) return file.damaged();
   layout.strile_width = static_cast<int>(width);
   layout.strile_height = static_cast<int>(height);
   const tmsize_t size = layout.is_tiled ? TIFFTileSize(tiff) : TIFFStripSize(tiff);
-  if (size <= 0 || std::uint64_t(size) != layout.strileBytes()) return file.damaged(name);
+  if (size <= 0 || std::uint64_t(size) != layout.strileBytes()) return file.damaged();
   return {};
 }
 
 /// Before memory is taken: whether the bytes of each strip or tile can become all of it.
-Result<void> checkSizes(const TiffFile& file, const std::string& name, const TiffLayout& layout) {
+Result<void> checkSizes(const TiffFile& file, const TiffLayout& layout) {
   TIFF* tiff = file.get();
   const auto* const compression = std::ranges::find(
       kCompressions, field<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE), &Compression::number);
   const std::uint32_t count = layout.is_tiled ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
-  if (count == 0) return file.damaged(name);
+  if (count == 0) return file.damaged();
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint64_t stored = std::min<std::uint64_t>(TIFFGetStrileByteCount(tiff, i), file.size());
     const std::uint64_t bytes = layout.rowBytes() * std::uint64_t(layout.rowsInStrile(i));
     if (stored == 0 || bytes / compression->max_bytes_per_byte > stored)
-      return cannotHold(name, layout.width, layout.height, file.size());
+      return cannotHold(layout.width, layout.height, file.size());
   }
   return {};
 }
 
 }  // namespace
 
-Result<TiffLayout> readTiffLayout(const TiffFile& file, const std::string& name) {
-  if (!file.get()) return file.damaged(name);
-  MIRRORBALL_TRY_VOID(findPage(file, name));
+Result<TiffLayout> readTiffLayout(const TiffFile& file) {
+  if (!file.get()) return file.damaged();
+  MIRRORBALL_TRY_VOID(findPage(file));
   TIFF* tiff = file.get();
   const auto width = field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH, 0);
   const auto height = field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH, 0);
-  MIRRORBALL_TRY_VOID(checkDimensions(name, width, height));
+  MIRRORBALL_TRY_VOID(checkDimensions(width, height));
   TiffLayout layout;
   layout.width = static_cast<int>(width);
   layout.height = static_cast<int>(height);
-  MIRRORBALL_TRY_VOID(checkCompression(tiff, name, layout));
-  MIRRORBALL_TRY_VOID(readSamples(tiff, name, layout));
-  MIRRORBALL_TRY_VOID(readChannels(file, name, layout));
+  MIRRORBALL_TRY_VOID(checkCompression(tiff, layout));
+  MIRRORBALL_TRY_VOID(readSamples(tiff, layout));
+  MIRRORBALL_TRY_VOID(readChannels(file, layout));
   layout.orientation = field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION, 1);
   readColor(tiff, layout);
-  MIRRORBALL_TRY_VOID(readStriles(file, name, layout));
-  MIRRORBALL_TRY_VOID(checkSizes(file, name, layout));
+  MIRRORBALL_TRY_VOID(readStriles(file, layout));
+  MIRRORBALL_TRY_VOID(checkSizes(file, layout));
   return layout;
 }
 

@@ -63,6 +63,6 @@ struct TiffLayout {
 /// Reads the fields of the first page that is no preview, and has libtiff decode its samples as the layout says.
 ///
 /// errors   bad_file; too_large; unsupported
-Result<TiffLayout> readTiffLayout(const TiffFile& file, const std::string& name);
+Result<TiffLayout> readTiffLayout(const TiffFile& file);
 
 }  // namespace mirrorball

@@ -28,22 +28,21 @@ using testing::tiffOf;
 using testing::tiffSamples;
 
 DecodedImage decoded(const Bytes& bytes) {
-  auto result = decodeTiff(bytes, "a.tif");
+  auto result = decodeTiff(bytes);
   EXPECT_TRUE(result) << result.error().message;
   return result ? std::move(*result) : DecodedImage{};
 }
 
 Image8 texture(const Bytes& bytes) {
-  auto result = decodeTiffTexture(bytes, "a.tif");
+  auto result = decodeTiffTexture(bytes);
   EXPECT_TRUE(result) << result.error().message;
   return result ? std::move(*result) : Image8();
 }
 
 Error refused(const Bytes& bytes) {
-  const auto result = decodeTiff(bytes, "a.tif");
+  const auto result = decodeTiff(bytes);
   EXPECT_FALSE(result);
   if (result) return {};
-  EXPECT_TRUE(result.error().message.starts_with("a.tif: ")) << result.error().message;
   EXPECT_EQ(result.error().message.find('\n'), std::string::npos);
   return result.error();
 }
@@ -264,7 +263,7 @@ TEST(Tiff, JpegInsideIsReadAndItsEarlyEndIsAnError) {
   form.width = form.height = 16;
   form.rows_per_strip = 16;
   Bytes cut = tiffOf(form, tiffSamples(form));
-  ASSERT_TRUE(decodeTiff(cut, "a.tif"));
+  ASSERT_TRUE(decodeTiff(cut));
   const std::array<std::uint8_t, 2> end{0xff, 0xd9};
   const auto at = std::search(cut.begin(), cut.end(), end.begin(), end.end());
   std::copy(end.begin(), end.end(), at - (at - cut.begin()) / 3);
@@ -294,7 +293,7 @@ TEST(Tiff, WhatCannotBeReadIsNamed) {
   EXPECT_THAT(refused(tiffOf(form, tiffSamples(form))).message, HasSubstr("compression 34925"));
   form = {.bits = 32, .kind = SAMPLEFORMAT_IEEEFP};
   const Bytes floats = tiffOf(form, bytesOfNumbers(tiffFloats(form)));
-  EXPECT_THAT(decodeTiffTexture(floats, "a").error().message, HasSubstr("save it with 8 or 16 bits"));
+  EXPECT_THAT(decodeTiffTexture(floats).error().message, HasSubstr("save it with 8 or 16 bits"));
   EXPECT_FALSE(isTiffOfIntegers(floats));
   EXPECT_TRUE(isTiffOfIntegers(tiffOf({}, tiffSamples({}))));
 }
@@ -306,9 +305,9 @@ TEST(Tiff, NothingIsPrinted) {
   for (std::size_t i = 4; i < bytes.size(); ++i) {
     Bytes damaged = bytes;
     damaged[i] ^= 0xff;
-    static_cast<void>(decodeTiff(damaged, "a").has_value());
+    static_cast<void>(decodeTiff(damaged).has_value());
     const Bytes cut(bytes.begin(), bytes.begin() + std::ptrdiff_t(i));
-    EXPECT_FALSE(decodeTiff(cut, "a")) << i;
+    EXPECT_FALSE(decodeTiff(cut)) << i;
   }
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
@@ -335,7 +334,7 @@ TEST(Tiff, DecodingCanBeInterrupted) {
   const Bytes bytes = tiffOf({}, tiffSamples({}));
   std::size_t asked = 0;
   const auto stop = [&](std::size_t, std::size_t) { return ++asked < 2; };
-  const auto result = decodeTiff(bytes, "a", stop);
+  const auto result = decodeTiff(bytes, stop);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::interrupted);
 }

@@ -38,10 +38,10 @@ int convertedChannels(Projection projection) { return hasDisc(projection) ? 4 : 
 
 Result<ImageSet> imagesFor(Projection projection, int size) {
   const glm::ivec2 extent = imageSize(projection, size);
-  MIRRORBALL_TRY_VOID(checkDimensions("the converted map", extent.x, extent.y));
+  MIRRORBALL_TRY_VOID(withName("the converted map", checkDimensions(extent.x, extent.y)));
   ImageSet images(1, faceCount(projection));
   const int channels = convertedChannels(projection);
-  MIRRORBALL_TRY_VOID(checkImageMemory("the converted map", extent.x, extent.y, channels * images.faces()));
+  MIRRORBALL_TRY_VOID(withName("the converted map", checkImageMemory(extent.x, extent.y, channels * images.faces())));
   forEachImage(images, [&](Image& image) { image = Image::withoutValues(extent.x, extent.y, channels); });
   return images;
 }
@@ -57,7 +57,7 @@ TakeTexels copyInto(ImageSet& images) {
 Result<void> convertPiecewise(const Environment& source, Projection to, int size, const Resampling& resampling,
                               const TakeTexels& take, const ProgressFunction& progress) {
   const Conversion conversion(to, size, resampling);
-  MIRRORBALL_TRY_VOID(checkDimensions("the converted map", conversion.extent().x, conversion.extent().y));
+  MIRRORBALL_TRY_VOID(withName("the converted map", checkDimensions(conversion.extent().x, conversion.extent().y)));
   const std::vector<Piece> pieces = conversion.pieces();
   ParallelConversion work(conversion, take, progress, pieces.size());
   return work.run(source, pieces);

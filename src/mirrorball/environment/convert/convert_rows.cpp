@@ -49,8 +49,7 @@ Plan planOf(const Conversion& conversion, int height) {
 /// Rows that are of no use any more go, and those that are wanted are read.
 class RowFeed {
  public:
-  RowFeed(RowReader& reader, const std::string& name, EnvironmentMap& window)
-      : reader_(reader), name_(name), window_(window) {}
+  RowFeed(RowReader& reader, EnvironmentMap& window) : reader_(reader), window_(window) {}
 
   /// wanted   begins not before the one wanted last
   Result<void> feed(RowRange wanted) {
@@ -70,13 +69,13 @@ class RowFeed {
     MIRRORBALL_TRY(rows, reader_.read(count));
     const NonFinite bad = findNonFinite(rows);
     if (bad.count == 0) return rows;
-    return fail(ErrorCode::non_finite, name_ + ": has texels that are NaN or infinite, the first at (" +
+    return fail(ErrorCode::non_finite, reader_.description().name +
+                                           ": has texels that are NaN or infinite, the first at (" +
                                            std::to_string(bad.first.x) + ", " + std::to_string(first + bad.first.y) +
                                            "); --repair replaces them by their neighbours");
   }
 
   RowReader& reader_;
-  const std::string& name_;
   EnvironmentMap& window_;
 };
 
@@ -95,16 +94,16 @@ RowRange rowsOfGroup(const Plan& plan, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-Result<void> convertRows(RowReader& source, const std::string& name, std::size_t memory, Projection to, int size,
-                         const Resampling& resampling, const TakeTexels& take, const ProgressFunction& progress) {
+Result<void> convertRows(RowReader& source, std::size_t memory, Projection to, int size, const Resampling& resampling,
+                         const TakeTexels& take, const ProgressFunction& progress) {
   const Conversion conversion(to, size, resampling);
-  MIRRORBALL_TRY_VOID(checkDimensions("the converted map", conversion.extent().x, conversion.extent().y));
+  MIRRORBALL_TRY_VOID(withName("the converted map", checkDimensions(conversion.extent().x, conversion.extent().y)));
   const RowReader::Description& picture = source.description();
   assert(picture.width == 2 * picture.height);
   const Plan plan = planOf(conversion, picture.height);
   const std::size_t row_bytes = std::size_t(picture.width) * std::size_t(picture.channels) * sizeof(float);
   if (std::size_t(plan.max_rows) * row_bytes > memory)
-    return fail(ErrorCode::too_large, name + ": needs " + textOfBytes(std::size_t(plan.max_rows) * row_bytes) +
+    return fail(ErrorCode::too_large, picture.name + ": needs " + textOfBytes(std::size_t(plan.max_rows) * row_bytes) +
                                           " for the " + std::to_string(plan.max_rows) +
                                           " rows that are looked up at a time; raise --max-memory");
   const std::size_t usual_rows = std::max(kUsualWindow_bytes / row_bytes, std::size_t(kRowsPerRead));
@@ -112,7 +111,7 @@ Result<void> convertRows(RowReader& source, const std::string& name, std::size_t
       std::min(std::max(plan.max_rows, static_cast<int>(std::min(usual_rows, memory / row_bytes))), picture.height);
 
   Environment window(EnvironmentMap::windowOfPanorama(picture.height, picture.channels, capacity));
-  RowFeed feed(source, name, *window.map());
+  RowFeed feed(source, *window.map());
   ParallelConversion work(conversion, take, progress, plan.pieces.size());
   for (std::size_t begin = 0; begin < plan.pieces.size();) {
     const std::size_t end = endOfGroup(plan, begin, capacity);

@@ -17,7 +17,7 @@ namespace mirrorball {
 /// errors   interrupted; too_large (the window does not fit); non_finite (the first bad texel is named); what `source` or
 ///          `take` returns
 /// cost     decoding and converting one after the other, each on all cores
-Result<void> convertRows(RowReader& source, const std::string& name, std::size_t memory, Projection to, int size,
-                         const Resampling& resampling, const TakeTexels& take, const ProgressFunction& progress = {});
+Result<void> convertRows(RowReader& source, std::size_t memory, Projection to, int size, const Resampling& resampling,
+                         const TakeTexels& take, const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

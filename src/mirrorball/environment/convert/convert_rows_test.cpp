@@ -59,7 +59,7 @@ TEST_F(ConvertRows, GivesTheBitsOfTheWholePanorama) {
         const EnvironmentMap expected = *convert(whole.environment, to, size, resampling);
         auto rows = *openRows(path_);
         ImageSet images = *imagesFor(to, size);
-        const auto done = convertRows(*rows, "a.exr", kMuch, to, size, resampling, copyInto(images));
+        const auto done = convertRows(*rows, kMuch, to, size, resampling, copyInto(images));
         ASSERT_TRUE(done) << done.error().message;
         for (int face = 0; face < images.faces(); ++face)
           EXPECT_TRUE(sameBits(images.at(0, face), expected.face(face))) << testing::testName(to) << " " << size;
@@ -71,7 +71,7 @@ TEST_F(ConvertRows, ReadsRadiancePicturesToo) {
   const EnvironmentMap expected = *convert(loadEnvironment(path_.string())->environment, Projection::cube, 64);
   auto rows = *openRows(path_);
   ImageSet images = *imagesFor(Projection::cube, 64);
-  ASSERT_TRUE(convertRows(*rows, "a.hdr", kMuch, Projection::cube, 64, {}, copyInto(images)));
+  ASSERT_TRUE(convertRows(*rows, kMuch, Projection::cube, 64, {}, copyInto(images)));
   for (int face = 0; face < 6; ++face) EXPECT_TRUE(sameBits(images.at(0, face), expected.face(face)));
 }
 
@@ -79,7 +79,7 @@ TEST_F(ConvertRows, TakesNoMoreMemoryThanItMay) {
   write(panorama(256), "exr");
   auto rows = *openRows(path_);
   ImageSet images = *imagesFor(Projection::cube, 8);
-  const auto refused = convertRows(*rows, "a.exr", 1 << 20, Projection::cube, 8, {}, copyInto(images));
+  const auto refused = convertRows(*rows, 1 << 20, Projection::cube, 8, {}, copyInto(images));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::too_large);
   EXPECT_NE(refused.error().message.find("--max-memory"), std::string::npos);
@@ -91,7 +91,7 @@ TEST_F(ConvertRows, NamesTheFirstTexelThatIsNoNumber) {
   write(image, "exr");
   auto rows = *openRows(path_);
   ImageSet images = *imagesFor(Projection::cube, 32);
-  const auto refused = convertRows(*rows, "a.exr", kMuch, Projection::cube, 32, {}, copyInto(images));
+  const auto refused = convertRows(*rows, kMuch, Projection::cube, 32, {}, copyInto(images));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::non_finite);
   EXPECT_NE(refused.error().message.find("(7, 70)"), std::string::npos) << refused.error().message;
@@ -101,7 +101,7 @@ TEST_F(ConvertRows, StopsWhenItIsTold) {
   write(panorama(200), "exr");
   auto rows = *openRows(path_);
   ImageSet images = *imagesFor(Projection::cube, 128);
-  const auto stopped = convertRows(*rows, "a.exr", kMuch, Projection::cube, 128, {}, copyInto(images),
+  const auto stopped = convertRows(*rows, kMuch, Projection::cube, 128, {}, copyInto(images),
                                    [](std::size_t, std::size_t) { return false; });
   EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
 }

@@ -19,21 +19,15 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Counts texels that are NaN or infinite, and refuses them unless the options say what to do.
-Result<NonFinite> checkNonFinite(const std::string& name, const Image& image, const EnvironmentLoadOptions& options) {
+Result<NonFinite> checkNonFinite(const Image& image, const EnvironmentLoadOptions& options) {
   const NonFinite bad = findNonFinite(image);
   if (bad.count == 0 || options.keep_bad || options.repair) return bad;
-  return fail(ErrorCode::non_finite, name + ": " + textOf(bad) + "; --repair replaces them by their neighbours");
-}
-
-Result<void> repairImage(const std::string& name, Image& image) {
-  if (const auto repaired = repairNonFinite(image); !repaired)
-    return fail(repaired.error().code, name + ": " + repaired.error().message);
-  return {};
+  return fail(ErrorCode::non_finite, textOf(bad) + "; --repair replaces them by their neighbours");
 }
 
 /// Mends each image of a map, so that nothing from beside a face in its picture gets in.
-Result<void> repairImages(const std::string& name, ImageSet& images) {
-  for (int face = 0; face < images.faces(); ++face) MIRRORBALL_TRY_VOID(repairImage(name, images.at(0, face)));
+Result<void> repairImages(ImageSet& images) {
+  for (int face = 0; face < images.faces(); ++face) MIRRORBALL_TRY_VOID(repairNonFinite(images.at(0, face)));
   return {};
 }
 
@@ -116,29 +110,36 @@ Result<std::string> decideByEdges(Recognition& recognition, EnvironmentMap& map,
 }
 
 /// A cube whose six images are there.
-Result<LoadedEnvironment> cubeOf(const std::string& name, ImageSet images, std::string format, std::string color,
-                                 Metadata metadata, Recognition recognition, const NonFinite& bad,
-                                 std::vector<std::string> files, const EnvironmentLoadOptions& options) {
+Result<LoadedEnvironment> cubeOf(ImageSet images, std::string format, std::string color, Metadata metadata,
+                                 Recognition recognition, const NonFinite& bad, const EnvironmentLoadOptions& options) {
   if (faceCount(recognition.form.projection) != 6)
-    return fail(ErrorCode::bad_shape, name + ": has the six faces of a cube, and a map of projection " +
+    return fail(ErrorCode::bad_shape, "has the six faces of a cube, and a map of projection " +
                                           std::string(nameOf(recognition.form.projection)) +
                                           " is one picture; leave --from out, or name cube or eac");
   const glm::ivec2 size(images.at(0, 0).width());
-  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, images));
+  if (options.repair) MIRRORBALL_TRY_VOID(repairImages(images));
   EnvironmentMap map = mapOfImages(std::move(images), recognition.form);
   MIRRORBALL_TRY(doubt, decideByEdges(recognition, map, [&](const MapForm& form) -> Result<EnvironmentMap> {
                    return mapOfImages(imagesOf(map, recognition.form), form);
                  }));
   return LoadedEnvironment{.environment = Environment(std::move(map)),
-                           .name = name,
                            .format = std::move(format),
                            .color = std::move(color),
                            .recognition = std::move(recognition),
                            .file_size = size,
                            .bad_texels = bad,
-                           .files = std::move(files),
                            .metadata = std::move(metadata),
                            .doubt = std::move(doubt)};
+}
+
+/// The faces of a cube are squares of one size, with the channels of the first.
+Result<void> checkFace(const Image& face, const Image& first) {
+  if (face.width() != first.height() || face.height() != first.height())
+    return fail(ErrorCode::bad_shape, "is " + std::to_string(face.width()) + "x" + std::to_string(face.height()) +
+                                          ", and the six faces of a cube are squares of one size");
+  if (face.channels() != first.channels())
+    return fail(ErrorCode::bad_shape, "has other colour channels than the cube's first face");
+  return {};
 }
 
 Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& files,
@@ -152,38 +153,32 @@ Result<LoadedEnvironment> loadFaces(const std::string& name, const FaceFiles& fi
   for (int slot = 0; slot < 6; ++slot) {
     const std::string path = files.paths[static_cast<std::size_t>(slot)].string();
     MIRRORBALL_TRY(decoded, readImage(path));
-    MIRRORBALL_TRY(bad_here, checkNonFinite(path, decoded.image, options));
+    MIRRORBALL_TRY(bad_here, withName(path, checkNonFinite(decoded.image, options)));
     if (slot == 0) {
       metadata = std::move(decoded.metadata);
       recognition = recognizeFaces(metadata, options.from, "its name, one of six faces " + textOf(files.naming));
     }
     add(bad_here, bad);
-    const int side = slot == 0 ? decoded.image.height() : images.at(0, 0).height();
-    if (decoded.image.width() != side || decoded.image.height() != side)
-      return fail(ErrorCode::bad_shape, path + ": is " + std::to_string(decoded.image.width()) + "x" +
-                                            std::to_string(decoded.image.height()) +
-                                            ", and the six faces of a cube are squares of one size");
-    if (slot > 0 && decoded.image.channels() != images.at(0, 0).channels())
-      return fail(ErrorCode::bad_shape, path + ": has other colour channels than the cube's first face");
+    MIRRORBALL_TRY_VOID(withName(path, checkFace(decoded.image, slot == 0 ? decoded.image : images.at(0, 0))));
     images.at(0, slot) = std::move(decoded.image);
     format = decoded.format;
     color = decoded.color;
   }
-  return cubeOf(name, std::move(images), std::move(format), std::move(color), std::move(metadata),
-                std::move(recognition), bad, {files.paths.begin(), files.paths.end()}, options);
+  MIRRORBALL_TRY(loaded, withName(name, cubeOf(std::move(images), std::move(format), std::move(color),
+                                               std::move(metadata), std::move(recognition), bad, options)));
+  loaded.files.assign(files.paths.begin(), files.paths.end());
+  return loaded;
 }
 
-Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage decoded,
-                                      const EnvironmentLoadOptions& options) {
+Result<LoadedEnvironment> loadPicture(DecodedImage decoded, const EnvironmentLoadOptions& options) {
   const glm::ivec2 size(decoded.image.width(), decoded.image.height());
-  MIRRORBALL_TRY(recognition, recognize(name, size.x, size.y, decoded.metadata, options.from));
+  MIRRORBALL_TRY(recognition, recognize(size.x, size.y, decoded.metadata, options.from));
   if (faceCount(recognition.form.projection) == 1) clearBesideDisc(recognition.form.projection, decoded.image);
-  MIRRORBALL_TRY(bad, checkNonFinite(name, decoded.image, options));
+  MIRRORBALL_TRY(bad, checkNonFinite(decoded.image, options));
   const auto mapIn = [&](Image picture, const MapForm& form) -> Result<EnvironmentMap> {
-    auto images = imagesInPicture(std::move(picture), form);
-    if (!images) return fail(images.error().code, name + ": " + images.error().message);
-    if (options.repair) MIRRORBALL_TRY_VOID(repairImages(name, *images));
-    return mapOfImages(std::move(*images), form);
+    MIRRORBALL_TRY(images, imagesInPicture(std::move(picture), form));
+    if (options.repair) MIRRORBALL_TRY_VOID(repairImages(images));
+    return mapOfImages(std::move(images), form);
   };
   // The lecture's cross has faces in cells that are empty in the other.
   const bool is_kept = recognition.is_guess && recognition.form.layout == CubeLayout::hcross;
@@ -193,13 +188,11 @@ Result<LoadedEnvironment> loadPicture(const std::string& name, DecodedImage deco
                    return mapOfImages(imagesOf(map, recognition.form), form);
                  }));
   return LoadedEnvironment{.environment = Environment(std::move(map)),
-                           .name = name,
                            .format = decoded.format,
                            .color = decoded.color,
                            .recognition = recognition,
                            .file_size = size,
                            .bad_texels = bad,
-                           .files = {name},
                            .metadata = std::move(decoded.metadata),
                            .doubt = std::move(doubt)};
 }
@@ -213,42 +206,46 @@ std::string restOf(const ImageSet& texture) {
 }
 
 /// A cube as a GPU has it.
-Result<LoadedEnvironment> loadCubeTexture(const std::string& name, DecodedImageSet texture,
-                                          const EnvironmentLoadOptions& options) {
+Result<LoadedEnvironment> loadCubeTexture(DecodedImageSet texture, const EnvironmentLoadOptions& options) {
   ImageSet images(1, 6);
   NonFinite bad;
   for (int slot = 0; slot < 6; ++slot) {
-    MIRRORBALL_TRY(bad_here, checkNonFinite(name, texture.images.at(0, slot), options));
+    MIRRORBALL_TRY(bad_here, checkNonFinite(texture.images.at(0, slot), options));
     add(bad_here, bad);
     images.at(0, slot) = std::move(texture.images.at(0, slot));
   }
   Recognition recognition = recognizeFaces(texture.metadata, options.from, "its texture, a cube");
-  return cubeOf(name, std::move(images), texture.format + restOf(texture.images), texture.color,
-                std::move(texture.metadata), std::move(recognition), bad, {name}, options);
+  return cubeOf(std::move(images), texture.format + restOf(texture.images), texture.color, std::move(texture.metadata),
+                std::move(recognition), bad, options);
 }
 
 /// A texture of one face.
-Result<LoadedEnvironment> loadPictureTexture(const std::string& name, DecodedImageSet texture,
-                                             const EnvironmentLoadOptions& options) {
+Result<LoadedEnvironment> loadPictureTexture(DecodedImageSet texture, const EnvironmentLoadOptions& options) {
   std::string format = texture.format + restOf(texture.images);
   return loadPicture(
-      name,
       {std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(format), std::move(texture.color)},
       options);
 }
 
-Result<LoadedEnvironment> loadFile(const std::string& name, const EnvironmentLoadOptions& options,
-                                   const ProgressFunction& progress) {
-  MIRRORBALL_TRY(bytes, readFile(name));
+Result<LoadedEnvironment> decodeEnvironment(std::span<const std::uint8_t> bytes, const EnvironmentLoadOptions& options,
+                                            const ProgressFunction& progress) {
   if (!isImageSet(bytes)) {
-    MIRRORBALL_TRY(decoded, decodeImage(bytes, name, progress));
-    return loadPicture(name, std::move(decoded), options);
+    MIRRORBALL_TRY(decoded, decodeImage(bytes, progress));
+    return loadPicture(std::move(decoded), options);
   }
-  MIRRORBALL_TRY(texture, decodeImageSet(bytes, name));
+  MIRRORBALL_TRY(texture, decodeImageSet(bytes));
   const int levels = texture.images.levels();
-  auto loaded = texture.images.faces() == 6 ? loadCubeTexture(name, std::move(texture), options)
-                                            : loadPictureTexture(name, std::move(texture), options);
+  auto loaded = texture.images.faces() == 6 ? loadCubeTexture(std::move(texture), options)
+                                            : loadPictureTexture(std::move(texture), options);
   if (loaded) loaded->levels = levels;
+  return loaded;
+}
+
+Result<LoadedEnvironment> loadFile(const std::string& path, const EnvironmentLoadOptions& options,
+                                   const ProgressFunction& progress) {
+  MIRRORBALL_TRY(bytes, readFile(path));
+  MIRRORBALL_TRY(loaded, withName(path, decodeEnvironment(bytes, options, progress)));
+  loaded.files = {path};
   return loaded;
 }
 
@@ -259,7 +256,7 @@ Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const Envi
   // A folder that happens to be called "studio" is no map.
   if (isBuiltinEnvironment(name_or_path) && (!exists || fs::is_directory(name_or_path, status))) {
     MIRRORBALL_TRY(environment, builtinEnvironment(name_or_path));
-    return LoadedEnvironment{std::move(environment), name_or_path, "built in", "linear, Rec.709", std::nullopt, {}, {}};
+    return LoadedEnvironment{.environment = std::move(environment), .format = "built in", .color = "linear, Rec.709"};
   }
   const bool faces_named = options.from.layout == CubeLayout::faces;
   const bool is_cube = !options.from.projection || faceCount(*options.from.projection) == 6;
@@ -287,6 +284,7 @@ Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const Envi
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options,
                                           const ProgressFunction& progress) {
   MIRRORBALL_TRY(loaded, loadAsItIs(name_or_path, options, progress));
+  loaded.name = name_or_path;
   loaded.lost = limitLight(loaded.environment, options.light);
   return loaded;
 }
@@ -303,8 +301,8 @@ Result<std::optional<ImageSet>> loadLevels(const LoadedEnvironment& loaded, cons
     for (int face = 0; face < faces; ++face) {
       const std::string name = loaded.name + ", level " + std::to_string(level);
       Image& image = levels.at(level, face) = rgbOf(texture.images.at(level, face));
-      MIRRORBALL_TRY_VOID(checkNonFinite(name, image, options));
-      if (options.repair) MIRRORBALL_TRY_VOID(repairImage(name, image));
+      MIRRORBALL_TRY_VOID(withName(name, checkNonFinite(image, options)));
+      if (options.repair) MIRRORBALL_TRY_VOID(withName(name, repairNonFinite(image)));
       limitLight(own.projection, options.light, image);
     }
   // Small levels of a panorama cannot be turned without being resampled.
@@ -321,7 +319,8 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
   MIRRORBALL_TRY(rows, openRows(name_or_path));
   if (!rows) return std::nullopt;
   const RowReader::Description& picture = rows->description();
-  MIRRORBALL_TRY(recognition, recognize(name_or_path, picture.width, picture.height, picture.metadata, options.from));
+  MIRRORBALL_TRY(recognition,
+                 withName(name_or_path, recognize(picture.width, picture.height, picture.metadata, options.from)));
   const MapForm& form = recognition.form;
   if (form.projection != Projection::equirect || form.has_texels_on_edges) return std::nullopt;
   const glm::mat3 picture_from_world = glm::transpose(centredOn(vectorOf(form.centre)));

@@ -24,17 +24,17 @@ struct EnvironmentLoadOptions {
 /// An environment and what is known about where it came from.
 struct LoadedEnvironment {
   Environment environment;
-  std::string name;                        ///< the path, or the built-in's name
-  std::string format;                      ///< the file's; "built in"
-  std::string color;                       ///< the file's, and what was done about it: DecodedImage::color
-  std::optional<Recognition> recognition;  ///< of a file
-  glm::ivec2 file_size{0};                 ///< of the picture in the file (of one face where each has its own)
-  NonFinite bad_texels;                    ///< as found, before any repair
-  std::vector<std::string> files = {};     ///< that were read
-  LostLight lost = {};                     ///< by the limit of the light
-  Metadata metadata = {};                  ///< what the file says of itself; of six files the first
-  std::string doubt = {};                  ///< what speaks against the form that was recognised, for the user
-  int levels = 1;                          ///< mip levels that its file holds, the map itself among them
+  std::string name = {};                        ///< the path, or the built-in's name
+  std::string format;                           ///< the file's; "built in"
+  std::string color;                            ///< the file's, and what was done about it: DecodedImage::color
+  std::optional<Recognition> recognition = {};  ///< of a file
+  glm::ivec2 file_size{0};                      ///< of the picture in the file (of one face where each has its own)
+  NonFinite bad_texels = {};                    ///< as found, before any repair
+  std::vector<std::string> files = {};          ///< that were read
+  LostLight lost = {};                          ///< by the limit of the light
+  Metadata metadata = {};                       ///< what the file says of itself; of six files the first
+  std::string doubt = {};                       ///< what speaks against the form that was recognised, for the user
+  int levels = 1;                               ///< mip levels that its file holds, the map itself among them
 
   /// It is taken wherever an environment is: as itself, or, when it is not needed any more, with its images.
   operator const Environment&() const& { return environment; }

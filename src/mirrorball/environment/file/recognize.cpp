@@ -216,31 +216,24 @@ Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const
   return {formWith(*stated, *stated->projection, CubeLayout::faces), told_by};
 }
 
-Result<Recognition> recognize(const std::string& name, int width, int height, const Metadata& metadata,
-                              const FormHint& hint) {
-  const auto named = [&](auto&& failed) { return fail(failed.error().code, name + ": " + failed.error().message); };
+Result<Recognition> recognize(int width, int height, const Metadata& metadata, const FormHint& hint) {
   if (hint.projection || hint.layout) {
-    auto form = formOfHint(hint, width, height);
-    if (!form) return named(form);
-    return Recognition{*form, "--from"};
+    MIRRORBALL_TRY(form, formOfHint(hint, width, height));
+    return Recognition{form, "--from"};
   }
   if (metadata.contains(kSheetKey))
     return fail(ErrorCode::bad_shape,
-                name + ": is a sheet of mip levels, no map; name what it was made of, or one level: convert --level");
-  auto stated = hintOfMetadata(metadata);
-  if (!stated) return named(stated);
-  if (stated->layout == CubeLayout::faces)
-    return fail(ErrorCode::bad_shape, name +
-                                          ": is one face of a cube; the names of all six must end in _px _nx _py _ny "
-                                          "_pz _nz, or as docs/conventions.md says");
-  if (stated->projection) {
-    auto form = formOfHint(*stated, width, height);
-    if (!form) return named(form);
-    return Recognition{*form, "the file's metadata"};
+                "is a sheet of mip levels, no map; name what it was made of, or one level: convert --level");
+  MIRRORBALL_TRY(stated, hintOfMetadata(metadata));
+  if (stated.layout == CubeLayout::faces)
+    return fail(ErrorCode::bad_shape,
+                "is one face of a cube; the names of all six must end in _px _nx _py _ny _pz _nz, or as "
+                "docs/conventions.md says");
+  if (stated.projection) {
+    MIRRORBALL_TRY(form, formOfHint(stated, width, height));
+    return Recognition{form, "the file's metadata"};
   }
-  auto shape = recognizeShape(width, height);
-  if (!shape) return named(shape);
-  return shape;
+  return recognizeShape(width, height);
 }
 
 }  // namespace mirrorball

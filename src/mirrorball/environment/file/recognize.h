@@ -55,9 +55,7 @@ Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const
 /// Tells a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1 sphere
 /// map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles). All other forms have to be named.
 ///
-/// name     the file, for messages
 /// errors   bad_shape: the shape fits no form, or not the one that was named
-Result<Recognition> recognize(const std::string& name, int width, int height, const Metadata& metadata,
-                              const FormHint& hint = {});
+Result<Recognition> recognize(int width, int height, const Metadata& metadata, const FormHint& hint = {});
 
 }  // namespace mirrorball

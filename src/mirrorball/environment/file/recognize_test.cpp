@@ -9,9 +9,10 @@ namespace mirrorball {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 std::string formOfShape(int width, int height) {
-  const auto recognition = recognize("a.hdr", width, height, {});
+  const auto recognition = recognize(width, height, {});
   return recognition ? textOf(recognition->form) + " by " + recognition->told_by : recognition.error().message;
 }
 
@@ -23,40 +24,40 @@ TEST(Recognize, ByShape) {
   EXPECT_EQ(formOfShape(96, 16), "cube, hstrip by its shape, 6:1");
   EXPECT_EQ(formOfShape(16, 96), "cube, vstrip by its shape, 1:6");
   EXPECT_EQ(formOfShape(48, 32), "cube, 3x2 by its shape, 3:2");
-  EXPECT_THAT(formOfShape(1000, 600), HasSubstr("a.hdr: is 1000x600, which is neither 2:1"));
+  EXPECT_THAT(formOfShape(1000, 600), HasSubstr("is 1000x600, which is neither 2:1"));
 }
 
 TEST(Recognize, MetadataComesBeforeTheShape) {
-  const auto probe = recognize("a.exr", 64, 64, {{"mirrorball:projection", "angular"}});
+  const auto probe = recognize(64, 64, {{"mirrorball:projection", "angular"}});
   EXPECT_EQ(textOf(probe->form), "angular");
   EXPECT_EQ(probe->told_by, "the file's metadata");
 }
 
 // OpenEXR's attribute stands for its registration and its arrangement, and --from for what the file does not say.
 TEST(Recognize, OpenExrsAttributeIsTakenAtItsWord) {
-  const auto panorama = recognize("a.exr", 64, 32, {{"envmap", "latlong"}});
+  const auto panorama = recognize(64, 32, {{"envmap", "latlong"}});
   EXPECT_EQ(textOf(panorama->form), "equirect, OpenEXR's texels (resampled)");
   EXPECT_EQ(panorama->told_by, "the file's metadata");
-  const auto cube = recognize("a.exr", 16, 96, {{"envmap", "cube"}});
+  const auto cube = recognize(16, 96, {{"envmap", "cube"}});
   EXPECT_THAT(textOf(cube->form), HasSubstr("cube, vstrip, axes=+x+z-y"));
   EXPECT_TRUE(cube->form.has_texels_on_edges);
   EXPECT_EQ(metadataOf(cube->form), (Metadata{{"envmap", "cube"}}));
-  EXPECT_EQ(recognize("a.exr", 64, 60, {{"envmap", "latlong"}}).error().code, ErrorCode::bad_shape);
-  EXPECT_EQ(recognize("a.exr", 96, 16, {{"envmap", "cube"}}).error().code, ErrorCode::bad_shape);
-  EXPECT_EQ(textOf(recognize("a.exr", 64, 32, {{"envmap", "latlong"}}, *formHintNamed("equirect"))->form), "equirect");
+  EXPECT_EQ(recognize(64, 60, {{"envmap", "latlong"}}).error().code, ErrorCode::bad_shape);
+  EXPECT_EQ(recognize(96, 16, {{"envmap", "cube"}}).error().code, ErrorCode::bad_shape);
+  EXPECT_EQ(textOf(recognize(64, 32, {{"envmap", "latlong"}}, *formHintNamed("equirect"))->form), "equirect");
 }
 
 TEST(Recognize, TheHintComesBeforeAll) {
-  const auto angular = recognize("a.exr", 64, 64, {{"mirrorball:projection", "sphere"}}, *formHintNamed("angular"));
+  const auto angular = recognize(64, 64, {{"mirrorball:projection", "sphere"}}, *formHintNamed("angular"));
   EXPECT_EQ(textOf(angular->form), "angular");
   EXPECT_EQ(angular->told_by, "--from");
-  EXPECT_EQ(textOf(recognize("a.hdr", 48, 32, {}, *formHintNamed("cube"))->form), "cube, 3x2");
-  EXPECT_EQ(textOf(recognize("a.hdr", 64, 48, {}, *formHintNamed("hcross"))->form), "cube, hcross");
+  EXPECT_EQ(textOf(recognize(48, 32, {}, *formHintNamed("cube"))->form), "cube, 3x2");
+  EXPECT_EQ(textOf(recognize(64, 48, {}, *formHintNamed("hcross"))->form), "cube, hcross");
 
-  EXPECT_THAT(recognize("a.hdr", 100, 60, {}, *formHintNamed("equirect")).error().message, HasSubstr("2:1"));
-  EXPECT_THAT(recognize("a.hdr", 100, 60, {}, *formHintNamed("sphere")).error().message, HasSubstr("square"));
-  EXPECT_THAT(recognize("a.hdr", 100, 60, {}, *formHintNamed("cube")).error().message, HasSubstr("no cube layout"));
-  EXPECT_THAT(recognize("a.hdr", 100, 60, {}, *formHintNamed("vcross")).error().message, HasSubstr("3:4"));
+  EXPECT_THAT(recognize(100, 60, {}, *formHintNamed("equirect")).error().message, HasSubstr("2:1"));
+  EXPECT_THAT(recognize(100, 60, {}, *formHintNamed("sphere")).error().message, HasSubstr("square"));
+  EXPECT_THAT(recognize(100, 60, {}, *formHintNamed("cube")).error().message, HasSubstr("no cube layout"));
+  EXPECT_THAT(recognize(100, 60, {}, *formHintNamed("vcross")).error().message, HasSubstr("3:4"));
 }
 
 // What convert writes is read back: 1:1 and 2:1 pictures of other projections are told by the file alone.
@@ -67,27 +68,27 @@ TEST(Recognize, EveryFormIsReadBackFromItsMetadata) {
       const bool is_cube = faceCount(projection) == 6;
       const glm::ivec2 cells = is_cube ? cellsOf(layout) : glm::ivec2(faceCount(projection), 1);
       const glm::ivec2 size = imageSize(projection, 8) * cells;
-      const auto read = recognize("a.exr", size.x, size.y, metadataOf(form));
+      const auto read = recognize(size.x, size.y, metadataOf(form));
       ASSERT_TRUE(read) << read.error().message;
       EXPECT_EQ(textOf(read->form), textOf(form));
     }
-  EXPECT_EQ(textOf(recognize("a.exr", 8, 8, {{"mirrorball:projection", "ball"}})->form), "ball:distance=20");
+  EXPECT_EQ(textOf(recognize(8, 8, {{"mirrorball:projection", "ball"}})->form), "ball:distance=20");
   const Metadata wrong{{"mirrorball:projection", "ball"}, {"mirrorball:ball_distance", "0.5"}};
-  EXPECT_THAT(recognize("a.exr", 8, 8, wrong).error().message, HasSubstr("a.exr: the distance of a ball's camera"));
+  EXPECT_THAT(recognize(8, 8, wrong).error().message, StartsWith("the distance of a ball's camera"));
 }
 
 TEST(Recognize, TheHintMayNameABallsDistance) {
-  EXPECT_EQ(textOf(recognize("a.jpg", 64, 64, {}, *formHintNamed("ball:distance=7.5"))->form), "ball:distance=7.5");
-  EXPECT_EQ(textOf(recognize("a.hdr", 48, 32, {}, *formHintNamed("eac"))->form), "eac, 3x2");
+  EXPECT_EQ(textOf(recognize(64, 64, {}, *formHintNamed("ball:distance=7.5"))->form), "ball:distance=7.5");
+  EXPECT_EQ(textOf(recognize(48, 32, {}, *formHintNamed("eac"))->form), "eac, 3x2");
   EXPECT_THAT(formHintNamed("ball:distance=0").error().message, HasSubstr("at least 1.01"));
-  EXPECT_THAT(recognize("a.hdr", 64, 64, {}, *formHintNamed("paraboloid")).error().message, HasSubstr("2:1"));
-  EXPECT_THAT(recognize("a.hdr", 64, 32, {}, *formHintNamed("octahedral")).error().message, HasSubstr("square"));
+  EXPECT_THAT(recognize(64, 64, {}, *formHintNamed("paraboloid")).error().message, HasSubstr("2:1"));
+  EXPECT_THAT(recognize(64, 32, {}, *formHintNamed("octahedral")).error().message, HasSubstr("square"));
 }
 
 TEST(Recognize, TheHintMaySayHowAMapLies) {
   const auto textFor = [](std::string_view from, int width, int height) {
     const auto hint = formHintNamed(from);
-    return hint ? textOf(recognize("a.hdr", width, height, {}, *hint)->form) : hint.error().message;
+    return hint ? textOf(recognize(width, height, {}, *hint)->form) : hint.error().message;
   };
   EXPECT_EQ(textFor("hcross:as-seen", 64, 48), "cube, hcross, as-seen");
   EXPECT_EQ(textFor("lecture", 64, 48), "cube, lecture");
@@ -115,7 +116,7 @@ TEST(Recognize, AFormThatIsNotOursIsReadBackFromItsMetadata) {
       if (!form) continue;
       const glm::ivec2 cells = projection == Projection::cube ? cellsOf(CubeLayout::vstrip) : glm::ivec2(1);
       const glm::ivec2 size = imageSize(projection, 8) * cells;
-      const auto read = recognize("a.exr", size.x, size.y, metadataOf(*form));
+      const auto read = recognize(size.x, size.y, metadataOf(*form));
       ASSERT_TRUE(read) << preset.name << ": " << read.error().message;
       EXPECT_EQ(textOf(read->form), textOf(*form)) << preset.name;
     }
@@ -127,12 +128,12 @@ TEST(Recognize, MetadataThatDoesNotFitIsHarmless) {
                            {"mirrorball:centre", "+x"},
                            {"mirrorball:arrangement", "as-seen"},
                            {"mirrorball:texels", "on-edges"}};
-  EXPECT_EQ(textOf(recognize("a.exr", 8, 8, misplaced)->form), "angular");
-  EXPECT_EQ(textOf(recognize("a.png", 16, 8, {{"envmap", "sphere"}})->form), "equirect");
+  EXPECT_EQ(textOf(recognize(8, 8, misplaced)->form), "angular");
+  EXPECT_EQ(textOf(recognize(16, 8, {{"envmap", "sphere"}})->form), "equirect");
   const Metadata vertical{{"mirrorball:projection", "equirect"}, {"mirrorball:centre", "-y"}};
-  EXPECT_THAT(recognize("a.exr", 16, 8, vertical).error().message, HasSubstr("a.exr: the centre of a panorama"));
+  EXPECT_THAT(recognize(16, 8, vertical).error().message, StartsWith("the centre of a panorama"));
   const Metadata flat{{"mirrorball:projection", "cube"}, {"mirrorball:arrangement", "axes=+x"}};
-  EXPECT_THAT(recognize("a.exr", 32, 24, flat).error().message, HasSubstr("a.exr: 'axes=+x' is no cube"));
+  EXPECT_THAT(recognize(32, 24, flat).error().message, StartsWith("'axes=+x' is no cube"));
 }
 
 TEST(Recognize, SixFacesAreWhatTheFirstSaysOrTheHint) {

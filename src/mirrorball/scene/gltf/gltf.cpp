@@ -60,7 +60,7 @@ class SceneBuilder {
     MIRRORBALL_TRY(jobs, planPrimitives(placements));
     MIRRORBALL_TRY_VOID(readPrimitives(jobs));
     addInstances(placements);
-    if (scene_.instances.empty()) return fail(ErrorCode::bad_file, file_.name + ": its scene shows no triangles");
+    if (scene_.instances.empty()) return fail(ErrorCode::bad_file, "its scene shows no triangles");
     MIRRORBALL_TRY_VOID(materials_.decodeTextures());
     return std::move(scene_);
   }
@@ -87,7 +87,7 @@ class SceneBuilder {
   Result<std::vector<Visit>> rootNodes() const {
     std::vector<Visit> roots;
     if (const int scene = document_.scene; scene != -1) {
-      MIRRORBALL_TRY_VOID(checkIndex(file_, scene, document_.scenes.size(), "scene", "scenes"));
+      MIRRORBALL_TRY_VOID(checkIndex(scene, document_.scenes.size(), "scene", "scenes"));
       for (const int node : document_.scenes[std::size_t(scene)])
         roots.push_back({node, glm::dmat4(1.0), quoted("scenes", std::size_t(scene)) + ".nodes"});
       return roots;
@@ -108,20 +108,18 @@ class SceneBuilder {
     while (!pending.empty()) {
       const Visit visit = std::move(pending.back());
       pending.pop_back();
-      MIRRORBALL_TRY_VOID(checkIndex(file_, visit.node, document_.nodes.size(), visit.key, "nodes"));
+      MIRRORBALL_TRY_VOID(checkIndex(visit.node, document_.nodes.size(), visit.key, "nodes"));
       const auto index = std::size_t(visit.node);
       const std::string key = quoted("nodes", index);
       if (visited[index])
-        return fail(ErrorCode::bad_file,
-                    file_.name + ": " + key + " is reached twice; nodes must form a tree without cycles");
+        return fail(ErrorCode::bad_file, key + " is reached twice; nodes must form a tree without cycles");
       visited[index] = true;
 
       const Node& node = document_.nodes[index];
       const glm::dmat4 world_from_node = visit.world_from_parent * node.parent_from_node;
-      if (!isFinite(world_from_node))
-        return fail(ErrorCode::bad_file, file_.name + ": " + key + " has a transform that is too large");
+      if (!isFinite(world_from_node)) return fail(ErrorCode::bad_file, key + " has a transform that is too large");
       if (node.mesh != -1) {
-        MIRRORBALL_TRY_VOID(checkIndex(file_, node.mesh, document_.meshes.size(), key + ".mesh", "meshes"));
+        MIRRORBALL_TRY_VOID(checkIndex(node.mesh, document_.meshes.size(), key + ".mesh", "meshes"));
         // What is scaled to nothing is a file's way to hide it.
         if (determinantOf(world_from_node) != 0.0) placements.push_back({node.mesh, world_from_node});
       }
@@ -152,8 +150,8 @@ class SceneBuilder {
           scene_.warnings.push_back(file_.name + ": " + key + ".targets are left out; it keeps its basic shape");
         const std::size_t size = declaredSize(document_, primitive);
         if (size > left)
-          return fail(ErrorCode::too_large, file_.name + ": " + key + " brings the model above " +
-                                                std::to_string(kMaxVertices) + " vertices");
+          return fail(ErrorCode::too_large,
+                      key + " brings the model above " + std::to_string(kMaxVertices) + " vertices");
         left -= size;
         MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
         const int normal_uv_set = scene_.materials[std::size_t(material)].normal_map.uv_set;
@@ -214,11 +212,6 @@ Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesys
   MIRRORBALL_TRY(scene, gltf::SceneBuilder(file).build());
   scene.files.insert(scene.files.end(), file.files.begin(), file.files.end());
   return scene;
-}
-
-Result<Scene> loadGltf(const std::filesystem::path& path) {
-  MIRRORBALL_TRY(bytes, readFile(path));
-  return decodeGltf(bytes, path);
 }
 
 }  // namespace mirrorball

@@ -9,7 +9,8 @@
 
 namespace mirrorball {
 
-/// Loads a glTF 2.0 file, .gltf or .glb: the default scene, or every node that has no parent where the file names none.
+/// Decodes a glTF 2.0 file, .gltf or .glb: the default scene, or every node that has no parent where the file names
+/// none.
 ///
 /// Read are the core's metallic-roughness materials with all their textures, KHR_texture_transform, the factors of
 /// KHR_materials_ior, _specular, _transmission, _dispersion and _emissive_strength, KHR_mesh_quantization,
@@ -18,11 +19,9 @@ namespace mirrorball {
 ///
 /// returns  one mesh a primitive; an instance whose node mirrors gets a copy of its mesh with turned triangles, so that
 ///          counter-clockwise is outside everywhere
-/// errors   not_found; io; bad_file (the key is named: a range that its buffer does not have, an index out of range, a
-///          missing picture or buffer, NaN); unsupported (version 1, a required extension); too_large
-Result<Scene> loadGltf(const std::filesystem::path& path);
-
-/// The same from memory. `path` is for messages, and its folder is where buffers and pictures lie.
+/// path     its folder is where buffers and pictures lie; warnings begin with it
+/// errors   io (of a buffer or picture); bad_file (the key is named: a range that its buffer does not have, an index
+///          out of range, a missing picture or buffer, NaN); unsupported (version 1, a required extension); too_large
 Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 
 }  // namespace mirrorball

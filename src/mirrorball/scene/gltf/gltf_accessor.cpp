@@ -95,16 +95,15 @@ Result<Elements> elementsIn(const File& file, int view_index, std::size_t offset
   const std::size_t given = file.document.buffer_views[std::size_t(view_index)].byte_stride;
   const std::size_t stride = may_stride && given != 0 ? given : size;
   if (stride < size)
-    return fail(ErrorCode::bad_file, file.name + ": " + quoted("bufferViews", std::size_t(view_index)) +
-                                         ".byteStride is " + std::to_string(stride) + ", less than an element of " +
-                                         key);
+    return fail(ErrorCode::bad_file, quoted("bufferViews", std::size_t(view_index)) + ".byteStride is " +
+                                         std::to_string(stride) + ", less than an element of " + key);
   if (count == 0) return Elements{};
   const std::size_t last = std::numeric_limits<std::size_t>::max() - size;
   if (offset > last || (count - 1) > (last - offset) / stride)
-    return fail(ErrorCode::bad_file, file.name + ": " + key + " reaches past the end of every buffer");
+    return fail(ErrorCode::bad_file, key + " reaches past the end of every buffer");
   const std::size_t end = offset + (count - 1) * stride + size;
   if (end > bytes.size())
-    return fail(ErrorCode::bad_file, file.name + ": " + key + " reaches byte " + std::to_string(end) + " of " +
+    return fail(ErrorCode::bad_file, key + " reaches byte " + std::to_string(end) + " of " +
                                          quoted("bufferViews", std::size_t(view_index)) + ", which has " +
                                          std::to_string(bytes.size()));
   return Elements{bytes.data() + offset, stride};
@@ -122,10 +121,10 @@ struct Layout {
 
 Result<void> addSparse(const File& file, const Sparse& sparse, const std::string& key, Layout& layout) {
   if (sparse.count > layout.count)
-    return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse.count is " + std::to_string(sparse.count) +
-                                         ", more than the accessor has");
+    return fail(ErrorCode::bad_file,
+                key + ".sparse.count is " + std::to_string(sparse.count) + ", more than the accessor has");
   if (!isUnsignedInteger(sparse.indices_type))
-    return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse.indices.componentType is none of indices");
+    return fail(ErrorCode::bad_file, key + ".sparse.indices.componentType is none of indices");
   MIRRORBALL_TRY(indices, elementsIn(file, sparse.indices_view, sparse.indices_offset,
                                      componentSize(sparse.indices_type), sparse.count, false, key + ".sparse.indices"));
   MIRRORBALL_TRY(values,
@@ -135,15 +134,15 @@ Result<void> addSparse(const File& file, const Sparse& sparse, const std::string
   for (std::size_t i = 0; i < sparse.count; ++i) {
     const std::uint32_t index = loadInteger(indices.at(i), sparse.indices_type);
     if (index >= layout.count)
-      return fail(ErrorCode::bad_file, file.name + ": " + key + ".sparse.indices names element " +
-                                           std::to_string(index) + " of " + std::to_string(layout.count));
+      return fail(ErrorCode::bad_file, key + ".sparse.indices names element " + std::to_string(index) + " of " +
+                                           std::to_string(layout.count));
     layout.replaced.push_back(index);
   }
   return {};
 }
 
 Result<Layout> layoutOf(const File& file, int index, const std::string& referrer) {
-  MIRRORBALL_TRY_VOID(checkIndex(file, index, file.document.accessors.size(), referrer, "accessors"));
+  MIRRORBALL_TRY_VOID(checkIndex(index, file.document.accessors.size(), referrer, "accessors"));
   const Accessor& accessor = file.document.accessors[std::size_t(index)];
   const std::string key = quoted("accessors", std::size_t(index));
   Layout layout;
@@ -151,15 +150,14 @@ Result<Layout> layoutOf(const File& file, int index, const std::string& referrer
   layout.components = accessor.components;
   layout.component_size = componentSize(accessor.component_type);
   if (layout.components == 0 || layout.component_size == 0)
-    return fail(ErrorCode::bad_file, file.name + ": " + key + " has a type that " + referrer + " cannot have");
+    return fail(ErrorCode::bad_file, key + " has a type that " + referrer + " cannot have");
 
   if (accessor.buffer_view >= 0) {
     MIRRORBALL_TRY(dense, elementsIn(file, accessor.buffer_view, accessor.byte_offset,
                                      layout.components * layout.component_size, layout.count, true, key));
     layout.dense = dense;
   } else if (layout.count > kMaxZeroElements) {
-    return fail(ErrorCode::too_large,
-                file.name + ": " + key + ".count is " + std::to_string(layout.count) + ", but it has no bufferView");
+    return fail(ErrorCode::too_large, key + ".count is " + std::to_string(layout.count) + ", but it has no bufferView");
   }
   if (accessor.sparse) MIRRORBALL_TRY_VOID(addSparse(file, *accessor.sparse, key, layout));
   return layout;
@@ -176,14 +174,14 @@ void forEachElement(const Layout& layout, Take&& take) {
 }  // namespace
 
 Result<std::span<const std::uint8_t>> viewBytes(const File& file, int view_index, const std::string& key) {
-  MIRRORBALL_TRY_VOID(checkIndex(file, view_index, file.document.buffer_views.size(), key, "bufferViews"));
+  MIRRORBALL_TRY_VOID(checkIndex(view_index, file.document.buffer_views.size(), key, "bufferViews"));
   const BufferView& view = file.document.buffer_views[std::size_t(view_index)];
   const std::string view_key = quoted("bufferViews", std::size_t(view_index));
-  MIRRORBALL_TRY_VOID(checkIndex(file, view.buffer, file.buffers.size(), view_key + ".buffer", "buffers"));
+  MIRRORBALL_TRY_VOID(checkIndex(view.buffer, file.buffers.size(), view_key + ".buffer", "buffers"));
   const std::span<const std::uint8_t> data = file.buffers[std::size_t(view.buffer)];
   if (view.byte_offset > data.size() || view.byte_length > data.size() - view.byte_offset)
-    return fail(ErrorCode::bad_file, file.name + ": " + view_key + " takes " + std::to_string(view.byte_length) +
-                                         " bytes from byte " + std::to_string(view.byte_offset) + " of " +
+    return fail(ErrorCode::bad_file, view_key + " takes " + std::to_string(view.byte_length) + " bytes from byte " +
+                                         std::to_string(view.byte_offset) + " of " +
                                          quoted("buffers", std::size_t(view.buffer)) + ", which has " +
                                          std::to_string(data.size()));
   return data.subspan(view.byte_offset, view.byte_length);
@@ -200,15 +198,15 @@ Result<Numbers> readNumbers(const File& file, int index, const std::string& key)
     for (std::size_t i = 0; i < layout.components; ++i)
       out[i] = loadNumber(bytes + i * layout.component_size, accessor.component_type, accessor.normalized);
   });
-  MIRRORBALL_TRY_VOID(checkFinite(file, numbers, quoted("accessors", std::size_t(index)) + " (" + key + ")"));
+  MIRRORBALL_TRY_VOID(checkFinite(numbers, quoted("accessors", std::size_t(index)) + " (" + key + ")"));
   return numbers;
 }
 
-Result<void> checkFinite(const File& file, const Numbers& numbers, const std::string& key) {
+Result<void> checkFinite(const Numbers& numbers, const std::string& key) {
   for (std::size_t i = 0; i < numbers.values.size(); ++i)
     if (!std::isfinite(numbers.values[i]))
-      return fail(ErrorCode::bad_file, file.name + ": " + key + " holds NaN or infinity in element " +
-                                           std::to_string(i / numbers.components));
+      return fail(ErrorCode::bad_file,
+                  key + " holds NaN or infinity in element " + std::to_string(i / numbers.components));
   return {};
 }
 
@@ -216,8 +214,8 @@ Result<std::vector<std::uint32_t>> readIntegers(const File& file, int index, con
   MIRRORBALL_TRY(layout, layoutOf(file, index, key));
   const Accessor& accessor = file.document.accessors[std::size_t(index)];
   if (layout.components != 1 || !isUnsignedInteger(accessor.component_type))
-    return fail(ErrorCode::bad_file, file.name + ": " + quoted("accessors", std::size_t(index)) + " has a type that " +
-                                         key + " cannot have");
+    return fail(ErrorCode::bad_file,
+                quoted("accessors", std::size_t(index)) + " has a type that " + key + " cannot have");
   std::vector<std::uint32_t> integers(layout.count, 0u);
   forEachElement(layout, [&](std::size_t element, const std::uint8_t* bytes) {
     integers[element] = loadInteger(bytes, accessor.component_type);

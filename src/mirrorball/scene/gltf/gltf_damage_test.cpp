@@ -25,7 +25,7 @@ void expectRefused(const std::string& json, const std::string& part, ErrorCode c
   const Result<Scene> scene = decodeGltf(Bytes(json.begin(), json.end()), ::testing::TempDir() + "model.gltf");
   ASSERT_FALSE(scene) << part;
   EXPECT_EQ(scene.error().code, code) << scene.error().message;
-  EXPECT_THAT(scene.error().message, HasSubstr("model.gltf: "));
+  EXPECT_THAT(scene.error().message, Not(HasSubstr("model.gltf")));
   EXPECT_THAT(scene.error().message, HasSubstr(part));
   EXPECT_THAT(scene.error().message, Not(HasSubstr("\n")));
   EXPECT_LT(scene.error().message.size(), 400u);
@@ -224,7 +224,7 @@ TEST(GltfDamage, ABinaryFileIsRefusedWhenCutAnywhere) {
     const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
     const Result<Scene> scene = decodeGltf(cut, "model.glb");
     ASSERT_FALSE(scene) << size;
-    EXPECT_THAT(scene.error().message, HasSubstr("model.glb: "));
+    EXPECT_THAT(scene.error().message, Not(HasSubstr("model.glb")));
   }
 }
 

@@ -203,14 +203,14 @@ void parseAll(const JsonReader& array, Part (*parse)(const JsonReader&), std::ve
   for (const JsonReader& element : array.elements()) parts.push_back(parse(element));
 }
 
-Result<void> checkSupported(const JsonReader& root, const std::string& name) {
+Result<void> checkSupported(const JsonReader& root) {
   const std::string version = root["asset"].required()["version"].required().text("");
   if (!version.empty() && (!version.starts_with("2.") || root["asset"]["minVersion"].text("2.0") > "2.0"))
-    return fail(ErrorCode::unsupported, name + ": asset.version is '" + version + "'; only glTF 2.0 is read");
+    return fail(ErrorCode::unsupported, "asset.version is '" + version + "'; only glTF 2.0 is read");
   for (const JsonReader& extension : root["extensionsRequired"].elements()) {
     const std::string required = extension.text("");
     if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), required) == kKnownExtensions.end())
-      return fail(ErrorCode::unsupported, name + ": extensionsRequired names '" + required +
+      return fail(ErrorCode::unsupported, "extensionsRequired names '" + required +
                                               "', which this program cannot read; export the model without it");
   }
   return {};
@@ -226,19 +226,19 @@ Material defaultMaterial() {
   return material;
 }
 
-Result<Document> parseDocument(std::string_view text, const std::string& name) {
+Result<Document> parseDocument(std::string_view text) {
   nlohmann::json parsed;
   try {
     parsed = nlohmann::json::parse(text.begin(), text.end());
   } catch (const nlohmann::json::parse_error& error) {
-    return fail(ErrorCode::bad_file, name + ": is no valid JSON at byte " + std::to_string(error.byte) +
-                                         " of it; the file is damaged or not glTF");
+    return fail(ErrorCode::bad_file,
+                "is no valid JSON at byte " + std::to_string(error.byte) + " of it; the file is damaged or not glTF");
   } catch (const nlohmann::json::exception&) {
-    return fail(ErrorCode::bad_file, name + ": its JSON holds a number out of range");
+    return fail(ErrorCode::bad_file, "its JSON holds a number out of range");
   }
   JsonProblem problem;
   const JsonReader root(&parsed, "", problem);
-  MIRRORBALL_TRY_VOID(checkSupported(root, name));
+  MIRRORBALL_TRY_VOID(checkSupported(root));
 
   Document document;
   parseAll(root["accessors"], parseAccessor, document.accessors);
@@ -254,7 +254,7 @@ Result<Document> parseDocument(std::string_view text, const std::string& name) {
   document.scene = root["scene"].index();
   for (const char* key : {"animations", "skins"})
     if (!root[key].elements().empty()) document.left_out.emplace_back(key);
-  if (problem.any()) return fail(ErrorCode::bad_file, name + ": " + problem.message);
+  if (problem.any()) return fail(ErrorCode::bad_file, problem.message);
   return document;
 }
 

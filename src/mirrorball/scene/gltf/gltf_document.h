@@ -105,8 +105,7 @@ Material defaultMaterial();
 
 /// Reads a file's JSON.
 ///
-/// name     for messages
 /// errors   bad_file (the byte or key is named); unsupported (the version, or an extension that the file requires)
-Result<Document> parseDocument(std::string_view json, const std::string& name);
+Result<Document> parseDocument(std::string_view json);
 
 }  // namespace mirrorball::gltf

@@ -14,12 +14,11 @@ namespace {
 constexpr int kMaxComponents = 4;
 
 /// The attribute's value at every point of the mesh, as floats.
-Result<Numbers> numbersOf(const File& file, const draco::Mesh& mesh, const draco::PointAttribute& attribute,
-                          const std::string& key) {
+Result<Numbers> numbersOf(const draco::Mesh& mesh, const draco::PointAttribute& attribute, const std::string& key) {
   Numbers numbers;
   const int components = attribute.num_components();
   if (components < 1 || components > kMaxComponents)
-    return fail(ErrorCode::bad_file, file.name + ": " + key + " has " + std::to_string(components) + " components");
+    return fail(ErrorCode::bad_file, key + " has " + std::to_string(components) + " components");
   numbers.components = std::size_t(components);
   numbers.values.resize(mesh.num_points() * numbers.components);
   for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {
@@ -27,8 +26,7 @@ Result<Numbers> numbersOf(const File& file, const draco::Mesh& mesh, const draco
     float* out = numbers.values.data() + point.value() * numbers.components;
     if (value.value() >= attribute.size() ||
         !attribute.ConvertValue<float>(value, static_cast<std::int8_t>(components), out))
-      return fail(ErrorCode::bad_file,
-                  file.name + ": " + key + " is damaged at vertex " + std::to_string(point.value()));
+      return fail(ErrorCode::bad_file, key + " is damaged at vertex " + std::to_string(point.value()));
   }
   return numbers;
 }
@@ -45,9 +43,8 @@ Result<void> checkCounts(const File& file, const Primitive& primitive, const dra
   const std::size_t vertices = position == primitive.attributes.end() ? 0 : count_of(position->second);
   const std::size_t corners = std::size_t(mesh.num_faces()) * 3;
   if (mesh.num_points() == vertices && corners <= count_of(primitive.indices)) return {};
-  return fail(ErrorCode::bad_file, file.name + ": " + key + " holds " + std::to_string(mesh.num_points()) +
-                                       " vertices and " + std::to_string(corners) +
-                                       " indices, not as many as its accessors' counts say");
+  return fail(ErrorCode::bad_file, key + " holds " + std::to_string(mesh.num_points()) + " vertices and " +
+                                       std::to_string(corners) + " indices, not as many as its accessors' counts say");
 }
 
 Result<DracoMesh> convert(const File& file, const Primitive& primitive, const draco::Mesh& mesh,
@@ -58,7 +55,7 @@ Result<DracoMesh> convert(const File& file, const Primitive& primitive, const dr
   for (draco::FaceIndex face(0); face < mesh.num_faces(); ++face) {
     for (const draco::PointIndex& point : mesh.face(face)) {
       if (point.value() >= mesh.num_points())
-        return fail(ErrorCode::bad_file, file.name + ": " + key + ": face " + std::to_string(face.value()) +
+        return fail(ErrorCode::bad_file, key + ": face " + std::to_string(face.value()) +
                                              " of the compressed mesh names vertex " + std::to_string(point.value()) +
                                              " of " + std::to_string(mesh.num_points()));
       converted.corners.push_back(point.value());
@@ -68,10 +65,9 @@ Result<DracoMesh> convert(const File& file, const Primitive& primitive, const dr
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
     const std::string attribute_key = key + ".attributes." + name;
     if (attribute == nullptr)
-      return fail(ErrorCode::bad_file,
-                  file.name + ": " + attribute_key + ": the compressed mesh has no attribute " + std::to_string(id));
-    MIRRORBALL_TRY(numbers, numbersOf(file, mesh, *attribute, attribute_key));
-    MIRRORBALL_TRY_VOID(checkFinite(file, numbers, attribute_key));
+      return fail(ErrorCode::bad_file, attribute_key + ": the compressed mesh has no attribute " + std::to_string(id));
+    MIRRORBALL_TRY(numbers, numbersOf(mesh, *attribute, attribute_key));
+    MIRRORBALL_TRY_VOID(checkFinite(numbers, attribute_key));
     converted.attributes[name] = std::move(numbers);
   }
   return converted;
@@ -91,8 +87,7 @@ Result<DracoMesh> decodeDraco(const File& file, const Primitive& primitive, cons
     if (decoded.ok()) mesh = std::move(decoded).value();
   } catch (const std::exception&) {  // a damaged count that asks for more memory than there is
   }
-  if (!mesh)
-    return fail(ErrorCode::bad_file, file.name + ": " + key + ": the compressed mesh is damaged or of an unknown kind");
+  if (!mesh) return fail(ErrorCode::bad_file, key + ": the compressed mesh is damaged or of an unknown kind");
   return convert(file, primitive, *mesh, key);
 }
 

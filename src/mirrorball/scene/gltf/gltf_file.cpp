@@ -29,23 +29,21 @@ std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at) {
 }
 
 /// Takes a .glb apart (section 4.4): its header, then chunks of a length, a type, and the bytes.
-Result<Container> readGlb(std::span<const std::uint8_t> bytes, const std::string& name) {
+Result<Container> readGlb(std::span<const std::uint8_t> bytes) {
   const auto truncated = [&](const char* what, std::uint64_t end) {
-    return fail(ErrorCode::bad_file, name + ": " + what + " reaches byte " + std::to_string(end) +
+    return fail(ErrorCode::bad_file, std::string(what) + " reaches byte " + std::to_string(end) +
                                          ", but the file has " + std::to_string(bytes.size()) + "; it is truncated");
   };
   constexpr std::size_t kJsonAt = kGlbHeaderSize + kChunkHeaderSize;
   if (bytes.size() < kJsonAt) return truncated("its header", kJsonAt);
   if (const std::uint32_t version = wordAt(bytes, 4); version != 2)
-    return fail(ErrorCode::unsupported,
-                name + ": is of glTF version " + std::to_string(version) + "; only version 2 is read");
+    return fail(ErrorCode::unsupported, "is of glTF version " + std::to_string(version) + "; only version 2 is read");
   if (const std::uint32_t length = wordAt(bytes, 8); length > bytes.size())
     return truncated("its length", length);
   else
     bytes = bytes.first(std::max<std::size_t>(length, kJsonAt));
 
-  if (wordAt(bytes, kGlbHeaderSize + 4) != kJsonChunk)
-    return fail(ErrorCode::bad_file, name + ": its first chunk is not JSON");
+  if (wordAt(bytes, kGlbHeaderSize + 4) != kJsonChunk) return fail(ErrorCode::bad_file, "its first chunk is not JSON");
   const std::size_t json_size = wordAt(bytes, kGlbHeaderSize);
   if (json_size > bytes.size() - kJsonAt) return truncated("its JSON chunk", std::uint64_t{kJsonAt} + json_size);
   Container container;
@@ -134,8 +132,7 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
       bytes = {};
     }
     if (bytes.size() < buffer.byte_length)
-      return fail(ErrorCode::bad_file, file.name + ": " + key + ".byteLength is " + std::to_string(buffer.byte_length) +
-                                           ", but " +
+      return fail(ErrorCode::bad_file, key + ".byteLength is " + std::to_string(buffer.byte_length) + ", but " +
                                            (buffer.uri ? "'" + shown(*buffer.uri) + "'" : "the binary chunk") +
                                            " has " + std::to_string(bytes.size()) + " bytes");
     file.buffers.push_back(bytes.first(buffer.byte_length));
@@ -149,10 +146,10 @@ std::string quoted(const char* array, std::size_t index) {
   return std::string(array) + "[" + std::to_string(index) + "]";
 }
 
-Result<void> checkIndex(const File& file, int index, std::size_t count, const std::string& key, const char* things) {
+Result<void> checkIndex(int index, std::size_t count, const std::string& key, const char* things) {
   if (index >= 0 && std::size_t(index) < count) return {};
-  return fail(ErrorCode::bad_file, file.name + ": " + key + " is " + std::to_string(index) + ", but there are " +
-                                       std::to_string(count) + " " + things);
+  return fail(ErrorCode::bad_file,
+              key + " is " + std::to_string(index) + ", but there are " + std::to_string(count) + " " + things);
 }
 
 std::optional<std::filesystem::path> fileOf(const File& file, const std::string& uri) {
@@ -166,17 +163,16 @@ Result<Bytes> readUri(const File& file, const std::string& uri, const std::strin
     const std::size_t mark = uri.find(kMark);
     std::optional<Bytes> bytes;
     if (mark != std::string::npos) bytes = decodeBase64(std::string_view(uri).substr(mark + kMark.size()));
-    if (!bytes) return fail(ErrorCode::bad_file, file.name + ": " + key + " is no base64 data: '" + shown(uri) + "'");
+    if (!bytes) return fail(ErrorCode::bad_file, key + " is no base64 data: '" + shown(uri) + "'");
     return std::move(*bytes);
   }
   if (uri.find("://") != std::string::npos)
-    return fail(ErrorCode::unsupported, file.name + ": " + key + " '" + shown(uri) +
-                                            "' lies in a network; fetch it and put it beside the model");
+    return fail(ErrorCode::unsupported,
+                key + " '" + shown(uri) + "' lies in a network; fetch it and put it beside the model");
   const std::filesystem::path path = *fileOf(file, uri);
   std::error_code status;
   if (!std::filesystem::is_regular_file(path, status))
-    return fail(ErrorCode::bad_file,
-                file.name + ": " + key + " '" + shown(uri) + "' is missing; put it beside the model");
+    return fail(ErrorCode::bad_file, key + " '" + shown(uri) + "' is missing; put it beside the model");
   return readFile(path);
 }
 
@@ -186,12 +182,12 @@ Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem
   file.folder = path.parent_path();
   Container container;
   if (isGlb(bytes)) {
-    MIRRORBALL_TRY(glb, readGlb(bytes, file.name));
+    MIRRORBALL_TRY(glb, readGlb(bytes));
     container = glb;
   } else {
     container.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
-  MIRRORBALL_TRY(document, parseDocument(container.json, file.name));
+  MIRRORBALL_TRY(document, parseDocument(container.json));
   file.document = std::move(document);
   file.storage.reserve(file.document.buffers.size());
   MIRRORBALL_TRY_VOID(readBuffers(file, container.binary));

@@ -17,7 +17,7 @@ namespace mirrorball::gltf {
 /// A glTF file: its JSON, and the bytes of its buffers. Everything that reads an accessor, a buffer view or a picture
 /// checks its range here.
 struct File {
-  std::string name;  ///< for messages
+  std::string name;  ///< for warnings
   std::filesystem::path folder;
   Document document;
   std::vector<std::span<const std::uint8_t>> buffers;
@@ -54,7 +54,7 @@ struct Numbers {
 Result<Numbers> readNumbers(const File& file, int accessor, const std::string& key);
 
 /// Refuses numbers among which there is NaN or infinity.
-Result<void> checkFinite(const File& file, const Numbers& numbers, const std::string& key);
+Result<void> checkFinite(const Numbers& numbers, const std::string& key);
 
 /// Reads an accessor of unsigned integers, such as vertex indices.
 Result<std::vector<std::uint32_t>> readIntegers(const File& file, int accessor, const std::string& key);
@@ -70,7 +70,7 @@ struct DracoMesh {
 Result<DracoMesh> decodeDraco(const File& file, const Primitive& primitive, const std::string& key);
 
 /// Refuses an index that is not that of one of `count` things.
-Result<void> checkIndex(const File& file, int index, std::size_t count, const std::string& key, const char* things);
+Result<void> checkIndex(int index, std::size_t count, const std::string& key, const char* things);
 
 /// "accessors[3]"
 std::string quoted(const char* array, std::size_t index);

@@ -10,7 +10,7 @@ Result<int> Materials::sceneMaterial(int index, const std::string& key) {
   if (const auto found = materials_.find(index); found != materials_.end()) return found->second;
   Material material = defaultMaterial();
   if (index >= 0) {
-    MIRRORBALL_TRY_VOID(checkIndex(file_, index, file_.document.materials.size(), key, "materials"));
+    MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.materials.size(), key, "materials"));
     material = file_.document.materials[std::size_t(index)];
     const std::string own = quoted("materials", std::size_t(index)) + ".";
     for (const MaterialMap& map : materialMaps())
@@ -29,7 +29,7 @@ Result<void> Materials::bindTexture(TextureSlot& slot, bool srgb, const std::str
 }
 
 Result<int> Materials::sceneTexture(int index, bool srgb, const std::string& key) {
-  MIRRORBALL_TRY_VOID(checkIndex(file_, index, file_.document.textures.size(), key, "textures"));
+  MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.textures.size(), key, "textures"));
   if (const auto found = textures_.find({index, srgb}); found != textures_.end()) return found->second;
 
   const Texture& source = file_.document.textures[std::size_t(index)];
@@ -39,12 +39,12 @@ Result<int> Materials::sceneTexture(int index, bool srgb, const std::string& key
                               " has its picture only in an extension that is not read; it is left out");
     return textures_[{index, srgb}] = -1;
   }
-  MIRRORBALL_TRY_VOID(checkIndex(file_, source.image, file_.document.images.size(), texture_key + ".source", "images"));
+  MIRRORBALL_TRY_VOID(checkIndex(source.image, file_.document.images.size(), texture_key + ".source", "images"));
   mirrorball::Texture texture;
   texture.srgb = srgb;
   if (source.sampler != -1) {
     MIRRORBALL_TRY_VOID(
-        checkIndex(file_, source.sampler, file_.document.samplers.size(), texture_key + ".sampler", "samplers"));
+        checkIndex(source.sampler, file_.document.samplers.size(), texture_key + ".sampler", "samplers"));
     const Sampler& sampler = file_.document.samplers[std::size_t(source.sampler)];
     texture.wrap_s = sampler.wrap_s;
     texture.wrap_t = sampler.wrap_t;
@@ -70,12 +70,13 @@ Result<void> Materials::decodeTextures() {
   for (const int image : images_) {
     if (!place.emplace(image, pictures.size()).second) continue;
     MIRRORBALL_TRY(bytes, encoded(image));
-    pictures.push_back({file_.name + ": " + quoted("images", std::size_t(image)), bytes});
+    pictures.push_back(bytes);
   }
 
   std::vector<Result<Image8>> decoded = decodePictures(pictures);
-  for (Result<Image8>& image : decoded)
-    if (!image) return fail(std::move(image));
+  for (const int image : images_)
+    if (Result<Image8>& picture = decoded[place[image]]; !picture)
+      return fail(withName(quoted("images", std::size_t(image)), std::move(picture)));
   std::vector<std::size_t> users(pictures.size(), 0);
   for (const int image : images_) ++users[place[image]];
   for (std::size_t i = 0; i < images_.size(); ++i) {

@@ -22,11 +22,10 @@ Result<Numbers> readAttribute(const File& file, const Primitive& primitive, Drac
     numbers = std::move(read);
   }
   if (numbers.components < min_components || numbers.components > max_components)
-    return fail(ErrorCode::bad_file,
-                file.name + ": " + key + " has " + std::to_string(numbers.components) + " components");
+    return fail(ErrorCode::bad_file, key + " has " + std::to_string(numbers.components) + " components");
   if (vertices && numbers.count() != *vertices)
-    return fail(ErrorCode::bad_file, file.name + ": " + key + " has " + std::to_string(numbers.count()) +
-                                         " elements, but POSITION has " + std::to_string(*vertices));
+    return fail(ErrorCode::bad_file, key + " has " + std::to_string(numbers.count()) + " elements, but POSITION has " +
+                                         std::to_string(*vertices));
   return numbers;
 }
 
@@ -111,7 +110,7 @@ Result<std::vector<std::uint32_t>> readCorners(const File& file, const Primitive
   }
   for (std::size_t i = 0; i < corners.size(); ++i)
     if (corners[i] >= vertices)
-      return fail(ErrorCode::bad_file, file.name + ": accessors[" + std::to_string(primitive.indices) + "] (" + key +
+      return fail(ErrorCode::bad_file, "accessors[" + std::to_string(primitive.indices) + "] (" + key +
                                            ".indices) names vertex " + std::to_string(corners[i]) + " in element " +
                                            std::to_string(i) + ", but there are " + std::to_string(vertices));
   return triangleCorners(std::move(corners), primitive.mode);

@@ -23,7 +23,7 @@ Result<void> setMap(Scene& scene, const MaterialMap& map, const std::string& pat
   if (path.empty())
     return fail(ErrorCode::usage, "the material parameter " + name + " needs a picture: " + name + "=FILE");
   MIRRORBALL_TRY(bytes, readRegularFile(path));
-  MIRRORBALL_TRY(image, decodeTexture(bytes, path));
+  MIRRORBALL_TRY(image, withName(path, decodeTexture(bytes)));
   if (!scene.meshes.empty() && hasNoTextureCoordinates(scene))
     scene.warnings.push_back(name + ": the model has no texture coordinates; all of it shows one texel of " + path);
   scene.textures.push_back({.image = std::move(image), .srgb = map.srgb});

@@ -204,14 +204,14 @@ class MaterialReader : public tinyobj::MaterialReader {
 };
 
 /// Refuses indices past the last element; positive ones may name elements that come later in the file.
-Result<void> checkIndices(const Geometry& geometry, const std::string& name) {
+Result<void> checkIndices(const Geometry& geometry) {
   for (std::size_t face = 0; face < geometry.faces.size(); ++face) {
     for (std::size_t i = 0; i < geometry.faces[face].corner_count; ++i) {
       const Corner& corner = geometry.corners[geometry.faces[face].first_corner + i];
       const auto past = [&](int index, std::size_t count, const char* what) -> std::optional<std::string> {
         if (index < static_cast<long long>(count)) return {};
-        return name + ": face " + std::to_string(face + 1) + " uses " + what + " " + std::to_string(index + 1LL) +
-               " of " + std::to_string(count);
+        return "face " + std::to_string(face + 1) + " uses " + what + " " + std::to_string(index + 1LL) + " of " +
+               std::to_string(count);
       };
       for (const auto& wrong : {past(corner.position, geometry.positions.size(), "vertex"),
                                 past(corner.uv, geometry.uvs.size(), "texture coordinate"),
@@ -308,7 +308,6 @@ class MeshBuilder {
 }  // namespace
 
 Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  const std::string name = path.string();
   const std::filesystem::path folder = path.parent_path();
   Scene scene;
   ByteStream stream(bytes);
@@ -319,16 +318,16 @@ Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesyst
   } catch (const std::exception& exception) {
     geometry.refuse(exception.what());
   }
-  if (!geometry.problem.empty()) return fail(ErrorCode::bad_file, name + ": " + geometry.problem);
-  MIRRORBALL_TRY_VOID(checkIndices(geometry, name));
+  if (!geometry.problem.empty()) return fail(ErrorCode::bad_file, geometry.problem);
+  MIRRORBALL_TRY_VOID(checkIndices(geometry));
   if (geometry.faces.empty())
-    return fail(ErrorCode::bad_file, name + ": holds no faces; it is no OBJ file, or only points and lines");
+    return fail(ErrorCode::bad_file, "holds no faces; it is no OBJ file, or only points and lines");
   for (const std::string& material : geometry.unknown_materials)
-    scene.warnings.push_back(name + ": no .mtl has the material '" + material + "'");
+    scene.warnings.push_back(path.string() + ": no .mtl has the material '" + material + "'");
 
   addMissingNormals(geometry);
   std::map<int, Mesh> meshes = MeshBuilder(geometry).build();
-  if (meshes.empty()) return fail(ErrorCode::bad_file, name + ": none of its faces has three corners");
+  if (meshes.empty()) return fail(ErrorCode::bad_file, "none of its faces has three corners");
   std::vector<tinyobj::material_t> used;
   for (auto& [material, mesh] : meshes) {
     mesh.material = static_cast<int>(scene.meshes.size());
@@ -341,11 +340,6 @@ Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesyst
   }
   addObjMaterials(used, folder, scene);
   return scene;
-}
-
-Result<Scene> loadObj(const std::filesystem::path& path) {
-  MIRRORBALL_TRY(bytes, readFile(path));
-  return decodeObj(bytes, path);
 }
 
 }  // namespace mirrorball

@@ -9,18 +9,16 @@
 
 namespace mirrorball {
 
-/// Loads a Wavefront OBJ file with its .mtl: one mesh a material, corners that agree share a vertex, polygons become
+/// Decodes a Wavefront OBJ file with its .mtl: one mesh a material, corners that agree share a vertex, polygons become
 /// triangles, v is turned to grow downwards.
 ///
 /// Of a material are read Kd, Ke, Ni, d, Ns (as the Beckmann roughness α = √(2/(Ns + 2)), which highlights of that
 /// exponent have), Pr, Pm, map_Kd, map_Ke and norm. Where the file has no normals, `s N` makes edges smooth within a
 /// smoothing group and `s off` all sharp; in a file without any `s`, edges are smooth under 45°.
 ///
+/// path     its folder is where the .mtl and the pictures lie; warnings begin with it
 /// returns  a missing or damaged .mtl or picture is a warning in the scene
-/// errors   not_found; io; bad_file (indices out of range; numbers that are not finite); too_large
-Result<Scene> loadObj(const std::filesystem::path& path);
-
-/// The same from memory. `path` is for messages, and its folder is where the .mtl and the pictures lie.
+/// errors   bad_file (indices out of range; numbers that are not finite); too_large
 Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 
 }  // namespace mirrorball

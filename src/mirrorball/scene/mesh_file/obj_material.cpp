@@ -41,13 +41,14 @@ class Pictures {
 
   void decode() {
     std::vector<EncodedPicture> encoded;
-    for (const auto& [name, bytes] : pending_) encoded.push_back({name, bytes});
+    for (const auto& [name, bytes] : pending_) encoded.emplace_back(bytes);
     std::vector<Result<Image8>> decoded = decodePictures(encoded);
     for (std::size_t i = 0; i < decoded.size(); ++i) {
       if (decoded[i]) {
         scene_.textures[i].image = std::move(*decoded[i]);
       } else {
-        scene_.warnings.push_back(decoded[i].error().message + "; the material goes without it");
+        scene_.warnings.push_back(pending_[i].first + ": " + decoded[i].error().message +
+                                  "; the material goes without it");
         scene_.textures[i].image = Image8(1, 1, 4, 255);
       }
     }

@@ -22,6 +22,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 Bytes bytesOf(std::string_view text) { return Bytes(text.begin(), text.end()); }
 
@@ -33,7 +34,7 @@ void expectRefused(std::string_view text, const std::string& part) {
   const Result<Scene> scene = decode(text);
   ASSERT_FALSE(scene) << part;
   EXPECT_EQ(scene.error().code, ErrorCode::bad_file);
-  EXPECT_THAT(scene.error().message, HasSubstr("model.obj: "));
+  EXPECT_THAT(scene.error().message, Not(HasSubstr("model.obj")));
   EXPECT_THAT(scene.error().message, HasSubstr(part));
 }
 

@@ -159,10 +159,9 @@ std::optional<Property> parseProperty(TextScanner& words) {
   return property;
 }
 
-Result<Header> parseHeader(std::string_view text, const std::string& name) {
+Result<Header> parseHeader(std::string_view text) {
   TextScanner lines(text);
-  if (lines.restOfLine() != "ply")
-    return fail(ErrorCode::bad_file, name + ": is not a PLY file: its first line is not 'ply'");
+  if (lines.restOfLine() != "ply") return fail(ErrorCode::bad_file, "is not a PLY file: its first line is not 'ply'");
 
   Header header;
   bool has_format = false;
@@ -170,7 +169,7 @@ Result<Header> parseHeader(std::string_view text, const std::string& name) {
     const std::size_t line_number = lines.line();
     const std::string_view line = lines.restOfLine();
     const auto wrong = [&](const std::string& what) {
-      return fail(ErrorCode::bad_file, name + ": line " + std::to_string(line_number) + ": " + what);
+      return fail(ErrorCode::bad_file, "line " + std::to_string(line_number) + ": " + what);
     };
     TextScanner words(line);
     const std::string_view key = words.word();
@@ -198,12 +197,12 @@ Result<Header> parseHeader(std::string_view text, const std::string& name) {
       if (!property || header.elements.empty()) return wrong("not a valid property");
       header.elements.back().properties.push_back(*property);
     } else if (lines.position() >= text.size()) {
-      return fail(ErrorCode::bad_file, name + ": the header does not end; the file is truncated");
+      return fail(ErrorCode::bad_file, "the header does not end; the file is truncated");
     } else if (key != "comment" && key != "obj_info" && !key.empty()) {
       return wrong("unknown key '" + std::string(key) + "'");
     }
   }
-  if (!has_format) return fail(ErrorCode::bad_file, name + ": the header names no format");
+  if (!has_format) return fail(ErrorCode::bad_file, "the header names no format");
   header.size = lines.position();
   return header;
 }
@@ -243,8 +242,8 @@ std::optional<Role> roleNamed(std::string_view name) {
 /// Reads one file's elements into a mesh.
 class PlyDecoder {
  public:
-  PlyDecoder(const Header& header, std::span<const std::uint8_t> bytes, const std::string& name)
-      : header_(header), reader_(bytes.subspan(header.size), header.encoding, header.size), name_(name) {}
+  PlyDecoder(const Header& header, std::span<const std::uint8_t> bytes)
+      : header_(header), reader_(bytes.subspan(header.size), header.encoding, header.size) {}
 
   Result<Mesh> decode() {
     for (const Element& element : header_.elements) {
@@ -253,10 +252,9 @@ class PlyDecoder {
     }
     for (const std::uint32_t index : mesh_.indices)
       if (index >= mesh_.vertices.size())
-        return fail(ErrorCode::bad_file, name_ + ": a face uses vertex " + std::to_string(index) + " of " +
-                                             std::to_string(mesh_.vertices.size()));
-    if (mesh_.indices.empty())
-      return fail(ErrorCode::unsupported, name_ + ": holds no faces; only surfaces can be drawn");
+        return fail(ErrorCode::bad_file,
+                    "a face uses vertex " + std::to_string(index) + " of " + std::to_string(mesh_.vertices.size()));
+    if (mesh_.indices.empty()) return fail(ErrorCode::unsupported, "holds no faces; only surfaces can be drawn");
 
     if (!has_normals_) computeNormals(mesh_);
     computeTangents(mesh_);
@@ -265,7 +263,7 @@ class PlyDecoder {
 
  private:
   tl::unexpected<Error> wrong(const std::string& what) const {
-    return fail(ErrorCode::bad_file, name_ + ": " + reader_.place() + ": " + what);
+    return fail(ErrorCode::bad_file, reader_.place() + ": " + what);
   }
 
   /// Refuses a count that the bytes cannot hold, before memory is taken for it.
@@ -274,8 +272,8 @@ class PlyDecoder {
     for (const Property& property : element.properties)
       min += reader_.minSize(property.count_type.value_or(property.type));
     if (element.count > 0 && (min == 0 || element.count > reader_.remaining() / min))
-      return fail(ErrorCode::bad_file, name_ + ": the header names " + std::to_string(element.count) + " of '" +
-                                           element.name + "', more than its " + std::to_string(reader_.remaining()) +
+      return fail(ErrorCode::bad_file, "the header names " + std::to_string(element.count) + " of '" + element.name +
+                                           "', more than its " + std::to_string(reader_.remaining()) +
                                            " bytes of data can hold; the file is truncated");
     return {};
   }
@@ -288,7 +286,7 @@ class PlyDecoder {
       if (roles.back()) scales[*roles.back()] = fullScale(property.type);
     }
     if (scales[kX] == 0 || scales[kY] == 0 || scales[kZ] == 0)
-      return fail(ErrorCode::bad_file, name_ + ": its vertices lack x, y or z");
+      return fail(ErrorCode::bad_file, "its vertices lack x, y or z");
     has_normals_ = scales[kNx] != 0 && scales[kNy] != 0 && scales[kNz] != 0;
 
     mesh_.vertices.reserve(element.count);
@@ -428,7 +426,6 @@ class PlyDecoder {
 
   const Header& header_;
   ValueReader reader_;
-  const std::string& name_;
   Mesh mesh_;
   std::vector<double> list_;
   bool has_normals_ = false;
@@ -436,16 +433,11 @@ class PlyDecoder {
 
 }  // namespace
 
-Result<Scene> decodePly(std::span<const std::uint8_t> bytes, const std::string& name) {
+Result<Scene> decodePly(std::span<const std::uint8_t> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  MIRRORBALL_TRY(header, parseHeader(text, name));
-  MIRRORBALL_TRY(mesh, PlyDecoder(header, bytes, name).decode());
+  MIRRORBALL_TRY(header, parseHeader(text));
+  MIRRORBALL_TRY(mesh, PlyDecoder(header, bytes).decode());
   return sceneOf(std::move(mesh));
-}
-
-Result<Scene> loadPly(const std::filesystem::path& path) {
-  MIRRORBALL_TRY(bytes, readFile(path));
-  return decodePly(bytes, path.string());
 }
 
 }  // namespace mirrorball

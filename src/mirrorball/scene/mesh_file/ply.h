@@ -10,16 +10,13 @@
 
 namespace mirrorball {
 
-/// Loads a surface from a Polygon File Format (Stanford) file: ascii or binary of either byte order, properties of any
+/// Decodes a surface from a Polygon File Format (Stanford) file: ascii or binary of either byte order, properties of any
 /// type and order, faces with any number of corners, triangle strips.
 ///
 /// returns  normals, texture coordinates (v turned to grow downwards) and colours (integers as sRGB, floats as linear)
 ///          where the file has them; smooth normals where it has none
-/// errors   not_found; io; bad_file (the line or byte is named; NaN and indices out of range too); unsupported (points
+/// errors   bad_file (the line or byte is named; NaN and indices out of range too); unsupported (points
 ///          without faces)
-Result<Scene> loadPly(const std::filesystem::path& path);
-
-/// The same from memory. `name` is for messages.
-Result<Scene> decodePly(std::span<const std::uint8_t> bytes, const std::string& name);
+Result<Scene> decodePly(std::span<const std::uint8_t> bytes);
 
 }  // namespace mirrorball

@@ -38,7 +38,7 @@ void addFacet(Mesh& mesh, const Corners& corners) {
   }
 }
 
-Result<Mesh> decodeBinary(std::span<const std::uint8_t> bytes, const std::string& name) {
+Result<Mesh> decodeBinary(std::span<const std::uint8_t> bytes) {
   Mesh mesh;
   const std::size_t count = (bytes.size() - kHeaderSize) / kFacetSize;
   mesh.vertices.reserve(3 * count);
@@ -49,7 +49,7 @@ Result<Mesh> decodeBinary(std::span<const std::uint8_t> bytes, const std::string
     std::memcpy(numbers.data(), bytes.data() + at, sizeof numbers);
     for (const float number : numbers)
       if (!std::isfinite(number))
-        return fail(ErrorCode::bad_file, name + ": facet " + std::to_string(facet) + " (byte " + std::to_string(at) +
+        return fail(ErrorCode::bad_file, "facet " + std::to_string(facet) + " (byte " + std::to_string(at) +
                                              ") has a corner that is not finite");
     addFacet(mesh, {glm::dvec3(numbers[0], numbers[1], numbers[2]), glm::dvec3(numbers[3], numbers[4], numbers[5]),
                     glm::dvec3(numbers[6], numbers[7], numbers[8])});
@@ -57,7 +57,7 @@ Result<Mesh> decodeBinary(std::span<const std::uint8_t> bytes, const std::string
   return mesh;
 }
 
-Result<Mesh> decodeAscii(std::string_view text, const std::string& name) {
+Result<Mesh> decodeAscii(std::string_view text) {
   Mesh mesh;
   TextScanner scanner(text);
   scanner.restOfLine();  // solid NAME
@@ -68,7 +68,7 @@ Result<Mesh> decodeAscii(std::string_view text, const std::string& name) {
     if (word == "facet" || word == "endsolid") {
       if (corner != 0)
         return fail(ErrorCode::bad_file,
-                    name + ": line " + std::to_string(scanner.line()) + ": the facet before it has not three corners");
+                    "line " + std::to_string(scanner.line()) + ": the facet before it has not three corners");
       ended = word == "endsolid";
     }
     if (word != "vertex") continue;
@@ -76,7 +76,7 @@ Result<Mesh> decodeAscii(std::string_view text, const std::string& name) {
       const std::optional<double> number = scanner.number();
       if (!number || std::abs(*number) > std::numeric_limits<float>::max())
         return fail(ErrorCode::bad_file,
-                    name + ": line " + std::to_string(scanner.line()) + ": a corner needs three finite numbers");
+                    "line " + std::to_string(scanner.line()) + ": a corner needs three finite numbers");
       // Through float, so that facets without area are found as they are stored.
       corners[corner][axis] = static_cast<float>(*number);
     }
@@ -85,7 +85,7 @@ Result<Mesh> decodeAscii(std::string_view text, const std::string& name) {
       corner = 0;
     }
   }
-  if (!ended) return fail(ErrorCode::bad_file, name + ": 'endsolid' is missing; the file is truncated");
+  if (!ended) return fail(ErrorCode::bad_file, "'endsolid' is missing; the file is truncated");
   return mesh;
 }
 
@@ -99,26 +99,21 @@ std::optional<std::uint32_t> facetCount(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-Result<Scene> decodeStl(std::span<const std::uint8_t> bytes, const std::string& name) {
+Result<Scene> decodeStl(std::span<const std::uint8_t> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const std::optional<std::uint32_t> count = facetCount(bytes);
   const std::uint64_t binary_size = count ? kHeaderSize + std::uint64_t{kFacetSize} * *count : 0;
   const bool is_binary = count && binary_size == bytes.size();
   if (!is_binary && !text.starts_with("solid")) {
-    if (!count) return fail(ErrorCode::bad_file, name + ": is too short for an STL file");
-    return fail(ErrorCode::bad_file, name + ": its header names " + std::to_string(*count) + " facets, which take " +
+    if (!count) return fail(ErrorCode::bad_file, "is too short for an STL file");
+    return fail(ErrorCode::bad_file, "its header names " + std::to_string(*count) + " facets, which take " +
                                          std::to_string(binary_size) + " bytes, but it has " +
                                          std::to_string(bytes.size()) + "; it is truncated or no STL file");
   }
-  MIRRORBALL_TRY(mesh, is_binary ? decodeBinary(bytes, name) : decodeAscii(text, name));
-  if (mesh.indices.empty()) return fail(ErrorCode::bad_file, name + ": holds no facet with an area");
+  MIRRORBALL_TRY(mesh, is_binary ? decodeBinary(bytes) : decodeAscii(text));
+  if (mesh.indices.empty()) return fail(ErrorCode::bad_file, "holds no facet with an area");
   computeTangents(mesh);
   return sceneOf(std::move(mesh));
-}
-
-Result<Scene> loadStl(const std::filesystem::path& path) {
-  MIRRORBALL_TRY(bytes, readFile(path));
-  return decodeStl(bytes, path.string());
 }
 
 }  // namespace mirrorball

@@ -24,7 +24,8 @@ cmake --build "$scratch/consumer"
 "$scratch/consumer/consumer" "$scratch/room.hdr" teapot "$scratch"
 "$prefix/bin/mirrorball" info "$scratch/room.ktx2" | grep -q "cube"
 "$prefix/bin/mirrorball" info "$scratch/specular.ktx2" | grep -q "cube"
-"$prefix/bin/mirrorball" info "$scratch/model.png" | grep -q "320 x 180"
+# A PNG says its width and height in bytes 16 to 23.
+test "$(od -An -tx1 -j16 -N8 "$scratch/model.png" | tr -d ' ')" = 00000140000000b4
 
 # Who wants the formulas needs none of the codecs.
 cmake -S "$source_dir/examples/formulas" -B "$scratch/formulas" -G Ninja -DCMAKE_PREFIX_PATH="$prefix" \

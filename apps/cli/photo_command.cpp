@@ -214,11 +214,11 @@ void tellBall(const FoundBall& ball, const Image& light, bool is_given) {
                 100.0 * ball.share, ball.rms_px, ball.visible < 1.0 ? "; cut by the picture's border" : "");
   tellf("ball       circle %.2f,%.2f,%.2f px%s", circle.center_px.x, circle.center_px.y, circle.radius_px,
         is_given ? ", as given" : how.data());
-  if (view.lens().isOrthographic()) {
+  if (view.pinhole().isOrthographic()) {
     tell("camera     taken as infinitely far away; --distance or --fov would say how far it is");
     return;
   }
-  const double fov = 2.0 * std::atan(light.height() / 2.0 / view.lens().focal_px);
+  const double fov = 2.0 * std::atan(light.height() / 2.0 / view.pinhole().focal_px);
   tellf("camera     %.2f ball radii from the ball's centre, vertical field of view %.2f degrees", view.distance(),
         glm::degrees(fov));
 }

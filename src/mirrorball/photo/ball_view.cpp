@@ -7,13 +7,13 @@
 #include "formula/projection.h"
 
 namespace mirrorball {
-BallView::BallView(const Lens& lens, const Circle& rim) : lens_(lens), rim_(rim) {
-  if (lens.isOrthographic()) return;
+BallView::BallView(const Pinhole& pinhole, const Circle& rim) : pinhole_(pinhole), rim_(rim) {
+  if (pinhole.isOrthographic()) return;
   // The rim's nearest and farthest points from the picture's middle give the cone's axis and half-angle.
-  const glm::dvec2 offset = rim.center_px - lens.middle_px;
+  const glm::dvec2 offset = rim.center_px - pinhole.middle_px;
   const double length = glm::length(offset);
-  const double near_rad = 2.0 * std::atan((length - rim.radius_px) / (2.0 * lens.focal_px));
-  const double far_rad = 2.0 * std::atan((length + rim.radius_px) / (2.0 * lens.focal_px));
+  const double near_rad = 2.0 * std::atan((length - rim.radius_px) / (2.0 * pinhole.focal_px));
+  const double far_rad = 2.0 * std::atan((length + rim.radius_px) / (2.0 * pinhole.focal_px));
   const double tilt = (near_rad + far_rad) / 2.0;
   const glm::dvec2 outwards = length > 0.0 ? offset / length : glm::dvec2(1.0, 0.0);
   axis_ = {std::sin(tilt) * outwards.x, -std::sin(tilt) * outwards.y, -std::cos(tilt)};
@@ -21,7 +21,7 @@ BallView::BallView(const Lens& lens, const Circle& rim) : lens_(lens), rim_(rim)
 }
 
 double BallView::fromRim_px(glm::dvec2 position_px) const {
-  return rim_.radius_px - glm::distance(lens_.planeFromPicture(position_px), rim_.center_px);
+  return rim_.radius_px - glm::distance(pinhole_.planeFromPicture(position_px), rim_.center_px);
 }
 
 glm::dmat3 BallView::worldFromBall() const {
@@ -42,9 +42,9 @@ std::optional<SeenAt> BallView::seenAt(glm::dvec3 direction) const {
   const double square = sine_of_rim_ * sine_of_rim_;
   const double facing = std::sqrt((1.0 - square) * inside / (1.0 - square * inside));
   const glm::dvec2 position =
-      lens_.isOrthographic()
+      pinhole_.isOrthographic()
           ? rim_.center_px + rim_.radius_px * glm::dvec2(on_disc.x, -on_disc.y)
-          : lens_.pictureOf(world_from_ball * glm::dvec3(std::tan(blindHalfAngle_rad()) * on_disc, -1.0));
+          : pinhole_.pictureOf(world_from_ball * glm::dvec3(std::tan(blindHalfAngle_rad()) * on_disc, -1.0));
   return SeenAt{position, facing, fromRim_px(position)};
 }
 
@@ -52,8 +52,8 @@ std::optional<glm::dvec3> BallView::directionAt(glm::dvec2 position_px) const {
   if (fromRim_px(position_px) < 0.0) return {};
   const glm::dmat3 world_from_ball = worldFromBall();
   glm::dvec2 on_disc = (position_px - rim_.center_px) / rim_.radius_px * glm::dvec2(1.0, -1.0);
-  if (!lens_.isOrthographic()) {
-    const glm::dvec3 ray = glm::transpose(world_from_ball) * lens_.rayThrough(position_px);
+  if (!pinhole_.isOrthographic()) {
+    const glm::dvec3 ray = glm::transpose(world_from_ball) * pinhole_.rayThrough(position_px);
     on_disc = glm::dvec2(ray) / (-ray.z * std::tan(blindHalfAngle_rad()));
   }
   const glm::vec2 uv((1.0 + on_disc.x) / 2.0, (1.0 - on_disc.y) / 2.0);
@@ -78,7 +78,7 @@ std::vector<glm::dvec2> BallView::outline(int count) const {
   for (int i = 0; i < count; ++i) {
     const double angle = glm::two_pi<double>() * i / count;
     const glm::dvec2 on_circle = rim_.center_px + rim_.radius_px * glm::dvec2(std::cos(angle), std::sin(angle));
-    points.push_back(lens_.pictureFromPlane(on_circle));
+    points.push_back(pinhole_.pictureFromPlane(on_circle));
   }
   return points;
 }

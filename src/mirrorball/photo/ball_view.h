@@ -20,10 +20,10 @@ struct SeenAt {
 /// Directions are the camera's: +X to the right, +Y up, +Z from the scene to the camera, as in all maps of this program.
 class BallView {
  public:
-  /// rim  the ball's outline in the lens' plane
-  BallView(const Lens& lens, const Circle& rim);
+  /// rim  the ball's outline in the pinhole camera's plane
+  BallView(const Pinhole& pinhole, const Circle& rim);
 
-  const Lens& lens() const { return lens_; }
+  const Pinhole& pinhole() const { return pinhole_; }
   const Circle& rim() const { return rim_; }
 
   /// From the camera to the ball's centre, in radii of the ball; infinite for parallel rays.
@@ -54,7 +54,7 @@ class BallView {
   /// The axes of mirror_ball.glsl, where the camera stands on +Z: any roll will do, since the ball is round.
   glm::dmat3 worldFromBall() const;
 
-  Lens lens_;
+  Pinhole pinhole_;
   Circle rim_;
   glm::dvec3 axis_{0.0, 0.0, -1.0};
   double sine_of_rim_ = 0.0;  // 1 / distance

@@ -11,15 +11,15 @@ using testing::BallScene;
 
 /// The view of a scene whose rim is known, from points of its outline.
 BallView viewOf(const BallScene& scene) {
-  const Lens lens{glm::dvec2(scene.size) / 2.0, scene.focal_px};
+  const Pinhole pinhole{glm::dvec2(scene.size) / 2.0, scene.focal_px};
   // Three points make the circle; the rest of the outline must lie on it (see LensTest).
   const auto outline = scene.outline(3);
-  const glm::dvec2 a = lens.planeFromPicture(outline[0]), b = lens.planeFromPicture(outline[1]),
-                   c = lens.planeFromPicture(outline[2]);
+  const glm::dvec2 a = pinhole.planeFromPicture(outline[0]), b = pinhole.planeFromPicture(outline[1]),
+                   c = pinhole.planeFromPicture(outline[2]);
   const glm::dmat2 rows(b - a, c - a);
   const glm::dvec2 m =
       glm::inverse(glm::transpose(rows)) * (0.5 * glm::dvec2(glm::dot(b - a, b - a), glm::dot(c - a, c - a)));
-  return {lens, {a + m, glm::length(m)}};
+  return {pinhole, {a + m, glm::length(m)}};
 }
 
 BallScene besideTheMiddle() {
@@ -29,13 +29,13 @@ BallScene besideTheMiddle() {
   return scene;
 }
 
-TEST(Lens, PlaneAndPictureAreInverse) {
-  const Lens lens{{240.0, 180.0}, 300.0};
+TEST(Pinhole, PlaneAndPictureAreInverse) {
+  const Pinhole pinhole{{240.0, 180.0}, 300.0};
   for (const glm::dvec2 position : {glm::dvec2(240.0, 180.0), glm::dvec2(0.0, 0.0), glm::dvec2(479.0, 20.0)})
-    EXPECT_NEAR(glm::distance(lens.pictureFromPlane(lens.planeFromPicture(position)), position), 0.0, 1e-9);
+    EXPECT_NEAR(glm::distance(pinhole.pictureFromPlane(pinhole.planeFromPicture(position)), position), 0.0, 1e-9);
 }
 
-TEST(Lens, TheRimOfABallBesideTheMiddleIsACircleInThePlane) {
+TEST(Pinhole, TheRimOfABallBesideTheMiddleIsACircleInThePlane) {
   const BallScene scene = besideTheMiddle();
   const BallView view = viewOf(scene);
   for (const glm::dvec2 position : scene.outline(90)) EXPECT_NEAR(view.fromRim_px(position), 0.0, 1e-6);
@@ -67,15 +67,15 @@ TEST(BallView, SeesWhatTracedRaysSee) {
         const auto seen = view.seenAt(traced);
         ASSERT_TRUE(seen);
         EXPECT_NEAR(glm::distance(seen->position_px, glm::dvec2(x, y)), 0.0, 1e-3);
-        const glm::dvec3 normal = glm::normalize(traced - view.lens().rayThrough({x, y}));
-        EXPECT_NEAR(seen->facing, -glm::dot(view.lens().rayThrough({x, y}), normal), 1e-3);
+        const glm::dvec3 normal = glm::normalize(traced - view.pinhole().rayThrough({x, y}));
+        EXPECT_NEAR(seen->facing, -glm::dot(view.pinhole().rayThrough({x, y}), normal), 1e-3);
       }
     EXPECT_GT(on_ball, 100);
   }
 }
 
 TEST(BallView, ParallelRaysMakeASphereMap) {
-  const BallView view(Lens{{100.0, 100.0}, 0.0}, {{60.0, 70.0}, 40.0});
+  const BallView view(Pinhole{{100.0, 100.0}, 0.0}, {{60.0, 70.0}, 40.0});
   EXPECT_TRUE(std::isinf(view.distance()));
   EXPECT_EQ(view.blindHalfAngle_rad(), 0.0);
   // Light from +X is reflected where the normal stands 45° to the right.

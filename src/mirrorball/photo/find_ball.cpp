@@ -57,7 +57,7 @@ Image shrunk(const Image& grey, int factor) {
   return small;
 }
 
-/// The picture laid onto the lens' plane, at its own scale.
+/// The picture laid onto the pinhole camera's plane, at its own scale.
 Image planeImage(const PlanePicture& picture, int width, int height, double scale) {
   Image plane(width, height, 1);
   for (int y = 0; y < height; ++y)
@@ -164,10 +164,10 @@ Fit refined(const PlanePicture& picture, const Circle& start, double within_px) 
   return best;
 }
 
-/// The circle of the lens' plane that fits these positions of the picture best.
-Circle planeCircle(const Lens& lens, const std::vector<glm::dvec2>& rim, const Circle& otherwise) {
+/// The circle of the pinhole camera's plane that fits these positions of the picture best.
+Circle planeCircle(const Pinhole& pinhole, const std::vector<glm::dvec2>& rim, const Circle& otherwise) {
   std::vector<glm::dvec2> plane;
-  for (const glm::dvec2 position : rim) plane.push_back(lens.planeFromPicture(position));
+  for (const glm::dvec2 position : rim) plane.push_back(pinhole.planeFromPicture(position));
   return fitCircle(plane, std::vector<double>(plane.size(), 1.0)).value_or(otherwise);
 }
 
@@ -177,15 +177,15 @@ double focalForDistance(const std::vector<glm::dvec2>& rim, glm::dvec2 middle_px
   const double wanted = std::tan(std::asin(1.0 / distance));
   double focal = start_px;
   for (int step = 0; step < 60; ++step) {
-    const Lens lens{middle_px, focal};
-    const double ratio = std::tan(BallView(lens, planeCircle(lens, rim, {})).blindHalfAngle_rad()) / wanted;
+    const Pinhole pinhole{middle_px, focal};
+    const double ratio = std::tan(BallView(pinhole, planeCircle(pinhole, rim, {})).blindHalfAngle_rad()) / wanted;
     focal *= ratio;
     if (std::abs(ratio - 1.0) < 1e-10) break;
   }
   return focal;
 }
 
-Lens lensFor(const Perspective& perspective, glm::dvec2 middle_px, const BallView& seen, double start_px) {
+Pinhole pinholeFor(const Perspective& perspective, glm::dvec2 middle_px, const BallView& seen, double start_px) {
   if (perspective.distance == 0.0) return {middle_px, perspective.focal_px};
   return {middle_px, focalForDistance(seen.outline(64), middle_px, perspective.distance, start_px)};
 }
@@ -202,7 +202,7 @@ std::string percent(double share) { return std::to_string(std::lround(100.0 * sh
 double focalLengthFromFov(double fov_deg, int height) { return height / 2.0 / std::tan(glm::radians(fov_deg) / 2.0); }
 
 Circle circleInPicture(const BallView& view) {
-  return planeCircle(Lens{view.lens().middle_px, 0.0}, view.outline(64), view.rim());
+  return planeCircle(Pinhole{view.pinhole().middle_px, 0.0}, view.outline(64), view.rim());
 }
 
 Result<FoundBall> findBall(const Image& light, const Perspective& perspective, const std::string& name) {
@@ -211,27 +211,29 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective, c
   const Image grey = greyOf(light);
   const int factor = std::max(1, std::max(light.width(), light.height()) / kCoarseSide);
   const Image coarse = shrunk(grey, factor);
-  const Lens seen_through{middle, perspective.focal_px};
-  Lens lens = seen_through;
-  const auto candidates = findCandidates(PlanePicture(coarse, lens, factor), coarse.width(), coarse.height(), factor);
+  const Pinhole seen_through{middle, perspective.focal_px};
+  Pinhole pinhole = seen_through;
+  const auto candidates =
+      findCandidates(PlanePicture(coarse, pinhole, factor), coarse.width(), coarse.height(), factor);
   const double confidence = candidates.empty() ? 0.0 : confidenceIn(candidates);
   if (confidence < kLeastConfidence) return fail(ErrorCode::bad_shape, name + ": no mirror ball is found" + advice);
 
   const Circle& likeliest = candidates.front().circle;
-  Fit fit = refined(PlanePicture(grey, lens, 1.0), likeliest, std::max(2.5 * factor, 0.02 * likeliest.radius_px));
-  // The lens follows from the rim and the distance, and the rim's exact shape from the lens.
+  Fit fit = refined(PlanePicture(grey, pinhole, 1.0), likeliest, std::max(2.5 * factor, 0.02 * likeliest.radius_px));
+  // The focal length follows from the rim and the distance, and the rim's exact shape from the focal length.
   for (int round = 0; round < 3 && perspective.distance > 0.0; ++round) {
-    const BallView seen(lens, fit.circle);
-    lens = lensFor(perspective, middle, seen,
-                   lens.isOrthographic() ? startingFocal(perspective, fit.circle.radius_px) : lens.focal_px);
-    fit = refined(PlanePicture(grey, lens, 1.0), planeCircle(lens, seen.outline(64), fit.circle),
+    const BallView seen(pinhole, fit.circle);
+    pinhole =
+        pinholeFor(perspective, middle, seen,
+                   pinhole.isOrthographic() ? startingFocal(perspective, fit.circle.radius_px) : pinhole.focal_px);
+    fit = refined(PlanePicture(grey, pinhole, 1.0), planeCircle(pinhole, seen.outline(64), fit.circle),
                   std::max(4.0, 0.03 * fit.circle.radius_px));
   }
   if (fit.support.share < kLeastShare || fit.circle.radius_px < kLeastRadius_px)
     return fail(ErrorCode::bad_shape, name + ": the ball's rim is not sure (an edge along only " +
                                           percent(fit.support.share) + " of it)" + advice);
-  FoundBall ball{BallView(lens, fit.circle), fit.support.share, fit.support.visible,
-                 fit.support.rms_px,         confidence,        {}};
+  FoundBall ball{
+      BallView(pinhole, fit.circle), fit.support.share, fit.support.visible, fit.support.rms_px, confidence, {}};
   if (candidates.size() > 1) ball.rival = circleInPicture(BallView(seen_through, candidates[1].circle));
   return ball;
 }
@@ -243,9 +245,9 @@ Result<FoundBall> ballOfCircle(const Circle& circle, glm::ivec2 size, const Pers
                 "--circle takes the centre and the radius of a ball that is seen in the photograph of " +
                     std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels");
   const glm::dvec2 middle = glm::dvec2(size) / 2.0;
-  const BallView seen(Lens{middle, 0.0}, circle);
-  const Lens lens = lensFor(perspective, middle, seen, startingFocal(perspective, circle.radius_px));
-  return FoundBall{BallView(lens, planeCircle(lens, seen.outline(64), circle))};
+  const BallView seen(Pinhole{middle, 0.0}, circle);
+  const Pinhole pinhole = pinholeFor(perspective, middle, seen, startingFocal(perspective, circle.radius_px));
+  return FoundBall{BallView(pinhole, planeCircle(pinhole, seen.outline(64), circle))};
 }
 
 }  // namespace mirrorball

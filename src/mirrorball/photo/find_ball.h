@@ -35,7 +35,7 @@ struct FoundBall {
 ///   3. The likeliest is taken: edges at the rim, more detail inside than outside, size (ball_evidence.h).
 ///   4. It is refined in the full picture by robust least squares.
 ///
-/// All of this happens in the lens' plane, where the rim is a circle even beside the picture's middle.
+/// All of this happens in the pinhole camera's plane, where the rim is a circle even beside the picture's middle.
 ///
 /// light    a photograph, linear; 1 or 3 channels or more
 /// name     the file, for messages

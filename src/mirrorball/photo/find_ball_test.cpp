@@ -45,7 +45,7 @@ TEST(FindBall, DistanceTellsTheFieldOfView) {
   EXPECT_LT(outlineError_px(scene, *found), kPromised_px);
   EXPECT_NEAR(found->view.distance(), scene.distance(), 1e-3);
   // 0.3 px of a radius of 98 px.
-  EXPECT_NEAR(found->view.lens().focal_px, scene.focal_px, 0.003 * scene.focal_px);
+  EXPECT_NEAR(found->view.pinhole().focal_px, scene.focal_px, 0.003 * scene.focal_px);
 }
 
 TEST(FindBall, PartOfTheRimIsHiddenByAStand) {
@@ -144,7 +144,7 @@ TEST(FindBall, AGivenCircleIsTaken) {
   const auto near = ballOfCircle({{100.0, 75.0}, 50.0}, {200, 150}, {.distance = 4.0, .focal_px = 0.0});
   EXPECT_NEAR(near->view.distance(), 4.0, 1e-6);
   // In the middle the rim stays the circle: the radius is focal · tan(asin 1/4).
-  EXPECT_NEAR(near->view.lens().focal_px, 50.0 * std::sqrt(15.0), 1e-4);
+  EXPECT_NEAR(near->view.pinhole().focal_px, 50.0 * std::sqrt(15.0), 1e-4);
   for (const glm::dvec2 position : near->view.outline(16))
     EXPECT_NEAR(glm::distance(position, glm::dvec2(100.0, 75.0)), 50.0, 1e-4);
   EXPECT_EQ(ballOfCircle({{400.0, 80.0}, 50.0}, {200, 150}, {}).error().code, ErrorCode::usage);

@@ -56,7 +56,7 @@ inline Image throughJpeg(const Image& light) {
 inline double outlineError_px(const BallScene& scene, const FoundBall& found) {
   double greatest = 0.0;
   for (const glm::dvec2 position : scene.outline(180)) {
-    const glm::dvec2 plane = found.view.lens().planeFromPicture(position);
+    const glm::dvec2 plane = found.view.pinhole().planeFromPicture(position);
     greatest =
         std::max(greatest, std::abs(glm::distance(plane, found.view.rim().center_px) - found.view.rim().radius_px));
   }

@@ -43,7 +43,7 @@ Image8 outlinePicture(const Image& light, const BallView& view) {
   // Thin enough to see the rim beside it, wide enough to be seen when a large picture is shown small.
   const double width = std::max(1.0, std::max(light.width(), light.height()) / 1000.0);
   draw(picture, width, [&](glm::dvec2 position) { return view.fromRim_px(position); });
-  const glm::dvec2 center = view.lens().pictureFromPlane(view.rim().center_px);
+  const glm::dvec2 center = view.pinhole().pictureFromPlane(view.rim().center_px);
   const double arm = 0.04 * view.rim().radius_px;
   draw(picture, width, [&](glm::dvec2 position) {
     const glm::dvec2 away = glm::abs(position - center);

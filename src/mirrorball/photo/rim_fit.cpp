@@ -82,7 +82,7 @@ bool runsAcross(const PlanePicture& picture, glm::dvec2 position, glm::dvec2 alo
 }  // namespace
 
 double PlanePicture::at(glm::dvec2 plane_px) const {
-  const glm::dvec2 position = lens_.pictureFromPlane(plane_px) / scale_;
+  const glm::dvec2 position = pinhole_.pictureFromPlane(plane_px) / scale_;
   const glm::dvec2 extent(grey_.width(), grey_.height());
   return bilinear(glm::vec2(glm::clamp(position, glm::dvec2(0.0), extent)),
                   [&](int x, int y) {
@@ -94,7 +94,7 @@ double PlanePicture::at(glm::dvec2 plane_px) const {
 }
 
 bool PlanePicture::contains(glm::dvec2 plane_px, double margin_px) const {
-  const glm::dvec2 position = lens_.pictureFromPlane(plane_px);
+  const glm::dvec2 position = pinhole_.pictureFromPlane(plane_px);
   return position.x >= margin_px && position.y >= margin_px && position.x <= grey_.width() * scale_ - margin_px &&
          position.y <= grey_.height() * scale_ - margin_px;
 }

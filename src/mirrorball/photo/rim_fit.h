@@ -9,10 +9,11 @@
 
 namespace mirrorball {
 
-/// The brightness of a picture as the eye grades it, 0 … 1, with a lens that lays it onto the plane.
+/// The brightness of a picture as the eye grades it, 0 … 1, with a pinhole that lays it onto the plane.
 class PlanePicture {
  public:
-  PlanePicture(Image grey, const Lens& lens, double scale) : grey_(std::move(grey)), lens_(lens), scale_(scale) {}
+  PlanePicture(Image grey, const Pinhole& pinhole, double scale)
+      : grey_(std::move(grey)), pinhole_(pinhole), scale_(scale) {}
 
   /// The brightness at a position of the plane; positions beyond the border take its nearest pixel.
   double at(glm::dvec2 plane_px) const;
@@ -22,7 +23,7 @@ class PlanePicture {
 
  private:
   Image grey_;  // one channel, `scale_` of the photograph's pixels a texel
-  Lens lens_;
+  Pinhole pinhole_;
   double scale_;
 };
 

@@ -32,9 +32,10 @@ int run(int argc, const char* const* argv) {
   const Result<Action> action = readCommandLine(argc, argv, commands);
   if (!action) return report(action.error());
   catchSignals();
-  const Result<void> done = withinMemory(*action);
+  Result<void> done = withinMemory(*action);
   claimEnd();
   clearProgress();
+  if (done) done = flushStandardOutput();
   const int exit_code = done ? kDone : report(done.error());
   endByCaughtSignal();
   return exit_code;

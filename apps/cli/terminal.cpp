@@ -1,8 +1,10 @@
 #include "cli/terminal.h"
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -92,6 +94,15 @@ void announce(const std::string& path) {
 
 void tell(const std::string& line) {
   if (!is_quiet) say(output_is_taken ? stderr : stdout, line);
+}
+
+Result<void> flushStandardOutput() {
+  errno = 0;
+  const bool is_sent = std::fflush(stdout) == 0;
+  if (is_sent && std::ferror(stdout) == 0) return {};
+  // What failed earlier has left no reason.
+  const std::string reason = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
+  return fail(ErrorCode::io, "standard output: cannot be written" + reason);
 }
 
 void remark(const std::string& text) {

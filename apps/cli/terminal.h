@@ -32,6 +32,11 @@ void announce(const std::string& path);
 /// Says what was found out on the way to a file, a line on standard output.
 void tell(const std::string& line);
 
+/// Sends off what was printed on standard output, by whomever.
+///
+/// errors   io: it, or something before it, could not be written, as where a disk is full
+Result<void> flushStandardOutput();
+
 /// Says on standard error what the user did not ask for but should know: "note: …".
 void remark(const std::string& text);
 

@@ -116,7 +116,7 @@ Program::Program(const Start& start) : out_(std::tmpfile()), err_(std::tmpfile()
     return;
   }
   ::dup2(input, STDIN_FILENO);
-  ::dup2(::fileno(out_.get()), STDOUT_FILENO);
+  ::dup2(start.output_is_full ? ::open("/dev/full", O_WRONLY | O_CLOEXEC) : ::fileno(out_.get()), STDOUT_FILENO);
   ::dup2(::fileno(err_.get()), STDERR_FILENO);
   if (start.cores > 0) keepCores(start.cores);
   if (start.largest_file > 0) limitFiles(start.largest_file);

@@ -25,6 +25,7 @@ struct Start {
   int cores = 0;                                        ///< that it may use; 0 leaves it all
   std::uintmax_t largest_file = 0;                      ///< [bytes] that it can write before its disk is full; 0: any
   std::optional<std::vector<std::uint8_t>> input = {};  ///< what is piped into it; nothing: its input is empty
+  bool output_is_full = false;                          ///< its standard output takes nothing, as a full disk
   bool on_terminal = false;                             ///< what it complains about goes to a (pseudo) terminal
 };
 

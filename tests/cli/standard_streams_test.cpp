@@ -104,6 +104,16 @@ TEST_F(StandardStreamsRenderTest, AModelAndAPictureMayGoThroughPipes) {
   EXPECT_THAT(refuse(2, "render none -e white --frames 2 -o -.png"), HasSubstr("one picture"));
 }
 
+TEST_F(StandardStreamsTest, WhatCannotBePrintedIsAnError) {
+  const Start full{.output_is_full = true};
+  for (const std::string line :
+       {"info map.exr", "info map.exr --json", "reference", "cache show", "--help", "--version", "help info"})
+    EXPECT_THAT(refuse(1, line, full), HasSubstr("standard output: cannot be written")) << line;
+  EXPECT_THAT(refuse(1, "info map.exr", full), HasSubstr("No space left on device"));
+  EXPECT_THAT(refuse(1, "convert map.exr --to cube --size 8 -o -.exr", full), HasSubstr("No space left on device"));
+  EXPECT_THAT(refuse(1, "info missing.exr", full), HasSubstr("missing.exr"));
+}
+
 TEST_F(StandardStreamsTest, QuietSaysNothingButErrors) {
   write("bright.exr", Image(8, 4, 3, 1e6f));
   const std::string line = "convert bright.exr --to cube --size 16 -o out.ktx2";

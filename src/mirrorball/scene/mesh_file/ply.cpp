@@ -13,6 +13,7 @@
 #include "formula/color.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/scene/mesh_file/polygon.h"
+#include "mirrorball/scene/mesh_file/smoothing.h"
 #include "mirrorball/scene/mesh_file/text_scanner.h"
 
 // The format: Greg Turk, "The PLY Polygon File Format" (1994).
@@ -239,6 +240,25 @@ std::optional<Role> roleNamed(std::string_view name) {
   return {};
 }
 
+/// Gives a mesh the normals of its smooth parts: a vertex at a sharp edge becomes several.
+void addNormals(Mesh& mesh) {
+  std::vector<glm::vec3> positions;
+  for (const Vertex& vertex : mesh.vertices) positions.push_back(vertex.position);
+  std::vector<PolygonFace> triangles;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+    triangles.push_back({std::span(mesh.indices).subspan(i, 3)});
+  CornerNormals made = cornerNormals(positions, triangles);
+  // All corners that share a normal are of one vertex.
+  std::vector<Vertex> vertices(made.normals.size());
+  for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner) {
+    const std::uint32_t normal = made.of_corner[corner];
+    vertices[normal] = mesh.vertices[mesh.indices[corner]];
+    vertices[normal].normal = made.normals[normal];
+  }
+  mesh.vertices = std::move(vertices);
+  mesh.indices = std::move(made.of_corner);
+}
+
 /// Reads one file's elements into a mesh.
 class PlyDecoder {
  public:
@@ -256,7 +276,7 @@ class PlyDecoder {
                     "a face uses vertex " + std::to_string(index) + " of " + std::to_string(mesh_.vertices.size()));
     if (mesh_.indices.empty()) return fail(ErrorCode::unsupported, "holds no faces; only surfaces can be drawn");
 
-    if (!has_normals_) computeNormals(mesh_);
+    if (!has_normals_) addNormals(mesh_);
     computeTangents(mesh_);
     return std::move(mesh_);
   }

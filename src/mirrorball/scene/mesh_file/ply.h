@@ -14,7 +14,7 @@ namespace mirrorball {
 /// type and order, faces with any number of corners, triangle strips.
 ///
 /// returns  normals, texture coordinates (v turned to grow downwards) and colours (integers as sRGB, floats as linear)
-///          where the file has them; smooth normals where it has none
+///          where the file has them. Normals where it has none: edges are smooth under 45°, as in OBJ
 /// errors   bad_file (the line or byte is named; NaN and indices out of range too); unsupported (points
 ///          without faces)
 Result<Scene> decodePly(std::span<const std::uint8_t> bytes);

@@ -85,13 +85,45 @@ TEST(Ply, ReadsAsciiWithColoursAndTextureCoordinates) {
   EXPECT_NEAR(vertex.normal.x, 0.57735f, 1e-5f);  // none in the file: computed
 }
 
+// As OBJ: edges over which two faces turn by less than 45° are smooth.
+TEST(Ply, WithoutNormalsABoxIsSharpAndARoundedEdgeIsSmooth) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 6\nproperty list uchar int vertex_indices\nend_header\n";
+  const Result<Scene> box =
+      decode(bytesOf(header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                              "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"));
+  ASSERT_TRUE(box) << box.error().message;
+  const Mesh& mesh = box->meshes.at(0);
+  EXPECT_EQ(mesh.vertices.size(), 24u) << "three at each of 8 corners";
+  for (const Vertex& vertex : mesh.vertices) {
+    const glm::vec3 n = glm::abs(vertex.normal);
+    EXPECT_NEAR(std::max({n.x, n.y, n.z}), 1.0f, 1e-6f) << "along an axis";
+    EXPECT_NEAR(glm::dot(vertex.normal, vertex.position - glm::vec3(0.5f)), 0.5f, 1e-6f) << "outwards, of its own face";
+  }
+  const Result<Scene> roof =
+      decode(bytesOf("ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+                     "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                     "-1 0 0\n0 0 0.2\n0 1 0.2\n-1 1 0\n1 0 0\n1 1 0\n4 0 1 2 3\n4 1 4 5 2\n"));
+  ASSERT_TRUE(roof) << roof.error().message;
+  EXPECT_EQ(roof->meshes.at(0).vertices.size(), 6u);
+  for (const Vertex& vertex : roof->meshes.at(0).vertices)
+    if (vertex.position.x == 0.0f) {
+      EXPECT_NEAR(vertex.normal.z, 1.0f, 1e-6f) << "the mean of both sides";
+    }
+}
+
 TEST(Ply, ReadsTriangleStrips) {
   const Result<Scene> scene =
       decode(bytesOf("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
                      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
                      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 1 2\n"));
   ASSERT_TRUE(scene) << scene.error().message;
-  EXPECT_THAT(scene->meshes.at(0).indices, ElementsAre(0, 1, 2, 1, 3, 2, 0, 1, 2));
+  const Mesh& mesh = scene->meshes.at(0);
+  std::vector<int> corners;
+  for (const std::uint32_t index : mesh.indices)
+    corners.push_back(static_cast<int>(mesh.vertices[index].position.x + 2.0f * mesh.vertices[index].position.y));
+  EXPECT_THAT(corners, ElementsAre(0, 1, 2, 1, 3, 2, 0, 1, 2));
 }
 
 const std::string kAsciiHeader =

@@ -74,7 +74,7 @@ Result<void> copyRows(RowReader& rows, const std::string& name, const TakeTexels
     MIRRORBALL_TRY(texels, rows.read(std::min(kRowsAtATime, height - y)));
     if (NonFinite bad = findNonFinite(texels); bad.count > 0) {
       bad.first.y += y;
-      return fail(ErrorCode::non_finite, name + ": " + textOf(bad) + "; --repair replaces them by their neighbours");
+      return fail(ErrorCode::non_finite, name + ": " + textOf(bad), Remedy::repair);
     }
     MIRRORBALL_TRY_VOID(copyTexels(texels, Projection::equirect, 0, y, take));
     if (!progress(std::size_t(y + texels.height()), std::size_t(height)))

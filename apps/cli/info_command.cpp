@@ -85,8 +85,10 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
   if (table) return InputInfo{shown(input), std::move(*table)};
   MIRRORBALL_TRY(loaded, loadMap(input, how));
   MapInfo map{.loaded = std::move(loaded)};
-  if (map.loaded.recognition)
-    map.covered = coveredSolidAngle(map.loaded.recognition->form.projection) / (2.0f * formula::kTwoPi);
+  if (auto& recognition = map.loaded.recognition) {
+    map.covered = coveredSolidAngle(recognition->form.projection) / (2.0f * formula::kTwoPi);
+    if (recognition->told_by.empty()) recognition->told_by = "--from";
+  }
   const Metadata& said = map.loaded.metadata;
   if (const auto text = said.find(kFilamentHarmonicsKey); text != said.end())
     map.harmonics = filamentHarmonicsIn(text->second);
@@ -121,7 +123,7 @@ Result<void> info(const std::vector<std::string>& inputs, const InfoOptions& opt
     if (!found) {
       ++failed;
       complain(found.error());
-      found = InputInfo{shown(input), Error{found.error().code, shown(found.error().message)}};
+      found = InputInfo{shown(input), Error{found.error().code, shown(lineOf(found.error()))}};
     } else if (!options.json) {
       const bool is_named = !is_one && !options.direction.empty();
       std::printf("%s%s%s", is_one || &input == &inputs.front() ? "" : "\n",

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string_view>
 
 #include <unistd.h>
 
@@ -127,6 +128,31 @@ std::string adviceOn(const Remark& remark) {
   }
 }
 
+/// Which option helps, as the end of an error.
+std::string adviceOn(Remedy remedy) {
+  switch (remedy) {
+    case Remedy::none:
+      return "";
+    case Remedy::repair:
+      return "; --repair replaces them by their neighbours";
+    case Remedy::raise_memory:
+      return "; raise --max-memory";
+    case Remedy::raise_memory_or_shrink:
+      return "; --max-memory raises that, a smaller --size needs less";
+    case Remedy::store_floats:
+      return ", or use --format float32";
+    case Remedy::name_form:
+      return ", or name its form with --from";
+    case Remedy::name_form_of_cube:
+      return "; leave --from out, or name cube or eac";
+    case Remedy::take_one_level:
+      return ", or one level: convert --level";
+    case Remedy::convert_to_panorama:
+      return " (convert --to equirect)";
+  }
+  return "";
+}
+
 }  // namespace
 
 Observer terminalObserver() {
@@ -135,7 +161,9 @@ Observer terminalObserver() {
           .progress = [](std::string_view stage) { return progressBar(std::string(stage)); }};
 }
 
-void complain(const Error& error) { say(stderr, "mirrorball: " + error.message); }
+std::string lineOf(const Error& error) { return error.message + adviceOn(error.remedy); }
+
+void complain(const Error& error) { say(stderr, "mirrorball: " + lineOf(error)); }
 
 Result<void> outcomeOfMany(std::size_t failed, std::size_t all, const std::string& done, const std::string& folder) {
   const std::string where = folder.empty() ? "" : "; the others are in " + folder;

@@ -43,6 +43,9 @@ void remark(const std::string& text);
 /// Shows the progress of library work, announces its files, and says its remarks with the options that help.
 Observer terminalObserver();
 
+/// An error as it is said: its message, and how the command line mends it.
+std::string lineOf(const Error& error);
+
 /// Says on standard error what is wrong.
 void complain(const Error& error);
 

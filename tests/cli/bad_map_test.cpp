@@ -13,6 +13,7 @@ namespace mirrorball::testing {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -182,6 +183,30 @@ TEST_F(BadTexelTest, AreToldByTheFaceThatHasThem) {
   write("room_py.exr", face);
   EXPECT_THAT(refuse(1, "convert room_px.exr --to equirect -o out.exr"),
               StartsWith("room_py.exr: 1 texel is NaN or infinite, the first at (2, 3)"));
+}
+
+// The library says what is wrong, the command line with which of its options to mend it.
+TEST_F(BadMapTest, TheLineEndsWithTheOptionThatHelps) {
+  Image bad(8, 4, 3, 1.0f);
+  bad.texel(3, 1)[0] = std::numeric_limits<float>::quiet_NaN();
+  write("bad.exr", bad);
+  write("odd.exr", Image(5, 3, 3));
+  succeed("convert uv --to cube --size 8 -o cube.ktx2");
+  succeed("convert uv --to cube --size 8 --mips -o sheet.png");
+  succeed("convert white --to equirect --size 256 -o large.exr");
+  const auto line = [&](const std::string& command) {
+    return refuse(1, "convert " + command + " --to cube --size 64");
+  };
+  EXPECT_THAT(line("bad.exr -o out.exr"), EndsWith("the first at (3, 1); --repair replaces them by their neighbours"));
+  EXPECT_THAT(line("odd.exr -o out.exr"), EndsWith("; crop it, or name its form with --from"));
+  EXPECT_THAT(line("cube.ktx2 --from equirect -o out.exr"),
+              EndsWith(" is one picture; leave --from out, or name cube or eac"));
+  EXPECT_THAT(line("sheet.png -o out.exr"), EndsWith("; name what it was made of, or one level: convert --level"));
+  EXPECT_THAT(line("large.exr -o out.ktx2 --max-memory 1e5"), EndsWith(" at a time; raise --max-memory"));
+  EXPECT_THAT(line("large.exr --repair -o out.exr --max-memory 1M"),
+              EndsWith(" may be used; --max-memory raises that, a smaller --size needs less"));
+  EXPECT_THAT(refuse(2, "convert uv --to cube --for blender -o out.exr"),
+              EndsWith(" has no cube maps; give it a panorama (convert --to equirect)"));
 }
 
 }  // namespace

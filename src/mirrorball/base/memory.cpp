@@ -42,8 +42,9 @@ void setMemoryLimit(std::uint64_t bytes) { limit() = bytes; }
 
 Result<void> checkMemory(std::uint64_t bytes) {
   if (bytes <= memoryLimit()) return {};
-  return fail(ErrorCode::too_large, "needs " + textOfBytes(bytes) + " of memory, and " + textOfBytes(memoryLimit()) +
-                                        " may be used; --max-memory raises that, a smaller --size needs less");
+  return fail(ErrorCode::too_large,
+              "needs " + textOfBytes(bytes) + " of memory, and " + textOfBytes(memoryLimit()) + " may be used",
+              Remedy::raise_memory_or_shrink);
 }
 
 std::string textOfBytes(std::uint64_t bytes) {

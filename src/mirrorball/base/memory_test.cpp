@@ -29,7 +29,8 @@ TEST(Memory, MoreThanTheLimitIsRefused) {
   EXPECT_TRUE(checkMemory(kGigabyte));
   const auto refused = checkMemory(kGigabyte * 2);
   EXPECT_EQ(refused.error().code, ErrorCode::too_large);
-  EXPECT_NE(refused.error().message.find("needs 2.0 GB of memory, and 1.0 GB may be used"), std::string::npos);
+  EXPECT_EQ(refused.error().message, "needs 2.0 GB of memory, and 1.0 GB may be used");
+  EXPECT_EQ(refused.error().remedy, Remedy::raise_memory_or_shrink);
   setMemoryLimit(usual);
 }
 

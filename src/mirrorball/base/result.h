@@ -22,11 +22,26 @@ enum class ErrorCode {
   interrupted,   ///< the user pressed Ctrl-C
 };
 
+/// What mends a failure, where the library has a setting or a function for it. Messages name none: a program has words of
+/// its own for them, which it adds (the command line in apps/cli/terminal.cpp).
+enum class Remedy {
+  none,                    ///< the message says all
+  repair,                  ///< EnvironmentLoadOptions::repair: bad texels become the mean of their neighbours
+  raise_memory,            ///< setMemoryLimit
+  raise_memory_or_shrink,  ///< that, or a smaller size of what is made
+  store_floats,            ///< TexelFormat::float32 instead of the format that cannot hold the light
+  name_form,               ///< EnvironmentLoadOptions::from: neither the file nor its shape tells the form
+  name_form_of_cube,       ///< no `from`, or a cube's
+  take_one_level,          ///< of a map's mip levels, the one that is wanted, by itself
+  convert_to_panorama,     ///< convert to Projection::equirect
+};
+
 /// A failure as the user reads it: one line that says what is wrong and what to do. Whoever knows the name of the file
 /// that it is about puts it in front (withName).
 struct Error {
   ErrorCode code = ErrorCode::io;
   std::string message;
+  Remedy remedy = Remedy::none;
 };
 
 /// A value or an Error, with std::expected's member names. The library neither exits nor throws.
@@ -37,8 +52,8 @@ class [[nodiscard]] Result : public tl::expected<Value, Error> {
 };
 
 /// `return fail(ErrorCode::bad_file, "is truncated at byte 9");`
-inline tl::unexpected<Error> fail(ErrorCode code, std::string message) {
-  return tl::unexpected<Error>(Error{code, std::move(message)});
+inline tl::unexpected<Error> fail(ErrorCode code, std::string message, Remedy remedy = Remedy::none) {
+  return tl::unexpected<Error>(Error{code, std::move(message), remedy});
 }
 
 /// Passes on the Error of a failed Result.

@@ -70,9 +70,10 @@ Error misfitOf(const ImageSet& images, const Piece& piece, TexelFormat format) {
 Error misfit(TexelFormat format, const std::string& place, glm::ivec2 texel, std::span<const float> samples) {
   std::string value;
   for (const float sample : samples) value += (value.empty() ? "" : " ") + formatNumber(sample);
-  return {ErrorCode::out_of_range, "texel (" + std::to_string(texel.x) + ", " + std::to_string(texel.y) + ") of " +
-                                       place + " is " + value + ", but " + rangeOf(format) +
-                                       "; scale the light, or use --format float32"};
+  return {ErrorCode::out_of_range,
+          "texel (" + std::to_string(texel.x) + ", " + std::to_string(texel.y) + ") of " + place + " is " + value +
+              ", but " + rangeOf(format) + "; scale the light",
+          Remedy::store_floats};
 }
 
 Result<void> streamTexels(const ImageSet& images, std::span<const PlacedImage> placed, TexelFormat format,

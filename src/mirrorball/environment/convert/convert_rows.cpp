@@ -69,10 +69,10 @@ class RowFeed {
     MIRRORBALL_TRY(rows, reader_.read(count));
     const NonFinite bad = findNonFinite(rows);
     if (bad.count == 0) return rows;
-    return fail(ErrorCode::non_finite, reader_.description().name +
-                                           ": has texels that are NaN or infinite, the first at (" +
-                                           std::to_string(bad.first.x) + ", " + std::to_string(first + bad.first.y) +
-                                           "); --repair replaces them by their neighbours");
+    return fail(ErrorCode::non_finite,
+                reader_.description().name + ": has texels that are NaN or infinite, the first at (" +
+                    std::to_string(bad.first.x) + ", " + std::to_string(first + bad.first.y) + ")",
+                Remedy::repair);
   }
 
   RowReader& reader_;
@@ -103,9 +103,10 @@ Result<void> convertRows(RowReader& source, std::size_t memory, Projection to, i
   const Plan plan = planOf(conversion, picture.height);
   const std::size_t row_bytes = std::size_t(picture.width) * std::size_t(picture.channels) * sizeof(float);
   if (std::size_t(plan.max_rows) * row_bytes > memory)
-    return fail(ErrorCode::too_large, picture.name + ": needs " + textOfBytes(std::size_t(plan.max_rows) * row_bytes) +
-                                          " for the " + std::to_string(plan.max_rows) +
-                                          " rows that are looked up at a time; raise --max-memory");
+    return fail(ErrorCode::too_large,
+                picture.name + ": needs " + textOfBytes(std::size_t(plan.max_rows) * row_bytes) + " for the " +
+                    std::to_string(plan.max_rows) + " rows that are looked up at a time",
+                Remedy::raise_memory);
   const std::size_t usual_rows = std::max(kUsualWindow_bytes / row_bytes, std::size_t(kRowsPerRead));
   const int capacity =
       std::min(std::max(plan.max_rows, static_cast<int>(std::min(usual_rows, memory / row_bytes))), picture.height);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 Result<NonFinite> checkNonFinite(const Image& image, const EnvironmentLoadOptions& options) {
   const NonFinite bad = findNonFinite(image);
   if (bad.count == 0 || options.keep_bad || options.repair) return bad;
-  return fail(ErrorCode::non_finite, textOf(bad) + "; --repair replaces them by their neighbours");
+  return fail(ErrorCode::non_finite, textOf(bad), Remedy::repair);
 }
 
 /// Mends each image of a map, so that nothing from beside a face in its picture gets in.
@@ -71,14 +71,13 @@ CubeArrangement arrangementByEdges(const EnvironmentMap& map, const MapForm& for
 }
 
 /// What is said of a cube whose faces do not meet.
-std::string doubtOf(const Recognition& recognition) {
-  const CubeLayout layout = recognition.form.layout;
-  return "taken as " + textOf(recognition.form) + " (" + recognition.told_by +
-         "), but its faces do not meet at their edges: a photograph is no map, and " +
-         (layout == CubeLayout::hcross   ? "--from lecture or "
-          : layout == CubeLayout::vcross ? "--from vcross:turn=-z or "
-                                         : "") +
-         "--from cube:as-seen names another form";
+FormDoubt doubtOf(const Recognition& recognition) {
+  FormDoubt doubt{"taken as " + textOf(recognition.form) + " (" + recognition.told_by +
+                  "), but its faces do not meet at their edges: a photograph is no map"};
+  if (recognition.form.layout == CubeLayout::hcross) doubt.other_forms.emplace_back("lecture");
+  if (recognition.form.layout == CubeLayout::vcross) doubt.other_forms.emplace_back("vcross:turn=-z");
+  doubt.other_forms.emplace_back("cube:as-seen");
+  return doubt;
 }
 
 /// Takes a cube whose form is a guess as the form in which its faces meet.
@@ -86,12 +85,12 @@ std::string doubtOf(const Recognition& recognition) {
 /// other_map    of another form
 /// returns      what to say where there is none
 template <typename OtherMap>
-Result<std::string> decideByEdges(Recognition& recognition, EnvironmentMap& map, OtherMap&& other_map) {
-  if (!recognition.is_guess || faceCount(recognition.form.projection) != 6) return std::string();
+Result<FormDoubt> decideByEdges(Recognition& recognition, EnvironmentMap& map, OtherMap&& other_map) {
+  if (!recognition.is_guess || faceCount(recognition.form.projection) != 6) return FormDoubt{};
   const auto take = [&](const MapForm& form, EnvironmentMap other) {
     map = std::move(other);
     recognition = {form, recognition.told_by + ", and how its edges meet", true};
-    return std::string();
+    return FormDoubt{};
   };
   MapForm form = recognition.form;
   form.arrangement = arrangementByEdges(map, form);
@@ -100,22 +99,23 @@ Result<std::string> decideByEdges(Recognition& recognition, EnvironmentMap& map,
     return take(form, std::move(other));
   }
   const EdgeFit fit = edgeFit(map);
-  if (fit.meets()) return std::string();
+  if (fit.meets()) return FormDoubt{};
   if (form.layout == CubeLayout::hcross) {
     form.layout = CubeLayout::lecture;
     MIRRORBALL_TRY(other, other_map(form));
     if (edgeFit(other).meets()) return take(form, std::move(other));
   }
-  return fit.jumps() ? doubtOf(recognition) : std::string();
+  return fit.jumps() ? doubtOf(recognition) : FormDoubt{};
 }
 
 /// A cube whose six images are there.
 Result<LoadedEnvironment> cubeOf(ImageSet images, std::string format, std::string color, Metadata metadata,
                                  Recognition recognition, const NonFinite& bad, const EnvironmentLoadOptions& options) {
   if (faceCount(recognition.form.projection) != 6)
-    return fail(ErrorCode::bad_shape, "has the six faces of a cube, and a map of projection " +
-                                          std::string(nameOf(recognition.form.projection)) +
-                                          " is one picture; leave --from out, or name cube or eac");
+    return fail(ErrorCode::bad_shape,
+                "has the six faces of a cube, and a map of projection " +
+                    std::string(nameOf(recognition.form.projection)) + " is one picture",
+                Remedy::name_form_of_cube);
   const glm::ivec2 size(images.at(0, 0).width());
   if (options.repair) MIRRORBALL_TRY_VOID(repairImages(images));
   EnvironmentMap map = mapOfImages(std::move(images), recognition.form);

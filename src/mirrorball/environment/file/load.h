@@ -21,6 +21,12 @@ struct EnvironmentLoadOptions {
   LightLimits light = {};  ///< of the file's own texels, or of a built-in's light
 };
 
+/// What speaks against the form in which a map was taken.
+struct FormDoubt {
+  std::string message = {};                   ///< empty: nothing does
+  std::vector<std::string> other_forms = {};  ///< for `formHintNamed`: what it may be instead
+};
+
 /// An environment and what is known about where it came from.
 struct LoadedEnvironment {
   Environment environment;
@@ -33,7 +39,7 @@ struct LoadedEnvironment {
   std::vector<std::string> files = {};          ///< that were read
   LostLight lost = {};                          ///< by the limit of the light
   Metadata metadata = {};                       ///< what the file says of itself; of six files the first
-  std::string doubt = {};                       ///< what speaks against the form that was recognised, for the user
+  FormDoubt doubt = {};                         ///< of the form that was recognised
   int levels = 1;                               ///< mip levels that its file holds, the map itself among them
 
   /// It is taken wherever an environment is: as itself, or, when it is not needed any more, with its images.
@@ -47,7 +53,7 @@ struct LoadedEnvironment {
 /// a cube, its edges decide how its faces lie, if they meet in one way only (cube_edges.h).
 ///
 /// progress told while a picture is decoded, if it is OpenEXR's or TIFF's
-/// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel; --repair mends it);
+/// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel);
 ///          interrupted; whatever the codec finds
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
                                           const ProgressFunction& progress = {});

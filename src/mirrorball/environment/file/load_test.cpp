@@ -23,6 +23,7 @@ namespace mirrorball {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -120,7 +121,7 @@ TEST_F(LoadTest, EdgesTellHowTheFacesOfACubeLie) {
     const auto loaded = loadEnvironment(writeCube(path("cube.exr"), form, waves));
     ASSERT_TRUE(loaded) << loaded.error().message;
     EXPECT_EQ(textOf(loaded->recognition->form), textOf(form));
-    EXPECT_EQ(loaded->doubt, "") << textOf(form);
+    EXPECT_EQ(loaded->doubt.message, "") << textOf(form);
     for (const glm::vec3 d : {glm::vec3(0.6f, 0.0f, 0.8f), glm::vec3(0.0f, 0.6f, -0.8f)})
       EXPECT_NEAR(loaded->environment.radiance(d).x, testing::waves(d).x, 0.02f) << textOf(form);
   }
@@ -130,7 +131,7 @@ TEST_F(LoadTest, EdgesTellHowTheFacesOfACubeLie) {
 std::string crossTakenFor(const EnvironmentMap& cube, const std::string& path, const char* word) {
   const auto loaded =
       loadEnvironment(writeCube(path, {Projection::cube, CubeLayout::vcross, arrangementOf(word)}, cube));
-  EXPECT_EQ(loaded->doubt, "") << path << " " << word;
+  EXPECT_EQ(loaded->doubt.message, "") << path << " " << word;
   return textOf(loaded->recognition->form);
 }
 
@@ -169,7 +170,7 @@ TEST_F(LoadTest, WhereMinusZIsTurnedIsSaidByFrom) {
   const auto loaded =
       loadEnvironment(writeCube(path("cross.exr"), form, cube), {.from = *formHintNamed("vcross:turn=-z")});
   ASSERT_TRUE(loaded);
-  EXPECT_EQ(loaded->recognition->told_by, "--from");
+  EXPECT_EQ(loaded->recognition->told_by, "");
   const glm::vec3 behind = glm::normalize(glm::vec3(0.2f, 0.3f, -1.0f));
   EXPECT_NEAR(loaded->environment.radiance(behind).x, testing::waves(behind).x, 0.02f);
   // What is said goes before what the edges tell.
@@ -185,14 +186,14 @@ TEST_F(LoadTest, APhotographOfACubesShapeIsDoubted) {
   ASSERT_TRUE(writeImage(path("photo.png"), photograph));
   const auto loaded = loadEnvironment(path("photo.png"));
   ASSERT_TRUE(loaded);
-  EXPECT_THAT(loaded->doubt, HasSubstr("its faces do not meet"));
+  EXPECT_THAT(loaded->doubt.message, HasSubstr("its faces do not meet"));
   FormHint hint;
   hint.layout = CubeLayout::tiles;
-  EXPECT_EQ(loadEnvironment(path("photo.png"), {.from = hint})->doubt, "");
+  EXPECT_EQ(loadEnvironment(path("photo.png"), {.from = hint})->doubt.message, "");
   Image upright(384, 512, 3);
   for (int y = 0; y < 512; ++y) std::copy_n(photograph.texel(0, y), upright.row(y).size(), upright.texel(0, y));
   ASSERT_TRUE(writeImage(path("upright.png"), upright));
-  EXPECT_THAT(loadEnvironment(path("upright.png"))->doubt, HasSubstr("--from vcross:turn=-z"));
+  EXPECT_THAT(loadEnvironment(path("upright.png"))->doubt.other_forms, ElementsAre("vcross:turn=-z", "cube:as-seen"));
 }
 
 TEST_F(LoadTest, SixFacesAreOneCube) {
@@ -234,7 +235,7 @@ TEST_F(LoadTest, EveryProjectionIsReadBackFromItsFile) {
   }
 }
 
-// As pictures the faces of both kinds of cube look alike: the files say which they are, or --from does.
+// As pictures the faces of both kinds of cube look alike: the files say which they are, or the caller does.
 TEST_F(LoadTest, SixFacesMayBeAnEquiangularCube) {
   for (const char* suffix : {"px", "nx", "py", "ny", "pz", "nz"}) {
     const Metadata metadata = metadataOf({Projection::eac, CubeLayout::faces});
@@ -245,7 +246,7 @@ TEST_F(LoadTest, SixFacesMayBeAnEquiangularCube) {
   EXPECT_EQ(textOf(loadEnvironment(path("mute_px.exr"))->recognition->form), "cube, faces");
   const auto named = loadEnvironment(path("mute_px.exr"), {.from = *formHintNamed("eac")});
   EXPECT_EQ(textOf(named->recognition->form), "eac, faces");
-  EXPECT_EQ(named->recognition->told_by, "--from");
+  EXPECT_EQ(named->recognition->told_by, "");
 }
 
 TEST_F(LoadTest, SixFilesOfAnotherProgramAreReadByItsName) {
@@ -301,7 +302,8 @@ TEST_F(LoadTest, BadTexelsAreRefusedCountedOrRepaired) {
   const auto refused = loadEnvironment(path("bad.exr"));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::non_finite);
-  EXPECT_THAT(refused.error().message, HasSubstr("2 texels are NaN or infinite, the first at (3, 1)"));
+  EXPECT_EQ(refused.error().message, path("bad.exr: 2 texels are NaN or infinite, the first at (3, 1)"));
+  EXPECT_EQ(refused.error().remedy, Remedy::repair);
 
   const auto counted = loadEnvironment(path("bad.exr"), {.keep_bad = true});
   ASSERT_TRUE(counted);

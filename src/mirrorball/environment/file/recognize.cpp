@@ -146,7 +146,8 @@ Result<Recognition> recognizeShape(int width, int height) {
   return fail(ErrorCode::bad_shape,
               "is " + sizeText(width, height) +
                   ", which is neither 2:1 (equirect) nor 1:1 (sphere) nor a cube layout (4:3 3:4 6:1 1:6 3:2); "
-                  "crop it, or name its form with --from");
+                  "crop it",
+              Remedy::name_form);
 }
 
 }  // namespace
@@ -210,7 +211,7 @@ Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const
   const bool is_told = stated && stated->projection && stated->layout == CubeLayout::faces;
   if (hint.projection || hint.layout) {
     const Projection of_file = is_told ? *stated->projection : Projection(Projection::cube);
-    return {formWith(hint, hint.projection.value_or(of_file), CubeLayout::faces), "--from"};
+    return {formWith(hint, hint.projection.value_or(of_file), CubeLayout::faces), ""};
   }
   if (!is_told) return {{Projection::cube, CubeLayout::faces}, told_by, true};
   return {formWith(*stated, *stated->projection, CubeLayout::faces), told_by};
@@ -219,11 +220,11 @@ Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const
 Result<Recognition> recognize(int width, int height, const Metadata& metadata, const FormHint& hint) {
   if (hint.projection || hint.layout) {
     MIRRORBALL_TRY(form, formOfHint(hint, width, height));
-    return Recognition{form, "--from"};
+    return Recognition{form, ""};
   }
   if (metadata.contains(kSheetKey))
-    return fail(ErrorCode::bad_shape,
-                "is a sheet of mip levels, no map; name what it was made of, or one level: convert --level");
+    return fail(ErrorCode::bad_shape, "is a sheet of mip levels, no map; name what it was made of",
+                Remedy::take_one_level);
   MIRRORBALL_TRY(stated, hintOfMetadata(metadata));
   if (stated.layout == CubeLayout::faces)
     return fail(ErrorCode::bad_shape,

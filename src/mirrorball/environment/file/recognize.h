@@ -9,7 +9,7 @@
 
 namespace mirrorball {
 
-/// What --from names.
+/// What the caller says of a map's form.
 struct FormHint {
   std::optional<Projection> projection = {};
   std::optional<CubeLayout> layout = {};
@@ -31,7 +31,7 @@ Result<FormHint> formHintNamed(std::string_view name);
 /// A form, and what told it.
 struct Recognition {
   MapForm form;
-  std::string told_by;    ///< "--from", "the file's metadata", "its shape, 2:1"
+  std::string told_by;    ///< "the file's metadata", "its shape, 2:1"; empty: the hint
   bool is_guess = false;  ///< only shape or names told it: another form may be right
 };
 

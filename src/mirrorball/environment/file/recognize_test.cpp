@@ -33,7 +33,7 @@ TEST(Recognize, MetadataComesBeforeTheShape) {
   EXPECT_EQ(probe->told_by, "the file's metadata");
 }
 
-// OpenEXR's attribute stands for its registration and its arrangement, and --from for what the file does not say.
+// OpenEXR's attribute stands for its registration and its arrangement, and a hint for what the file does not say.
 TEST(Recognize, OpenExrsAttributeIsTakenAtItsWord) {
   const auto panorama = recognize(64, 32, {{"envmap", "latlong"}});
   EXPECT_EQ(textOf(panorama->form), "equirect, OpenEXR's texels (resampled)");
@@ -50,7 +50,7 @@ TEST(Recognize, OpenExrsAttributeIsTakenAtItsWord) {
 TEST(Recognize, TheHintComesBeforeAll) {
   const auto angular = recognize(64, 64, {{"mirrorball:projection", "sphere"}}, *formHintNamed("angular"));
   EXPECT_EQ(textOf(angular->form), "angular");
-  EXPECT_EQ(angular->told_by, "--from");
+  EXPECT_EQ(angular->told_by, "");
   EXPECT_EQ(textOf(recognize(48, 32, {}, *formHintNamed("cube"))->form), "cube, 3x2");
   EXPECT_EQ(textOf(recognize(64, 48, {}, *formHintNamed("hcross"))->form), "cube, hcross");
 
@@ -145,7 +145,7 @@ TEST(Recognize, SixFacesAreWhatTheFirstSaysOrTheHint) {
   EXPECT_EQ(textOf(recognizeFaces(as_seen, *formHintNamed("faces"), "").form), "eac, faces");
   EXPECT_EQ(textOf(recognizeFaces(as_seen, *formHintNamed("cube:flip=vertical,as-seen"), "").form.arrangement),
             textOf(flipped(CubeArrangement{}, Flip::both)));
-  EXPECT_EQ(recognizeFaces(as_seen, *formHintNamed("faces:for=three"), "").told_by, "--from");
+  EXPECT_EQ(recognizeFaces(as_seen, *formHintNamed("faces:for=three"), "").told_by, "");
 
   const MapForm openexr = *formFor(*presetNamed("openexr"), Projection::cube, CubeLayout::faces);
   EXPECT_EQ(textOf(recognizeFaces(metadataOf(openexr), {}, "").form), textOf(openexr));

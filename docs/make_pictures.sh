@@ -6,7 +6,7 @@
 # command than the one that made the picture.
 #
 #   DATA                  the folder with the real inputs, which the commands call $DATA;
-#                         else $MIRRORBALL_DATA, else ../shared/data beside the checkout
+#                         else $DATA, else $MIRRORBALL_DATA, else ../shared/data beside the checkout
 #   MIRRORBALL_PROGRAM=…  runs another program than ./mirrorball
 #
 # Plots (.svg) are made by the benchmarks that docs/performance.md names, and only their sizes are looked at here.
@@ -14,7 +14,7 @@
 # Exit code 1 if a command fails, a picture is shown that no command makes or made and not shown, or one is larger than
 # 150 KB (all together: 2.5 MB).
 set -eu
-given=${1:-${MIRRORBALL_DATA:-}}
+given=${1:-${DATA:-${MIRRORBALL_DATA:-}}}
 if [ -n "$given" ]; then
   given=$(cd -- "$given" && pwd -P) || exit 1
 fi

@@ -46,6 +46,9 @@ class HelpFormatter : public CLI::Formatter {
   }
 };
 
+/// All words behind it are arguments, even those that begin with a dash (POSIX, Utility Syntax Guidelines, 10).
+constexpr std::string_view kEndOfOptions = "--";
+
 /// Whether a word is written as an option, which is no value: a number may be negative.
 bool isOption(const Command& command, std::string_view word) {
   if (word.starts_with("--") || word == "-h") return true;
@@ -140,6 +143,7 @@ Result<void> checkDashes(std::span<const std::string> words, std::span<const Com
       words.empty() ? commands.end() : std::ranges::find(commands, std::string_view(words.front()), &Command::name);
   if (command == commands.end()) return {};
   for (const std::string& word : words) {
+    if (word == kEndOfOptions) return {};
     const std::string name = word.substr(0, word.find('='));
     for (const CommandOption& option : command->options) {
       if (name.size() > 2 && name == "-" + std::string(option.text.name))
@@ -266,9 +270,12 @@ Result<void> checkAllTaken(const Reader& reader, const Command* command, const s
     return tl::unexpected<Error>(optionWithoutCommand(extras.front(), commands));
   else if (!extras.empty())
     return fail(ErrorCode::usage, "'" + extras.front() + "' was not expected; mirrorball --help tells what may be");
-  for (const CLI::App* app : reader.program.get_subcommands())
-    if (const auto extras = app->remaining(); !extras.empty())
-      return tl::unexpected<Error>(unexpectedArgument(*command, extras.front()));
+  for (const CLI::App* app : reader.program.get_subcommands()) {
+    // CLI11 counts what ends the options among what nothing takes.
+    std::vector<std::string> extras = app->remaining();
+    std::erase(extras, kEndOfOptions);
+    if (!extras.empty()) return tl::unexpected<Error>(unexpectedArgument(*command, extras.front()));
+  }
   return {};
 }
 

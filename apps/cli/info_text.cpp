@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <string>
@@ -19,6 +20,13 @@ std::string formatted(const char* format, Values... values) {
 }
 
 std::string text(glm::vec3 v) { return formatted("%.5g %.5g %.5g", double(v.x), double(v.y), double(v.z)); }
+
+/// Of a unit direction, in which what is next to nothing is rounding.
+std::string directionText(glm::vec3 d) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(d[axis]) < 1e-6f) d[axis] = 0.0f;
+  return text(d);
+}
 
 /// "  format       KTX2": a fact with its name.
 std::string line(const char* name, const std::string& fact) { return formatted("  %-12s ", name) + fact + "\n"; }
@@ -47,7 +55,8 @@ std::string fileText(const MapInfo& map) {
 std::string statisticsText(const RadianceStatistics& statistics) {
   return line("range", text(statistics.min) + " to " + text(statistics.max)) +
          line("mean", text(statistics.mean) + " over the sphere") +
-         line("brightest", text(statistics.brightest) + " from direction " + text(statistics.brightest_direction));
+         line("brightest",
+              text(statistics.brightest) + " from direction " + directionText(statistics.brightest_direction));
 }
 
 /// What the two numbers are, after the image that they lie in: "face -X, (s, t)", "front, (u, v)", "(u, v)".
@@ -73,7 +82,7 @@ std::string placeText(const DirectionPlace& place) {
 }
 
 std::string directionText(const DirectionInfo& direction) {
-  std::string said = "direction " + text(direction.given) + ", unit " + text(direction.unit) + "\n";
+  std::string said = "direction " + text(direction.given) + ", unit " + directionText(direction.unit) + "\n";
   for (const DirectionPlace& place : direction.places)
     said += line(std::string(nameOf(place.projection)).c_str(), placeText(place));
   return said + line("radiance", text(direction.radiance));

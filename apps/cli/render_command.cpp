@@ -1,10 +1,13 @@
 #include "cli/render_command.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <regex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/command_line.h"
@@ -123,8 +126,18 @@ Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, 
   return {};
 }
 
+/// errors   usage: a film is asked for
+Result<void> refuseFilm(const std::string& output) {
+  constexpr std::array<std::string_view, 7> kFilms{"mp4", "mov", "webm", "mkv", "avi", "gif", "apng"};
+  if (std::ranges::find(kFilms, extensionOf(output)) == kFilms.end()) return {};
+  const std::string pictures = std::filesystem::path(output).stem().string() + "_%04d.png";
+  return fail(ErrorCode::usage, output + ": Mirrorball writes pictures; --frames 90 -o " + pictures +
+                                    " makes those of a turn, and ffmpeg -i " + pictures + " " + output + " the film");
+}
+
 Result<void> checkOutput(const RenderRequest& request, const FrameSettings& settings) {
   const std::string& output = request.files.output;
+  MIRRORBALL_TRY_VOID(refuseFilm(output));
   if (request.turntable.frames == 0 && request.turntable.turn != Turn::camera)
     return fail(ErrorCode::usage,
                 "--turn says what goes round in a turntable, and one picture is none; add --frames N");

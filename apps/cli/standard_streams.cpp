@@ -103,8 +103,11 @@ Result<UnfinishedPath> makeTemporaryFolder() {
 }  // namespace
 
 Result<void> readStandardInput(const std::vector<std::string*>& inputs) {
-  const bool is_asked_for = std::ranges::any_of(inputs, [](const std::string* input) { return *input == "-"; });
-  if (!is_asked_for) return {};
+  const auto asked = std::ranges::count_if(inputs, [](const std::string* input) { return *input == "-"; });
+  if (asked == 0) return {};
+  if (asked > 1)
+    return fail(ErrorCode::usage, "- is given " + std::to_string(asked) +
+                                      " times, and standard input is one file; name a file for the other");
   if (::isatty(STDIN_FILENO) == 1)
     return fail(ErrorCode::usage,
                 "- reads standard input, and nothing is piped into it; name a file, or write "

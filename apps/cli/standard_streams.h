@@ -12,7 +12,7 @@ namespace mirrorball::cli {
 /// where it is none yet, so that it can be read from any place and more than once.
 ///
 /// inputs   names as the user gave them
-/// errors   usage (nothing is piped in: it is a terminal); io; too_large
+/// errors   usage (nothing is piped in: it is a terminal; more than one asks for it); io; too_large
 Result<void> readStandardInput(const std::vector<std::string*>& inputs);
 
 /// Runs work whose output may be "-.EXTENSION", which is standard output in that format: then the work writes a file in a

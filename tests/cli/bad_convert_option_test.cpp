@@ -43,6 +43,13 @@ TEST_F(BadConvertOptionTest, AWrongNameListsTheRightOnes) {
   for (const Preset& preset : presets()) EXPECT_THAT(programs, HasSubstr(preset.name));
 }
 
+TEST_F(BadConvertOptionTest, OnlyWhatWasGivenIsBlamed) {
+  EXPECT_THAT(refuse(2, "convert uv --to equirect --flip horizontal -o out.exr"),
+              HasSubstr("flip horizontal: that is for cubes, and equirect is none"));
+  EXPECT_THAT(refuse(2, "convert uv --to ball:dist=5 -o out.exr"),
+              HasSubstr("a ball's parameter is distance, as in ball:distance=20"));
+}
+
 TEST_F(BadConvertOptionTest, AWrongValueIsToldWithWhatIsRight) {
   refuseAll({
       {"--to cube -o a.exr --face-order +x,-x", {"'+x,-x'", "+x,-x,+y,-y,+z,-z"}},

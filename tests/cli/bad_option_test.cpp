@@ -46,6 +46,28 @@ TEST_F(BadOptionTest, AnUnknownOptionSuggestsTheNearest) {
   EXPECT_THAT(refuseRender("-x"), HasSubstr("-x"));
 }
 
+TEST_F(BadOptionTest, BehindTwoDashesAllAreArguments) {
+  write("-dash.exr", smoothPanorama());
+  EXPECT_THAT(succeed("info -- -dash.exr"), HasSubstr("-dash.exr\n"));
+  succeed("convert --to cube --size 8 -o out.exr -- -dash.exr");
+  EXPECT_THAT(refuse(2, "info --"), HasSubstr("name an input map"));
+}
+
+TEST_F(BadOptionTest, AFilmIsMadeOfPictures) {
+  EXPECT_THAT(refuse(2, "render none -e white -o turn.mp4"),
+              AllOf(HasSubstr("--frames 90 -o turn_%04d.png"), HasSubstr("ffmpeg")));
+}
+
+TEST_F(BadOptionTest, AnAddressIsNotFetched) {
+  EXPECT_THAT(refuse(1, "convert https://example.org/a.hdr --to cube -o out.exr"),
+              HasSubstr("https://example.org/a.hdr: nothing is downloaded; curl -L https://example.org/a.hdr | "));
+  EXPECT_THAT(refuse(1, "render http://example.org/a.glb -e white -o out.png"), HasSubstr("nothing is downloaded"));
+}
+
+TEST_F(BadOptionTest, StandardInputIsOneFile) {
+  EXPECT_THAT(refuse(2, "render - -e - -o out.png"), HasSubstr("- is given 2 times, and standard input is one file"));
+}
+
 TEST_F(BadOptionTest, AnUnknownCommandSuggestsTheRightOnes) {
   EXPECT_THAT(refuse(2, "rendr"), AllOf(HasSubstr("rendr"), HasSubstr("render")));
   EXPECT_THAT(refuse(2, "--verison"), AllOf(HasSubstr("--verison"), HasSubstr("--version")));

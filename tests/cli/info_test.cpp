@@ -104,6 +104,10 @@ TEST_F(InfoTest, SaysWhereADirectionLies) {
 }
 
 // The texel that info names is the one that holds the direction's light, in the files that convert writes.
+TEST_F(InfoTest, ADirectionIsNotAlmostZero) {
+  EXPECT_THAT(succeed("info white --direction 0,1,-4e-8"), HasSubstr("unit 0 1 0\n"));
+}
+
 TEST_F(InfoTest, TheTexelItNamesIsTheOneInTheFile) {
   Image panorama(64, 32, 3, 0.0f);
   // Texel (42, 13): longitude 239.06°, latitude 75.94° from +Y: d = (−0.83199, 0.24298, 0.49874).

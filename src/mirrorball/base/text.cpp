@@ -162,4 +162,13 @@ Error unknownName(std::string_view what, std::string_view given, std::span<const
   return {ErrorCode::usage, message + " (there are: " + join(right) + ")"};
 }
 
+bool isUrl(std::string_view name) {
+  return name.starts_with("https://") || name.starts_with("http://") || name.starts_with("ftp://");
+}
+
+Error downloadsNothing(std::string_view url) {
+  return {ErrorCode::not_found, std::string(url) + ": nothing is downloaded; curl -L " + std::string(url) +
+                                    " | mirrorball … - reads what is piped in"};
+}
+
 }  // namespace mirrorball

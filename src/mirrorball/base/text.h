@@ -35,6 +35,12 @@ std::string formatNumber(double number);
 /// A foreign file's text as it may stand in a message: one line, with '?' for every control character.
 std::string printable(std::string_view text);
 
+/// Whether a file's name is an address of the network, such as https://…
+bool isUrl(std::string_view name);
+
+/// The error for one: whatever else it would be, it is not fetched.
+Error downloadsNothing(std::string_view url);
+
 /// Another way to write a name.
 struct Alias {
   std::string_view written;

@@ -141,6 +141,7 @@ std::span<const std::string_view> builtinModelNames() { return kBuiltinNames; }
 
 Result<Scene> loadModel(const std::string& name_or_path) {
   if (const auto index = indexOfName(name_or_path, kBuiltinNames)) return kBuiltins[*index].make();
+  if (isUrl(name_or_path)) return tl::unexpected<Error>(downloadsNothing(name_or_path));
 
   std::error_code status;
   if (std::filesystem::is_directory(name_or_path, status)) return folderForModel(name_or_path);

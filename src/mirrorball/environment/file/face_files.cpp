@@ -78,6 +78,15 @@ std::optional<FaceFiles> faceFilesIn(const fs::path& file, const Listing& listin
   return best;
 }
 
+/// "room_nz.exr"
+std::string missingOf(const FaceFiles& files) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const fs::path& path : files.paths)
+    if (!fs::exists(path, error)) names.push_back(path.filename().string());
+  return join(names, ", ", " and ");
+}
+
 }  // namespace
 
 const std::array<std::string_view, 6>& endingsOf(FaceNaming naming) {
@@ -97,13 +106,19 @@ std::optional<FaceFiles> faceFilesBeside(const fs::path& file) {
 Result<FaceFiles> faceFilesIn(const fs::path& folder) {
   const Listing listing = listingOf(folder);
   std::vector<FaceFiles> cubes;
+  std::optional<FaceFiles> nearly;
   for (const auto& [name, path] : listing) {
     auto files = faceFilesIn(path, listing);
     const auto is_same = [&](const FaceFiles& other) { return other.paths == files->paths; };
     if (files && files->present == 6 && std::none_of(cubes.begin(), cubes.end(), is_same))
       cubes.push_back(std::move(*files));
+    else if (files && files->present > 3 && (!nearly || files->present > nearly->present))
+      nearly = std::move(*files);
   }
   if (cubes.size() == 1) return std::move(cubes[0]);
+  if (cubes.empty() && nearly)
+    return fail(ErrorCode::not_found, folder.string() + ": holds " + std::to_string(nearly->present) +
+                                          " of the six files of a cube, without " + missingOf(*nearly));
   if (cubes.empty())
     return fail(ErrorCode::not_found, folder.string() +
                                           ": is a folder without the six files of a cube, such as px nx "

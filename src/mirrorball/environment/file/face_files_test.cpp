@@ -62,8 +62,13 @@ TEST_F(FaceFilesTest, CapitalsAreTheSame) {
 }
 
 TEST_F(FaceFilesTest, AFolderMayStandForItsSixFiles) {
-  touch({"posx.jpg", "negx.jpg", "posy.jpg", "negy.jpg", "posz.jpg"});
+  touch({"posx.jpg", "negx.jpg", "posy.jpg"});
   EXPECT_THAT(faceFilesIn(folder_).error().message, HasSubstr("is a folder without the six files of a cube"));
+  touch({"negy.jpg"});
+  EXPECT_THAT(faceFilesIn(folder_).error().message,
+              HasSubstr("holds 4 of the six files of a cube, without posz.jpg and negz.jpg"));
+  touch({"posz.jpg"});
+  EXPECT_THAT(faceFilesIn(folder_).error().message, HasSubstr("holds 5 of the six files of a cube, without negz.jpg"));
   touch({"negz.jpg", "readme.txt"});
   const auto files = faceFilesIn(folder_);
   ASSERT_TRUE(files) << files.error().message;

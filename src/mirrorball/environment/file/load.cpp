@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/environment/builtin/builtin.h"
@@ -252,6 +253,7 @@ Result<LoadedEnvironment> loadFile(const std::string& path, const EnvironmentLoa
 Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const EnvironmentLoadOptions& options,
                                      const ProgressFunction& progress) {
   std::error_code status;
+  if (isUrl(name_or_path)) return tl::unexpected<Error>(downloadsNothing(name_or_path));
   const bool exists = fs::exists(name_or_path, status);
   // A folder that happens to be called "studio" is no map.
   if (isBuiltinEnvironment(name_or_path) && (!exists || fs::is_directory(name_or_path, status))) {

@@ -61,7 +61,10 @@ Result<Projection> projectionNamed(std::string_view name) {
   const auto kind = static_cast<Projection::Kind>(*found);
   if (colon == std::string_view::npos) return kind;
   const std::string_view parameter = name.substr(colon + 1);
-  if (kind != Projection::ball || !parameter.starts_with(kBallParameter))
+  if (kind == Projection::ball && !parameter.starts_with(kBallParameter))
+    return fail(ErrorCode::usage,
+                "'" + std::string(name) + "': a ball's parameter is distance, as in ball:distance=20");
+  if (kind != Projection::ball)
     return fail(ErrorCode::usage, "'" + std::string(name) + "': only a ball takes a parameter, as in ball:distance=20");
   return ballAtDistance(parameter.substr(kBallParameter.size()));
 }

@@ -67,6 +67,13 @@ TEST_F(BadModelTest, AFileThatIsNotThere) {
   EXPECT_THAT(refuse(1, "render spheer -e white -o out.png"), AllOf(HasSubstr("spheer"), HasSubstr("sphere, torus")));
 }
 
+TEST_F(BadModelTest, OneWithoutAnyAreaIsTold) {
+  write("point.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 1 1\n"));
+  const Outcome outcome = run("render point.obj -e white --size 8x8 -o out.png");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "mirrorball: note: point.obj: none of its triangles has an area; nothing is seen\n");
+}
+
 TEST_F(BadModelTest, AnEmptyFileOrOneOfAnotherKind) {
   for (const std::string& extension : kExtensions) {
     write("empty." + extension, std::string());

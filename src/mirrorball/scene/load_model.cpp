@@ -135,6 +135,16 @@ Result<void> checkExtent(const Scene& scene) {
                                        " units from the origin, more than can be drawn; scale the model down");
 }
 
+/// Whether any of its triangles covers anything.
+bool hasArea(const Scene& scene) {
+  return std::ranges::any_of(scene.meshes, [](const Mesh& mesh) {
+    const auto place = [&](std::size_t i) { return glm::dvec3(mesh.vertices[mesh.indices[i]].position); };
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+      if (glm::cross(place(i + 1) - place(i), place(i + 2) - place(i)) != glm::dvec3(0.0)) return true;
+    return false;
+  });
+}
+
 }  // namespace
 
 std::span<const std::string_view> builtinModelNames() { return kBuiltinNames; }
@@ -150,6 +160,8 @@ Result<Scene> loadModel(const std::string& name_or_path) {
     MIRRORBALL_TRY(bytes, readFile(name_or_path));
     MIRRORBALL_TRY(scene, withName(name_or_path, format->decode(bytes, name_or_path)));
     MIRRORBALL_TRY_VOID(withName(name_or_path, checkExtent(scene)));
+    if (!hasArea(scene))
+      scene.warnings.push_back(name_or_path + ": none of its triangles has an area; nothing is seen");
     return scene;
   }
   if (isImage(begin) || isImageSet(begin))

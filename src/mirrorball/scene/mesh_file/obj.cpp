@@ -178,6 +178,26 @@ tinyobj::callback_t callbacks() {
   return callback;
 }
 
+/// The first coordinate that is no number, which the parser would take as 0: "line 7: 'nan' is no number".
+std::optional<std::string> wordThatIsNoNumber(std::string_view text) {
+  std::size_t line_number = 1;
+  for (std::size_t begin = 0; begin < text.size(); ++line_number) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    begin = end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    const std::string_view key = line.substr(0, line.find_first_of(" \t"));
+    if (key != "v" && key != "vn" && key != "vt") continue;
+    const std::string_view values = line.substr(key.size(), line.find('#') - key.size());
+    const std::size_t wrong = values.find_first_not_of(" \t+-.0123456789eE");
+    if (wrong == std::string_view::npos) continue;
+    const std::size_t first = values.find_last_of(" \t", wrong) + 1;
+    const std::string_view word = values.substr(first, values.find_first_of(" \t", wrong) - first);
+    return "line " + std::to_string(line_number) + ": '" + printable(std::string(word)) + "' is no number";
+  }
+  return {};
+}
+
 /// Reads a .mtl beside the model.
 class MaterialReader : public tinyobj::MaterialReader {
  public:
@@ -309,6 +329,8 @@ class MeshBuilder {
 
 Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
   const std::filesystem::path folder = path.parent_path();
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (const auto wrong = wordThatIsNoNumber(text)) return fail(ErrorCode::bad_file, *wrong);
   Scene scene;
   ByteStream stream(bytes);
   Geometry geometry(stream);

@@ -213,6 +213,11 @@ TEST(Obj, NamesWhatIsWrong) {
   expectRefused(triangle + "f 0 2 3\n", "face 2 has an index");
   expectRefused("v 0 0 1e999\n" + triangle, "vertex 1 is not finite");
   expectRefused("v 0 0 0\nf 1 1\n", "three corners");
+  // The parser takes what is no number as 0.
+  expectRefused("v nan 0 0\n" + triangle, "line 1: 'nan' is no number");
+  expectRefused(triangle + "# nan\r\nvn 0 -inf 1 # up\r\n", "line 6: '-inf' is no number");
+  expectRefused(triangle + "  vt\t0,5 1\n", "line 5: '0,5' is no number");
+  EXPECT_TRUE(decode("v 0 0 0 # nan\nv +1.5e-3 0 0\nv 0 1E2 0\nvx nan\nf 1 2 3\n"));
 }
 
 TEST(Obj, SurvivesRandomDamage) {

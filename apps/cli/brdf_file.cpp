@@ -11,23 +11,24 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/environment/file/recognize.h"
 
 namespace mirrorball::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kTableKey = "mirrorball:table";
-constexpr const char* kTableValue = "brdf";
+constexpr const char* kManifestKey = "brdf";
 constexpr const char* kDistributionKey = "mirrorball:brdf_distribution";
 constexpr const char* kAxesKey = "mirrorball:brdf_axes";
 constexpr const char* kChannelsKey = "mirrorball:brdf_channels";
 
 Metadata metadataOf(const BrdfTableFacts& facts) {
-  return {{kTableKey, kTableValue},
-          {kDistributionKey, facts.distribution},
-          {kAxesKey, facts.axes},
-          {kChannelsKey, std::to_string(facts.channels)}};
+  Metadata metadata = metadataOfBrdfTable();
+  metadata[kDistributionKey] = facts.distribution;
+  metadata[kAxesKey] = facts.axes;
+  metadata[kChannelsKey] = std::to_string(facts.channels);
+  return metadata;
 }
 
 std::optional<BrdfTableFacts> factsIn(const Metadata& metadata) {
@@ -35,7 +36,7 @@ std::optional<BrdfTableFacts> factsIn(const Metadata& metadata) {
     const auto entry = metadata.find(key);
     return entry == metadata.end() ? std::string() : printable(entry->second);
   };
-  if (find(kTableKey) != kTableValue) return {};
+  if (!isBrdfTable(metadata)) return {};
   return BrdfTableFacts{find(kDistributionKey), find(kAxesKey), find(kChannelsKey) == "2" ? 2 : 3};
 }
 
@@ -44,8 +45,8 @@ std::optional<BrdfTableFacts> factsBeside(const std::filesystem::path& path) {
   const auto text = readFile(path.parent_path() / "manifest.json");
   if (!text) return {};
   const Json manifest = Json::parse(text->begin(), text->end(), nullptr, false);
-  if (!manifest.is_object() || !manifest.contains(kTableValue) || !manifest[kTableValue].is_object()) return {};
-  const Json& brdf = manifest[kTableValue];
+  if (!manifest.is_object() || !manifest.contains(kManifestKey) || !manifest[kManifestKey].is_object()) return {};
+  const Json& brdf = manifest[kManifestKey];
   const auto word = [&](const char* key) {
     return brdf.contains(key) && brdf[key].is_string() ? printable(brdf[key].get<std::string>()) : std::string();
   };
@@ -62,7 +63,7 @@ bool saysThatItIsATable(const std::string& path) {
   if (!file) return false;
   std::vector<std::uint8_t> bytes(std::min<std::uint64_t>(file->size(), kBeginning));
   if (!file->readAt(0, bytes)) return false;
-  return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).find(kTableKey) !=
+  return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).find(kBrdfTableKey) !=
          std::string_view::npos;
 }
 

@@ -40,6 +40,14 @@ TEST_F(BadMapTest, AFolder) {
   everyCommandRefuses("folder.hdr", "is a folder");
 }
 
+TEST_F(BadMapTest, ABrdfTable) {
+  succeed("bake white --size 8 --brdf-size 16 -o room/");
+  EXPECT_THAT(refuse(1, "convert room/brdf.ktx2 --to cube -o out.exr"), HasSubstr("room/brdf.ktx2: is a BRDF table"));
+  succeed("bake white --size 8 --brdf-size 16 --extension exr -o pictures/");
+  EXPECT_THAT(refuse(1, "convert pictures/brdf.exr --to cube -o out.exr"),
+              HasSubstr("pictures/brdf.exr: is a BRDF table"));
+}
+
 TEST_F(BadMapTest, AnEmptyFile) {
   for (const std::string& extension : kExtensions) {
     write("empty." + extension, std::string());

@@ -17,6 +17,7 @@ constexpr const char* kTexelsKey = "mirrorball:texels";
 constexpr const char* kTexelsOnEdges = "on-edges";
 constexpr const char* kEnvmapKey = "envmap";
 constexpr const char* kSheetKey = "mirrorball:sheet";
+constexpr const char* kBrdfTableValue = "brdf";
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
@@ -198,6 +199,13 @@ Metadata metadataOf(const MapForm& form) {
 
 Metadata metadataOfLevelSheet() { return {{kSheetKey, "mip levels"}}; }
 
+Metadata metadataOfBrdfTable() { return {{kBrdfTableKey, kBrdfTableValue}}; }
+
+bool isBrdfTable(const Metadata& metadata) {
+  const auto said = metadata.find(kBrdfTableKey);
+  return said != metadata.end() && said->second == kBrdfTableValue;
+}
+
 bool isRecognizedUnsaid(const MapForm& form) {
   if (form.has_texels_on_edges) return false;
   if (form.projection == Projection::equirect) return form.centre == SignedAxis::plus_z;
@@ -225,6 +233,8 @@ Result<Recognition> recognize(int width, int height, const Metadata& metadata, c
   if (metadata.contains(kSheetKey))
     return fail(ErrorCode::bad_shape, "is a sheet of mip levels, no map; name what it was made of",
                 Remedy::take_one_level);
+  if (isBrdfTable(metadata))
+    return fail(ErrorCode::bad_shape, "is a BRDF table, no map; `mirrorball info` tells what it holds");
   MIRRORBALL_TRY(stated, hintOfMetadata(metadata));
   if (stated.layout == CubeLayout::faces)
     return fail(ErrorCode::bad_shape,

@@ -43,6 +43,11 @@ Metadata metadataOf(const MapForm& form);
 /// What a sheet of mip levels (image/level_sheet.h) says of itself, so that nobody takes it for a map of its shape.
 Metadata metadataOfLevelSheet();
 
+/// The same of a BRDF table, which is square as a sphere map is.
+Metadata metadataOfBrdfTable();
+bool isBrdfTable(const Metadata& metadata);
+inline constexpr const char* kBrdfTableKey = "mirrorball:table";
+
 /// Whether a texture that says nothing of itself is taken for a map of that form: by its six faces and how their edges meet,
 /// or by its shape.
 bool isRecognizedUnsaid(const MapForm& form);
@@ -55,7 +60,7 @@ Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const
 /// Tells a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1 sphere
 /// map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles). All other forms have to be named.
 ///
-/// errors   bad_shape: the shape fits no form, or not the one that was named
+/// errors   bad_shape: the shape fits no form, or not the one that was named; unnamed, what says that it is no map
 Result<Recognition> recognize(int width, int height, const Metadata& metadata, const FormHint& hint = {});
 
 }  // namespace mirrorball

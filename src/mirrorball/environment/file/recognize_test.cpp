@@ -33,6 +33,13 @@ TEST(Recognize, MetadataComesBeforeTheShape) {
   EXPECT_EQ(probe->told_by, "the file's metadata");
 }
 
+TEST(Recognize, WhatSaysThatItIsNoMapIsNone) {
+  EXPECT_THAT(recognize(64, 64, metadataOfBrdfTable()).error().message, HasSubstr("is a BRDF table"));
+  EXPECT_THAT(recognize(64, 32, metadataOfLevelSheet()).error().message,
+              HasSubstr("is a sheet of mip levels"));
+  EXPECT_EQ(textOf(recognize(64, 64, metadataOfBrdfTable(), *formHintNamed("sphere"))->form), "sphere");
+}
+
 // OpenEXR's attribute stands for its registration and its arrangement, and a hint for what the file does not say.
 TEST(Recognize, OpenExrsAttributeIsTakenAtItsWord) {
   const auto panorama = recognize(64, 32, {{"envmap", "latlong"}});

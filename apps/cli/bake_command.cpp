@@ -30,8 +30,8 @@ namespace mirrorball::cli {
 namespace {
 
 const std::string kBakedHelp =
-    "needed: a folder, for all maps and a manifest; for several environments one with a folder for each; or a " +
-    writtenExtensions(Holds::texture, " or ") + " file, for one's specular chain only (-.ktx2: standard output)";
+    "required: a folder for all maps and a manifest (with several environments, one folder in it for each), or a " +
+    writtenExtensions(Holds::texture, " or ") + " file for the specular mip chain only (-.ktx2 is standard output)";
 
 std::vector<std::string_view> texturesAnd(std::vector<std::string_view> others) {
   std::vector<std::string_view> names = writtenExtensionNames(Holds::texture);
@@ -60,81 +60,80 @@ const std::array<Option<BakeOptions>, 19> kBakeOptions{{
       .unit = "texels",
       .minimum = 1,
       .maximum = 8192,
-      .help = "of the chain's level 0, a face's side"},
+      .help = "side of a cube face in level 0 of the specular mip chain"},
      &BakeOptions::size},
     {{.name = "levels",
       .value = "N",
       .minimum = 0,
       .maximum = 14,
-      .help = "of the chain, level 0 among them; the last is for roughness 1. 0: down to 4 x 4 texels a face, "
-              "for filament to 16 x 16"},
+      .help = "number of mip levels, level 0 included; the last one has roughness 1. 0: down to 4 x 4 texels per face, "
+              "for filament down to 16 x 16"},
      &BakeOptions::levels},
-    {{.name = "distribution", .choices = "ggx|phong|blinn|charlie", .help = "of the microfacets; charlie is for cloth"},
+    {{.name = "distribution",
+      .choices = "ggx|phong|blinn|charlie",
+      .help = "microfacet distribution; charlie is for cloth"},
      choiceField<&BakeOptions::distribution>},
     {{.name = "mip-mapping",
       .choices = "auto|filament|linear|unreal|unity|frostbite",
-      .help =
-          "which level is for which roughness, as that engine looks it up; auto goes by --for: unreal and unity have "
-          "their own, godot has frostbite's, for all others it is filament"},
+      .help = "the roughness of each mip level, as this engine looks it up; auto goes by --for: unreal and unity have "
+              "their own, godot has that of frostbite, all others that of filament"},
      choiceField<&BakeOptions::mip_mapping>},
     {{.name = "irradiance-size",
       .value = "N",
       .unit = "texels",
       .minimum = 1,
       .maximum = 1024,
-      .help = "of the irradiance cube, a face's side"},
+      .help = "side of a face of the irradiance cube"},
      &BakeOptions::irradiance_size},
-    {{.name = "sh-degree",
-      .value = "L",
-      .minimum = 2,
-      .maximum = 4,
-      .help = "the last band of the spherical harmonics"},
+    {{.name = "sh-degree", .value = "L", .minimum = 2, .maximum = 4, .help = "highest band of the spherical harmonics"},
      &BakeOptions::harmonics_degree},
     {{.name = "brdf-size",
       .value = "N",
       .unit = "texels",
       .minimum = 2,
       .maximum = kLargestBrdfTable,
-      .help = "of the BRDF table, a side"},
+      .help = "side of the BRDF table"},
      &BakeOptions::brdf_size},
     {{.name = "brdf-channels",
       .value = "N",
       .minimum = 2,
       .maximum = 3,
-      .help = "2: scale and bias; 3: also the mean for multiple scattering; .exr has a third of 0"},
+      .help = "number of channels in the BRDF table: 2 for scale and bias, 3 with the mean for multiple scattering; "
+              "with 2, a .exr gets a third channel of zeros"},
      &BakeOptions::brdf_channels},
     {{.name = "brdf-axes",
       .choices = "linear|warped",
-      .help = "linear in n.v and perceptual roughness as engines have it, or warped so that look-ups are right near "
-              "grazing angles too"},
+      .help = "axes of the BRDF table: linear in n.v and perceptual roughness, as engines have it, or warped, so that "
+              "look-ups near grazing angles are accurate too"},
      choiceField<&BakeOptions::brdf_axes>},
     {{.name = "brdf-extension",
       .value = kBrdfExtensions,
-      .help = "of the BRDF table's file; else as --extension, with .hdr .exr",
+      .help = "extension of the BRDF table's file; without it, that of --extension, but .exr in place of .hdr",
       .names = [] { return std::span<const std::string_view>(brdfExtensions()); }},
      &BakeOptions::brdf_extension},
-    {{.name = "skybox", .help = "also the environment as it is, for the background; filament always has one"},
+    {{.name = "skybox", .help = "also write the environment itself, for the background; filament always gets it"},
      &BakeOptions::skybox},
     {{.name = "skybox-size",
       .value = "N",
       .unit = "texels",
       .minimum = 0,
       .maximum = 8192,
-      .help = "of the skybox, a face's side; 0: as fine as the environment, but at most 1024"},
+      .help = "side of a face of the skybox; 0: as fine as the environment, but at most 1024"},
      &BakeOptions::skybox_size},
     {{.name = "extension",
       .value = kCubeExtensions,
-      .help = "of the files in a folder: textures, or pictures of each level and face (m0_px.exr); else ktx2, for "
-              "filament ktx",
+      .help = "extension of the files in a folder: textures, or pictures of each level and face (m0_px.exr); without "
+              "it, ktx2, and for filament ktx",
       .names = [] { return std::span<const std::string_view>(cubeExtensions()); }},
      &BakeOptions::extension},
     {{.name = "from",
       .value = "FORM",
-      .help = "the environment's form, where it is not recognised: see convert --from",
+      .help = "form of the environment map, if it is not recognised (see convert --from)",
       .names = projectionNames},
      &BakeOptions::from},
     {kRotateText, &BakeOptions::rotate_deg},
-    {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &BakeOptions::repair},
+    {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
+     &BakeOptions::repair},
     {{.name = "timings", .help = "print how long each stage took"}, &BakeOptions::timings},
     {kMaxMemoryText, &BakeOptions::max_memory},
 }};
@@ -367,9 +366,9 @@ Command bakeCommand() {
       .name = "bake",
       .help = "Prefilters environments for an engine: rough reflections, irradiance, harmonics, BRDF table",
       .about =
-          "ENV is a map, a built-in environment, or - for standard input. OUT is a folder, for all maps (of several "
-          "environments one that gets a folder for each), or a " +
-          writtenExtensions(Holds::texture, " or ") + " file, for the specular chain only.",
+          "ENV is a map, a built-in environment, or - for standard input. OUT is a folder for all maps (with several "
+          "environments, one folder in it for each), or a " +
+          writtenExtensions(Holds::texture, " or ") + " file for the specular mip chain only.",
       .examples = {{"bake room.hdr -o room/", "all maps of an environment, and a manifest that says what is what"},
                    {"bake maps/*.hdr --for unreal --size 512 -o baked/",
                     "a folder for each panorama, with Unreal's faces and levels"}}};

@@ -45,7 +45,7 @@ Result<void> showOrClear(const std::string& what) {
 Command cacheCommand() {
   auto what = std::make_shared<std::string>("show");
   Command command{.name = "cache",
-                  .help = "Shows or clears what render and capture keep of environments that they have prefiltered",
+                  .help = "Shows or clears the cache of environments that render and capture have prefiltered",
                   .about = "ACTION is `show` (the default) or `clear`.",
                   .examples = {{"cache show", "where it is, and how large"}, {"cache clear", "removes all of it"}}};
   addArgument(command, {.name = "ACTION", .help = "show or clear (default show)", .names = cacheActionNames}, *what);

@@ -29,8 +29,8 @@ namespace {
 /// Of a face, where nothing else is said; in other projections as much detail.
 constexpr int kUsualSize = 256;
 
-const std::string kProjectionHelp = "any projection of convert: " + join(projectionNames(), ", ", " or ") +
-                                    "; else cube in " + writtenExtensions(Holds::texture, " and ") +
+const std::string kProjectionHelp = "projection of the map: " + join(projectionNames(), ", ", " or ") +
+                                    "; without it, cube in " + writtenExtensions(Holds::texture, " and ") +
                                     ", equirect in other files";
 
 const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
@@ -41,7 +41,7 @@ const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
       .maximum = 1e15,
       .min_count = 3,
       .max_count = 3,
-      .help = "needed: the point at which the light arrives",
+      .help = "required: the point around which the light is captured",
       .group = "Capture"},
      &CaptureOptions::at},
     {{.name = "near",
@@ -49,8 +49,8 @@ const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
       .unit = "world units",
       .minimum = 0,
       .maximum = 1e15,
-      .help = "surfaces nearer than this are not seen; 0: 1/10000 of the distance of the scene's farthest point, or "
-              "where the scene begins",
+      .help = "surfaces nearer than this are not drawn; 0: 1/10000 of the distance to the scene's farthest point or, "
+              "from outside the scene, the distance at which it begins",
       .group = "Capture"},
      &CaptureOptions::nearest},
     {{.name = "to", .value = "PROJECTION", .help = kProjectionHelp, .group = "Output", .names = projectionNames},
@@ -60,8 +60,8 @@ const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
       .unit = "texels",
       .minimum = 0,
       .maximum = 32768,
-      .help = "a cube face's side, a disc's diameter, a square's side or a panorama's height; 0: faces of 256, and as "
-              "much detail in other projections",
+      .help = "size of the map: the side of a cube face or of a square map, the diameter of a disc, or the height of a "
+              "panorama; 0: 256 for cube faces, and the same detail in other projections",
       .group = "Output"},
      &CaptureOptions::size},
 }};
@@ -161,7 +161,7 @@ std::span<const Option<FrameSettings>> captureLookOptions() {
       // first of the enumeration.
       if (option.text.name == "mapping") {
         option.text.choices = "reflection|normal";
-        option.text.help = "what looks the map up: the reflected ray, or the surface normal";
+        option.text.help = "what addresses the environment map: the reflected ray, or the surface normal";
       }
       if (option.text.name == "background") option.text.value = "env|blur|COLOR";
     }
@@ -174,9 +174,9 @@ Command captureCommand() {
   auto request = std::make_shared<CaptureRequest>();
   Command command{
       .name = "capture",
-      .help = "Makes a map of the light around a point of a scene",
+      .help = "Makes an environment map of the light around a point in a scene",
       .about = "SCENE is a file (" + modelExtensions() +
-               "), a built-in, or - for standard input. `--at` and `--output` are needed.",
+               "), a built-in, or - for standard input. `--at` and `--output` are required.",
       .examples = {{"capture room.glb --at 0,1.5,0 -e sky -o probe.exr", "a panorama of a room, from eye height"},
                    {"capture room.glb --at 0,1.5,0 --to cube --size 256 --mips -o probe.ktx2",
                     "the same as a cube map for an engine"}}};

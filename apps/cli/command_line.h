@@ -20,7 +20,7 @@ Result<Action> readCommandLine(int argc, const char* const* argv, std::span<cons
 inline constexpr OptionText kMaxMemoryText{
     .name = "max-memory",
     .value = "BYTES",
-    .help = "the most memory that images may take, as in 1.5G or 800M; else 3/4 of what the machine has"};
+    .help = "maximum memory for images, as in 1.5G or 800M; without it, 3/4 of the machine's memory"};
 
 /// --rotate, of commands that can turn the light.
 inline constexpr OptionText kRotateText{
@@ -28,7 +28,7 @@ inline constexpr OptionText kRotateText{
     .value = "YAW[,PITCH[,ROLL]]",
     .unit = "degrees",
     .max_count = 3,
-    .help = "turns the light about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, +Z towards +X",
+    .help = "turn the light about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, from +Z towards +X",
     .also = "env-rotation"};
 
 /// What --rotate was given, as a `source_from_target`.

@@ -11,12 +11,12 @@ namespace mirrorball::cli {
 namespace {
 
 const std::array<Option<CommonOptions>, 2> kCommonOptions{{
-    {{.name = "quiet", .help = "no progress and no remarks; errors are told all the same"}, &CommonOptions::quiet},
+    {{.name = "quiet", .help = "print no progress and no remarks; errors are still printed"}, &CommonOptions::quiet},
     {{.name = "threads",
       .value = "N",
       .minimum = 0,
       .maximum = 1024,
-      .help = "how many threads compute; 0: as many as there are cores. The result is the same for any number"},
+      .help = "number of threads; 0: one for each core. The result is the same for any number"},
      &CommonOptions::threads},
 }};
 

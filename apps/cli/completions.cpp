@@ -57,8 +57,8 @@ std::string inQuotes(std::string_view text) {
 
 /// One line of a help text, short enough for a menu: up to its first stop.
 std::string brief(std::string_view help) {
-  constexpr std::string_view kNeeded = "needed: ";
-  if (help.starts_with(kNeeded)) help.remove_prefix(kNeeded.size());
+  constexpr std::string_view kRequired = "required: ";
+  if (help.starts_with(kRequired)) help.remove_prefix(kRequired.size());
   std::string text(help.substr(0, help.find_first_of(":;[(")));
   while (text.ends_with(' ')) text.pop_back();
   return text;

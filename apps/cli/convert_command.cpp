@@ -21,12 +21,13 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::string kToHelp = join(projectionNames(), ", ", " or ") +
-                            "; ball:distance=20 says how many ball radii the camera stands from the ball; else the "
-                            "input's own";
+const std::string kToHelp =
+    "projection of the output: " + join(projectionNames(), ", ", " or ") +
+    "; ball:distance=20 is the distance of the camera from the ball's centre, in ball radii; without --to, "
+    "the input's projection";
 
 const std::string kExtensionHelp =
-    "of the files in an output folder: " + writtenExtensions(" or ") + "; else each input's own";
+    "extension of the files in an output folder: " + writtenExtensions(" or ") + "; without it, that of each input";
 
 std::span<const std::string_view> extensionNames() {
   static const std::vector<std::string_view> names = writtenExtensionNames();
@@ -37,9 +38,8 @@ const std::array<Option<ConvertOptions>, 11> kConvertOptions{{
     {{.name = "to", .value = "PROJECTION", .help = kToHelp, .names = projectionNames}, &ConvertOptions::to},
     {{.name = "from",
       .value = "FORM",
-      .help =
-          "the input's form, where it is not recognised: a projection, or a cube's layout; then, after a colon, how "
-          "it lies in the file, as in cube:for=unity, hcross:as-seen or equirect:for=blender",
+      .help = "form of the input, if it is not recognised: a projection or a cube layout, and after a colon how the "
+              "file arranges it, as in cube:for=unity, hcross:as-seen or equirect:for=blender",
       .names = projectionNames},
      &ConvertOptions::from},
     {{.name = "size",
@@ -47,26 +47,27 @@ const std::array<Option<ConvertOptions>, 11> kConvertOptions{{
       .unit = "texels",
       .minimum = 0,
       .maximum = 32768,
-      .help =
-          "a cube face's side, a disc's diameter, a square's side or a panorama's height; 0 keeps the input's detail"},
+      .help = "size of the output: the side of a cube face or of a square map, the diameter of a disc, or the height "
+              "of a panorama; 0 keeps the input's detail"},
      &ConvertOptions::size},
     {{.name = "filter",
       .choices = "bilinear|bicubic",
       .aliases = "linear=bilinear|cubic=bicubic",
-      .help =
-          "what is seen between the input's texels; where the output is coarser, all that a texel covers is averaged"},
+      .help = "interpolation between the input's texels; where the output is coarser, each of its texels is the mean "
+              "over its area"},
      choiceField<&ConvertOptions::filter>},
     {{.name = "centre",
       .value = "X,Y,Z",
       .min_count = 3,
       .max_count = 3,
-      .help = "the input's direction that comes to the centre, +Z, before --rotate; up stays up",
+      .help = "direction of the input that moves to the centre of the output, +Z, before --rotate; up stays up",
       .also = "center"},
      &ConvertOptions::centre},
     {kRotateText, &ConvertOptions::rotate_deg},
     {{.name = "extension", .value = "EXT", .help = kExtensionHelp, .names = extensionNames},
      &ConvertOptions::extension},
-    {{.name = "repair", .help = "replace NaN and infinite texels by their neighbours"}, &ConvertOptions::repair},
+    {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
+     &ConvertOptions::repair},
     {kMaxMemoryText, &ConvertOptions::max_memory},
     {exposureText(), &ConvertOptions::exposure_ev},
     {toneMapText(), choiceField<&ConvertOptions::tone_map>},
@@ -129,8 +130,8 @@ Command convertCommand() {
   const std::string maps =
       "(" + std::string(readExtensions()) + "), one of a cube's six files or their folder, a built-in";
   Command command{.name = "convert",
-                  .help = "Lays environment maps out in another projection, size or format",
-                  .about = "IN is a map " + maps + " environment, or - for standard input. `--output` is needed.",
+                  .help = "Converts environment maps to another projection, size or format",
+                  .about = "IN is a map " + maps + " environment, or - for standard input. `--output` is required.",
                   .examples = {{"convert room.hdr --to cube --size 512 --mips -o room.ktx2",
                                 "a panorama as a cube map with all its mip levels"},
                                {"convert maps/*.hdr --to cube --for unity --extension exr -o cubes/",
@@ -143,7 +144,7 @@ Command convertCommand() {
                .takes_path = true},
               request->inputs);
   addOptions(command, convertOptions(), request->options, &request->output.given);
-  static const std::string of_output = std::string(mapOutputHelp()) + "; for several inputs a folder";
+  static const std::string of_output = std::string(mapOutputHelp()) + "; for several inputs, a folder";
   addMapOutput(command, request->output, of_output);
   command.action = [request] {
     return withStandardStreams(pointersTo(request->inputs), request->output.output,

@@ -29,12 +29,12 @@ const std::array<Option<InfoOptions>, 4> kInfoOptions{{
       .value = "X,Y,Z",
       .min_count = 3,
       .max_count = 3,
-      .help = "print where that direction is found: cube face, (s, t) and texel, and the texel of each projection"},
+      .help = "print where this direction is: its cube face, (s, t) and texel, and its texel in each projection"},
      &InfoOptions::direction},
     {{.name = "json", .help = "print JSON: an object for one file, an array for several"}, &InfoOptions::json},
     {{.name = "from",
       .value = "FORM",
-      .help = "the form, where it is not recognised, as for convert",
+      .help = "form of the map, if it is not recognised (see convert --from)",
       .names = projectionNames},
      &InfoOptions::from},
     {kMaxMemoryText, &InfoOptions::max_memory},
@@ -151,7 +151,7 @@ Command infoCommand() {
   auto request = std::make_shared<Request>();
   Command command{
       .name = "info",
-      .help = "Says what environment maps are, or where a direction lies in them",
+      .help = "Describes environment maps, or tells where a direction is in them",
       .about = "FILE is a map, a BRDF table of `bake`, a built-in environment, or - for standard input.",
       .examples = {{"info room.hdr", "format, size, projection and what told it, range and mean of the light"},
                    {"info room.hdr --direction 0,1,0 --json", "where the zenith is, for a program to read"}}};

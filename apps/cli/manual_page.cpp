@@ -53,17 +53,18 @@ std::string commandText(const Command& command) {
 
 constexpr std::string_view kEnvironment[][2] = {
     {"MIRRORBALL_CACHE",
-     "the folder for prefiltered environments; empty: none are kept. Else "
+     "the folder for prefiltered environments; empty: none are kept. If it is not set: "
      "$XDG_CACHE_HOME/mirrorball or ~/.cache/mirrorball."},
     {"MIRRORBALL_CACHE_SIZE",
-     "how large it may grow, as in 500M or 2G; 0: nothing is kept. Else 1G. What was not used for "
+     "maximum size of that folder, as in 500M or 2G; 0: nothing is kept. If it is not set: 1G. What was not used for "
      "longest is removed first."},
-    {"TMPDIR", "where a file lies that goes to standard output, until it is whole."}};
+    {"TMPDIR", "the folder for a file that goes to standard output, until it is complete."}};
 
-constexpr std::string_view kExits[][2] = {{"0", "done"},
-                                          {"1", "failed; standard error says what, in a line"},
-                                          {"2", "the command line is wrong"},
-                                          {"by a signal", "Ctrl-C, SIGTERM or SIGHUP ended it; no half file stays"}};
+constexpr std::string_view kExits[][2] = {
+    {"0", "done"},
+    {"1", "failed; one line on standard error says why"},
+    {"2", "the command line is wrong"},
+    {"by a signal", "ended by Ctrl-C, SIGTERM or SIGHUP; no incomplete file stays"}};
 
 }  // namespace
 

@@ -8,10 +8,10 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::string kMapHelp = "needed: " + writtenExtensions(Holds::light) + " (linear radiance), " +
-                             writtenExtensions(Holds::texture) + " (textures; cubes as such), " +
+const std::string kMapHelp = "required: the output file, " + writtenExtensions(Holds::light) + " (linear radiance), " +
+                             writtenExtensions(Holds::texture) + " (textures; a cube as a cube map), " +
                              writtenExtensions(Holds::picture) +
-                             " (sRGB, clipped to [0, 1]); -.exr is standard output, in any of these formats";
+                             " (sRGB, clipped to [0, 1]); -.exr is standard output, likewise with the other extensions";
 const Option<MapOutputOptions> kOutput{
     {.name = "output", .value = "OUT", .help = kMapHelp, .letter = "o", .group = "Output", .takes_path = true},
     &MapOutputOptions::output};

@@ -29,10 +29,10 @@ namespace {
 constexpr ChoiceField<PhotoOptions> kResponseField{[](const PhotoOptions& options) { return options.response; },
                                                    [](PhotoOptions& options, int index) { options.response = index; }};
 
-const std::string kProjectionsHelp = "any projection of convert: " + join(projectionNames(), ", ", " or ");
+const std::string kProjectionsHelp = "projection of the map: " + join(projectionNames(), ", ", " or ");
 
 const std::string kOutlineHelp =
-    "write the photograph with the ball's rim drawn over it, " + writtenExtensions(Holds::picture, " or ");
+    "also write the photograph with the ball's rim drawn over it, as " + writtenExtensions(Holds::picture, " or ");
 
 const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
     {{.name = "to", .value = "PROJECTION", .help = kProjectionsHelp, .group = "Output", .names = projectionNames},
@@ -42,7 +42,8 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .unit = "texels",
       .minimum = 0,
       .maximum = 32768,
-      .help = "a cube face's side, a disc's diameter or a panorama's height; 0 keeps the photograph's detail",
+      .help = "size of the map: the side of a cube face or of a square map, the diameter of a disc, or the height of a "
+              "panorama; 0 keeps the photograph's detail",
       .group = "Output"},
      &PhotoOptions::size},
     {{.name = "debug", .value = "FILE", .help = kOutlineHelp, .group = "Output", .takes_path = true},
@@ -52,7 +53,8 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .unit = "pixels",
       .min_count = 3,
       .max_count = 3,
-      .help = "the ball's centre, from the upright photograph's top left corner, and radius, instead of finding it",
+      .help = "the ball's centre (from the upright photograph's top left corner) and radius; without it, the ball is "
+              "searched for",
       .group = "Ball and camera"},
      &PhotoOptions::circle},
     {{.name = "distance",
@@ -60,7 +62,7 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .unit = "ball radii",
       .minimum = 0,
       .maximum = 1e6,
-      .help = "from the camera to the ball's centre; 0: from --fov or EXIF, else infinite",
+      .help = "distance from the camera to the ball's centre; 0: taken from --fov or EXIF, or else infinite",
       .group = "Ball and camera"},
      &PhotoOptions::distance},
     {{.name = "fov",
@@ -68,23 +70,24 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .unit = "degrees",
       .minimum = 0,
       .maximum = 170,
-      .help = "vertical field of view of the whole photograph, which tells the distance; 0: unknown",
+      .help = "vertical field of view of the whole photograph, from which the distance follows; 0: unknown",
       .group = "Ball and camera"},
      &PhotoOptions::fov_deg},
     {{.name = "exposures",
       .value = "T,T,…",
       .unit = "seconds",
-      .help = "of a series, in the order of its photographs, as in 1/60,1/15,1/4; else from EXIF",
+      .help =
+          "exposure times of a series, in the order of its photographs, as in 1/60,1/15,1/4; without it, those in EXIF",
       .group = "Light"},
      &PhotoOptions::exposures},
     {{.name = "response",
       .choices = "auto|srgb|gamma|linear",
-      .help = "the camera's curve; auto recovers it from a series and assumes sRGB of a single photograph",
+      .help = "the camera's response curve; auto recovers it from a series, and assumes sRGB for a single photograph",
       .group = "Light"},
      kResponseField},
     {{.name = "second",
       .value = "FILE",
-      .help = "a photograph from another side, which sees what the first does not; repeated for a series",
+      .help = "a photograph from another side, which shows what the first one cannot; may be repeated for a series",
       .group = "Second side",
       .takes_path = true},
      &PhotoOptions::second},
@@ -93,7 +96,7 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .unit = "degrees",
       .minimum = -360,
       .maximum = 360,
-      .help = "how far the camera was carried to the right around the ball, about the vertical: at 90 it stood over +X",
+      .help = "how far the camera was moved to the right around the ball, about the vertical; at 90 it stood on +X",
       .group = "Second side"},
      &PhotoOptions::second_rotation_deg},
     {{.name = "second-circle",
@@ -101,13 +104,13 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .unit = "pixels",
       .min_count = 3,
       .max_count = 3,
-      .help = "the ball in the second photograph",
+      .help = "the ball's centre and radius in the second photograph",
       .group = "Second side"},
      &PhotoOptions::second_circle},
     {{.name = "second-exposures",
       .value = "T,T,…",
       .unit = "seconds",
-      .help = "of the second photographs; else as the first ones'",
+      .help = "exposure times of the second photographs; without it, those of --exposures",
       .group = "Second side"},
      &PhotoOptions::second_exposures},
     {kMaxMemoryText, &PhotoOptions::max_memory},
@@ -326,8 +329,9 @@ Command photoCommand() {
   const std::string of_light = readExtensions(Holds::light);
   Command command{.name = "photo",
                   .help = "Unwraps a photograph of a mirror ball, or a series of exposures, into a map",
-                  .about = "PHOTO is a photograph of a mirror ball with integers (" + of_pictures + ") or light (" +
-                           of_light + "), or several with integers, of one exposure series. `--output` is needed.",
+                  .about = "PHOTO is a photograph of a mirror ball that holds integers (" + of_pictures +
+                           ") or linear light (" + of_light +
+                           "), or several that hold integers, as one exposure series. `--output` is required.",
                   .examples = {{"photo ball.jpg --fov 40 --debug rim.png -o room.exr",
                                 "one photograph as a panorama, and a picture of the rim that was found"},
                                {"photo dark.jpg middle.jpg bright.jpg --exposures 1/250,1/60,1/15 -o room.exr",

@@ -25,7 +25,7 @@ struct ReferenceRequest {
 const std::array<Option<ReferenceRequest>, 1> kReferenceOptions{{
     {{.name = "format",
       .choices = "markdown|man|bash|zsh|fish",
-      .help = "a page of documentation, a page for man, or what completes command lines in a shell"},
+      .help = "what to print: a page of documentation, a manual page, or completions for a shell"},
      choiceField<&ReferenceRequest::format>},
 }};
 
@@ -90,8 +90,9 @@ std::string_view contentsOf(Holds what) {
 
 std::string formatsText() {
   std::string page =
-      "\n## Formats of pictures\n\nTold by their first bytes when they are read, by the extension when they are "
-      "written.\n\n| format | extensions | holds | written | read |\n|---|---|---|---|---|\n";
+      "\n## Formats of pictures\n\nA file that is read is recognised by its first bytes, and a file that is "
+      "written has the format of its extension.\n\n| format | extensions | holds | written | read "
+      "|\n|---|---|---|---|---|\n";
   for (const ImageFormat& format : kImageFormats) {
     std::string extensions;
     for (const std::string& extension : split(format.extensions, ' '))
@@ -117,10 +118,11 @@ Result<void> printReference(ReferenceFormat format) {
 }  // namespace
 
 Reference makeReference() {
-  Reference reference{allCommands(),
-                      {{"Every command", "All commands take these too, and `--help`.", "--", rowsOf(commonOptions())},
-                       {"Material parameters", "For `--set key=value`.", "", rowsOfMaterials()},
-                       {"Parameters of the sky", "For `sky:key=value,key=value`.", "", rowsOf(skyParameters())}}};
+  Reference reference{
+      allCommands(),
+      {{"Every command", "All commands also take these options, and `--help`.", "--", rowsOf(commonOptions())},
+       {"Material parameters", "For `--set key=value`.", "", rowsOfMaterials()},
+       {"Parameters of the sky", "For `sky:key=value,key=value`.", "", rowsOf(skyParameters())}}};
   const std::vector<CommandOption>& common = reference.tables.front().rows;
   for (Command& command : reference.commands)
     std::erase_if(command.options, [&](const CommandOption& option) {
@@ -149,7 +151,7 @@ Command referenceCommand() {
   auto request = std::make_shared<ReferenceRequest>();
   Command command{.name = "reference",
                   .help = "Prints all options and parameters",
-                  .about = "The manual's page and the completions that are installed are made by it.",
+                  .about = "The installed manual page and shell completions are made by this command.",
                   .examples = {{"reference | less", "all options as Markdown"},
                                {"reference --format bash >~/.local/share/bash-completion/completions/mirrorball",
                                 "completion for a program that is not installed"}}};

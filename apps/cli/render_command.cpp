@@ -28,9 +28,9 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::string kPictureHelp = writtenExtensions(Holds::picture) + " (tone mapped) or " +
+const std::string kPictureHelp = "the picture file, " + writtenExtensions(Holds::picture) + " (tone mapped) or " +
                                  writtenExtensions(Holds::light) +
-                                 " (linear radiance); -.png is standard output, in any of these formats";
+                                 " (linear radiance); -.png is standard output, likewise with the other extensions";
 
 const std::array<Option<RenderFiles>, 1> kFileOptions{{
     {{.name = "output", .value = "OUT", .help = kPictureHelp, .letter = "o", .group = "Files", .takes_path = true},

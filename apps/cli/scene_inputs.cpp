@@ -19,9 +19,10 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::string kEnvironmentHelp = "the environment: a panorama, sphere map or cube (" +
-                                     std::string(readExtensions()) + "), or " + join(builtinEnvironmentNames()) +
-                                     "; sky:elevation=20,turbidity=3 says more of the sky";
+const std::string kEnvironmentHelp = "the environment: a panorama, sphere map or cube map (" +
+                                     std::string(readExtensions()) +
+                                     "), or a built-in: " + join(builtinEnvironmentNames()) +
+                                     "; sky takes parameters, as in sky:elevation=20,turbidity=3";
 
 const std::array<Option<SceneRequest>, 7> kSceneOptions{{
     {{.name = "env",
@@ -34,24 +35,21 @@ const std::array<Option<SceneRequest>, 7> kSceneOptions{{
      &SceneRequest::environment},
     {{.name = "from",
       .value = "FORM",
-      .help = "the environment's form, where it is not recognised: a projection (see convert --to), "
-              "or a cube's layout",
+      .help = "form of the environment map, if it is not recognised: a projection (see convert --to) or a cube layout",
       .group = "Files",
       .names = projectionNames},
      &SceneRequest::from},
     {{.name = "up",
       .choices = "y|z",
       .aliases = "+y=y|+z=z",
-      .help = "the model's axis that points upwards: z in many .stl and CAD files, which else lie on their side",
+      .help = "axis of the model that points up: z in many .stl and CAD files, which lie on their side without it",
       .group = "Files"},
      choiceField<&SceneRequest::up>},
     {{.name = "repair",
-      .help = "replace NaN and infinite texels of the environment by their neighbours",
+      .help = "replace NaN and infinite texels of the environment by the mean of their neighbours",
       .group = "Files"},
      &SceneRequest::repair},
-    {{.name = "no-cache",
-      .help = "prefilter the environment anew, instead of taking it from the user's cache folder",
-      .group = "Files"},
+    {{.name = "no-cache", .help = "prefilter the environment anew, without the user's cache folder", .group = "Files"},
      &SceneRequest::is_uncached},
     {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &SceneRequest::timings},
     {kMaxMemoryText, &SceneRequest::max_memory},

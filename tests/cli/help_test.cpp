@@ -155,11 +155,12 @@ TEST_F(HelpTest, ColumnsAreStraight) {
     const std::size_t begin = help.find(option);
     return columnsOf(std::string_view(help).substr(begin, help.find(meaning, begin) - begin));
   };
-  EXPECT_EQ(columnOf("--exposures T,T,…", "of a series"), columnOf("--circle X,Y,R", "the ball's centre"));
+  EXPECT_EQ(columnOf("--exposures T,T,…", "exposure times of a series"),
+            columnOf("--circle X,Y,R", "the ball's centre"));
 }
 
 TEST_F(HelpTest, OutputSaysWhatIsTrueOfItsCommand) {
-  EXPECT_THAT(succeed("convert --help"), HasSubstr("for several inputs a folder"));
+  EXPECT_THAT(succeed("convert --help"), HasSubstr("for several inputs, a folder"));
   for (const std::string command : {"capture", "photo"})
     EXPECT_THAT(succeed(command + " --help"), ::testing::Not(HasSubstr("several inputs"))) << command;
   EXPECT_THAT(succeed("capture --help"), ::testing::AllOf(::testing::Not(HasSubstr("transparent")),

@@ -33,11 +33,11 @@ std::string formatAliases() {
 
 const std::string kFormatChoices = "auto|" + join(formatNames(false), "|");
 const std::string kFormatAliases = formatAliases();
-const std::string kFormatHelp = "of texels: " + join(formatNames(true), ", ", " or ") + " in .exr; " +
+const std::string kFormatHelp = "texel format: " + join(formatNames(true), ", ", " or ") + " in .exr; " +
                                 join(formatNames(false), ", ", " or ") + " in " +
                                 writtenExtensions(Holds::texture, " and ") +
-                                "; auto is float32 in .exr, in textures half where it holds all values; bc6h is "
-                                "compressed to a byte a texel";
+                                "; auto is float32 in .exr, and half in textures if it holds all values; bc6h is "
+                                "compressed to one byte per texel";
 
 constexpr ChoiceField<MapFileOptions> kFormatField{
     [](const MapFileOptions& options) { return options.format ? static_cast<int>(*options.format) + 1 : 0; },
@@ -84,30 +84,30 @@ constexpr Field kClampField{
       return {};
     }};
 
-const std::string kProgramHelp = "as that program wants it: " + join(presetNames(), " ");
-const std::string kLayoutHelp =
-    "of a cube in pictures: " + join(cubeLayoutNames()) + " (faces are six files); else as --for has it, or hcross";
+const std::string kProgramHelp = "store the map as this program expects it: " + join(presetNames(), " ");
+const std::string kLayoutHelp = "layout of a cube in picture files: " + join(cubeLayoutNames()) +
+                                " (faces writes six files); without it, the layout of --for, or hcross";
 
 const std::string kMipsHelp =
-    "all mip levels: " + writtenExtensions(Holds::texture, " and ") +
-    " hold them, a picture shows them on one sheet, the smaller ones beside or below the first";
+    "write all mip levels: " + writtenExtensions(Holds::texture, " and ") +
+    " store them as such; a picture shows them on one sheet, the smaller ones beside or below level 0";
 // First those that any texture of a cube may be asked for.
 constexpr std::size_t kTextureOptions = 8;
 const std::array<Option<MapFileOptions>, 12> kMapFileOptions{{
     {{.name = "for", .value = "PROGRAM", .help = kProgramHelp, .group = "Output", .names = presetNames},
      &MapFileOptions::program},
     {{.name = "as-seen",
-      .help = "cube faces as pictures seen from inside, not by OpenGL's left-handed table",
+      .help = "store cube faces as seen from inside the cube, not by OpenGL's left-handed table",
       .group = "Output"},
      &MapFileOptions::as_seen},
     {{.name = "flip",
       .choices = "none|horizontal|vertical|both",
-      .help = "turns each cube face over, after --for and --as-seen",
+      .help = "flip each cube face, after --for and --as-seen",
       .group = "Output"},
      choiceField<&MapFileOptions::flip>},
     {{.name = "face-order",
       .value = "ORDER",
-      .help = "which face is the first, second, … sixth: +x,-x,+y,-y,+z,-z is the usual order",
+      .help = "order in which the six cube faces are stored; the usual one is +x,-x,+y,-y,+z,-z",
       .group = "Output"},
      kFaceOrderField},
     {{.name = "format",
@@ -121,14 +121,14 @@ const std::array<Option<MapFileOptions>, 12> kMapFileOptions{{
       .value = "LEVEL",
       .minimum = 0,
       .maximum = 22,
-      .help = "Zstandard compression of .ktx2: 1 fast … 22 small, 0 none",
+      .help = "level of Zstandard compression in .ktx2: 0 none, 1 fastest … 22 smallest",
       .group = "Output"},
      &MapFileOptions::zstandard_level},
     {{.name = "scale-light",
       .value = "FACTOR",
       .minimum = 1e-30,
       .maximum = 1e30,
-      .help = "takes all light times FACTOR, before anything else is done with it",
+      .help = "multiply all light by FACTOR, before anything else is done with it",
       .group = "Output"},
      kScaleField},
     {{.name = "clamp-light",
@@ -136,7 +136,7 @@ const std::array<Option<MapFileOptions>, 12> kMapFileOptions{{
       .unit = "radiance",
       .minimum = 0,
       .maximum = 1e38,
-      .help = "then lowers texels that are brighter in any channel to MAX, their hue kept; 0: none",
+      .help = "after --scale-light, scale texels above MAX in any channel down to MAX, keeping their hue; 0: no limit",
       .group = "Output"},
      kClampField},
     {{.name = "layout", .value = "LAYOUT", .help = kLayoutHelp, .group = "Output", .names = cubeLayoutNames},
@@ -146,13 +146,13 @@ const std::array<Option<MapFileOptions>, 12> kMapFileOptions{{
       .value = "N",
       .minimum = 0,
       .maximum = 30,
-      .help = "one mip level instead of the map; 0 is the map itself, each next one half as large",
+      .help = "write one mip level instead of the map; 0 is the map itself, and each further level is half as large",
       .group = "Output"},
      &MapFileOptions::level},
     {{.name = "mip",
       .choices = "auto|solid-angle|box",
-      .help = "how a mip level's texels weigh: by their solid angle, or all alike (plain 2 x 2 boxes); auto is "
-              "solid-angle, but keeps the levels of a texture whose map stays as it is",
+      .help = "weights of the texels in mip levels: their solid angle, or all equal (plain 2 x 2 boxes); auto is "
+              "solid-angle, but keeps the levels of a texture whose map is not changed",
       .group = "Output"},
      choiceField<&MapFileOptions::mip_source>},
 }};

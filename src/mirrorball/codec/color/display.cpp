@@ -15,7 +15,7 @@ float Display::exposure() const { return std::exp2(exposure_ev); }
 
 OptionText exposureText() {
   static const std::string help =
-      "brightness of a picture (" + writtenExtensions(Holds::picture) + "), before its tone map";
+      "exposure of a picture (" + writtenExtensions(Holds::picture) + "), applied before its tone map";
   return {.name = "exposure",
           .value = "EV",
           .unit = "stops",
@@ -26,7 +26,8 @@ OptionText exposureText() {
 }
 
 OptionText toneMapText() {
-  static const std::string help = "how light becomes a picture (" + writtenExtensions(Holds::picture) + ")";
+  static const std::string help =
+      "curve by which radiance becomes a picture (" + writtenExtensions(Holds::picture) + ")";
   return {.name = "tone-map", .choices = "agx|aces|neutral|reinhard|linear", .help = help, .group = "Picture"};
 }
 

@@ -13,20 +13,26 @@ namespace {
 constexpr std::array<std::string_view, 4> kNames{"studio", "sky", "uv", "white"};
 
 const std::array<Option<SkyParameters>, 5> kSkyParameters{{
-    {{.name = "elevation", .unit = "degrees", .minimum = 0, .maximum = 90, .help = "height of the sun"},
+    {{.name = "elevation",
+      .unit = "degrees",
+      .minimum = 0,
+      .maximum = 90,
+      .help = "height of the sun above the horizon"},
      &SkyParameters::elevation_deg},
-    {{.name = "azimuth", .unit = "degrees", .help = "where the sun stands: 0 over +Z, 90 over +X"},
+    {{.name = "azimuth", .unit = "degrees", .help = "direction of the sun: 0 is over +Z, 90 over +X"},
      &SkyParameters::azimuth_deg},
-    {{.name = "turbidity", .minimum = 2, .maximum = 10, .help = "haze: 2 very clear, 10 hazy"},
+    {{.name = "turbidity", .minimum = 2, .maximum = 10, .help = "haze: 2 is very clear, 10 is hazy"},
      &SkyParameters::turbidity},
-    {{.name = "sun", .minimum = 0, .maximum = 10, .help = "strength of the sun's disc; 0 leaves the sky alone"},
+    {{.name = "sun",
+      .minimum = 0,
+      .maximum = 10,
+      .help = "factor on the radiance of the sun's disc; 0 leaves only the sky"},
      &SkyParameters::sun},
     {{.name = "adaptation",
       .minimum = 0,
       .maximum = 1,
-      .help =
-          "how far the exposure follows the light of the day: 0, radiance 1 is always 20 kcd/m²; 1, level ground is "
-          "as bright at sunset as at noon"},
+      .help = "how far the exposure follows the daylight: with 0, radiance 1 is always 20 kcd/m²; with 1, level ground "
+              "is as bright at sunset as at noon"},
      &SkyParameters::adaptation},
 }};
 

@@ -172,27 +172,28 @@ constexpr Field kLight{[](const FrameSettings&) { return std::string(); },
                        true};
 
 const std::array<Option<FrameSettings>, 16> kOptions{{
-    {{.name = "size", .value = "WxH", .unit = "pixels", .help = "size of the picture", .group = "Picture"}, kSize},
+    {{.name = "size", .value = "WxH", .unit = "pixels", .help = "width and height of the picture", .group = "Picture"},
+     kSize},
     {{.name = "samples",
       .value = "N",
       .minimum = 1,
       .maximum = 4096,
-      .help = "samples of each pixel, evenly spread over its area",
+      .help = "number of samples per pixel, spread evenly over its area",
       .group = "Picture"},
      &FrameSettings::samples},
     {{.name = "resolve",
       .choices = "display|radiance",
-      .help =
-          "what is averaged over the samples: the light that a display shows of each, so that outlines of what is far "
-          "brighter than white are smooth, or radiance, which is then tone mapped; .exr and .hdr hold radiance",
+      .help = "what is averaged over the samples of a pixel: display averages the tone-mapped light that a display "
+              "shows, so that outlines against very bright light are smooth; radiance averages radiance, which is tone "
+              "mapped afterwards; .exr and .hdr always hold radiance",
       .group = "Picture"},
      choiceField<&FrameSettings::resolve>},
     {exposureText(), kExposure},
     {toneMapText(), kToneMap},
     {{.name = "background",
       .value = "env|blur|COLOR|transparent",
-      .help = "what is behind the model; COLOR is #rrggbb, which the picture shows as it is (a map or a picture of "
-              "radiance holds its linear light), or R,G,B, radiance that is exposed and tone mapped",
+      .help = "what is shown behind the model; COLOR is #rrggbb, a colour that the picture shows unchanged (maps and "
+              "radiance files hold its linear light), or R,G,B, a radiance that is exposed and tone mapped",
       .group = "Picture"},
      kBackground},
 
@@ -201,8 +202,8 @@ const std::array<Option<FrameSettings>, 16> kOptions{{
       .unit = "degrees and model radii",
       .min_count = 2,
       .max_count = 3,
-      .help = "azimuth 0 stands on +Z and looks along -Z, 90 on +X; elevation 90 on +Y; without a distance the model "
-              "fills the picture and is in its middle",
+      .help = "where the camera stands around the model: azimuth 0 is on +Z and looks along -Z, azimuth 90 is on +X, "
+              "elevation 90 is on +Y; without DISTANCE the model fills the picture and is centred in it",
       .group = "Camera"},
      kOrbit},
     {{.name = "target",
@@ -210,7 +211,8 @@ const std::array<Option<FrameSettings>, 16> kOptions{{
       .unit = "world units",
       .min_count = 3,
       .max_count = 3,
-      .help = "the point that the camera looks at; without it the model's centre, or the middle of what is seen of it",
+      .help =
+          "point that the camera looks at; without it, the model's centre, or the middle of its outline in the picture",
       .group = "Camera"},
      kTarget},
     {{.name = "fov",
@@ -218,7 +220,7 @@ const std::array<Option<FrameSettings>, 16> kOptions{{
       .unit = "degrees",
       .minimum = 1,
       .maximum = 170,
-      .help = "vertical angle of view",
+      .help = "vertical field of view",
       .group = "Camera"},
      kFieldOfView},
     {{.name = "orthographic",
@@ -226,7 +228,7 @@ const std::array<Option<FrameSettings>, 16> kOptions{{
       .unit = "model radii",
       .minimum = 0,
       .maximum = 1e4,
-      .help = "parallel projection of that height; 2 inscribes a sphere; 0: the model fills the picture",
+      .help = "use an orthographic projection of this height; 2 just fits a sphere; 0: the model fills the picture",
       .implied = "0",
       .group = "Camera"},
      kOrthographic},
@@ -235,7 +237,7 @@ const std::array<Option<FrameSettings>, 16> kOptions{{
       .value = "YAW[,PITCH[,ROLL]]",
       .unit = "degrees",
       .max_count = 3,
-      .help = "turns the environment about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, +Z towards +X",
+      .help = "turn the environment about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, from +Z towards +X",
       .group = "Environment",
       .also = "rotate"},
      kRotation},
@@ -243,26 +245,25 @@ const std::array<Option<FrameSettings>, 16> kOptions{{
       .value = "FACTOR",
       .minimum = 0,
       .maximum = 1e6,
-      .help = "strength of its light",
+      .help = "factor on the environment's light",
       .group = "Environment"},
      &FrameSettings::env_intensity},
     {{.name = "blur",
       .choices = "exact|gpu|mip|cone",
-      .help = "how rough surfaces blur the environment: prefiltered exactly, prefiltered on the GPU in a few "
-              "milliseconds, by a "
-              "coarser mip level, or by the mean of 64 rays in a cone",
+      .help = "how the environment is blurred for rough surfaces: prefiltered exactly, prefiltered on the GPU in a few "
+              "milliseconds, by a coarser mip level, or by the mean of 64 rays in a cone",
       .group = "Look"},
      choiceField<&FrameSettings::blur>},
     {{.name = "mapping",
       .choices = "reflection|normal|sphere",
-      .help = "what looks the map up: the reflected ray, the surface normal, or the normal as texture coordinates of a "
-              "sphere map, which is always sharp",
+      .help = "what addresses the environment map: the reflected ray, the surface normal, or the normal as texture "
+              "coordinates of a sphere map, which is always sharp",
       .group = "Environment"},
      choiceField<&FrameSettings::mapping>},
     {{.name = "reflect-at",
       .choices = "vertex|fragment|triangle",
-      .help = "where the ray is reflected: at vertices, the result interpolated, at each fragment, or once a triangle, "
-              "as a mirror made of tiles",
+      .help = "where the reflected ray is computed: at the vertices and then interpolated, at each fragment, or once "
+              "per triangle, like a mirror made of tiles",
       .group = "Environment"},
      choiceField<&FrameSettings::reflect_at>},
     {{.name = "light",
@@ -270,7 +271,7 @@ const std::array<Option<FrameSettings>, 16> kOptions{{
       .unit = "world units and radiance",
       .min_count = 6,
       .max_count = 6,
-      .help = "a point light after Phong; may be repeated",
+      .help = "add a point light (Phong's model) by its position and its colour; may be repeated",
       .group = "Environment"},
      kLight},
 

@@ -12,15 +12,14 @@ const std::array<Option<Turntable>, 2> kTurntableOptions{{
       .value = "N",
       .minimum = 0,
       .maximum = 100000,
-      .help =
-          "a turntable of N numbered pictures, once round; %04d or #### in the output's name stands for the number, "
-          "else it comes at the end",
+      .help = "number of pictures in a turntable, one full turn; %04d or #### in the output's name stands for the "
+              "picture's number, which otherwise comes at the end; 0: a single picture",
       .group = "Picture"},
      &Turntable::frames},
     {{.name = "turn",
       .choices = "camera|model|environment",
-      .help =
-          "what goes round in a turntable, +Z towards +X; a turning model has its lights and background stand still",
+      .help = "what turns in a turntable, from +Z towards +X; when the model turns, the lights and the background "
+              "stand still",
       .group = "Picture"},
      choiceField<&Turntable::turn>},
 }};

@@ -9,19 +9,20 @@
 namespace mirrorball {
 namespace {
 
-const std::string kMaterialHelp = "gives every surface this material: " + join(materialNames(), " ");
+const std::string kMaterialHelp = "use this material for every surface: " + join(materialNames(), " ");
 
 const std::array<Option<MaterialChanges>, 3> kMaterialOptions{{
     {{.name = "material", .value = "NAME", .help = kMaterialHelp, .group = "Material", .names = materialNames},
      &MaterialChanges::material},
     {{.name = "set",
       .value = "KEY=VALUE",
-      .help = "sets one parameter of every material; may be repeated. `mirrorball reference` lists the parameters",
+      .help = "set one parameter of every material; may be repeated. `mirrorball reference` lists the parameters",
       .group = "Material"},
      &MaterialChanges::set},
     {{.name = "fresnel",
       .choices = "material|exact|schlick|empirical",
-      .help = "form of Fresnel's law for every material; empirical is offset + scale (1 + V·N)^power",
+      .help = "Fresnel formula of every material; material keeps each one's own, empirical is offset + scale (1 + "
+              "V·N)^power",
       .group = "Material"},
      choiceField<&MaterialChanges::fresnel>},
 }};

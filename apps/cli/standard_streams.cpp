@@ -61,7 +61,7 @@ Result<void> writeAll(int to, std::span<const std::uint8_t> bytes, const char* n
 
 /// Copies all that there is to read.
 ///
-/// errors   io; too_large: more than `most` bytes; interrupted
+/// errors   io; too_large: more than `max` bytes; interrupted
 Result<void> copyAll(int from, int to, const char* name, std::uint64_t max) {
   std::array<std::uint8_t, kPieceBytes> piece;
   std::uint64_t copied = 0;

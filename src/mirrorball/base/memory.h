@@ -9,14 +9,14 @@
 
 namespace mirrorball {
 
-/// The most memory that the images of one task may take [bytes]: at first 3/4 of what the machine has, or of what its
-/// control group allows.
+/// The maximum memory for the images of one task [bytes]: initially 3/4 of the machine's memory, or of what its control
+/// group allows.
 std::uint64_t memoryLimit();
 
-/// Changes it for the whole process.
+/// Changes this limit for the whole process.
 void setMemoryLimit(std::uint64_t bytes);
 
-/// Refuses to take more than the limit: asked before memory is taken for what a file says.
+/// Refuses to take more memory than the limit. Called before memory is taken whose size a file states.
 ///
 /// errors   too_large
 Result<void> checkMemory(std::uint64_t bytes);

@@ -10,13 +10,13 @@ namespace mirrorball {
 
 /// What a remark is about, for callers that treat kinds differently.
 enum class RemarkKind {
-  light_lost,       ///< a format that was asked for holds no light that bright
-  digits_lost,      ///< it holds few digits of light that dark
+  light_lost,       ///< the requested format cannot hold light this bright
+  digits_lost,      ///< it holds only few digits of light this dark
   negative_raised,  ///< values below 0 became 0
   format_widened,   ///< written in 32-bit floats, since half floats do not hold the light
   alpha_lost,       ///< the format has no alpha
-  form_unsaid,      ///< the file does not say what map it holds; `detail` is what tells it (FormHint's words)
-  levels_few,       ///< the mip levels are fewer than their reader looks for
+  form_unsaid,      ///< the file does not say what map it holds; `detail` is the hint that does (FormHint)
+  levels_few,       ///< there are fewer mip levels than their reader expects
 };
 
 /// What a caller did not ask for but should know.
@@ -26,7 +26,7 @@ struct Remark {
   std::string detail = {};  ///< as its kind says
 };
 
-/// What work tells its caller while it goes on. Each may be left out.
+/// Functions by which work reports to its caller while it goes on. Each may be empty.
 struct Observer {
   std::function<void(const Remark&)> remark = {};
   std::function<void(const std::string& path)> written = {};              ///< a file is finished

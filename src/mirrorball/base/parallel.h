@@ -21,13 +21,14 @@ void parallelFor(std::size_t count, std::size_t grain,
 /// How many threads compute at a time: as many as there are cores, or as setThreadLimit said.
 int threadLimit();
 
-/// Changes it for the whole process, before it computes anything. Results do not depend on it; without threads it stays 1.
+/// Changes this number for the whole process, before it computes anything. Results do not depend on it; without threads
+/// it stays 1.
 ///
 /// threads  at least 1
 void setThreadLimit(int threads);
 
-/// How a task is started with std::async that others need not wait for: on a thread of its own; where only one may compute,
-/// when somebody waits for it.
+/// The launch policy of std::async for a task that runs beside others: on a thread of its own or, if only one thread
+/// may compute, when somebody waits for it.
 std::launch besideOthers();
 
 }  // namespace mirrorball

@@ -8,19 +8,19 @@
 
 namespace mirrorball {
 
-/// What long work calls as it goes on. Returns false when the work should stop (Ctrl-C).
+/// The function that long work calls as it goes on. It returns false when the work should stop (Ctrl-C).
 ///
 /// done     how many steps are finished, from 0
 /// total    how many there are
 using ProgressFunction = std::function<bool(std::size_t done, std::size_t total)>;
 
-/// What a part of some work calls: its own steps, told as steps of the whole.
+/// The function for one part of some work: it reports the part's steps as steps of the whole.
 ///
 /// first, count   those of the whole's `total` steps that are this part's
 /// returns        nothing for nothing
 ProgressFunction partOf(const ProgressFunction& whole, std::size_t first, std::size_t count, std::size_t total);
 
-/// The steps of some work, finished by several threads in any order. Once it was told to stop, it stays so.
+/// Counts the steps of some work that several threads finish in any order. Once it was told to stop, it stays stopped.
 class ProgressCounter {
  public:
   /// progress   must outlive it; nothing: never stops

@@ -39,8 +39,8 @@ struct ImageWriteOptions {
 };
 
 /// Reads every format of image_format.h by its first bytes, not by its name. Integers are decoded to linear light, from
-/// sRGB unless a PNG states another curve; floats are linear light. Of a texture of one face it is the largest level. NaN
-/// and infinity are kept: whoever needs light asks findNonFinite.
+/// sRGB unless a PNG states another curve; floats are linear light. Of a texture with one face, the largest level is
+/// read. NaN and infinity are kept: whoever needs light asks findNonFinite.
 ///
 /// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported
 Result<DecodedImage> readImage(const std::filesystem::path& path);
@@ -68,7 +68,7 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
 /// returns  4 channels, alpha straight; alpha 255 where the file has none
 Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);
 
-/// Whether the bytes begin as a format of integers that decodeTexture takes, and a TIFF does hold integers.
+/// Whether the bytes begin like a format of integers that decodeTexture takes. A TIFF must also hold integers.
 bool holdsCodes(std::span<const std::uint8_t> bytes);
 
 /// Writes an encoded picture of 3 or 4 channels (straight alpha; JPEG drops it) as .png or .jpg.

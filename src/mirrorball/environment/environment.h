@@ -34,7 +34,7 @@ class Environment {
   /// The size that shows all its detail in that projection.
   int naturalSize(Projection projection) const;
 
-  /// Texels a radian that are worth sampling.
+  /// Texels per radian that are worth sampling.
   float texelDensity() const;
 
  private:

@@ -33,7 +33,7 @@ class EnvironmentMap {
   /// height     of the whole panorama
   /// capacity   the most rows that it will hold at a time
   static EnvironmentMap windowOfPanorama(int height, int channels, int capacity);
-  /// Which rows of the images are in memory: all but for such a window.
+  /// Which rows of the images are in memory: all of them, except with such a window.
   RowRange rows() const { return rows_; }
   /// Takes the rows that follow, as many as there is room for.
   void appendRows(const Image& rows);
@@ -54,9 +54,9 @@ class EnvironmentMap {
   /// The size of each whole image, in texels.
   glm::ivec2 extent() const { return extent_; }
 
-  /// The radiance that arrives from `direction` (unit), interpolated across every seam, pole, fold and cube
-  /// edge; nothing from beside a disc is mixed in. From a direction that the map does not cover: behind a photographed
-  /// ball that of the rim's nearest point, in the other half of a hemioctahedral map none.
+  /// The radiance that arrives from `direction` (unit), interpolated across every seam, pole, fold and cube edge;
+  /// nothing from beside a disc is mixed in. For a direction that the map does not cover: behind a photographed ball,
+  /// the radiance at the nearest point of the rim; in the other half of a hemioctahedral map, none.
   glm::vec3 radiance(glm::vec3 direction, Interpolation interpolation = Interpolation::bilinear) const;
 
  private:

@@ -38,14 +38,14 @@ class Context {
   Context& operator=(Context&&) noexcept;
   ~Context();
 
-  /// Makes this context current in the calling thread, for programs that have more than one. One that was adopted its
-  /// owner makes current.
+  /// Makes this context current in the calling thread, for programs that have more than one. The owner of an adopted
+  /// context makes it current instead.
   void makeCurrent();
 
   Api api() const;
   std::string renderer() const;  ///< the driver's name for the device: "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string version() const;   ///< the driver's version line: "4.5 (Core Profile) Mesa 22.3.6"
-  /// Whether textures of 32-bit floats are interpolated: always but on OpenGL ES without OES_texture_float_linear.
+  /// Whether textures of 32-bit floats are interpolated: always, except on OpenGL ES without OES_texture_float_linear.
   bool filtersFloats() const;
   int largestTexture() const;  ///< the longest side in texels of a 2D texture or a framebuffer
 

@@ -13,7 +13,7 @@
 
 namespace mirrorball {
 
-/// What is seen between texels.
+/// Interpolation between texels.
 enum class Interpolation { bilinear, bicubic };
 
 /// Bilinear interpolation at a continuous position, texel (i, j) having its centre at (i + ½, j + ½).
@@ -47,11 +47,11 @@ struct TexelRange {
   glm::vec3 max;
 };
 
-/// How much of a curve's way from the straight line may be gone where the texels it runs through differ as these do: all
-/// up to a contrast of 8 within a channel, nothing from 16 on. There, beside a sun or at its edge, a smooth curve swings
-/// far below what is dark, and cut off at that it adds light (17 % to a single texel); the straight line keeps the sum.
-/// One share holds for all channels, for else edges would have coloured fringes. In a channel nearly without light only
-/// what is more than 1/64 of the brightest counts.
+/// The share that is kept of a curve's deviation from the straight line, if the texels that it runs through differ like
+/// these: all of it up to a contrast of 8 within a channel, none of it from 16 on. There, beside a sun or at its edge,
+/// a smooth curve swings far below what is dark, and cut off at that it adds light (17 % to a single texel); the
+/// straight line keeps the sum. One share holds for all channels, for else edges would have coloured fringes. In a
+/// channel nearly without light only what is more than 1/64 of the brightest counts.
 ///
 /// returns  in [0, 1]
 inline float shareByContrast(const TexelRange& all) {
@@ -61,7 +61,7 @@ inline float shareByContrast(const TexelRange& all) {
   return std::min({shares.x, shares.y, shares.z, 1.0f});
 }
 
-/// What a cubic is at a place, and what contrast leaves of a curve that crosses it there.
+/// The value of a cubic at a place, and the share that contrast leaves of a curve that crosses it there.
 struct LimitedCubic {
   glm::vec3 light;
   float
@@ -75,7 +75,7 @@ struct LimitedCubic {
 /// stays in the range of the two, but for a peak or a trough between them, where both bend one way and both neighbours lie
 /// on that side: there, as far outside as the least of those four differences allows, and never below zero.
 ///
-/// most_share   of its way from the straight line that it may go
+/// max_share   of its deviation from the straight line that may be kept
 inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t, float max_share = 1.0f) {
   const auto& [before, first, second, after] = texels;
   const glm::vec3 half_slope = 0.5f * (second - first);

@@ -31,7 +31,7 @@ class ImageOf {
     samples_.assign(std::size_t(width) * std::size_t(height) * std::size_t(channels), fill);
   }
 
-  /// The same with whatever is in memory as its samples, for whoever sets them all.
+  /// The same with undefined samples, for callers that set them all.
   static ImageOf withoutValues(int width, int height, int channels) {
     ImageOf image;
     image.width_ = width;
@@ -100,12 +100,12 @@ std::string textOf(const NonFinite& bad);
 /// errors   non_finite when no texel is finite
 Result<void> repairNonFinite(Image& image);
 
-/// Refuses what no image may be: a side of 0, or more than `kLargestTexelCount` texels.
+/// Refuses sizes that no image may have: a side of 0, or more than `kLargestTexelCount` texels.
 ///
 /// errors   bad_file (a side is 0 or negative); too_large
 Result<void> checkDimensions(long long width, long long height);
 
-/// Refuses an image of that size in linear light where it would take more memory than may be used (base/memory.h).
+/// Refuses an image of that size in linear light if it would take more memory than is allowed (base/memory.h).
 ///
 /// errors   too_large
 Result<void> checkImageMemory(int width, int height, int channels);

@@ -55,7 +55,7 @@ void forEachImage(Set& images, const Visit& visit) {
 /// The side of a mip level whose level 0 has `side` texels: halved and rounded down, at least 1.
 inline int levelSide(int side, int level) { return std::max(side >> level, 1); }
 
-/// How many levels there are down to one texel, of images whose longer side has so many.
+/// The number of levels down to one texel, for images whose longer side has that many texels.
 inline int levelCount(int longer_side) { return std::bit_width(static_cast<unsigned>(longer_side)); }
 
 }  // namespace mirrorball

@@ -20,36 +20,36 @@ namespace mirrorball {
 
 /// Where mip levels come from.
 enum class MipSource {
-  automatic,    ///< a texture's own where its map stays as it is, else weighted by solid angle
+  automatic,    ///< a texture's own if its map is not changed, else weighted by solid angle
   solid_angle,  ///< MipWeights'
   box,
 };
 
 /// How a map goes into its file.
 struct MapFileOptions {
-  std::string program = {};                     ///< as that one wants it: a preset's name (preset.h); empty: as ours
+  std::string program = {};                     ///< for this program: a preset's name (preset.h); empty: as ours
   bool as_seen = false;                         ///< then a cube's faces as pictures seen from inside
-  Flip flip = Flip::none;                       ///< then each turned over
+  Flip flip = Flip::none;                       ///< then each flipped
   std::optional<FaceOrder> face_order = {};     ///< then in that order
   std::optional<TexelFormat> format = {};       ///< nothing: as fits the file and the light
   int zstandard_level = 0;                      ///< of .ktx2: 1 fast … 22 small; 0: none
   LightLimits light = {};                       ///< of what is loaded or captured for it
   std::optional<CubeLayout> layout = {};        ///< of a cube in pictures; nothing: the program's, or hcross
   bool mips = false;                            ///< with all mip levels; of a picture, on a sheet
-  std::optional<int> level = {};                ///< one of them instead of the map
-  MipSource mip_source = MipSource::automatic;  ///< how their texels weigh
+  std::optional<int> level = {};                ///< one mip level instead of the map
+  MipSource mip_source = MipSource::automatic;  ///< weights of their texels
   Display display = {};                         ///< of pictures
 };
 
-/// The table of them, but for the display's.
+/// The table of these options, except for the display's.
 std::span<const Option<MapFileOptions>> mapFileOptions();
-/// Those of them that a cube's texture may be asked for.
+/// The options that apply to a cube's texture.
 std::span<const Option<MapFileOptions>> textureFileOptions();
 
 /// Where a map goes, and in which form.
 class MapFile {
  public:
-  /// Looks at names only: whether the folder is there is another matter.
+  /// Checks names only, not whether the folder exists.
   ///
   /// observer  told of what is written by it, and of what its file does not hold
   /// errors    usage: what the options ask for does not exist, or not in such a file
@@ -62,31 +62,32 @@ class MapFile {
   /// Whether the map can be written while it is converted: a texture of one level whose texels stay where they are.
   bool takesPieces() const;
 
-  /// Whether of a texture whose map stays as it is those smaller levels are wanted that it has.
+  /// Whether the smaller levels that a texture has are wanted, if its map is not changed.
   bool takesOwnLevels() const { return (all_levels_ || level_.value_or(0) > 0) && mip_source_ == MipSource::automatic; }
 
   /// errors   usage: a mip level is wanted that a map of that size does not have
   Result<void> checkLevelOfSize(int size) const;
 
-  /// Writes a map to its files, which say what form it has (all but .dds: of that a remark tells): the map, or its mip
-  /// levels, of which pictures get a sheet, or one of them. Light beyond a format that was asked for is lowered to the most that it holds, with a remark.
+  /// Writes a map to its files: the map, or all of its mip levels (a picture gets a sheet of them), or one of them. The
+  /// files say what form the map has, except .dds, for which a remark says it. Light beyond the range of a requested
+  /// format is lowered to its maximum, with a remark.
   ///
   /// errors   as writeImage's and writeImageSet's; usage: there is no such level
   Result<void> write(EnvironmentMap map) const;
-  /// The same of a map's own levels, as the form has them.
+  /// The same for a map's own levels, which are in the form of the file.
   Result<void> write(ImageSet levels) const;
 
   /// Writes a map that `convert_to` converts and hands on piece by piece. May call it twice: where the format is left to
   /// us and half floats do not hold the light, it is written in 32-bit floats.
   Result<void> writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const;
 
-  /// Writes a cube's texture, all of whose levels are made already.
+  /// Writes the texture of a cube whose levels all exist already.
   ///
   /// facts    that it keeps beside its form
   /// returns  the format that it was written in
   Result<TexelFormat> writeLevels(ImageSet levels, const Metadata& facts = {}) const;
 
-  /// Says how to read the file again, if it is one that does not say what map it holds and that would be taken for another.
+  /// Remarks how to read the file again, if it does not say what map it holds and would be taken for another.
   void remarkOnForm() const;
 
   /// How pictures hold light: "three channels of half floats".

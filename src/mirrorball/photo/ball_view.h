@@ -14,7 +14,7 @@ struct SeenAt {
   double from_rim_px = 0.0;  ///< how far inside the rim
 };
 
-/// A mirror ball before a camera: which light of the distance is seen where. The ball is so small that all light comes
+/// A mirror ball in front of a camera: which distant light is seen where. The ball is so small that all light comes
 /// from infinitely far away.
 ///
 /// Directions are the camera's: +X to the right, +Y up, +Z from the scene to the camera, as in all maps of this program.
@@ -38,7 +38,7 @@ class BallView {
   /// Where the light that comes from `direction` (unit) is seen; nothing inside the blind cone.
   std::optional<SeenAt> seenAt(glm::dvec3 direction) const;
 
-  /// Where the light comes from that is seen at a position; nothing beside the ball.
+  /// The direction from which the light comes that is seen at a position; nothing beside the ball.
   std::optional<glm::dvec3> directionAt(glm::dvec2 position_px) const;
 
   /// How far inside the rim a position lies; negative beside the ball.

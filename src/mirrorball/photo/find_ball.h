@@ -24,7 +24,8 @@ struct FoundBall {
   double confidence = 1.0;           ///< 0 … 1: how likely this is the ball, of all circles that were found and none
   std::optional<Circle> rival = {};  ///< the next likely one, within some percent, as ballOfCircle takes it
 
-  /// Whether it need hardly be looked at: of traced photographs 1 in 100 that is sure is off by more than 3 % of the radius.
+  /// Whether it hardly needs to be checked: 1 in 100 of the sure circles in traced photographs is off by more than 3 %
+  /// of the radius.
   bool isSure() const { return confidence >= 0.7; }
 };
 

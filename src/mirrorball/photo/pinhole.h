@@ -13,7 +13,7 @@ struct Circle {
   double radius_px = 0.0;
 };
 
-/// How a camera without distortion lays rays onto the picture: x to the right and y up in the picture, z towards the
+/// How a camera without distortion maps rays to the picture: x to the right and y up in the picture, z towards the
 /// camera.
 ///
 /// The rim of a sphere is seen along a cone of rays. Where the sphere stands beside the picture's middle, that cone cuts

@@ -28,9 +28,9 @@ double rimMargin_px(const BallView& view);
 /// Unwraps photographs of one mirror ball into the light around it.
 ///
 /// Directions that several photographs see are blended by the fourth power of how squarely the ball faces the camera
-/// there, for towards the rim it shows ever more of the surroundings in a pixel. What none sees is continued smoothly
-/// (fill.h). A later photograph is scaled by the median ratio of its light to the first one's, over the directions that
-/// both see well. Directions are those of the first photograph's camera, which is taken as level.
+/// there, because a pixel closer to the rim shows more of the surroundings. Directions that no photograph sees are
+/// filled smoothly (fill.h). A later photograph is scaled by the median ratio of its light to the first one's, over the
+/// directions that both see well. Directions are those of the first photograph's camera, which is taken as level.
 ///
 /// photographs  at least one
 /// errors       bad_shape: a photograph shows no direction at all

@@ -18,7 +18,8 @@ namespace mirrorball {
 ///          in it); too_large
 Result<Scene> loadModel(const std::string& name_or_path);
 
-/// What a file is called that loadModel would take: "a glTF", "an OBJ"; nothing where it would not, or there is none.
+/// The name of a file's format, if loadModel would take it: "a glTF", "an OBJ". Nothing if it would not, or there is no
+/// such file.
 std::optional<std::string_view> modelFormatOf(const std::string& path);
 
 /// The extensions of the files that are read: ".glb .gltf .obj .ply .stl".

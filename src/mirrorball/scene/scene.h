@@ -11,7 +11,7 @@
 
 namespace mirrorball {
 
-/// How texture coordinates outside [0, 1] are answered.
+/// How texture coordinates outside [0, 1] are wrapped.
 enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
 
 /// A picture on a surface.
@@ -23,7 +23,7 @@ struct Texture {
   bool nearest = false;  ///< magnified without interpolation
 };
 
-/// A mesh put into the world, without mirroring it: who needs the mirror image mirrors the mesh.
+/// A mesh that is placed in the world, without mirroring: for a mirror image, mirror the mesh.
 struct Instance {
   int mesh = 0;
   glm::mat4 world_from_object{1.0f};
@@ -35,7 +35,7 @@ struct BoundingSphere {
   float radius = 1.0f;
 };
 
-/// What there is to see.
+/// The objects that are seen, with their materials and textures.
 struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;

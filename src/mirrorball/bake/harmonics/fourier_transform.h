@@ -33,7 +33,7 @@ class FourierTransform {
   std::unique_ptr<const Chirp> chirp_;  // where the library would be slow
 };
 
-/// The next number from `least` on that is even and a product of 2, 3 and 5, for which Fourier transforms are quick.
+/// The next number from `min` on that is even and a product of 2, 3 and 5, for which Fourier transforms are quick.
 int quickLength(int min);
 
 }  // namespace mirrorball

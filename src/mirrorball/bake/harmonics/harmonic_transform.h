@@ -14,14 +14,14 @@
 
 namespace mirrorball {
 
-/// How close the points of a grid lie, between which a function is interpolated.
+/// The density of a grid, between whose points a function is interpolated.
 enum class GridDensity {
   sparse,  ///< 9/8 rings and 2 columns a band: for weights that leave next to nothing of the upper half of the bands
   dense,   ///< 2 rings and 4 columns a band
 };
 
-/// A function on the sphere in spherical harmonics about +Y: of red, green, blue and of what a white map of the same
-/// texels has, for which only order 0 is kept.
+/// A function on the sphere as coefficients of spherical harmonics about +Y: those of red, green and blue, and those of
+/// a white map of the same texels, of which only order 0 is kept.
 class HarmonicCoefficients {
  public:
   /// One band of one order: Σ texels · Y*_lm.
@@ -45,10 +45,10 @@ class HarmonicCoefficients {
   std::vector<LegendreOrder> legendre_;
 };
 
-/// The memory of coefficients of so many bands.
+/// The memory of coefficients with `bands` bands [bytes].
 std::uint64_t harmonicBytes(int bands);
 
-/// What analyse takes beside the coefficients, and synthesize with the grid that it returns.
+/// The memory that analyse takes beside the coefficients, and synthesize with the grid that it returns [bytes].
 std::uint64_t analysisBytes(int bands);
 std::uint64_t synthesisBytes(int bands, GridDensity density);
 
@@ -65,8 +65,8 @@ std::uint64_t synthesisBytes(int bands, GridDensity density);
 Result<HarmonicCoefficients> analyse(const EnvironmentMap& panorama, const BrightLights& without, int bands,
                                      const ProgressFunction& progress = {});
 
-/// The function again on a grid, each band l weighed by `weights[l]`, divided by what the white map has there: for weights
-/// of a lobe the weighted mean of all texels.
+/// Evaluates the function on a grid, with each band l weighted by `weights[l]`, and divides it by the value of the
+/// white map there. With the weights of a lobe, this is the weighted mean of all texels.
 ///
 /// weights    at most coefficients.bands() count
 /// returns    colour and, as the fourth channel, one over white

@@ -82,7 +82,7 @@ struct SplitLight {
 /// Single texels are points of light in the map that they come from; converted they would be smeared. But of a map of
 /// very few texels they would be seen as points.
 ///
-/// most   points
+/// max   points at most
 Result<SplitLight> splitLight(const Environment& environment, int rows, int max, const ProgressFunction& progress) {
   SplitLight split;
   const EnvironmentMap* map = environment.map();

@@ -17,7 +17,8 @@
 
 namespace mirrorball {
 
-/// An environment under one lobe: around each direction the mean of its light, weighed by the lobe.
+/// An environment that is blurred by one lobe: for each direction, the mean of the light around it, weighted by the
+/// lobe.
 class BlurredLight {
  public:
   /// The means around all points of a batch: reads x, y and z, writes u and v.
@@ -35,8 +36,8 @@ class BlurredLight {
   std::shared_ptr<const BrightLights> bright_;
 };
 
-/// The light of an environment as few points that outshine the rest, and the rest in spherical harmonics, where a blur is
-/// one product a band.
+/// The light of an environment in two parts: a few points that outshine the rest, and the rest in spherical harmonics,
+/// where a blur is one product per band.
 ///
 /// Errors: the sum over all texels is exact but for the bands that a lobe leaves next to nothing of, the grid between
 /// whose points it is interpolated, and the rounding of floats: together 1e-5 to 1e-4 of the light around
@@ -50,7 +51,7 @@ class LightHarmonics {
   static Result<LightHarmonics> make(const Environment& environment, const std::vector<Lobe>& lobes,
                                      const ProgressFunction& progress = {});
 
-  /// Memory [bytes], at most: how many bands a map needs is seen only when it is analysed.
+  /// The maximum memory [bytes]: how many bands a map needs is known only when it is analysed.
   struct Memory {
     std::uint64_t peak;  ///< while it is made, beside the environment
     std::uint64_t kept;

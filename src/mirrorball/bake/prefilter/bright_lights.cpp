@@ -72,7 +72,7 @@ std::vector<RowBrightness> brightnessOfRows(const EnvironmentMap& map) {
   return rows;
 }
 
-/// All texels that are brighter than `least`, in their order.
+/// All texels that are brighter than `min`, in their order.
 std::vector<Candidate> brightCandidates(const EnvironmentMap& map, const std::vector<RowBrightness>& rows, float min) {
   const auto width = static_cast<std::size_t>(map.extent().x);
   std::vector<std::vector<Candidate>> found(rows.size());
@@ -88,7 +88,7 @@ std::vector<Candidate> brightCandidates(const EnvironmentMap& map, const std::ve
   return all;
 }
 
-/// The mean brightness of a map, of all that is brighter than `most` only so much.
+/// The mean brightness of a map, of all that is brighter than `max` only so much.
 float meanBrightness(const EnvironmentMap& map, const std::vector<RowBrightness>& rows, float max) {
   const auto height = static_cast<std::size_t>(map.extent().y);
   double sum = 0.0;
@@ -112,7 +112,7 @@ bool isBrighter(const Candidate& a, const Candidate& b) {
   return a.brightness != b.brightness ? a.brightness > b.brightness : a.index < b.index;
 }
 
-/// Keeps the brightest, as many as make `most` points.
+/// Keeps the brightest, as many as make `max` points.
 ///
 /// returns  the brightness of the first that is left out, or nothing
 std::optional<float> keepBrightest(const EnvironmentMap& map, int max, std::vector<Candidate>& candidates) {

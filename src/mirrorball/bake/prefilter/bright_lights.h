@@ -8,7 +8,7 @@
 
 namespace mirrorball {
 
-/// What a texel is brighter than the rest of its map.
+/// By how much a texel is brighter than the rest of its map.
 struct Excess {
   int face = 0;
   glm::ivec2 texel{0};
@@ -28,16 +28,15 @@ struct BrightLights {
   bool is_complete = true;           ///< more points would not make the rest any smoother
 };
 
-/// The brightest texels of a map, with what they exceed the brightest of the rest by, and at least eight times the mean
-/// of the map without them.
-/// Near a panorama's poles, where texels are narrow, those beside each other share a point as long as they are together
-/// no wider than a quarter of their height.
+/// The brightest texels of a map, each with its excess over the brightest of the rest. All of them are brighter than
+/// eight times the mean of the map without them. Near a panorama's poles, where texels are narrow, those beside each
+/// other share a point as long as they are together no wider than a quarter of their height.
 ///
-/// most     points at most; of more texels that are alike none is taken
+/// max      points at most; if more texels than that are alike, none of them is taken
 /// cost     one pass over the texels, and three over the rows that have bright ones
 BrightLights brightLights(const EnvironmentMap& map, int max);
 
-/// Takes them out of the map.
+/// Subtracts these lights from the map.
 void subtract(const BrightLights& lights, EnvironmentMap& map);
 
 }  // namespace mirrorball

@@ -23,7 +23,7 @@ enum class MipMapping {
   frostbite,  ///< lod = M √r
 };
 
-/// The perceptual roughness of a level, from 1 to `last`, the level of roughness 1. Level 0 is the mirror's, 0.
+/// The perceptual roughness of a level, from 1 to `last`, the level of roughness 1. Level 0 is a mirror: 0.
 float roughnessOfLevel(MipMapping mapping, int level, int last);
 
 struct PrefilterOptions {
@@ -36,7 +36,7 @@ struct PrefilterOptions {
 /// The last level of a chain that has at least 4² texels a face: 0 for sizes below 8.
 int lastLevel(int size);
 
-/// The levels down to 1² texel a face.
+/// The number of levels down to 1² texel per face.
 int maxLevels(int size);
 
 /// One level of a chain.
@@ -46,8 +46,8 @@ struct PrefilterLevel {
   std::optional<Lobe> lobe;  ///< nothing: the environment itself
 };
 
-/// The levels from 0 on, of which the last is for roughness 1. The first is the environment itself, and so are those after
-/// it whose lobe would be narrower than Lobe::kMinAlpha.
+/// The levels of a chain; the last one has roughness 1. The first one is the environment itself, and so are the next
+/// ones if their lobes would be narrower than Lobe::kMinAlpha.
 ///
 /// cost     2 ms, for the bands of narrow lobes
 std::vector<PrefilterLevel> prefilterLevels(const PrefilterOptions& options);
@@ -70,13 +70,13 @@ Result<ImageSet> prefilter(const Environment& environment, const LightHarmonics&
                            const glm::mat3& source_from_target = glm::mat3(1.0f),
                            const ProgressFunction& progress = {});
 
-/// The same, and takes the environment's memory back as soon as it is not needed any more.
+/// The same, but frees the environment's memory as soon as it is not needed any more.
 Result<ImageSet> prefilter(Environment&& environment, const LightHarmonics& light,
                            const std::vector<PrefilterLevel>& levels,
                            const glm::mat3& source_from_target = glm::mat3(1.0f),
                            const ProgressFunction& progress = {});
 
-/// The memory of the cubes that are returned here.
+/// The memory of a cube as it is returned here [bytes].
 std::uint64_t cubeBytes(int size);
 
 /// The memory that LightHarmonics::make, the second prefilter and cubeOf for one more lobe take one after the other, at

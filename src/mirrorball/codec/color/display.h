@@ -21,8 +21,8 @@ struct Display {
 OptionText exposureText();
 OptionText toneMapText();
 
-/// Makes of radiance the light that a display sends of it: formula::displayLight, texel by texel. In pictures it is then
-/// encoded, as all linear light is.
+/// Converts radiance to the light that a display sends: formula::displayLight, texel by texel. A picture then encodes
+/// this light, as it does all linear light.
 ///
 /// image    1 (grey), 3 or 4 channels, alpha premultiplied; in the result, which lies in [0, 1], alpha is straight, as
 ///          pictures have it

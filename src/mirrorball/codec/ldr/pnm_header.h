@@ -41,7 +41,7 @@ class PnmWords {
     return rest;
   }
 
-  /// A whole number from 0 to `most`, called `what` in messages.
+  /// A whole number from 0 to `max`, called `what` in messages.
   Result<std::uint32_t> number(const char* what, std::uint32_t max) {
     const std::string_view digits = word();
     const auto value = parseNumber(digits);

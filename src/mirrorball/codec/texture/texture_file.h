@@ -16,7 +16,7 @@
 
 namespace mirrorball {
 
-/// How texels stand in a texture file that is written. All hold linear light.
+/// How texels are stored in a texture file that is written. All formats hold linear light.
 enum class TexelFormat {
   half,        ///< r16g16b16a16 sfloat, 8 bytes: ±65504
   float32,     ///< r32g32b32a32 sfloat, 16 bytes
@@ -27,7 +27,8 @@ enum class TexelFormat {
   rg_float32,  ///< r32g32 sfloat, 8 bytes
 };
 
-/// What a format is called where one asks for it. Those of two channels are for what has two, and nobody asks for them.
+/// The name by which a format is requested. Formats of two channels have no name: they are chosen for images of two
+/// channels.
 struct TexelFormatName {
   TexelFormat format;
   std::string_view name;

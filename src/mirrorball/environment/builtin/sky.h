@@ -9,8 +9,8 @@ struct SkyParameters {
   float elevation_deg = 35.0f;  ///< of the sun
   float azimuth_deg = 60.0f;    ///< of the sun: 0 stands over +Z, 90 over +X
   float turbidity = 2.5f;       ///< 2 very clear … 10 hazy
-  float sun = 1.0f;             ///< strength of the sun's disc; 0 leaves the sky alone
-  float adaptation = 0.7f;      ///< how far the exposure follows the light of the day: 0 not, 1 wholly
+  float sun = 1.0f;             ///< factor on the radiance of the sun's disc; 0 leaves only the sky
+  float adaptation = 0.7f;      ///< how far the exposure follows the daylight: 0 not at all, 1 fully
 };
 
 /// The built-in environment "sky": daylight (environment/builtin/sky_light.h) with the sun's disc over a ground of soil and stubble

@@ -12,7 +12,7 @@ namespace mirrorball {
 
 /// How light is looked up between texels, and from which side.
 struct Resampling {
-  /// What is seen between the source's texels, where the target is not much coarser.
+  /// Interpolation between the source's texels, where the target is not much coarser.
   Interpolation interpolation = Interpolation::bicubic;
   /// Turns directions of the target into the source's: a rotation.
   glm::mat3 source_from_target{1.0f};
@@ -27,7 +27,7 @@ glm::mat3 centredOn(glm::vec3 direction);
 /// returns  target_from_source; its transpose is a `source_from_target`
 glm::mat3 turnedBy(float yaw_rad, float pitch_rad, float roll_rad);
 
-/// Lays an environment out in another projection.
+/// Converts an environment to another projection.
 ///
 /// size     a face's side, a disc's diameter, a panorama's height; at least 1
 /// returns  radiance at texel centres where a texel spans at most √2 texels of the source; else the mean over the
@@ -40,11 +40,11 @@ glm::mat3 turnedBy(float yaw_rad, float pitch_rad, float roll_rad);
 Result<EnvironmentMap> convert(const Environment& source, Projection to, int size, const Resampling& resampling = {},
                                const ProgressFunction& progress = {});
 
-/// Takes a rectangle of a converted map's texels: of image `face`, from texel `begin` on. Called from several threads at
-/// a time, in any order; each texel of the map comes once.
+/// Receives a rectangle of a converted map's texels: in image `face`, from texel `begin` on. Called from several
+/// threads at a time, in any order; each texel of the map comes once.
 using TakeTexels = std::function<Result<void>(int face, glm::ivec2 begin, const Image& texels)>;
 
-/// The same without ever holding the map as a whole: what is converted is handed on while it is in a core's cache.
+/// The same without ever holding the whole map: texels are handed on while they are in a core's cache.
 ///
 /// errors   interrupted; too_large; what `take` returns
 Result<void> convertPiecewise(const Environment& source, Projection to, int size, const Resampling& resampling,
@@ -58,7 +58,7 @@ int convertedChannels(Projection projection);
 /// errors   too_large
 Result<ImageSet> imagesFor(Projection projection, int size);
 
-/// What puts texels into images, which must outlive it.
+/// A function that copies texels into images, which must outlive it.
 TakeTexels copyInto(ImageSet& images);
 
 }  // namespace mirrorball

@@ -35,7 +35,7 @@ struct FaceFrame {
   friend bool operator==(const FaceFrame&, const FaceFrame&) = default;
 };
 
-/// How six images answer for all directions. Each slot, in the order +X −X +Y −Y +Z −Z of whoever reads them, holds the
+/// How six images cover all directions. Each slot, in the order +X −X +Y −Y +Z −Z of whoever reads them, holds the
 /// image of one frame. Without more: ours, which is OpenGL's table (docs/conventions.md).
 struct CubeArrangement {
   std::array<FaceFrame, 6> slots{{
@@ -63,8 +63,8 @@ Result<Flip> flipNamed(std::string_view name);
 
 CubeArrangement flipped(CubeArrangement arrangement, Flip flip);
 
-/// The images mirrored, each in its place. Of ours: the pictures that an eye sees from inside, where OpenGL's table has
-/// their mirror images.
+/// Mirrors the images, each in its place. Our own arrangement becomes the pictures that an eye sees from inside;
+/// OpenGL's table has their mirror images.
 inline CubeArrangement asSeen(const CubeArrangement& arrangement) { return flipped(arrangement, Flip::horizontal); }
 
 /// The images in these slots turned by 180°, each in its place.

@@ -11,7 +11,7 @@
 
 namespace mirrorball {
 
-/// How another program's environment maps lie in files. docs/conventions.md has the table with each row's source.
+/// How another program stores environment maps in files. docs/conventions.md has the table with each row's source.
 struct Preset {
   std::string_view name;                ///< "three"
   std::string_view program;             ///< "three.js"
@@ -28,7 +28,7 @@ std::span<const Preset> presets();
 /// Their names, in that order.
 std::span<const std::string_view> presetNames();
 
-/// Also by other names of the programs: "threejs", "dx".
+/// The preset of a program, also by its other names: "threejs", "dx".
 ///
 /// errors   usage: lists the names
 Result<Preset> presetNamed(std::string_view name);

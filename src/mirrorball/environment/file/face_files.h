@@ -31,9 +31,9 @@ struct FaceFiles {
   int present = 0;  ///< how many of them exist
 };
 
-/// The six files that a path to one of them stands for: its name is, or ends after one of "_-. " in, one of a naming's
-/// endings (before the signs nothing is needed), in small or capital letters. Where several namings fit, as for "right",
-/// that of which most files exist.
+/// The six files that a path to one of them stands for. Its name is one of a naming's endings, or has the ending after
+/// one of the characters "_-. " (the signs need none before them), in small or capital letters. If several namings fit,
+/// as for "right", the one of which most files exist is taken.
 ///
 /// returns  nothing when the name ends in none
 std::optional<FaceFiles> faceFilesBeside(const std::filesystem::path& file);

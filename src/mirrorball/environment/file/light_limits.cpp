@@ -15,7 +15,7 @@ float brightest(glm::vec3 light) { return std::max({light.x, light.y, light.z});
 
 bool isFinite(glm::vec3 light) { return std::isfinite(light.x) && std::isfinite(light.y) && std::isfinite(light.z); }
 
-/// Light no brighter than `most`, with the hue that it had.
+/// Light no brighter than `max`, with the hue that it had.
 glm::vec3 limited(glm::vec3 light, float max) {
   const float now = brightest(light);
   return now > max && isFinite(light) ? glm::min(light * (max / now), max) : light;

@@ -8,8 +8,8 @@ namespace mirrorball {
 
 /// How light is changed before anything else is done with it.
 struct LightLimits {
-  float scale = 1.0f;                                  ///< times which all light is taken
-  float max = std::numeric_limits<float>::infinity();  ///< then the brightest channel's greatest radiance
+  float scale = 1.0f;                                  ///< factor on all light
+  float max = std::numeric_limits<float>::infinity();  ///< then the maximum radiance of the brightest channel
 
   bool areNone() const { return scale == 1.0f && max == std::numeric_limits<float>::infinity(); }
 };
@@ -23,11 +23,11 @@ struct LostLight {
     lost += other.lost;
     kept += other.kept;
   }
-  /// Of all light that there was, in [0, 1].
+  /// The share of all light that was lost, in [0, 1].
   double share() const { return lost > 0.0 ? lost / (lost + kept) : 0.0; }
 };
 
-/// Lowers every texel whose brightest channel is above `most` until it is not, its hue kept. Texels that are not finite
+/// Scales every texel whose brightest channel is above `max` down to `max`, keeping its hue. Texels that are not finite
 /// stay.
 ///
 /// texels   a rectangle of one of the images of a map of that projection

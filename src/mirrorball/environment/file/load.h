@@ -40,9 +40,10 @@ struct LoadedEnvironment {
   LostLight lost = {};                          ///< by the limit of the light
   Metadata metadata = {};                       ///< what the file says of itself; of six files the first
   FormDoubt doubt = {};                         ///< of the form that was recognised
-  int levels = 1;                               ///< mip levels that its file holds, the map itself among them
+  int levels = 1;                               ///< mip levels that its file holds, the map itself included
 
-  /// It is taken wherever an environment is: as itself, or, when it is not needed any more, with its images.
+  /// Can be used wherever an environment is wanted: by reference, or, when it is not needed any more, by moving its
+  /// images.
   operator const Environment&() const& { return environment; }
   operator Environment() && { return std::move(environment); }
 };

@@ -8,7 +8,7 @@
 
 namespace mirrorball {
 
-/// The form of a map in files: its projection, and how the images lie there where that is not our own way.
+/// The form of a map in files: its projection, and the arrangement of its images if that is not our own.
 struct MapForm {
   Projection projection = Projection::equirect;
   CubeLayout layout = CubeLayout::hcross;  ///< of a cube
@@ -21,12 +21,12 @@ struct MapForm {
 /// "ball:distance=20".
 std::string textOf(const MapForm& form);
 
-/// The images of a map as a form has them in files: one, a cube's six by slots, or a paraboloid's two. Texels are only
-/// moved, but for two forms that are resampled: OpenEXR's registration, and a panorama of odd height about ±X.
+/// The images of a map in a form, as they are in files: one, a cube's six by slots, or a paraboloid's two. Texels are
+/// only moved, except for two forms that are resampled: OpenEXR's registration, and a panorama of odd height about ±X.
 ///
 /// map      in our conventions, of the form's projection
 ImageSet imagesOf(EnvironmentMap map, const MapForm& form);
-/// The same of each level of a map, which may also have other sides than a map: 15 x 7 of a panorama of 30 x 15.
+/// The same for each level of a map. A level may have a size that no map has: 15 x 7 for a panorama of 30 x 15.
 ///
 /// form     without OpenEXR's registration
 ImageSet imagesOf(ImageSet levels, const MapForm& form);
@@ -35,7 +35,7 @@ ImageSet imagesOf(ImageSet levels, const MapForm& form);
 ///
 /// images   of the form's projection
 EnvironmentMap mapOfImages(ImageSet images, const MapForm& form);
-/// The levels that such images are, in our conventions.
+/// The levels that such images hold, in our conventions.
 ///
 /// form     without OpenEXR's registration
 ImageSet levelsOfImages(ImageSet images, const MapForm& form);
@@ -45,9 +45,9 @@ ImageSet levelsOfImages(ImageSet images, const MapForm& form);
 /// form     the map's projection; for a cube any layout but `faces`
 Image pictureOf(EnvironmentMap map, const MapForm& form);
 
-/// Images as a form has them, one level, as one picture: the one image, a cube's images in their layout, or the two discs
-/// of a paraboloid map side by side, front left. In the crosses the images of ±X or ±Y exchange their cells where,
-/// mirrored, they would not meet their neighbours.
+/// Puts the images of a form, of one level, into one picture: the one image, a cube's images in their layout, or the
+/// two discs of a paraboloid map side by side, front left. In the crosses the images of ±X or ±Y exchange their cells
+/// where, mirrored, they would not meet their neighbours.
 Image pictureOfImages(ImageSet images, const MapForm& form);
 
 /// The images in one picture, as the form has them.

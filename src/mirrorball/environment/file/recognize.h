@@ -28,7 +28,7 @@ struct FormHint {
 /// errors   usage: lists the names
 Result<FormHint> formHintNamed(std::string_view name);
 
-/// A form, and what told it.
+/// A form, and how it was recognised.
 struct Recognition {
   MapForm form;
   std::string told_by;    ///< "the file's metadata", "its shape, 2:1"; empty: the hint
@@ -48,17 +48,18 @@ Metadata metadataOfBrdfTable();
 bool isBrdfTable(const Metadata& metadata);
 inline constexpr const char* kBrdfTableKey = "mirrorball:table";
 
-/// Whether a texture that says nothing of itself is taken for a map of that form: by its six faces and how their edges meet,
+/// Whether a texture without metadata is recognised as a map of that form: by its six faces and how their edges meet,
 /// or by its shape.
 bool isRecognizedUnsaid(const MapForm& form);
 
-/// Tells the form of six files with an image each, by the hint, else by the first one's metadata.
+/// Determines the form of six files with an image each: by the hint, or else by the metadata of the first one.
 ///
 /// told_by  what told that they are six faces, when neither says more
 Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by);
 
-/// Tells a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1 sphere
-/// map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles). All other forms have to be named.
+/// Determines a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1
+/// sphere map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles). All other forms have to be
+/// named.
 ///
 /// errors   bad_shape: the shape fits no form, or not the one that was named; unnamed, what says that it is no map
 Result<Recognition> recognize(int width, int height, const Metadata& metadata, const FormHint& hint = {});

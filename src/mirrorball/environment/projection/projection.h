@@ -59,7 +59,8 @@ std::string_view nameOf(Projection projection);
 /// The name, and a ball's distance: "ball:distance=20". projectionNamed reads it back.
 std::string textOf(Projection projection);
 
-/// The projection of a name, also by what others call it: "equirectangular", "latlong". A ball's may be followed by ":distance=D", D in ball radii.
+/// The projection of a name, also of other common names: "equirectangular", "latlong". A ball's may be followed by
+/// ":distance=D", D in ball radii.
 ///
 /// errors   usage: lists the names; a distance that is no number or too small
 Result<Projection> projectionNamed(std::string_view name);
@@ -90,7 +91,7 @@ bool covers(Projection projection, glm::vec2 uv);
 /// hemioctahedral map.
 bool covers(Projection projection, glm::vec3 direction);
 
-/// The solid angle [sr] of all directions that it covers: 4π but for those two.
+/// The solid angle [sr] of all directions that it covers: 4π, except for those two.
 float coveredSolidAngle(Projection projection);
 
 /// Whether the light of each image fills a disc that touches its four sides, rather than all of it.

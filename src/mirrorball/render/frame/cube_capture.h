@@ -13,9 +13,9 @@ namespace mirrorball {
 struct CaptureSettings {
   glm::vec3 position{0.0f};  ///< world; finite
   int size = 256;            ///< side of a face [texels], at least 1
-  /// What is nearer than this [world units] is not seen; without it depthsAround chooses.
+  /// The distance of the near plane [world units]; without it, depthsAround chooses one.
   std::optional<float> nearest = {};
-  FrameSettings frame = {};  ///< the rest; its size, camera, exposure and tone map are not looked at
+  FrameSettings frame = {};  ///< all other settings; its size, camera, exposure and tone map are not used
 };
 
 /// Draws the light that arrives at a point of a scene: the six faces of a cube, each a square frame with an angle of view

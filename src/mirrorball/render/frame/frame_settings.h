@@ -28,7 +28,7 @@ struct PointLight {
   glm::vec3 color{1.0f};     ///< the radiance that a white diffuse surface facing it shows
 };
 
-/// All that one picture of a scene in an environment needs to be told.
+/// All settings of one picture of a scene in an environment.
 struct FrameSettings {
   static constexpr std::size_t kMaxLights = 8;
 
@@ -51,7 +51,7 @@ struct FrameSettings {
   glm::mat3 environmentFromWorld() const;
 };
 
-/// The table of them.
+/// The table of these settings.
 std::span<const Option<FrameSettings>> frameOptions();
 
 }  // namespace mirrorball

@@ -16,15 +16,15 @@
 
 namespace mirrorball {
 
-/// Draws a scene in an environment. It owns both, and each may be exchanged between frames.
+/// Draws a scene in an environment. It owns both, and each may be replaced between frames.
 ///
 /// A frame is: the background, the objects (each lit by the whole environment, and by point lights if there are any),
 /// drawn once for each sample of a pixel with the picture shifted within the pixel, and the mean of them all, as light of
 /// the display or as radiance. It is drawn at once (render, draw) or sample by sample (begin, drawSample, show), for
 /// windows that must answer in between.
 ///
-/// Its context must be current in the thread that calls it. Before the first frame it needs an environment; without a scene
-/// it shows that alone.
+/// Its context must be current in the thread that calls it. Before the first frame it needs an environment; without a
+/// scene, it shows only the environment.
 class Renderer {
  public:
   /// On an OpenGL context of its own, without a window.
@@ -43,13 +43,13 @@ class Renderer {
   /// errors   too_large (a texture for this driver); then the scene is as before
   Result<void> setScene(Scene scene);
 
-  /// Makes the environment ready and takes it.
+  /// Prepares the environment for drawing, and takes it.
   ///
   /// cache    where what takes long is kept from one process to the next, if it is
   /// errors   too_large
   /// cost     about a second on two cores, for a panorama of 1024 rows that is not in the cache; some 50 ms for one that is
   Result<void> setEnvironment(Environment environment, const std::optional<PrefilterCache>& cache = {});
-  /// The same for one that was made ready elsewhere, in another thread for instance.
+  /// The same for an environment that was prepared elsewhere, for instance in another thread.
   ///
   /// errors   too_large (a texture for this driver)
   Result<void> setEnvironment(Environment environment, const PreparedEnvironment& prepared);
@@ -68,7 +68,7 @@ class Renderer {
   /// The same as linear radiance, whatever the settings' `resolve` says: 4 channels, premultiplied alpha.
   Result<Image> renderRadiance(const FrameSettings& settings, const ProgressFunction& progress = {});
 
-  /// Draws a frame; `radiance`, `picture` and `show` are then of it.
+  /// Draws a frame; `radiance`, `picture` and `show` then give this frame.
   ///
   /// errors    too_large; no_gl (the driver cannot draw floats); unsupported (it does not compile a shader);
   ///           interrupted (when `progress` says so)
@@ -76,7 +76,7 @@ class Renderer {
   /// The same as another camera sees it, instead of the one that the settings describe.
   Result<void> draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress = {});
 
-  /// Begins a frame of which nothing is drawn yet.
+  /// Begins a frame, without drawing anything yet.
   ///
   /// errors   as draw's
   Result<void> begin(const FrameSettings& settings);

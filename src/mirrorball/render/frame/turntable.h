@@ -7,15 +7,15 @@
 
 namespace mirrorball {
 
-enum class Turn { camera, model, environment };  ///< what goes round in a turntable
+enum class Turn { camera, model, environment };  ///< what turns in a turntable
 
-/// Pictures of something that turns once round.
+/// Pictures of something that makes one full turn.
 struct Turntable {
   int frames = 0;  ///< 0: one picture, and no turntable
   Turn turn = Turn::camera;
 };
 
-/// The table of its options.
+/// The table of a turntable's options.
 std::span<const Option<Turntable>> turntableOptions();
 
 /// The settings of a picture in which something is turned about the upright axis, +Z towards +X: the model and the camera

@@ -46,7 +46,7 @@ class EnvironmentLight {
   const gl::Texture& prefiltered() const { return prefiltered_; }
   const gl::Texture& irradiance() const { return irradiance_; }
 
-  /// What 1 in the textures stands for, as radiance.
+  /// The radiance for which a 1 in the textures stands.
   float unit() const { return unit_; }
 
   /// Of level 0, in the middle of a face.

@@ -12,7 +12,7 @@
 
 namespace mirrorball {
 
-/// What takes long to make of an environment for the renderer.
+/// The parts of an environment for the renderer that take long to make.
 struct Prefiltered {
   ImageSet chain;
   ImageSet irradiance;
@@ -24,8 +24,8 @@ struct PrefilteredShape {
   std::vector<int> irradiance;
 };
 
-/// Prefiltered environments in a folder, found by the content of the environment's cube. It is only a convenience: what
-/// cannot be read or written there is made anew.
+/// Prefiltered environments in a folder, found by the content of the environment's cube. The cache is only a
+/// convenience: if something cannot be read or written there, it is made anew.
 class PrefilterCache {
  public:
   /// Goes up whenever prefiltering gives other values, or files hold them otherwise: nothing older is found then.
@@ -67,7 +67,7 @@ class PrefilterCache {
   /// returns  nothing where there is none of that shape
   std::optional<Prefiltered> find(const std::string& key, const PrefilteredShape& shape) const;
   /// Keeps them, and drops what has not been used for longest while all that was kept
-  /// takes more than `most_bytes`.
+  /// takes more than maxBytes().
   ///
   /// format   that holds all values, half or float32
   void keep(const std::string& key, const Prefiltered& prefiltered, TexelFormat format) const;

@@ -14,7 +14,7 @@ struct CameraOptions {
   float elevation_deg = 15.0f;           ///< 90 stands on +Y
   std::optional<float> distance = {};    ///< from the target, in model radii; without it a ball around the model does
   std::optional<glm::vec3> target = {};  ///< world; without it the centre of that ball
-  float fov_deg = 35.0f;                 ///< vertical angle of view
+  float fov_deg = 35.0f;                 ///< vertical field of view
   /// Of the view, in model radii; turns perspective off. 0: as without a distance.
   std::optional<float> orthographic_height = {};
 };
@@ -34,7 +34,7 @@ struct Camera {
 /// aspect   width over height of the picture
 Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, float aspect);
 
-/// Between which depths a camera sees, in world units; both above 0.
+/// The range of depths that a camera sees, in world units; both are above 0.
 struct DepthRange {
   float nearest;
   float farthest;

@@ -24,8 +24,8 @@ struct TextureSlot {
   float rotation_rad = 0.0f;  ///< counter-clockwise, as KHR_texture_transform says
 };
 
-/// How a surface answers to light: numbers (formula/material.glsl), which textures multiply as glTF 2.0 says, and what is
-/// no number.
+/// How a surface reflects light: numbers (formula/material.glsl), the textures that multiply them as in glTF 2.0, and
+/// settings that are not numbers.
 struct Material : formula::Material {
   std::string name;
   BumpHeight bump = BumpHeight::none;
@@ -49,7 +49,7 @@ struct MaterialParameter : Option<Material> {
 /// The table of every number and choice that --set takes.
 std::span<const MaterialParameter> materialParameters();
 
-/// A texture of materials, likewise.
+/// A texture of materials: one row of a table, likewise.
 struct MaterialMap {
   std::string_view name;  ///< "base_color_map"
   TextureSlot Material::*slot;
@@ -58,7 +58,7 @@ struct MaterialMap {
   std::string_view help;
 };
 
-/// The table of them, in the order in which the shaders number them.
+/// The table of these textures, in the order in which the shaders number them.
 std::span<const MaterialMap> materialMaps();
 
 /// "mirror", "chrome", "gold", "glass", "water", "diamond", "rough-metal", "plastic", "orange".

@@ -12,14 +12,14 @@ namespace mirrorball {
 
 enum class FresnelOverride { material, exact, schlick, empirical };
 
-/// What is to be changed about the materials of a scene.
+/// Changes to the materials of a scene.
 struct MaterialChanges {
-  std::string material = {};          ///< gives every surface this one of materialNames(); empty: they keep theirs
+  std::string material = {};  ///< gives every surface this material of materialNames(); empty: each keeps its own
   std::vector<std::string> set = {};  ///< then sets these parameters of all: "key=value" (set_parameter.h)
   FresnelOverride fresnel = FresnelOverride::material;
 };
 
-/// The table of them.
+/// The table of these options.
 std::span<const Option<MaterialChanges>> materialOptions();
 
 /// Changes the materials of a scene.

@@ -19,47 +19,23 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/file/load.h"
+#include "mirrorball/output/value_counts.h"
 
 namespace mirrorball::cli {
 namespace {
-
-/// How many values of a map are so large.
-struct ValueCounts {
-  std::size_t all = 0;
-  std::size_t lit = 0;
-  std::size_t clear = 0;       ///< half floats hold all their digits of what is eight times darker too
-  std::size_t too_bright = 0;  ///< sums over the whole sphere would not be finite floats
-
-  explicit ValueCounts(const EnvironmentMap& map) {
-    constexpr float kClear = 0x1p-11f;
-    constexpr float kBrightest = 1e36f;
-    for (int index = 0; index < map.faces(); ++index) {
-      const std::span<const float> samples = map.face(index).samples();
-      const bool has_alpha = map.face(index).channels() == 4;
-      all += has_alpha ? samples.size() / 4 * 3 : samples.size();
-      // Alpha counts as black, so that one pass without branches is enough.
-      for (std::size_t i = 0; i < samples.size(); ++i) {
-        const float sample = has_alpha && i % 4 == 3 ? 0.0f : samples[i];
-        lit += sample > 0.0f ? 1 : 0;
-        clear += sample > kClear ? 1 : 0;
-        too_bright += sample > kBrightest ? 1 : 0;
-      }
-    }
-  }
-};
 
 /// Mends what light cannot be, and says what half floats do not hold.
 ///
 /// errors   out_of_range: too bright
 Result<void> checkLight(const std::string& name, std::optional<TexelFormat> format, EnvironmentMap& map) {
-  const ValueCounts counts(map);
+  ValueCounts counts;
+  for (int face = 0; face < map.faces(); ++face) counts.add(map.face(face));
   if (counts.too_bright > 0)
     return fail(ErrorCode::out_of_range, name + ": " + countedAre(counts.too_bright, "value") +
                                              " above 1e36, too bright to be summed; --scale-light 1e-6 makes them fit");
-  if (const std::size_t negative = raiseNegativeLight(map); negative > 0)
-    remark(name + ": " + countedAre(negative, "value") + " negative, which light cannot be; taken as 0");
+  takeNegativeAsNone(name, map);
   const bool in_halves = format.value_or(TexelFormat::half) == TexelFormat::half;
-  if (in_halves && counts.lit > 0 && 100 * counts.clear < counts.all)
+  if (in_halves && counts.areTooDarkForHalves())
     remark(name + ": is so dark that half floats hold few of its digits; --format float32 holds them all");
   return {};
 }

@@ -12,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/convert_files.h"
 #include "cli/files.h"
+#include "cli/map_inputs.h"
 #include "cli/map_output.h"
 #include "cli/standard_streams.h"
 #include "mirrorball/base/text.h"
@@ -109,11 +110,12 @@ Result<void> convertInputs(const std::vector<std::string>& inputs, const Convert
   MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
   if (output.output.empty()) MIRRORBALL_TRY_VOID(refuseUnnamedOutput(inputs, isOutputName));
   MIRRORBALL_TRY(request, requestOf(options, output));
-  if (inputs.size() > 1 || isFolder(output.output)) return convertMany(inputs, options.extension, request);
-  if (options.extension.empty()) return convertFile(inputs.front(), request);
+  const std::vector<std::string> maps = withEachCubeOnce(inputs, request.load.from);
+  if (maps.size() > 1 || isFolder(output.output)) return convertMany(maps, options.extension, request);
+  if (options.extension.empty()) return convertFile(maps.front(), request);
   if (std::filesystem::path(output.output).has_extension())
     return fail(ErrorCode::usage, "--extension is for an output folder; " + output.output + " has its own");
-  return convertMany(inputs, options.extension, request);
+  return convertMany(maps, options.extension, request);
 }
 
 }  // namespace

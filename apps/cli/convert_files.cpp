@@ -180,6 +180,9 @@ Result<void> convertInput(const std::string& input, const ConvertRequest& reques
   MIRRORBALL_TRY(output, outputOf(loaded, input, request, path));
   MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, output.paths()));
   tellClamped(input, loaded.lost);
+  if (loaded.levels > 1 && output.leavesLevelsOut())
+    remark(input + ": of its " + std::to_string(loaded.levels) +
+           " mip levels only the first is taken; --mips takes all");
   const Projection to = output.form().projection;
   const int size = request.size > 0 ? request.size : loaded.environment.naturalSize(to);
   const EnvironmentMap* map = loaded.environment.map();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mirrorball/environment/file/load.h"
 
@@ -11,5 +12,11 @@ namespace mirrorball::cli {
 /// errors   as loadEnvironment's
 Result<LoadedEnvironment> loadMap(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
                                   const ProgressFunction& progress = {});
+
+/// Raises light below 0 to 0, and says so.
+void takeNegativeAsNone(const std::string& name, EnvironmentMap& map);
+
+/// The inputs without those that stand for the same cube as one before them: its six files, as a shell lists them. Says so.
+std::vector<std::string> withEachCubeOnce(const std::vector<std::string>& inputs, const FormHint& from);
 
 }  // namespace mirrorball::cli

@@ -98,7 +98,7 @@ Result<SceneInputs> loadInputs(const SceneRequest& request, const MaterialChange
         MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {
           return loadMap(request.environment, {.from = hint, .repair = request.repair});
         }));
-        if (EnvironmentMap* map = loaded.environment.map()) raiseNegativeLight(*map);
+        if (EnvironmentMap* map = loaded.environment.map()) takeNegativeAsNone(loaded.name, *map);
         MIRRORBALL_TRY(prepared, clock.time("environment: cube, mips, prefiltering",
                                             [&] { return prepareEnvironment(loaded.environment, cache); }));
         return std::pair(std::move(loaded), std::move(prepared));

@@ -87,6 +87,17 @@ TEST_F(ConvertManyTest, AFolderOfSixFilesIsOneInput) {
   EXPECT_TRUE(bytes("out/cube.exr") == bytes("alone.exr"));
 }
 
+TEST_F(ConvertManyTest, SixFilesOfOneCubeAreTakenOnce) {
+  const std::string six = "room_nx.exr room_ny.exr room_nz.exr room_px.exr room_py.exr room_pz.exr";
+  const Outcome outcome = run("convert " + six + " --to equirect --size 8 -o panoramas/");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err,
+            "mirrorball: note: room_nx.exr: is one of 6 inputs that are the faces of one cube, which is taken once\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(path("panoramas")), fs::directory_iterator()), 1);
+  EXPECT_EQ(run("convert " + six + " --to equirect --size 8 -o one.exr").exit_code, 0);
+  EXPECT_TRUE(bytes("one.exr") == bytes("panoramas/room_nx.exr"));
+}
+
 TEST_F(ConvertManyTest, ABadOneIsToldOfAndTheOthersGoOn) {
   write("bad.hdr", std::string("#?RADIANCE\nnonsense"));
   const Outcome outcome = run("convert a.exr bad.hdr none.exr b.hdr --to cube --size 8 -o out --extension ktx2");

@@ -182,6 +182,31 @@ TEST_F(ConvertTextureTest, LightBeyondHalfFloatsIsKeptInFloatsWithARemark) {
   }
 }
 
+TEST_F(ConvertTextureTest, TooDarkForHalfFloatsIsTold) {
+  write("dark.exr", Image(64, 32, 3, 1e-9f));
+  const std::string told = "is so dark that half floats hold few of its digits; --format float32 holds them all";
+  // By pieces, with mip levels, and a picture.
+  for (const std::string words :
+       {"-o out.ktx2", "--mips -o out.ktx2", "--to cube --size 8 -o out.dds", "--format half -o out.exr"})
+    EXPECT_THAT(run("convert dark.exr " + words).err, AllOf(HasSubstr("mirrorball: note: out."), HasSubstr(told)))
+        << words;
+  for (const std::string words : {"--format float32 -o out.ktx2", "-o out.exr"}) succeed("convert dark.exr " + words);
+  write("night.exr", [] {
+    Image night(64, 32, 3, 1e-9f);
+    for (int x = 0; x < 64; ++x) night.texel(x, 3)[1] = 0.01f;
+    return night;
+  }());
+  succeed("convert night.exr -o out.ktx2");
+}
+
+TEST_F(ConvertTextureTest, LevelsThatAreLeftOutAreTold) {
+  succeed("convert uv --to cube --size 16 --mips -o levels.ktx2");
+  EXPECT_EQ(run("convert levels.ktx2 -o out.dds").err,
+            "mirrorball: note: levels.ktx2: of its 5 mip levels only the first is taken; --mips takes all\n");
+  succeed("convert levels.ktx2 --mips -o out.dds");
+  succeed("convert levels.ktx2 --level 1 -o out.dds");
+}
+
 // The last but one of all half floats: interpolation may lift 65504 itself by a rounding error.
 TEST_F(ConvertTextureTest, LightWithinHalfFloatsNeedsNoRemark) {
   write("bright.exr", Image(8, 4, 3, 65472.0f));

@@ -214,5 +214,13 @@ TEST_F(RenderOptionTest, SamplesDoNotMoveThePicture) {
   }
 }
 
+TEST_F(RenderOptionTest, NegativeLightIsTold) {
+  Image map(64, 32, 3, 1.0f);
+  map.texel(3, 3)[1] = -100.0f;
+  write("negative.exr", map);
+  EXPECT_EQ(run("render none -e negative.exr --size 8x8 --no-cache -o out.png").err,
+            "mirrorball: note: negative.exr: 1 value is negative, which light cannot be; taken as 0\n");
+}
+
 }  // namespace
 }  // namespace mirrorball::testing

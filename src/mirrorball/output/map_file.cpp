@@ -10,6 +10,7 @@
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/texture/stored_format.h"
 #include "mirrorball/environment/file/recognize.h"
+#include "mirrorball/output/value_counts.h"
 
 namespace mirrorball {
 namespace {
@@ -53,6 +54,13 @@ std::vector<std::string_view> formatsOfExr() {
   for (const TexelFormatName& format : kTexelFormatNames)
     if (format.is_in_exr) names.push_back(format.name);
   return names;
+}
+
+/// Of the first level.
+ValueCounts countsOf(const ImageSet& images) {
+  ValueCounts counts;
+  for (int face = 0; face < images.faces(); ++face) counts.add(images.at(0, face));
+  return counts;
 }
 
 /// "turn_px.exr" of "turn.exr": the name with a suffix before its extension.
@@ -160,6 +168,11 @@ void MapFile::tellLost(const LostLight& light) const {
                                                " of the light is lost");
 }
 
+void MapFile::tellDark(const ValueCounts& counts) const {
+  if (counts.areTooDarkForHalves())
+    observer_.tell(RemarkKind::digits_lost, path_ + ": is so dark that half floats hold few of its digits");
+}
+
 Result<TexelFormat> MapFile::inFormat(const std::function<Result<void>(TexelFormat)>& write) const {
   const TexelFormat first = format_.value_or(TexelFormat::half);
   const Result<void> written = write(first);
@@ -197,12 +210,20 @@ Result<void> MapFile::writePieces(int size, const std::function<Result<void>(con
   const Projection projection = form_.projection;
   LostLight all_lost;
   std::size_t all_negative = 0;
+  ValueCounts all_counts;
   std::mutex lost_guard;
   const auto write = [&](TexelFormat format) -> Result<void> {
+    all_counts = {};
     MIRRORBALL_TRY(writer, TextureWriter::create(path_, imageSize(projection, size), faceCount(projection),
                                                  convertedChannels(projection),
                                                  {.format = format, .metadata = metadataOf(form_)}));
     MIRRORBALL_TRY_VOID(convert_to([&](int face, glm::ivec2 begin, const Image& texels) -> Result<void> {
+      if (format == TexelFormat::half) {
+        ValueCounts counts;
+        counts.add(texels);
+        const std::scoped_lock lock(lost_guard);
+        all_counts.add(counts);
+      }
       if (!limitsLight()) return writer.write(face, begin, texels);
       Image limited = texels;
       const LostLight lost = limitLight(projection, imageSize(projection, size), begin, maxOf(*format_), limited);
@@ -217,6 +238,7 @@ Result<void> MapFile::writePieces(int size, const std::function<Result<void>(con
     return writer.commit();
   };
   MIRRORBALL_TRY_VOID(inFormat(write));
+  tellDark(all_counts);
   tellLost(all_lost);
   remarkOnLosses(all_negative);
   observer_.tellWritten(path_);
@@ -273,11 +295,13 @@ Result<void> MapFile::write(ImageSet levels) const {
 
 Result<void> MapFile::writeFiles(ImageSet images, std::size_t negative) const {
   if (!is_texture_) {
+    if (half_) tellDark(countsOf(images));
     tellNegative(negative);
     return writePictures(std::move(images));
   }
   if (images.faces() == 2) images = ImageSet(pictureOfImages(std::move(images), form_));
-  MIRRORBALL_TRY_VOID(writeImages(images));
+  MIRRORBALL_TRY(written, writeImages(images));
+  if (written == TexelFormat::half) tellDark(countsOf(images));
   remarkOnLosses(negative);
   remarkOnForm();
   return {};

@@ -18,6 +18,8 @@
 
 namespace mirrorball {
 
+struct ValueCounts;
+
 /// Where mip levels come from.
 enum class MipSource {
   automatic,    ///< a texture's own if its map is not changed, else weighted by solid angle
@@ -64,6 +66,9 @@ class MapFile {
 
   /// Whether the smaller levels that a texture has are wanted, if its map is not changed.
   bool takesOwnLevels() const { return (all_levels_ || level_.value_or(0) > 0) && mip_source_ == MipSource::automatic; }
+
+  /// Whether it is a texture that could hold mip levels, and none was asked for.
+  bool leavesLevelsOut() const { return is_texture_ && !hasLevels(); }
 
   /// errors   usage: a mip level is wanted that a map of that size does not have
   Result<void> checkLevelOfSize(int size) const;
@@ -120,6 +125,8 @@ class MapFile {
   /// Says what the format that was asked for does not hold: so many values below 0, alpha.
   void tellNegative(std::size_t negative) const;
   void remarkOnLosses(std::size_t negative) const;
+  /// Says that half floats hold few digits of these values, where that is so.
+  void tellDark(const ValueCounts& counts) const;
   /// Runs `write(format)`, once more in 32-bit floats where that is to be; returns the format.
   Result<TexelFormat> inFormat(const std::function<Result<void>(TexelFormat)>& write) const;
 

@@ -250,6 +250,8 @@ Result<LoadedEnvironment> loadFile(const std::string& path, const EnvironmentLoa
   return loaded;
 }
 
+bool mayBeCube(const FormHint& from) { return !from.projection || faceCount(*from.projection) == 6; }
+
 Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const EnvironmentLoadOptions& options,
                                      const ProgressFunction& progress) {
   std::error_code status;
@@ -260,20 +262,14 @@ Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const Envi
     MIRRORBALL_TRY(environment, builtinEnvironment(name_or_path));
     return LoadedEnvironment{.environment = std::move(environment), .format = "built in", .color = "linear, Rec.709"};
   }
-  const bool faces_named = options.from.layout == CubeLayout::faces;
-  const bool is_cube = !options.from.projection || faceCount(*options.from.projection) == 6;
   if (fs::is_directory(name_or_path, status)) {
-    if (!is_cube)
+    if (!mayBeCube(options.from))
       return fail(ErrorCode::usage, name_or_path + ": is a folder; only a cube's six files may be named so");
     MIRRORBALL_TRY(files, faceFilesIn(fs::path(name_or_path)));
     return loadFaces(name_or_path, files, options);
   }
-  const auto files = faceFilesBeside(name_or_path);
-  // A name that only happens to end like a face's, such as the left of two pictures, stands for itself.
-  const bool has_siblings = files && files->present > 3;
-  if (files && (faces_named || (has_siblings && is_cube && !options.from.layout)))
-    return loadFaces(name_or_path, *files, options);
-  if (faces_named)
+  if (const auto files = cubeFilesOf(name_or_path, options.from)) return loadFaces(name_or_path, *files, options);
+  if (options.from.layout == CubeLayout::faces)
     return fail(ErrorCode::usage, name_or_path +
                                       ": name one of the six faces, whose names end in _px _nx _py _ny _pz _nz "
                                       "or as docs/conventions.md says");
@@ -282,6 +278,14 @@ Result<LoadedEnvironment> loadAsItIs(const std::string& name_or_path, const Envi
 }
 
 }  // namespace
+
+std::optional<FaceFiles> cubeFilesOf(const std::string& path, const FormHint& from) {
+  const auto files = faceFilesBeside(path);
+  if (!files || from.layout == CubeLayout::faces) return files;
+  // A name that only happens to end like a face's, such as the left of two pictures, stands for itself.
+  const bool has_siblings = files->present > 3;
+  return has_siblings && mayBeCube(from) && !from.layout ? files : std::nullopt;
+}
 
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options,
                                           const ProgressFunction& progress) {

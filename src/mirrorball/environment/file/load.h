@@ -7,6 +7,7 @@
 #include "mirrorball/base/progress.h"
 #include "mirrorball/codec/row_reader.h"
 #include "mirrorball/environment/environment.h"
+#include "mirrorball/environment/file/face_files.h"
 #include "mirrorball/environment/file/light_limits.h"
 #include "mirrorball/environment/file/recognize.h"
 #include "mirrorball/image/image_set.h"
@@ -58,6 +59,11 @@ struct LoadedEnvironment {
 ///          interrupted; whatever the codec finds
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
                                           const ProgressFunction& progress = {});
+
+/// The six files of a cube that the name of one of them stands for: all are, if most are there.
+///
+/// returns  nothing where it stands for itself
+std::optional<FaceFiles> cubeFilesOf(const std::string& path, const FormHint& from);
 
 /// The mip levels that a texture holds, three channels; level 0 is the map that was loaded. The smaller ones may be
 /// anything: the reflections in rougher and rougher surfaces, for one.

@@ -158,26 +158,6 @@ TEST_F(RendererTest, ADarkMetalReflectsWhatTheBrdfTableSays) {
   }
 }
 
-// A mirror shows what lies in its mirror direction, however bright the sun is elsewhere: nothing of it is missing that
-// the light from all sides would have to make up for.
-TEST_F(RendererTest, AMirrorSeesNothingOfTheSunFarFromIt) {
-  Image panorama(64, 32, 3);
-  for (float& sample : panorama.samples()) sample = 1.0f;
-  std::fill_n(panorama.texel(20, 12), 3, 1e8f);
-  Studio sunny(context(), Environment(EnvironmentMap(Projection::equirect, ImageSet(std::move(panorama)))));
-  for (const char* material : {"mirror", "glass"}) {
-    Shot shot = smallShot("sphere", material);
-    shot.options.samples = 1;
-    const Image image = sunny.radiance(shot);
-    int far_from_sun = 0;
-    for (const float sample : image.samples()) {
-      ASSERT_GE(sample, 0.0f) << material;
-      if (sample >= 0.999f && sample <= 1.001f) ++far_from_sun;
-    }
-    EXPECT_GT(far_from_sun, 9 * static_cast<int>(image.samples().size()) / 10) << material;
-  }
-}
-
 TEST_F(RendererTest, EveryMappingIsWhiteInTheFurnace) {
   Studio white = studio("white");
   for (const Mapping mapping : {Mapping::reflection, Mapping::normal, Mapping::sphere})
@@ -509,25 +489,6 @@ TEST_F(RendererTest, AMipLevelBlursAsWideAsTheLobe) {
         light += double(glm::dot(rgbAt(exact, x, y), rgbAt(exact, x, y)));
       }
     EXPECT_LT(std::sqrt(difference / light), 0.3) << "roughness " << roughness;
-  }
-}
-
-// Light above 65504 is kept in 32-bit floats, whose chain has to be filtered like one of halves.
-TEST_F(RendererTest, TheGpuBlursASunThatIsBrighterThanAHalfLikeTheExactChain) {
-  EnvironmentMap cube = *convert(Environment([](glm::vec3 d) { return 0.2f + 0.1f * d; }, 64), Projection::cube, 128);
-  std::fill_n(cube.face(4).texel(80, 50), 3, 1e5f);
-  Studio sunny(context(), Environment(cube));
-  Shot shot = smallShot("sphere", "mirror");
-  shot.options.background = "blur";
-  for (const char* roughness : {"0.25", "0.5", "1"}) {
-    shot.options.set = {std::string("perceptual_roughness=") + roughness};
-    shot.options.blur = BlurKind::exact;
-    const Image exact = sunny.radiance(shot);
-    shot.options.blur = BlurKind::gpu;
-    const Image made = sunny.radiance(shot);
-    for (int y = 0; y < exact.height(); ++y)
-      for (int x = 0; x < exact.width(); ++x)
-        ASSERT_NEAR(rgbAt(made, x, y).y / rgbAt(exact, x, y).y, 1.0f, 0.03f) << roughness << ": " << x << ", " << y;
   }
 }
 

@@ -58,7 +58,7 @@ Result<ImageSet> MapFile::wantedOf(ImageSet levels) const {
 Result<ImageSet> MapFile::levelsOf(EnvironmentMap map) const {
   const glm::ivec2 extent = map.extent();
   MIRRORBALL_TRY_VOID(withName(path_, checkMemory(std::uint64_t(extent.x) * std::uint64_t(extent.y) *
-                                                    std::uint64_t(map.faces()) * 3 * sizeof(float) * 7 / 3)));
+                                                  std::uint64_t(map.faces()) * 3 * sizeof(float) * 7 / 3)));
   const MipWeights weights = mip_source_ == MipSource::box ? MipWeights::box : MipWeights::solid_angle;
   const bool is_cube = map.faces() == 6;
   ImageSet levels = is_cube ? mipChain(map, weights)

@@ -128,7 +128,7 @@ Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, 
 
 /// errors   usage: a film is asked for
 Result<void> refuseFilm(const std::string& output) {
-  constexpr std::array<std::string_view, 7> kFilms{"mp4", "mov", "webm", "mkv", "avi", "gif", "apng"};
+  constexpr std::array<std::string_view, 6> kFilms{"mp4", "mov", "webm", "mkv", "avi", "apng"};
   if (std::ranges::find(kFilms, extensionOf(output)) == kFilms.end()) return {};
   const std::string pictures = std::filesystem::path(output).stem().string() + "_%04d.png";
   return fail(ErrorCode::usage, output + ": Mirrorball writes pictures; --frames 90 -o " + pictures +

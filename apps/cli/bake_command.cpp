@@ -1,283 +1,137 @@
-#include "cli/bake_command.h"
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "cli/bake_maps.h"
-#include "cli/baked_set.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/cube_files.h"
-#include "cli/engine_set.h"
 #include "cli/files.h"
 #include "cli/interruption.h"
-#include "cli/map_output.h"
+#include "cli/map_inputs.h"
 #include "cli/stage_clock.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
-#include "mirrorball/environment/cube/preset.h"
+#include "mirrorball/output/baked/baked_set.h"
+#include "mirrorball/output/baked/engine_set.h"
 
 namespace mirrorball::cli {
 namespace {
+
+/// What `bake` is told beside its inputs and the set that it makes (BakedSetSettings).
+struct BakeOptions {
+  std::string output;
+  std::string from;
+  bool repair = false;
+  bool timings = false;
+  std::string max_memory;
+};
 
 const std::string kBakedHelp =
     "required: a folder for all maps and a manifest (with several environments, one folder in it for each), or a " +
     writtenExtensions(Holds::texture, " or ") + " file for the specular mip chain only (-.ktx2 is standard output)";
 
-std::vector<std::string_view> texturesAnd(std::vector<std::string_view> others) {
-  std::vector<std::string_view> names = writtenExtensionNames(Holds::texture);
-  names.insert(names.end(), others.begin(), others.end());
-  return names;
-}
+const Option<BakeOptions> kBakeOutput{
+    {.name = "output", .value = "OUT", .help = kBakedHelp, .letter = "o", .takes_path = true}, &BakeOptions::output};
 
-const std::vector<std::string_view>& cubeExtensions() {
-  static const std::vector<std::string_view> names = texturesAnd(writtenExtensionNames(Holds::light));
-  return names;
-}
-
-/// A table holds no light, but numbers: .exr keeps them.
-const std::vector<std::string_view>& brdfExtensions() {
-  static const std::vector<std::string_view> names = texturesAnd({"exr"});
-  return names;
-}
-
-const std::string kCubeExtensions = join(cubeExtensions(), "|");
-const std::string kBrdfExtensions = join(brdfExtensions(), "|");
-
-const std::array<Option<BakeOptions>, 19> kBakeOptions{{
-    {{.name = "output", .value = "OUT", .help = kBakedHelp, .letter = "o", .takes_path = true}, &BakeOptions::output},
-    {{.name = "size",
-      .value = "N",
-      .unit = "texels",
-      .minimum = 1,
-      .maximum = 8192,
-      .help = "side of a cube face in level 0 of the specular mip chain"},
-     &BakeOptions::size},
-    {{.name = "levels",
-      .value = "N",
-      .minimum = 0,
-      .maximum = 14,
-      .help = "number of mip levels, level 0 included; the last one has roughness 1. 0: down to 4 x 4 texels per face, "
-              "for filament down to 16 x 16"},
-     &BakeOptions::levels},
-    {{.name = "distribution",
-      .choices = "ggx|phong|blinn|charlie",
-      .help = "microfacet distribution; charlie is for cloth"},
-     choiceField<&BakeOptions::distribution>},
-    {{.name = "mip-mapping",
-      .choices = "auto|filament|linear|unreal|unity|frostbite",
-      .help = "the roughness of each mip level, as this engine looks it up; auto goes by --for: unreal and unity have "
-              "their own, godot has that of frostbite, all others that of filament"},
-     choiceField<&BakeOptions::mip_mapping>},
-    {{.name = "irradiance-size",
-      .value = "N",
-      .unit = "texels",
-      .minimum = 1,
-      .maximum = 1024,
-      .help = "side of a face of the irradiance cube"},
-     &BakeOptions::irradiance_size},
-    {{.name = "sh-degree", .value = "L", .minimum = 2, .maximum = 4, .help = "highest band of the spherical harmonics"},
-     &BakeOptions::harmonics_degree},
-    {{.name = "brdf-size",
-      .value = "N",
-      .unit = "texels",
-      .minimum = 2,
-      .maximum = kLargestBrdfTable,
-      .help = "side of the BRDF table"},
-     &BakeOptions::brdf_size},
-    {{.name = "brdf-channels",
-      .value = "N",
-      .minimum = 2,
-      .maximum = 3,
-      .help = "number of channels in the BRDF table: 2 for scale and bias, 3 with the mean for multiple scattering; "
-              "with 2, a .exr gets a third channel of zeros"},
-     &BakeOptions::brdf_channels},
-    {{.name = "brdf-axes",
-      .choices = "linear|warped",
-      .help = "axes of the BRDF table: linear in n.v and perceptual roughness, as engines have it, or warped, so that "
-              "look-ups near grazing angles are accurate too"},
-     choiceField<&BakeOptions::brdf_axes>},
-    {{.name = "brdf-extension",
-      .value = kBrdfExtensions,
-      .help = "extension of the BRDF table's file; without it, that of --extension, but .exr in place of .hdr",
-      .names = [] { return std::span<const std::string_view>(brdfExtensions()); }},
-     &BakeOptions::brdf_extension},
-    {{.name = "skybox", .help = "also write the environment itself, for the background; filament always gets it"},
-     &BakeOptions::skybox},
-    {{.name = "skybox-size",
-      .value = "N",
-      .unit = "texels",
-      .minimum = 0,
-      .maximum = 8192,
-      .help = "side of a face of the skybox; 0: as fine as the environment, but at most 1024"},
-     &BakeOptions::skybox_size},
-    {{.name = "extension",
-      .value = kCubeExtensions,
-      .help = "extension of the files in a folder: textures, or pictures of each level and face (m0_px.exr); without "
-              "it, ktx2, and for filament ktx",
-      .names = [] { return std::span<const std::string_view>(cubeExtensions()); }},
-     &BakeOptions::extension},
+const std::array<Option<BakeOptions>, 4> kBakeOptions{{
     {{.name = "from",
       .value = "FORM",
       .help = "form of the environment map, if it is not recognised (see convert --from)",
       .names = projectionNames},
      &BakeOptions::from},
-    {kRotateText, &BakeOptions::rotate_deg},
     {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
      &BakeOptions::repair},
     {{.name = "timings", .help = "print how long each stage took"}, &BakeOptions::timings},
     {kMaxMemoryText, &BakeOptions::max_memory},
 }};
 
-/// The table as the cubes are stored, but for formats that would round it to a percent.
-BrdfFile brdfFile(const std::string& stem, std::string_view extension, const BakeOptions& options,
-                  const MapFileOptions& output) {
-  BrdfFile file{
-      .path = stem + "." + std::string(extension),
-      .facts = {writtenValue(options, "distribution"), writtenValue(options, "brdf-axes"), options.brdf_channels}};
-  // Pictures are in 32-bit floats unless told otherwise, as everywhere.
-  const bool in_floats =
-      output.format == TexelFormat::float32 || (output.format != TexelFormat::half && !file.isTexture());
-  if (file.isTexture() && options.brdf_channels == 2)
-    file.format = in_floats ? TexelFormat::rg_float32 : TexelFormat::rg_half;
-  else
-    file.format = in_floats ? TexelFormat::float32 : TexelFormat::half;
-  if (extension == "ktx2") file.zstandard_level = output.zstandard_level;
-  return file;
-}
+const Option<BakedSetSettings> kBakeRotate{kRotateText, &BakedSetSettings::rotate_deg};
 
-Result<std::string_view> extensionNamed(const std::string& name, std::span<const std::string_view> known) {
-  if (const auto index = indexOfName(withoutDot(name), known)) return known[*index];
-  return tl::unexpected<Error>(unknownName("extension", name, known));
-}
+/// All that `bake` was told of one environment.
+struct BakeRequest {
+  std::string environment;
+  BakeOptions options;
+  BakedSetSettings settings;
+  GivenOptions given;
+};
 
 /// Refuses options that say something about what there is not.
 ///
 /// why      what to say before and after the option's name
 /// errors   usage
-Result<void> refuseOptions(const BakeOptions& options, std::span<const std::string_view> names,
-                           const std::array<std::string, 2>& why) {
-  const BakeOptions defaults;
-  for (const Option<BakeOptions>& option : kBakeOptions)
-    if (std::ranges::find(names, option.text.name) != names.end() &&
-        written(option, options) != written(option, defaults))
-      return fail(ErrorCode::usage, why[0] + "--" + std::string(option.text.name) + why[1]);
+Result<void> refuseGiven(const GivenOptions& given, std::span<const std::string_view> names,
+                         const std::array<std::string, 2>& why) {
+  for (const std::string_view name : names)
+    if (given.contains(name)) return fail(ErrorCode::usage, why[0] + "--" + std::string(name) + why[1]);
   return {};
 }
 
-/// The extension of a set's textures, or pictures.
+/// Refuses options of maps that the output has no place for.
 ///
-/// errors   usage: none that there is, or none that the program reads
-Result<std::string_view> extensionFor(const BakeRequest& request) {
-  const EngineSet& set = request.set;
-  if (request.options.extension.empty()) return set.extension;
-  MIRRORBALL_TRY(extension, extensionNamed(request.options.extension, cubeExtensions()));
-  if (set.files == SetFiles::cmgens && isTexturePath("x." + std::string(extension)) && extension != set.extension)
-    return fail(ErrorCode::usage, "--extension: " + std::string(set.program) + " reads ." + std::string(set.extension) +
-                                      ", no ." + std::string(extension) + "; leave --extension out");
-  return extension;
-}
-
-/// A folder's own name, also of "." and "..".
-std::string nameOfFolder(const std::string& folder) {
-  const std::filesystem::path path = std::filesystem::absolute(folder).lexically_normal();
-  return (path.has_filename() ? path : path.parent_path()).filename().string();
-}
-
-/// The files of irradiance and of the BRDF table, which a program may have none of.
-Result<void> addOurFiles(const BakeRequest& request, std::string_view extension, BakedFiles& files) {
-  const BakeOptions& options = request.options;
-  MIRRORBALL_TRY(irradiance, CubeFiles::resolve(request.output.file, files.folder, {"irradiance", "i"}, extension, 1,
-                                                terminalObserver()));
-  files.irradiance = std::move(irradiance);
-  const std::string brdf =
-      options.brdf_extension.empty() ? std::string(extension == "hdr" ? "exr" : extension) : options.brdf_extension;
-  MIRRORBALL_TRY(brdf_extension, extensionNamed(brdf, brdfExtensions()));
-  files.brdf = brdfFile(files.folder + "/brdf", brdf_extension, options, request.output.file);
-  return {};
-}
-
-/// errors   usage: no such folder can be, or no such files
-Result<BakedFiles> filesOf(const BakeRequest& request) {
-  namespace fs = std::filesystem;
-  constexpr std::array<std::string_view, 6> kOfOurs{"irradiance-size", "sh-degree", "brdf-size",
-                                                    "brdf-channels",   "brdf-axes", "brdf-extension"};
-  const BakeOptions& options = request.options;
-  const bool is_cmgens = request.set.files == SetFiles::cmgens;
-  if (is_cmgens)
-    MIRRORBALL_TRY_VOID(refuseOptions(options, kOfOurs,
-                                      {"",
-                                       ": Filament has a BRDF table of its own, and irradiance from harmonics of "
-                                       "three bands; leave it out"}));
-  MIRRORBALL_TRY(extension, extensionFor(request));
-  std::string folder = options.output;
-  while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
-  std::error_code status;
-  if (fs::exists(folder, status) && !fs::is_directory(folder, status))
-    return fail(ErrorCode::usage, folder + ": is a file; name a folder, or a " +
-                                      writtenExtensions(Holds::texture, " or ") + " file for the chain only");
-  const std::string prefix = is_cmgens ? nameOfFolder(folder) + "_" : "";
-  const CubeNames chain{is_cmgens ? prefix + "ibl" : "specular", "m", true};
-  MIRRORBALL_TRY(specular, CubeFiles::resolve(request.output.file, folder, chain, extension, levelCount(request),
-                                              terminalObserver()));
-  BakedFiles files{
-      .source = request.environment, .folder = folder, .set = request.set, .specular = std::move(specular)};
-  if (is_cmgens || options.skybox || options.skybox_size > 0) {
-    MIRRORBALL_TRY(skybox, CubeFiles::resolve(request.output.file, folder, {prefix + "skybox", "skybox"}, extension, 1,
-                                              terminalObserver()));
-    files.skybox = std::move(skybox);
-  }
-  if (!is_cmgens) MIRRORBALL_TRY_VOID(addOurFiles(request, extension, files));
-  return files;
-}
-
-/// errors   usage: an option that says something about what only a folder has
-Result<void> refuseOptionsOfFolders(const BakeOptions& options) {
+/// errors   usage
+Result<void> refuseIdleOptions(const BakeRequest& request) {
   constexpr std::array<std::string_view, 9> kOfFolders{"irradiance-size", "sh-degree",   "brdf-size",
                                                        "brdf-channels",   "brdf-axes",   "brdf-extension",
                                                        "skybox",          "skybox-size", "extension"};
-  return refuseOptions(options, kOfFolders,
-                       {options.output + ": holds the specular chain only, and ",
+  if (isOneFile(request.options.output))
+    return refuseGiven(request.given, kOfFolders,
+                       {request.options.output + ": holds the specular chain only, and ",
                         " is for what lies beside it; name a folder, without an extension"});
+  MIRRORBALL_TRY(set, engineSetFor(request.settings.file.program));
+  if (set.files != SetFiles::cmgens) return {};
+  return refuseGiven(request.given, std::span(kOfFolders).first(6),
+                     {"",
+                      ": Filament has a BRDF table of its own, and irradiance from harmonics of three bands; leave it "
+                      "out"});
 }
 
-Result<void> bakeFile(const BakeRequest& request, StageClock& clock) {
-  const std::string& path = request.options.output;
-  if (!isTexturePath(path))
-    return fail(ErrorCode::usage, path + ": a prefiltered chain goes into " +
-                                      writtenExtensions(Holds::texture, " or ") +
-                                      "; or name a folder, without an extension");
-  MIRRORBALL_TRY_VOID(refuseOptionsOfFolders(request.options));
-  MIRRORBALL_TRY(output, mapFileFor(request.output, path, Projection::cube));
-  MIRRORBALL_TRY_VOID(checkFolder(path));
-  MIRRORBALL_TRY(chain, bakeChain(request, output, clock));
-  MIRRORBALL_TRY_VOID(
-      clock.time("files: write", [&] { return output.writeLevels(std::move(chain.levels), chain.facts); }));
-  output.remarkOnForm();
-  return {};
+/// terminalObserver, which also says what an interruption leaves in a folder that was there before.
+Observer observerFor(const std::string& output) {
+  Observer observer = terminalObserver();
+  std::error_code status;
+  if (isOneFile(output) || !std::filesystem::exists(output, status)) return observer;
+  observer.progress = [output](std::string_view stage) {
+    if (stage == "write")
+      whenInterrupted("interrupted; " + output + " has only some of the new files, and no manifest");
+    return progressBar(std::string(stage));
+  };
+  return observer;
 }
 
-Result<void> bakeFolder(const BakeRequest& request, StageClock& clock) {
-  MIRRORBALL_TRY(files, filesOf(request));
-  MIRRORBALL_TRY(set, bakeSet(request, files, clock));
-  return clock.time("files: write", [&] { return writeSet(std::move(set), files, request.options); });
+/// errors   usage: what can be refused before anything is made
+Result<BakedSet> resolveSet(const BakeRequest& request, StageClock& clock) {
+  const std::string& output = request.options.output;
+  MIRRORBALL_TRY_VOID(refuseIdleOptions(request));
+  MIRRORBALL_TRY(set, BakedSet::resolve(output, request.settings, clock.observing(observerFor(output))));
+  if (isOneFile(output)) MIRRORBALL_TRY_VOID(checkFolder(output));
+  return set;
 }
 
-/// Whether an output is one file rather than a folder.
-bool isFile(const std::string& output) { return !isFolder(output) && std::filesystem::path(output).has_extension(); }
+Result<void> bakeInto(BakedSet set, const BakeRequest& request, StageClock& clock) {
+  MIRRORBALL_TRY(hint, formHintNamed(request.options.from));
+  MIRRORBALL_TRY_VOID(set.begin());
+  MIRRORBALL_TRY(loaded, clock.time("environment: read", [&] {
+    return loadMap(request.environment,
+                   {.from = hint, .repair = request.options.repair, .light = request.settings.file.light},
+                   progressBar("read"));
+  }));
+  MIRRORBALL_TRY_VOID(refuseOverwriting(loaded.files, set.paths()));
+  return set.save(std::move(loaded));
+}
 
-Result<void> bakeOne(const BakeRequest& request) {
+Result<void> bakeOne(BakeRequest request) {
+  request.settings.source = shown(request.environment);
   StageClock clock;
-  const Result<void> done = isFile(request.options.output) ? bakeFile(request, clock) : bakeFolder(request, clock);
+  MIRRORBALL_TRY(set, resolveSet(request, clock));
+  const Result<void> done = bakeInto(std::move(set), request, clock);
   if (request.options.timings) clock.print();
   return done;
 }
@@ -285,11 +139,12 @@ Result<void> bakeOne(const BakeRequest& request) {
 /// One after the other, since each keeps all cores busy and may need all memory.
 Result<void> bakeMany(const std::vector<std::string>& inputs, BakeRequest request) {
   const std::string parent = request.options.output;
-  if (isFile(parent)) return tl::unexpected<Error>(manyForOneFile(parent, inputs));
+  if (isOneFile(parent)) return tl::unexpected<Error>(manyForOneFile(parent, inputs));
   MIRRORBALL_TRY(folders, namesInFolder(inputs, parent, [](const auto&) { return Result<std::string>(""); }));
   request.options.output = folders.front();
   // What is wrong with the options is told once, before anything is made.
-  MIRRORBALL_TRY_VOID(filesOf(request));
+  StageClock unused;
+  MIRRORBALL_TRY_VOID(resolveSet(request, unused));
   MIRRORBALL_TRY_VOID(makeFolder(parent));
   std::size_t failed = 0;
   for (std::size_t index = 0; index < inputs.size() && !interrupted(); ++index) {
@@ -304,32 +159,7 @@ Result<void> bakeMany(const std::vector<std::string>& inputs, BakeRequest reques
   return outcomeOfMany(failed, inputs.size(), "baked", parent);
 }
 
-/// Settles what the command line leaves to the program that the maps are for.
-///
-/// errors   usage: there is no such program, or there are not so many levels
-Result<void> settleBy(BakeRequest& request) {
-  BakeOptions& options = request.options;
-  MIRRORBALL_TRY(set, engineSetFor(request.output.file.program));
-  request.set = set;
-  if (options.mip_mapping == MipMappingChoice::as_for) options.mip_mapping = set.mip_mapping;
-  if (options.levels > maxLevels(options.size))
-    return fail(ErrorCode::usage, "--levels: --size " + std::to_string(options.size) + " has at most " +
-                                      std::to_string(maxLevels(options.size)) +
-                                      ", the last of one texel a face; ask for no more");
-  const std::string extension = isFile(options.output) ? extensionOf(options.output) : options.extension;
-  if (!extension.empty() && !indexOfName(extension, {&set.extension, 1})) return {};
-  std::optional<TexelFormat>& format = request.output.file.format;
-  if (!format) format = set.format;
-  if (!set.format || format == set.format) return {};
-  if (std::ranges::find(set.other_formats, *format) != set.other_formats.end()) return {};
-  const auto nameOf = [](TexelFormat one) { return kTexelFormatNames[static_cast<std::size_t>(one)].name; };
-  std::vector<std::string_view> known{nameOf(*set.format)};
-  for (const TexelFormat one : set.other_formats) known.push_back(nameOf(one));
-  return fail(ErrorCode::usage, "--format: " + std::string(set.program) + " reads " + join(known) + ", no " +
-                                    std::string(nameOf(*format)) + "; leave --format out");
-}
-
-Result<void> bake(const std::vector<std::string>& inputs, BakeRequest request) {
+Result<void> bakeInputs(const std::vector<std::string>& inputs, BakeRequest request) {
   const std::string& output = request.options.output;
   if (output.empty()) {
     MIRRORBALL_TRY_VOID(refuseUnnamedOutput(inputs, [](const std::string& name) {
@@ -339,22 +169,14 @@ Result<void> bake(const std::vector<std::string>& inputs, BakeRequest request) {
                 "bake needs an output: -o FOLDER, or a " + writtenExtensions(Holds::texture, " or ") + " file");
   }
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
-  MIRRORBALL_TRY_VOID(settleBy(request));
   if (inputs.size() > 1) return bakeMany(inputs, std::move(request));
   request.environment = inputs.front();
   // Of a folder that is new nothing stays, whichever of its files are finished.
-  if (!isFile(request.options.output)) whenInterrupted("interrupted; nothing was written");
-  return bakeOne(request);
+  if (!isOneFile(output)) whenInterrupted("interrupted; nothing was written");
+  return bakeOne(std::move(request));
 }
 
 }  // namespace
-
-std::span<const Option<BakeOptions>> bakeOptions() { return kBakeOptions; }
-
-std::string writtenValue(const BakeOptions& options, std::string_view name) {
-  const auto* const option = std::ranges::find(kBakeOptions, name, [](const auto& row) { return row.text.name; });
-  return written(*option, options);
-}
 
 Command bakeCommand() {
   struct Request {
@@ -380,11 +202,17 @@ Command bakeCommand() {
                .names = builtinEnvironmentNames,
                .takes_path = true},
               request->inputs);
-  addOptions(command, bakeOptions(), request->bake.options);
-  addOptions(command, textureFileOptions(), request->bake.output.file);
+  BakeRequest& bake = request->bake;
+  bake.settings.made_by = std::string("mirrorball ") + MIRRORBALL_VERSION + " bake";
+  addOptions(command, std::span(&kBakeOutput, 1), bake.options);
+  addOptions(command, bakedSetOptions(), bake.settings, &bake.given);
+  addOptions(command, std::span(kBakeOptions).first(1), bake.options);
+  addOptions(command, std::span(&kBakeRotate, 1), bake.settings);
+  addOptions(command, std::span(kBakeOptions).subspan(1), bake.options);
+  addOptions(command, textureFileOptions(), bake.settings.file);
   command.action = [request] {
     return withStandardStreams(pointersTo(request->inputs), request->bake.options.output,
-                               [&] { return bake(request->inputs, request->bake); });
+                               [&] { return bakeInputs(request->inputs, request->bake); });
   };
   return command;
 }

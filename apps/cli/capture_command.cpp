@@ -1,5 +1,3 @@
-#include "cli/capture_command.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -25,6 +23,14 @@
 
 namespace mirrorball::cli {
 namespace {
+
+/// What `capture` is told beside its scene (scene_inputs.h), its files (map_output.h) and how things look.
+struct CaptureOptions {
+  std::vector<float> at;
+  std::string to;
+  int size = 0;
+  float nearest = 0.0f;
+};
 
 /// Of a face, where nothing else is said; in other projections as much detail.
 constexpr int kUsualSize = 256;
@@ -111,7 +117,7 @@ void remarkOnDistance(glm::vec3 place, const BoundingSphere& scene) {
          shortText(scene.center) + "; the map hardly shows it");
 }
 
-Result<EnvironmentMap> captureMap(SceneInputs inputs, Projection to, int size, CaptureSettings settings,
+Result<EnvironmentMap> captureMap(RenderInputs inputs, Projection to, int size, CaptureSettings settings,
                                   StageClock& clock) {
   settings.size = faceSideFor(to, size);
   MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
@@ -140,16 +146,13 @@ Result<void> capture(const CaptureRequest& request) {
 
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, output.paths(), clock));
   MIRRORBALL_TRY(map, captureMap(std::move(inputs), to, size, std::move(settings), clock));
-  tellClamped(output.paths().front(), limitLight(map, request.output.file.light));
+  tellLimited(output.paths().front(), limitLight(map, request.output.file.light), terminalObserver());
   MIRRORBALL_TRY_VOID(clock.time("map: encode and write", [&] { return output.write(std::move(map)); }));
   if (request.scene.timings) clock.print();
   return {};
 }
 
-}  // namespace
-
-std::span<const Option<CaptureOptions>> captureOptions() { return kCaptureOptions; }
-
+/// The options of `render` that say what a scene looks like, without those that say how a picture of it is taken.
 std::span<const Option<FrameSettings>> captureLookOptions() {
   static const std::vector<Option<FrameSettings>> look = [] {
     std::vector<Option<FrameSettings>> kept;
@@ -170,6 +173,8 @@ std::span<const Option<FrameSettings>> captureLookOptions() {
   return look;
 }
 
+}  // namespace
+
 Command captureCommand() {
   auto request = std::make_shared<CaptureRequest>();
   Command command{
@@ -182,7 +187,7 @@ Command captureCommand() {
                     "the same as a cube map for an engine"}}};
   addModel(command, "SCENE", request->scene);
   addOptions(command, sceneOptions(), request->scene);
-  addOptions(command, captureOptions(), request->options);
+  addOptions(command, kCaptureOptions, request->options);
   addMapOutput(command, request->output);
   addOptions(command, captureLookOptions(), request->look);
   addOptions(command, materialOptions(), request->materials);

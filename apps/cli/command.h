@@ -70,7 +70,7 @@ using GivenOptions = std::set<std::string_view>;
 ///
 /// given    learns which were given; must outlive it too
 template <typename Target>
-void addOptions(Command& command, std::span<const Option<Target>> table, Target& target,
+void addOptions(Command& command, std::type_identity_t<std::span<const Option<Target>>> table, Target& target,
                 GivenOptions* given = nullptr) {
   for (const Option<Target>& option : table)
     command.options.push_back({option.text, written(option, target), option.isFlag(), option.mayRepeat(),

@@ -18,12 +18,6 @@
 
 namespace mirrorball::cli {
 
-glm::mat3 sourceFromRotated(std::vector<float> angles_deg) {
-  angles_deg.resize(3, 0.0f);
-  return glm::transpose(
-      turnedBy(glm::radians(angles_deg[0]), glm::radians(angles_deg[1]), glm::radians(angles_deg[2])));
-}
-
 Result<void> useMemoryLimit(const std::string& written) {
   if (written.empty()) return {};
   auto bytes = parseBytes(written);

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <glm/mat3x3.hpp>
-
 #include "cli/command.h"
 
 namespace mirrorball::cli {
@@ -30,11 +28,6 @@ inline constexpr OptionText kRotateText{
     .max_count = 3,
     .help = "turn the light about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, from +Z towards +X",
     .also = "env-rotation"};
-
-/// What --rotate was given, as a `source_from_target`.
-///
-/// angles_deg  up to three; those that are missing are 0
-glm::mat3 sourceFromRotated(std::vector<float> angles_deg);
 
 /// Sets the limit that --max-memory was given; empty leaves it.
 ///

@@ -1,6 +1,5 @@
-#include "cli/convert_command.h"
-
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,17 +9,36 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/convert_files.h"
 #include "cli/files.h"
+#include "cli/interruption.h"
 #include "cli/map_inputs.h"
 #include "cli/map_output.h"
 #include "cli/standard_streams.h"
+#include "cli/terminal.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/output/convert_file.h"
 
 namespace mirrorball::cli {
 namespace {
+
+/// What `convert` is told beside its inputs and its files (map_output.h).
+struct ConvertOptions {
+  std::string to;
+  std::string from;
+  int size = 0;
+  Interpolation filter = Interpolation::bicubic;
+  std::vector<float> rotate_deg;
+  std::vector<float> centre;
+  std::string extension;
+  bool repair = false;
+  std::string max_memory;
+  float exposure_ev = 0.0f;
+  ToneMap tone_map = ToneMap::linear;
+};
 
 const std::string kToHelp =
     "projection of the output: " + join(projectionNames(), ", ", " or ") +
@@ -82,51 +100,130 @@ Resampling resamplingOf(const ConvertOptions& options) {
   return resampling;
 }
 
+/// All that `convert` was told.
+struct ConvertRequest {
+  ConvertOptions options;
+  FileConversion conversion = {};
+  MapOutputOptions output = {};
+};
+
+/// Settles the conversion by the options.
+///
 /// errors   usage: what convert cannot do without is missing or wrong
-Result<ConvertRequest> requestOf(const ConvertOptions& options, const MapOutputOptions& output) {
-  if (output.output.empty()) return fail(ErrorCode::usage, "convert needs an output: -o FILE");
+Result<void> settle(ConvertRequest& request) {
+  const ConvertOptions& options = request.options;
+  if (request.output.output.empty()) return fail(ErrorCode::usage, "convert needs an output: -o FILE");
   if (!options.centre.empty() &&
       glm::length(glm::vec3(options.centre[0], options.centre[1], options.centre[2])) == 0.0f)
     return fail(ErrorCode::usage, "--centre takes a vector that has a length");
-  ConvertRequest request{std::nullopt,
-                         options.size,
-                         resamplingOf(options),
-                         {.repair = options.repair, .light = output.file.light},
-                         output};
+  FileConversion& conversion = request.conversion;
   request.output.file.display = {options.exposure_ev, options.tone_map};
+  request.output.file.is_one_file = isStandardOutputTaken();
+  conversion.file = request.output.file;
+  conversion.size = options.size;
+  conversion.resampling = resamplingOf(options);
+  conversion.load.repair = options.repair;
+  conversion.load.light = conversion.file.light;
   if (!options.to.empty()) {
     MIRRORBALL_TRY(to, projectionToWrite(options.to));
-    request.to = to;
+    conversion.to = to;
   }
   if (!options.from.empty()) {
     MIRRORBALL_TRY(hint, formHintNamed(options.from));
-    request.load.from = hint;
+    conversion.load.from = hint;
   }
-  return request;
+  return {};
 }
 
-Result<void> convertInputs(const std::vector<std::string>& inputs, const ConvertOptions& options,
-                           const MapOutputOptions& output) {
-  MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
-  if (output.output.empty()) MIRRORBALL_TRY_VOID(refuseUnnamedOutput(inputs, isOutputName));
-  MIRRORBALL_TRY(request, requestOf(options, output));
-  const std::vector<std::string> maps = withEachCubeOnce(inputs, request.load.from);
-  if (maps.size() > 1 || isFolder(output.output)) return convertMany(maps, options.extension, request);
-  if (options.extension.empty()) return convertFile(maps.front(), request);
-  if (std::filesystem::path(output.output).has_extension())
-    return fail(ErrorCode::usage, "--extension is for an output folder; " + output.output + " has its own");
-  return convertMany(maps, options.extension, request);
+/// Refuses, before anything is read, what can be refused by then.
+Result<void> checkRequest(const std::string& input, const std::string& path, const ConvertRequest& request) {
+  MIRRORBALL_TRY_VOID(checkMapOutput(request.output, path));
+  return checkConversion(input, path, request.conversion);
+}
+
+/// Converts one map, and shows its progress.
+Result<void> convertOne(const std::string& input, const std::string& path, const ConvertRequest& request,
+                        const Observer& observer) {
+  auto converted = convertFile(input, path, request.conversion, observer);
+  if (!converted) return tl::unexpected<Error>(ofMap(input, std::move(converted).error()));
+  return {};
+}
+
+/// Every input's path in the folder; no two may be the same.
+///
+/// extension  of the files; empty: each input's own
+/// errors     usage: one has no extension that can be written, and none is named
+Result<std::vector<std::string>> pathsFor(const std::vector<std::string>& inputs, const std::string& folder,
+                                          const std::string& extension) {
+  return namesInFolder(inputs, folder, [&](const std::filesystem::path& name) -> Result<std::string> {
+    const std::string ending = extension.empty() ? name.extension().string() : "." + withoutDot(extension);
+    const std::string path = (std::filesystem::path(folder) / (name.stem().string() + ending)).string();
+    if (isTexturePath(path) || checkWritable(path)) return ending;
+    return fail(ErrorCode::usage, " would become " + path +
+                                      ", which is not a format that Mirrorball writes; --extension names one: " +
+                                      writtenExtensions(" or "));
+  });
+}
+
+/// Converts maps, several at a time, into the folder that the request's output names, which is made if it is not there. A
+/// map that cannot be converted is told of, and the others go on; what is wrong with the options is told once, before
+/// anything is made.
+///
+/// errors   usage (the folder is a file's name, two outputs of one name, an output that overwrites its input or cannot be
+///          written as asked); io (the folder); interrupted; one input's own error; of several the summary
+Result<void> convertMany(const std::vector<std::string>& inputs, const ConvertRequest& request) {
+  const std::string& folder = request.output.output;
+  if (isOneFile(folder)) return tl::unexpected<Error>(manyForOneFile(folder, inputs));
+  MIRRORBALL_TRY(paths, pathsFor(inputs, folder, request.options.extension));
+  for (std::size_t index = 0; index < inputs.size(); ++index)
+    MIRRORBALL_TRY_VOID(checkRequest(inputs[index], paths[index], request));
+  MIRRORBALL_TRY_VOID(makeFolder(folder));
+  if (inputs.size() == 1) return convertOne(inputs.front(), paths.front(), request, terminalObserver());
+
+  whenInterrupted(interruptedAmongMany(folder));
+  std::atomic<std::size_t> done = 0;
+  std::atomic<std::size_t> failed = 0;
+  const ProgressFunction bar = progressBar("convert");
+  // One bar for all of them.
+  Observer observer = terminalObserver();
+  observer.progress = [](std::string_view) -> ProgressFunction {
+    return [](std::size_t, std::size_t) { return !interrupted(); };
+  };
+  // Each file's own loops run on all cores too, which keeps them busy while another file is read or written.
+  parallelFor(inputs.size(), 1, [&](std::size_t index, std::size_t) {
+    if (interrupted()) return;
+    const auto converted = convertOne(inputs[index], paths[index], request, observer);
+    if (!converted && converted.error().code != ErrorCode::interrupted) {
+      ++failed;
+      complain(converted.error());
+    }
+    bar(++done, inputs.size());
+  });
+  return outcomeOfMany(failed, inputs.size(), "converted", folder);
+}
+
+Result<void> convertInputs(const std::vector<std::string>& inputs, ConvertRequest& request) {
+  const std::string& output = request.output.output;
+  MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
+  if (output.empty()) MIRRORBALL_TRY_VOID(refuseUnnamedOutput(inputs, isOutputName));
+  MIRRORBALL_TRY_VOID(settle(request));
+  const std::vector<std::string> maps = withEachCubeOnce(inputs, request.conversion.load.from);
+  const bool has_extension = !request.options.extension.empty();
+  if (maps.size() > 1 || isFolder(output)) return convertMany(maps, request);
+  if (has_extension && std::filesystem::path(output).has_extension())
+    return fail(ErrorCode::usage, "--extension is for an output folder; " + output + " has its own");
+  if (has_extension) return convertMany(maps, request);
+  MIRRORBALL_TRY_VOID(checkFolder(output));
+  MIRRORBALL_TRY_VOID(checkRequest(maps.front(), output, request));
+  return convertOne(maps.front(), output, request, terminalObserver());
 }
 
 }  // namespace
 
-std::span<const Option<ConvertOptions>> convertOptions() { return kConvertOptions; }
-
 Command convertCommand() {
   struct Request {
     std::vector<std::string> inputs;
-    ConvertOptions options;
-    MapOutputOptions output;
+    ConvertRequest convert;
   };
   auto request = std::make_shared<Request>();
   const std::string maps =
@@ -145,12 +242,12 @@ Command convertCommand() {
                .names = builtinEnvironmentNames,
                .takes_path = true},
               request->inputs);
-  addOptions(command, convertOptions(), request->options, &request->output.given);
+  addOptions(command, kConvertOptions, request->convert.options, &request->convert.output.given);
   static const std::string of_output = std::string(mapOutputHelp()) + "; for several inputs, a folder";
-  addMapOutput(command, request->output, of_output);
+  addMapOutput(command, request->convert.output, of_output);
   command.action = [request] {
-    return withStandardStreams(pointersTo(request->inputs), request->output.output,
-                               [&] { return convertInputs(request->inputs, request->options, request->output); });
+    return withStandardStreams(pointersTo(request->inputs), request->convert.output.output,
+                               [&] { return convertInputs(request->inputs, request->convert); });
   };
   return command;
 }

@@ -13,15 +13,6 @@
 
 namespace mirrorball::cli {
 
-Result<void> refuseOverwriting(std::span<const std::string> inputs, std::span<const std::string> outputs) {
-  std::error_code missing;
-  for (const std::string& output : outputs)
-    for (const std::string& input : inputs)
-      if (std::filesystem::equivalent(input, output, missing))
-        return fail(ErrorCode::usage, output + ": is the input itself; give -o another name");
-  return {};
-}
-
 Result<void> checkFolder(const std::string& output) {
   if (output.empty()) return fail(ErrorCode::usage, "--output needs a file name");
   if (isFolder(output)) return fail(ErrorCode::usage, output + ": is a folder; name a file in it");
@@ -42,29 +33,6 @@ Result<void> refusePictureOptions(const GivenOptions& given, const std::string& 
   if (options.empty()) return {};
   return fail(ErrorCode::usage, output + ": holds light as it is; for " + options + " write " +
                                     writtenExtensions(Holds::picture, " or ") + instead);
-}
-
-bool isFolder(const std::string& output) {
-  std::error_code status;
-  return output.ends_with('/') || std::filesystem::is_directory(output, status);
-}
-
-Result<void> makeFolder(const std::string& folder) {
-  std::error_code status;
-  std::filesystem::create_directories(folder, status);
-  if (status) return fail(ErrorCode::io, folder + ": cannot be made: " + status.message());
-  return {};
-}
-
-Result<OutputFolder> OutputFolder::make(const std::string& folder) {
-  std::error_code status;
-  std::string made;
-  for (std::filesystem::path above = folder; !above.empty() && !std::filesystem::exists(above, status);
-       above = above.parent_path())
-    made = above.string();
-  OutputFolder output(std::move(made));
-  MIRRORBALL_TRY_VOID(makeFolder(folder));
-  return output;
 }
 
 Result<std::vector<std::string>> namesInFolder(
@@ -96,8 +64,6 @@ Error manyForOneFile(const std::string& output, const std::vector<std::string>& 
                                 join(named) + "); give -o a folder"};
 }
 
-std::string withoutDot(const std::string& extension) { return extension.substr(extension.starts_with('.') ? 1 : 0); }
-
 bool isOutputName(const std::string& name) { return isTexturePath(name) || checkWritable(name).has_value(); }
 
 Result<void> refuseUnnamedOutput(const std::vector<std::string>& inputs,
@@ -105,11 +71,6 @@ Result<void> refuseUnnamedOutput(const std::vector<std::string>& inputs,
   std::error_code status;
   if (inputs.size() < 2 || std::filesystem::exists(inputs.back(), status) || !is_output(inputs.back())) return {};
   return fail(ErrorCode::usage, inputs.back() + ": there is no such file; to write it say -o " + inputs.back());
-}
-
-std::string suffixed(const std::string& path, const std::string& suffix) {
-  const std::filesystem::path whole(path);
-  return (whole.parent_path() / (whole.stem().string() + suffix + whole.extension().string())).string();
 }
 
 }  // namespace mirrorball::cli

@@ -1,11 +1,12 @@
-#include "cli/info_command.h"
-
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -15,6 +16,7 @@
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "formula/constants.h"
+#include "mirrorball/base/option.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/metadata.h"
@@ -23,6 +25,14 @@
 
 namespace mirrorball::cli {
 namespace {
+
+/// What `info` is told beside its inputs.
+struct InfoOptions {
+  std::vector<float> direction;
+  bool json = false;
+  std::string from;
+  std::string max_memory;
+};
 
 const std::array<Option<InfoOptions>, 4> kInfoOptions{{
     {{.name = "direction",
@@ -142,8 +152,6 @@ Result<void> info(const std::vector<std::string>& inputs, const InfoOptions& opt
 
 }  // namespace
 
-std::span<const Option<InfoOptions>> infoOptions() { return kInfoOptions; }
-
 Command infoCommand() {
   struct Request {
     std::vector<std::string> inputs;
@@ -164,7 +172,7 @@ Command infoCommand() {
                .names = builtinEnvironmentNames,
                .takes_path = true},
               request->inputs);
-  addOptions(command, infoOptions(), request->options);
+  addOptions(command, kInfoOptions, request->options);
   command.action = [request]() -> Result<void> {
     MIRRORBALL_TRY_VOID(readStandardInput(pointersTo(request->inputs)));
     return info(request->inputs, request->options);

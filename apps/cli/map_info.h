@@ -8,10 +8,10 @@
 
 #include <glm/glm.hpp>
 
-#include "cli/brdf_file.h"
 #include "mirrorball/bake/harmonics/filament_harmonics.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/environment/statistics.h"
+#include "mirrorball/output/baked/brdf_file.h"
 
 namespace mirrorball::cli {
 

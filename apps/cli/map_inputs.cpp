@@ -12,22 +12,18 @@
 
 namespace mirrorball::cli {
 
+Error ofMap(const std::string& input, Error error) {
+  const auto format = modelFormatOf(input);
+  if (!format) return error;
+  return {error.code, input + ": is " + std::string(*format) + " model, no map; try `mirrorball render " + input + "`"};
+}
+
 Result<LoadedEnvironment> loadMap(const std::string& name_or_path, const EnvironmentLoadOptions& options,
                                   const ProgressFunction& progress) {
   auto loaded = loadEnvironment(name_or_path, options, progress);
-  if (loaded && !loaded->doubt.message.empty())
-    remark(name_or_path + ": " + loaded->doubt.message + ", and --from " +
-           join(loaded->doubt.other_forms, " or --from ") + " names another form");
-  if (loaded) return loaded;
-  const auto format = modelFormatOf(name_or_path);
-  if (!format) return loaded;
-  return fail(loaded.error().code, name_or_path + ": is " + std::string(*format) +
-                                       " model, no map; try `mirrorball render " + name_or_path + "`");
-}
-
-void takeNegativeAsNone(const std::string& name, EnvironmentMap& map) {
-  if (const std::size_t negative = raiseNegativeLight(map); negative > 0)
-    remark(name + ": " + countedAre(negative, "value") + " negative, which light cannot be; taken as 0");
+  if (!loaded) return tl::unexpected<Error>(ofMap(name_or_path, std::move(loaded).error()));
+  tellAbout(*loaded, terminalObserver());
+  return loaded;
 }
 
 std::vector<std::string> withEachCubeOnce(const std::vector<std::string>& inputs, const FormHint& from) {

@@ -35,10 +35,6 @@ Result<Projection> projectionToWrite(const std::string& name) {
   return projection;
 }
 
-void tellClamped(const std::string& name, const LostLight& light) {
-  if (light.lost > 0.0) remark(name + ": --clamp-light takes " + percentOf(light) + " of the light");
-}
-
 Result<void> checkMapOutput(const MapOutputOptions& options, const std::string& output) {
   MIRRORBALL_TRY_VOID(formatToWrite(output, {Holds::light, Holds::texture, Holds::picture}));
   const bool has_levels = options.file.mips || options.file.level;
@@ -55,10 +51,9 @@ Result<void> checkMapOutput(const MapOutputOptions& options, const std::string& 
 
 Result<MapFile> mapFileFor(const MapOutputOptions& options, const std::string& output, Projection projection) {
   MIRRORBALL_TRY_VOID(checkMapOutput(options, output));
-  MIRRORBALL_TRY(file, MapFile::resolve(output, options.file, projection, terminalObserver()));
-  if (isStandardOutputTaken() && file.paths().size() > 1)
-    return fail(ErrorCode::usage, "standard output takes one file, and --layout faces writes six; name another layout");
-  return file;
+  MapFileOptions file = options.file;
+  file.is_one_file = isStandardOutputTaken();
+  return MapFile::resolve(output, file, projection, terminalObserver());
 }
 
 }  // namespace mirrorball::cli

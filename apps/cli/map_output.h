@@ -27,9 +27,6 @@ std::string_view mapOutputHelp();
 /// errors   usage: there is none such; a cube's layout is no projection
 Result<Projection> projectionToWrite(const std::string& name);
 
-/// Says how much light --clamp-light took from a map, if any.
-void tellClamped(const std::string& name, const LostLight& light);
-
 /// Refuses what can be refused before the map's projection is known.
 ///
 /// errors   usage
@@ -37,7 +34,7 @@ Result<void> checkMapOutput(const MapOutputOptions& options, const std::string& 
 
 /// Where a map goes, told of at the terminal.
 ///
-/// errors   as MapFile::resolve's and checkMapOutput's; usage: six files for standard output
+/// errors   as MapFile::resolve's and checkMapOutput's
 Result<MapFile> mapFileFor(const MapOutputOptions& options, const std::string& output, Projection projection);
 
 }  // namespace mirrorball::cli

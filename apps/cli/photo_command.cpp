@@ -1,10 +1,9 @@
-#include "cli/photo_command.h"
-
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,8 @@
 #include "cli/map_output.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/option.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
@@ -26,8 +27,22 @@
 namespace mirrorball::cli {
 namespace {
 
-constexpr ChoiceField<PhotoOptions> kResponseField{[](const PhotoOptions& options) { return options.response; },
-                                                   [](PhotoOptions& options, int index) { options.response = index; }};
+/// What `photo` is told beside its photographs.
+struct PhotoOptions {
+  std::string to = "equirect";
+  int size = 0;
+  std::vector<float> circle;
+  std::string debug;
+  float distance = 0.0f;
+  float fov_deg = 0.0f;
+  std::string exposures;
+  int response = 0;  ///< 0: recovered, or sRGB of a single photograph; then ResponseKind + 1
+  std::vector<std::string> second;
+  float second_rotation_deg = 90.0f;
+  std::vector<float> second_circle;
+  std::string second_exposures;
+  std::string max_memory;
+};
 
 const std::string kProjectionsHelp = "projection of the map: " + join(projectionNames(), ", ", " or ");
 
@@ -84,7 +99,7 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .choices = "auto|srgb|gamma|linear",
       .help = "the camera's response curve; auto recovers it from a series, and assumes sRGB for a single photograph",
       .group = "Light"},
-     kResponseField},
+     choiceField<&PhotoOptions::response>},
     {{.name = "second",
       .value = "FILE",
       .help = "a photograph from another side, which shows what the first one cannot; may be repeated for a series",
@@ -310,13 +325,11 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
         unwrapped.filled_sr / (4.0 * glm::radians(180.0)) * 100.0);
   const int size = options.size > 0 ? options.size : unwrapped.environment.naturalSize(to);
   MIRRORBALL_TRY(map, convert(unwrapped.environment, to, size, {}, progressBar("unwrap")));
-  tellClamped(inputs.front(), limitLight(map, output_options.file.light));
+  tellLimited(inputs.front(), limitLight(map, output_options.file.light), terminalObserver());
   return output.write(std::move(map));
 }
 
 }  // namespace
-
-std::span<const Option<PhotoOptions>> photoOptions() { return kPhotoOptions; }
 
 Command photoCommand() {
   struct Request {
@@ -344,7 +357,7 @@ Command photoCommand() {
                .takes_path = true},
               request->inputs);
   addMapOutput(command, request->output);
-  addOptions(command, photoOptions(), request->options);
+  addOptions(command, kPhotoOptions, request->options);
   command.action = [request] {
     std::vector<std::string*> inputs = pointersTo(request->inputs);
     for (std::string* second : pointersTo(request->options.second)) inputs.push_back(second);

@@ -1,11 +1,10 @@
-#include "cli/render_command.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <regex>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +17,8 @@
 #include "cli/stage_clock.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/option.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/render/frame/renderer.h"
@@ -27,6 +28,11 @@
 
 namespace mirrorball::cli {
 namespace {
+
+/// The files of `render` beside those of its scene (scene_inputs.h).
+struct RenderFiles {
+  std::string output = "mirrorball.png";
+};
 
 const std::string kPictureHelp = "the picture file, " + writtenExtensions(Holds::picture) + " (tone mapped) or " +
                                  writtenExtensions(Holds::light) +
@@ -181,8 +187,6 @@ Result<void> render(const RenderRequest& request) {
 
 }  // namespace
 
-std::span<const Option<RenderFiles>> renderFileOptions() { return kFileOptions; }
-
 Command renderCommand() {
   auto request = std::make_shared<RenderRequest>();
   Command command{
@@ -194,7 +198,7 @@ Command renderCommand() {
                     "a model under an evening sun, cut out"}}};
   addModel(command, "MODEL", request->scene);
   addOptions(command, sceneOptions(), request->scene);
-  addOptions(command, renderFileOptions(), request->files);
+  addOptions(command, kFileOptions, request->files);
   addOptions(command, frameOptions(), request->frame, &request->given);
   addOptions(command, turntableOptions(), request->turntable, &request->given);
   addOptions(command, materialOptions(), request->materials, &request->given);

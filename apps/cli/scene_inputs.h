@@ -6,10 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/stage_clock.h"
-#include "mirrorball/environment/environment.h"
-#include "mirrorball/gl/context.h"
-#include "mirrorball/render/frame/renderer.h"
-#include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/frame/render_inputs.h"
 #include "mirrorball/scene/material/material_changes.h"
 #include "mirrorball/scene/scene.h"
 
@@ -33,25 +30,16 @@ std::span<const Option<SceneRequest>> sceneOptions();
 /// Adds the model, which may be left out, as a positional argument of that name.
 void addModel(Command& command, std::string_view name, SceneRequest& request);
 
-/// What there is to draw, and what draws it.
-struct SceneInputs {
-  Scene scene;
-  Environment environment;
-  PreparedEnvironment prepared;
-  gl::Context context;  ///< current
-};
-
 /// Loads driver, model and environment at the same time, and changes the model's materials.
 ///
 /// outputs  the files that will be written, none of which may be one that is read
-/// errors   usage, before anything is loaded where it can be told then; as loadModel's, loadEnvironment's and
-///          gl::Context::createHeadless's
-Result<SceneInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
-                               std::span<const std::string> outputs, StageClock& clock);
+/// errors   usage, before anything is loaded where it can be told then; as loadRenderInputs'
+Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
+                                std::span<const std::string> outputs, StageClock& clock);
 
 /// A renderer of them.
 ///
 /// errors   as Renderer's
-Result<Renderer> rendererOf(SceneInputs inputs, StageClock& clock);
+Result<Renderer> rendererOf(RenderInputs inputs, StageClock& clock);
 
 }  // namespace mirrorball::cli

@@ -13,6 +13,8 @@
 #include <unistd.h>
 
 #include "cli/interruption.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/environment/projection/projection.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -121,6 +123,12 @@ std::string adviceOn(const Remark& remark) {
       return "; --format float32 holds them all";
     case RemarkKind::form_unsaid:
       return "; to read this one, add --from " + remark.detail;
+    case RemarkKind::light_limited:
+      return " (--clamp-light)";
+    case RemarkKind::form_doubted:
+      return ", and --from " + join(split(remark.detail, '|'), " or --from ") + " names another form";
+    case RemarkKind::levels_left_out:
+      return "; --mips takes all";
     case RemarkKind::levels_few:
       return "; --levels " + remark.detail + " mends it";
     default:
@@ -141,6 +149,10 @@ std::string adviceOn(Remedy remedy) {
       return "; --max-memory raises that, a smaller --size needs less";
     case Remedy::store_floats:
       return ", or use --format float32";
+    case Remedy::scale_light:
+      return "; --scale-light 1e-6 makes them fit";
+    case Remedy::name_projection:
+      return "; say which it gets: --to " + join(projectionNames(), "|");
     case Remedy::name_form:
       return ", or name its form with --from";
     case Remedy::name_form_of_cube:

@@ -1,8 +1,10 @@
 #include "mirrorball/bake/bake.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/environment/convert/convert.h"
 
 namespace mirrorball {
@@ -12,24 +14,44 @@ bool needsIrradiance(const BakeSettings& settings) {
   return settings.irradiance_size > 0 || settings.harmonics_degree > 0;
 }
 
+/// Takes light below 0 as none.
+///
+/// errors   out_of_range: too bright
+Result<ValueCounts> checkLight(EnvironmentMap& map, const Observer& observer) {
+  ValueCounts counts;
+  for (int face = 0; face < map.faces(); ++face) counts.add(map.face(face));
+  if (counts.too_bright > 0)
+    return fail(ErrorCode::out_of_range,
+                countedAre(counts.too_bright, "value") + " above 1e36, too bright to be summed", Remedy::scale_light);
+  raiseNegativeLight(map, observer);
+  return counts;
+}
+
+/// The most memory that is needed at a time, that of the environment, the maps and the caller included.
+std::uint64_t memoryFor(const Environment& environment, const std::vector<PrefilterLevel>& levels,
+                        const BakeSettings& settings) {
+  const std::uint64_t others = cubeBytes(settings.skybox_size);
+  const std::uint64_t making = others + prefilterMemory(environment, levels, Lobe::cosine(), settings.irradiance_size);
+  std::uint64_t made = others + cubeBytes(settings.irradiance_size) + settings.memory_after;
+  for (const PrefilterLevel& level : levels) made += cubeBytes(level.size);
+  return settings.memory_meanwhile + std::max(making, made);
+}
+
 }  // namespace
 
-std::vector<PrefilterLevel> levelsOf(const BakeSettings& settings) {
-  return prefilterLevels({.size = settings.size,
-                          .distribution = settings.distribution,
-                          .mip_mapping = settings.mip_mapping,
-                          .levels = settings.levels});
-}
-
-std::uint64_t memoryToBake(const Environment& environment, const BakeSettings& settings) {
-  return cubeBytes(settings.skybox_size) +
-         prefilterMemory(environment, levelsOf(settings), Lobe::cosine(), settings.irradiance_size);
-}
-
 Result<BakedMaps> bake(Environment environment, const BakeSettings& settings, const Observer& observer) {
-  MIRRORBALL_TRY_VOID(withName("baking", checkMemory(memoryToBake(environment, settings))));
   BakedMaps maps;
-  maps.levels = observer.timed("lobes: bands", [&] { return levelsOf(settings); });
+  maps.levels = observer.timed("lobes: bands", [&] {
+    return prefilterLevels({.size = settings.size,
+                            .distribution = settings.distribution,
+                            .mip_mapping = settings.mip_mapping,
+                            .levels = settings.levels});
+  });
+  MIRRORBALL_TRY_VOID(checkMemory(memoryFor(environment, maps.levels, settings)));
+  if (EnvironmentMap* map = environment.map()) {
+    MIRRORBALL_TRY(values, checkLight(*map, observer));
+    maps.values = values;
+  }
   if (settings.skybox_size > 0) {
     MIRRORBALL_TRY(skybox, observer.timed("skybox: convert", [&] {
       return convert(environment, Projection::cube, settings.skybox_size,

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "mirrorball/bake/harmonics/spherical_harmonics.h"
 #include "mirrorball/bake/prefilter/prefilter.h"
 #include "mirrorball/base/observer.h"
+#include "mirrorball/image/value_counts.h"
 
 namespace mirrorball {
 
@@ -18,6 +20,8 @@ struct BakeSettings {
   int harmonics_degree = 2;            ///< highest band, up to 4; 0: not made
   int skybox_size = 0;                 ///< side of a face; 0: not made
   glm::mat3 source_from_target{1.0f};  ///< turns the cubes' directions into the environment's
+  std::uint64_t memory_meanwhile = 0;  ///< that the caller needs besides, while the maps are made and after [bytes]
+  std::uint64_t memory_after = 0;      ///< that the caller needs besides the maps once they are made [bytes]
 };
 
 /// The maps of an environment that an engine needs for image-based lighting. (The BRDF table does not depend on an
@@ -28,20 +32,16 @@ struct BakedMaps {
   EnvironmentMap irradiance = {};      ///< a cube, divided by π
   EnvironmentMap skybox = {};          ///< the environment as it is, a cube
   Harmonics radiance = {};             ///< irradiance is irradianceOf(radiance)
+  ValueCounts values = {};             ///< of the environment, if it is a map
 };
 
 /// Makes these maps.
 ///
-/// environment   finite
+/// environment   finite; values below 0 are taken as 0, which a remark tells
 /// returns       those that the settings ask for
-/// errors        too_large; interrupted
+/// errors        too_large, told before anything is made; out_of_range (a value above 1e36 is too bright to be summed);
+///               interrupted
 /// cost          docs/performance.md; bit-identical for any number of threads
 Result<BakedMaps> bake(Environment environment, const BakeSettings& settings = {}, const Observer& observer = {});
-
-/// The levels of the chain that these settings describe.
-std::vector<PrefilterLevel> levelsOf(const BakeSettings& settings);
-
-/// The maximum memory that `bake` takes at a time [bytes], the environment and the result included.
-std::uint64_t memoryToBake(const Environment& environment, const BakeSettings& settings);
 
 }  // namespace mirrorball

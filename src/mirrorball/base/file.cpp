@@ -166,4 +166,19 @@ std::string extensionOf(const std::filesystem::path& path) {
   return extension;
 }
 
+Result<void> refuseOverwriting(std::span<const std::string> inputs, std::span<const std::string> outputs) {
+  std::error_code missing;
+  for (const std::string& output : outputs)
+    for (const std::string& input : inputs)
+      if (std::filesystem::equivalent(input, output, missing))
+        return fail(ErrorCode::usage, output + ": is the input itself; give the output another name");
+  return {};
+}
+
+std::string withoutDot(const std::string& extension) { return extension.substr(extension.starts_with('.') ? 1 : 0); }
+
+std::string suffixed(const std::filesystem::path& path, const std::string& suffix) {
+  return (path.parent_path() / (path.stem().string() + suffix + path.extension().string())).string();
+}
+
 }  // namespace mirrorball

@@ -90,4 +90,15 @@ Result<void> writeFile(const std::filesystem::path& path, std::span<const std::u
 /// The file name extension, lower case, without its dot: "hdr" of "Photo.HDR".
 std::string extensionOf(const std::filesystem::path& path);
 
+/// Refuses outputs that would overwrite what is read.
+///
+/// errors   usage
+Result<void> refuseOverwriting(std::span<const std::string> inputs, std::span<const std::string> outputs);
+
+/// "exr", also of ".exr".
+std::string withoutDot(const std::string& extension);
+
+/// "turn_007.png" of "turn.png": the name with a suffix before its extension.
+std::string suffixed(const std::filesystem::path& path, const std::string& suffix);
+
 }  // namespace mirrorball

@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "mirrorball/base/progress.h"
 
@@ -16,7 +18,12 @@ enum class RemarkKind {
   format_widened,   ///< written in 32-bit floats, since half floats do not hold the light
   alpha_lost,       ///< the format has no alpha
   form_unsaid,      ///< the file does not say what map it holds; `detail` is the hint that does (FormHint)
-  levels_few,       ///< there are fewer mip levels than their reader expects
+  light_limited,    ///< LightLimits::max took so much of it
+  form_doubted,     ///< something speaks against a map's form; `detail` has the hints for others, with '|' between
+  levels_remade,    ///< a texture's mip levels are not those of the converted map
+  levels_left_out,  ///< of its mip levels only the first is taken
+  model_reduced,    ///< a model has what is not read, or what is not drawn
+  levels_few,       ///< there are not the mip levels that their reader expects; `detail` is how many that would be
 };
 
 /// What a caller did not ask for but should know.
@@ -41,6 +48,26 @@ struct Observer {
     if (written) written(path);
   }
   ProgressFunction progressOf(std::string_view stage) const { return progress ? progress(stage) : ProgressFunction(); }
+
+  /// The same observer, whose remarks begin with a file's name.
+  Observer named(const std::string& name) const {
+    Observer naming = *this;
+    if (remark)
+      naming.remark = [name, told = remark](const Remark& about) {
+        told({about.kind, name + ": " + about.message, about.detail});
+      };
+    return naming;
+  }
+
+  /// The same observer, whose remarks are also added to a list, which must outlive it.
+  Observer keeping(std::vector<Remark>& remarks) const {
+    Observer keeping = *this;
+    keeping.remark = [&remarks, told = remark](const Remark& about) {
+      remarks.push_back(about);
+      if (told) told(about);
+    };
+    return keeping;
+  }
 
   /// Does `work` as a stage of that name.
   template <typename Work>

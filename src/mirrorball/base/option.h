@@ -37,27 +37,21 @@ struct OptionText {
   std::span<const std::string_view> (*names)() = nullptr;
 };
 
+/// Numbers written "1,2.5,3", as many as `text` allows and each in its range; without one up to ±1e30, so that what is
+/// computed from them stays finite.
+///
+/// errors   usage: names the option, its unit and range
+Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view written);
+
+/// "a,b,c"
+std::string writeNumbers(std::span<const float> numbers);
+
 /// An enumeration field of `Target` as an index into its choices.
 template <typename Target>
 struct ChoiceField {
   int (*get)(const Target&);
   void (*set)(Target&, int);
 };
-
-namespace detail {
-template <auto Member>
-struct ChoiceAccess;
-template <typename Target, typename Enumeration, Enumeration Target::*Member>
-struct ChoiceAccess<Member> {
-  static constexpr ChoiceField<Target> field{
-      [](const Target& target) { return static_cast<int>(target.*Member); },
-      [](Target& target, int index) { target.*Member = static_cast<Enumeration>(index); }};
-};
-}  // namespace detail
-
-/// `choiceField<&Camera::lens>`
-template <auto Member>
-inline constexpr auto choiceField = detail::ChoiceAccess<Member>::field;
 
 /// Fields of `Target` that take a text of their own kind: a size "640x480", a colour.
 template <typename Target>
@@ -68,6 +62,37 @@ struct ParsedField {
   Result<void> (*parse)(const OptionText&, std::string_view written, Target&);
   bool may_repeat = false;
 };
+
+namespace detail {
+/// The struct that the first member of a path belongs to.
+template <auto First, auto... Rest>
+struct OwnerOf;
+template <typename Owner, typename Field, Field Owner::*First, auto... Rest>
+struct OwnerOf<First, Rest...> {
+  using type = Owner;
+};
+}  // namespace detail
+
+/// An enumeration, by the members that lead to it: `choiceField<&FrameSettings::camera, &Camera::lens>`.
+template <auto... Path>
+inline constexpr ChoiceField<typename detail::OwnerOf<Path...>::type> choiceField{
+    [](const auto& target) { return static_cast<int>((target.*....*Path)); },
+    [](auto& target, int index) {
+      auto& field = (target.*....*Path);
+      field = static_cast<std::remove_reference_t<decltype(field)>>(index);
+    }};
+
+/// A number that lies deeper in `Target` than a member of its own, by the members that lead to it.
+template <auto... Path>
+inline constexpr ParsedField<typename detail::OwnerOf<Path...>::type> numberField{
+    [](const auto& target) {
+      return writeNumbers({&(target.*....*Path), 1});
+    },
+    [](const OptionText& text, std::string_view written, auto& target) -> Result<void> {
+      MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+      (target.*....*Path) = numbers[0];
+      return {};
+    }};
 
 /// One row of a table: its text, and the field of `Target` that it sets. The field's initialiser is the default.
 template <typename Target>
@@ -88,12 +113,6 @@ struct Option {
 /// "fov takes a number in degrees (1 … 170); it was given 'wide'", with the option's own name, unit and range.
 tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, std::string_view given);
 
-/// Numbers written "1,2.5,3", as many as `text` allows and each in its range; without one up to ±1e30, so that what is
-/// computed from them stays finite.
-///
-/// errors   usage: names the option, its unit and range
-Result<std::vector<float>> parseNumbers(const OptionText& text, std::string_view written);
-
 /// Three numbers, or one that stands for all three.
 Result<glm::vec3> parseVector(const OptionText& text, std::string_view written);
 
@@ -111,9 +130,6 @@ Result<bool> parseFlag(const OptionText& text, std::string_view written);
 
 /// "0 … 1", "at least 0" or "" when there is no bound.
 std::string rangeText(const OptionText& text);
-
-/// "a,b,c"
-std::string writeNumbers(std::span<const float> numbers);
 
 /// The choice with that index.
 std::string_view choiceAt(const OptionText& text, int index);

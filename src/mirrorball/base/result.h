@@ -29,7 +29,9 @@ enum class Remedy {
   repair,                  ///< EnvironmentLoadOptions::repair: bad texels become the mean of their neighbours
   raise_memory,            ///< setMemoryLimit
   raise_memory_or_shrink,  ///< that, or a smaller size of what is made
+  scale_light,             ///< LightLimits::scale: a smaller unit of light
   store_floats,            ///< TexelFormat::float32 instead of the format that cannot hold the light
+  name_projection,         ///< FileConversion::to
   name_form,               ///< EnvironmentLoadOptions::from: neither the file nor its shape tells the form
   name_form_of_cube,       ///< no `from`, or a cube's
   take_one_level,          ///< of a map's mip levels, the one that is wanted, by itself

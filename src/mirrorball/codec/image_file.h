@@ -19,7 +19,7 @@ namespace mirrorball {
 ///   "mirrorball:centre"         what is in the middle of a panorama: "+x", "-x" or "-z"
 ///   "mirrorball:texels"         "on-edges" for OpenEXR's registration
 ///   "mirrorball:sheet"          "mip levels" of a sheet of them, which is no map
-///   "mirrorball:table"          "brdf" of a BRDF table, and what it is of in "mirrorball:brdf_…": apps/cli/brdf_file.h
+///   "mirrorball:table"          "brdf" of a BRDF table, and what it is of in "mirrorball:brdf_…": output/baked/brdf_file.h
 ///   "envmap"                    OpenEXR's own attribute, read as "latlong" or "cube"
 ///   "sh"                        Filament's, in KTX: the harmonics of the irradiance, bake/harmonics/filament_harmonics.h
 using Metadata = std::map<std::string, std::string>;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "formula/projection.h"
+#include "mirrorball/base/text.h"
 
 namespace mirrorball {
 namespace {
@@ -232,6 +233,12 @@ std::size_t raiseNegativeLight(EnvironmentMap& map) {
   std::size_t count = 0;
   for (int index = 0; index < map.faces(); ++index) count += raiseNegativeLight(map.face(index));
   return count;
+}
+
+void raiseNegativeLight(EnvironmentMap& map, const Observer& observer) {
+  if (const std::size_t negative = raiseNegativeLight(map); negative > 0)
+    observer.tell(RemarkKind::negative_raised,
+                  countedAre(negative, "value") + " negative, which light cannot be; taken as 0");
 }
 
 }  // namespace mirrorball

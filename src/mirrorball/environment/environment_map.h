@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/base/observer.h"
 #include "mirrorball/environment/projection/projection.h"
 #include "mirrorball/environment/projection/smooth_region.h"
 #include "mirrorball/image/filter.h"
@@ -83,5 +84,8 @@ class EnvironmentMap {
 /// returns  how many values of red, green and blue there were
 std::size_t raiseNegativeLight(EnvironmentMap& map);
 std::size_t raiseNegativeLight(Image& image);
+
+/// The same, which a remark tells.
+void raiseNegativeLight(EnvironmentMap& map, const Observer& observer);
 
 }  // namespace mirrorball

@@ -1,7 +1,5 @@
 #include "mirrorball/output/map_file.h"
 
-#include <array>
-#include <cstdio>
 #include <mutex>
 #include <utility>
 
@@ -10,7 +8,7 @@
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/texture/stored_format.h"
 #include "mirrorball/environment/file/recognize.h"
-#include "mirrorball/output/value_counts.h"
+#include "mirrorball/image/value_counts.h"
 
 namespace mirrorball {
 namespace {
@@ -48,14 +46,6 @@ std::string wordsOfCubes(const MapFileOptions& options) {
   return join(words);
 }
 
-/// The names of formats that a picture in .exr has.
-std::vector<std::string_view> formatsOfExr() {
-  std::vector<std::string_view> names;
-  for (const TexelFormatName& format : kTexelFormatNames)
-    if (format.is_in_exr) names.push_back(format.name);
-  return names;
-}
-
 /// Of the first level.
 ValueCounts countsOf(const ImageSet& images) {
   ValueCounts counts;
@@ -63,21 +53,7 @@ ValueCounts countsOf(const ImageSet& images) {
   return counts;
 }
 
-/// "turn_px.exr" of "turn.exr": the name with a suffix before its extension.
-std::string suffixed(const std::string& path, const std::string& suffix) {
-  const std::filesystem::path whole(path);
-  return (whole.parent_path() / (whole.stem().string() + suffix + whole.extension().string())).string();
-}
-
 }  // namespace
-
-std::string percentOf(const LostLight& light) {
-  const double percent = 100.0 * light.share();
-  if (percent < 0.01) return "less than 0.01 %";
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), percent < 10.0 ? "%.2g %%" : "%.0f %%", percent);
-  return text.data();
-}
 
 Result<void> MapFile::setForm(const MapFileOptions& options, Projection projection) {
   form_ = {projection};
@@ -112,7 +88,7 @@ Result<void> MapFile::setFormat(const MapFileOptions& options) {
     const TexelFormatName& format = kTexelFormatNames[static_cast<std::size_t>(*format_)];
     if (extensionOf(path_) != "exr" || !format.is_in_exr)
       return fail(ErrorCode::usage, path_ + ": cannot hold " + std::string(format.name) + " texels; .exr has " +
-                                        join(formatsOfExr(), ", ", " and ") + ", " +
+                                        join(texelFormatNames(true), ", ", " and ") + ", " +
                                         writtenExtensions(Holds::texture, " and ") + " have all formats");
   }
   zstandard_level_ = options.zstandard_level;
@@ -132,6 +108,8 @@ Result<MapFile> MapFile::resolve(const std::string& path, const MapFileOptions& 
   MIRRORBALL_TRY_VOID(file.setForm(options, projection));
   MIRRORBALL_TRY_VOID(file.setFormat(options));
   MIRRORBALL_TRY_VOID(file.setLevels(options));
+  if (options.is_one_file && file.paths().size() > 1)
+    return fail(ErrorCode::usage, path + ": takes one file, and the layout faces writes six; name another layout");
   return file;
 }
 

@@ -37,6 +37,7 @@ struct MapFileOptions {
   int zstandard_level = 0;                      ///< of .ktx2: 1 fast … 22 small; 0: none
   LightLimits light = {};                       ///< of what is loaded or captured for it
   std::optional<CubeLayout> layout = {};        ///< of a cube in pictures; nothing: the program's, or hcross
+  bool is_one_file = false;                     ///< refuse a cube as six pictures: the output is a pipe
   bool mips = false;                            ///< with all mip levels; of a picture, on a sheet
   std::optional<int> level = {};                ///< one mip level instead of the map
   MipSource mip_source = MipSource::automatic;  ///< weights of their texels
@@ -144,8 +145,5 @@ class MapFile {
   Display display_;
   Observer observer_;
 };
-
-/// "14 %", "5.8 %" or "less than 0.01 %" of the light.
-std::string percentOf(const LostLight& light);
 
 }  // namespace mirrorball

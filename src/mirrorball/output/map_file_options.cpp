@@ -14,14 +14,6 @@
 namespace mirrorball {
 namespace {
 
-/// The names of formats, of those that a picture in .exr has or of all.
-std::vector<std::string_view> formatNames(bool only_of_exr) {
-  std::vector<std::string_view> names;
-  for (const TexelFormatName& format : kTexelFormatNames)
-    if (format.is_in_exr || !only_of_exr) names.push_back(format.name);
-  return names;
-}
-
 /// "float16=half|fp16=half": the other names.
 std::string formatAliases() {
   std::string aliases;
@@ -31,10 +23,10 @@ std::string formatAliases() {
   return aliases;
 }
 
-const std::string kFormatChoices = "auto|" + join(formatNames(false), "|");
+const std::string kFormatChoices = "auto|" + join(texelFormatNames(false), "|");
 const std::string kFormatAliases = formatAliases();
-const std::string kFormatHelp = "texel format: " + join(formatNames(true), ", ", " or ") + " in .exr; " +
-                                join(formatNames(false), ", ", " or ") + " in " +
+const std::string kFormatHelp = "texel format: " + join(texelFormatNames(true), ", ", " or ") + " in .exr; " +
+                                join(texelFormatNames(false), ", ", " or ") + " in " +
                                 writtenExtensions(Holds::texture, " and ") +
                                 "; auto is float32 in .exr, and half in textures if it holds all values; bc6h is "
                                 "compressed to one byte per texel";
@@ -62,14 +54,6 @@ constexpr Field kLayoutField{
       auto layout = cubeLayoutNamed(written);
       if (!layout) return fail(ErrorCode::usage, std::string(text.name) + ": " + layout.error().message);
       options.layout = *layout;
-      return {};
-    }};
-
-constexpr Field kScaleField{
-    [](const MapFileOptions& options) { return formatNumber(options.light.scale); },
-    [](const OptionText& text, std::string_view written, MapFileOptions& options) -> Result<void> {
-      MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-      options.light.scale = numbers[0];
       return {};
     }};
 
@@ -130,7 +114,7 @@ const std::array<Option<MapFileOptions>, 12> kMapFileOptions{{
       .maximum = 1e30,
       .help = "multiply all light by FACTOR, before anything else is done with it",
       .group = "Output"},
-     kScaleField},
+     numberField<&MapFileOptions::light, &LightLimits::scale>},
     {{.name = "clamp-light",
       .value = "MAX",
       .unit = "radiance",

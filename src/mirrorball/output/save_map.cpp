@@ -5,25 +5,12 @@
 #include "mirrorball/codec/image_format.h"
 
 namespace mirrorball {
-namespace {
-
-/// The same observer, whose remarks are kept too.
-Observer keepingRemarks(const Observer& observer, std::vector<Remark>& remarks) {
-  Observer keeping = observer;
-  keeping.remark = [&remarks, told = observer.remark](const Remark& remark) {
-    remarks.push_back(remark);
-    if (told) told(remark);
-  };
-  return keeping;
-}
-
-}  // namespace
 
 Result<SavedMap> saveMap(const std::string& path, EnvironmentMap map, const MapFileOptions& options,
                          const Observer& observer) {
   SavedMap saved;
   limitLight(map, options.light);
-  MIRRORBALL_TRY(file, MapFile::resolve(path, options, map.projection(), keepingRemarks(observer, saved.remarks)));
+  MIRRORBALL_TRY(file, MapFile::resolve(path, options, map.projection(), observer.keeping(saved.remarks)));
   MIRRORBALL_TRY_VOID(file.write(std::move(map)));
   saved.paths = file.paths();
   return saved;
@@ -35,7 +22,7 @@ Result<SavedMap> saveMap(const std::string& path, ImageSet levels, const MapFile
     return fail(ErrorCode::usage,
                 path + ": a chain of mip levels goes into " + writtenExtensions(Holds::texture, " or "));
   SavedMap saved;
-  MIRRORBALL_TRY(file, MapFile::resolve(path, options, Projection::cube, keepingRemarks(observer, saved.remarks)));
+  MIRRORBALL_TRY(file, MapFile::resolve(path, options, Projection::cube, observer.keeping(saved.remarks)));
   MIRRORBALL_TRY_VOID(file.writeLevels(std::move(levels)));
   file.remarkOnForm();
   saved.paths = file.paths();

@@ -9,6 +9,7 @@
 #include "mirrorball/bake/bake.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/file/load.h"
+#include "mirrorball/output/output_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -17,17 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-class SaveMapTest : public ::testing::Test {
- protected:
-  SaveMapTest() { std::filesystem::create_directories(folder_); }
-  ~SaveMapTest() override { std::filesystem::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
- private:
-  const std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("mirrorball_save_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
-};
+using SaveMapTest = testing::InFolder;
 
 EnvironmentMap smoothCube() { return *convert(Environment(testing::smoothRadiance, 64), Projection::cube, 16); }
 

@@ -81,6 +81,13 @@ Result<void> writeIn(ImageFormatId container, const ImageSet& images, const Text
 
 }  // namespace
 
+std::vector<std::string_view> texelFormatNames(bool only_of_exr) {
+  std::vector<std::string_view> names;
+  for (const TexelFormatName& format : kTexelFormatNames)
+    if (format.is_in_exr || !only_of_exr) names.push_back(format.name);
+  return names;
+}
+
 Result<DecodedImageSet> readImageSet(const std::filesystem::path& path) {
   MIRRORBALL_TRY(bytes, readFile(path));
   return withName(path.string(), decodeImageSet(bytes));

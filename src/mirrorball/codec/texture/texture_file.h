@@ -45,6 +45,9 @@ inline constexpr std::array<TexelFormatName, 5> kTexelFormatNames{{
     {TexelFormat::bc6h, "bc6h", "bc6 bc6hu", false},
 }};
 
+/// Their names: of all, or of those that a picture in .exr can have.
+std::vector<std::string_view> texelFormatNames(bool only_of_exr = false);
+
 struct TextureWriteOptions {
   TexelFormat format = TexelFormat::half;
   int zstandard_level = 0;  ///< KTX2: 0 stores texels as they are, 1 (fast) to 22 (small) compresses each level

@@ -34,6 +34,12 @@ glm::mat3 turnedBy(float yaw_rad, float pitch_rad, float roll_rad) {
   return aboutAxis(1, yaw_rad) * aboutAxis(0, pitch_rad) * aboutAxis(2, roll_rad);
 }
 
+glm::mat3 sourceFromRotated(std::vector<float> angles_deg) {
+  angles_deg.resize(3, 0.0f);
+  return glm::transpose(
+      turnedBy(glm::radians(angles_deg[0]), glm::radians(angles_deg[1]), glm::radians(angles_deg[2])));
+}
+
 int convertedChannels(Projection projection) { return hasDisc(projection) ? 4 : 3; }
 
 Result<ImageSet> imagesFor(Projection projection, int size) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -26,6 +27,11 @@ glm::mat3 centredOn(glm::vec3 direction);
 ///
 /// returns  target_from_source; its transpose is a `source_from_target`
 glm::mat3 turnedBy(float yaw_rad, float pitch_rad, float roll_rad);
+
+/// The rotation that turns the light of a map as turnedBy does, as a `source_from_target`.
+///
+/// angles_deg  yaw, pitch, roll; those that are missing are 0
+glm::mat3 sourceFromRotated(std::vector<float> angles_deg);
 
 /// Converts an environment to another projection.
 ///

@@ -1,7 +1,9 @@
 #include "mirrorball/environment/file/light_limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "formula/color.h"
@@ -93,6 +95,19 @@ LostLight limitLight(Environment& environment, const LightLimits& limits) {
       [whole, limits](glm::vec3 direction) { return limited(whole.radiance(direction) * limits.scale, limits.max); },
       whole.naturalSize(Projection::equirect));
   return {};
+}
+
+std::string percentOf(const LostLight& light) {
+  const double percent = 100.0 * light.share();
+  if (percent < 0.01) return "less than 0.01 %";
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), percent < 10.0 ? "%.2g %%" : "%.0f %%", percent);
+  return text.data();
+}
+
+void tellLimited(const std::string& name, const LostLight& light, const Observer& observer) {
+  if (light.lost > 0.0)
+    observer.tell(RemarkKind::light_limited, name + ": the limit takes " + percentOf(light) + " of the light");
 }
 
 }  // namespace mirrorball

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <limits>
+#include <string>
 
+#include "mirrorball/base/observer.h"
 #include "mirrorball/environment/environment.h"
 
 namespace mirrorball {
@@ -43,5 +45,11 @@ LostLight limitLight(Projection projection, const LightLimits& limits, Image& im
 /// Scales and limits the light of a map, or of a function.
 LostLight limitLight(EnvironmentMap& map, const LightLimits& limits);
 LostLight limitLight(Environment& environment, const LightLimits& limits);
+
+/// "14 %", "5.8 %" or "less than 0.01 %" of the light.
+std::string percentOf(const LostLight& light);
+
+/// Remarks how much light a limit took from a map of that name, if any.
+void tellLimited(const std::string& name, const LostLight& light, const Observer& observer);
 
 }  // namespace mirrorball

@@ -333,4 +333,11 @@ Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path
   return PanoramaRows{std::move(rows), picture_from_world};
 }
 
+void tellAbout(const LoadedEnvironment& loaded, const Observer& observer) {
+  if (!loaded.doubt.message.empty())
+    observer.tell(RemarkKind::form_doubted, loaded.name + ": " + loaded.doubt.message,
+                  join(loaded.doubt.other_forms, "|"));
+  tellLimited(loaded.name, loaded.lost, observer);
+}
+
 }  // namespace mirrorball

@@ -32,8 +32,8 @@ struct FormDoubt {
 struct LoadedEnvironment {
   Environment environment;
   std::string name = {};                        ///< the path, or the built-in's name
-  std::string format;                           ///< the file's; "built in"
-  std::string color;                            ///< the file's, and what was done about it: DecodedImage::color
+  std::string format = {};                      ///< the file's; "built in"
+  std::string color = {};                       ///< the file's, and what was done about it: DecodedImage::color
   std::optional<Recognition> recognition = {};  ///< of a file
   glm::ivec2 file_size{0};                      ///< of the picture in the file (of one face where each has its own)
   NonFinite bad_texels = {};                    ///< as found, before any repair
@@ -59,6 +59,9 @@ struct LoadedEnvironment {
 ///          interrupted; whatever the codec finds
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
                                           const ProgressFunction& progress = {});
+
+/// Remarks what speaks against the form in which a map was taken, and how much light its limit took.
+void tellAbout(const LoadedEnvironment& loaded, const Observer& observer);
 
 /// The six files of a cube that the name of one of them stands for: all are, if most are there.
 ///

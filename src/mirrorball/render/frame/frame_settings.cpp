@@ -38,24 +38,6 @@ constexpr Field kSize{[](const FrameSettings& s) { return std::to_string(s.size.
                         return {};
                       }};
 
-/// A number at the place in the settings that `number` finds.
-template <auto number>
-constexpr Field kNumberAt{[](const FrameSettings& s) { return formatNumber(number(s)); },
-                          [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                            MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-                            number(s) = numbers[0];
-                            return {};
-                          }};
-
-constexpr Field kExposure = kNumberAt < [](auto& s) -> auto& { return s.display.exposure_ev; }
-> ;
-constexpr Field kFieldOfView = kNumberAt < [](auto& s) -> auto& { return s.camera.fov_deg; }
-> ;
-
-constexpr ChoiceField<FrameSettings> kToneMap{
-    [](const FrameSettings& s) { return static_cast<int>(s.display.tone_map); },
-    [](FrameSettings& s, int index) { s.display.tone_map = static_cast<ToneMap>(index); }};
-
 /// "#rrggbb" as linear light.
 std::optional<glm::vec3> parseHexColor(std::string_view text) {
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
@@ -188,8 +170,8 @@ const std::array<Option<FrameSettings>, 16> kOptions{{
               "mapped afterwards; .exr and .hdr always hold radiance",
       .group = "Picture"},
      choiceField<&FrameSettings::resolve>},
-    {exposureText(), kExposure},
-    {toneMapText(), kToneMap},
+    {exposureText(), numberField<&FrameSettings::display, &Display::exposure_ev>},
+    {toneMapText(), choiceField<&FrameSettings::display, &Display::tone_map>},
     {{.name = "background",
       .value = "env|blur|COLOR|transparent",
       .help = "what is shown behind the model; COLOR is #rrggbb, a colour that the picture shows unchanged (maps and "
@@ -222,7 +204,7 @@ const std::array<Option<FrameSettings>, 16> kOptions{{
       .maximum = 170,
       .help = "vertical field of view",
       .group = "Camera"},
-     kFieldOfView},
+     numberField<&FrameSettings::camera, &CameraOptions::fov_deg>},
     {{.name = "orthographic",
       .value = "HEIGHT",
       .unit = "model radii",

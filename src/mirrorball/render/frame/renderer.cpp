@@ -148,6 +148,7 @@ Result<void> Renderer::setScene(Scene scene) {
 }
 
 Result<void> Renderer::setEnvironment(Environment environment, const std::optional<PrefilterCache>& cache) {
+  if (EnvironmentMap* map = environment.map()) raiseNegativeLight(*map);
   MIRRORBALL_TRY(prepared, prepareEnvironment(environment, cache));
   return setEnvironment(std::move(environment), prepared);
 }

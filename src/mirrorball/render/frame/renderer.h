@@ -43,7 +43,7 @@ class Renderer {
   /// errors   too_large (a texture for this driver); then the scene is as before
   Result<void> setScene(Scene scene);
 
-  /// Prepares the environment for drawing, and takes it.
+  /// Prepares the environment for drawing, and takes it; values below 0 become 0.
   ///
   /// cache    where what takes long is kept from one process to the next, if it is
   /// errors   too_large

@@ -1,11 +1,11 @@
-#include "cli/engine_set.h"
+#include "mirrorball/output/baked/engine_set.h"
 
 #include <algorithm>
 #include <array>
 
 #include "mirrorball/environment/cube/preset.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 namespace {
 
 constexpr std::array<TexelFormat, 3> kOfFilament{TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h};
@@ -13,11 +13,11 @@ constexpr std::array<TexelFormat, 3> kOfFilament{TexelFormat::half, TexelFormat:
 /// docs/prefiltering.md has the sources.
 constexpr std::array<EngineSet, 5> kEngineSets{{
     {.program = ""},
-    {.program = "unreal", .mip_mapping = MipMappingChoice::unreal},
-    {.program = "unity", .mip_mapping = MipMappingChoice::unity},
-    {.program = "godot", .mip_mapping = MipMappingChoice::frostbite},
+    {.program = "unreal", .mip_mapping = MipMapping::unreal},
+    {.program = "unity", .mip_mapping = MipMapping::unity},
+    {.program = "godot", .mip_mapping = MipMapping::frostbite},
     {.program = "filament",
-     .mip_mapping = MipMappingChoice::filament,
+     .mip_mapping = MipMapping::filament,
      .files = SetFiles::cmgens,
      .extension = "ktx",
      .format = TexelFormat::b10g11r11,
@@ -34,13 +34,11 @@ Result<EngineSet> engineSetFor(std::string_view program) {
   return row != kEngineSets.end() ? *row : kEngineSets.front();
 }
 
-int levelCount(const BakeRequest& request) {
-  const int size = request.options.size;
-  if (request.options.levels > 0) return request.options.levels;
+int levelCountFor(const EngineSet& set, int size) {
   int levels = 1;
-  while (levelSide(size, levels) >= request.set.smallest_face) ++levels;
+  while (levelSide(size, levels) >= set.smallest_face) ++levels;
   // As cmgen has it: one level would leave all surfaces mirrors.
-  return levels == 1 && request.set.files == SetFiles::cmgens ? maxLevels(size) : levels;
+  return levels == 1 && set.files == SetFiles::cmgens ? maxLevels(size) : levels;
 }
 
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

@@ -1,4 +1,4 @@
-#include "cli/brdf_file.h"
+#include "mirrorball/output/baked/brdf_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,12 +8,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/file/recognize.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -88,7 +87,6 @@ Result<void> writeBrdf(Image table, const BrdfFile& file) {
   else
     MIRRORBALL_TRY_VOID(writeImage(file.path, withThreeChannels(table),
                                    {.half = file.format == TexelFormat::half, .metadata = metadata}));
-  announce(file.path);
   return {};
 }
 
@@ -115,4 +113,4 @@ Result<std::optional<FoundBrdfTable>> brdfTableIn(const std::string& path) {
   return FoundBrdfTable{std::move(*facts), texture.format, std::move(texture.images.at(0, 0))};
 }
 
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

@@ -1,10 +1,10 @@
-#include "cli/cube_files.h"
+#include "mirrorball/output/baked/cube_files.h"
 
 #include <utility>
 
 #include "mirrorball/codec/texture/stored_format.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 namespace {
 
 /// One level as a cube of its own.
@@ -36,6 +36,13 @@ Result<CubeFiles> CubeFiles::resolve(const MapFileOptions& options, const std::s
   return files;
 }
 
+Result<CubeFiles> CubeFiles::resolve(const MapFileOptions& options, const std::string& path, const Observer& observer) {
+  CubeFiles files;
+  MIRRORBALL_TRY(output, MapFile::resolve(path, options, Projection::cube, observer));
+  files.outputs_.push_back(std::move(output));
+  return files;
+}
+
 std::vector<std::string> CubeFiles::paths() const {
   std::vector<std::string> all;
   for (const MapFile& output : outputs_)
@@ -56,4 +63,4 @@ Result<std::string> CubeFiles::write(ImageSet levels, const Metadata& facts,
   return outputs_.front().pictureFormat();
 }
 
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

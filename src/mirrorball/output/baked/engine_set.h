@@ -2,23 +2,24 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
-#include "cli/bake_command.h"
+#include "mirrorball/bake/prefilter/prefilter.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/codec/texture/texture_file.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 
-/// What lies in a baked folder.
+/// What lies in a folder of baked maps.
 enum class SetFiles {
-  ours,    ///< chain, irradiance, BRDF table, sh.json, sh.h; a skybox if it is asked for
+  ours,    ///< mip chain, irradiance, BRDF table, sh.json, sh.h; a skybox if it is asked for
   cmgens,  ///< as Filament's cmgen deploys it: FOLDER_ibl, which has the harmonics too, FOLDER_skybox and sh.txt
 };
 
-/// How a program has its baked maps, where the command line does not say otherwise.
+/// How a program expects its baked maps, where the settings leave it open.
 struct EngineSet {
   std::string_view program;  ///< Preset::name; "" for all that are not in the table
-  MipMappingChoice mip_mapping = MipMappingChoice::filament;
+  MipMapping mip_mapping = MipMapping::filament;
   SetFiles files = SetFiles::ours;
   std::string_view extension = "ktx2";              ///< of textures
   std::optional<TexelFormat> format = {};           ///< of such textures' texels; none: as they need
@@ -29,15 +30,9 @@ struct EngineSet {
 /// errors   usage: there is no such program
 Result<EngineSet> engineSetFor(std::string_view program);
 
-/// All that `bake` was told of one environment.
-struct BakeRequest {
-  std::string environment;
-  BakeOptions options;
-  MapOutputOptions output;
-  EngineSet set = {};  ///< of output.program
-};
+/// The number of levels of a chain whose settings leave it to the program.
+///
+/// size     of level 0 [texels]
+int levelCountFor(const EngineSet& set, int size);
 
-/// How many levels the chain has.
-int levelCount(const BakeRequest& request);
-
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

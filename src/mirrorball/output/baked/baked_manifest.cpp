@@ -1,4 +1,4 @@
-#include "cli/baked_manifest.h"
+#include "mirrorball/output/baked/baked_manifest.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,8 +10,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/files.h"
-#include "cli/terminal.h"
 #include "formula/bsdf.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_format.h"
@@ -19,7 +17,7 @@
 #include "mirrorball/environment/cube/cube_arrangement.h"
 #include "mirrorball/environment/file/face_files.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,19 +47,19 @@ void addFiles(std::span<const std::string> paths, Json& json) {
     json["files"].push_back(fs::path(paths[i]).filename());
 }
 
-Json specularJson(const BakedSet& set, const BakedFiles& files, const BakeOptions& options, const std::string& format) {
+Json specularJson(const BakedFacts& facts, const BakedFiles& files, const BakedSetSettings& settings) {
   const std::vector<std::string> paths = files.specular.paths();
   Json json;
   if (files.specular.isTexture()) addFiles(paths, json);
-  json["format"] = format;
+  json["format"] = facts.formats.specular;
   json["what"] =
       "radiance, prefiltered with n = v = r: the mean under the lobe of each level; level 0 is the environment";
-  json["distribution"] = writtenValue(options, "distribution");
-  json["mip_mapping"] = writtenValue(options, "mip-mapping");
-  json["look_up"] = std::string(lookUpOf(mipMappingOf(options.mip_mapping))) +
-                    ", r the perceptual roughness, M = " + std::to_string(set.maps.levels.size() - 1);
-  for (std::size_t i = 0; i < set.maps.levels.size(); ++i) {
-    const PrefilterLevel& level = set.maps.levels[i];
+  json["distribution"] = writtenSetting(settings, "distribution");
+  json["mip_mapping"] = writtenSetting(settings, "mip-mapping");
+  json["look_up"] = std::string(lookUpOf(*settings.mip_mapping)) +
+                    ", r the perceptual roughness, M = " + std::to_string(facts.levels.size() - 1);
+  for (std::size_t i = 0; i < facts.levels.size(); ++i) {
+    const PrefilterLevel& level = facts.levels[i];
     Json row{{"size", level.size},
              {"perceptual_roughness", level.perceptual_roughness},
              {"alpha", formula::alphaFromPerceptualRoughness(level.perceptual_roughness)},
@@ -82,26 +80,26 @@ Json cubeJson(const CubeFiles& files, const std::string& format, int size, const
   return json;
 }
 
-Json brdfJson(const BrdfFile& file, const BakeOptions& options) {
+Json brdfJson(const BrdfFile& file, const BakedSetSettings& settings) {
   Json json;
   json["file"] = fs::path(file.path).filename();
   json["format"] = file.isTexture()                   ? nameOf(storedFormat(file.format))
                    : file.format == TexelFormat::half ? "three channels of half floats"
                                                       : "three channels of 32-bit floats";
-  json["size"] = options.brdf_size;
+  json["size"] = settings.brdf_size;
   json["distribution"] = file.facts.distribution;
   json["channels"] = {"scale of f0", "bias of f0"};
-  if (options.brdf_channels == 3) json["channels"].push_back("mean over all directions, for multiple scattering");
-  json["axes"] = options.brdf_axes == BrdfAxes::linear
+  if (settings.brdf_channels == 3) json["channels"].push_back("mean over all directions, for multiple scattering");
+  json["axes"] = settings.brdf_axes == BrdfAxes::linear
                      ? "linear: n.v = u to the right, perceptual roughness = v downwards, at texel centres"
                      : "warped: see brdfTableCoordinates in formula/";
   return json;
 }
 
-Json harmonicsJson(const EngineSet& set, const BakeOptions& options) {
+Json harmonicsJson(const EngineSet& set, const BakedSetSettings& settings) {
   if (set.files == SetFiles::cmgens)
     return {{"file", "sh.txt"}, {"degree", 2}, {"what", "irradiance / pi, as coefficients of Filament's polynomial"}};
-  return {{"file", "sh.json"}, {"header", "sh.h"}, {"degree", options.harmonics_degree}};
+  return {{"file", "sh.json"}, {"header", "sh.h"}, {"degree", settings.harmonics_degree}};
 }
 
 /// All names of files that a manifest has, whatever it is.
@@ -140,22 +138,22 @@ bool isOurs(const fs::path& name) {
 
 }  // namespace
 
-std::string manifestOf(const BakedSet& set, const BakedFiles& files, const BakeOptions& options,
-                       const WrittenFormats& formats) {
+std::string manifestOf(const BakedFacts& facts, const BakedFiles& files, const BakedSetSettings& settings) {
   Json json;
-  json["made_by"] = std::string("mirrorball ") + MIRRORBALL_VERSION + " bake";
-  json["source"] = shown(files.source);
-  if (!options.rotate_deg.empty()) json["rotate_deg"] = options.rotate_deg;
+  json["made_by"] = settings.made_by;
+  json["source"] = settings.source;
+  if (!settings.rotate_deg.empty()) json["rotate_deg"] = settings.rotate_deg;
   const std::string arrangement = textOf(files.specular.form().arrangement);
   json["faces"] = arrangement.empty() ? "+X -X +Y -Y +Z -Z by OpenGL's table" : arrangement;
-  json["specular"] = specularJson(set, files, options, formats.specular);
+  json["specular"] = specularJson(facts, files, settings);
   if (files.irradiance)
-    json["irradiance"] = cubeJson(*files.irradiance, formats.irradiance, options.irradiance_size,
+    json["irradiance"] = cubeJson(*files.irradiance, facts.formats.irradiance, settings.irradiance_size,
                                   "irradiance / pi: the radiance of a white matt surface of that normal");
   if (files.skybox)
-    json["skybox"] = cubeJson(*files.skybox, formats.skybox, set.skybox_size, "radiance: the environment as it is");
-  if (files.brdf) json["brdf"] = brdfJson(*files.brdf, options);
-  json["harmonics"] = harmonicsJson(files.set, options);
+    json["skybox"] =
+        cubeJson(*files.skybox, facts.formats.skybox, facts.skybox_size, "radiance: the environment as it is");
+  if (files.brdf) json["brdf"] = brdfJson(*files.brdf, settings);
+  json["harmonics"] = harmonicsJson(files.set, settings);
   // File names need not be UTF-8, which JSON is.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -173,8 +171,12 @@ void removeOlderSet(const BakedFiles& files, const std::vector<std::string>& inp
   for (const std::string& name : older) {
     if (!isOurs(name) || std::ranges::find(newer, fs::path(name)) != newer.end()) continue;
     const std::string lies_at = (folder / name).string();
-    if (refuseOverwriting(inputs, {&lies_at, 1})) fs::remove(lies_at, status);
+    const bool is_input = std::ranges::any_of(inputs, [&](const std::string& input) {
+      std::error_code missing;
+      return fs::equivalent(input, lies_at, missing);
+    });
+    if (!is_input) fs::remove(lies_at, status);
   }
 }
 
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

@@ -1,4 +1,4 @@
-#include "cli/harmonics_text.h"
+#include "mirrorball/output/baked/harmonics_text.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace mirrorball::cli {
+namespace mirrorball {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -82,4 +82,4 @@ std::string cmgensHarmonics(const FilamentHarmonics& harmonics) {
   return text;
 }
 
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

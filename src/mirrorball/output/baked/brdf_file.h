@@ -8,7 +8,7 @@
 #include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/image/image.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 
 /// What a BRDF table is of, in the words of the command line.
 struct BrdfTableFacts {
@@ -45,4 +45,4 @@ struct FoundBrdfTable {
 /// errors   what reading a file finds that says it is one
 Result<std::optional<FoundBrdfTable>> brdfTableIn(const std::string& path);
 
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

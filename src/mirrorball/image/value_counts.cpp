@@ -1,4 +1,4 @@
-#include "mirrorball/output/value_counts.h"
+#include "mirrorball/image/value_counts.h"
 
 #include <span>
 

@@ -7,7 +7,7 @@
 
 #include "mirrorball/output/map_file.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 
 /// What a cube's files are called, in one folder and without their extension.
 struct CubeNames {
@@ -24,12 +24,18 @@ class CubeFiles {
   static Result<CubeFiles> resolve(const MapFileOptions& options, const std::string& folder, const CubeNames& names,
                                    std::string_view extension, int levels, const Observer& observer = {});
 
+  /// One texture of that name.
+  static Result<CubeFiles> resolve(const MapFileOptions& options, const std::string& path, const Observer& observer);
+
   bool isTexture() const { return isTexturePath(paths().front()); }
   std::vector<std::string> paths() const;
   const MapForm& form() const { return outputs_.front().form(); }
 
   /// The memory that writing level 0 takes beside it.
   std::uint64_t memoryToWrite(int size) const { return outputs_.front().memoryToWrite(size); }
+
+  /// Remarks how to read the cube again, if its file does not say what map it is.
+  void remarkOnForm() const { outputs_.front().remarkOnForm(); }
 
   /// Writes the files.
   ///
@@ -43,4 +49,4 @@ class CubeFiles {
   std::vector<MapFile> outputs_;  // the texture, or each level's pictures
 };
 
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

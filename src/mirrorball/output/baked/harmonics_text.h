@@ -5,7 +5,7 @@
 #include "mirrorball/bake/harmonics/filament_harmonics.h"
 #include "mirrorball/bake/harmonics/spherical_harmonics.h"
 
-namespace mirrorball::cli {
+namespace mirrorball {
 
 /// sh.json: the harmonics of radiance and irradiance, each as they are and windowed.
 ///
@@ -18,4 +18,4 @@ std::string harmonicsHeader(const Harmonics& radiance, const std::string& source
 /// sh.txt, as Filament's cmgen writes it: a line for each coefficient. Its readers take numbers with a point only.
 std::string cmgensHarmonics(const FilamentHarmonics& harmonics);
 
-}  // namespace mirrorball::cli
+}  // namespace mirrorball

@@ -1,0 +1,136 @@
+#include "mirrorball/output/baked/baked_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/folder.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_format.h"
+
+namespace mirrorball {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// errors   usage: it is none of them
+Result<std::string_view> extensionNamed(const std::string& name, std::span<const std::string_view> known) {
+  if (const auto index = indexOfName(withoutDot(name), known)) return known[*index];
+  return tl::unexpected<Error>(unknownName("extension", name, known));
+}
+
+/// The extension of a set's textures, or pictures.
+///
+/// errors   usage: none that there is, or none that the engine reads
+Result<std::string_view> extensionFor(const EngineSet& set, const std::string& wanted) {
+  if (wanted.empty()) return set.extension;
+  MIRRORBALL_TRY(extension, extensionNamed(wanted, bakedCubeExtensions()));
+  if (set.files == SetFiles::cmgens && isTexturePath("x." + std::string(extension)) && extension != set.extension)
+    return fail(ErrorCode::usage, std::string(set.program) + " reads ." + std::string(set.extension) + ", no ." +
+                                      std::string(extension) + "; leave the extension to it");
+  return extension;
+}
+
+/// The table as the cubes are stored, except for formats that would round it to a percent.
+BrdfFile brdfFile(const std::string& stem, std::string_view extension, const BakedSetSettings& settings) {
+  BrdfFile file{.path = stem + "." + std::string(extension),
+                .facts = {writtenSetting(settings, "distribution"), writtenSetting(settings, "brdf-axes"),
+                          settings.brdf_channels}};
+  const std::optional<TexelFormat> format = settings.file.format;
+  // Pictures are in 32-bit floats unless told otherwise, as everywhere.
+  const bool in_floats = format == TexelFormat::float32 || (format != TexelFormat::half && !file.isTexture());
+  if (file.isTexture() && settings.brdf_channels == 2)
+    file.format = in_floats ? TexelFormat::rg_float32 : TexelFormat::rg_half;
+  else
+    file.format = in_floats ? TexelFormat::float32 : TexelFormat::half;
+  if (extension == "ktx2") file.zstandard_level = settings.file.zstandard_level;
+  return file;
+}
+
+/// A folder's own name, also of "." and "..".
+std::string nameOfFolder(const std::string& folder) {
+  const fs::path path = fs::absolute(folder).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+/// The files of irradiance and of the BRDF table, which a program may have none of.
+Result<void> addOurFiles(const BakedSetSettings& settings, std::string_view extension, const Observer& observer,
+                         BakedFiles& files) {
+  MIRRORBALL_TRY(irradiance,
+                 CubeFiles::resolve(settings.file, files.folder, {"irradiance", "i"}, extension, 1, observer));
+  files.irradiance = std::move(irradiance);
+  const std::string brdf =
+      settings.brdf_extension.empty() ? std::string(extension == "hdr" ? "exr" : extension) : settings.brdf_extension;
+  MIRRORBALL_TRY(brdf_extension, extensionNamed(brdf, bakedBrdfExtensions()));
+  files.brdf = brdfFile(files.folder + "/brdf", brdf_extension, settings);
+  return {};
+}
+
+Result<BakedFiles> filesInFolder(const std::string& output, const BakedSetSettings& settings, const EngineSet& set,
+                                 const Observer& observer) {
+  const bool is_cmgens = set.files == SetFiles::cmgens;
+  MIRRORBALL_TRY(extension, extensionFor(set, settings.extension));
+  std::string folder = output;
+  while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+  std::error_code status;
+  if (fs::exists(folder, status) && !fs::is_directory(folder, status))
+    return fail(ErrorCode::usage, folder + ": is a file; name a folder, or a " +
+                                      writtenExtensions(Holds::texture, " or ") + " file for the chain only");
+  const std::string prefix = is_cmgens ? nameOfFolder(folder) + "_" : "";
+  const CubeNames chain{is_cmgens ? prefix + "ibl" : "specular", "m", true};
+  MIRRORBALL_TRY(specular, CubeFiles::resolve(settings.file, folder, chain, extension, settings.levels, observer));
+  BakedFiles files{.folder = folder, .set = set, .specular = std::move(specular)};
+  if (is_cmgens || settings.skybox || settings.skybox_size > 0) {
+    MIRRORBALL_TRY(skybox,
+                   CubeFiles::resolve(settings.file, folder, {prefix + "skybox", "skybox"}, extension, 1, observer));
+    files.skybox = std::move(skybox);
+  }
+  if (!is_cmgens) MIRRORBALL_TRY_VOID(addOurFiles(settings, extension, observer, files));
+  return files;
+}
+
+}  // namespace
+
+Result<std::optional<TexelFormat>> settledFormat(const EngineSet& set, const BakedSetSettings& settings,
+                                                 const std::string& extension) {
+  const std::optional<TexelFormat> wanted = settings.file.format;
+  const bool is_engines = extension.empty() || indexOfName(extension, {&set.extension, 1}).has_value();
+  if (!is_engines || !set.format) return wanted;
+  if (!wanted || wanted == set.format) return set.format;
+  if (std::ranges::find(set.other_formats, *wanted) != set.other_formats.end()) return wanted;
+  const auto nameOf = [](TexelFormat one) { return kTexelFormatNames[static_cast<std::size_t>(one)].name; };
+  std::vector<std::string_view> known{nameOf(*set.format)};
+  for (const TexelFormat one : set.other_formats) known.push_back(nameOf(one));
+  return fail(ErrorCode::usage, std::string(set.program) + " reads " + join(known) + ", no " +
+                                    std::string(nameOf(*wanted)) + "; leave the format to it");
+}
+
+Result<BakedFiles> BakedFiles::resolve(const std::string& output, const BakedSetSettings& settings,
+                                       const EngineSet& set, const Observer& observer) {
+  if (!isOneFile(output)) return filesInFolder(output, settings, set, observer);
+  if (!isTexturePath(output))
+    return fail(ErrorCode::usage, output + ": a prefiltered chain goes into " +
+                                      writtenExtensions(Holds::texture, " or ") +
+                                      "; or name a folder, without an extension");
+  MIRRORBALL_TRY(chain, CubeFiles::resolve(settings.file, output, observer));
+  return BakedFiles{.set = set, .specular = std::move(chain)};
+}
+
+std::vector<std::string> BakedFiles::paths() const {
+  std::vector<std::string> all = specular.paths();
+  if (folder.empty()) return all;
+  const auto add = [&](const std::vector<std::string>& more) { all.insert(all.end(), more.begin(), more.end()); };
+  if (irradiance) add(irradiance->paths());
+  if (skybox) add(skybox->paths());
+  if (brdf) add({brdf->path});
+  if (set.files == SetFiles::cmgens)
+    add({folder + "/sh.txt"});
+  else
+    add({folder + "/sh.json", folder + "/sh.h"});
+  add({folder + "/manifest.json"});
+  return all;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,276 @@
+#include "mirrorball/output/baked/baked_set.h"
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <future>
+#include <string_view>
+#include <utility>
+
+#include "mirrorball/bake/bake.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/folder.h"
+#include "mirrorball/base/memory.h"
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/codec/metadata.h"
+#include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/output/baked/baked_files.h"
+#include "mirrorball/output/baked/baked_manifest.h"
+#include "mirrorball/output/baked/harmonics_text.h"
+
+namespace mirrorball {
+namespace {
+
+/// A table that is so small that it may be made beside the reading of an environment whose size is not known yet.
+constexpr std::uint64_t kSmallTable_bytes = std::uint64_t{4} << 20;
+
+std::uint64_t bytesOfTable(const BakedSetSettings& settings) {
+  return std::uint64_t(settings.brdf_size) * std::uint64_t(settings.brdf_size) * std::uint64_t(settings.brdf_channels) *
+         sizeof(float);
+}
+
+/// The BRDF table, made on threads of its own. It stops soon when it goes away before it was asked for.
+class LaterTable {
+ public:
+  LaterTable(const BakedSetSettings& settings, const Observer& observer)
+      : table_(std::async(besideOthers(), [this, &settings, &observer] {
+          return observer.timed("BRDF table", [&] { return make(settings, observer.progressOf("BRDF table")); });
+        })) {}
+  LaterTable(const LaterTable&) = delete;
+  LaterTable& operator=(const LaterTable&) = delete;
+  ~LaterTable() { is_wanted_ = false; }
+
+  Result<Image> get() { return table_.get(); }
+
+ private:
+  Result<Image> make(const BakedSetSettings& settings, const ProgressFunction& progress) const {
+    const BrdfTableOptions table{.size = settings.brdf_size,
+                                 .channels = settings.brdf_channels,
+                                 .distribution = settings.distribution,
+                                 .axes = settings.brdf_axes};
+    return brdfTable(table, [this, &progress](std::size_t done, std::size_t total) {
+      return is_wanted_ && (!progress || progress(done, total));
+    });
+  }
+
+  std::atomic<bool> is_wanted_ = true;
+  std::future<Result<Image>> table_;  // waits for its threads, and so is the first to go
+};
+
+/// What the chain lacks that its reader looks for.
+void tellFewLevels(const BakedSetSettings& settings, bool is_counted, const Observer& observer) {
+  const int last = settings.levels - 1;
+  if (!is_counted && last == 0)
+    observer.tell(
+        RemarkKind::levels_few,
+        "a chain of " + std::to_string(settings.size) + " texels a face has level 0 only, the environment itself",
+        std::to_string(maxLevels(settings.size)));
+  constexpr int kLastLevelOfUnity = 6;  // UNITY_SPECCUBE_LOD_STEPS
+  if (settings.mip_mapping == MipMapping::unity && last != kLastLevelOfUnity)
+    observer.tell(RemarkKind::levels_few,
+                  "Unity looks for roughness 1 in level 6, and this chain has it in level " + std::to_string(last),
+                  std::to_string(kLastLevelOfUnity + 1));
+}
+
+/// How fine a skybox is, as far as it is left to us.
+int skyboxSize(const BakedSetSettings& settings, const Environment& environment) {
+  constexpr int kMax = 1024;
+  return settings.skybox_size > 0 ? settings.skybox_size : std::min(environment.naturalSize(Projection::cube), kMax);
+}
+
+/// Which maps the files want of an environment.
+BakeSettings bakeSettings(const BakedSetSettings& settings, const BakedFiles& files, const Environment& environment) {
+  const bool needs_harmonics = !files.folder.empty() || files.set.files == SetFiles::cmgens;
+  BakeSettings maps{.size = settings.size,
+                    .levels = settings.levels,
+                    .distribution = settings.distribution,
+                    .mip_mapping = *settings.mip_mapping,
+                    .irradiance_size = files.irradiance ? settings.irradiance_size : 0,
+                    .harmonics_degree = needs_harmonics ? settings.harmonics_degree : 0,
+                    .skybox_size = files.skybox ? skyboxSize(settings, environment) : 0,
+                    .source_from_target = sourceFromRotated(settings.rotate_deg),
+                    .memory_meanwhile = files.brdf ? bytesOfTable(settings) : 0,
+                    .memory_after = files.specular.memoryToWrite(settings.size)};
+  const auto packs = [&](const std::optional<CubeFiles>& cube, int size) {
+    if (cube) maps.memory_after = std::max(maps.memory_after, cube->memoryToWrite(size));
+  };
+  packs(files.irradiance, maps.irradiance_size);
+  packs(files.skybox, maps.skybox_size);
+  return maps;
+}
+
+/// What a chain for a program says of the environment beside its levels: Filament's, the harmonics.
+Metadata factsFor(const EngineSet& set, const Harmonics& radiance) {
+  if (set.files != SetFiles::cmgens) return {};
+  return {{kFilamentHarmonicsKey, textOf(filamentHarmonics(radiance))}};
+}
+
+/// Writes the files of a set one after the other, as long as nobody stops it.
+class SetWriter {
+ public:
+  SetWriter(const BakedFiles& files, const Observer& observer, std::string left)
+      : files_(files), observer_(observer), progress_(observer.progressOf("write")), left_(std::move(left)) {}
+
+  /// Writes a cube, as far as the set has it.
+  ///
+  /// returns  its format
+  Result<std::string> writeCube(const std::optional<CubeFiles>& cube, ImageSet levels, const Metadata& facts) {
+    if (!cube) return std::string();
+    MIRRORBALL_TRY_VOID(goOn());
+    return ofSet(cube->write(std::move(levels), facts, [this] { return goOn(); }));
+  }
+
+  Result<void> writeTable(const std::optional<BrdfFile>& file, Image table) {
+    if (!file) return {};
+    MIRRORBALL_TRY_VOID(goOn());
+    MIRRORBALL_TRY_VOID(ofSet(writeBrdf(std::move(table), *file)));
+    observer_.tellWritten(file->path);
+    return {};
+  }
+
+  Result<void> writeText(const std::string& name, const std::string& text) {
+    MIRRORBALL_TRY_VOID(goOn());
+    const std::string path = files_.folder + "/" + name;
+    MIRRORBALL_TRY_VOID(writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+    observer_.tellWritten(path);
+    return {};
+  }
+
+ private:
+  Result<void> goOn() {
+    if (!progress_ || progress_(done_++, files_.paths().size())) return {};
+    return fail(ErrorCode::interrupted, "interrupted; " + left_);
+  }
+
+  /// What a writer says of an interruption is of its own file.
+  template <typename Value>
+  Result<Value> ofSet(Result<Value> written) {
+    if (written || written.error().code != ErrorCode::interrupted) return written;
+    return fail(ErrorCode::interrupted, "interrupted; " + left_);
+  }
+
+  const BakedFiles& files_;
+  const Observer& observer_;
+  ProgressFunction progress_;
+  std::string left_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace
+
+struct BakedSet::Parts {
+  BakedSetSettings settings;
+  BakedFiles files;
+  Observer observer;
+  bool is_counted;                         // whether the number of levels was asked for
+  std::unique_ptr<LaterTable> table = {};  // refers to the others, and so goes first
+
+  Result<BakedMaps> bakeMaps(LoadedEnvironment& environment) const;
+  Result<void> writeFolder(BakedMaps maps, Image brdf, const LoadedEnvironment& of);
+};
+
+BakedSet::BakedSet(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+BakedSet::BakedSet(BakedSet&&) noexcept = default;
+BakedSet& BakedSet::operator=(BakedSet&&) noexcept = default;
+BakedSet::~BakedSet() = default;
+
+Result<BakedSet> BakedSet::resolve(const std::string& output, const BakedSetSettings& settings, Observer observer) {
+  MIRRORBALL_TRY(set, engineSetFor(settings.file.program));
+  if (settings.levels > maxLevels(settings.size))
+    return fail(ErrorCode::usage, std::to_string(settings.levels) + " levels: a cube of " +
+                                      std::to_string(settings.size) + " texels a face has at most " +
+                                      std::to_string(maxLevels(settings.size)) +
+                                      ", the last of one texel a face; ask for no more");
+  BakedSetSettings settled = settings;
+  const bool is_counted = settings.levels > 0;
+  if (!is_counted) settled.levels = levelCountFor(set, settings.size);
+  if (!settled.mip_mapping) settled.mip_mapping = set.mip_mapping;
+  MIRRORBALL_TRY(format, settledFormat(set, settings, isOneFile(output) ? extensionOf(output) : settings.extension));
+  settled.file.format = format;
+  MIRRORBALL_TRY(files, BakedFiles::resolve(output, settled, set, observer));
+  return BakedSet(
+      std::unique_ptr<Parts>(new Parts{std::move(settled), std::move(files), std::move(observer), is_counted}));
+}
+
+std::vector<std::string> BakedSet::paths() const { return parts_->files.paths(); }
+
+Result<void> BakedSet::begin() {
+  if (!parts_->files.brdf) return {};
+  const std::uint64_t bytes = bytesOfTable(parts_->settings);
+  MIRRORBALL_TRY_VOID(withName("the BRDF table", checkMemory(bytes)));
+  if (bytes <= kSmallTable_bytes) parts_->table = std::make_unique<LaterTable>(parts_->settings, parts_->observer);
+  return {};
+}
+
+Result<BakedMaps> BakedSet::Parts::bakeMaps(LoadedEnvironment& environment) const {
+  const std::string name = environment.name;
+  const BakeSettings which = bakeSettings(settings, files, environment.environment);
+  auto maps = withName(name, bake(std::move(environment.environment), which, observer.named(name)));
+  const bool in_halves = settings.file.format.value_or(TexelFormat::half) == TexelFormat::half;
+  if (maps && in_halves && maps->values.areTooDarkForHalves())
+    observer.tell(RemarkKind::digits_lost, name + ": is so dark that half floats hold few of its digits");
+  return maps;
+}
+
+Result<void> BakedSet::save(LoadedEnvironment environment) {
+  Parts& parts = *parts_;
+  tellFewLevels(parts.settings, parts.is_counted, parts.observer);
+  Image table;
+  if (parts.files.brdf && parts.table) {
+    MIRRORBALL_TRY(made, std::exchange(parts.table, nullptr)->get());
+    table = std::move(made);
+  }
+  MIRRORBALL_TRY(maps, parts.bakeMaps(environment));
+  if (parts.files.brdf && table.empty()) {
+    MIRRORBALL_TRY(made, LaterTable(parts.settings, parts.observer).get());
+    table = std::move(made);
+  }
+  return parts.observer.timed("files: write", [&]() -> Result<void> {
+    if (!parts.files.folder.empty()) return parts.writeFolder(std::move(maps), std::move(table), environment);
+    const Metadata facts = factsFor(parts.files.set, maps.radiance);
+    MIRRORBALL_TRY_VOID(parts.files.specular.write(std::move(maps.specular), facts, [] { return Result<void>(); }));
+    parts.files.specular.remarkOnForm();
+    return {};
+  });
+}
+
+Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, Image brdf, const LoadedEnvironment& of) {
+  MIRRORBALL_TRY(folder, OutputFolder::make(files.folder));
+  SetWriter writer(
+      files, observer,
+      folder.isNew() ? "nothing was written" : files.folder + " has only some of the new files, and no manifest");
+  removeOlderSet(files, of.files);
+  const int skybox_size = maps.skybox.size();
+  WrittenFormats formats;
+  MIRRORBALL_TRY(specular,
+                 writer.writeCube(files.specular, std::move(maps.specular), factsFor(files.set, maps.radiance)));
+  formats.specular = specular;
+  MIRRORBALL_TRY(irradiance, writer.writeCube(files.irradiance, std::move(maps.irradiance).takeImages(), {}));
+  formats.irradiance = irradiance;
+  MIRRORBALL_TRY(skybox, writer.writeCube(files.skybox, std::move(maps.skybox).takeImages(), {}));
+  formats.skybox = skybox;
+  MIRRORBALL_TRY_VOID(writer.writeTable(files.brdf, std::move(brdf)));
+  BakedSetSettings named = settings;
+  if (named.source.empty()) named.source = of.name;
+  if (files.set.files == SetFiles::cmgens) {
+    MIRRORBALL_TRY_VOID(writer.writeText("sh.txt", cmgensHarmonics(filamentHarmonics(maps.radiance))));
+  } else {
+    MIRRORBALL_TRY_VOID(writer.writeText("sh.json", harmonicsJson(maps.radiance, settings.harmonics_degree)));
+    MIRRORBALL_TRY_VOID(writer.writeText("sh.h", harmonicsHeader(maps.radiance, named.source)));
+  }
+  MIRRORBALL_TRY_VOID(writer.writeText("manifest.json", manifestOf({maps.levels, skybox_size, formats}, files, named)));
+  folder.keep();
+  return {};
+}
+
+Result<SavedMap> saveBakedSet(const std::string& output, LoadedEnvironment environment,
+                              const BakedSetSettings& settings, const Observer& observer) {
+  SavedMap saved;
+  MIRRORBALL_TRY(set, BakedSet::resolve(output, settings, observer.keeping(saved.remarks)));
+  MIRRORBALL_TRY_VOID(set.begin());
+  MIRRORBALL_TRY_VOID(set.save(std::move(environment)));
+  saved.paths = set.paths();
+  return saved;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,128 @@
+// The table of what is baked for an engine.
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_format.h"
+#include "mirrorball/output/baked/baked_files.h"
+#include "mirrorball/output/baked/baked_set.h"
+
+namespace mirrorball {
+namespace {
+
+std::vector<std::string_view> texturesAnd(std::vector<std::string_view> others) {
+  std::vector<std::string_view> names = writtenExtensionNames(Holds::texture);
+  names.insert(names.end(), others.begin(), others.end());
+  return names;
+}
+
+const std::string kCubeExtensions = join(bakedCubeExtensions(), "|");
+const std::string kBrdfExtensions = join(bakedBrdfExtensions(), "|");
+
+/// The first choice leaves it to the engine.
+constexpr ChoiceField<BakedSetSettings> kMipMappingField{
+    [](const BakedSetSettings& settings) {
+      return settings.mip_mapping ? static_cast<int>(*settings.mip_mapping) + 1 : 0;
+    },
+    [](BakedSetSettings& settings, int index) {
+      settings.mip_mapping = index > 0 ? std::optional(static_cast<MipMapping>(index - 1)) : std::nullopt;
+    }};
+
+const std::array<Option<BakedSetSettings>, 13> kBakedSetOptions{{
+    {{.name = "size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 1,
+      .maximum = 8192,
+      .help = "side of a cube face in level 0 of the specular mip chain"},
+     &BakedSetSettings::size},
+    {{.name = "levels",
+      .value = "N",
+      .minimum = 0,
+      .maximum = 14,
+      .help = "number of mip levels, level 0 included; the last one has roughness 1. 0: down to 4 x 4 texels per face, "
+              "for filament down to 16 x 16"},
+     &BakedSetSettings::levels},
+    {{.name = "distribution",
+      .choices = "ggx|phong|blinn|charlie",
+      .help = "microfacet distribution; charlie is for cloth"},
+     choiceField<&BakedSetSettings::distribution>},
+    {{.name = "mip-mapping",
+      .choices = "auto|filament|linear|unreal|unity|frostbite",
+      .help = "the roughness of each mip level, as this engine looks it up; auto goes by --for: unreal and unity have "
+              "their own, godot has that of frostbite, all others that of filament"},
+     kMipMappingField},
+    {{.name = "irradiance-size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 1,
+      .maximum = 1024,
+      .help = "side of a face of the irradiance cube"},
+     &BakedSetSettings::irradiance_size},
+    {{.name = "sh-degree", .value = "L", .minimum = 2, .maximum = 4, .help = "highest band of the spherical harmonics"},
+     &BakedSetSettings::harmonics_degree},
+    {{.name = "brdf-size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 2,
+      .maximum = kLargestBrdfTable,
+      .help = "side of the BRDF table"},
+     &BakedSetSettings::brdf_size},
+    {{.name = "brdf-channels",
+      .value = "N",
+      .minimum = 2,
+      .maximum = 3,
+      .help = "number of channels in the BRDF table: 2 for scale and bias, 3 with the mean for multiple scattering; "
+              "with 2, a .exr gets a third channel of zeros"},
+     &BakedSetSettings::brdf_channels},
+    {{.name = "brdf-axes",
+      .choices = "linear|warped",
+      .help = "axes of the BRDF table: linear in n.v and perceptual roughness, as engines have it, or warped, so that "
+              "look-ups near grazing angles are accurate too"},
+     choiceField<&BakedSetSettings::brdf_axes>},
+    {{.name = "brdf-extension",
+      .value = kBrdfExtensions,
+      .help = "extension of the BRDF table's file; without it, that of --extension, but .exr in place of .hdr",
+      .names = bakedBrdfExtensions},
+     &BakedSetSettings::brdf_extension},
+    {{.name = "skybox", .help = "also write the environment itself, for the background; filament always gets it"},
+     &BakedSetSettings::skybox},
+    {{.name = "skybox-size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 0,
+      .maximum = 8192,
+      .help = "side of a face of the skybox; 0: as fine as the environment, but at most 1024"},
+     &BakedSetSettings::skybox_size},
+    {{.name = "extension",
+      .value = kCubeExtensions,
+      .help = "extension of the files in a folder: textures, or pictures of each level and face (m0_px.exr); without "
+              "it, ktx2, and for filament ktx",
+      .names = bakedCubeExtensions},
+     &BakedSetSettings::extension},
+}};
+
+}  // namespace
+
+std::span<const std::string_view> bakedCubeExtensions() {
+  static const std::vector<std::string_view> names = texturesAnd(writtenExtensionNames(Holds::light));
+  return names;
+}
+
+std::span<const std::string_view> bakedBrdfExtensions() {
+  static const std::vector<std::string_view> names = texturesAnd({"exr"});
+  return names;
+}
+
+std::span<const Option<BakedSetSettings>> bakedSetOptions() { return kBakedSetOptions; }
+
+std::string writtenSetting(const BakedSetSettings& settings, std::string_view name) {
+  const auto* const option = std::ranges::find(kBakedSetOptions, name, [](const auto& row) { return row.text.name; });
+  return written(*option, settings);
+}
+
+}  // namespace mirrorball

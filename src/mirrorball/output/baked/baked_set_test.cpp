@@ -1,0 +1,108 @@
+#include "mirrorball/output/baked/baked_set.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/environment/environment_testing.h"
+#include "mirrorball/environment/file/load.h"
+#include "mirrorball/output/output_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
+
+class BakedSetTest : public testing::InFolder {
+ protected:
+  static LoadedEnvironment light() {
+    LoadedEnvironment loaded{.environment = Environment(testing::smoothRadiance, 32)};
+    loaded.name = "room.hdr";
+    return loaded;
+  }
+  static BakedSetSettings small() { return {.size = 16, .irradiance_size = 4, .brdf_size = 4}; }
+};
+
+TEST_F(BakedSetTest, AFolderHasTheMapsOfTheEngine) {
+  const auto saved = saveBakedSet(path("set"), light(), small());
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_THAT(saved->remarks, IsEmpty());
+  EXPECT_THAT(saved->paths,
+              UnorderedElementsAre(path("set/specular.ktx2"), path("set/irradiance.ktx2"), path("set/brdf.ktx2"),
+                                   path("set/sh.json"), path("set/sh.h"), path("set/manifest.json")));
+  for (const std::string& file : saved->paths) EXPECT_TRUE(std::filesystem::exists(file)) << file;
+  const auto specular = loadEnvironment(path("set/specular.ktx2"));
+  ASSERT_TRUE(specular);
+  EXPECT_EQ(specular->levels, 3);
+}
+
+TEST_F(BakedSetTest, ATextureHoldsTheChainAlone) {
+  const auto saved = saveBakedSet(path("chain.ktx2"), light(), small());
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_THAT(saved->paths, ElementsAre(path("chain.ktx2")));
+  EXPECT_TRUE(std::filesystem::exists(path("chain.ktx2")));
+}
+
+TEST_F(BakedSetTest, WhatTheReaderMissesIsARemark) {
+  BakedSetSettings settings = small();
+  settings.file.program = "unity";
+  const auto saved = saveBakedSet(path("set"), light(), settings);
+  ASSERT_TRUE(saved) << saved.error().message;
+  ASSERT_EQ(saved->remarks.size(), 1u);
+  EXPECT_EQ(saved->remarks[0].kind, RemarkKind::levels_few);
+  EXPECT_EQ(saved->remarks[0].detail, "7");
+}
+
+TEST_F(BakedSetTest, NegativeLightIsTakenAsNoneAndTold) {
+  ImageSet images(1, 1);
+  images.at(0, 0) = Image(8, 4, 3);
+  for (float& sample : images.at(0, 0).samples()) sample = 1.0f;
+  images.at(0, 0).texel(2, 1)[1] = -1.0f;
+  LoadedEnvironment loaded{.environment = Environment(EnvironmentMap(Projection::equirect, std::move(images)))};
+  loaded.name = "sharp.exr";
+  const auto saved = saveBakedSet(path("chain.ktx2"), std::move(loaded), small());
+  ASSERT_TRUE(saved) << saved.error().message;
+  ASSERT_EQ(saved->remarks.size(), 1u);
+  EXPECT_EQ(saved->remarks[0].kind, RemarkKind::negative_raised);
+  EXPECT_THAT(saved->remarks[0].message, HasSubstr("sharp.exr: 1 value is negative"));
+}
+
+TEST_F(BakedSetTest, AWorkThatIsStoppedLeavesNoNewFolder) {
+  Observer observer;
+  observer.progress = [](std::string_view stage) -> ProgressFunction {
+    return [is_writing = stage == "write"](std::size_t done, std::size_t) { return !is_writing || done < 2; };
+  };
+  const auto saved = saveBakedSet(path("new/set"), light(), small(), observer);
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().code, ErrorCode::interrupted);
+  EXPECT_FALSE(std::filesystem::exists(path("new")));
+}
+
+TEST_F(BakedSetTest, WhatCannotBeIsRefusedBeforeAnythingIsMade) {
+  const auto errorOf = [&](const std::string& output, const BakedSetSettings& settings) {
+    const auto set = BakedSet::resolve(output, settings);
+    return set ? std::string("resolved") : set.error().message;
+  };
+  BakedSetSettings settings = small();
+  settings.levels = 6;
+  EXPECT_THAT(errorOf(path("set"), settings), HasSubstr("at most 5"));
+  settings = small();
+  settings.extension = "png";
+  EXPECT_THAT(errorOf(path("set"), settings), HasSubstr("'png'"));
+  settings.extension = "ktx2";
+  settings.file.program = "filament";
+  EXPECT_THAT(errorOf(path("set"), settings), HasSubstr("filament reads .ktx, no .ktx2"));
+  settings.extension = "";
+  settings.file.format = TexelFormat::e5b9g9r9;
+  EXPECT_THAT(errorOf(path("set"), settings), HasSubstr("filament reads b10g11r11"));
+  EXPECT_THAT(errorOf(path("chain.exr"), small()), HasSubstr("name a folder"));
+  EXPECT_FALSE(std::filesystem::exists(path("set")));
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mirrorball/base/observer.h"
+#include "mirrorball/environment/file/load.h"
+#include "mirrorball/render/frame/renderer.h"
+#include "mirrorball/scene/material/material_changes.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// A model and an environment, by their names.
+struct RenderInputNames {
+  std::string model = "showcase";  ///< a file or a built-in: loadModel
+  UpAxis up = UpAxis::y;
+  MaterialChanges materials = {};
+  std::string environment = "studio";        ///< a file or a built-in: loadEnvironment
+  EnvironmentLoadOptions load = {};          ///< of the environment
+  std::optional<PrefilterCache> cache = {};  ///< where prefiltered environments are kept, if they are
+};
+
+/// What there is to draw, and what draws it.
+struct RenderInputs {
+  Scene scene;
+  Environment environment;
+  PreparedEnvironment prepared;
+  gl::Context context;             ///< without a window, current
+  std::vector<std::string> files;  ///< that were read
+};
+
+/// Loads the model and the environment and starts the driver, all at the same time.
+///
+/// observer told what is doubtful about them; values of the environment below 0 are taken as 0
+/// errors   usage (materials that are not there); as loadModel's, loadEnvironment's and gl::Context::createHeadless's
+/// cost     that of the slowest of the three
+Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Observer& observer = {});
+
+/// A renderer of them.
+///
+/// errors   as Renderer's
+Result<Renderer> rendererOf(RenderInputs inputs);
+
+}  // namespace mirrorball

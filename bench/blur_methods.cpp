@@ -123,8 +123,8 @@ float densityOf(const BlurTarget& target, const LobeSample& sample) {
   return alpha2 / (4.0f * formula::kPi * q * q);
 }
 
-/// lod   ½ log₂(solid angle of a sample / that of a texel) + 1 (Křivánek & Colbert 2008, "Real-time shading with filtered
-///       importance sampling", sec. 4)
+/// lod   ½ log₂(solid angle of a sample / that of a texel) + 1 (Křivánek & Colbert 2008, "Real-time shading with
+///       filtered importance sampling", sec. 4)
 std::vector<LobeSample> lobeSamples(const BlurTarget& target, unsigned count, int cube_size) {
   const float texel = 4.0f * formula::kPi / (6.0f * static_cast<float>(cube_size) * static_cast<float>(cube_size));
   std::vector<LobeSample> samples;

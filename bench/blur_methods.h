@@ -34,8 +34,8 @@ struct BlurMethod {
   std::function<Blur(const EnvironmentMap& panorama, const std::vector<BlurTarget>& targets)> prepare;
 };
 
-/// All but brute force: `mirrorball bake`'s; importance sampling with 32, 128 and 1024 samples, of the map itself and of its
-/// mip levels; one look-up of a plain mip level; for irradiance nine spherical harmonics.
+/// All but brute force: `mirrorball bake`'s; importance sampling with 32, 128 and 1024 samples, of the map itself and
+/// of its mip levels; one look-up of a plain mip level; for irradiance nine spherical harmonics.
 std::vector<BlurMethod> blurMethods();
 
 }  // namespace mirrorball::bench

@@ -5,8 +5,8 @@
 
 namespace mirrorball::bench {
 
-/// Runs `work` in a process of its own, so that neither its memory nor what it left in caches and pools is there for what
-/// comes after. The caller has no threads yet.
+/// Runs `work` in a process of its own, so that neither its memory nor what it left in caches and pools is there for
+/// what comes after. The caller has no threads yet.
 ///
 /// returns  what `work` returned; nothing when it died
 std::vector<double> inChild(const std::function<std::vector<double>()>& work);

@@ -47,8 +47,8 @@ double medianOf(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// [ms] What a clock on the wall shows, and what the processor's cores worked together: the second says more on a machine
-/// that does other things too.
+/// [ms] What a clock on the wall shows, and what the processor's cores worked together: the second says more on a
+/// machine that does other things too.
 struct Duration {
   double wall = 0.0;
   double processor = 0.0;

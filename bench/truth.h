@@ -11,18 +11,19 @@
 
 namespace mirrorball::bench {
 
-/// An environment as the panorama whose texels all methods are given: fine enough for the sum over them to be the integral
-/// under the narrowest lobe (LightHarmonics has the reason), without negative light.
+/// An environment as the panorama whose texels all methods are given: fine enough for the sum over them to be the
+/// integral under the narrowest lobe (LightHarmonics has the reason), without negative light.
 ///
 /// errors   as loadEnvironment's
 Result<EnvironmentMap> panoramaFor(const std::string& environment, const std::vector<BlurTarget>& targets);
 
-/// A few hundred texels of a cube at which errors are taken: all of a small one; else of each face the corners, the middle
-/// and others anywhere. Always the same.
+/// A few hundred texels of a cube at which errors are taken: all of a small one; else of each face the corners, the
+/// middle and others anywhere. Always the same.
 std::vector<MapPosition> pickedTexels(int size);
 
-/// The truth that the methods are held to, in double: the sum over all texels of a panorama, each a point of light at its
-/// centre with the solid angle of its area, under GGX with n = v = r or the cosine, divided by that of white texels.
+/// The truth that the methods are held to, in double: the sum over all texels of a panorama, each a point of light at
+/// its centre with the solid angle of its area, under GGX with n = v = r or the cosine,
+/// divided by that of white texels.
 class TexelSums {
  public:
   /// panorama   must outlive it

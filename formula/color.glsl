@@ -82,8 +82,8 @@ FN float agxEncoded(float light) {
   return (clamp(stops, min_stops, max_stops) - min_stops) / (max_stops - min_stops);
 }
 
-// AgX (Troy Sobotka 2022), base look, Rec.709 in and out: inset, logarithm, sigmoid, outset; the result is encoded for a
-// display of gamma 2.2 and is linearised again here.
+// AgX (Troy Sobotka 2022), base look, Rec.709 in and out: inset, logarithm, sigmoid, outset; the result is encoded for
+// a display of gamma 2.2 and is linearised again here.
 FN vec3 toneMapAgx(vec3 light) {
   vec3 inset = vec3(0.842479062253094f * light.x + 0.0784335999999992f * light.y + 0.0792237451477643f * light.z,
                     0.0423282422610123f * light.x + 0.878468636469772f * light.y + 0.0791661274605434f * light.z,

@@ -25,8 +25,8 @@ namespace mirrorball::fuzz {
 /// Of the replay: returns true.
 bool addHarness(const char* decoder, int (*harness)(const std::uint8_t* data, std::size_t size));
 
-/// What every decoder owes its caller for bytes that it refuses: one line, which begins with the name of the file where one
-/// was opened. Anything else ends the program, which libFuzzer reports as a finding.
+/// What every decoder owes its caller for bytes that it refuses: one line, which begins with the name of the file where
+/// one was opened. Anything else ends the program, which libFuzzer reports as a finding.
 template <typename Value>
 void checkError(const Result<Value>& result, std::string_view name = {}) {
   if (result) return;

@@ -1,7 +1,8 @@
-// One face of a mip level: each texel the mean of 4 × 4 of the level before with the weights 1 3 3 1 across and down, times
-// the light that they stand for. Unlike boxes these leave a lamp where it is, and blur it as far wherever it falls
-// between the texels, so that wide reads of coarse levels add up to smooth lobes; Manson & Sloan 2016 ("Fast filtering of
-// reflection probes") take them too. Four linear reads, each a quarter of a texel beside an inner texel's centre.
+// One face of a mip level: each texel the mean of 4 × 4 of the level before with the weights 1 3 3 1 across and down,
+// times the light that they stand for. Unlike boxes these leave a lamp where it is, and blur it as far wherever it
+// falls between the texels, so that wide reads of coarse levels add up to smooth lobes; Manson & Sloan 2016 ("Fast
+// filtering of reflection probes") take them too. Four linear reads,
+// each a quarter of a texel beside an inner texel's centre.
 #include "cube.glsl"
 
 uniform samplerCube cube;  // only the level before

@@ -1,5 +1,5 @@
-// One face of a level of a prefiltered chain: the mean of the light under a GGX lobe around each texel's direction, from
-// points of light, exactly, and from some reads of the mip levels of the rest.
+// One face of a level of a prefiltered chain: the mean of the light under a GGX lobe around each texel's direction,
+// from points of light, exactly, and from some reads of the mip levels of the rest.
 #include "cube.glsl"
 #include "reflection_lobe.glsl"
 #include "mip_taps.glsl"

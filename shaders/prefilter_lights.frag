@@ -1,6 +1,6 @@
 // The list of points of light. Column k is the k-th texel above the threshold: its direction in row 0, what it exceeds
-// the threshold by times its solid angle in row 1. The counts of blocks and of their cells lead there without looking at
-// every texel (Ziegler et al. 2006, "GPU point list generation through histogram pyramids").
+// the threshold by times its solid angle in row 1. The counts of blocks and of their cells lead there without looking
+// at every texel (Ziegler et al. 2006, "GPU point list generation through histogram pyramids").
 #include "bright_light.glsl"
 #include "cube.glsl"
 

@@ -1,5 +1,5 @@
-// One pixel: how bright a texel must be to become a point of light. Three stages, each from sums over all blocks: coarse
-// thresholds from the light, fine ones from how many texels exceed the coarse ones, and the one chosen of those.
+// One pixel: how bright a texel must be to become a point of light. Three stages, each from sums over all blocks:
+// coarse thresholds from the light, fine ones from how many texels exceed the coarse ones, and the one chosen of those.
 #include "bright_light.glsl"
 #include "constants.glsl"
 

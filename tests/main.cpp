@@ -1,5 +1,6 @@
-// The main program of every GoogleTest program. CTest runs a suite at a time: one in which every test skipped itself (no
-// GL driver, no shared data) ends with the code that CTest counts as skipped, and one that has no test any more fails.
+// The main program of every GoogleTest program. CTest runs a suite at a time: one in which every test skipped itself
+// (no GL driver, no shared data) ends with the code that CTest counts as skipped,
+// and one that has no test any more fails.
 
 #include <cstdio>
 

@@ -1,9 +1,9 @@
 // The BRDF table of the split sum (Karis 2013), looked up by n·v and roughness. Needs: microfacet.
 
-// How far to the right, 0 to 1, a table with warped axes holds n·v = cosine. What happens near grazing angles depends on
-// n·v / alpha and happens at ever smaller angles the smoother the surface is: on linear axes it all falls into one corner,
-// where rows of 0 and of small roughness do not meet. So half of each row is given to n·v / alpha from 0 to infinity,
-// and the other half to √(n·v), which the bias (1 − n·v)⁵ bends least in.
+// How far to the right, 0 to 1, a table with warped axes holds n·v = cosine. What happens near grazing angles depends
+// on n·v / alpha and happens at ever smaller angles the smoother the surface is: on linear axes it all falls into one
+// corner, where rows of 0 and of small roughness do not meet. So half of each row is given to n·v / alpha from 0 to
+// infinity, and the other half to √(n·v), which the bias (1 − n·v)⁵ bends least in.
 FN float brdfTableColumn(float perceptual_roughness, float cosine) {
   float bend = 0.5f * alphaFromPerceptualRoughness(perceptual_roughness);
   float grazing = cosine * (1.0f + bend) / max(cosine + bend, 1e-30f);

@@ -1,6 +1,6 @@
-// Lambert's surface: as bright from all sides. Directions are unit vectors in the frame of the surface, whose normal is +Z;
-// l is where light comes from. evalX is the BSDF without the cosine of the light [1/sr], sampleX makes a direction from two
-// numbers in [0, 1), pdfX is that direction's density [1/sr]: so for diffuse.glsl, ggx.glsl and phong.glsl.
+// Lambert's surface: as bright from all sides. Directions are unit vectors in the frame of the surface, whose normal is
+// +Z; l is where light comes from. evalX is the BSDF without the cosine of the light [1/sr], sampleX makes a direction
+// from two numbers in [0, 1), pdfX is that direction's density [1/sr]: so for diffuse.glsl, ggx.glsl and phong.glsl.
 // Needs: constants.
 
 FN float evalDiffuse() { return 1.0f / kPi; }

@@ -2,8 +2,8 @@
 // names are diffuse.glsl's; v is towards the eye, h the normal of the facets that reflect l to v; alpha > 0.
 // Needs: constants.
 
-// The area of facets whose normal is h, for each area of the surface and solid angle (Walter et al. 2007, eq. 33). Their
-// slope tells small angles apart where h.z does not.
+// The area of facets whose normal is h, for each area of the surface and solid angle (Walter et al. 2007, eq. 33).
+// Their slope tells small angles apart where h.z does not.
 FN float ggxDistribution(float alpha, vec3 h) {
   if (h.z <= 0.0f) return 0.0f;
   float slope2 = (h.x * h.x + h.y * h.y) / (h.z * h.z * alpha * alpha);
@@ -29,8 +29,8 @@ FN float pdfVisibleNormal(float alpha, vec3 v, vec3 h) {
   return ggxMasking(alpha, v) * max(dot(v, h), 0.0f) * ggxDistribution(alpha, h) / max(v.z, 1e-30f);
 }
 
-// A normal of that density. Stretched, the facets are a hemisphere, and what is seen of a hemisphere reflects the eye's ray
-// into a spherical cap with equal density everywhere (Heitz 2018; the cap: Dupuy & Benyoub 2023).
+// A normal of that density. Stretched, the facets are a hemisphere, and what is seen of a hemisphere reflects the eye's
+// ray into a spherical cap with equal density everywhere (Heitz 2018; the cap: Dupuy & Benyoub 2023).
 FN vec3 sampleVisibleNormal(float alpha, vec3 v, vec2 u) {
   vec3 stretched = normalize(vec3(alpha * v.x, alpha * v.y, v.z));
   float z = (1.0f - u.x) * (1.0f + stretched.z) - stretched.z;

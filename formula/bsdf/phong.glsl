@@ -1,5 +1,5 @@
-// A lobe about the mirror direction (Phong 1975), scaled to reflect all light that comes along the normal (Lewis 1994). The
-// frame and the names are diffuse.glsl's; v is towards the eye.
+// A lobe about the mirror direction (Phong 1975), scaled to reflect all light that comes along the normal (Lewis 1994).
+// The frame and the names are diffuse.glsl's; v is towards the eye.
 // Needs: constants, tangent.
 
 FN vec3 phongMirror(vec3 v) { return vec3(-v.x, -v.y, v.z); }

@@ -9,8 +9,8 @@ struct Blur {
   float coarser;            // levels by which the chain's level 0 would have fewer texels than the environment
 };
 
-// A chain of bake/prefilter/prefilter.h. For the mirror's level 0 the environment itself stands in, with as many mip levels as a
-// pixel's footprint asks for.
+// A chain of bake/prefilter/prefilter.h. For the mirror's level 0 the environment itself stands in, with as many mip
+// levels as a pixel's footprint asks for.
 FN vec4 prefilteredLight(Blur blur, CUBE_SAMPLER environment, CUBE_SAMPLER prefiltered, vec3 d,
                          float perceptual_roughness, float minified) {
   float lod = lodOfRoughness(perceptual_roughness, blur.last_level);

@@ -27,8 +27,8 @@ FN int firstWithin(vec4 counts, float max_count) {
 // Four thresholds that grow by factors of 16 from eight times the mean on: what is less bright does not stand out.
 FN vec4 coarseThresholds(float mean) { return vec4(8.0f, 128.0f, 2048.0f, 32768.0f) * mean; }
 
-// Four thresholds that grow by factors of 2 up to the first of the coarse ones with no more than `max_count` texels, but none
-// below the least of those.
+// Four thresholds that grow by factors of 2 up to the first of the coarse ones with no more than `max_count` texels,
+// but none below the least of those.
 FN vec4 fineThresholds(vec4 coarse, vec4 counts, float max_count) {
   float below = coarse.x * exp2(4.0f * float(firstWithin(counts, max_count) - 1));
   return max(vec4(2.0f, 4.0f, 8.0f, 16.0f) * below, vec4(coarse.x));

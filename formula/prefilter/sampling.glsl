@@ -1,8 +1,8 @@
 // Where in a pixel or texel the samples lie.
 
-// The i-th of `count` points in [0, 1)² that cover the square evenly: the R2 sequence (Martin Roberts 2018), whose steps
-// are 1/g and 1/g² with g the real root of x³ = x + 1. Each point is followed by its mirror image, and an odd count has
-// one in the centre, so that their mean is the centre itself and no picture is shifted.
+// The i-th of `count` points in [0, 1)² that cover the square evenly: the R2 sequence (Martin Roberts 2018), whose
+// steps are 1/g and 1/g² with g the real root of x³ = x + 1. Each point is followed by its mirror image, and an odd
+// count has one in the centre, so that their mean is the centre itself and no picture is shifted.
 FN vec2 sampleOffset(int i, int count) {
   int in_pairs = i - count % 2;
   if (in_pairs < 0) return vec2(0.5f, 0.5f);

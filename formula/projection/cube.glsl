@@ -50,9 +50,9 @@ FN float cubeRectangleSolidAngle(float x0, float y0, float x1, float y1) {
          cubeCornerSolidAngle(x1, y1);
 }
 
-// The solid angle of a texel of a face of `size` texels, (s, t) being its centre. A place of the face's plane at the distance
-// ρ from the cube's middle stands for 1/ρ³ of its area; the mean over the texel by Gauss's rule of 2 × 2 points, which
-// unlike the differences of corners keeps its digits however small the texel is.
+// The solid angle of a texel of a face of `size` texels, (s, t) being its centre. A place of the face's plane at the
+// distance ρ from the cube's middle stands for 1/ρ³ of its area; the mean over the texel by Gauss's rule of 2 × 2
+// points, which unlike the differences of corners keeps its digits however small the texel is.
 FN float cubeTexelSolidAngle(vec2 st, float size) {
   float width = 2.0f / size;
   float offset = 0.577350269f * 0.5f * width;

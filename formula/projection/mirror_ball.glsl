@@ -58,8 +58,8 @@ FN vec3 mirrorBallDirection(vec2 uv, float k) {
   return vec3(p * sideways, cos_psi - 2.0f * sin_beta2 * (cos_psi - k * cos_beta));
 }
 
-// Whether the camera sees a direction: it does not lie in the hidden cone. Written with the sine, which keeps its digits
-// where the cone is narrow.
+// Whether the camera sees a direction: it does not lie in the hidden cone. Written with the sine, which keeps its
+// digits where the cone is narrow.
 FN bool mirrorBallCovers(vec3 d, float k) { return d.z >= 0.0f || d.x * d.x + d.y * d.y >= k * k; }
 
 // The solid angle of the hidden cone, 2π (1 − cos(asin k)).

@@ -1,7 +1,7 @@
 // The sphere on a square, by way of the octahedron |x| + |y| + |z| = 1. Needs: constants.
 // +Z lies at the centre, −Z at all four corners, the directions with z = 0 on the diamond |x| + |y| = 1 between them;
-// +X is on the right, +Y on top, as in a mirror: seen from inside, the picture is its mirror image. Positions (u, v) are
-// in [0, 1]², v down. Survey: Cigolle et al. 2014, "A survey of efficient representations for independent unit
+// +X is on the right, +Y on top, as in a mirror: seen from inside, the picture is its mirror image. Positions (u, v)
+// are in [0, 1]², v down. Survey: Cigolle et al. 2014, "A survey of efficient representations for independent unit
 // vectors", JCGT 3(2).
 
 // 1 or −1, never 0: a point on an axis belongs to one side.

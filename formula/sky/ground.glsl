@@ -1,11 +1,11 @@
-// The ground under the built-in sky: dry soil with patches of stubble, seen from the height of an eye. Made to be believed,
-// not measured; what is physical in it is said. Needs: constants, grid_random.
+// The ground under the built-in sky: dry soil with patches of stubble, seen from the height of an eye. Made to be
+// believed, not measured; what is physical in it is said. Needs: constants, grid_random.
 
 // Where a ray that goes down meets the ground, in heights of the eye.
 FN vec2 groundPlace(vec3 d) { return vec2(d.x, d.z) / max(-d.y, 1e-4f); }
 
-// A smooth random function of mean ½, between 0 and 1, whose cells are 1 wide: values at the corners, blended by 3 t² − 2 t³
-// (Perlin 1985).
+// A smooth random function of mean ½, between 0 and 1, whose cells are 1 wide: values at the corners, blended by
+// 3 t² − 2 t³ (Perlin 1985).
 FN float groundNoise(vec2 place) {
   vec2 corner = floor(place);
   vec2 t = place - corner;
@@ -16,8 +16,8 @@ FN float groundNoise(vec2 place) {
   return mix(low, high, fade.y);
 }
 
-// How much of a pattern of cells `width` heights wide is left at a ray, whose downward component is `sine`: seen at that
-// angle a cell is width · sine² high [rad], and goes as it falls from five to two texels.
+// How much of a pattern of cells `width` heights wide is left at a ray, whose downward component is `sine`: seen at
+// that angle a cell is width · sine² high [rad], and goes as it falls from five to two texels.
 FN float groundDetail(float width, float sine, float texel_rad) {
   return smoothstep(2.0f, 5.0f, width * sine * sine / texel_rad);
 }
@@ -49,10 +49,10 @@ FN vec3 groundAlbedo(vec2 pattern) {
 //   sun              direction towards it
 //   sun_irradiance   of a level surface, by the sun; sky_irradiance by the rest of the sky
 //   horizon          the sky's radiance above the horizon there, into which the air fades what is far away
-// In the sun, rough and dark ground is brighter the lower sun and eye are, since both then meet its upright sides: by the law
-// of Lommel and Seeliger as 1 / (μ₀ + μ), their sines (Hapke 2012, "Theory of Reflectance and Emittance Spectroscopy", 8.4).
-// It shows its lit sides to whoever has the sun behind himself: half as much again, and as much less against the sun. What
-// stands at the centre keeps the sky from the ground under it.
+// In the sun, rough and dark ground is brighter the lower the sun and the eye are, since both then meet its upright
+// sides: by the law of Lommel and Seeliger as 1 / (μ₀ + μ), their sines (Hapke 2012, "Theory of Reflectance and
+// Emittance Spectroscopy", 8.4). With the sun behind the eye its lit sides are seen: half as bright again, and as much
+// less against the sun. What stands at the centre keeps the sky from the ground under it.
 FN vec3 groundRadiance(vec3 d, vec3 sun, vec3 sun_irradiance, vec3 sky_irradiance, vec3 horizon, float texel_rad) {
   vec2 place = groundPlace(d);
   vec3 albedo = groundAlbedo(groundPattern(place, -d.y, texel_rad));

@@ -1,15 +1,15 @@
-// The light of a clear sky: molecules and haze scatter the sun's light, and ozone takes some of its orange away. Heights and
-// lengths are in km, heights above the ground; wavelengths in µm; cosines are those of the angle to the zenith, at the place
-// in question. Needs: constants.
+// The light of a clear sky: molecules and haze scatter the sun's light, and ozone takes some of its orange away.
+// Heights and lengths are in km, heights above the ground; wavelengths in µm; cosines are those of the angle to the
+// zenith, at the place in question. Needs: constants.
 
 const float kEarthRadius = 6360.0f;
 const float kTopOfAir = 100.0f;
-// Over so many km molecules and haze become thinner by e (Nishita et al. 1993, "Display of the earth taking into account
-// atmospheric scattering").
+// Over so many km molecules and haze become thinner by e (Nishita et al. 1993, "Display of the earth taking into
+// account atmospheric scattering").
 const float kMoleculeScale = 8.0f;
 const float kHazeScale = 1.2f;
-// Of clean air over land: how much of the light that haze stops it scatters, and its asymmetry (Hess, Koepke & Schult 1998,
-// "Optical properties of aerosols and clouds", table 4, 0.55 µm).
+// Of clean air over land: how much of the light that haze stops it scatters, and its asymmetry (Hess, Koepke & Schult
+// 1998, "Optical properties of aerosols and clouds", table 4, 0.55 µm).
 const float kHazeAlbedo = 0.972f;
 const float kHazeAsymmetry = 0.709f;
 
@@ -20,14 +20,14 @@ FN float moleculeDepth(float wavelength) {
   return 0.008569f * w2 * w2 * (1.0f + w2 * (0.0113f + 0.00013f * w2));
 }
 
-// of its haze: Ångström's formula, the coefficient from the turbidity (Preetham, Shirley & Smits 1999, "A practical analytic
-// model for daylight", appendix A.1),
+// of its haze: Ångström's formula, the coefficient from the turbidity (Preetham, Shirley & Smits 1999, "A practical
+// analytic model for daylight", appendix A.1),
 FN float hazeDepth(float wavelength, float turbidity) {
   return (0.04608f * turbidity - 0.04586f) * exp(-1.3f * log(wavelength));
 }
 
-// and of 300 Dobson units of ozone, 8.07e22 molecules above a square metre. A Gaussian stands for the Chappuis band, whose
-// cross section is about 4.9e-25 m² at its height.
+// and of 300 Dobson units of ozone, 8.07e22 molecules above a square metre. A Gaussian stands for the Chappuis band,
+// whose cross section is about 4.9e-25 m² at its height.
 FN float ozoneDepth(float wavelength) {
   float x = (wavelength - 0.592f) / 0.050f;
   return 0.0395f * exp(-0.5f * x * x);
@@ -60,14 +60,15 @@ FN float distanceToGround(float height, float cosine) {
   return fall / (sqrt(rest) - along);
 }
 
-// e^(y²) erfc(y) for y ≥ 0, within 0.2 % (Smith & Smith 1972, "Numerical evaluation of Chapman's grazing incidence integral
-// ch(X, χ)").
+// e^(y²) erfc(y) for y ≥ 0, within 0.2 % (Smith & Smith 1972, "Numerical evaluation of Chapman's grazing incidence
+// integral ch(X, χ)").
 FN float scaledErfc(float y) {
   if (y > 8.0f) return 0.56498823f / (0.06651874f + y);
   return (1.0606963f + 0.55643831f * y) / (1.0619896f + y * (1.7245609f + y));
 }
 
-// How many times more air that thins out exponentially lies in a direction than above: Chapman's function, after the same.
+// How many times more air that thins out exponentially lies in a direction than above: Chapman's function,
+// after the same.
 FN float airMass(float height, float cosine, float scale) {
   float x = (kEarthRadius + height) / scale;
   float level = sqrt(0.5f * kPi * x);
@@ -79,7 +80,8 @@ FN float airMass(float height, float cosine, float scale) {
   return 2.0f * level * sqrt(sine) * exp(min(descent, 60.0f)) - up;
 }
 
-// The ozone that light from the edge of the air meets on its way, in columns of all that is above the ground: a thin shell.
+// The ozone that light from the edge of the air meets on its way, in columns of all that is above the ground:
+// a thin shell.
 FN float ozoneColumn(float height, float cosine) {
   float share = clamp(0.5f - (height - 25.0f) / 30.0f, 0.0f, 1.0f);
   float r = (kEarthRadius + min(height, 25.0f)) / (kEarthRadius + 25.0f);
@@ -99,7 +101,8 @@ FN float sunAboveHorizon(float height, float cosine) {
   return clamp((cosine - horizon) / 0.0093f + 0.5f, 0.0f, 1.0f);
 }
 
-// What molecules and haze send on, by the cosine of the angle by which light turns; the integral over all directions is 1.
+// What molecules and haze send on, by the cosine of the angle by which light turns;
+// the integral over all directions is 1.
 FN float moleculePhase(float cosine) { return 3.0f / (16.0f * kPi) * (1.0f + cosine * cosine); }
 
 // Henyey & Greenstein 1941.
@@ -115,8 +118,8 @@ FN float unevenBell(float x, float middle, float below, float above) {
   return exp(-0.5f * t * t);
 }
 
-// The CIE's colour matching functions of 1931 (Wyman, Sloan & Shirley 2013, "Simple analytic approximations to the CIE XYZ
-// color matching functions", multi-lobe fit).
+// The CIE's colour matching functions of 1931 (Wyman, Sloan & Shirley 2013, "Simple analytic approximations to the CIE
+// XYZ color matching functions", multi-lobe fit).
 FN vec3 xyzOfWavelength(float wavelength) {
   float nm = 1000.0f * wavelength;
   return vec3(1.056f * unevenBell(nm, 599.8f, 37.9f, 31.0f) + 0.362f * unevenBell(nm, 442.0f, 16.0f, 26.7f) -

@@ -1,6 +1,6 @@
 // How a surface answers to the light of its environment.
 // Needs: color, constants, material, microfacet, optics, reflection_lobe.
-// Light that another object would block or send is not seen: each point sees the whole environment.
+// Other objects neither block light nor send it: each point sees the whole environment.
 
 struct Surface {
   Material material;      // its numbers here: times what its textures hold
@@ -11,8 +11,8 @@ struct Surface {
 
 // Shares of a white environment's light.
 struct Reflectance {
-  vec3 once;  // of the light around the mirror direction, after one bounce
-  vec3 more;  // of the light from all sides, after several bounces between the facets of a rough surface
+  vec3 single_scattering;    // of the light around the mirror direction, after one bounce
+  vec3 multiple_scattering;  // of the light from all sides, after several bounces between the facets of a rough surface
 };
 
 FN float dielectricReflectance(Surface s, float cosine, float ior) {
@@ -25,7 +25,8 @@ FN float dielectricReflectance(Surface s, float cosine, float ior) {
 
 FN vec3 metalReflectance(Surface s, float cosine) {
   vec3 k = s.material.conductor_k;
-  if (s.material.fresnel == kFresnelExact && k.x + k.y + k.z > 0.0f) return fresnelConductor(cosine, s.material.conductor_n, k);
+  bool has_index = k.x + k.y + k.z > 0.0f;
+  if (s.material.fresnel == kFresnelExact && has_index) return fresnelConductor(cosine, s.material.conductor_n, k);
   return fresnelSchlick(cosine, s.material.base_color);
 }
 
@@ -36,17 +37,17 @@ FN vec3 smoothDielectric(Surface s, float cosine) {
                            dielectricReflectance(s, cosine, ior.z));
 }
 
-// What a surface reflects whose facets reflect `here` at this angle, `head_on` and `grazing`. A lobe up to perceptual
-// roughness ¼ (alpha 1/16) is so narrow that Fresnel's equations hold at its middle; from 0 to there they give way to the
-// BRDF table, which knows only the reflectance head-on.
-FN Reflectance roughReflectance(Surface s, vec3 here, vec3 head_on, float grazing) {
+// What a surface reflects whose facets reflect `here` at this angle, f0 at normal and f90 at grazing incidence. Up to
+// perceptual roughness ¼ (alpha 1/16) the lobe is so narrow that Fresnel's equations hold at its middle. From 0 to ¼
+// they are blended into the BRDF table, which knows only f0 and f90.
+FN Reflectance roughReflectance(Surface s, vec3 here, vec3 f0, float f90) {
   float missing = s.environment_brdf.x;
   float bias = s.environment_brdf.y;
   float whole = 1.0f - missing;
-  vec3 rough = head_on * (whole - bias) + vec3(grazing * bias);
+  vec3 rough = f0 * (whole - bias) + vec3(f90 * bias);
   Reflectance r;
-  r.once = mix(here * whole, rough, clamp(s.material.perceptual_roughness * 4.0f, 0.0f, 1.0f));
-  r.more = multipleScattering(r.once, meanFresnel(head_on, grazing), missing);
+  r.single_scattering = mix(here * whole, rough, clamp(s.material.perceptual_roughness * 4.0f, 0.0f, 1.0f));
+  r.multiple_scattering = multipleScattering(r.single_scattering, meanFresnel(f0, f90), missing);
   return r;
 }
 
@@ -59,17 +60,17 @@ FN Reflectance specularReflectance(Surface s, float cosine) {
   Reflectance dielectric = roughDielectric(s, cosine);
   Reflectance metal = roughReflectance(s, metalReflectance(s, cosine), metalReflectance(s, 1.0f), 1.0f);
   Reflectance r;
-  r.once = mix(dielectric.once, metal.once, s.material.metallic);
-  r.more = mix(dielectric.more, metal.more, s.material.metallic);
+  r.single_scattering = mix(dielectric.single_scattering, metal.single_scattering, s.material.metallic);
+  r.multiple_scattering = mix(dielectric.multiple_scattering, metal.multiple_scattering, s.material.metallic);
   return r;
 }
 
-// The share of light that a surface takes in and may send back: what a dielectric of its kind does not reflect.
+// The share of light that enters the surface and may leave it again: what a dielectric of its kind does not reflect.
 FN vec3 diffuseAlbedo(Surface s, float cosine) {
   vec3 albedo = s.material.base_color * (1.0f - s.material.metallic);
   if (s.material.metallic == 1.0f) return albedo;
   Reflectance dielectric = roughDielectric(s, cosine);
-  return albedo * (vec3(1.0f) - dielectric.once - dielectric.more);
+  return albedo * (vec3(1.0f) - dielectric.single_scattering - dielectric.multiple_scattering);
 }
 
 // The radiance towards the viewer: what is not reflected is refracted, scattered or absorbed, so that a white surface
@@ -82,9 +83,10 @@ FN vec3 shadedByEnvironment(Surface s, vec3 ray, vec3 reflected, vec3 refracted,
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
   Reflectance reflectance = specularReflectance(s, cosine);
   vec3 inner = mix(irradiance * s.occlusion, refracted, s.material.transmission);
-  // Occlusion is known for diffuse light only; of reflected light it takes the more the rougher the lobe.
+  // Occlusion is known for diffuse light only. It takes more of the reflected light the rougher the lobe is.
   float reflected_occlusion = mix(1.0f, s.occlusion, s.material.perceptual_roughness);
-  vec3 specular = reflected * reflectance.once * reflected_occlusion + irradiance * s.occlusion * reflectance.more;
+  vec3 specular = reflected * reflectance.single_scattering * reflected_occlusion +
+                  irradiance * s.occlusion * reflectance.multiple_scattering;
   return specular + inner * diffuseAlbedo(s, cosine) + s.material.emission;
 }
 
@@ -94,12 +96,12 @@ FN vec3 shadedByEnvironment(Surface s, vec3 ray, vec3 reflected, vec3 refracted,
 FN vec3 shadedByPointLight(Surface s, vec3 ray, vec3 light, vec3 color) {
   float facing = dot(s.normal, light);
   if (facing <= 0.0f) return vec3(0.0f);
-  // A point has no width of its own: on a perfect mirror nothing of it would be seen.
+  // A point light has no width: on a perfect mirror it could not be seen.
   float exponent = phongExponent(max(alphaFromPerceptualRoughness(s.material.perceptual_roughness), 0.01f));
   float mirrored = max(dot(reflect(ray, s.normal), light), 0.0f);
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
   Reflectance reflectance = specularReflectance(s, cosine);
-  vec3 diffuse = diffuseAlbedo(s, cosine) * (1.0f - s.material.transmission) + reflectance.more;
-  vec3 lobe = reflectance.once * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
+  vec3 diffuse = diffuseAlbedo(s, cosine) * (1.0f - s.material.transmission) + reflectance.multiple_scattering;
+  vec3 lobe = reflectance.single_scattering * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
   return color * facing * (diffuse + lobe);
 }

@@ -13,7 +13,8 @@ FN vec3 anyTangent(vec3 n) {
 //   p'_u = p_u + d_u n,  p'_v = p_v + d_v n,  and
 //   p'_u × p'_v = p_u × p_v + d_u (n × p_v) + d_v (p_u × n)
 //               = p_u × p_v + d_u (n × p_v) − d_v (n × p_u).
-// For an orthonormal frame that is n − d_u p_u − d_v p_v; the lecture's slide has plus signs there, and drops |p_u × p_v|.
+// For an orthonormal frame that is n − d_u p_u − d_v p_v; the lecture's slide has plus signs there, and drops
+// |p_u × p_v|.
 FN vec3 perturbedNormal(vec3 p_u, vec3 p_v, vec3 n, float d_u, float d_v) {
   return normalize(cross(p_u, p_v) + d_u * cross(n, p_v) - d_v * cross(n, p_u));
 }

@@ -17,7 +17,8 @@ vec3 incomingLight(vec3 origin, vec3 d, float perceptual_roughness, float footpr
   Blur blur = Blur(blur_kind, first_level, last_level, texels_per_radian, coarser);
   float minified = footprintLod(footprint, texels_per_radian);
   vec3 direction = environment_from_world * d;
-  return environment_intensity * blurredLight(blur, environment, prefiltered, direction, perceptual_roughness, minified).xyz;
+  vec4 light = blurredLight(blur, environment, prefiltered, direction, perceptual_roughness, minified);
+  return environment_intensity * light.xyz;
 }
 
 vec3 arrivingIrradiance(vec3 origin, vec3 n) {

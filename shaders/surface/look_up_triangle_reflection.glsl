@@ -1,5 +1,5 @@
-// Part "look-up" (look_up_reflection.glsl). Here: one reflected ray a triangle, that of its last corner: a mirror made of
-// tiles, as with OpenGL's flat shading.
+// Part "look-up" (look_up_reflection.glsl). Here: one reflected ray a triangle, that of its last corner: a mirror made
+// of tiles, as with OpenGL's flat shading.
 
 flat in vec3 triangle_reflection;
 

@@ -1,6 +1,6 @@
 // A surface lit by its environment. Each line "part: …" is a question; which file answers it, SurfaceVariant says
-// (render/surface/surface_variant.h). What each part defines stands at the top of its files; docs/architecture.md tells how a part
-// is added.
+// (render/surface/surface_variant.h). What each part defines stands at the top of its files; docs/architecture.md tells
+// how a part is added.
 #include "frame_block.glsl"
 #include "instance_block.glsl"
 #include "material_block.glsl"

@@ -1,5 +1,5 @@
-// Part "transmission" (transmission_none.glsl). Here: the light from where the ray goes after this one surface, for each
-// channel its own where the glass disperses.
+// Part "transmission" (transmission_none.glsl). Here: the light from where the ray goes after this one surface, for
+// each channel its own where the glass disperses.
 
 vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
   vec3 d = refractedDirection(point.ray, s.normal, ior);

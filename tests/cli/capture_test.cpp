@@ -93,8 +93,8 @@ TEST_F(CaptureTest, EachSquareOfASceneIsSeenInItsDirection) {
   }
 }
 
-// The squares' tips are seen from beside the middle: +Z's, at (0, 0, 1), from (0.5, 0, 0) towards (−0.5, 0, 1), which is
-// halfway from the middle of +Z to its edge with −X. Its image has +X on the right.
+// The squares' tips are seen from beside the middle: +Z's, at (0, 0, 1), from (0.5, 0, 0) towards (−0.5, 0, 1), which
+// is halfway from the middle of +Z to its edge with −X. Its image has +X on the right.
 TEST_F(CaptureTest, FromAnotherPlaceThingsAreSeenElsewhere) {
   writeSquares();
   succeed("capture squares.obj --at 0.5,0,0 --background 0,0,0 --to cube --layout faces --size 64 -o room.exr");
@@ -107,8 +107,8 @@ TEST_F(CaptureTest, FromAnotherPlaceThingsAreSeenElsewhere) {
   EXPECT_EQ(uvFaceAt(right, {0.2f, 0.5f}), "black");
 }
 
-// The knot's radius is 1, so that the camera's distance is in units of the world. Both take the mean of 8 samples, the one
-// with its rows the other way round, which differs along edges.
+// The knot's radius is 1, so that the camera's distance is in units of the world. Both take the mean of 8 samples, the
+// one with its rows the other way round, which differs along edges.
 TEST_F(CaptureTest, AFaceAsSeenIsThePictureOfACameraThere) {
   struct View {
     const char* camera;

@@ -84,8 +84,8 @@ class RenderCliTest : public CliTest {
   void SetUp() override;
 };
 
-/// The same for what measures memory: what a process takes at most says nothing where the address sanitizer keeps what was
-/// given back.
+/// The same for what measures memory: what a process takes at most says nothing where the address sanitizer keeps what
+/// was given back.
 class PeakMemoryTest : public CliTest {
  protected:
   void SetUp() override {
@@ -101,8 +101,8 @@ glm::vec3 texelTowards(const ImageSet& cube, int level, glm::vec3 direction);
 /// A map of 64 × 32 texels that no two directions share a radiance in, all between 0.1 and 2.
 Image smoothPanorama();
 
-/// A map of 512 × 256 texels of which neighbours know nothing, with a lamp here and there and one part without light: of
-/// narrow lobes it needs all bands.
+/// A map of 512 × 256 texels of which neighbours know nothing, with a lamp here and there and one part without light:
+/// of narrow lobes it needs all bands.
 Image noisyPanorama();
 
 }  // namespace mirrorball::testing

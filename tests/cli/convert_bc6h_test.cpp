@@ -1,5 +1,5 @@
-// BC6H in .ktx2 and .dds: how near it comes to the light of real panoramas, what it does not hold, and every command that
-// reads or writes it.
+// BC6H in .ktx2 and .dds: how near it comes to the light of real panoramas, what it does not hold, and every command
+// that reads or writes it.
 
 #include <cmath>
 #include <string>
@@ -24,8 +24,8 @@ void forEachColor(const ImageSet& images, const ImageSet& exact, const Visit& vi
           visit(double(rgbAt(images.at(0, face), x, y)[c]), double(rgbAt(exact.at(0, face), x, y)[c]));
 }
 
-/// docs/conventions.md's: the root of the mean of squared errors, each relative to the sum of the sample and the mean of
-/// all.
+/// docs/conventions.md's: the root of the mean of squared errors,
+/// each relative to the sum of the sample and the mean of all.
 double relativeError(const ImageSet& images, const ImageSet& exact) {
   double sum = 0.0;
   double count = 0.0;

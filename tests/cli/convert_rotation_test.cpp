@@ -23,8 +23,8 @@ class ConvertRotationTest : public CliTest {
  protected:
   void SetUp() override { write("map.exr", smoothPanorama()); }
 
-  /// Expects a map to have at one direction the light that map.exr has at another. Twice interpolated, that smooth light
-  /// is off by about 1e-3.
+  /// Expects a map to have at one direction the light that map.exr has at another. Twice interpolated, that smooth
+  /// light is off by about 1e-3.
   void expectMoved(const std::string& file, glm::vec3 from, glm::vec3 to) const {
     const glm::vec3 before = environment("map.exr").environment.radiance(glm::normalize(from));
     const glm::vec3 after = environment(file).environment.radiance(glm::normalize(to));

@@ -1,4 +1,5 @@
-// Maps in .ktx2, .ktx and .dds: the light of the same map in pictures, its mip levels, and what of it a format can hold.
+// Maps in .ktx2, .ktx and .dds: the light of the same map in pictures, its mip levels,
+// and what of it a format can hold.
 
 #include <algorithm>
 #include <array>
@@ -241,8 +242,8 @@ TEST_F(ConvertTextureTest, LightIsScaledAndClamped) {
   }
 }
 
-// What convert made of a texture is what it makes of the same map in a picture. DDS does not say which cube it is; a cube
-// without a word is ours.
+// What convert made of a texture is what it makes of the same map in a picture. DDS does not say which cube it is; a
+// cube without a word is ours.
 TEST_F(ConvertTextureTest, TexturesComeInAgain) {
   succeed("convert map.exr --to cube --size 32 -o cube.exr");
   succeed("convert cube.exr --to equirect --size 32 -o from_picture.exr");

@@ -26,7 +26,8 @@ class InterruptTest : public CliTest {
   }
 };
 
-// A loop of a shell goes on after a program that only says that it was interrupted, and ends with one that the signal ended.
+// A loop of a shell goes on after a program that only says that it was interrupted,
+// and ends with one that the signal ended.
 TEST_F(InterruptTest, EachSignalEndsItAfterItHasCleanedUp) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     Program program(

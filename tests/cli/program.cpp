@@ -28,7 +28,8 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// A cache for this very build of the program, so that what it prefilters otherwise than before is not taken from there.
+/// A cache for this very build of the program, so that what it prefilters otherwise than before is not
+/// taken from there.
 std::string cacheOfThisBuild() {
   const std::filesystem::path program = programFile();
   const auto built = std::filesystem::last_write_time(program).time_since_epoch().count();

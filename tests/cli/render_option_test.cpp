@@ -92,7 +92,7 @@ TEST_F(RenderOptionTest, ReflectingAtTrianglesShowsOnePlaceEach) {
   EXPECT_GT(glm::length(rgbAt(side, 22, 10) - rgbAt(side, 10, 22)), 0.02f) << "the other triangle";
 }
 
-// Black glass in white light shows its reflectance: of index 1.5 head-on 0.04, and so on by each law.
+// Black glass in white light shows its reflectance: 0.04 at normal incidence for index 1.5, and so on by each law.
 TEST_F(RenderOptionTest, FresnelSaysHowReflectionGrowsTowardsTheRim) {
   const std::string glass =
       "-e white --set base_color=0 --set perceptual_roughness=0 --set ior=1.5 "

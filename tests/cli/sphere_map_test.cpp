@@ -21,9 +21,9 @@ class SphereMapCliTest : public RenderCliTest {
   }
 };
 
-// The renderer interpolates twice, once from the panorama into a cube of half floats and once out of it; `convert` reads
-// the panorama itself. With one sample a pixel that leaves 66 dB of this panorama. A picture that is half a pixel beside
-// the other has 44.5 dB: below 45 dB it would be another picture.
+// The renderer interpolates twice, once from the panorama into a cube of half floats and once out of it; `convert`
+// reads the panorama itself. With one sample a pixel that leaves 66 dB of this panorama. A picture that is half a pixel
+// beside the other has 44.5 dB: below 45 dB it would be another picture.
 TEST_F(SphereMapCliTest, AMirrorSphereInARealRoomIsItsSphereMap) {
   if (!share("lightroom_14b.hdr")) GTEST_SKIP() << "lightroom_14b.hdr is not there";
   const double psnr = psnrOfMirrorSphere("lightroom_14b.hdr");
@@ -31,8 +31,8 @@ TEST_F(SphereMapCliTest, AMirrorSphereInARealRoomIsItsSphereMap) {
   EXPECT_GE(psnr, 45.0);
 }
 
-// The studio's lamps are brighter: 58.0 dB were measured, one sample a pixel leaves 53.2, and an eighth of a pixel's shift
-// 47.9.
+// The studio's lamps are brighter: 58.0 dB were measured, one sample a pixel leaves 53.2,
+// and an eighth of a pixel's shift 47.9.
 TEST_F(SphereMapCliTest, AMirrorSphereInTheStudioIsItsSphereMap) {
   const double psnr = psnrOfMirrorSphere("studio");
   RecordProperty("psnr_db", std::to_string(psnr));

@@ -180,7 +180,8 @@ TEST_F(UvTest, TexelsLookWhereTheConventionsSay) {
   }
   succeed("convert in.exr --to sphere --size 256 -o ball.exr");
   succeed("convert in.exr --to angular --size 256 -o probe.exr");
-  // GL_SPHERE_MAP: half the radius right is n = (½, 0, ¾^½), which shows r = (2 n_z n_x, 0, 2 n_z² − 1) = (0.866, 0, ½).
+  // GL_SPHERE_MAP: half the radius right is n = (½, 0, ¾^½), which shows r = (2 n_z n_x, 0, 2 n_z² − 1)
+  // = (0.866, 0, ½).
   expectDirection(image("ball.exr"), {0.5f, 0.5f}, {0, 0, 1}, "sphere");
   expectDirection(image("ball.exr"), {0.75f, 0.5f}, {0.866f, 0, 0.5f}, "sphere");
   expectDirection(image("ball.exr"), {0.5f, 0.25f}, {0, 0.866f, 0.5f}, "sphere");

@@ -34,8 +34,8 @@ std::string texelList(const ImageSet& images) {
   return list;
 }
 
-/// The bytes of every block, by level, layer, face and row of blocks. Which texels they stand for is another matter, which
-/// bc6h_parity_test holds to a driver.
+/// The bytes of every block, by level, layer, face and row of blocks. Which texels they stand for is another matter,
+/// which bc6h_parity_test holds to a driver.
 std::string blockList(const ImageSet& images) {
   std::string list;
   forEachImage(images, [&](const Image& image) {

@@ -60,8 +60,8 @@ std::vector<double> countedIn(const Sample& sample) {
   return counted;
 }
 
-/// Pearson's chi-squared test, rare bins taken together. It fails a right sampler once in a million; the numbers drawn are
-/// always the same.
+/// Pearson's chi-squared test, rare bins taken together. It fails a right sampler once in a million; the numbers drawn
+/// are always the same.
 void expectDrawn(const Sample& sample, const Density& density, const std::string& what) {
   const std::vector<double> expected = expectedIn(density);
   const std::vector<double> counted = countedIn(sample);

@@ -73,34 +73,34 @@ TEST(LodOfLobe, KnowsThatLevelsHalveRoundingDown) {
   EXPECT_GE(lodOfLobe(1.0f, 192.0f, normalize(vec3(1))), 8.0f) << "wider than a face: its one texel";
 }
 
-TEST(Microfacet, WhatAWhiteSurfaceDoesNotReflectAtOnceItReflectsLater) {
+TEST(Microfacet, SingleAndMultipleScatteringOfAWhiteSurfaceAddUpToOne) {
   for (const float missing : {0.7f, 0.3f, 0.0f})
     EXPECT_NEAR(multipleScattering(vec3(1.0f - missing), vec3(1.0f), missing).x, missing, 1e-6f);
   EXPECT_EQ(multipleScattering(vec3(0.5f), vec3(0.0f), 0.5f).x, 0.0f) << "black facets reflect nothing twice";
 }
 
 TEST(Microfacet, EachFurtherBounceTakesItsShare) {
-  const float once = 0.5f;
+  const float single_scattering = 0.5f;
   const float mean_fresnel = 0.8f;
   const float missing = 0.4f;
   float sum = 0.0f;
-  float share = once;
+  float share = single_scattering;
   for (int bounce = 0; bounce < 50; ++bounce) {
     share *= mean_fresnel * missing;
     sum += share;
   }
-  EXPECT_NEAR(multipleScattering(vec3(once), vec3(mean_fresnel), missing).x, sum, 1e-6f);
+  EXPECT_NEAR(multipleScattering(vec3(single_scattering), vec3(mean_fresnel), missing).x, sum, 1e-6f);
 }
 
 TEST(Microfacet, MeanFresnelIsSchlicksOverTheHemisphere) {
-  const float head_on = 0.3f;
+  const float f0 = 0.3f;
   constexpr int kSteps = 2000;
   float mean = 0.0f;
   for (int i = 0; i < kSteps; ++i) {
     const float cosine = (static_cast<float>(i) + 0.5f) / kSteps;
-    mean += 2.0f * cosine / kSteps * fresnelSchlick(cosine, vec3(head_on)).x;
+    mean += 2.0f * cosine / kSteps * fresnelSchlick(cosine, vec3(f0)).x;
   }
-  EXPECT_NEAR(meanFresnel(vec3(head_on), 1.0f).x, mean, 1e-5f);
+  EXPECT_NEAR(meanFresnel(vec3(f0), 1.0f).x, mean, 1e-5f);
 }
 
 // However metallic and rough it is, a white surface in white light is white, and whatever its BRDF table says.

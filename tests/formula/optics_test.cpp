@@ -33,7 +33,7 @@ TEST(Optics, PastTheCriticalAngleTheRayReflects) {
 
 TEST(Optics, FresnelOfADielectricHasItsKnownValues) {
   EXPECT_NEAR(fresnelDielectric(1.0f, 1.5f), 0.04f, 1e-6f);
-  EXPECT_NEAR(fresnelDielectric(1.0f, 1.0f / 1.5f), 0.04f, 1e-6f) << "head on, both ways";
+  EXPECT_NEAR(fresnelDielectric(1.0f, 1.0f / 1.5f), 0.04f, 1e-6f) << "at normal incidence, both ways";
   EXPECT_NEAR(fresnelDielectric(0.0f, 1.5f), 1.0f, 1e-6f);
   // At Brewster's angle, tan θ = n, only the perpendicular part is left: ((1 − n²) / (1 + n²))² / 2.
   const float n = 1.5f;

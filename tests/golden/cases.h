@@ -31,8 +31,8 @@ const Case& caseNamed(const std::string& name);
 
 /// The whole command of a case.
 ///
-/// changed  an option with its value, in the place of the one that the command may have: "--fov 100.1"; --set and --light
-///          come on top
+/// changed  an option with its value, in the place of the one that the command may have: "--fov 100.1"; --set and
+///          --light come on top
 std::string commandOf(const Case& golden_case, const std::string& changed = {});
 
 /// Whether the command draws with OpenGL. A conversion does not.

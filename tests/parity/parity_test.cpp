@@ -220,7 +220,8 @@ TEST_P(GlslangTest, TakesEveryShader) {
   }
 }
 
-/// Every pair of answers to two questions of the surface's shader, the others answered as usual; and each with all maps.
+/// Every pair of answers to two questions of the surface's shader, the others answered as usual;
+/// and each with all maps.
 std::vector<SurfaceVariant> pairsOfParts() {
   std::set<SurfaceVariant> variants;
   const auto questions = surfaceQuestions();

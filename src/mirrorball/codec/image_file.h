@@ -21,7 +21,8 @@ namespace mirrorball {
 ///   "mirrorball:sheet"          "mip levels" of a sheet of them, which is no map
 ///   "mirrorball:table"          "brdf" of a BRDF table, and what it is of in "mirrorball:brdf_…": output/baked/brdf_file.h
 ///   "envmap"                    OpenEXR's own attribute, read as "latlong" or "cube"
-///   "sh"                        Filament's, in KTX: the harmonics of the irradiance, bake/harmonics/filament_harmonics.h
+///   "sh"                        Filament's, in KTX: the harmonics of the
+///                               irradiance, bake/harmonics/filament_harmonics.h
 using Metadata = std::map<std::string, std::string>;
 
 /// An image as it comes from a file.

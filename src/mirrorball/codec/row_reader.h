@@ -9,7 +9,8 @@
 
 namespace mirrorball {
 
-/// An image that is read from its file some rows at a time, from the top down, so that it never is in memory as a whole.
+/// An image that is read from its file some rows at a time, from the top down,
+/// so that it never is in memory as a whole.
 class RowReader {
  public:
   /// What is known before any texel is read.

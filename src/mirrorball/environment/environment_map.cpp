@@ -156,8 +156,8 @@ glm::vec4 EnvironmentMap::fetchTowards(int face_index, int x, int y) const {
   return glm::vec4(glm::vec3(light), light.w > 0.0f ? 1.0f : 0.0f);
 }
 
-/// Between the texels of one smooth region. Near its border there are stand-ins for texels among them, and where contrast is high
-/// those do not keep the sum of a sun's light; the map's own texels do.
+/// Between the texels of one smooth region. Near its border there are stand-ins for texels among them, and where
+/// contrast is high those do not keep the sum of a sun's light; the map's own texels do.
 glm::vec3 EnvironmentMap::cubicOnChart(const MapPosition& place, glm::vec2 position) const {
   const SmoothRegion region(projection_, size(), place);
   bool has_left_region = false;
@@ -174,8 +174,8 @@ glm::vec3 EnvironmentMap::cubicOnChart(const MapPosition& place, glm::vec2 posit
   return glm::mix(radianceBetweenTexels(place.face, position), cubic, share);
 }
 
-/// A texel for `bicubic` as if the region went on beyond its border. There the region that shows the same direction answers
-/// with a cubic through texels of its own, for across the border between them texels lie on a line with a kink.
+/// A texel for `bicubic` as if the region went on beyond its border. There the region that shows the same direction
+/// answers with a cubic through texels of its own, for across the border between them texels lie on a line with a kink.
 glm::vec4 EnvironmentMap::fetchInRegion(const SmoothRegion& region, int x, int y) const {
   const glm::vec2 center = centerOf(x, y);
   if (region.holds(center)) return glm::vec4(rgbAt(face(region.face()), x, y), 1.0f);
@@ -187,8 +187,8 @@ glm::vec4 EnvironmentMap::fetchInRegion(const SmoothRegion& region, int x, int y
   return bilinear(position, [&](int i, int j) { return fetch(place.face, i, j); });
 }
 
-/// The polynomial of the third degree in two variables through ten texels (Lagrange's on the triangle's lattice). A little
-/// beside them it holds too; since it swings there, it is kept within their range and from high contrast.
+/// The polynomial of the third degree in two variables through ten texels (Lagrange's on the triangle's lattice). A
+/// little beside them it holds too; since it swings there, it is kept within their range and from high contrast.
 ///
 /// straight  the answer of bilinear interpolation
 glm::vec3 EnvironmentMap::cubicThrough(int face_index, const CubicStencil& texels, glm::vec3 straight) const {

@@ -81,8 +81,8 @@ inline double fluxOf(const EnvironmentMap& map) {
   return flux;
 }
 
-/// Whether a map of small images ends there without a neighbour: near the edge of a map of one half, and straight behind
-/// on a disc that shows everything, where every point of the rim is the same direction, but texels are not.
+/// Whether a map of small images ends there without a neighbour: near the edge of a map of one half, and straight
+/// behind on a disc that shows everything, where every point of the rim is the same direction, but texels are not.
 inline bool isEnd(Projection projection, glm::vec3 d) {
   switch (projection) {
     case Projection::angular:

@@ -18,8 +18,8 @@ namespace mirrorball::gl {
 
 /// A linked vertex and fragment shader.
 ///
-/// A uniform that no shader of it declares is a mistake, which builds with assertions stop at. One that is declared and not
-/// used is ignored by set(): compilers remove what no output depends on.
+/// A uniform that no shader of it declares is a mistake, which builds with assertions stop at. One that is declared and
+/// not used is ignored by set(): compilers remove what no output depends on.
 class Program {
  public:
   /// Compiles and links.

@@ -24,8 +24,8 @@ using FindText = std::function<std::optional<std::string_view>(std::string_view 
 /// Joins an entry file of /shaders with the files that it includes into one shader.
 ///
 /// The text starts with the version and precision that `api` asks for, the names that the formula files are written
-/// with (FN, CUBE_SAMPLER, sampleLod), and the defines. Each line `#include "name"` gives way to that file, once however
-/// often it is named; files of /shaders may include others, those of /formula include nothing.
+/// with (FN, CUBE_SAMPLER, sampleLod), and the defines. Each line `#include "name"` gives way to that file, once
+/// however often it is named; files of /shaders may include others, those of /formula include nothing.
 ///
 /// entry    for example "surface.frag"
 /// defines  each "NAME" or "NAME value"

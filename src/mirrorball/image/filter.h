@@ -64,16 +64,16 @@ inline float shareByContrast(const TexelRange& all) {
 /// The value of a cubic at a place, and the share that contrast leaves of a curve that crosses it there.
 struct LimitedCubic {
   glm::vec3 light;
-  float
-      crossing_share;  ///< an outer texel's contrast counts the less, the farther it is: from cell to cell nothing jumps
+  float crossing_share;  ///< an outer texel's contrast counts less the farther it is: no jumps from cell to cell
 };
 
-/// The cubic through texels[1] and texels[2], at t in [0, 1] between them, that has at each the slope of the chord of its
-/// neighbours (Catmull and Rom 1974), kept from ringing. Exact on parabolas of little contrast.
+/// The cubic through texels[1] and texels[2], at t in [0, 1] between them, that has at each the slope of the chord of
+/// its neighbours (Catmull and Rom 1974), kept from ringing. Exact on parabolas of little contrast.
 ///
-/// It lies −t (1 − t) ((1 − t) h₁ + t h₂) from the straight line, where h are half the second differences at the two. It
-/// stays in the range of the two, but for a peak or a trough between them, where both bend one way and both neighbours lie
-/// on that side: there, as far outside as the least of those four differences allows, and never below zero.
+/// It lies −t (1 − t) ((1 − t) h₁ + t h₂) from the straight line, where h are half the second differences at the two.
+/// It stays in the range of the two, but for a peak or a trough between them, where both bend one way and both
+/// neighbours lie on that side: there, as far outside as the least of those four differences allows,
+/// and never below zero.
 ///
 /// max_share   of its deviation from the straight line that may be kept
 inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t, float max_share = 1.0f) {
@@ -100,8 +100,8 @@ inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t
           shareAmong(first + (1.0f - t) * from_first, second + t * from_second)};
 }
 
-/// Bicubic interpolation (Catmull-Rom down the columns, then across): sharper than bilinear and three orders more exact on
-/// what is smooth. Where light jumps it turns into bilinear interpolation, as limitedCubic does.
+/// Bicubic interpolation (Catmull-Rom down the columns, then across): sharper than bilinear and three orders more exact
+/// on what is smooth. Where light jumps it turns into bilinear interpolation, as limitedCubic does.
 ///
 /// fetch    as in bilinear, up to two texels outside the image. Where one of the 16 texels has the weight 0 the answer
 ///          is bilinear's, since a cubic needs them all.

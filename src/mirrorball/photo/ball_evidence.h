@@ -4,7 +4,8 @@
 
 namespace mirrorball {
 
-/// The logarithm of the odds that a circle is a mirror ball's rim, against there being no ball. Three things speak for it:
+/// The logarithm of the odds that a circle is a mirror ball's rim, against there being no ball.
+/// Three things speak for it:
 ///   - edges along its rim;
 ///   - more detail just inside than just outside: a ball squeezes everything around it into its rim, while the picture
 ///     beside it shows a few degrees of that;

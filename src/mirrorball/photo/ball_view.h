@@ -17,7 +17,8 @@ struct SeenAt {
 /// A mirror ball in front of a camera: which distant light is seen where. The ball is so small that all light comes
 /// from infinitely far away.
 ///
-/// Directions are the camera's: +X to the right, +Y up, +Z from the scene to the camera, as in all maps of this program.
+/// Directions are the camera's: +X to the right, +Y up, +Z from the scene to the camera,
+/// as in all maps of this program.
 class BallView {
  public:
   /// rim  the ball's outline in the pinhole camera's plane

@@ -25,7 +25,8 @@ constexpr double kLeastRadius_px = 8.0;
 constexpr double kLeastConfidence = 0.2;
 
 /// Brightness as the eye grades it, in any exposure: the median becomes a middle grey, lights above it are compressed,
-/// so that a lamp's edge is no stronger than a hundred times the rim's, and what is nearly black does not show its noise.
+/// so that a lamp's edge is no stronger than a hundred times the rim's,
+/// and what is nearly black does not show its noise.
 Image greyOf(const Image& light) {
   Image grey(light.width(), light.height(), 1);
   std::vector<float> sorted;

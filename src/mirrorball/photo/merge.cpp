@@ -195,8 +195,8 @@ std::vector<double> namedContradictions(const CodesOfAll& codes, const std::vect
 }
 
 /// As namedContradictions; but where few shades are in the scene, a recovered response may bend so far that it agrees
-/// with a wrong exposure. So what disagrees by more than a stop under sRGB counts too, as long as the others agree: then
-/// it is not the camera's curve that is unlike sRGB's.
+/// with a wrong exposure. So what disagrees by more than a stop under sRGB counts too, as long as the others agree:
+/// then it is not the camera's curve that is unlike sRGB's.
 std::vector<double> allContradictions(const CodesOfAll& codes, const std::vector<double>& exposures,
                                       const Response& response, const MergeOptions& options) {
   const std::vector<double> stops = namedContradictions(codes, exposures, response, options);

@@ -16,10 +16,10 @@ struct Circle {
 /// How a camera without distortion maps rays to the picture: x to the right and y up in the picture, z towards the
 /// camera.
 ///
-/// The rim of a sphere is seen along a cone of rays. Where the sphere stands beside the picture's middle, that cone cuts
-/// the picture in an ellipse. The stereographic projection makes circles of all circles on the sphere of rays, so rims
-/// are found and fitted there: in the "plane", which touches the sphere of rays in the picture's middle and has the
-/// picture's scale there. Of a camera so far away that its rays are parallel the plane is the picture itself.
+/// The rim of a sphere is seen along a cone of rays. Where the sphere stands beside the picture's middle, that cone
+/// cuts the picture in an ellipse. The stereographic projection makes circles of all circles on the sphere of rays, so
+/// rims are found and fitted there: in the "plane", which touches the sphere of rays in the picture's middle and has
+/// the picture's scale there. Of a camera so far away that its rays are parallel the plane is the picture itself.
 struct Pinhole {
   glm::dvec2 middle_px{0.0};  ///< where the optical axis meets the picture
   double focal_px = 0.0;      ///< focal length; 0: parallel rays

@@ -76,9 +76,9 @@ Circle mostSupported(std::span<const EdgePoint> edges, const Circle& start, int 
 /// whose width, that of the picture's own blur, is the median over the edges near the circle.
 std::vector<EdgePoint> correctedByFlanks(std::span<const EdgePoint> edges, const Circle& circle, double tolerance_px);
 
-/// Least squares with Tukey's weights over the edges near a circle, repeated while the tolerance shrinks. Of each radius
-/// the outermost edge within the tolerance counts: just inside a mirror ball's rim its surroundings are squeezed into
-/// lines that run along the rim, outside of it nothing does.
+/// Least squares with Tukey's weights over the edges near a circle, repeated while the tolerance shrinks. Of each
+/// radius the outermost edge within the tolerance counts: just inside a mirror ball's rim its surroundings are squeezed
+/// into lines that run along the rim, outside of it nothing does.
 Circle refineCircle(std::span<const EdgePoint> edges, Circle circle, double first_px, double last_px);
 
 }  // namespace mirrorball

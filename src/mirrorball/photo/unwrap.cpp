@@ -14,7 +14,8 @@
 namespace mirrorball {
 namespace {
 
-/// Texels a side of the cube that holds the continued light: 1.4°, where the smallest blind regions are some 20° across.
+/// Texels a side of the cube that holds the continued light: 1.4°,
+/// where the smallest blind regions are some 20° across.
 constexpr int kFillSize = 64;
 
 /// What one photograph says about a direction.

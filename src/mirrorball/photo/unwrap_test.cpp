@@ -45,8 +45,8 @@ TEST(Unwrap, GivesTheEnvironmentBack) {
   const auto unwrapped = unwrapBall({photograph});
   ASSERT_TRUE(unwrapped);
   const auto isSeen = [&](glm::vec3 d) { return std::acos(glm::clamp(glm::dot(d, axis), -1.0f, 1.0f)) > unseen; };
-  // Outside a cone of 39° around the blind direction (1.4 sr of 12.6), which is seen in the outermost 4.5 of 112 pixels:
-  // what 0.3 px of error in the rim and bilinear look-ups leave of light between 0 and 0.8.
+  // Outside a cone of 39° around the blind direction (1.4 sr of 12.6), which is seen in the outermost 4.5 of 112
+  // pixels: what 0.3 px of error in the rim and bilinear look-ups leave of light between 0 and 0.8.
   EXPECT_LT(glm::degrees(unseen), 40.0);
   const double seen_db = psnr(unwrapped->environment, truthOf(scene), isSeen);
   RecordProperty("psnr_seen_db", std::to_string(seen_db));

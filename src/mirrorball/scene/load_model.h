@@ -10,8 +10,8 @@
 
 namespace mirrorball {
 
-/// Loads a model: a built-in by its name, else a file by its extension (modelExtensions), or of another name by its first
-/// bytes (binary glTF, PLY).
+/// Loads a model: a built-in by its name, else a file by its extension (modelExtensions), or of another name by its
+/// first bytes (binary glTF, PLY).
 ///
 /// returns  a scene whose every index is in range and every number finite: safe to draw
 /// errors   not_found (lists the built-ins); bad_file (key or byte named); unsupported (of a folder it names the models

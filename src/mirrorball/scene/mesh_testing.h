@@ -67,7 +67,8 @@ inline void expectSound(const Mesh& mesh, float min_cosine) {
   }
 }
 
-/// Expects tangents along growing u, and bitangents towards falling v, as computeTangents finds them from the triangles.
+/// Expects tangents along growing u, and bitangents towards falling v,
+/// as computeTangents finds them from the triangles.
 inline void expectTangentsAlongU(const Mesh& mesh, float min_cosine) {
   Mesh computed = mesh;
   computeTangents(computed);

@@ -13,8 +13,8 @@ namespace mirrorball {
 /// A picture's bytes as they lie in a model's file or beside it.
 using EncodedPicture = std::span<const std::uint8_t>;
 
-/// Decodes pictures (codec.h: decodeTexture), several at the same time: with large textures this is where a model's loading time
-/// goes.
+/// Decodes pictures (codec.h: decodeTexture), several at the same time: with large textures this is where a model's
+/// loading time goes.
 ///
 /// returns  for each picture its image of 4 channels as stored, or why it cannot be read
 std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures);

@@ -96,13 +96,14 @@ TEST(BrdfTable, LookUpsOnWarpedAxesAreRightEverywhere) {
 
 TEST(BrdfTable, TheCornersOfWarpedAxesAreTheEndsOfBothRanges) {
   const Image table = *brdfTable({.size = 16, .axes = BrdfAxes::warped});
-  EXPECT_NEAR(table.texel(15, 0)[0], 1.0f, 1e-4f) << "smooth, head-on";
+  EXPECT_NEAR(table.texel(15, 0)[0], 1.0f, 1e-4f) << "smooth, at normal incidence";
   EXPECT_NEAR(table.texel(0, 0)[1], 1.0f, 1e-3f) << "smooth, grazing";
-  EXPECT_NEAR(table.texel(15, 15)[0] + table.texel(15, 15)[1], 1.0f - std::log(2.0f), 1e-4f) << "rough, head-on";
+  EXPECT_NEAR(table.texel(15, 15)[0] + table.texel(15, 15)[1], 1.0f - std::log(2.0f), 1e-4f)
+      << "rough, at normal incidence";
 }
 
-// Between the centres of its texels and away from the smooth grazing corner, a table of linear axes is right too. In the
-// corner it cannot be, and half a texel from its ends the hardware repeats the last texel: docs/techniques.md.
+// Between the centres of its texels and away from the smooth grazing corner, a table of linear axes is right too. In
+// the corner it cannot be, and half a texel from its ends the hardware repeats the last texel: docs/techniques.md.
 TEST(BrdfTable, LookUpsOnLinearAxesAreWrongInTheCornerAndAtTheEnds) {
   const Image table = *brdfTable({});
   const auto worst = [&](float min, float max) {

@@ -95,8 +95,8 @@ Reference integrated(const Brdf& brdf, double alpha, double eye) {
       const double light = std::cos(angle);
       const double light_sine = std::sin(angle);
       return 2.0 * light * light_sine * overPanels(around, [&](double turn) {
-               // (v·h)² and what v + l has across the normal, as sums of squares: exact where v and l are nearly mirrored
-               // or nearly opposite.
+               // (v·h)² and what v + l has across the normal, as sums of squares: exact where v and l are nearly
+               // mirrored or nearly opposite.
                const double turned = eye_sine * light_sine * square(std::sin(turn / 2));
                const double middle2 = square(std::cos((eye_angle + angle) / 2));
                const double eye_half2 = middle2 + turned;
@@ -134,9 +134,8 @@ TEST(DirectionalAlbedo, OfBlinnIsTheIntegralOverTheLight) { expectTheIntegral(Di
 
 TEST(DirectionalAlbedo, OfCharlieIsTheIntegralOverTheLight) { expectTheIntegral(Distribution::charlie, charlie, 5e-5); }
 
-// With alpha 1, D = 1 / π, and head-on V = 1 / (2 + 2 n·l): what is left is the integral of c / (1 + c) from 0 to 1.
-// The table's integral is of the same BSDF that a path tracer evaluates and samples: the mean of the weight BSDF · cosine /
-// density over even places, closer along u.x, whose end is the long tail of the lobe.
+// The table's integral is of the same BSDF that a path tracer evaluates and samples: the mean of the weight
+// BSDF · cosine / density over even places, closer along u.x, whose end is the long tail of the lobe.
 TEST(DirectionalAlbedo, IsWhatTheSampledBsdfReflects) {
   constexpr int kAlong = 2048;
   constexpr int kAround = 128;
@@ -162,7 +161,9 @@ TEST(DirectionalAlbedo, IsWhatTheSampledBsdfReflects) {
     }
 }
 
-TEST(DirectionalAlbedo, OfTheRoughestGgxHeadOnIsOneMinusLogTwo) {
+// With alpha 1, D = 1 / π, and at normal incidence V = 1 / (2 + 2 n·l): what is left is the integral of c / (1 + c)
+// from 0 to 1.
+TEST(DirectionalAlbedo, OfTheRoughestGgxAtNormalIncidenceIsOneMinusLogTwo) {
   EXPECT_NEAR(directionalAlbedo(Distribution::ggx, 1.0f, 1.0f).total(), 1.0 - std::log(2.0), 1e-6);
 }
 

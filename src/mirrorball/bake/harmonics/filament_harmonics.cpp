@@ -37,8 +37,8 @@ FilamentHarmonics blurred(FilamentHarmonics harmonics, float t) {
   return harmonics;
 }
 
-/// Whether no channel is below 0, seen every four degrees: so smooth a function falls by less than a thousandth of itself
-/// between there.
+/// Whether no channel is below 0, seen every four degrees: so smooth a function falls by less than a thousandth of
+/// itself between there.
 bool isNowhereNegative(const FilamentHarmonics& harmonics) {
   constexpr int kRings = 45;
   for (int ring = 0; ring < kRings; ++ring)

@@ -21,8 +21,8 @@ int maxPrimeFactor(int number) {
 
 }  // namespace
 
-/// With 2kn = k² + n² − (k − n)² a transform is a convolution with e^(±iπ n² / length), which is a product of transforms
-/// of another, quick length.
+/// With 2kn = k² + n² − (k − n)² a transform is a convolution with e^(±iπ n² / length), which is a product of
+/// transforms of another, quick length.
 struct FourierTransform::Chirp {
   FourierTransform forward;
   FourierTransform back;

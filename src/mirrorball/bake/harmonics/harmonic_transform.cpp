@@ -41,8 +41,8 @@ HWY_BEFORE_NAMESPACE();
 namespace mirrorball::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of every other band a row: rows[i] += Σ_k legendre[2 i][k] · values[k] over the rings of a block. Rows are two apart;
-/// each, and each value, is eight floats.
+/// Of every other band a row: rows[i] += Σ_k legendre[2 i][k] · values[k] over the rings of a block. Rows are two
+/// apart; each, and each value, is eight floats.
 void addProducts(const float* legendre, const float* values, float* rows) {
   const hn::CappedTag<float, 8> d;
   for (std::size_t lane = 0; lane < 8; lane += hn::Lanes(d)) {
@@ -60,8 +60,8 @@ void addProducts(const float* legendre, const float* values, float* rows) {
   }
 }
 
-/// Of every other band of a stretch: sums[c][ring] += Σ_k legendre[2 k][ring] · values[2 k][c], for the first `rings` of a
-/// block, rounded up.
+/// Of every other band of a stretch: sums[c][ring] += Σ_k legendre[2 k][ring] · values[2 k][c], for the first `rings`
+/// of a block, rounded up.
 void addBands(const float* legendre, const BandValues* values, std::size_t rings, RingSums& sums) {
   const hn::CappedTag<float, 8> d;
   const std::size_t lanes = hn::Lanes(d);
@@ -121,8 +121,8 @@ struct Rings {
   int pairs() const { return static_cast<int>(cosines.size()); }
 };
 
-/// Calls `visit(place of the first pair, how many, Legendre functions at l = m)` for each block of the rings from `first`
-/// on that an order reaches.
+/// Calls `visit(place of the first pair, how many, Legendre functions at l = m)` for each block of the rings from
+/// `first` on that an order reaches.
 template <typename Visit>
 void forEachBlock(const LegendreOrder& order, int bands, const Rings& rings, int first, const Visit& visit) {
   const int end = std::min(first + RingSpectra::kPairs, rings.pairs());

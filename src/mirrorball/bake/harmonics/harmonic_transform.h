@@ -34,7 +34,8 @@ class HarmonicCoefficients {
   explicit HarmonicCoefficients(int bands);
 
   int bands() const { return bands_; }
-  /// The values for l = m, m + 1, … to bands(), rounded up to a whole kLegendreStretch; orders m ≥ 0, since light is real.
+  /// The values for l = m, m + 1, … to bands(), rounded up to a whole kLegendreStretch; orders m ≥ 0,
+  /// since light is real.
   std::vector<Value>& order(int m) { return orders_[std::size_t(m)]; }
   const std::vector<Value>& order(int m) const { return orders_[std::size_t(m)]; }
   const LegendreOrder& legendre(int m) const { return legendre_[std::size_t(m)]; }

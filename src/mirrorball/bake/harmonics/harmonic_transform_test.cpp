@@ -143,7 +143,8 @@ TEST(SphericalHarmonics, AreThoseOfTheTexelsInOurAxes) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[i][c], truth[i][c], 2e-5f * std::abs(truth[0][c])) << i;
 }
 
-// Ramamoorthi & Hanrahan 2001: light 1 + d·a gives irradiance π + 2π/3 (n·a); light (d·a)² gives π/3 + π/4 ((n·a)² − 1/3).
+// Ramamoorthi & Hanrahan 2001: light 1 + d·a gives irradiance π + 2π/3 (n·a); light (d·a)² gives π/3 + π/4
+// ((n·a)² − 1/3).
 TEST(SphericalHarmonics, OfIrradianceHaveThePublishedClosedForms) {
   const glm::vec3 a = glm::normalize(glm::vec3(1, 2, -3));
   const EnvironmentMap panorama = panoramaOf(

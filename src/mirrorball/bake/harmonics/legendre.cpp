@@ -140,8 +140,8 @@ LegendreOrder::LegendreOrder(int order, int bands, double seed) : m(order), log2
   const int count = stretches * kLegendreStretch;
   step.reserve(static_cast<std::size_t>(count));
   scale.reserve(static_cast<std::size_t>(count));
-  // β_{l+1} P̄_{l+1} = cos θ P̄_l − β_l P̄_{l−1} with β_l² = (l² − m²) / (4l² − 1); the scales h make it one product and
-  // one difference: h_{l+1} = h_{l−1} β_l / β_{l+1}.
+  // β_{l+1} P̄_{l+1} = cos θ P̄_l − β_l P̄_{l−1} with β_l² = (l² − m²) / (4l² − 1); the scales h make it one product
+  // and one difference: h_{l+1} = h_{l−1} β_l / β_{l+1}.
   const auto beta = [this](int l) { return std::sqrt((double(l) * l - double(m) * m) / (4.0 * l * l - 1.0)); };
   double scale_before = 1.0;
   double scale_here = 1.0;

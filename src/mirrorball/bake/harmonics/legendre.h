@@ -11,8 +11,8 @@ inline constexpr int kLegendreBlock = 32;    ///< rings that are computed togeth
 /// log₂ of P̄_mm / sin^m θ for m < orders.
 std::vector<double> legendreSeeds(int orders);
 
-/// The associated Legendre functions P̄_lm of one order m, normalised so that P̄_lm(cos θ) e^(imφ) are orthonormal on the
-/// sphere, as a recurrence of two operations a step: with P̄_lm = scale · Q_l,
+/// The associated Legendre functions P̄_lm of one order m, normalised so that P̄_lm(cos θ) e^(imφ) are orthonormal on
+/// the sphere, as a recurrence of two operations a step: with P̄_lm = scale · Q_l,
 ///   Q_{l+1} = step · cos θ · Q_l − Q_{l−1}.
 ///
 /// from     Reinecke & Seljebotn 2013, "Libsharp – spherical harmonic transforms revisited", for the form

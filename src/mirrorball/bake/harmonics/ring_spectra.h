@@ -29,8 +29,8 @@ struct RingPair {
 
 inline constexpr RingPair kNoLight{{glm::vec4(0.0f), glm::vec4(0.0f)}, {glm::vec4(0.0f), glm::vec4(0.0f)}};
 
-/// Some pairs of rings, each ring as a Fourier series in φ: f(φ) = Re(F_0 + 2 Σ F_m e^(imφ)). Pairs are numbered from the
-/// poles to the equator; so few are held at a time that they stay in a processor's cache.
+/// Some pairs of rings, each ring as a Fourier series in φ: f(φ) = Re(F_0 + 2 Σ F_m e^(imφ)). Pairs are numbered from
+/// the poles to the equator; so few are held at a time that they stay in a processor's cache.
 class RingSpectra {
  public:
   static constexpr int kPairs = 64;

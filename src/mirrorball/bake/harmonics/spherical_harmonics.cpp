@@ -37,8 +37,8 @@ int bandOf(std::size_t index) { return static_cast<int>(std::sqrt(static_cast<do
 
 Harmonics radianceHarmonics(const LightHarmonics& light, int degree, const glm::mat3& source_from_target) {
   assert(degree >= 0 && degree <= 4 && degree < light.coefficients().bands());
-  // The transform's pole is +Y, the harmonics' is +Z. What both say of a band is the same function, so that it is projected
-  // again, by a rule that is exact for products of two harmonics.
+  // The transform's pole is +Y, the harmonics' is +Z. What both say of a band is the same function, so that it is
+  // projected again, by a rule that is exact for products of two harmonics.
   constexpr int kMeridians = 10;
   const QuadratureRule rule = gaussLegendre(5);
   const glm::mat3 target_from_source = glm::transpose(source_from_target);

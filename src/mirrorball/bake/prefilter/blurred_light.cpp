@@ -21,13 +21,13 @@ constexpr int kFewBrightLights = 64;
 constexpr std::array kMoreBrightLights{512, 4096};
 constexpr float kHighContrast = 2.0f;
 
-/// What may be missing at the darkest part of a map, as a root mean square, by the estimate of highBandContrast; errors of
-/// single texels in maps of rooms and landscapes were a hundred times less to as much (docs/prefiltering.md).
+/// What may be missing at the darkest part of a map, as a root mean square, by the estimate of highBandContrast; errors
+/// of single texels in maps of rooms and landscapes were a hundred times less to as much (docs/prefiltering.md).
 constexpr float kTolerance = 6e-3f;
 
-/// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier transform
-/// at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5. And a row has at least as many texels as wide lobes have
-/// bands: white texels then have no light in any order but 0, by which all is divided.
+/// A sum over texels is the integral as long as they lie close enough under the narrowest lobe: of its Fourier
+/// transform at the texels' own frequency e^(−2 α · 2 rows) is left, 5e-5. And a row has at least as many texels as
+/// wide lobes have bands: white texels then have no light in any order but 0, by which all is divided.
 int minRows(const std::vector<Lobe>& lobes) {
   float narrowest = 1.0f;
   for (const Lobe& lobe : lobes) narrowest = std::min(narrowest, lobe.width());

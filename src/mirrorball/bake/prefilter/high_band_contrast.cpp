@@ -43,8 +43,8 @@ class RowsWithout {
   std::map<int, std::vector<float>> copies_;
 };
 
-/// So many samples that follow each other are a whole number of texels, of 1, 3 or 4 channels: sample i of a run belongs
-/// to channel i % kRun % channels, and a run is a few vectors of any machine.
+/// So many samples that follow each other are a whole number of texels, of 1, 3 or 4 channels: sample i of a run
+/// belongs to channel i % kRun % channels, and a run is a few vectors of any machine.
 constexpr std::size_t kRun = 12;
 using Run = std::array<float, kRun>;
 

@@ -9,8 +9,9 @@ namespace mirrorball {
 /// many bands it takes.
 ///
 /// A map's finest detail is taken for noise that differs from texel to texel: all harmonics then have the same expected
-/// power Σ (texel's solid angle · its difference from its four neighbours' mean)² · ⅘ / 4π. Of a lamp with edges that is
-/// the power of the highest bands; lower ones have more, as l⁻³ (the edge of a disc), which Lobe::kCheapBands is there for.
+/// power Σ (texel's solid angle · its difference from its four neighbours' mean)² · ⅘ / 4π. Of a lamp with edges that
+/// is the power of the highest bands; lower ones have more, as l⁻³ (the edge of a disc),
+/// which Lobe::kCheapBands is there for.
 ///
 /// panorama   equirect, of at least 32 × 16 texels
 /// without    lights that it still has and that do not count

@@ -35,13 +35,13 @@ class Lobe {
   /// [1/sr] One over the shape's integral.
   float scale() const { return scale_; }
 
-  /// What it leaves of band l of spherical harmonics (Funk and Hecke): 1 for l = 0, and so many that all further ones are
-  /// less than kMinBand, or from kCheapBands on kMinFurtherBand.
+  /// What it leaves of band l of spherical harmonics (Funk and Hecke): 1 for l = 0, and so many that all further ones
+  /// are less than kMinBand, or from kCheapBands on kMinFurtherBand.
   const std::vector<float>& bands() const { return bands_; }
 
-  /// How many of them leave out no more than that of noise that has the power 1 in every harmonic; but not fewer than the
-  /// first kCheapBands, since of low bands light has more than noise, and no band above kMaxLeftOut, since what repeats
-  /// itself every few texels may have all its light in one.
+  /// How many of them leave out no more than that of noise that has the power 1 in every harmonic; but not fewer than
+  /// the first kCheapBands, since of low bands light has more than noise, and no band above kMaxLeftOut, since what
+  /// repeats itself every few texels may have all its light in one.
   ///
   /// tolerance   root mean square over the sphere
   int bandsFor(float tolerance) const;

@@ -1,4 +1,5 @@
-// The twin in vector instructions of formula/bsdf/reflection_lobe.glsl. point_light_batch_test holds both to the same values.
+// The twin in vector instructions of formula/bsdf/reflection_lobe.glsl.
+// point_light_batch_test holds both to the same values.
 
 #include "mirrorball/bake/prefilter/point_light_batch.h"
 

@@ -55,8 +55,8 @@ std::vector<PrefilterLevel> prefilterLevels(const PrefilterOptions& options);
 /// The lobes of those levels that have one.
 std::vector<Lobe> lobesOf(const std::vector<PrefilterLevel>& levels);
 
-/// The reflections of an environment for all roughnesses: cubes that hold, for the direction of each texel's centre, the
-/// mean of its light under the lobe of that level.
+/// The reflections of an environment for all roughnesses: cubes that hold, for the direction of each texel's centre,
+/// the mean of its light under the lobe of that level.
 ///
 /// environment   finite
 /// light         of that environment, for at least lobesOf(levels)

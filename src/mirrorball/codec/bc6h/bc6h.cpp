@@ -12,8 +12,8 @@
 namespace mirrorball {
 namespace {
 
-/// A row of blocks as half floats, red, green and blue: four rows of texels, and as many columns as whole batches have. What
-/// is not there repeats its neighbours.
+/// A row of blocks as half floats, red, green and blue: four rows of texels, and as many columns as whole batches have.
+/// What is not there repeats its neighbours.
 class HalfRows {
  public:
   HalfRows(std::size_t channels, std::size_t width)

@@ -28,8 +28,8 @@ std::optional<Bc6hBlock> readBc6hBlock(std::span<const std::uint8_t, kBc6hBlockS
 /// block    ends that the mode can hold; an anchor's index is in the lower half
 void writeBc6hBlock(const Bc6hBlock& block, std::span<std::uint8_t, kBc6hBlockSize> bytes);
 
-/// The texels of a block, by rows from the top: red, green and blue as the bits of half floats. Those of a reserved mode
-/// are 0.
+/// The texels of a block, by rows from the top: red, green and blue as the bits of half floats. Those of a reserved
+/// mode are 0.
 ///
 /// from     Khronos Data Format Specification 1.3, "BC6H"
 /// cost     about 0.4 µs

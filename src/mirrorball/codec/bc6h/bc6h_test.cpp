@@ -117,8 +117,8 @@ TEST(Bc6hBlock, ReservedModesAreBlack) {
   }
 }
 
-/// By hand: mode 11, whose ends are 10 bits each, from 0 to 1023 in red, 1023 to 0 in green and 512 in blue; the indices
-/// are 0 to 7, 8, …, 15, of which the first has three bits.
+/// By hand: mode 11, whose ends are 10 bits each, from 0 to 1023 in red, 1023 to 0 in green and 512 in blue; the
+/// indices are 0 to 7, 8, …, 15, of which the first has three bits.
 TEST(Bc6hBlock, OneByHand) {
   std::uint64_t low = 0x03;
   low |= std::uint64_t{1023} << 15;  // gw

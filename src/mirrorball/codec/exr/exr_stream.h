@@ -53,7 +53,8 @@ class ExrOutput : public Imf::OStream {
   std::uint64_t at_ = 0;
 };
 
-/// Lets OpenEXR use all cores, which it does not by itself: with two, ZIP is written in 0.6 and read in half of the time.
+/// Lets OpenEXR use all cores, which it does not by itself: with two,
+/// ZIP is written in 0.6 and read in half of the time.
 void useExrThreads();
 
 }  // namespace mirrorball

@@ -24,8 +24,8 @@ namespace {
 /// largest sampling ratio: at most 64 · 16 · 8 texels a byte.
 constexpr std::size_t kMaxTexelsPerByte = 64 * 16 * 8;
 
-/// A progressive file may have any number of scans, and one of 350 bytes can cover 16000 × 16000 texels: 3 MB of them take
-/// a quarter of an hour. Writers make about ten; libjpeg-turbo's own fuzz targets set this limit.
+/// A progressive file may have any number of scans, and one of 350 bytes can cover 16000 × 16000 texels: 3 MB of them
+/// take a quarter of an hour. Writers make about ten; libjpeg-turbo's own fuzz targets set this limit.
 constexpr int kMaxScans = 500;
 
 /// libjpeg's error manager with where to jump, the error's text and its number.

@@ -19,8 +19,8 @@ bool isKtx1(std::span<const std::uint8_t> bytes);
 /// from     KTX File Format Specification, version 1 (Khronos, 2013)
 Result<DecodedImageSet> decodeKtx1(std::span<const std::uint8_t> bytes);
 
-/// Where the images of a KTX 1 file stand: largest level first. The header ends with the size of the first level; before
-/// each of the others stands its own.
+/// Where the images of a KTX 1 file stand: largest level first. The header ends with the size of the first level;
+/// before each of the others stands its own.
 ///
 /// errors   too_large: that size has 32 bits
 Result<TextureLayout> ktx1Layout(const TextureShape& shape, const TextureWriteOptions& options);

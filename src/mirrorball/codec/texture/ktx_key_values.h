@@ -29,8 +29,8 @@ Result<KtxKeyValues> readKtxKeyValues(std::span<const std::uint8_t> bytes, std::
 
 enum class KtxVersion { ktx1, ktx2 };
 
-/// The data for a file of ours: KTXorientation, right and down, KTXwriter, which only KTX 2 knows, and the metadata; sorted
-/// by key as KTX 2 demands.
+/// The data for a file of ours: KTXorientation, right and down, KTXwriter, which only KTX 2 knows, and the metadata;
+/// sorted by key as KTX 2 demands.
 Bytes ktxKeyValues(const Metadata& metadata, KtxVersion version);
 
 /// Turns an image as the orientation demands, so that row 0 is on top.

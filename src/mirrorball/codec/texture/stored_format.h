@@ -11,8 +11,8 @@
 
 namespace mirrorball {
 
-/// How a sample, or a texel where samples share a word, or a block of texels, stands in a texture file. All but the first
-/// two keep light.
+/// How a sample, or a texel where samples share a word, or a block of texels, stands in a texture file. All but the
+/// first two keep light.
 enum class SampleType { srgb8, unorm8, unorm16, half, float32, b10g11r11, e5b9g9r9, bc6h_unsigned, bc6h_signed };
 
 /// How a texel stands in a texture file: little-endian samples in the order of their names.
@@ -58,8 +58,8 @@ Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::s
 
 /// Encodes rows of texels. What does not fit the format leaves unspecified bytes.
 ///
-/// samples  1 (grey), 3 or 4 channels a texel, or 2 for the formats that have two; alpha is 1 where the format has it and
-///          the samples do not, and what the format has no place for is dropped
+/// samples  1 (grey), 3 or 4 channels a texel, or 2 for the formats that have two; alpha is 1 where the format has it
+///          and the samples do not, and what the format has no place for is dropped
 /// width    texels of a row; only compressed formats ask
 /// bytes    blockSize bytes a block
 /// returns  whether every value fits: finite ones within the format's range, infinity and NaN only where it has them

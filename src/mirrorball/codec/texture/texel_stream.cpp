@@ -45,8 +45,8 @@ std::vector<Piece> cutIntoPieces(const ImageSet& images, std::span<const PlacedI
   return pieces;
 }
 
-/// Bytes of an image's texels before one of them, which where they are compressed is the first of a row of blocks, or the
-/// image's end.
+/// Bytes of an image's texels before one of them, which where they are compressed is the first of a row of blocks, or
+/// the image's end.
 std::size_t bytesBefore(const StoredFormat& format, const Image& image, std::size_t texel) {
   if (blockSide(format) == 1) return texel * blockSize(format);
   const std::size_t row = texel / std::size_t(image.width());

@@ -65,8 +65,8 @@ struct DecodedImageSet {
 };
 
 /// Reads .ktx2 .ktx .dds by their first bytes: two-dimensional textures and cubes, their mip levels and arrays, in
-/// 8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9 and BC6H. One channel stays one (grey), two become red and
-/// green.
+/// 8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9 and BC6H. One channel stays one (grey),
+/// two become red and green.
 /// sRGB formats, and 8-bit DDS files from before DX10, are decoded to linear light; unorm is taken as it stands.
 /// A picture stored bottom up or right to left (KTXorientation) is turned; the faces of a cube are left as a GPU
 /// would see them. Primaries that a KTX2 file names are converted to Rec.709.
@@ -81,14 +81,14 @@ Result<DecodedImageSet> decodeImageSet(std::span<const std::uint8_t> bytes);
 /// Whether the bytes begin as one of the files that decodeImageSet takes.
 bool isImageSet(std::span<const std::uint8_t> bytes);
 
-/// Writes a texture by the name's extension, .ktx2, .ktx or .dds. Values are rounded to the nearest that the format has, or
-/// compressed with some error, never clipped.
+/// Writes a texture by the name's extension, .ktx2, .ktx or .dds. Values are rounded to the nearest that the format
+/// has, or compressed with some error, never clipped.
 ///
-/// images   1, 3 or 4 channels, the same in all, or 2 for the formats that have two; each level half the size of the one
-///          before, rounded down; 1 face, or 6 square ones
-/// errors   usage (an unknown extension, a Zstandard level for another than KTX2, metadata that cannot be stored); bad_shape; io;
-///          out_of_range (the first texel that does not fit the format is named; where levels are compressed, the
-///          first of the smallest level that has one); too_large; interrupted (when `progress` says so)
+/// images   1, 3 or 4 channels, the same in all, or 2 for the formats that have two; each level half the size of the
+///          one before, rounded down; 1 face, or 6 square ones
+/// errors   usage (an unknown extension, a Zstandard level for another than KTX2, metadata that cannot be stored);
+///          bad_shape; io; out_of_range (the first texel that does not fit the format is named; where levels are
+///          compressed, the first of the smallest level that has one); too_large; interrupted (when `progress` says so)
 /// cost     what writing the bytes costs: texels are converted on all cores on their way into the file; bc6h some
 ///          13 million texels a second and core
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
@@ -108,8 +108,8 @@ class TextureWriter {
 
   /// Writes a rectangle of an image's texels; called from several threads at a time.
   ///
-  /// begin    where its first texel is in the image; for bc6h both numbers are multiples of 4, and so are the rectangle's
-  ///          width and height but at the image's edges
+  /// begin    where its first texel is in the image; for bc6h both numbers are multiples of 4, and so are the
+  ///          rectangle's width and height but at the image's edges
   /// errors   io; out_of_range (the first texel that does not fit the format is named)
   Result<void> write(int face, glm::ivec2 begin, const Image& texels) const {
     return withName(file_.name(), writeTexels(face, begin, texels));

@@ -35,8 +35,8 @@ class Striles {
         counter_(progress, std::size_t(planes_) * per_plane_),
         bytes_(std::make_unique_for_overwrite<std::uint8_t[]>(layout.strileBytes())) {}
 
-  /// Calls `take(plane, first texel, size, bytes)` for each of them that holds colours or alpha. Those at the right and lower
-  /// edges may reach beyond the picture; `size` does not.
+  /// Calls `take(plane, first texel, size, bytes)` for each of them that holds colours or alpha. Those at the right and
+  /// lower edges may reach beyond the picture; `size` does not.
   template <typename Take>
   Result<void> forEach(const Take& take) {
     const int across = layout_.strilesAcross();

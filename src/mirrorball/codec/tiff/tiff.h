@@ -12,14 +12,14 @@ namespace mirrorball {
 /// Whether the bytes begin as a TIFF or a BigTIFF does.
 bool isTiff(std::span<const std::uint8_t> bytes);
 
-/// Decodes the first page of a TIFF that is no preview: grey, RGB or a palette in integers of up to 16 or of 32 bits, or in
-/// floats of 16, 32 or 64; in strips or tiles, texel by texel or plane by plane; plain, LZW, deflate, PackBits, Zstandard,
-/// JPEG or SGI's LogLuv and LogL. The picture is turned as its tag says.
+/// Decodes the first page of a TIFF that is no preview: grey, RGB or a palette in integers of up to 16 or of 32 bits,
+/// or in floats of 16, 32 or 64; in strips or tiles, texel by texel or plane by plane; plain, LZW, deflate, PackBits,
+/// Zstandard, JPEG or SGI's LogLuv and LogL. The picture is turned as its tag says.
 ///
 /// Integers are sRGB, floats linear light; an ICC profile is named and not applied, primaries that a file without one
 /// states are converted to Rec.709. Alpha is straight with integers and premultiplied with floats, whatever the file
-/// has; a fourth sample that is not said to be alpha is left out. LogLuv is CIE XYZ whose white is (1, 1, 1), as its own
-/// library has it.
+/// has; a fourth sample that is not said to be alpha is left out. LogLuv is CIE XYZ whose white is (1, 1, 1), as its
+/// own library has it.
 ///
 /// errors   bad_file; too_large; unsupported (CMYK, CIE L*a*b*, a camera's raw picture, other compressions);
 ///          interrupted

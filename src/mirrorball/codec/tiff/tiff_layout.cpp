@@ -16,9 +16,9 @@ struct Compression {
   std::uint64_t max_bytes_per_byte;
 };
 
-/// Few on purpose: each is code that meets untrusted bytes. Two bytes of PackBits are at most 128, a code of 12 bits of LZW
-/// at most 4094; deflate and JPEG are as in png.cpp and jpeg.cpp; a block of Zstandard is at most 128 KiB and at least 4
-/// bytes; two bytes of LogLuv are at most 129 of one of a texel's four bytes, which become 12.
+/// Few on purpose: each is code that meets untrusted bytes. Two bytes of PackBits are at most 128, a code of 12 bits of
+/// LZW at most 4094; deflate and JPEG are as in png.cpp and jpeg.cpp; a block of Zstandard is at most 128 KiB and at
+/// least 4 bytes; two bytes of LogLuv are at most 129 of one of a texel's four bytes, which become 12.
 constexpr Compression kCompressions[] = {
     {COMPRESSION_NONE, "", 1},
     {COMPRESSION_LZW, "LZW", 4094},
@@ -61,7 +61,8 @@ const char* unreadable(std::uint16_t photometric) {
   }
 }
 
-/// Goes to the first page that is no preview: raw pictures of cameras begin with one, and have nothing else at this level.
+/// Goes to the first page that is no preview: raw pictures of cameras begin with one,
+/// and have nothing else at this level.
 Result<void> findPage(const TiffFile& file) {
   constexpr int kMaxPages = 16;
   for (int i = 0; i < TIFFGetTagListCount(file.get()); ++i)

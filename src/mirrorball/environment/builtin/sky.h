@@ -13,9 +13,9 @@ struct SkyParameters {
   float adaptation = 0.7f;      ///< how far the exposure follows the daylight: 0 not at all, 1 fully
 };
 
-/// The built-in environment "sky": daylight (environment/builtin/sky_light.h) with the sun's disc over a ground of soil and stubble
-/// (formula/sky/ground.glsl). Radiance 1 is 20 kcd/m² · (E / 70 klx)^adaptation, where E is the light on level ground, of sun and
-/// sky: 70 klx under a sun of about 38°, 2 klx under one of 2°.
+/// The built-in environment "sky": daylight (environment/builtin/sky_light.h) with the sun's disc over a ground of soil
+/// and stubble (formula/sky/ground.glsl). Radiance 1 is 20 kcd/m² · (E / 70 klx)^adaptation, where E is the light on
+/// level ground, of sun and sky: 70 klx under a sun of about 38°, 2 klx under one of 2°.
 ///
 /// cost   about 20 ms of one core
 Environment skyEnvironment(const SkyParameters& parameters);

@@ -66,8 +66,8 @@ struct Step {
   Spectrum haze;
 };
 
-/// Calls visit(step) for the pieces of a ray, which grow with the distance, and returns what the air lets through of the
-/// light at its end.
+/// Calls visit(step) for the pieces of a ray, which grow with the distance, and returns what the air lets through of
+/// the light at its end.
 template <typename Visit>
 Spectrum alongRay(const Air& air, const Ray& ray, float length, int steps, const Visit& visit) {
   Spectrum through;
@@ -98,8 +98,8 @@ Spectrum alongRay(const Air& air, const Ray& ray, float length, int steps, const
   return through;
 }
 
-/// The light that has been scattered at least twice, as the mean over all directions, of a sun of 1: at some heights, and for
-/// some heights of the sun there.
+/// The light that has been scattered at least twice, as the mean over all directions, of a sun of 1: at some heights,
+/// and for some heights of the sun there.
 class FurtherScattering {
  public:
   FurtherScattering(const Air& air, float sun_elevation_rad)
@@ -192,7 +192,8 @@ std::array<glm::vec3, kWavelengths> rec709OfSunlight() {
   return xyz;
 }
 
-/// The table's rows: row / last = y (1 + k) / (y + k) for the sine y of the elevation, so that they are close at the horizon.
+/// The table's rows: row / last = y (1 + k) / (y + k) for the sine y of the elevation,
+/// so that they are close at the horizon.
 constexpr int kRows = 64;
 constexpr int kColumns = 16;
 constexpr float kRowBend = 0.25f;

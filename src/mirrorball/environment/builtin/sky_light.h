@@ -6,12 +6,13 @@
 
 namespace mirrorball {
 
-/// The light of a clear sky for one place of the sun: single scattering by molecules and haze in a round atmosphere with
-/// ozone, in 12 wavelengths (formula/sky/sky.glsl), and all further scattering as isotropic (Hillaire 2020, "A scalable and
-/// production ready sky and atmosphere rendering technique", section 5.5). What is left of the single scattering without its
-/// phase function is smooth and is kept in a table.
+/// The light of a clear sky for one place of the sun: single scattering by molecules and haze in a round atmosphere
+/// with ozone, in 12 wavelengths (formula/sky/sky.glsl), and all further scattering as isotropic (Hillaire 2020, "A
+/// scalable and production ready sky and atmosphere rendering technique", section 5.5). What is left of the single
+/// scattering without its phase function is smooth and is kept in a table.
 ///
-/// Colours are linear Rec.709 with the white of daylight film, D55, so that sun and sky together are about white at noon.
+/// Colours are linear Rec.709 with the white of daylight film, D55,
+/// so that sun and sky together are about white at noon.
 class SkyLight {
  public:
   /// sun        unit, y ≥ 0
@@ -26,8 +27,8 @@ class SkyLight {
   glm::vec3 sunIrradiance() const { return sun_irradiance_; }
 
  private:
-  /// What comes to the eye along one direction, in Rec.709: to be multiplied by the phase functions, and from all further
-  /// scattering.
+  /// What comes to the eye along one direction, in Rec.709: to be multiplied by the phase functions,
+  /// and from all further scattering.
   struct Scattered {
     glm::vec3 by_molecules{0.0f};
     glm::vec3 by_haze{0.0f};

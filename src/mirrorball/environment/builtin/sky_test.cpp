@@ -28,9 +28,9 @@ float levelIrradiance(const SkyLight& light) {
   return sum;
 }
 
-// Clear skies as they were measured: the luminance of the zenith, 0.3 + 3 tan γ kcd/m² (Kittler 1967, the CIE's standard sky),
-// and the light on level ground, of the sun 127.5 sin γ exp(−0.21 / sin γ) and of the sky 0.8 + 15.5 √(sin γ) klx (IES's
-// recommended practice for daylight, RP-21).
+// Clear skies as they were measured: the luminance of the zenith, 0.3 + 3 tan γ kcd/m² (Kittler 1967, the CIE's
+// standard sky), and the light on level ground, of the sun 127.5 sin γ exp(−0.21 / sin γ) and of the sky 0.8 + 15.5
+// √(sin γ) klx (IES's recommended practice for daylight, RP-21).
 TEST(SkyLight, IsAsBrightAsMeasured) {
   for (const float elevation : {10.0f, 20.0f, 30.0f, 45.0f, 60.0f}) {
     const SkyLight light = skyLight(elevation, 2.0f);
@@ -108,8 +108,8 @@ TEST(Sky, TheSunStandsWhereItIsPut) {
   EXPECT_LT(formula::luminance(without.radiance(directionAtAngles(90, 20))), 100.0f);
 }
 
-// A mirror ball shows the ground behind the camera before the ground that is behind the ball. Where both are the same, its
-// lower half vanishes.
+// A mirror ball shows the ground behind the camera before the ground that is behind the ball. Where both are the same,
+// its lower half vanishes.
 TEST(Sky, TheGroundIsNeitherBlackNorAlike) {
   for (const float elevation : {2.0f, 10.0f, 45.0f}) {
     const Environment sky = skyEnvironment({.elevation_deg = elevation, .azimuth_deg = 0});

@@ -28,8 +28,8 @@ class SoftBox {
     up_ = glm::cross(forward_, right_);
   }
 
-  /// Lays the box over the light that is behind it along d, which has any length. Its edges are `edge` wide to either side
-  /// [tangent].
+  /// Lays the box over the light that is behind it along d, which has any length.
+  /// Its edges are `edge` wide to either side [tangent].
   void layOver(glm::vec3& light, glm::vec3 d, float edge) const {
     const float depth = glm::dot(d, forward_);
     if (depth <= 0.0f) return;
@@ -63,8 +63,8 @@ const std::array<SoftBox, 5>& softBoxes() {
   return boxes;
 }
 
-/// Walls that darken upwards and away from the fill light, a floor that is lit by the key light around the model and shaded
-/// under it, and the light on the backdrop. Floor and walls meet in a sweep.
+/// Walls that darken upwards and away from the fill light, a floor that is lit by the key light around the model and
+/// shaded under it, and the light on the backdrop. Floor and walls meet in a sweep.
 glm::vec3 roomRadiance(glm::vec3 d) {
   static const glm::vec3 to_key = directionAtAngles(-40.0f, 0.0f);
   static const glm::vec3 to_fill = directionAtAngles(76.0f, 0.0f);
@@ -86,8 +86,9 @@ glm::vec3 roomRadiance(glm::vec3 d) {
   return glm::vec3(1.015f, 1.0f, 0.975f) * light;
 }
 
-/// What the satin floor shows of the soft boxes along d (d.y < 0): blurred, the more the flatter one looks, after Schlick. An
-/// image in a floor lies as deep below it as the box is above it, which shifts it down by 2 / distance [tangent].
+/// What the satin floor shows of the soft boxes along d (d.y < 0): blurred, the more the flatter one looks, after
+/// Schlick. An image in a floor lies as deep below it as the box is above it,
+/// which shifts it down by 2 / distance [tangent].
 glm::vec3 floorReflection(glm::vec3 d) {
   const float grazing = 1.0f + d.y;
   const float grazing2 = grazing * grazing;

@@ -57,8 +57,9 @@ TEST(Studio, IsGreyAndHalfAsBrightAsAWhiteOne) {
   EXPECT_NEAR(max, 7.0f, 0.2f);
 }
 
-// From the camera that render has, and a little higher: the three sides that are seen tell apart at their edges and from what
-// is behind them, and show a lamp or its image in the floor, of which there was none in the studio before this one.
+// From the camera that render has, and a little higher: the three sides that are seen tell apart at their edges and
+// from what is behind them, and show a lamp or its image in the floor,
+// of which there was none in the studio before this one.
 TEST(Studio, TheSidesOfAMirrorCubeStandOut) {
   const std::vector<glm::vec3> sides{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const float elevation : {15.0f, 20.0f, 25.0f}) {

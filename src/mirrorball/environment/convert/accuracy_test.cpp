@@ -37,8 +37,8 @@ int sourceSize(Projection projection) {
   }
 }
 
-/// A target so fine that none of its texels, but near singular points, spans √2 texels of the source: there it would hold
-/// a mean over its area, which is another quantity than the light at its centre.
+/// A target so fine that none of its texels, but near singular points, spans √2 texels of the source: there it would
+/// hold a mean over its area, which is another quantity than the light at its centre.
 int targetSize(Projection projection) { return faceCount(projection) == 6 ? 562 : 1124; }
 
 /// Away from the source's own singular points: straight behind on an angular map, both poles of the equal-area square,
@@ -174,8 +174,8 @@ bool leavesMuchOut(Projection projection) {
   return projection == Projection::hemioctahedral || projection == Projection::ballFrom(1.5f);
 }
 
-// ∫ L dω. Where one of the maps leaves much out the light ends before the map does: texels on the border count wholly or
-// not at all, and on a near ball's rim they count much.
+// ∫ L dω. Where one of the maps leaves much out the light ends before the map does: texels on the border count wholly
+// or not at all, and on a near ball's rim they count much.
 TEST_P(Accuracy, TotalFluxIsKept) {
   constexpr int kHeight = 192;
   const Projection from = GetParam();

@@ -23,7 +23,8 @@ struct Resampling {
 /// stays on the right. As `source_from_target` it puts that direction at a map's centre.
 glm::mat3 centredOn(glm::vec3 direction);
 
-/// A map turned by Euler angles: about +Z (+X towards +Y), then about +X (+Y towards +Z), then about +Y (+Z towards +X).
+/// A map turned by Euler angles: about +Z (+X towards +Y), then about +X (+Y towards +Z),
+/// then about +Y (+Z towards +X).
 ///
 /// returns  target_from_source; its transpose is a `source_from_target`
 glm::mat3 turnedBy(float yaw_rad, float pitch_rad, float roll_rad);

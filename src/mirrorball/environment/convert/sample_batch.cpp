@@ -121,7 +121,8 @@ V minOfTexel(V v) {
   return hn::Min(pairs, hn::Shuffle1032(pairs));
 }
 
-/// image/filter.h, shareByContrast, for as many texels as there are side by side; each one's fourth lane holds its third.
+/// image/filter.h, shareByContrast, for as many texels as there are side by side;
+/// each one's fourth lane holds its third.
 template <class D, class V = hn::Vec<D>>
 V shareByContrast(D d, V min, V max) {
   const V zero = hn::Zero(d);
@@ -285,7 +286,8 @@ Cells cellsOf(const MapTexels& map, Reach reach, const PointBatch& batch) {
   return cells;
 }
 
-/// How many points before their turn texels are asked for: long enough for memory, not so long that they are gone again.
+/// How many points before their turn texels are asked for: long enough for memory,
+/// not so long that they are gone again.
 constexpr std::size_t kAhead = 8;
 
 /// Asks for texels: rows of a map lie pages apart, and where neighbouring points go among them no processor guesses.

@@ -127,8 +127,8 @@ TEST_P(SharpLight, NothingIsBrighterOrDarkerBesideASun) {
     expectNoRinging(mapOf(GetParam(), kSmall, sun), 0.0f, textOf(GetParam()) + ", " + sun.text());
 }
 
-/// At a disc's rim or where smooth regions meet a step may cut off a strip of two texels. At little contrast that is a peak, whose
-/// curve rises an eighth above them. Beyond the edge of one half light goes on as it went before.
+/// At a disc's rim or where smooth regions meet a step may cut off a strip of two texels. At little contrast that is a
+/// peak, whose curve rises an eighth above them. Beyond the edge of one half light goes on as it went before.
 float overshootOfStep(Projection projection, float light) {
   if (projection == Projection::equirect || light >= 16.0f) return 0.0f;
   return (light - 1.0f) / (projection == Projection::hemioctahedral ? 2.5f : 8.0f);
@@ -141,9 +141,9 @@ TEST_P(SharpLight, NothingIsBrighterOrDarkerBesideAStep) {
                       textOf(GetParam()) + ", a step to " + std::to_string(light));
 }
 
-/// How far the flux of an enlarged sun may be off. In a cube's corner three texels meet instead of four, and the tip of a
-/// cone lies in one of an equal-area square; texels at the rim of a ball seen from near by grow by half from one to the
-/// next.
+/// How far the flux of an enlarged sun may be off. In a cube's corner three texels meet instead of four, and the tip of
+/// a cone lies in one of an equal-area square; texels at the rim of a ball seen from near by grow by
+/// half from one to the next.
 double fluxTolerance(Projection projection, const Sun& sun) {
   const bool is_corner = sun.first == glm::ivec2(0);
   if (is_corner && faceCount(projection) == 6) return projection == Projection::eac ? 0.1 : 0.08;

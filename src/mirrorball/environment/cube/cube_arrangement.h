@@ -94,13 +94,14 @@ struct WorldAxes {
 CubeArrangement inWorld(CubeArrangement arrangement, const WorldAxes& world);
 
 /// Changes an arrangement by one word: "as-seen"; "flip=" and a Flip; "turn=" and the slots whose images are turned by
-/// 180°, "turn=-z"; "order=" and a FaceOrder; "axes=" and centre, right and down of all six slots, as textOf writes them,
-/// in place of what it was.
+/// 180°, "turn=-z"; "order=" and a FaceOrder; "axes=" and centre, right and down of all six slots, as textOf writes
+/// them, in place of what it was.
 ///
 /// errors   usage: lists the words
 Result<CubeArrangement> rearranged(const CubeArrangement& arrangement, std::string_view word);
 
-/// "" for ours, "as-seen", "turn=-z", else "axes=+x-z-y|-x+z-y|…": `rearranged` makes the arrangement from ours by this word.
+/// "" for ours, "as-seen", "turn=-z", else "axes=+x-z-y|-x+z-y|…":
+/// `rearranged` makes the arrangement from ours by this word.
 std::string textOf(const CubeArrangement& arrangement);
 
 /// A square's texels under one of its 8 symmetries: what is shown at texel (i, j) is taken from texel `from(i, j)`.

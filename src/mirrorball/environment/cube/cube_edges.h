@@ -20,8 +20,8 @@ struct EdgeFit {
   /// Whether it jumps there. Faces of one colour each, as in cubes made to test a program, jump and say nothing.
   bool jumps() const { return beside > 0.005f && across > 4.0f * beside + 0.05f; }
   /// Whether the same images meet clearly better in this way than in another. A few faces that lie otherwise change
-  /// only the stretches at their own edges, which the mean of all hides, and noise changes them at random: the gain has to
-  /// be seen all along.
+  /// only the stretches at their own edges, which the mean of all hides, and noise changes them at random: the gain has
+  /// to be seen all along.
   bool isClearlyBetterThan(const EdgeFit& other) const;
 };
 

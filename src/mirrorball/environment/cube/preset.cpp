@@ -27,9 +27,9 @@ CubeArrangement tableIn(const WorldAxes& axes) { return inWorld(CubeArrangement{
 const std::array<Preset, 11>& table() {
   using enum SignedAxis;
   const CubeArrangement ours;
-  // OpenGL 4.3, table 8.18; Vulkan 1.3, "Cube Map Face Selection"; Direct3D 11.3 functional specification, 7.18: the one
-  // table, in whatever axes the program uses. None of the three has panoramas. Left-handed worlds see the table's images
-  // as pictures: UnityGLTF (SchemaExtensions.cs) takes our (x, y, z) to (-x, y, z), Unreal's GLTFCore
+  // OpenGL 4.3, table 8.18; Vulkan 1.3, "Cube Map Face Selection"; Direct3D 11.3 functional specification, 7.18: the
+  // one table, in whatever axes the program uses. None of the three has panoramas. Left-handed worlds see the table's
+  // images as pictures: UnityGLTF (SchemaExtensions.cs) takes our (x, y, z) to (-x, y, z), Unreal's GLTFCore
   // (ConversionUtilities.h) to (x, z, y).
   const CubeArrangement x_mirrored = tableIn({.x = minus_x});
   const CubeArrangement z_up = tableIn({.x = plus_x, .y = plus_z, .z = plus_y});
@@ -43,15 +43,15 @@ const std::array<Preset, 11>& table() {
       {"unreal", "Unreal Engine", z_up, minus_z, CubeLayout::faces},
       // sky.glsl: u = atan2(x, -z) / 2 pi. ResourceImporterLayeredTexture cuts one picture into the six faces.
       {"godot", "Godot", ours, plus_z, CubeLayout::tiles},
-      // cmgen (CubemapUtils.cpp, mirrorCubemap and equirectangularToCubemap): u = 1/2 + atan2(-x, z) / 2 pi, and cubes by
-      // the table, at which the shaders look with world directions (surface_light_indirect.fs).
+      // cmgen (CubemapUtils.cpp, mirrorCubemap and equirectangularToCubemap): u = 1/2 + atan2(-x, z) / 2 pi, and cubes
+      // by the table, at which the shaders look with world directions (surface_light_indirect.fs).
       {"filament", "Filament", ours, plus_z, CubeLayout::faces},
       // envmap_fragment.glsl.js: textureCube(envMap, (-x, y, z)), and u = 1/2 + atan2(z, x) / 2 pi.
       {"three", "three.js", x_mirrored, plus_x, CubeLayout::faces},
       // Cycles, camera/projection.h: u = 1/2 - atan2(y, x) / 2 pi in Blender's axes, our (x, -z, y).
       {"blender", "Blender", std::nullopt, plus_x, CubeLayout::faces},
-      // RISpec 3.2, RiMakeCubeFaceEnvironment, as Aqsis has it (cubeenvironmentsampler.h): OpenGL's table came from there.
-      // OpenUSD's hdPrman (light.cpp) turns a dome light so that OpenEXR's directions hold.
+      // RISpec 3.2, RiMakeCubeFaceEnvironment, as Aqsis has it (cubeenvironmentsampler.h): OpenGL's table came from
+      // there. OpenUSD's hdPrman (light.cpp) turns a dome light so that OpenEXR's directions hold.
       {"renderman", "RenderMan", ours, plus_z, CubeLayout::faces},
       // ImfEnvmap.h: the faces are pictures seen from inside, those of +-Y upright for an eye that looks along -Z.
       {"openexr", "OpenEXR",

@@ -49,10 +49,10 @@ struct LoadedEnvironment {
   operator Environment() && { return std::move(environment); }
 };
 
-/// Loads a built-in by its name (builtin.h), else a file of any format that is read (codec/image_format.h): of a texture its
-/// largest level, of an array its first element. The name of one of a cube's six files (face_files.h), if most of them are
-/// there, and that of the folder that holds them stand for all six. Where only a picture's shape or the names tell that it is
-/// a cube, its edges decide how its faces lie, if they meet in one way only (cube_edges.h).
+/// Loads a built-in by its name (builtin.h), else a file of any format that is read (codec/image_format.h): of a
+/// texture its largest level, of an array its first element. The name of one of a cube's six files (face_files.h), if
+/// most of them are there, and that of the folder that holds them stand for all six. Where only a picture's shape or
+/// the names tell that it is a cube, its edges decide how its faces lie, if they meet in one way only (cube_edges.h).
 ///
 /// progress told while a picture is decoded, if it is OpenEXR's or TIFF's
 /// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel);
@@ -73,8 +73,8 @@ std::optional<FaceFiles> cubeFilesOf(const std::string& path, const FormHint& fr
 ///
 /// loaded     by loadEnvironment with the same options; its file is read once more
 /// form       how they are wanted; of the map's projection, without OpenEXR's registration
-/// returns    nothing where the file holds one level, or has its map in a form whose levels are no maps: a cube's layout in
-///            one picture, discs, OpenEXR's registration
+/// returns    nothing where the file holds one level, or has its map in a form whose levels are no maps: a cube's
+///            layout in one picture, discs, OpenEXR's registration
 /// errors     as loadEnvironment's
 Result<std::optional<ImageSet>> loadLevels(const LoadedEnvironment& loaded, const MapForm& form,
                                            const EnvironmentLoadOptions& options = {});
@@ -88,8 +88,8 @@ struct PanoramaRows {
 
 /// Opens a panorama for being read by rows.
 ///
-/// returns  nothing where it has to be loaded as a whole: built-ins, cubes and other projections, formats that cannot be
-///          read so (openRows), and what is repaired, limited or resampled when it is loaded
+/// returns  nothing where it has to be loaded as a whole: built-ins, cubes and other projections, formats that cannot
+///          be read so (openRows), and what is repaired, limited or resampled when it is loaded
 /// errors   as loadEnvironment's
 Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,
                                                  const EnvironmentLoadOptions& options = {});

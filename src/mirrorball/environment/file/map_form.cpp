@@ -46,8 +46,8 @@ int quartersTo(SignedAxis centre) {
   }
 }
 
-/// A panorama whose columns have moved to the left by that many quarters of the circle. Where that is no whole number of
-/// columns, as of an odd height, its rows are resampled.
+/// A panorama whose columns have moved to the left by that many quarters of the circle. Where that is no whole number
+/// of columns, as of an odd height, its rows are resampled.
 Image turned(Image image, int quarters) {
   const int columns = quarters * image.width();
   if (columns % 4 == 0) {
@@ -79,8 +79,8 @@ ImageSet turned(ImageSet images, int quarters) {
 }
 
 /// A cross is a cube unfolded from its slot +Z, with the slots ±X and ±Y where our table has them. Where images are
-/// mirrored, as pictures seen from inside are, +Z has its neighbours on the other side: then the two slots exchange their
-/// cells, and the cross still goes on across its edges. Its own inverse.
+/// mirrored, as pictures seen from inside are, +Z has its neighbours on the other side: then the two slots exchange
+/// their cells, and the cross still goes on across its edges. Its own inverse.
 void exchangeInCross(const MapForm& form, ImageSet& images) {
   if (form.layout != CubeLayout::hcross && form.layout != CubeLayout::vcross && form.layout != CubeLayout::lecture)
     return;

@@ -18,8 +18,8 @@ struct FormHint {
   bool has_texels_on_edges = false;
 };
 
-/// "": no hint. A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout ("hcross",
-/// "faces"). After a colon, with commas between, how it lies in the file where that is not our own way:
+/// "": no hint. A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout
+/// ("hcross", "faces"). After a colon, with commas between, how it lies in the file where that is not our own way:
 ///   for=PROGRAM          as a preset has it (preset.h): "cube:for=unity", "equirect:for=blender"
 ///   layout=LAYOUT        of cube and eac: "eac:layout=vcross"
 ///   as-seen, flip=…, turn=…, order=…, axes=…   of a cube (cube_arrangement.h), each applied to what stands before it
@@ -37,7 +37,8 @@ struct Recognition {
 
 /// What a file says of its form, for `recognize` to read back: "mirrorball:projection", a cube's "mirrorball:layout", a
 /// ball's "mirrorball:ball_distance" and, where they are not our own, a cube's "mirrorball:arrangement", a panorama's
-/// "mirrorball:centre" and "mirrorball:texels". A whole map in OpenEXR's registration has OpenEXR's own "envmap" instead.
+/// "mirrorball:centre" and "mirrorball:texels". A whole map in OpenEXR's registration has OpenEXR's
+/// own "envmap" instead.
 Metadata metadataOf(const MapForm& form);
 
 /// What a sheet of mip levels (image/level_sheet.h) says of itself, so that nobody takes it for a map of its shape.

@@ -10,9 +10,9 @@
 
 namespace mirrorball {
 
-/// A way to lay the sphere of directions onto images; docs/conventions.md shows each. A value: one of the kinds, and for
-/// a photographed ball how far the camera stood. `Projection::cube` and the like stand for themselves in comparisons,
-/// in `switch` and as arguments.
+/// A way to lay the sphere of directions onto images; docs/conventions.md shows each. A value: one of the kinds, and
+/// for a photographed ball how far the camera stood. `Projection::cube` and the like stand for themselves in
+/// comparisons, in `switch` and as arguments.
 struct Projection {
   enum Kind {
     equirect,        ///< panorama
@@ -80,8 +80,8 @@ struct MapPosition {
 /// Where a direction (unit) is found; of a direction that the map does not cover, a place on the edge that is near it.
 MapPosition positionOf(Projection projection, glm::vec3 direction);
 
-/// The unit direction at a position. On a disc (see hasDisc) only positions with `covers` have one, but a paraboloid map
-/// continues into its other half; a cube's face continues a little beyond its edges.
+/// The unit direction at a position. On a disc (see hasDisc) only positions with `covers` have one, but a paraboloid
+/// map continues into its other half; a cube's face continues a little beyond its edges.
 glm::vec3 directionAt(Projection projection, MapPosition position);
 
 /// Whether there is light at the position: false in the corners beside a disc.

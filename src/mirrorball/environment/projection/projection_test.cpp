@@ -144,8 +144,9 @@ TEST(Projection, CubeFollowsOpenGlsTable) {
   }
 }
 
-// The third text of the lecture finds the left face and { 0.37, 0.21 }, the two other components over the longest, in the order (y, z).
-// OpenGL's table orients the face: s from z, t from −y, so that the numbers are s = 1 − 0.21 and t = 0.37.
+// The third text of the lecture finds the left face and { 0.37, 0.21 }, the two other components over the longest, in
+// the order (y, z). OpenGL's table orients the face: s from z, t from −y, so that the numbers are s = 1 − 0.21 and
+// t = 0.37.
 TEST(Projection, TheLecturesWorkedExample) {
   const glm::vec3 direction = glm::normalize(glm::vec3(-0.84f, 0.23f, 0.49f));
   const MapPosition place = positionOf(Projection::cube, direction);

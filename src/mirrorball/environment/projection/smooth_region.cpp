@@ -78,8 +78,8 @@ MapPosition SmoothRegion::placeOf(glm::vec2 position) const {
   return onOctahedron(position);
 }
 
-/// Where the octahedron is flat its points go in proportion to the position. So they go on beyond the border: as far from
-/// the one half way to the region's middle as that is from the middle.
+/// Where the octahedron is flat its points go in proportion to the position. So they go on beyond the border: as far
+/// from the one half way to the region's middle as that is from the middle.
 MapPosition SmoothRegion::onOctahedron(glm::vec2 position) const {
   const auto pointAt = [&](glm::vec2 at) {
     const glm::vec3 direction = directionAt(projection_, {0, at / side_});
@@ -90,10 +90,10 @@ MapPosition SmoothRegion::onOctahedron(glm::vec2 position) const {
   return positionOf(projection_, glm::normalize(2.0f * pointAt((middle + position) / 2.0f) - pointAt(middle)));
 }
 
-/// formula/projection/octahedral.glsl: at the distance r from the right angle, along the legs, stand the directions with |z| = 1 − r²,
-/// and the longitude grows in proportion from one leg to the other. Past a leg it goes on growing: those are the region's
-/// own directions turned by 90° about z. Past r = 1 follow the directions with |z| = r² − 1 of the other half, which are
-/// its mirror image, with the r² there of 2 − r².
+/// formula/projection/octahedral.glsl: at the distance r from the right angle, along the legs, stand the directions
+/// with |z| = 1 − r², and the longitude grows in proportion from one leg to the other. Past a leg it goes on growing:
+/// those are the region's own directions turned by 90° about z. Past r = 1 follow the directions with |z| = r² − 1 of
+/// the other half, which are its mirror image, with the r² there of 2 − r².
 MapPosition SmoothRegion::onEqualArea(glm::vec2 position) const {
   const float half = side_ / 2.0f;
   const bool is_front = corner_.x == half;

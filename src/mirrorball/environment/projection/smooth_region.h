@@ -30,8 +30,8 @@ class SmoothRegion {
   /// Whether a position of its image lies on it; its border does.
   bool holds(glm::vec2 position) const;
 
-  /// Where the map shows the direction that the region, continued a few texels beyond its border, would show there. Beyond
-  /// the edge of a map of one half it is the position itself.
+  /// Where the map shows the direction that the region, continued a few texels beyond its border, would show there.
+  /// Beyond the edge of a map of one half it is the position itself.
   MapPosition placeOf(glm::vec2 position) const;
 
   /// Texels of this region alone around one of its positions, for the cubic polynomial in two variables through them;
@@ -54,8 +54,8 @@ class SmoothRegion {
   glm::vec2 towards_;  ///< 1 or −1 each: the way from there into the region
 };
 
-/// Whether a projection's images are cut into smooth regions. A panorama goes on without an edge; a disc that shows all directions
-/// ends in a rim beyond which there are none.
+/// Whether a projection's images are cut into smooth regions. A panorama goes on without an edge; a disc that shows all
+/// directions ends in a rim beyond which there are none.
 bool hasSmoothRegions(Projection projection);
 
 }  // namespace mirrorball

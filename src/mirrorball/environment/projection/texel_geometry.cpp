@@ -25,8 +25,8 @@ double byCorners(const Rectangle& r, Corner&& corner) {
 }
 
 // On an octahedron's face lines of constant x and of constant y are great circles, so that a texel is a spherical
-// polygon: its solid angle is the sum of its inner angles less (n − 2) π (Girard). In the quadrant x, y ≥ 0 of the front
-// half the point is p = (x, y, 1 − x − y), the planes of the two lines have the normals N = (x − 1, x, x) and
+// polygon: its solid angle is the sum of its inner angles less (n − 2) π (Girard). In the quadrant x, y ≥ 0 of the
+// front half the point is p = (x, y, 1 − x − y), the planes of the two lines have the normals N = (x − 1, x, x) and
 // M = (y, y − 1, y), and N × M = p: the angle between them at the corner is F = atan2(|p|, N·M), N·M = 3xy − x − y.
 // Beyond the fold x + y = 1 it is that of the mirrored point (1 − y, 1 − x), and the fold's own angles come in:
 // A(t) = atan2(√(2t² − 2t + 1), t) is that between N(t) and the plane z = 0.
@@ -87,8 +87,8 @@ double angularHeight(double square) {
   return 2.0 * sine * sine / square;
 }
 
-/// From the sines and cosines of formula/projection/mirror_ball.glsl. Beyond the rim the density is that of the same distance
-/// before it: a texel there counts for the other half of one whose centre does not lie on the disc.
+/// From the sines and cosines of formula/projection/mirror_ball.glsl. Beyond the rim the density is that of the same
+/// distance before it: a texel there counts for the other half of one whose centre does not lie on the disc.
 double ballHeight(double square, double k) {
   const double rim = std::sqrt(1.0 - k * k);
   if (square > 1.0) {

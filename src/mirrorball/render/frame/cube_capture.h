@@ -18,8 +18,8 @@ struct CaptureSettings {
   FrameSettings frame = {};  ///< all other settings; its size, camera, exposure and tone map are not used
 };
 
-/// Draws the light that arrives at a point of a scene: the six faces of a cube, each a square frame with an angle of view
-/// of 90°.
+/// Draws the light that arrives at a point of a scene: the six faces of a cube, each a square frame with an angle of
+/// view of 90°.
 ///
 /// Between the faces there is no seam: a frame's samples lie within its pixels, and so within its face; what each shows
 /// depends on its direction alone. Only `Mapping::sphere`, which is right for one viewing direction, breaks this rule.

@@ -40,7 +40,8 @@ glm::vec4 backdropOf(const FrameSettings& settings) {
                                                               : glm::vec4(0.0f);
 }
 
-/// Whether the mean of the samples is of a display's light. One sample is kept as radiance: there is nothing to average.
+/// Whether the mean of the samples is of a display's light. One sample is kept as radiance:
+/// there is nothing to average.
 bool isDisplayed(const FrameSettings& settings) { return settings.resolve == Resolve::display && settings.samples > 1; }
 
 /// How a display shows radiance, for shaders/accumulate.frag and tone_map.frag.
@@ -351,7 +352,8 @@ void Renderer::State::drawBackground(const Camera& camera) {
   background.set("environment", TextureUnit::background);
   background.set("environment_from_world", frame.environment_from_world);
   background.set("environment_intensity", settings.env_intensity * light->unit());
-  // Only directions are asked for. Without the camera's place they are exact however far away from the origin it stands.
+  // Only directions are asked for. Without the camera's place they are exact however far away from the
+  // origin it stands.
   const glm::mat4 clip_from_directions = camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world));
   background.set("world_from_clip", glm::inverse(clip_from_directions));
   background.set("camera_forward", camera.forward);

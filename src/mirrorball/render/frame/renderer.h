@@ -19,8 +19,8 @@ namespace mirrorball {
 /// Draws a scene in an environment. It owns both, and each may be replaced between frames.
 ///
 /// A frame is: the background, the objects (each lit by the whole environment, and by point lights if there are any),
-/// drawn once for each sample of a pixel with the picture shifted within the pixel, and the mean of them all, as light of
-/// the display or as radiance. It is drawn at once (render, draw) or sample by sample (begin, drawSample, show), for
+/// drawn once for each sample of a pixel with the picture shifted within the pixel, and the mean of them all, as light
+/// of the display or as radiance. It is drawn at once (render, draw) or sample by sample (begin, drawSample, show), for
 /// windows that must answer in between.
 ///
 /// Its context must be current in the thread that calls it. Before the first frame it needs an environment; without a
@@ -47,7 +47,8 @@ class Renderer {
   ///
   /// cache    where what takes long is kept from one process to the next, if it is
   /// errors   too_large
-  /// cost     about a second on two cores, for a panorama of 1024 rows that is not in the cache; some 50 ms for one that is
+  /// cost     about a second on two cores, for a panorama of 1024 rows that is not in the cache;
+  ///          some 50 ms for one that is
   Result<void> setEnvironment(Environment environment, const std::optional<PrefilterCache>& cache = {});
   /// The same for an environment that was prepared elsewhere, for instance in another thread.
   ///
@@ -58,8 +59,8 @@ class Renderer {
   /// Of the scene.
   const BoundingSphere& bounds() const;
 
-  /// Draws a frame, exposed and tone mapped as the settings say, over its background where that is a display's colour, and
-  /// sRGB-encoded.
+  /// Draws a frame, exposed and tone mapped as the settings say,
+  /// over its background where that is a display's colour, and sRGB-encoded.
   ///
   /// progress  is called after each sample of the pixels
   /// returns   4 channels, straight alpha, row 0 at the top
@@ -87,8 +88,8 @@ class Renderer {
   /// errors   unsupported
   Result<int> drawSample();
 
-  /// Shows the mean of the samples that there are in a framebuffer, as a picture: exposed, tone mapped and encoded, row 0 at
-  /// the bottom. It fills the lower left corner as far as it goes.
+  /// Shows the mean of the samples that there are in a framebuffer, as a picture: exposed, tone mapped and encoded, row
+  /// 0 at the bottom. It fills the lower left corner as far as it goes.
   ///
   /// framebuffer  OpenGL's name of it, of 8 bits a channel; 0 is a window's. It stays bound
   void show(unsigned framebuffer) const;

@@ -134,8 +134,8 @@ TEST_F(RendererTest, AWhiteMetalVanishesHoweverRoughItIs) {
   }
 }
 
-// Without light from several bounces a pixel of a metal shows f0 · scale + bias of the table, at its angle and roughness;
-// f0 of 0.02 leaves next to nothing to a second one.
+// Without light from several bounces a pixel of a metal shows f0 · scale + bias of the table, at its angle and
+// roughness; f0 of 0.02 leaves next to nothing to a second one.
 TEST_F(RendererTest, ADarkMetalReflectsWhatTheBrdfTableSays) {
   Studio white = studio("white");
   Shot shot = smallShot("sphere", "");
@@ -150,10 +150,11 @@ TEST_F(RendererTest, ADarkMetalReflectsWhatTheBrdfTableSays) {
     for (int x = 1; x < 128; ++x) {
       const float nx = (static_cast<float>(x) + 0.5f) / 64.5f - 1.0f;
       const DirectionalAlbedo share = directionalAlbedo(Distribution::ggx, roughness, std::sqrt(1.0f - nx * nx));
-      const glm::vec3 once = f0 * share.scale + share.bias;
-      const glm::vec3 more = formula::multipleScattering(once, formula::meanFresnel(f0, 1.0f), 1.0f - share.total());
+      const glm::vec3 single = f0 * share.scale + share.bias;
+      const glm::vec3 mean = formula::meanFresnel(f0, 1.0f);
+      const glm::vec3 multiple = formula::multipleScattering(single, mean, 1.0f - share.total());
       // The table's 0.002, and a sphere of flat triangles.
-      EXPECT_NEAR(rgbAt(image, x, 64).x, once.x + more.x, 0.004f) << "roughness " << roughness << " at nx " << nx;
+      EXPECT_NEAR(rgbAt(image, x, 64).x, single.x + multiple.x, 0.004f) << "roughness " << roughness << " at nx " << nx;
     }
   }
 }
@@ -316,8 +317,8 @@ TEST_F(RendererTest, EnvRotationTurnsPlusZTowardsPlusX) {
   EXPECT_EQ(rgbAt(lamp.radiance(shot), 16, 16).x, 0.0f);
 }
 
-// The lamp over +Z: pitched by 90 degrees it stands below, and a turn by 90 degrees after that does not move it. One over
-// +X, rolled by 90 degrees, stands over +Y, and pitch brings that to +Z, yaw to +X.
+// The lamp over +Z: pitched by 90 degrees it stands below, and a turn by 90 degrees after that does not move it. One
+// over +X, rolled by 90 degrees, stands over +Y, and pitch brings that to +Z, yaw to +X.
 TEST_F(RendererTest, PitchAndRollTurnTheEnvironmentBeforeItsYaw) {
   const auto lightOf = [&](const Environment& lamp, glm::vec3 turn_deg, glm::vec2 camera_deg) {
     Studio studio(lamp);
@@ -429,8 +430,9 @@ TEST_F(RendererTest, AColourOfTheDisplayIsThatColourInThePicture) {
   }
 }
 
-// A lamp a thousand times brighter than white: an edge pixel that it half covers is half as bright as the display can be.
-// The mean of radiance is white wherever one sample of 16 meets the lamp: such an edge has steps at any number of samples.
+// A lamp a thousand times brighter than white: an edge pixel that it half covers is half as bright as the display can
+// be. The mean of radiance is white wherever one sample of 16 meets the lamp:
+// such an edge has steps at any number of samples.
 TEST_F(RendererTest, TheOutlineOfALampIsAsSmoothAsItsCoverage) {
   Studio dark(Environment([](glm::vec3) { return glm::vec3(0.0f); }, 8));
   Shot lamp = smallShot("sphere", "");
@@ -492,8 +494,8 @@ TEST_F(RendererTest, AMipLevelBlursAsWideAsTheLobe) {
   }
 }
 
-// A sun in a dim room, as a cube of 96², 48² … 6², 3², 1 texels. What is odd in such a picture, a square sun and a pale frame
-// around a face where the level of one texel has a share, is in the levels: the look-up on the CPU has it too.
+// A sun in a dim room, as a cube of 96², 48² … 6², 3², 1 texels. What is odd in such a picture, a square sun and a pale
+// frame around a face where the level of one texel has a share, is in the levels: the look-up on the CPU has it too.
 TEST_F(RendererTest, AMipLevelIsWhatALookUpInTheChainSays) {
   constexpr int kSide = 96;
   EnvironmentMap cube = *convert(Environment([](glm::vec3 d) { return 0.2f + 0.1f * d; }, 64), Projection::cube, kSide);

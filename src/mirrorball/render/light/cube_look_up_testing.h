@@ -10,8 +10,8 @@
 
 namespace mirrorball::testing {
 
-/// What OpenGL 4.6, chapters 8.13 and 8.14, says of a trilinear look-up in a cube that is filtered across its edges, with the
-/// greatest of the light that it was made from.
+/// What OpenGL 4.6, chapters 8.13 and 8.14, says of a trilinear look-up in a cube that is filtered across its edges,
+/// with the greatest of the light that it was made from.
 struct CubeLookUp {
   glm::vec3 light{0.0f};
   float max = 0.0f;

@@ -25,8 +25,8 @@ float maxSample(const ImageSet& chain) {
   return max;
 }
 
-/// Of the chain's level 0, where the environment has that much detail. The first blurred level has half of it; on 256² its
-/// narrow lobe is two texels wide.
+/// Of the chain's level 0, where the environment has that much detail. The first blurred level has half of it; on 256²
+/// its narrow lobe is two texels wide.
 constexpr int kMaxPrefilteredSide = 512;
 constexpr int kMinPrefilteredSide = 32;
 constexpr int kIrradianceSide = 32;

@@ -21,8 +21,8 @@ struct PreparedEnvironment {
   bool needs_floats = false;  ///< some radiance is above 65504, the largest half float
 };
 
-/// A face side at which a cube has at least that many texels a radian everywhere, rounded up to a multiple of 64 so that
-/// the first mip levels halve evenly.
+/// A face side at which a cube has at least that many texels a radian everywhere, rounded up to a multiple of 64 so
+/// that the first mip levels halve evenly.
 int cubeSideFor(float texels_per_radian);
 
 /// Lays the environment out as a cube with mip levels, prefilters it for rough surfaces, and blurs it for matt ones. A

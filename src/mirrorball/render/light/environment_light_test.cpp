@@ -11,7 +11,8 @@ class EnvironmentLightTest : public gl::GlTest {};
 
 MIRRORBALL_WITH_BOTH_APIS(EnvironmentLightTest);
 
-// OpenGL ES interpolates 32-bit floats only by an extension: without it a sun keeps its light in halves of a larger unit.
+// OpenGL ES interpolates 32-bit floats only by an extension:
+// without it a sun keeps its light in halves of a larger unit.
 TEST_P(EnvironmentLightTest, KeepsASunInHalvesOfALargerUnit) {
   const Environment sunny([](glm::vec3 d) { return glm::vec3(d.x > 0.9f ? 1e6f : 0.5f, 2.0f, 3.0f); }, 32);
   const auto prepared = prepareEnvironment(sunny);

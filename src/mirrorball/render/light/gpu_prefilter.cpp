@@ -42,8 +42,8 @@ struct Rings {
   int points;  ///< on each
 };
 
-/// Level 1, which has three quarters of the texels, gets more rings and fewer points than level 2: a narrow lobe's light
-/// goes through more octaves.
+/// Level 1, which has three quarters of the texels, gets more rings and fewer points than level 2: a narrow lobe's
+/// light goes through more octaves.
 Rings ringsFor(int level) {
   switch (level) {
     case 1:

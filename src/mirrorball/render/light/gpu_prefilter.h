@@ -11,20 +11,21 @@
 
 namespace mirrorball {
 
-/// The GGX chain of bake/prefilter/prefilter.h, made on the GPU from a cube that is there already: for light that changes every
-/// frame. Fragment passes only and nothing read back, so that it works in OpenGL ES 3.0 and WebGL 2.
+/// The GGX chain of bake/prefilter/prefilter.h, made on the GPU from a cube that is there already: for light that
+/// changes every frame. Fragment passes only and nothing read back, so that it works in OpenGL ES 3.0 and WebGL 2.
 ///
-/// The brightest texels become points of light, whose lobes are exact (render/light/light_split.h); of the mip levels of the
-/// rest each texel of the chain takes weighted reads (render/light/lobe_taps.h): about 64 in the two finest levels, up to
-/// kMaxTaps in the others, which have few texels. For wide lobes the light is split a second time, in a coarse mip
-/// level, where a point stands for many texels. docs/prefiltering_gpu.md tells how far all that is from the exact
-/// chain.
+/// The brightest texels become points of light, whose lobes are exact (render/light/light_split.h); of the mip levels
+/// of the rest each texel of the chain takes weighted reads (render/light/lobe_taps.h): about 64 in the two finest
+/// levels, up to kMaxTaps in the others, which have few texels. For wide lobes the light is split a second time, in a
+/// coarse mip level, where a point stands for many texels.
+/// docs/prefiltering_gpu.md tells how far all that is from the exact chain.
 class GpuPrefilter {
  public:
   /// Compiles the passes and finds the taps of each level.
   ///
   /// size     of the cubes that it will be given, 1 to kMaxSize
-  /// format   of the chain and of what it is made from: half floats, or 32-bit floats where gl::Context::filtersFloats()
+  /// format   of the chain and of what it is made from: half floats,
+  ///          or 32-bit floats where gl::Context::filtersFloats()
   /// errors   too_large; no_gl: the driver cannot draw into floats; unsupported (a shader)
   /// cost     some 10 ms for the taps, and the driver's compiler
   static Result<GpuPrefilter> make(gl::Api api, int size, gl::Format format = gl::Format::rgba16f);
@@ -33,11 +34,12 @@ class GpuPrefilter {
   /// textures than before.
   ///
   /// cube     of floats, its side the size given; level 0 is read, filtered or not: finite, at least 0
-  /// cost     six reads a texel of level 0; of the others a read a tap and two a point of light. The same bits each time
+  /// cost     six reads a texel of level 0; of the others a read a tap and two a point of light.
+  ///          The same bits each time
   void run(const gl::Texture& cube);
 
-  /// Levels 0 to lastLevel(size) with the roughnesses of MipMapping::filament, filtered within and between them. Level 0
-  /// is the cube itself; half floats end at 65504.
+  /// Levels 0 to lastLevel(size) with the roughnesses of MipMapping::filament, filtered within and between them. Level
+  /// 0 is the cube itself; half floats end at 65504.
   const gl::Texture& chain() const { return chain_; }
 
   static constexpr int kMaxSize = 8192;  ///< beyond, level 1 is narrower than Lobe::kMinAlpha

@@ -18,10 +18,10 @@ struct LightSplitPrograms {
 
 /// Tells the brightest texels of a cube from the rest, on the GPU: they become points of light, the rest mip levels.
 ///
-/// A texel becomes a point of light by what it exceeds a threshold. That is eight times the mean brightness or as much more
-/// as it takes for at most kMaxLights texels to exceed it, in steps of 2. How many do is summed for four thresholds at a
-/// time over cells of 8 × 8 texels and over blocks of 8 × 8 cells; a fragment per point of light finds its texel through
-/// those sums (a histogram pyramid: Ziegler et al. 2006).
+/// A texel becomes a point of light by what it exceeds a threshold. That is eight times the mean brightness or as much
+/// more as it takes for at most kMaxLights texels to exceed it, in steps of 2. How many do is summed for four
+/// thresholds at a time over cells of 8 × 8 texels and over blocks of 8 × 8 cells; a fragment per point of light finds
+/// its texel through those sums (a histogram pyramid: Ziegler et al. 2006).
 class LightSplit {
  public:
   /// size     of the cubes to be split
@@ -38,7 +38,8 @@ class LightSplit {
   const gl::Texture& lights() const { return lights_.color(); }
   /// One texel: the threshold, a number of no use to others, and how many points of light there are.
   const gl::Texture& chosen() const { return chosen_.color(); }
-  /// What is left, filtered within and between levels; each level the mean of the one before with its texels' solid angles.
+  /// What is left, filtered within and between levels;
+  /// each level the mean of the one before with its texels' solid angles.
   gl::Texture& rest() { return rest_; }
 
   static constexpr int kMaxLights = 128;

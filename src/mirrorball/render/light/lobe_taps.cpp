@@ -50,8 +50,8 @@ class LobeQuantiles {
 };
 
 std::vector<Ring> ringsOf(const Lobe& lobe, double texel_rad, int rings, int points) {
-  // A tap's footprint against the side of its part of the ring. For a cube without texels of its own 1.55 would be best;
-  // smaller ones read finer mip levels, which show less where their texels lie.
+  // A tap's footprint against the side of its part of the ring. For a cube without texels of its own 1.55 would be
+  // best; smaller ones read finer mip levels, which show less where their texels lie.
   constexpr double kOverlap = 1.2;
   const LobeQuantiles quantiles(lobe);
   std::vector<Ring> made;
@@ -66,7 +66,8 @@ std::vector<Ring> ringsOf(const Lobe& lobe, double texel_rad, int rings, int poi
   return made;
 }
 
-/// What reads of a footprint leave of each band: those of a Gaussian of the same variance (formula/prefilter/mip_taps.glsl).
+/// What reads of a footprint leave of each band: those of a Gaussian of the same
+/// variance (formula/prefilter/mip_taps.glsl).
 std::vector<double> bandsOfFootprint(double footprint_rad, double texel_rad, int bands) {
   const double variance = footprint_rad * footprint_rad * 5 / 12 - texel_rad * texel_rad / 4;
   std::vector<double> left;

@@ -18,9 +18,9 @@ struct LobeTap {
 /// Taps whose weighted sum is nearly the mean under a lobe.
 ///
 /// They stand on rings that share the lobe's light evenly, but for the outer ones, which get more than their share; a
-/// tap's footprint grows with its part of the ring. The weights are those with the least expected square error for random
-/// light whose power is the same in each octave of bands, as in natural pictures: with the addition theorem of spherical
-/// harmonics a linear system of one unknown a ring.
+/// tap's footprint grows with its part of the ring. The weights are those with the least expected square error for
+/// random light whose power is the same in each octave of bands, as in natural pictures: with the addition theorem of
+/// spherical harmonics a linear system of one unknown a ring.
 ///
 /// texel_rad  width of the map's own texels: no footprint is less
 /// rings      at least 1, of `points` taps each

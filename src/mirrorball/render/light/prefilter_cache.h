@@ -37,7 +37,8 @@ class PrefilterCache {
       : folder_(std::move(folder)), max_bytes_(max_bytes) {}
 
   /// The user's own: $MIRRORBALL_CACHE, $XDG_CACHE_HOME/mirrorball or ~/.cache/mirrorball; nothing where the first is
-  /// empty or there is none. $MIRRORBALL_CACHE_SIZE, as in 500M or 2G, says how large it may grow, else it is kMaxBytes.
+  /// empty or there is none. $MIRRORBALL_CACHE_SIZE, as in 500M or 2G, says how large it may grow,
+  /// else it is kMaxBytes.
   ///
   /// errors   usage: that is no size
   static Result<std::optional<PrefilterCache>> ofUser();

@@ -213,9 +213,9 @@ TEST_F(PrefilterCacheTest, TheUserSaysHowLargeItMayGrow) {
   ::unsetenv("MIRRORBALL_CACHE");
 }
 
-// Means of smooth light under lobes are the same to 1e-4 however they are computed. Where these change, it is for another
-// lobe, roughness or size of a level: raise PrefilterCache::kVersion, so that nobody is shown what was kept before, and
-// write both down here.
+// Means of smooth light under lobes are the same to 1e-4 however they are computed. Where these change, it is for
+// another lobe, roughness or size of a level: raise PrefilterCache::kVersion, so that nobody is shown what was kept
+// before, and write both down here.
 TEST(PrefilterCacheVersion, GoesUpWithOtherValues) {
   const Environment room(panoramaOf(128, 64, [](glm::vec3 d) {
     return 1.5f + d + 100.0f * std::exp(40.0f * (glm::dot(d, glm::vec3(0.6f, 0.48f, 0.64f)) - 1.0f));

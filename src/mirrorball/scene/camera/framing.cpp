@@ -104,9 +104,9 @@ class View {
   glm::dmat4 turned_{1.0};
 };
 
-/// Where a camera at a depth stands on one axis, so that the model reaches as far to one side as to the other: the least
-/// slope t of a border with reach+(t) + reach−(t) ≤ 2 t depth, by Newton's steps from below, where a convex function is
-/// never overshot.
+/// Where a camera at a depth stands on one axis, so that the model reaches as far to one side as to the other: the
+/// least slope t of a border with reach+(t) + reach−(t) ≤ 2 t depth, by Newton's steps from below, where a convex
+/// function is never overshot.
 double centered(const View& view, int axis, double depth) {
   View::Sides sides;
   double slope = 0.0;

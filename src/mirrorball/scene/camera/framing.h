@@ -5,17 +5,17 @@
 
 namespace mirrorball {
 
-/// What a framing has to hold: the model as it stands, or the model turned by any angle about the upright axis through the
-/// target, as a turntable shows it.
+/// What a framing has to hold: the model as it stands, or the model turned by any angle about the upright axis through
+/// the target, as a turntable shows it.
 enum class FramingOf { still, whole_turn };
 
-/// Puts a camera where the model fills the picture: its projection touches a border 1/32 of the picture's side inside of
-/// two opposite edges at least, and lies in the middle. Direction and angle of view are the options' own; so is the
+/// Puts a camera where the model fills the picture: its projection touches a border 1/32 of the picture's side inside
+/// of two opposite edges at least, and lies in the middle. Direction and angle of view are the options' own; so is the
 /// target, which is in the middle of the picture then.
 ///
 /// A point (x, y, z) in the frame of the camera's axes, z towards the camera, is seen right of nothing but the border's
-/// slope t if x − cx ≤ t (cz − z). So a camera at c sees all points if cx + t cz ≥ max(x + t z), and likewise on the other
-/// three sides: linear conditions, of which the nearest camera follows without iteration.
+/// slope t if x − cx ≤ t (cz − z). So a camera at c sees all points if cx + t cz ≥ max(x + t z), and likewise on the
+/// other three sides: linear conditions, of which the nearest camera follows without iteration.
 ///
 /// bounds   of the scene
 /// aspect   width over height of the picture

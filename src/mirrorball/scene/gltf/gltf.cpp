@@ -29,7 +29,8 @@ bool isFinite(const glm::dmat4& matrix) {
   return true;
 }
 
-/// A mesh seen in a mirror: triangles turned round so that their outside is outside, and the sense of the bitangent too.
+/// A mesh seen in a mirror: triangles turned round so that their outside is outside,
+/// and the sense of the bitangent too.
 Mesh mirrored(Mesh mesh) {
   for (std::size_t first = 0; first < mesh.indices.size(); first += 3)
     std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);

@@ -12,8 +12,8 @@
 namespace mirrorball::gltf {
 namespace {
 
-// An accessor without a buffer view is all zeros and takes memory that no bytes of the file stand for: at most this many
-// elements of it are made.
+// An accessor without a buffer view is all zeros and takes memory that no bytes of the file stand for: at most this
+// many elements of it are made.
 constexpr std::size_t kMaxZeroElements = std::size_t{1} << 20;
 
 std::size_t componentSize(int component_type) {

@@ -88,7 +88,8 @@ Sampler parseSampler(const JsonReader& json) {
   return {wrap(json["wrapS"]), wrap(json["wrapT"]), json["magFilter"].index() == kNearest};
 }
 
-/// EXT_texture_webp names the picture itself, and its source beside the extension one for readers that do not know WebP.
+/// EXT_texture_webp names the picture itself, and its source beside the extension one for readers that
+/// do not know WebP.
 Texture parseTexture(const JsonReader& json) {
   const int webp = json["extensions"]["EXT_texture_webp"]["source"].index();
   return {webp >= 0 ? webp : json["source"].index(), json["sampler"].index()};

@@ -31,7 +31,8 @@ Result<Numbers> numbersOf(const draco::Mesh& mesh, const draco::PointAttribute& 
   return numbers;
 }
 
-/// The accessors keep the counts of what is compressed. They must agree: the memory that a file may take is judged by them.
+/// The accessors keep the counts of what is compressed. They must agree:
+/// the memory that a file may take is judged by them.
 Result<void> checkCounts(const File& file, const Primitive& primitive, const draco::Mesh& mesh,
                          const std::string& key) {
   const auto count_of = [&](int accessor) {

@@ -7,7 +7,8 @@
 namespace mirrorball::gltf {
 namespace {
 
-/// An attribute of a primitive, if it has it: as many elements as there are vertices, of a fitting number of components.
+/// An attribute of a primitive, if it has it: as many elements as there are vertices,
+/// of a fitting number of components.
 Result<Numbers> readAttribute(const File& file, const Primitive& primitive, DracoMesh& draco, const char* name,
                               std::size_t min_components, std::size_t max_components,
                               std::optional<std::size_t> vertices, const std::string& primitive_key) {

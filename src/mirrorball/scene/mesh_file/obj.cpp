@@ -257,7 +257,8 @@ bool hasNormal(const Geometry& geometry, const Corner& corner) {
   return corner.normal >= 0 && geometry.normals[std::size_t(corner.normal)] != glm::vec3(0.0f);
 }
 
-/// Gives normals to corners that have none. They go by position, so that a seam of the texture coordinates does not show.
+/// Gives normals to corners that have none. They go by position,
+/// so that a seam of the texture coordinates does not show.
 void addMissingNormals(Geometry& geometry) {
   const auto lacks_normal = [&](const Corner& corner) { return !hasNormal(geometry, corner); };
   if (std::none_of(geometry.corners.begin(), geometry.corners.end(), lacks_normal)) return;

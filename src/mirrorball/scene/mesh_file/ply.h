@@ -10,8 +10,8 @@
 
 namespace mirrorball {
 
-/// Decodes a surface from a Polygon File Format (Stanford) file: ascii or binary of either byte order, properties of any
-/// type and order, faces with any number of corners, triangle strips.
+/// Decodes a surface from a Polygon File Format (Stanford) file: ascii or binary of either byte order, properties of
+/// any type and order, faces with any number of corners, triangle strips.
 ///
 /// returns  normals, texture coordinates (v turned to grow downwards) and colours (integers as sRGB, floats as linear)
 ///          where the file has them. Normals where it has none: edges are smooth under 45°, as in OBJ

@@ -8,7 +8,8 @@
 
 namespace mirrorball {
 
-/// Calls `visit` with the place of every vertex of a scene, in double precision so that huge coordinates do not overflow.
+/// Calls `visit` with the place of every vertex of a scene,
+/// in double precision so that huge coordinates do not overflow.
 ///
 /// to_from_world   turns places of the world into those that are visited
 template <typename Visit>

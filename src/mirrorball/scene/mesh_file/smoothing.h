@@ -25,8 +25,8 @@ struct CornerNormals {
 };
 
 /// Normals for faces that have none. Corners at one position share a normal if one gets from face to face across smooth
-/// edges: the mean of the faces' normals, weighted by angle (Thürmer & Wüthrich 1998). Where more than two faces meet at an
-/// edge, those are neighbours that have it in opposite directions.
+/// edges: the mean of the faces' normals, weighted by angle (Thürmer & Wüthrich 1998). Where more than two faces meet
+/// at an edge, those are neighbours that have it in opposite directions.
 ///
 /// positions   those that are equal but have indices of their own are not joined
 /// cost        O(n log n)

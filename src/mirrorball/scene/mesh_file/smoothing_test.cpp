@@ -49,7 +49,8 @@ TEST(CornerNormals, GroupsAreSmoothWithinAndSharpBetween) {
   EXPECT_EQ(Fold(0.0f).normals(kFlat, kFlat).normals.size(), 8u);
 }
 
-// A file may have each face from both sides, or turned the wrong way round: what lies flat on each other must not cancel.
+// A file may have each face from both sides, or turned the wrong way round:
+// what lies flat on each other must not cancel.
 TEST(CornerNormals, BacksAreNotJoined) {
   Fold plate(0.0f);
   plate.corners[1] = {0, 3, 2, 1};

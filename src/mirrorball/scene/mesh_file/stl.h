@@ -10,8 +10,8 @@
 
 namespace mirrorball {
 
-/// Decodes a surface from a stereolithography file, binary or ascii, told apart by the size (many binary ones begin with
-/// "solid" too).
+/// Decodes a surface from a stereolithography file, binary or ascii, told apart by the size (many binary ones begin
+/// with "solid" too).
 ///
 /// returns  flat facets: the format holds no more. Facets without area are left out; the stored normals, which many
 ///          programs leave 0, are not read: the corners' order tells the outside

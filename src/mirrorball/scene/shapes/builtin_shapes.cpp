@@ -73,8 +73,8 @@ SurfacePoint knotPoint(double u, double v, double tube) {
   const dvec3 velocity = -3 * high * radial + 2 * distance * around + 3 * wide * axis;
   const dvec3 acceleration = (-9 * wide - 4 * distance) * radial - 12 * high * around - 9 * high * axis;
 
-  // The frame that closes without a seam: the curve lies on a torus, whose normal n turns with the curve, stands at right
-  // angles to it, and returns to itself after one round.
+  // The frame that closes without a seam: the curve lies on a torus, whose normal n turns with the curve, stands at
+  // right angles to it, and returns to itself after one round.
   const dvec3 tangent = glm::normalize(velocity);
   const dvec3 n = wide * radial + high * axis;
   const dvec3 n_derivative = -3 * high * radial + 2 * wide * around + 3 * wide * axis;

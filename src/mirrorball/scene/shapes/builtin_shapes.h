@@ -8,7 +8,8 @@ namespace mirrorball {
 // counter-clockwise triangles, tangents along growing u, and texture coordinates in which a picture reads normally
 // from outside.
 
-/// The unit sphere as rings of latitude and segments of longitude. +Z lies in the middle of its texture, +X right of it.
+/// The unit sphere as rings of latitude and segments of longitude. +Z lies in the middle of its texture,
+/// +X right of it.
 ///
 /// rings     from pole to pole, at least 2
 /// segments  around the axis, at least 3
@@ -31,7 +32,8 @@ Mesh knotMesh(int segments = 480, int sides = 48);
 /// it a double-sided material to be seen from below.
 Mesh planeMesh();
 
-/// A cube of side 2/√3, so that its corners lie at distance 1, with flat faces. On each face the texture stands upright.
+/// A cube of side 2/√3, so that its corners lie at distance 1, with flat faces.
+/// On each face the texture stands upright.
 Mesh cubeMesh();
 
 /// Moves and scales a mesh so that its bounding sphere is the unit sphere. Directions stay.

@@ -1,8 +1,8 @@
 // Where the mip levels of a cube are read, to take a mean under a lobe with few reads. A trilinear read is a blurred
 // mean itself. Halving with the weights 1 3 3 1 (shaders/prefilter_halve.frag) adds ¾ of the finer texel's width
-// squared to the variance on each axis, so texels of width t made from ones of width t₀ have Σ ¾ t₀²
-// 4^k = (t² − t₀²) / 4; linear interpolation adds t² / 6 on average.
-// A read thus blurs as much as texels of a certain width, its footprint, do.
+// squared to the variance on each axis, so texels of width t made from ones of width t₀ have
+// Σ ¾ t₀² 4^k = (t² − t₀²) / 4; linear interpolation adds t² / 6 on average. A read thus blurs as much as texels of a
+// certain width, its footprint, do.
 
 // The mip level for a footprint in a direction (unit). Texels are narrower away from a face's middle: their solid angle
 // goes with the cube of the direction's longest component. Between two levels it is the variance that the hardware

@@ -1,9 +1,9 @@
 #pragma once
 
 /// \mainpage
-/// All that one needs to load, convert, prefilter and save environment maps, and to render models in their light. The
-/// functions and what they may fail with are told where they are declared; MIRRORBALL_TRY (base/result.h) passes
-/// failures on. Link mirrorball::mirrorball.
+/// Everything to load, convert, prefilter and save environment maps, and to render models in their light. Functions and
+/// their errors are described where they are declared; MIRRORBALL_TRY (base/result.h) passes failures on. Link
+/// mirrorball::mirrorball.
 
 #include "mirrorball/bake/bake.h"
 #include "mirrorball/bake/brdf/brdf_table.h"

@@ -18,11 +18,10 @@ namespace mirrorball {
 ///   "mirrorball:arrangement"    how the images of a cube lie: environment/cube/cube_arrangement.h
 ///   "mirrorball:centre"         what is in the middle of a panorama: "+x", "-x" or "-z"
 ///   "mirrorball:texels"         "on-edges" for OpenEXR's registration
-///   "mirrorball:sheet"          "mip levels" of a sheet of them, which is no map
-///   "mirrorball:table"          "brdf" of a BRDF table, and what it is of in "mirrorball:brdf_…": output/baked/brdf_file.h
+///   "mirrorball:sheet"          "mip levels" for a sheet of mip levels, which is not a map
+///   "mirrorball:table"          "brdf" for a BRDF table; its parameters: "mirrorball:brdf_…", output/baked/brdf_file.h
 ///   "envmap"                    OpenEXR's own attribute, read as "latlong" or "cube"
-///   "sh"                        Filament's, in KTX: the harmonics of the
-///                               irradiance, bake/harmonics/filament_harmonics.h
+///   "sh"                        Filament's, in KTX: harmonics of irradiance, bake/harmonics/filament_harmonics.h
 using Metadata = std::map<std::string, std::string>;
 
 /// An image as it comes from a file.
@@ -41,14 +40,14 @@ struct ImageWriteOptions {
 
 /// Reads every format of image_format.h by its first bytes, not by its name. Integers are decoded to linear light, from
 /// sRGB unless a PNG states another curve; floats are linear light. Of a texture with one face, the largest level is
-/// read. NaN and infinity are kept: whoever needs light asks findNonFinite.
+/// read. NaN and infinity are kept: callers that need light check with findNonFinite.
 ///
 /// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported
 Result<DecodedImage> readImage(const std::filesystem::path& path);
 
 /// The same from memory.
 ///
-/// errors   also interrupted, when `progress` says so: of OpenEXR and TIFF, whose compressions take seconds for large
+/// errors   also interrupted, when `progress` says so: for OpenEXR and TIFF, which take seconds for large compressed
 ///          pictures
 Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
 
@@ -59,8 +58,8 @@ bool isImage(std::span<const std::uint8_t> bytes);
 /// clipped to [0, 1]. PNG keeps straight alpha, EXR premultiplied (the caller's samples are taken
 /// as the format wants them), HDR and JPEG drop it.
 ///
-/// errors   usage (an extension of nothing that is written: those that are are listed); io; bad_shape (a channel count
-/// it cannot hold)
+/// errors   usage (not an extension that can be written; lists those that can); io; bad_shape (a number of channels
+///          that the format cannot hold)
 Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options = {});
 
 /// Decodes a texture of integers (PNG, JPEG, TIFF, WebP, TGA, BMP, PNM) to its 8-bit samples as stored (no colour

@@ -9,8 +9,8 @@
 
 namespace mirrorball {
 
-/// An image that is read from its file some rows at a time, from the top down,
-/// so that it never is in memory as a whole.
+/// An image that is read from its file some rows at a time, from the top down, so that it is never in memory as a
+/// whole.
 class RowReader {
  public:
   /// What is known before any texel is read.
@@ -44,7 +44,7 @@ class RowReader {
 
 /// Opens a .exr or .hdr for reading by rows.
 ///
-/// returns  nullptr where that cannot be done and readImage has to: other formats, luminance and chroma, Radiance
+/// returns  nullptr if that is not possible and readImage is needed: other formats, luminance and chroma, Radiance
 ///          pictures whose lines do not run from the top down and from left to right
 /// errors   not_found; io; bad_file; too_large; unsupported
 Result<std::unique_ptr<RowReader>> openRows(const std::filesystem::path& path);

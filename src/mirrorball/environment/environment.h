@@ -18,13 +18,13 @@ using RadianceFunction = std::function<glm::vec3(glm::vec3 direction)>;
 class Environment {
  public:
   explicit Environment(EnvironmentMap map) : light_(std::move(map)) {}
-  /// panorama_height  how many texels high a panorama has to be to show all its detail
+  /// panorama_height  how many texels high a panorama must be to show all its detail
   Environment(RadianceFunction radiance, int panorama_height)
       : light_(std::move(radiance)), panorama_height_(panorama_height) {}
 
   glm::vec3 radiance(glm::vec3 direction) const;
 
-  /// The images, when it is held in some.
+  /// The images, if the light is held in images.
   const EnvironmentMap* map() const { return std::get_if<EnvironmentMap>(&light_); }
   EnvironmentMap* map() { return std::get_if<EnvironmentMap>(&light_); }
 

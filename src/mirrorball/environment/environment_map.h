@@ -28,8 +28,8 @@ class EnvironmentMap {
   /// images   one level; faceCount(projection) images of one size that fits the projection
   EnvironmentMap(Projection projection, ImageSet images);
 
-  /// A panorama of which only a window of rows is in memory: at first none. `radiance` may be asked only where they
-  /// suffice, two rows around the direction's own.
+  /// A panorama of which only a window of rows is in memory: at first none. `radiance` may be called only if the window
+  /// contains the row of the direction and two rows on either side.
   ///
   /// height     of the whole panorama
   /// capacity   the most rows that it will hold at a time
@@ -56,7 +56,7 @@ class EnvironmentMap {
   glm::ivec2 extent() const { return extent_; }
 
   /// The radiance that arrives from `direction` (unit), interpolated across every seam, pole, fold and cube edge;
-  /// nothing from beside a disc is mixed in. For a direction that the map does not cover: behind a photographed ball,
+  /// nothing from outside a disc is mixed in. For a direction that the map does not cover: behind a photographed ball,
   /// the radiance at the nearest point of the rim; in the other half of a hemioctahedral map, none.
   glm::vec3 radiance(glm::vec3 direction, Interpolation interpolation = Interpolation::bilinear) const;
 

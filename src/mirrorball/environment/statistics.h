@@ -6,7 +6,7 @@
 
 namespace mirrorball {
 
-/// What `info` says about the light in a map. Texels that are not finite, or beside a disc, count nowhere.
+/// What `info` says about the light in a map. Texels that are not finite or are outside a disc are not counted.
 struct RadianceStatistics {
   glm::vec3 min{0.0f};
   glm::vec3 max{0.0f};

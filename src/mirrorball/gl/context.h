@@ -23,13 +23,13 @@ class Context {
   /// Makes a context without a display server, and makes it current. Cube maps are filtered across their edges, and
   /// rows of uploaded pixels are tightly packed.
   ///
-  /// returns  a context on the first of: a GPU, Mesa's software driver, whatever the default display is
+  /// returns  a context on the first of: a GPU, Mesa's software driver, the default display
   /// errors   no_gl: no driver at all, or all of them too old; the message says what was found and what to install
   /// cost     about 25 ms on Mesa's llvmpipe, of which nearly all is the driver's own start
   static Result<Context> createHeadless(Api api = Api::desktop43);
 
-  /// Takes over the context that is current in the calling thread, a window's for instance: it stays its owner's, who
-  /// makes it current and outlives this. State that the rest of this room counts on is set as createHeadless does.
+  /// Takes over the context that is current in the calling thread, for instance a window's. The owner keeps it, makes
+  /// it current, and must outlive this object. GL state is set as createHeadless does.
   ///
   /// errors   no_gl: none is current, or it is older than OpenGL 4.3 and OpenGL ES 3.0
   static Result<Context> adoptCurrent();

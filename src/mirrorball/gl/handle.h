@@ -4,8 +4,8 @@
 
 namespace mirrorball::gl {
 
-/// Owns the name of one OpenGL object and deletes it with `destroy`. Moves, never copies. It must
-/// end while the context that made the object (or one sharing with it) is current.
+/// Owns the name of one OpenGL object and deletes it with `destroy`. Movable, not copyable. It must be destroyed while
+/// the context that made the object (or one sharing with it) is current.
 template <void (*destroy)(unsigned name)>
 class Handle {
  public:

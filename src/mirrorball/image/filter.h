@@ -19,8 +19,8 @@ enum class Interpolation { bilinear, bicubic };
 /// Bilinear interpolation at a continuous position, texel (i, j) having its centre at (i + ½, j + ½).
 ///
 /// position in texels from the image's top left corner
-/// fetch    vec4 fetch(int x, int y): a texel that may lie one outside the image, where the caller's rule for
-///          edges answers. Its fourth component weighs it: 0 leaves it out, and the rest makes up for it.
+/// fetch    vec4 fetch(int x, int y): a texel that may lie one outside the image, by the caller's rule for edges. Its
+///          fourth component is its weight: a texel of weight 0 is left out, and the others are scaled up.
 /// returns  the weighted mean; 0 where all four weights are 0
 template <typename Fetch>
 glm::vec4 bilinear(glm::vec2 position, Fetch&& fetch) {
@@ -48,10 +48,10 @@ struct TexelRange {
 };
 
 /// The share that is kept of a curve's deviation from the straight line, if the texels that it runs through differ like
-/// these: all of it up to a contrast of 8 within a channel, none of it from 16 on. There, beside a sun or at its edge,
-/// a smooth curve swings far below what is dark, and cut off at that it adds light (17 % to a single texel); the
-/// straight line keeps the sum. One share holds for all channels, for else edges would have coloured fringes. In a
-/// channel nearly without light only what is more than 1/64 of the brightest counts.
+/// these: all of it up to a contrast of 8 within a channel, none of it from 16 on. At such a contrast, beside a sun or
+/// at its edge, a smooth curve swings far below the dark texels. Clamping it there would add light (17 % for a single
+/// texel); the straight line keeps the sum. One share is used for all channels, otherwise edges would have coloured
+/// fringes. In a channel nearly without light only what is more than 1/64 of the brightest counts.
 ///
 /// returns  in [0, 1]
 inline float shareByContrast(const TexelRange& all) {
@@ -71,9 +71,9 @@ struct LimitedCubic {
 /// its neighbours (Catmull and Rom 1974), kept from ringing. Exact on parabolas of little contrast.
 ///
 /// It lies −t (1 − t) ((1 − t) h₁ + t h₂) from the straight line, where h are half the second differences at the two.
-/// It stays in the range of the two, but for a peak or a trough between them, where both bend one way and both
-/// neighbours lie on that side: there, as far outside as the least of those four differences allows,
-/// and never below zero.
+/// It stays in the range of the two, except for a peak or a trough between them, where both bend one way and both
+/// neighbours lie on that side: there, as far outside as the least of those four differences allows, and never below
+/// zero.
 ///
 /// max_share   of its deviation from the straight line that may be kept
 inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t, float max_share = 1.0f) {
@@ -105,8 +105,8 @@ inline LimitedCubic limitedCubic(const std::array<glm::vec3, 4>& texels, float t
 ///
 /// fetch    as in bilinear, up to two texels outside the image. Where one of the 16 texels has the weight 0 the answer
 ///          is bilinear's, since a cubic needs them all.
-/// returns  the colour and 1. Grey texels give grey; nothing is darker or brighter than the texels around but at smooth
-///          peaks, by at most a quarter of the lesser second difference.
+/// returns  the colour and 1. Grey texels give grey; nothing is darker or brighter than the texels around, except at
+///          smooth peaks, by at most a quarter of the smaller second difference.
 template <typename Fetch>
 glm::vec4 bicubic(glm::vec2 position, Fetch&& fetch) {
   const float left = std::floor(position.x - 0.5f);

@@ -14,8 +14,8 @@ namespace mirrorball {
 void* allocateTexels(std::size_t bytes);
 void freeTexels(void* memory, std::size_t bytes);
 
-/// An allocator that leaves texels without values where none are given, so that whoever fills them on all cores is the
-/// first to touch them.
+/// An allocator that leaves texels uninitialised if no value is given, so that the code that fills them, on all cores,
+/// is the first to touch them.
 template <typename Sample>
 struct TexelAllocator {
   using value_type = Sample;

@@ -11,7 +11,7 @@ namespace mirrorball {
 struct SeenAt {
   glm::dvec2 position_px{0.0};
   double facing = 0.0;  ///< cosine between the ball's normal and the way to the camera: 1 in the middle, 0 on the rim
-  double from_rim_px = 0.0;  ///< how far inside the rim
+  double from_rim_px = 0.0;  ///< distance inside the rim
 };
 
 /// A mirror ball in front of a camera: which distant light is seen where. The ball is so small that all light comes
@@ -39,10 +39,10 @@ class BallView {
   /// Where the light that comes from `direction` (unit) is seen; nothing inside the blind cone.
   std::optional<SeenAt> seenAt(glm::dvec3 direction) const;
 
-  /// The direction from which the light comes that is seen at a position; nothing beside the ball.
+  /// The direction from which the light comes that is seen at a position; nothing outside the ball.
   std::optional<glm::dvec3> directionAt(glm::dvec2 position_px) const;
 
-  /// How far inside the rim a position lies; negative beside the ball.
+  /// How far inside the rim a position lies; negative outside the ball.
   double fromRim_px(glm::dvec2 position_px) const;
 
   /// The angle from axis() within which nothing is seen from more than `margin_px` inside the rim.
@@ -52,7 +52,7 @@ class BallView {
   std::vector<glm::dvec2> outline(int count) const;
 
  private:
-  /// The axes of mirror_ball.glsl, where the camera stands on +Z: any roll will do, since the ball is round.
+  /// The axes of mirror_ball.glsl, where the camera is on +Z; the roll does not matter, since the ball is round.
   glm::dmat3 worldFromBall() const;
 
   Pinhole pinhole_;

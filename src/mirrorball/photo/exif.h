@@ -6,17 +6,17 @@
 
 namespace mirrorball {
 
-/// What a camera wrote about a photograph, as far as it matters here. What it did not write is absent.
+/// The EXIF values of a photograph that are used here. Missing values are absent.
 struct Exif {
   std::optional<double> exposure_time_s;
   std::optional<double> f_number;
   std::optional<double> iso;
   std::optional<double> focal_length_35mm;  ///< equivalent focal length [mm] for a diagonal of 43.27 mm
-  int orientation = 1;                      ///< EXIF's number, 1 … 8: how the stored rows and columns are to be shown
+  int orientation = 1;                      ///< EXIF's number, 1 … 8: how the stored rows and columns must be turned
 };
 
-/// Reads the EXIF segment of a JPEG. Values that no camera can mean (0, negative, not finite) count as absent, and so
-/// does everything in a file without the segment or with a damaged one.
+/// Reads the EXIF segment of a JPEG. Impossible values (0, negative, not finite) count as absent. So do all values if
+/// the segment is missing or damaged.
 Exif readExif(std::span<const std::uint8_t> jpeg);
 
 }  // namespace mirrorball

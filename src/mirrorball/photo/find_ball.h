@@ -9,7 +9,7 @@
 
 namespace mirrorball {
 
-/// What is known about the camera; at most one of the two. Neither: rays are taken as parallel.
+/// What is known about the camera: at most one of the two. With neither, rays are parallel.
 struct Perspective {
   double distance = 0.0;  ///< from the camera to the ball's centre, in radii of the ball, > 1; 0: unknown
   double focal_px = 0.0;  ///< focal length in pixels of the whole photograph; 0: unknown
@@ -21,8 +21,8 @@ struct FoundBall {
   double share = 1.0;                ///< of the rim inside the picture, how much has an edge that runs along it
   double visible = 1.0;              ///< how much of the rim lies inside the picture
   double rms_px = 0.0;               ///< root of the mean square distance of those edges from the rim
-  double confidence = 1.0;           ///< 0 … 1: how likely this is the ball, of all circles that were found and none
-  std::optional<Circle> rival = {};  ///< the next likely one, within some percent, as ballOfCircle takes it
+  double confidence = 1.0;           ///< 0 … 1: how likely it is the ball, among all found circles and no ball at all
+  std::optional<Circle> rival = {};  ///< the next likely one, to some percent, in the form of ballOfCircle
 
   /// Whether it hardly needs to be checked: 1 in 100 of the sure circles in traced photographs is off by more than 3 %
   /// of the radius.
@@ -42,13 +42,13 @@ struct FoundBall {
 /// name     the file, for messages
 /// returns  a circle that may be the wrong one unless isSure()
 /// errors   bad_shape: nothing that is likely a ball, or the ball would surround the camera
-/// cost     about 0.3 s, little depending on the size; deterministic
+/// cost     about 0.3 s, nearly independent of the size; deterministic
 Result<FoundBall> findBall(const Image& light, const Perspective& perspective, const std::string& name);
 
 /// The ball whose rim is given as a circle in the photograph; of a ball beside the middle, whose rim is an ellipse, the
 /// circle that fits it best.
 ///
-/// errors   usage: the circle has no radius, or lies wholly beside the picture
+/// errors   usage: the circle has no radius, or is completely outside the picture
 Result<FoundBall> ballOfCircle(const Circle& circle, glm::ivec2 size, const Perspective& perspective);
 
 /// The circle that fits a ball's outline in the photograph best: what ballOfCircle takes.

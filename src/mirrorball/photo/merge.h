@@ -10,7 +10,7 @@
 
 namespace mirrorball {
 
-/// How a series becomes light.
+/// How a series is merged into light.
 struct MergeOptions {
   std::vector<double> exposures;         ///< one a photograph, > 0; empty: from EXIF
   std::optional<ResponseKind> response;  ///< to assume; nothing: recovered from a series, sRGB of a single photograph
@@ -23,18 +23,18 @@ struct MergedPhotographs {
   std::size_t reference = 0;              ///< index of the photograph with the middle exposure, of two the brighter
   std::size_t clipped = 0;                ///< pixels with a channel that even the shortest exposure clips
   std::size_t black = 0;                  ///< pixels with a channel that is black even in the longest
-  std::vector<double> contradicts_stops;  ///< of each photograph, how far it is off the one it agrees with best
+  std::vector<double> contradicts_stops;  ///< per photograph: its difference from the closest other one
   std::optional<Response> curve;          ///< of a camera whose response was recovered
   std::string response;                   ///< "recovered", "the first side's", "assumed sRGB", …, "linear light"
 };
 
-/// Beyond this a photograph contradicts the others: its exposure is wrong, or its scene is another.
+/// Beyond this difference a photograph contradicts the others: its exposure is wrong, or it shows another scene.
 inline constexpr double kContradiction_stops = 0.5;
 
-/// Merges photographs of one unmoving scene, taken from one place with different exposures, into linear light. The
-/// pictures are taken as aligned. Each pixel's light is the mean of what the photographs say, weighted by the square of
-/// the exposure (the noise of the light that a code stands for falls with it) and by the trust in the code; clipped
-/// codes have no weight. Where all are clipped the shortest exposure decides, where all are black the longest.
+/// Merges photographs of one static scene, taken from one place with different exposures, into linear light. The
+/// pictures are taken as aligned. Each pixel's light is the mean over the photographs, weighted by the square of the
+/// exposure (the noise of a code's light falls with it) and by the trust in the code; clipped codes have no weight. If
+/// all are clipped, the shortest exposure is used; if all are black, the longest.
 ///
 /// photographs  at least one, of one size; a file of linear light stands alone
 /// errors       bad_shape (sizes differ; too little to recover the response from); usage (no exposure times; all the

@@ -29,7 +29,7 @@ struct Photograph {
 Result<Photograph> readPhotograph(const std::filesystem::path& path);
 
 /// How much light reaches the sensor for the same scene, relative to others of the series: time · ISO / f-number². A
-/// factor that one of the series lacks is left out for all of it, as when the lens reports no aperture.
+/// factor that is missing in one photograph, such as the f-number of a manual lens, is left out for the whole series.
 ///
 /// photographs  of one series
 /// returns      one exposure a photograph [s]

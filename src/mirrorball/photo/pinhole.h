@@ -19,7 +19,7 @@ struct Circle {
 /// The rim of a sphere is seen along a cone of rays. Where the sphere stands beside the picture's middle, that cone
 /// cuts the picture in an ellipse. The stereographic projection makes circles of all circles on the sphere of rays, so
 /// rims are found and fitted there: in the "plane", which touches the sphere of rays in the picture's middle and has
-/// the picture's scale there. Of a camera so far away that its rays are parallel the plane is the picture itself.
+/// the picture's scale there. For a camera so far away that its rays are parallel, the plane is the picture itself.
 struct Pinhole {
   glm::dvec2 middle_px{0.0};  ///< where the optical axis meets the picture
   double focal_px = 0.0;      ///< focal length; 0: parallel rays
@@ -33,8 +33,8 @@ struct Pinhole {
     return middle_px + tangent * (2.0 * focal_px / (1.0 + std::sqrt(1.0 + glm::dot(tangent, tangent))));
   }
 
-  /// From the plane to the picture: tan θ = 2 tan θ/2 / (1 − tan² θ/2). What lies 90° off the axis or more is in no
-  /// picture: it is sent far away.
+  /// From the plane to the picture: tan θ = 2 tan θ/2 / (1 − tan² θ/2). Points 90° off the axis or more are not in any
+  /// picture: they are mapped far away.
   glm::dvec2 pictureFromPlane(glm::dvec2 plane_px) const {
     if (isOrthographic()) return plane_px;
     const glm::dvec2 half_tangent = (plane_px - middle_px) / (2.0 * focal_px);
@@ -48,7 +48,7 @@ struct Pinhole {
     return glm::normalize(glm::dvec3(tangent.x, -tangent.y, -1.0));
   }
 
-  /// Where a point before the camera is seen.
+  /// Where a point in front of the camera is seen.
   glm::dvec2 pictureOf(glm::dvec3 point) const {
     return middle_px + glm::dvec2(point.x, -point.y) * (focal_px / -point.z);
   }

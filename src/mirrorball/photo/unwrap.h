@@ -12,7 +12,7 @@ namespace mirrorball {
 struct BallPhotograph {
   Image light;  ///< linear
   BallView view;
-  double turn_deg = 0.0;  ///< how far the camera was carried around the ball, about the vertical: 90 stands over +X
+  double turn_deg = 0.0;  ///< how far the camera was moved around the ball, about the vertical axis: at 90 it is on +X
 };
 
 /// The light around a ball.
@@ -27,10 +27,11 @@ double rimMargin_px(const BallView& view);
 
 /// Unwraps photographs of one mirror ball into the light around it.
 ///
-/// Directions that several photographs see are blended by the fourth power of how squarely the ball faces the camera
-/// there, because a pixel closer to the rim shows more of the surroundings. Directions that no photograph sees are
-/// filled smoothly (fill.h). A later photograph is scaled by the median ratio of its light to the first one's, over the
-/// directions that both see well. Directions are those of the first photograph's camera, which is taken as level.
+/// Directions that several photographs see are blended by the fourth power of the cosine between the ball's normal and
+/// the direction to the camera, because a pixel closer to the rim shows more of the surroundings. Directions that no
+/// photograph sees are filled smoothly (fill.h). A later photograph is scaled by the median ratio of its light to the
+/// first one's, over the directions that both see well. Directions are those of the first photograph's camera, which is
+/// taken as level.
 ///
 /// photographs  at least one
 /// errors       bad_shape: a photograph shows no direction at all

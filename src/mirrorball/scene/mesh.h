@@ -29,7 +29,7 @@ struct Mesh {
 void computeNormals(Mesh& mesh);
 
 /// Sets tangents from positions, normals and `uv[set]`: the direction of growing u, orthogonal to the normal, with the
-/// bitangent's sign. Where the texture coordinates are degenerate any unit tangent is taken.
+/// bitangent's sign. If the texture coordinates are degenerate, any unit tangent is used.
 void computeTangents(Mesh& mesh, int set = 0);
 
 }  // namespace mirrorball

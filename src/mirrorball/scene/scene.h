@@ -39,9 +39,9 @@ struct BoundingSphere {
 struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
-  std::vector<Material> materials;  ///< at least one where there is a mesh
+  std::vector<Material> materials;  ///< at least one if there is a mesh
   std::vector<Texture> textures;
-  std::vector<std::string> warnings;  ///< what a file held that was left out, a line each
+  std::vector<std::string> warnings;  ///< what was left out of a file, one line each
   std::vector<std::string> files;     ///< that were read beside the model's own
 
   bool empty() const { return instances.empty(); }

@@ -9,8 +9,8 @@ namespace mirrorball {
 
 /// What the columns and rows of a table stand for.
 enum class BrdfAxes {
-  linear,  ///< n·v = (i + ½) / size to the right, perceptual roughness = (j + ½) / size downwards: as engines have it
-  warped,  ///< formula::brdfTableCoordinates: bilinear look-ups are right everywhere, for ggx, phong and blinn
+  linear,  ///< n·v = (i + ½) / size to the right, perceptual roughness = (j + ½) / size downwards: as engines expect
+  warped,  ///< formula::brdfTableCoordinates: bilinear look-ups are accurate everywhere, for ggx, phong and blinn
 };
 
 struct BrdfTableOptions {
@@ -28,7 +28,7 @@ inline constexpr int kLargestBrdfTable = 4096;
 ///          in a whole row. Row 0 is the smoothest
 /// errors   usage: the size; warped axes for charlie, whose share grows without bound towards one corner;
 ///          interrupted (when `progress` says so)
-/// cost     as directionalAlbedo a texel, on all cores; bit-identical for any number of threads
+/// cost     that of directionalAlbedo per texel, on all cores; bit-identical for any number of threads
 /// from     Karis 2013, "Real shading in Unreal Engine 4"
 Result<Image> brdfTable(const BrdfTableOptions& options, const ProgressFunction& progress = {});
 

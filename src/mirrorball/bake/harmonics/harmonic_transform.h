@@ -16,8 +16,8 @@ namespace mirrorball {
 
 /// The density of a grid, between whose points a function is interpolated.
 enum class GridDensity {
-  sparse,  ///< 9/8 rings and 2 columns a band: for weights that leave next to nothing of the upper half of the bands
-  dense,   ///< 2 rings and 4 columns a band
+  sparse,  ///< 9/8 rings and 2 columns per band: for weights that are almost 0 in the upper half of the bands
+  dense,   ///< 2 rings and 4 columns per band
 };
 
 /// A function on the sphere as coefficients of spherical harmonics about +Y: those of red, green and blue, and those of
@@ -54,8 +54,8 @@ std::uint64_t analysisBytes(int bands);
 std::uint64_t synthesisBytes(int bands, GridDensity density);
 
 /// The harmonics of a panorama's texels, each a point of light at its centre with the flux of its area,
-/// (cos θ₀ − cos θ₁) 2π / width. So no rule of quadrature stands between the map and its coefficients: they are
-/// exactly those of the sum over all texels.
+/// (cos θ₀ − cos θ₁) 2π / width. So there is no quadrature error: the coefficients are exactly those of the sum over
+/// all texels.
 ///
 /// panorama   equirect, of any width and height
 /// without    texels whose excess is left out (bright_lights.h)

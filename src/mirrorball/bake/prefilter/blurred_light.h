@@ -39,9 +39,8 @@ class BlurredLight {
 /// The light of an environment in two parts: a few points that outshine the rest, and the rest in spherical harmonics,
 /// where a blur is one product per band.
 ///
-/// Errors: the sum over all texels is exact but for the bands that a lobe leaves next to nothing of, the grid between
-/// whose points it is interpolated, and the rounding of floats: together 1e-5 to 1e-4 of the light around
-/// (docs/prefiltering.md).
+/// Errors: the sum over all texels is exact except for the bands that a lobe makes almost 0, the interpolation between
+/// the points of a grid, and the rounding of floats: together 1e-5 to 1e-4 of the light around (docs/prefiltering.md).
 class LightHarmonics {
  public:
   /// environment   finite

@@ -25,7 +25,7 @@ class Lobe {
   /// perceptual_roughness  such that alpha is at least kMinAlpha
   static Lobe reflection(Distribution distribution, float perceptual_roughness);
 
-  /// (n·l)₊ / π: the mean that a matt surface takes of the light around it, irradiance / π.
+  /// (n·l)₊ / π: the mean of the light around a diffuse surface, irradiance / π.
   static Lobe cosine();
 
   /// Its value [1/sr] in a direction with sin²(θ/2) = s.
@@ -35,13 +35,13 @@ class Lobe {
   /// [1/sr] One over the shape's integral.
   float scale() const { return scale_; }
 
-  /// What it leaves of band l of spherical harmonics (Funk and Hecke): 1 for l = 0, and so many that all further ones
-  /// are less than kMinBand, or from kCheapBands on kMinFurtherBand.
+  /// The factors of the bands l of spherical harmonics (Funk and Hecke): 1 for l = 0. All bands after the last are less
+  /// than kMinBand, or from kCheapBands on less than kMinFurtherBand.
   const std::vector<float>& bands() const { return bands_; }
 
-  /// How many of them leave out no more than that of noise that has the power 1 in every harmonic; but not fewer than
-  /// the first kCheapBands, since of low bands light has more than noise, and no band above kMaxLeftOut, since what
-  /// repeats itself every few texels may have all its light in one.
+  /// How many of these bands are needed so that the omitted ones hold at most `tolerance` of noise with power 1 in
+  /// every harmonic. At least the first kCheapBands, since light has more power than noise in low bands; and every band
+  /// above kMaxLeftOut, since a pattern that repeats every few texels may have all its light in one band.
   ///
   /// tolerance   root mean square over the sphere
   int bandsFor(float tolerance) const;
@@ -49,7 +49,7 @@ class Lobe {
   /// [rad] of its finest detail: alpha.
   float width() const { return width_rad_; }
 
-  /// Narrower lobes have more bands than is worth while: they are less than a quarter of a degree wide.
+  /// Narrower lobes, less than a quarter of a degree wide, have too many bands.
   static constexpr float kMinAlpha = 0.002f;
 
   static constexpr int kCheapBands = 256;

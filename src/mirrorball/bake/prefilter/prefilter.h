@@ -79,8 +79,8 @@ Result<ImageSet> prefilter(Environment&& environment, const LightHarmonics& ligh
 /// The memory of a cube as it is returned here [bytes].
 std::uint64_t cubeBytes(int size);
 
-/// The memory that LightHarmonics::make, the second prefilter and cubeOf for one more lobe take one after the other, at
-/// most [bytes]: of the environment, of what they return and of what they need on the way.
+/// The maximum memory [bytes] of LightHarmonics::make, then the second prefilter, then cubeOf for one more lobe: the
+/// environment, their results and their temporary data.
 ///
 /// size     of that lobe's cube; 0: none is made
 std::uint64_t prefilterMemory(const Environment& environment, const std::vector<PrefilterLevel>& levels,

@@ -86,16 +86,16 @@ bool isImageSet(std::span<const std::uint8_t> bytes);
 ///
 /// images   1, 3 or 4 channels, the same in all, or 2 for the formats that have two; each level half the size of the
 ///          one before, rounded down; 1 face, or 6 square ones
-/// errors   usage (an unknown extension, a Zstandard level for another than KTX2, metadata that cannot be stored);
-///          bad_shape; io; out_of_range (the first texel that does not fit the format is named; where levels are
-///          compressed, the first of the smallest level that has one); too_large; interrupted (when `progress` says so)
+/// errors   usage (an unknown extension, a Zstandard level without KTX2, metadata that cannot be stored); bad_shape;
+///          io; out_of_range (the first texel that does not fit the format is named; where levels are compressed, the
+///          first of the smallest level that has one); too_large; interrupted (when `progress` says so)
 /// cost     what writing the bytes costs: texels are converted on all cores on their way into the file; bc6h some
 ///          13 million texels a second and core
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
                            const TextureWriteOptions& options = {});
 
-/// A texture file of one level that is written piece by piece, for images that never are in memory as a whole. Without
-/// commit() nothing of it stays.
+/// A texture file of one level that is written piece by piece, for images that are never in memory as a whole. Without
+/// commit() the file is removed.
 class TextureWriter {
  public:
   /// size     of each image
@@ -109,7 +109,7 @@ class TextureWriter {
   /// Writes a rectangle of an image's texels; called from several threads at a time.
   ///
   /// begin    where its first texel is in the image; for bc6h both numbers are multiples of 4, and so are the
-  ///          rectangle's width and height but at the image's edges
+  ///          rectangle's width and height, except at the image's edges
   /// errors   io; out_of_range (the first texel that does not fit the format is named)
   Result<void> write(int face, glm::ivec2 begin, const Image& texels) const {
     return withName(file_.name(), writeTexels(face, begin, texels));

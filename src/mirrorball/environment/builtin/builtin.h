@@ -20,10 +20,10 @@ std::span<const std::string_view> builtinEnvironmentNames();
 bool isBuiltinEnvironment(std::string_view name);
 
 /// Makes a built-in:
-///   studio   a photographer's, with soft boxes and a satin floor (environment/builtin/studio.h)
+///   studio   a photo studio with soft boxes and a satin floor (environment/builtin/studio.h)
 ///   sky      clear daylight with the sun's disc, over soil (environment/builtin/sky.h)
-///   uv       six coloured faces with their names, to check which way round things are
-///   white    radiance 1 from everywhere: what reflects all light vanishes in it
+///   uv       six coloured faces with their names, to check orientation
+///   white    radiance 1 from everywhere: objects that reflect all light are invisible in it
 ///
 /// errors   not_found; usage (a parameter that it does not have, or out of range)
 Result<Environment> builtinEnvironment(std::string_view name);

@@ -11,7 +11,7 @@
 
 namespace mirrorball {
 
-/// How light is looked up between texels, and from which side.
+/// How light is looked up between texels, and how directions are turned.
 struct Resampling {
   /// Interpolation between the source's texels, where the target is not much coarser.
   Interpolation interpolation = Interpolation::bicubic;
@@ -19,7 +19,7 @@ struct Resampling {
   glm::mat3 source_from_target{1.0f};
 };
 
-/// The rotation that brings +Z to a direction (unit) and leaves +Y as upright as it can be; straight up and down +X
+/// The rotation that moves +Z to a direction (unit) and keeps +Y as upright as possible; for straight up or down, +X
 /// stays on the right. As `source_from_target` it puts that direction at a map's centre.
 glm::mat3 centredOn(glm::vec3 direction);
 
@@ -38,9 +38,9 @@ glm::mat3 sourceFromRotated(std::vector<float> angles_deg);
 ///
 /// size     a face's side, a disc's diameter, a panorama's height; at least 1
 /// returns  radiance at texel centres where a texel spans at most √2 texels of the source; else the mean over the
-///          texel's area, taken at points that lie no farther apart than the source's texels and interpolated
-///          bilinearly between those, so that no light is lost or found twice. Three channels; a disc has a fourth,
-///          alpha: 0 (and black) in texels whose centre lies beside it, else 1
+///          texel's area, taken at points no farther apart than the source's texels, with bilinear interpolation, so
+///          that no light is lost or counted twice. Three channels; a disc has a fourth, alpha: 0 (and black) in texels
+///          whose centre is outside it, else 1
 /// errors   interrupted (when `progress` says so); too_large
 /// cost     the texels of the target or of the source, whichever are more: about 15 ns each on one core;
 ///          bit-identical for any number of threads

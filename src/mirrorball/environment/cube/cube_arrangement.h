@@ -35,8 +35,8 @@ struct FaceFrame {
   friend bool operator==(const FaceFrame&, const FaceFrame&) = default;
 };
 
-/// How six images cover all directions. Each slot, in the order +X −X +Y −Y +Z −Z of whoever reads them, holds the
-/// image of one frame. Without more: ours, which is OpenGL's table (docs/conventions.md).
+/// How six images cover all directions. Each slot, in the reader's order +X −X +Y −Y +Z −Z, holds the image of one
+/// frame. The default is ours, OpenGL's table (docs/conventions.md).
 struct CubeArrangement {
   std::array<FaceFrame, 6> slots{{
       {SignedAxis::plus_x, SignedAxis::minus_z, SignedAxis::minus_y},
@@ -53,7 +53,7 @@ struct CubeArrangement {
 /// Whether the six centres are the six directions, and each frame's axes are three different ones.
 bool isComplete(const CubeArrangement& arrangement);
 
-/// How each image is turned over, like a sheet of paper: its columns, its rows or both in the opposite order.
+/// How each image is flipped: its columns, its rows or both in reverse order.
 enum class Flip { none, horizontal, vertical, both };
 
 /// "none", "horizontal", "vertical", "both": the enumeration's order.
@@ -63,8 +63,8 @@ Result<Flip> flipNamed(std::string_view name);
 
 CubeArrangement flipped(CubeArrangement arrangement, Flip flip);
 
-/// Mirrors the images, each in its place. Our own arrangement becomes the pictures that an eye sees from inside;
-/// OpenGL's table has their mirror images.
+/// Mirrors each image in its slot. Our own arrangement, OpenGL's table, then becomes the pictures that an eye sees from
+/// inside.
 inline CubeArrangement asSeen(const CubeArrangement& arrangement) { return flipped(arrangement, Flip::horizontal); }
 
 /// The images in these slots turned by 180°, each in its place.

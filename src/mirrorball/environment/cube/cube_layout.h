@@ -11,7 +11,7 @@
 
 namespace mirrorball {
 
-/// How the six faces of a cube lie in files: six files, or one picture.
+/// How the six faces of a cube are stored: in six files, or in one picture.
 enum class CubeLayout { faces, hcross, vcross, hstrip, vstrip, tiles, lecture };
 
 /// "faces", "hcross", "vcross", "hstrip", "vstrip", "3x2", "lecture": the enumeration's order.

@@ -15,9 +15,9 @@ namespace mirrorball {
 struct Preset {
   std::string_view name;                ///< "three"
   std::string_view program;             ///< "three.js"
-  std::optional<CubeArrangement> cube;  ///< nothing where it has no cube maps
+  std::optional<CubeArrangement> cube;  ///< nothing if it has no cube maps
   SignedAxis centre;                    ///< our direction in the middle of its upright panoramas
-  CubeLayout layout;                    ///< of a cube, where nothing else is asked for
+  CubeLayout layout;                    ///< of a cube, by default
   FaceNaming naming = FaceNaming::px;   ///< of a cube's six files
   bool has_texels_on_edges = false;     ///< MapForm::has_texels_on_edges
 };
@@ -33,10 +33,10 @@ std::span<const std::string_view> presetNames();
 /// errors   usage: lists the names
 Result<Preset> presetNamed(std::string_view name);
 
-/// How a program wants a map.
+/// The form in which a program expects a map.
 ///
-/// layout   of a cube; Preset::layout where nothing else is asked for
-/// errors   usage: it has no such maps, or the preset says nothing of that projection
+/// layout   of a cube; Preset::layout by default
+/// errors   usage: the program has no such maps, or the preset does not define that projection
 Result<MapForm> formFor(const Preset& preset, Projection projection, CubeLayout layout);
 
 }  // namespace mirrorball

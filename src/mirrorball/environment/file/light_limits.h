@@ -35,7 +35,7 @@ struct LostLight {
 /// texels   a rectangle of one of the images of a map of that projection
 /// extent   of that whole image
 /// begin    where in it the first of the texels is
-/// returns  with solid angles that are one for each of some 128² blocks of texels: to a percent of themselves
+/// returns  the loss, exact to one percent: it uses one solid angle for each of some 128² blocks of texels
 /// cost     that of reading the texels
 LostLight limitLight(Projection projection, glm::ivec2 extent, glm::ivec2 begin, float max, Image& texels);
 

@@ -22,10 +22,10 @@ struct EnvironmentLoadOptions {
   LightLimits light = {};  ///< of the file's own texels, or of a built-in's light
 };
 
-/// What speaks against the form in which a map was taken.
+/// Doubts about the form that was recognised.
 struct FormDoubt {
-  std::string message = {};                   ///< empty: nothing does
-  std::vector<std::string> other_forms = {};  ///< for `formHintNamed`: what it may be instead
+  std::string message = {};                   ///< empty: no doubt
+  std::vector<std::string> other_forms = {};  ///< for `formHintNamed`: other possible forms
 };
 
 /// An environment and what is known about where it came from.
@@ -51,30 +51,35 @@ struct LoadedEnvironment {
 
 /// Loads a built-in by its name (builtin.h), else a file of any format that is read (codec/image_format.h): of a
 /// texture its largest level, of an array its first element. The name of one of a cube's six files (face_files.h), if
-/// most of them are there, and that of the folder that holds them stand for all six. Where only a picture's shape or
-/// the names tell that it is a cube, its edges decide how its faces lie, if they meet in one way only (cube_edges.h).
+/// most of them are there, and that of the folder that holds them stand for all six. If only a picture's shape or the
+/// names show that it is a cube, its edges decide the arrangement of its faces, if they meet in one way only
+/// (cube_edges.h).
 ///
-/// progress told while a picture is decoded, if it is OpenEXR's or TIFF's
+/// progress called while an OpenEXR or TIFF picture is decoded
 /// errors   not_found (lists the built-ins); bad_shape; non_finite (count and first texel);
 ///          interrupted; whatever the codec finds
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
                                           const ProgressFunction& progress = {});
 
+<<<<<<< HEAD
 /// Remarks what speaks against the form in which a map was taken, and how much light its limit took.
 void tellAbout(const LoadedEnvironment& loaded, const Observer& observer);
 
 /// The six files of a cube that the name of one of them stands for: all are, if most are there.
+=======
+/// The six files of a cube that the name of one of them stands for, if most of them exist.
+>>>>>>> 7e5d694 (Public comments: plainer sentences; contracts as they were)
 ///
-/// returns  nothing where it stands for itself
+/// returns  nothing if the name stands for one file only
 std::optional<FaceFiles> cubeFilesOf(const std::string& path, const FormHint& from);
 
-/// The mip levels that a texture holds, three channels; level 0 is the map that was loaded. The smaller ones may be
-/// anything: the reflections in rougher and rougher surfaces, for one.
+/// The mip levels that a texture holds, three channels; level 0 is the map that was loaded. The smaller ones may have
+/// any content, for example the reflections in rougher and rougher surfaces.
 ///
 /// loaded     by loadEnvironment with the same options; its file is read once more
 /// form       how they are wanted; of the map's projection, without OpenEXR's registration
-/// returns    nothing where the file holds one level, or has its map in a form whose levels are no maps: a cube's
-///            layout in one picture, discs, OpenEXR's registration
+/// returns    nothing if the file holds one level, or its map in a form whose levels are not maps: a cube's layout in
+///            one picture, discs, OpenEXR's registration
 /// errors     as loadEnvironment's
 Result<std::optional<ImageSet>> loadLevels(const LoadedEnvironment& loaded, const MapForm& form,
                                            const EnvironmentLoadOptions& options = {});
@@ -86,10 +91,10 @@ struct PanoramaRows {
   glm::mat3 picture_from_world{1.0f};
 };
 
-/// Opens a panorama for being read by rows.
+/// Opens a panorama to be read by rows.
 ///
-/// returns  nothing where it has to be loaded as a whole: built-ins, cubes and other projections, formats that cannot
-///          be read so (openRows), and what is repaired, limited or resampled when it is loaded
+/// returns  nothing if it must be loaded as a whole: built-ins, cubes and other projections, formats that cannot be
+///          read by rows (openRows), and maps that are repaired, limited or resampled when they are loaded
 /// errors   as loadEnvironment's
 Result<std::optional<PanoramaRows>> openPanorama(const std::string& name_or_path,
                                                  const EnvironmentLoadOptions& options = {});

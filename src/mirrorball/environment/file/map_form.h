@@ -46,14 +46,14 @@ ImageSet levelsOfImages(ImageSet images, const MapForm& form);
 Image pictureOf(EnvironmentMap map, const MapForm& form);
 
 /// Puts the images of a form, of one level, into one picture: the one image, a cube's images in their layout, or the
-/// two discs of a paraboloid map side by side, front left. In the crosses the images of ±X or ±Y exchange their cells
-/// where, mirrored, they would not meet their neighbours.
+/// two discs of a paraboloid map side by side, front left. In the crosses, mirrored images of ±X or ±Y exchange their
+/// cells, so that they meet their neighbours.
 Image pictureOfImages(ImageSet images, const MapForm& form);
 
 /// The images in one picture, as the form has them.
 ///
 /// picture  in the form's proportion, as `recognize` has checked
-/// errors   bad_shape: of a cube, when it is not
+/// errors   bad_shape: of a cube that is not in proportion
 Result<ImageSet> imagesInPicture(Image picture, const MapForm& form);
 
 /// The map in one picture: the map of its images.

@@ -19,7 +19,7 @@ struct FormHint {
 };
 
 /// "": no hint. A projection ("cube", "eac": the layout by the picture's shape; "ball:distance=12") or a cube layout
-/// ("hcross", "faces"). After a colon, with commas between, how it lies in the file where that is not our own way:
+/// ("hcross", "faces"). After a colon, with commas between, its arrangement in the file if that is not ours:
 ///   for=PROGRAM          as a preset has it (preset.h): "cube:for=unity", "equirect:for=blender"
 ///   layout=LAYOUT        of cube and eac: "eac:layout=vcross"
 ///   as-seen, flip=…, turn=…, order=…, axes=…   of a cube (cube_arrangement.h), each applied to what stands before it
@@ -41,10 +41,10 @@ struct Recognition {
 /// own "envmap" instead.
 Metadata metadataOf(const MapForm& form);
 
-/// What a sheet of mip levels (image/level_sheet.h) says of itself, so that nobody takes it for a map of its shape.
+/// The metadata of a sheet of mip levels (image/level_sheet.h), so that it is not read as a map of its shape.
 Metadata metadataOfLevelSheet();
 
-/// The same of a BRDF table, which is square as a sphere map is.
+/// The same for a BRDF table, which is square like a sphere map.
 Metadata metadataOfBrdfTable();
 bool isBrdfTable(const Metadata& metadata);
 inline constexpr const char* kBrdfTableKey = "mirrorball:table";
@@ -55,14 +55,15 @@ bool isRecognizedUnsaid(const MapForm& form);
 
 /// Determines the form of six files with an image each: by the hint, or else by the metadata of the first one.
 ///
-/// told_by  what told that they are six faces, when neither says more
+/// told_by  how it was recognised that they are six faces, if neither says more
 Recognition recognizeFaces(const Metadata& metadata, const FormHint& hint, const std::string& told_by);
 
 /// Determines a picture's form: by the hint, else by the file's own metadata, else by its shape (2:1 equirect, 1:1
 /// sphere map, 4:3 horizontal cross, 3:4 vertical cross, 6:1 and 1:6 strips, 3:2 tiles). All other forms have to be
 /// named.
 ///
-/// errors   bad_shape: the shape fits no form, or not the one that was named; unnamed, what says that it is no map
+/// errors   bad_shape: the shape fits no form, or not the named one; or, without a hint, the metadata says that it is
+///          not a map
 Result<Recognition> recognize(int width, int height, const Metadata& metadata, const FormHint& hint = {});
 
 }  // namespace mirrorball

@@ -27,9 +27,9 @@ struct Projection {
     eac,             ///< equi-angular cube
   };
 
-  /// Ball radii between the camera and the ball's centre where nothing else is said: a ball of 10 cm from 1 m.
+  /// The default distance from the camera to the ball's centre in ball radii: a ball of 10 cm from 1 m.
   static constexpr float kUsualBallDistance = 20.0f;
-  /// Closer than this a float no longer tells the directions beside the camera apart.
+  /// Closer than this, floats cannot distinguish the directions next to the camera.
   static constexpr float kMinBallDistance = 1.01f;
 
   constexpr Projection() = default;
@@ -77,14 +77,14 @@ struct MapPosition {
   glm::vec2 uv{0.0f};
 };
 
-/// Where a direction (unit) is found; of a direction that the map does not cover, a place on the edge that is near it.
+/// Where a direction (unit) is found; for a direction that the map does not cover, a place on the nearest edge.
 MapPosition positionOf(Projection projection, glm::vec3 direction);
 
 /// The unit direction at a position. On a disc (see hasDisc) only positions with `covers` have one, but a paraboloid
 /// map continues into its other half; a cube's face continues a little beyond its edges.
 glm::vec3 directionAt(Projection projection, MapPosition position);
 
-/// Whether there is light at the position: false in the corners beside a disc.
+/// Whether there is light at the position: false in the corners outside a disc.
 bool covers(Projection projection, glm::vec2 uv);
 
 /// Whether a direction (unit) has a place in the map: not behind a photographed ball, and not with z < 0 in a
@@ -104,8 +104,8 @@ int faceCount(Projection projection);
 /// panorama's height.
 glm::ivec2 imageSize(Projection projection, int size);
 
-/// The one number back from a map's image, and between projections of about equal detail: a panorama of height h goes
-/// with cube faces of h / 2 and with discs and squares of h.
+/// The inverse: that number from a map's image, converted between projections of about equal detail: a panorama of
+/// height h corresponds to cube faces of h / 2 and to discs and squares of h.
 int equivalentSize(Projection from, int size, Projection to);
 
 }  // namespace mirrorball

@@ -35,7 +35,7 @@ class SmoothRegion {
   MapPosition placeOf(glm::vec2 position) const;
 
   /// Texels of this region alone around one of its positions, for the cubic polynomial in two variables through them;
-  /// none where it is too small.
+  /// none if it is too small.
   std::optional<CubicStencil> cubicStencil(glm::vec2 position) const;
 
  private:

@@ -25,7 +25,7 @@ struct CaptureSettings {
 /// depends on its direction alone. Only `Mapping::sphere`, which is right for one viewing direction, breaks this rule.
 ///
 /// progress  is called after each sample of each face's pixels
-/// returns   a cube of 6 × size × size, three channels of linear radiance. Where the background is transparent, black
+/// returns   a cube of 6 × size × size, three channels of linear radiance. Black where the background is transparent
 /// errors    as Renderer::draw's; too_large
 /// cost      six frames
 Result<EnvironmentMap> captureEnvironment(Renderer& renderer, const CaptureSettings& settings,

@@ -18,7 +18,7 @@ enum class BackgroundKind { environment, blur, radiance, display_color, transpar
 
 /// What is averaged over the samples of a pixel.
 enum class Resolve {
-  display,   ///< the light that a display sends, after the tone map: what is beyond a display's white counts as white
+  display,   ///< the light that a display sends, after the tone map: light above the display's white counts as white
   radiance,  ///< radiance, which is tone mapped afterwards
 };
 

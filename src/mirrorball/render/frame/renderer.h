@@ -21,7 +21,7 @@ namespace mirrorball {
 /// A frame is: the background, the objects (each lit by the whole environment, and by point lights if there are any),
 /// drawn once for each sample of a pixel with the picture shifted within the pixel, and the mean of them all, as light
 /// of the display or as radiance. It is drawn at once (render, draw) or sample by sample (begin, drawSample, show), for
-/// windows that must answer in between.
+/// windows that must respond in between.
 ///
 /// Its context must be current in the thread that calls it. Before the first frame it needs an environment; without a
 /// scene, it shows only the environment.
@@ -45,7 +45,7 @@ class Renderer {
 
   /// Prepares the environment for drawing, and takes it; values below 0 become 0.
   ///
-  /// cache    where what takes long is kept from one process to the next, if it is
+  /// cache    stores slow results for later processes; optional
   /// errors   too_large
   /// cost     about a second on two cores, for a panorama of 1024 rows that is not in the cache;
   ///          some 50 ms for one that is
@@ -74,7 +74,7 @@ class Renderer {
   /// errors    too_large; no_gl (the driver cannot draw floats); unsupported (it does not compile a shader);
   ///           interrupted (when `progress` says so)
   Result<void> draw(const FrameSettings& settings, const ProgressFunction& progress = {});
-  /// The same as another camera sees it, instead of the one that the settings describe.
+  /// The same with another camera than that of the settings.
   Result<void> draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress = {});
 
   /// Begins a frame, without drawing anything yet.

@@ -25,11 +25,11 @@ struct PreparedEnvironment {
 /// that the first mip levels halve evenly.
 int cubeSideFor(float texels_per_radian);
 
-/// Lays the environment out as a cube with mip levels, prefilters it for rough surfaces, and blurs it for matt ones. A
-/// cube stays as it is; anything else is resampled so that no detail is lost in the middle of a face, where texels are
-/// widest.
+/// Lays the environment out as a cube with mip levels, prefilters it for rough surfaces, and blurs it for diffuse ones.
+/// A cube stays as it is; anything else is resampled so that no detail is lost in the middle of a face, where texels
+/// are widest.
 ///
-/// cache    where prefiltered environments are kept, if they are
+/// cache    where prefiltered environments are kept; optional
 /// errors   too_large
 Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
                                                const std::optional<PrefilterCache>& cache = {});

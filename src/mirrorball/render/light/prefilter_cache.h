@@ -12,7 +12,7 @@
 
 namespace mirrorball {
 
-/// The parts of an environment for the renderer that take long to make.
+/// The parts of the renderer's environment that are slow to make.
 struct Prefiltered {
   ImageSet chain;
   ImageSet irradiance;
@@ -25,10 +25,10 @@ struct PrefilteredShape {
 };
 
 /// Prefiltered environments in a folder, found by the content of the environment's cube. The cache is only a
-/// convenience: if something cannot be read or written there, it is made anew.
+/// convenience: if something cannot be read or written, it is made again.
 class PrefilterCache {
  public:
-  /// Goes up whenever prefiltering gives other values, or files hold them otherwise: nothing older is found then.
+  /// Increased whenever prefiltering gives other values or the file format changes: older files are then not found.
   static constexpr std::uint32_t kVersion = 7;
   static constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
 
@@ -36,39 +36,37 @@ class PrefilterCache {
   explicit PrefilterCache(std::filesystem::path folder, std::uintmax_t max_bytes = kMaxBytes)
       : folder_(std::move(folder)), max_bytes_(max_bytes) {}
 
-  /// The user's own: $MIRRORBALL_CACHE, $XDG_CACHE_HOME/mirrorball or ~/.cache/mirrorball; nothing where the first is
-  /// empty or there is none. $MIRRORBALL_CACHE_SIZE, as in 500M or 2G, says how large it may grow,
-  /// else it is kMaxBytes.
+  /// The user's own: $MIRRORBALL_CACHE, $XDG_CACHE_HOME/mirrorball or ~/.cache/mirrorball; nothing if the first is
+  /// empty or none is set. $MIRRORBALL_CACHE_SIZE, as in 500M or 2G, says how large it may grow, else it is kMaxBytes.
   ///
-  /// errors   usage: that is no size
+  /// errors   usage: not a size
   static Result<std::optional<PrefilterCache>> ofUser();
 
   const std::filesystem::path& folder() const { return folder_; }
   std::uintmax_t maxBytes() const { return max_bytes_; }
 
-  /// What lies in it.
+  /// The contents of the folder.
   struct Contents {
     std::size_t files = 0;
     std::uintmax_t bytes = 0;
   };
   Contents contents() const;
 
-  /// Removes all of it, and nothing else that lies in the folder.
+  /// Removes all cached files, and no other file in the folder.
   ///
   /// returns  what was removed
   /// errors   io: a file cannot be removed
   Result<Contents> clear() const;
 
-  /// What an environment is found by: hexadecimal digits.
+  /// The key of an environment: hexadecimal digits.
   ///
   /// cube     of the environment; its largest level counts
   /// cost     one pass over its texels
   static std::string keyOf(const ImageSet& cube);
 
-  /// returns  nothing where there is none of that shape
+  /// returns  nothing if there is none of that shape
   std::optional<Prefiltered> find(const std::string& key, const PrefilteredShape& shape) const;
-  /// Keeps them, and drops what has not been used for longest while all that was kept
-  /// takes more than maxBytes().
+  /// Stores them, and removes the least recently used files while the cache takes more than maxBytes().
   ///
   /// format   that holds all values, half or float32
   void keep(const std::string& key, const Prefiltered& prefiltered, TexelFormat format) const;

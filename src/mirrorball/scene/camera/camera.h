@@ -8,7 +8,7 @@
 
 namespace mirrorball {
 
-/// Where a camera stands and what it sees, as a user says it.
+/// Position and view of a camera, in the user's terms.
 struct CameraOptions {
   float azimuth_deg = 30.0f;             ///< 0 stands on +Z and looks along −Z, 90 stands on +X
   float elevation_deg = 15.0f;           ///< 90 stands on +Y
@@ -28,7 +28,7 @@ struct Camera {
   bool orthographic = false;
 };
 
-/// Puts a camera before a model. framed() (framing.h) chooses target and distance by the model's own outline.
+/// Puts a camera in front of a model. framed() (framing.h) chooses target and distance by the model's own outline.
 ///
 /// bounds   the model's bounding sphere
 /// aspect   width over height of the picture
@@ -41,12 +41,12 @@ struct DepthRange {
 };
 
 /// The depths that six cameras around a point need to see a whole scene: as far as its farthest point, and from 1/10000
-/// of that on, or from where the scene begins if the point is outside of it. What is nearer is cut away.
+/// of that on, or from where the scene begins if the point is outside of it. Anything nearer is clipped.
 ///
 /// nearest  > 0, in place of that
 DepthRange depthsAround(glm::vec3 position, const BoundingSphere& bounds, std::optional<float> nearest = {});
 
-/// A camera at a point that sees just one face of a cube around it. What it draws is the face by OpenGL's table
+/// A camera at a point that sees exactly one face of a cube around it. What it draws is the face by OpenGL's table
 /// (docs/conventions.md) with t growing **upwards**: row by row as OpenGL keeps both its pictures and the faces of its
 /// textures, so that one may be copied into the other. As an image, whose first row is on top, it is upside down.
 ///

@@ -61,14 +61,10 @@ struct LoadedEnvironment {
 Result<LoadedEnvironment> loadEnvironment(const std::string& name_or_path, const EnvironmentLoadOptions& options = {},
                                           const ProgressFunction& progress = {});
 
-<<<<<<< HEAD
 /// Remarks what speaks against the form in which a map was taken, and how much light its limit took.
 void tellAbout(const LoadedEnvironment& loaded, const Observer& observer);
 
-/// The six files of a cube that the name of one of them stands for: all are, if most are there.
-=======
 /// The six files of a cube that the name of one of them stands for, if most of them exist.
->>>>>>> 7e5d694 (Public comments: plainer sentences; contracts as they were)
 ///
 /// returns  nothing if the name stands for one file only
 std::optional<FaceFiles> cubeFilesOf(const std::string& path, const FormHint& from);

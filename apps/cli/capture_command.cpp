@@ -97,7 +97,8 @@ Result<Projection> projectionOf(const CaptureRequest& request) {
   return isTexturePath(request.output.output) ? Projection::cube : Projection::equirect;
 }
 
-/// The side of the faces that are drawn for a map: its own, or what has all the detail that another projection will show.
+/// The side of the faces that are drawn for a map: its own, or what has all the detail that another projection will
+/// show.
 int faceSideFor(Projection to, int size) { return to == Projection::cube ? size : cubeSideFor(texelDensity(to, size)); }
 
 /// "0,1.25,-3": with as many digits as one would type.
@@ -160,8 +161,8 @@ std::span<const Option<FrameSettings>> captureLookOptions() {
       return std::ranges::find(kOptionsOfPictures, option.text.name) == kOptionsOfPictures.end();
     });
     for (Option<FrameSettings>& option : kept) {
-      // A sphere map is right for one viewing direction, and a capture looks into all. The mappings that are left are the
-      // first of the enumeration.
+      // A sphere map is right for one viewing direction, and a capture looks into all. The mappings that are left are
+      // the first of the enumeration.
       if (option.text.name == "mapping") {
         option.text.choices = "reflection|normal";
         option.text.help = "what addresses the environment map: the reflected ray, or the surface normal";

@@ -102,7 +102,8 @@ void addOptionTo(CLI::App& app, const Command& command, const CommandOption& com
         },
         describe(text, command_option.default_value));
     option->type_name(valueOf(command_option));
-    // One value at a time, so that the model's name may follow an option; and all of them, so that a second one is seen.
+    // One value at a time, so that the model's name may follow an option; and all of them, so that a second one is
+    // seen.
     option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   if (!text.group.empty()) option->group(std::string(text.group));

@@ -165,12 +165,12 @@ Result<std::vector<std::string>> pathsFor(const std::vector<std::string>& inputs
   });
 }
 
-/// Converts maps, several at a time, into the folder that the request's output names, which is made if it is not there. A
-/// map that cannot be converted is told of, and the others go on; what is wrong with the options is told once, before
+/// Converts maps, several at a time, into the folder that the request's output names, which is made if it is not there.
+/// A map that cannot be converted is told of, and the others go on; what is wrong with the options is told once, before
 /// anything is made.
 ///
-/// errors   usage (the folder is a file's name, two outputs of one name, an output that overwrites its input or cannot be
-///          written as asked); io (the folder); interrupted; one input's own error; of several the summary
+/// errors   usage (the folder is a file's name, two outputs of one name, an output that overwrites its input or cannot
+///          be written as asked); io (the folder); interrupted; one input's own error; of several the summary
 Result<void> convertMany(const std::vector<std::string>& inputs, const ConvertRequest& request) {
   const std::string& folder = request.output.output;
   if (isOneFile(folder)) return tl::unexpected<Error>(manyForOneFile(folder, inputs));

@@ -24,8 +24,8 @@ Result<void> checkFolder(const std::string& output);
 /// errors   usage: one of them was given
 Result<void> refusePictureOptions(const GivenOptions& given, const std::string& output, const std::string& instead);
 
-/// A name in a folder for each of many inputs: its own, without the folders before it and its extension, and an ending. Of
-/// a folder with a cube's six files it is the folder's, of a built-in environment that without parameters.
+/// A name in a folder for each of many inputs: its own, without the folders before it and its extension, and an ending.
+/// Of a folder with a cube's six files it is the folder's, of a built-in environment that without parameters.
 ///
 /// ending   of an input's own name: ".exr", or nothing
 /// errors   usage: two inputs would get the same

@@ -8,15 +8,15 @@
 
 namespace mirrorball::cli {
 
-/// Puts the path of a file in the place of each input that is "-": of standard input, which becomes a file in memory first
-/// where it is none yet, so that it can be read from any place and more than once.
+/// Puts the path of a file in the place of each input that is "-": of standard input, which becomes a file in memory
+/// first where it is none yet, so that it can be read from any place and more than once.
 ///
 /// inputs   names as the user gave them
 /// errors   usage (nothing is piped in: it is a terminal; more than one asks for it); io; too_large
 Result<void> readStandardInput(const std::vector<std::string*>& inputs);
 
-/// Runs work whose output may be "-.EXTENSION", which is standard output in that format: then the work writes a file in a
-/// folder of its own, whose bytes follow when it is finished. Whatever else is said goes to standard error.
+/// Runs work whose output may be "-.EXTENSION", which is standard output in that format: then the work writes a file in
+/// a folder of its own, whose bytes follow when it is finished. Whatever else is said goes to standard error.
 ///
 /// output   as the user gave it; while the work runs, the path of the file
 /// errors   usage ("-" alone tells no format; it is a terminal); io; as the work's

@@ -23,8 +23,8 @@ struct Synonyms {
   std::string_view typed = {};  ///< what to type for it, where that is more than the option
 };
 
-/// What options are called in cmgen, cmft, toktx, maketx, F3D, Blender and by newcomers. A word that is there twice means
-/// the first of those that the command has.
+/// What options are called in cmgen, cmft, toktx, maketx, F3D, Blender and by newcomers. A word that is there twice
+/// means the first of those that the command has.
 constexpr std::array<Synonyms, 38> kOptionSynonyms{{
     {"at", "cameraposition origin point position"},
     {"background", "backgroundcolor backgroundcolour bg bgcolor nobackground"},

@@ -9,8 +9,9 @@
 
 namespace mirrorball::cli {
 
-/// What is said of an option that a command does not have and that means one that it has: "did you mean --size?". It is a
-/// word that other programs have for it, a material's parameter, or a slip of the finger; nothing where none is close.
+/// What is said of an option that a command does not have and that means one that it has: "did you mean --size?". It is
+/// a word that other programs have for it, a material's parameter, or a slip of the finger; nothing where none is
+/// close.
 ///
 /// written  as it was typed, with its dashes
 std::optional<std::string> hintForOption(const Command& command, std::string_view written);

@@ -22,8 +22,8 @@ std::string shown(std::string text);
 void keepStandardOutputFree();
 bool isStandardOutputTaken();
 
-/// A progress bar with the time left, on standard error if that is a terminal; else silent. Stops the work when the program
-/// is interrupted.
+/// A progress bar with the time left, on standard error if that is a terminal; else silent. Stops the work when the
+/// program is interrupted.
 ProgressFunction progressBar(const std::string& what);
 
 /// Says on standard error what was written, if that is a terminal; and notes it (interruption.h).

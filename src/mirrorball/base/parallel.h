@@ -6,8 +6,8 @@
 
 namespace mirrorball {
 
-// Where the build has no threads (MIRRORBALL_THREADS=OFF), everything here is done by the one that there is, with the same
-// results: parallel_serial.cpp.
+// Where the build has no threads (MIRRORBALL_THREADS=OFF), everything here is done by the one that there is, with the
+// same results: parallel_serial.cpp.
 
 /// Calls `body(begin, end)` for consecutive pieces of [0, count) on all cores, and returns when all are done.
 ///

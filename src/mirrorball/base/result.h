@@ -22,8 +22,8 @@ enum class ErrorCode {
   interrupted,   ///< the user pressed Ctrl-C
 };
 
-/// What mends a failure, where the library has a setting or a function for it. Messages name none: a program has words of
-/// its own for them, which it adds (the command line in apps/cli/terminal.cpp).
+/// What mends a failure, where the library has a setting or a function for it. Messages name none: a program has words
+/// of its own for them, which it adds (the command line in apps/cli/terminal.cpp).
 enum class Remedy {
   none,                    ///< the message says all
   repair,                  ///< EnvironmentLoadOptions::repair: bad texels become the mean of their neighbours
@@ -64,9 +64,9 @@ tl::unexpected<Error> fail(Result<Value>&& failed) {
   return tl::unexpected<Error>(std::move(failed).error());
 }
 
-/// Puts in front of a failure's message what it is about: "room.exr: is truncated at byte 9". A decoder says what is wrong
-/// with its bytes, and where (byte, line, key); it knows no name. Who opened the file adds it, once. An interruption is
-/// about no file, and stays as it is.
+/// Puts in front of a failure's message what it is about: "room.exr: is truncated at byte 9". A decoder says what is
+/// wrong with its bytes, and where (byte, line, key); it knows no name. Who opened the file adds it, once. An
+/// interruption is about no file, and stays as it is.
 ///
 /// name     of the file; of a part within it ("images[3]"), before the file's; of what is made ("the BRDF table")
 inline Error withName(const std::string& name, Error error) {

@@ -43,7 +43,8 @@ std::string_view withoutDashes(std::string_view name) {
   return name.substr(std::min(name.find_first_not_of('-'), name.size()));
 }
 
-/// How far a text is from the nearest of the parts between '-' that a word is made of; of a word of one part it is nothing.
+/// How far a text is from the nearest of the parts between '-' that a word is made of; of a word of one part it is
+/// nothing.
 std::optional<std::size_t> distanceToPart(std::string_view text, const std::string& word) {
   std::optional<std::size_t> min;
   const std::vector<std::string> parts = split(word, '-');

@@ -23,7 +23,8 @@ std::string join(std::span<const std::string_view> words, std::string_view separ
 std::string join(std::span<const std::string> words, std::string_view separator = ", ",
                  std::optional<std::string_view> before_last = {});
 
-/// How many columns UTF-8 text takes on a terminal: its code points, but for those that only mark the letter before them.
+/// How many columns UTF-8 text takes on a terminal: its code points, but for those that only mark the letter before
+/// them.
 std::size_t columnsOf(std::string_view text);
 
 /// "1 texel is", "3 texels are"
@@ -47,14 +48,14 @@ struct Alias {
   std::string_view name;
 };
 
-/// The place of a name in a list: in small or capital letters, with '_' or '-', or as one of the aliases, which go to names
-/// of the list.
+/// The place of a name in a list: in small or capital letters, with '_' or '-', or as one of the aliases, which go to
+/// names of the list.
 std::optional<std::size_t> indexOfName(std::string_view written, std::span<const std::string_view> names,
                                        std::span<const Alias> aliases = {});
 
-/// The word that `text` may be a slip of the finger for: about a third of its letters may be wrong, missing, too many or
-/// swapped with their neighbours. Else the one of which it is a part, as "roughness" is of "perceptual_roughness", or a fifth
-/// of its letters away from one.
+/// The word that `text` may be a slip of the finger for: about a third of its letters may be wrong, missing, too many
+/// or swapped with their neighbours. Else the one of which it is a part, as "roughness" is of "perceptual_roughness",
+/// or a fifth of its letters away from one.
 std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words);
 
 /// The error for a name that is not in a list: names the thing, suggests the nearest and lists the right ones.

@@ -31,8 +31,8 @@ class UnfinishedPath {
   std::string path_;
 };
 
-/// Removes all that is unfinished. From then on nothing can be begun or finished: whoever tries waits for the end of the
-/// program, which must follow.
+/// Removes all that is unfinished. From then on nothing can be begun or finished: whoever tries waits for the end of
+/// the program, which must follow.
 void removeUnfinished();
 
 }  // namespace mirrorball

@@ -25,9 +25,9 @@ struct FileConversion {
 /// errors   usage
 Result<void> checkConversion(const std::string& input, const std::string& output, const FileConversion& conversion);
 
-/// Converts a map from file to file: what loadEnvironment, convert and saveMap do, in less memory. A large panorama is read
-/// by rows, a texture is written while it is converted, and texels (of a texture the mip levels, too) that need not change
-/// are copied.
+/// Converts a map from file to file: what loadEnvironment, convert and saveMap do, in less memory. A large panorama is
+/// read by rows, a texture is written while it is converted, and texels (of a texture the mip levels, too) that need
+/// not change are copied.
 ///
 /// input    a file, or a built-in environment
 /// output   one file, or the name from which a cube's six are named

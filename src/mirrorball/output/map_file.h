@@ -83,8 +83,8 @@ class MapFile {
   /// The same for a map's own levels, which are in the form of the file.
   Result<void> write(ImageSet levels) const;
 
-  /// Writes a map that `convert_to` converts and hands on piece by piece. May call it twice: where the format is left to
-  /// us and half floats do not hold the light, it is written in 32-bit floats.
+  /// Writes a map that `convert_to` converts and hands on piece by piece. May call it twice: where the format is left
+  /// to us and half floats do not hold the light, it is written in 32-bit floats.
   Result<void> writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const;
 
   /// Writes the texture of a cube whose levels all exist already.

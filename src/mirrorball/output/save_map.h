@@ -17,8 +17,8 @@ struct SavedMap {
 /// (.ktx2 .ktx .dds), in the form that the options ask for. The file says what map it holds, except a .dds.
 ///
 /// path     its folder must be there
-/// errors   usage: the options and the file do not go together; io; out_of_range: a format that was asked for does not hold
-///          the light; too_large
+/// errors   usage: the options and the file do not go together; io; out_of_range: a format that was asked for does not
+///          hold the light; too_large
 Result<SavedMap> saveMap(const std::string& path, EnvironmentMap map, const MapFileOptions& options = {},
                          const Observer& observer = {});
 

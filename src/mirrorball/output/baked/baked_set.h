@@ -40,15 +40,16 @@ struct BakedSetSettings {
 /// The table of these settings, except for `rotate_deg`, `made_by`, `source` and `file`.
 std::span<const Option<BakedSetSettings>> bakedSetOptions();
 
-/// The maps of an environment that an engine needs, as files: a folder of them with a manifest, or the specular mip chain
-/// alone as one texture.
+/// The maps of an environment that an engine needs, as files: a folder of them with a manifest, or the specular mip
+/// chain alone as one texture.
 class BakedSet {
  public:
   /// Settles what the files are called and which format they have.
   ///
   /// output   a folder, which need not be there, or the name of a texture for the chain alone
   /// observer told of progress, of finished files, and of what the maps lack
-  /// errors   usage: the settings ask for what does not exist or what the engine does not read; a file has the folder's name
+  /// errors   usage: the settings ask for what does not exist or what the engine does not read; a file has the folder's
+  ///          name
   static Result<BakedSet> resolve(const std::string& output, const BakedSetSettings& settings, Observer observer = {});
 
   BakedSet(BakedSet&&) noexcept;
@@ -58,14 +59,14 @@ class BakedSet {
   /// All files that are written.
   std::vector<std::string> paths() const;
 
-  /// Begins the BRDF table on threads of its own: it needs no environment, and loading one leaves cores idle. A large table
-  /// is left to `save`, which knows how much memory the maps take.
+  /// Begins the BRDF table on threads of its own: it needs no environment, and loading one leaves cores idle. A large
+  /// table is left to `save`, which knows how much memory the maps take.
   ///
   /// errors   too_large
   Result<void> begin();
 
-  /// Bakes the maps and writes the files. A folder that was not there is gone again if they could not all be written; of an
-  /// older set in a folder the manifest is gone then, and files may be.
+  /// Bakes the maps and writes the files. A folder that was not there is gone again if they could not all be written;
+  /// of an older set in a folder the manifest is gone then, and files may be.
   ///
   /// environment  none of whose files is one of `paths()`; values below 0 are taken as 0, which a remark tells
   /// errors       out_of_range (too bright to be summed); too_large, told before anything is made; interrupted; io

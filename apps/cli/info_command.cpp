@@ -54,7 +54,7 @@ constexpr std::array<Projection::Kind, 10> kListed{
     Projection::cube,       Projection::equirect,   Projection::sphere,     Projection::angular,
     Projection::ball,       Projection::paraboloid, Projection::octahedral, Projection::hemioctahedral,
     Projection::equal_area, Projection::eac};
-static_assert(kListed.size() == Projection::eac + 1, "a direction is told in every projection");
+static_assert(kListed.size() == Projection::kKinds, "a direction is told in every projection");
 
 DirectionPlace placeOf(const Environment& environment, Projection projection, glm::vec3 direction) {
   DirectionPlace found{projection, imageSize(projection, environment.naturalSize(projection)), std::nullopt, {}};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/command_line.h"
@@ -265,17 +266,25 @@ void tellBlindCone(const BallView& view) {
       glm::degrees(blind), capSolidAngle(blind), rimMargin_px(view), glm::degrees(unseen), capSolidAngle(unseen));
 }
 
+/// An error that names the option of its own side of the ball.
+Error ofSide(const Side& side, Error error) {
+  if (error.remedy != Remedy::give_circle) return error;
+  return {error.code, error.message + "; give it with " + side.circle_option + " X,Y,R in pixels"};
+}
+
 Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, std::optional<Response>& curve) {
   Exif exif;
   MIRRORBALL_TRY(light, readLight(side, options, exif, curve));
   const Perspective perspective = perspectiveOf(options, exif, light);
   const bool is_given = !side.circle.empty();
   const auto findOrTake = [&]() -> Result<FoundBall> {
-    if (!is_given) return findBall(light, perspective, side.files.front());
-    return ballOfCircle({{side.circle[0], side.circle[1]}, side.circle[2]}, {light.width(), light.height()},
-                        perspective);
+    if (!is_given) return withName(side.files.front(), findBall(light, perspective));
+    return withName(side.circle_option, ballOfCircle({{side.circle[0], side.circle[1]}, side.circle[2]},
+                                                     {light.width(), light.height()}, perspective));
   };
-  MIRRORBALL_TRY(ball, findOrTake());
+  auto found = findOrTake();
+  if (!found) return tl::unexpected<Error>(ofSide(side, std::move(found).error()));
+  const FoundBall ball = *found;
   tellBall(ball, light, is_given);
   tellDoubt(ball, side);
   tellBlindCone(ball.view);

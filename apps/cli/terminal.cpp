@@ -159,6 +159,12 @@ std::string adviceOn(Remedy remedy) {
       return "; leave --from out, or name cube or eac";
     case Remedy::take_one_level:
       return ", or one level: convert --level";
+    case Remedy::give_circle:
+      return "; give it with --circle X,Y,R in pixels";
+    case Remedy::give_exposures:
+      return "; give all of them with --exposures, as in --exposures 1/60,1/15,1/4";
+    case Remedy::name_response:
+      return ", or give --response srgb";
     case Remedy::convert_to_panorama:
       return " (convert --to equirect)";
   }

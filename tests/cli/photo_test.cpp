@@ -77,6 +77,8 @@ TEST_F(PhotoTest, ADoubtfulBallIsToldWithTheWayOut) {
   const Outcome none = run("photo wall.png -o map.exr");
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_THAT(none.err, HasSubstr("wall.png: no mirror ball is found; give it with --circle X,Y,R in pixels\n"));
+  EXPECT_THAT(run("photo ball.png --circle 32,32,28 --second wall.png --size 32 -o map.exr").err,
+              HasSubstr("wall.png: no mirror ball is found; give it with --second-circle X,Y,R in pixels\n"));
 }
 
 // Before anything is read, and so with nothing told.

@@ -45,6 +45,7 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
 };
 
 constexpr std::size_t kLongestFile = 600;
+constexpr std::size_t kWidestLine = 120;  // columns, as .clang-format has it, which leaves comments alone
 
 struct SourceFile {
   std::string path;  ///< relative to the root, with '/'
@@ -123,6 +124,19 @@ Complaints checkFormula(const SourceFile& file) {
   forEachLine(file.text, [&](int number, const std::string& line) {
     if (std::regex_search(line, directive))
       complaints.push_back(place(file, number) + "a formula is the same text for C++ and GLSL: no " + line);
+  });
+  return complaints;
+}
+
+Complaints checkWidth(const SourceFile& file) {
+  Complaints complaints;
+  const bool is_code = isOneOf(fs::path(file.path).extension().string(), {".h", ".cpp", ".glsl", ".vert", ".frag"});
+  forEachLine(file.text, [&](int number, const std::string& line) {
+    // Each code point but for UTF-8's continuing bytes is a column.
+    const auto columns = std::ranges::count_if(line, [](unsigned char byte) { return (byte & 0xC0u) != 0x80u; });
+    if (is_code && static_cast<std::size_t>(columns) > kWidestLine)
+      complaints.push_back(file.path + ":" + std::to_string(number) + " is " + std::to_string(columns) +
+                           " columns wide");
   });
   return complaints;
 }
@@ -217,6 +231,12 @@ TEST(House, FilesAreShortEnoughToRead) {
   EXPECT_THAT(checkLength({"src/x.cpp", std::string(kLongestFile + 1, '\n')}), SizeIs(1));
   EXPECT_THAT(checkLength({"src/x.cpp", std::string(kLongestFile, '\n')}), IsEmpty());
   EXPECT_THAT(checkTree(checkLength), IsEmpty());
+}
+
+TEST(House, LinesAreNarrowEnoughToRead) {
+  EXPECT_THAT(checkWidth({"a.cpp", "// " + std::string(117, 'a')}), IsEmpty());
+  EXPECT_THAT(checkWidth({"a.cpp", "// " + std::string(118, 'a')}), SizeIs(1));
+  EXPECT_THAT(checkTree(checkWidth), IsEmpty());
 }
 
 TEST(House, NothingIsLeftForLater) {

@@ -35,6 +35,9 @@ enum class Remedy {
   name_form,               ///< EnvironmentLoadOptions::from: neither the file nor its shape tells the form
   name_form_of_cube,       ///< no `from`, or a cube's
   take_one_level,          ///< of a map's mip levels, the one that is wanted, by itself
+  give_circle,             ///< ballOfCircle: where the ball is in the photograph
+  give_exposures,          ///< MergeOptions::exposures
+  name_response,           ///< MergeOptions::response, as sRGB
   convert_to_panorama,     ///< convert to Projection::equirect
 };
 

@@ -18,6 +18,7 @@ inline constexpr std::array<Projection, 11> kEveryProjection{
     Projection::equirect,       Projection::sphere,         Projection::angular,    Projection::cube,
     Projection::ball,           Projection::ballFrom(1.5f), Projection::paraboloid, Projection::octahedral,
     Projection::hemioctahedral, Projection::equal_area,     Projection::eac};
+static_assert(kEveryProjection.size() == Projection::kKinds + 1, "every kind, and a ball seen from nearby");
 
 /// A projection as a part of a test's name, which may hold letters, digits and '_'.
 inline std::string testName(Projection projection) {

@@ -206,8 +206,7 @@ Circle circleInPicture(const BallView& view) {
   return planeCircle(Pinhole{view.pinhole().middle_px, 0.0}, view.outline(64), view.rim());
 }
 
-Result<FoundBall> findBall(const Image& light, const Perspective& perspective, const std::string& name) {
-  const std::string advice = "; give it with --circle X,Y,R in pixels";
+Result<FoundBall> findBall(const Image& light, const Perspective& perspective) {
   const glm::dvec2 middle = glm::dvec2(light.width(), light.height()) / 2.0;
   const Image grey = greyOf(light);
   const int factor = std::max(1, std::max(light.width(), light.height()) / kCoarseSide);
@@ -217,7 +216,7 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective, c
   const auto candidates =
       findCandidates(PlanePicture(coarse, pinhole, factor), coarse.width(), coarse.height(), factor);
   const double confidence = candidates.empty() ? 0.0 : confidenceIn(candidates);
-  if (confidence < kLeastConfidence) return fail(ErrorCode::bad_shape, name + ": no mirror ball is found" + advice);
+  if (confidence < kLeastConfidence) return fail(ErrorCode::bad_shape, "no mirror ball is found", Remedy::give_circle);
 
   const Circle& likeliest = candidates.front().circle;
   Fit fit = refined(PlanePicture(grey, pinhole, 1.0), likeliest, std::max(2.5 * factor, 0.02 * likeliest.radius_px));
@@ -231,8 +230,9 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective, c
                   std::max(4.0, 0.03 * fit.circle.radius_px));
   }
   if (fit.support.share < kLeastShare || fit.circle.radius_px < kLeastRadius_px)
-    return fail(ErrorCode::bad_shape, name + ": the ball's rim is not sure (an edge along only " +
-                                          percent(fit.support.share) + " of it)" + advice);
+    return fail(ErrorCode::bad_shape,
+                "the ball's rim is not sure (an edge along only " + percent(fit.support.share) + " of it)",
+                Remedy::give_circle);
   FoundBall ball{
       BallView(pinhole, fit.circle), fit.support.share, fit.support.visible, fit.support.rms_px, confidence, {}};
   if (candidates.size() > 1) ball.rival = circleInPicture(BallView(seen_through, candidates[1].circle));
@@ -242,9 +242,8 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective, c
 Result<FoundBall> ballOfCircle(const Circle& circle, glm::ivec2 size, const Perspective& perspective) {
   const glm::dvec2 nearest = glm::clamp(circle.center_px, glm::dvec2(0.0), glm::dvec2(size));
   if (!(circle.radius_px > 0.0) || glm::distance(nearest, circle.center_px) >= circle.radius_px)
-    return fail(ErrorCode::usage,
-                "--circle takes the centre and the radius of a ball that is seen in the photograph of " +
-                    std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels");
+    return fail(ErrorCode::usage, "a circle is the centre and the radius of a ball that is seen in the photograph of " +
+                                      std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels");
   const glm::dvec2 middle = glm::dvec2(size) / 2.0;
   const BallView seen(Pinhole{middle, 0.0}, circle);
   const Pinhole pinhole = pinholeFor(perspective, middle, seen, startingFocal(perspective, circle.radius_px));

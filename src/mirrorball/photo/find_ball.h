@@ -39,11 +39,10 @@ struct FoundBall {
 /// All of this happens in the pinhole camera's plane, where the rim is a circle even beside the picture's middle.
 ///
 /// light    a photograph, linear; 1 or 3 channels or more
-/// name     the file, for messages
 /// returns  a circle that may be the wrong one unless isSure()
 /// errors   bad_shape: nothing that is likely a ball, or the ball would surround the camera
 /// cost     about 0.3 s, nearly independent of the size; deterministic
-Result<FoundBall> findBall(const Image& light, const Perspective& perspective, const std::string& name);
+Result<FoundBall> findBall(const Image& light, const Perspective& perspective);
 
 /// The ball whose rim is given as a circle in the photograph; of a ball beside the middle, whose rim is an ellipse, the
 /// circle that fits it best.

@@ -70,7 +70,7 @@ inline constexpr double kPromised_px = 0.3;
 /// How much of it is in the picture becomes `visible`.
 inline void expectFound(const BallScene& scene, const Image& photograph, double bound_px = kPromised_px,
                         double* visible = nullptr) {
-  const auto found = findBall(photograph, {.distance = 0.0, .focal_px = scene.focal_px}, "test");
+  const auto found = findBall(photograph, {.distance = 0.0, .focal_px = scene.focal_px});
   ASSERT_TRUE(found) << found.error().message;
   EXPECT_LT(outlineError_px(scene, *found), bound_px);
   EXPECT_GT(found->share, 0.5);

@@ -53,9 +53,9 @@ Result<std::vector<double>> exposuresOf(std::span<const Photograph> photographs,
                                       std::to_string(photographs.size()) + " photographs; give one each");
   const auto [least, greatest] = std::ranges::minmax(exposures);
   if (greatest / least < 1.05)
-    return fail(ErrorCode::usage, "all photographs have the exposure " + formatNumber(least) +
-                                      " s; a series has different ones, so give one photograph, or the right "
-                                      "exposures with --exposures");
+    return fail(ErrorCode::usage,
+                "all photographs have the exposure " + formatNumber(least) + " s; a series has different ones",
+                Remedy::give_exposures);
   return exposures;
 }
 

@@ -205,27 +205,29 @@ TEST(Merge, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Merge, WrongSeriesAreRefusedInOneLine) {
-  const auto messageOf = [](const std::vector<Photograph>& series, const MergeOptions& options, ErrorCode code) {
+  const auto errorOf = [](const std::vector<Photograph>& series, const MergeOptions& options, ErrorCode code) {
     const auto merged = mergePhotographs(series, options);
     EXPECT_FALSE(merged);
-    if (merged) return std::string();
+    if (merged) return Error{};
     EXPECT_EQ(merged.error().code, code);
     EXPECT_EQ(merged.error().message.find('\n'), std::string::npos);
-    return merged.error().message;
+    return merged.error();
   };
   const Image light(40, 40, 3, 0.2f);
   auto series = seriesOf(light, {0.5, 1.0}, srgb);
-  EXPECT_THAT(messageOf(series, {}, ErrorCode::usage), HasSubstr("--exposures"));
-  EXPECT_THAT(messageOf(series, {.exposures = {1.0}, .response = {}}, ErrorCode::usage), HasSubstr("1 exposures"));
-  EXPECT_THAT(messageOf(series, {.exposures = {1.0, 1.0}, .response = {}}, ErrorCode::usage), HasSubstr("different"));
+  EXPECT_EQ(errorOf(series, {}, ErrorCode::usage).remedy, Remedy::give_exposures);
+  EXPECT_THAT(errorOf(series, {.exposures = {1.0}, .response = {}}, ErrorCode::usage).message,
+              HasSubstr("1 exposures"));
+  EXPECT_THAT(errorOf(series, {.exposures = {1.0, 1.0}, .response = {}}, ErrorCode::usage).message,
+              HasSubstr("different"));
   const auto black = seriesOf(Image(40, 40, 3, 0.0f), {0.5, 1.0}, srgb);
-  EXPECT_THAT(messageOf(black, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape),
-              HasSubstr("--response"));
+  EXPECT_EQ(errorOf(black, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).remedy,
+            Remedy::name_response);
   auto mixed = series;
   mixed[1] = {"b.exr", {}, light, {}};
-  EXPECT_THAT(messageOf(mixed, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::usage), HasSubstr("b.exr"));
+  EXPECT_THAT(errorOf(mixed, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::usage).message, HasSubstr("b.exr"));
   series[1] = seriesOf(Image(40, 41, 3, 0.2f), {1.0}, srgb)[0];
-  const std::string sizes = messageOf(series, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape);
+  const std::string sizes = errorOf(series, {.exposures = {0.5, 1.0}, .response = {}}, ErrorCode::bad_shape).message;
   EXPECT_THAT(sizes, HasSubstr("40x41"));
   EXPECT_THAT(sizes, HasSubstr("40x40"));
 }

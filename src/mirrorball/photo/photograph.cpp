@@ -28,9 +28,7 @@ Result<Photograph> readPhotograph(const std::filesystem::path& path) {
 Result<std::vector<double>> exposuresFromExif(std::span<const Photograph> photographs) {
   for (const Photograph& photograph : photographs)
     if (!photograph.exif.exposure_time_s)
-      return fail(ErrorCode::usage, photograph.name +
-                                        ": has no exposure time in its EXIF; give all of them with "
-                                        "--exposures, as in --exposures 1/60,1/15,1/4");
+      return fail(ErrorCode::usage, photograph.name + ": has no exposure time in its EXIF", Remedy::give_exposures);
   const auto all = [&](auto member) {
     return std::ranges::all_of(photographs, [&](const Photograph& p) { return (p.exif.*member).has_value(); });
   };

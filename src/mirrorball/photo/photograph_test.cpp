@@ -142,7 +142,7 @@ TEST_F(PhotographTest, ExposuresCountTimeApertureAndSensitivity) {
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().code, ErrorCode::usage);
   EXPECT_THAT(failed.error().message, HasSubstr("b.jpg"));
-  EXPECT_THAT(failed.error().message, HasSubstr("--exposures"));
+  EXPECT_EQ(failed.error().remedy, Remedy::give_exposures);
 }
 
 TEST_F(PhotographTest, FocalLengthOfTheFullFrame) {

@@ -182,10 +182,11 @@ Result<Response> recoverResponse(std::span<const Image8* const> codes, std::span
   });
   constexpr std::size_t kFewest = 100;
   if (samples.size() < kFewest)
-    return fail(ErrorCode::bad_shape, "only " + std::to_string(samples.size()) +
-                                          " places are neither black nor clipped in two of the photographs, too few to "
-                                          "recover the camera's response; take them closer together, or give "
-                                          "--response srgb");
+    return fail(ErrorCode::bad_shape,
+                "only " + std::to_string(samples.size()) +
+                    " places are neither black nor clipped in two of the photographs, too few to recover the camera's "
+                    "response; take them closer together",
+                Remedy::name_response);
   Response response;
   response.light.fill(lightFromLogarithm(solveCurve(samples)));
   return response;

@@ -30,7 +30,7 @@ BallScene smoothScene() {
 
 /// What the scene's own ball shows, found in its photograph.
 BallPhotograph found(const BallScene& scene, const Image& photograph) {
-  const auto ball = findBall(photograph, {.distance = 0.0, .focal_px = scene.focal_px}, "test");
+  const auto ball = findBall(photograph, {.distance = 0.0, .focal_px = scene.focal_px});
   EXPECT_TRUE(ball) << ball.error().message;
   return {photograph, ball->view, scene.turn_deg};
 }

@@ -11,18 +11,55 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::array<std::string_view, 10> kNames{"equirect",   "sphere",     "angular",        "cube",       "ball",
-                                                  "paraboloid", "octahedral", "hemioctahedral", "equal-area", "eac"};
+/// What the kinds differ in beside their formulas.
+struct ProjectionRow {
+  Projection::Kind kind;
+  std::string_view name;
+  int images = 1;
+  bool has_disc = false;       ///< the light of an image fills a disc, and not all of it
+  int aspect = 1;              ///< of an image: width / height
+  int panorama_rows = 1;       ///< of a panorama of about equal detail, for each unit of size
+  bool is_hemisphere = false;  ///< only directions with z ≥ 0 have a place
+};
 
-constexpr std::array<Alias, 9> kAliases{{{"equirectangular", "equirect"},
-                                         {"latlong", "equirect"},
-                                         {"lat-long", "equirect"},
-                                         {"panorama", "equirect"},
-                                         {"cubemap", "cube"},
-                                         {"mirror-ball", "ball"},
-                                         {"dual-paraboloid", "paraboloid"},
-                                         {"octahedron", "octahedral"},
-                                         {"equiangular", "eac"}}};
+/// In the order of the kinds.
+constexpr auto kRows = std::to_array<ProjectionRow>({
+    {.kind = Projection::equirect, .name = "equirect", .aspect = 2},
+    {.kind = Projection::sphere, .name = "sphere", .has_disc = true},
+    {.kind = Projection::angular, .name = "angular", .has_disc = true},
+    {.kind = Projection::cube, .name = "cube", .images = 6, .panorama_rows = 2},
+    {.kind = Projection::ball, .name = "ball", .has_disc = true},
+    {.kind = Projection::paraboloid, .name = "paraboloid", .images = 2, .has_disc = true},
+    {.kind = Projection::octahedral, .name = "octahedral"},
+    {.kind = Projection::hemioctahedral, .name = "hemioctahedral", .is_hemisphere = true},
+    {.kind = Projection::equal_area, .name = "equal-area"},
+    {.kind = Projection::eac, .name = "eac", .images = 6, .panorama_rows = 2},
+});
+static_assert(
+    [] {
+      for (std::size_t row = 0; row < kRows.size(); ++row)
+        if (kRows[row].kind != static_cast<Projection::Kind>(row)) return false;
+      return kRows.size() == Projection::kKinds;
+    }(),
+    "each kind has its row, in the order of the kinds");
+
+constexpr const ProjectionRow& rowOf(Projection projection) { return kRows[projection.kind]; }
+
+constexpr auto kNames = [] {
+  std::array<std::string_view, kRows.size()> names;
+  for (std::size_t row = 0; row < names.size(); ++row) names[row] = kRows[row].name;
+  return names;
+}();
+
+constexpr auto kAliases = std::to_array<Alias>({{"equirectangular", "equirect"},
+                                                {"latlong", "equirect"},
+                                                {"lat-long", "equirect"},
+                                                {"panorama", "equirect"},
+                                                {"cubemap", "cube"},
+                                                {"mirror-ball", "ball"},
+                                                {"dual-paraboloid", "paraboloid"},
+                                                {"octahedron", "octahedral"},
+                                                {"equiangular", "eac"}});
 
 constexpr std::string_view kBallParameter = "distance=";
 
@@ -36,7 +73,7 @@ float nearness(Projection projection) { return 1.0f / projection.ball_distance; 
 
 std::span<const std::string_view> projectionNames() { return kNames; }
 
-std::string_view nameOf(Projection projection) { return kNames[static_cast<std::size_t>(projection.kind)]; }
+std::string_view nameOf(Projection projection) { return rowOf(projection).name; }
 
 std::string textOf(Projection projection) {
   std::string text(nameOf(projection));
@@ -131,46 +168,23 @@ bool covers(Projection projection, glm::vec2 uv) { return !hasDisc(projection) |
 
 bool covers(Projection projection, glm::vec3 direction) {
   if (projection == Projection::ball) return formula::mirrorBallCovers(direction, nearness(projection));
-  return projection != Projection::hemioctahedral || direction.z >= 0.0f;
+  return !rowOf(projection).is_hemisphere || direction.z >= 0.0f;
 }
 
 float coveredSolidAngle(Projection projection) {
   const float sphere = 2.0f * formula::kTwoPi;
   if (projection == Projection::ball) return sphere - formula::mirrorBallBlindSolidAngle(nearness(projection));
-  return projection == Projection::hemioctahedral ? formula::kTwoPi : sphere;
+  return rowOf(projection).is_hemisphere ? sphere / 2.0f : sphere;
 }
 
-bool hasDisc(Projection projection) {
-  switch (projection) {
-    case Projection::sphere:
-    case Projection::angular:
-    case Projection::ball:
-    case Projection::paraboloid:
-      return true;
-    default:
-      return false;
-  }
-}
+bool hasDisc(Projection projection) { return rowOf(projection).has_disc; }
 
-int faceCount(Projection projection) {
-  switch (projection) {
-    case Projection::cube:
-    case Projection::eac:
-      return 6;
-    case Projection::paraboloid:
-      return 2;
-    default:
-      return 1;
-  }
-}
+int faceCount(Projection projection) { return rowOf(projection).images; }
 
-glm::ivec2 imageSize(Projection projection, int size) {
-  return {projection == Projection::equirect ? 2 * size : size, size};
-}
+glm::ivec2 imageSize(Projection projection, int size) { return {rowOf(projection).aspect * size, size}; }
 
 int equivalentSize(Projection from, int size, Projection to) {
-  const int panorama_height = faceCount(from) == 6 ? 2 * size : size;
-  return faceCount(to) == 6 ? std::max(panorama_height / 2, 1) : panorama_height;
+  return std::max(size * rowOf(from).panorama_rows / rowOf(to).panorama_rows, 1);
 }
 
 }  // namespace mirrorball

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@ struct Projection {
     equal_area,      ///< pbrt-v4's square, all texels of one solid angle
     eac,             ///< equi-angular cube
   };
+  static constexpr std::size_t kKinds = 10;
 
   /// The default distance from the camera to the ball's centre in ball radii: a ball of 10 cm from 1 m.
   static constexpr float kUsualBallDistance = 20.0f;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a pixel of a surface shows: bumps, the light that it sees, how it answers. How these files are read:
+/// What a pixel of a surface shows: bumps, textures, the light that it sees, how it answers. How these files are read:
 /// formula/formula.h.
 
 #include "formula/bsdf.h"
@@ -15,6 +15,7 @@
 namespace mirrorball::formula {
 #include "formula/prefilter/sampling.glsl"
 #include "formula/surface/height.glsl"
+#include "formula/surface/texture_filter.glsl"
 //
 #include "formula/prefilter/blur.glsl"
 #include "formula/surface/shading.glsl"

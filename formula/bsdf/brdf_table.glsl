@@ -19,6 +19,7 @@ FN vec2 brdfTableCoordinates(float perceptual_roughness, float cosine, float siz
 
 // What such a table holds, in its first two channels.
 FN vec2 environmentBrdf(MAP_SAMPLER table, float perceptual_roughness, float cosine) {
-  vec4 texel = sampleMap(table, brdfTableCoordinates(perceptual_roughness, cosine, mapSize(table).x));
+  float size = float(mapSize(table, 0).x);
+  vec4 texel = sampleMap(table, brdfTableCoordinates(perceptual_roughness, cosine, size));
   return vec2(texel.x, texel.y);
 }

@@ -285,6 +285,24 @@ const Case kCases[] = {
                               vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),
                 0.0f)),
 
+    // texture_filter, where texels lie up to two maps away from one of 16 x 8
+    PARITY(wrappedTexel, unit, kExact,
+           vec4(wrappedTexel(floor(64.0f * p.x) - 32.0f, 1.0f + floor(15.0f * p.y), int(2.9375f * r.x)), 0.0f, 0.0f,
+                0.0f)),
+    PARITY(wrappedFetch, unit, kExact,
+           wrappedFetch(SmoothMap(16.0f), floor(64.0f * vec2(p)) - vec2(32.0f), int(3.9375f * r.x),
+                        MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), false))),
+    PARITY(nearestTexel, unit, kExact,
+           nearestTexel(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), 1,
+                        MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), true))),
+    PARITY(bilinearTexels, unit, kTight,
+           bilinearTexels(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), int(3.9375f * r.x),
+                          MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), false))),
+    PARITY(lodOfTexels, unit, kTranscendental, vec4(lodOfTexels(4.0f * vec2(p), 4.0f * vec2(q)), 0.0f, 0.0f, 0.0f)),
+    PARITY(filteredMap, unit, kTight,
+           filteredMap(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), max(4.0f * r.x - 1.0f, 0.0f),
+                       MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), r.w < 0.5f))),
+
     // shading
     PARITY(dielectricReflectance, direction, kTranscendental,
            vec4(dielectricReflectance(testSurface(p, q, r), p.w, 1.0f + r.x), 0.0f, 0.0f, 0.0f)),

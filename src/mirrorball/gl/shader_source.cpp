@@ -29,7 +29,8 @@ constexpr std::string_view kPrelude =
     "}\n"
     "#define MAP_SAMPLER sampler2D\n"
     "vec4 sampleMap(sampler2D map, vec2 uv) { return textureLod(map, uv, 0.0); }\n"
-    "vec2 mapSize(sampler2D map) { return vec2(textureSize(map, 0)); }\n";
+    "vec4 fetchMap(sampler2D map, ivec2 texel, int level) { return texelFetch(map, texel, level); }\n"
+    "ivec2 mapSize(sampler2D map, int level) { return textureSize(map, level); }\n";
 
 /// The name in `#include "name"`, or nothing for any other line.
 std::optional<std::string_view> includedName(std::string_view line) {

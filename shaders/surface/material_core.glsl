@@ -1,7 +1,7 @@
 // Part "material": what the surface is made of at a point.
 //   vec4 colorAt(SurfacePoint point)                                base colour and opacity
 //   Surface surfaceAt(SurfacePoint point, vec3 n, vec3 base_color)  n on the viewer's side
-// Here: glTF's core.
+// Here: glTF's core, and the textures of its extensions specular and transmission.
 #include "brdf_table.glsl"
 
 uniform sampler2D brdf_table;
@@ -16,6 +16,8 @@ Surface surfaceAt(SurfacePoint point, vec3 n, vec3 base_color) {
   s.material.base_color = base_color;
   s.material.perceptual_roughness *= roughness_map_at(point).y;
   s.material.metallic *= metallic_map_at(point).z;
+  s.material.specular *= specular_map_at(point).w;
+  s.material.transmission *= transmission_map_at(point).x;
   s.material.emission *= emission_map_at(point).xyz;
   s.normal = n;
   s.occlusion = 1.0 + material.occlusion_strength * (occlusion_map_at(point).x - 1.0);

@@ -74,6 +74,22 @@ TEST_F(MaterialCliTest, EveryParameterThatASphereHasChangesThePicture) {
   }
 }
 
+TEST_F(MaterialCliTest, EveryMapThatIsSetChangesThePicture) {
+  Image8 pattern(2, 2, 4);
+  for (std::size_t i = 0; i < pattern.samples().size(); ++i)
+    pattern.samples()[i] = static_cast<std::uint8_t>(40 + 13 * i);
+  ASSERT_TRUE(savePicture(path("pattern.png"), pattern));
+  const std::string base = "sphere --set metallic=0.5 --set emission=0.5 --set transmission=0.5";
+  const Image plain = draw(base);
+  std::string all = base;
+  for (const MaterialMap& map : materialMaps()) {
+    const std::string setting = " --set " + std::string(map.name) + "=pattern.png";
+    EXPECT_GT(meanDifference(draw(base + setting), plain), 3e-4) << map.name;
+    all += setting;
+  }
+  draw(all);
+}
+
 TEST_F(MaterialCliTest, ALaterSetWinsAndOneNumberSetsThreeChannels) {
   draw("sphere --set metallic=1 --set base_color=0.2 --set base_color=0.5");
   const Bytes last = bytes("picture.exr");

@@ -41,6 +41,7 @@ constexpr float kHalfTurn_rad = glm::pi<float>();
 
 using Texel = std::array<std::uint8_t, 4>;
 constexpr Texel kBlack{0, 0, 0, 255};
+constexpr Texel kClear{255, 255, 255, 0};
 constexpr Texel kRed{255, 0, 0, 255};
 constexpr Texel kGreen{0, 255, 0, 255};
 constexpr Texel kYellow{255, 255, 0, 255};
@@ -281,6 +282,16 @@ std::vector<SlotCase> slotCases() {
   metal.perceptual_roughness = 0.0f;
   Material lamp = chalk();
   lamp.emission = glm::vec3(1.0f);
+  Material coat = chalk(glm::vec3(0.0f));
+  coat.specular = 1.0f;
+  coat.perceptual_roughness = 0.0f;
+  coat.ior = 10.0f;  // reflects ((10 - 1) / (10 + 1))² of what comes straight on
+  const float reflected = 81.0f / 121.0f;
+  Material window = chalk();
+  window.transmission = 1.0f;
+  window.perceptual_roughness = 0.0f;
+  window.ior = 1.0f;  // so that what is behind is seen, along −Z
+  const glm::vec4 behind(0.5f, 0.5f, 0.0f, 1.0f);
   const glm::vec4 tilted(0.5f + 0.2f, 0.5f, 0.5f + 0.8f / 3.0f, 1.0f);
   const glm::vec4 bright = kChalkTowardsCamera + glm::vec4(1, 1, 1, 0);
   const glm::vec4 black(0, 0, 0, 1);
@@ -290,6 +301,14 @@ std::vector<SlotCase> slotCases() {
       {"normal", &Material::normal_map, chalk(), kFlat, kRightwards, kChalkTowardsCamera, tilted},
       {"occlusion", &Material::occlusion_map, chalk(), kWhite, kBlack, kChalkTowardsCamera, black},
       {"emission", &Material::emission_map, lamp, kBlack, kWhite, kChalkTowardsCamera, bright},
+      {"specular",
+       &Material::specular_map,
+       coat,
+       kClear,
+       kBlack,
+       black,
+       {0.5f * reflected, 0.5f * reflected, reflected, 1.0f}},
+      {"transmission", &Material::transmission_map, window, kBlack, kRed, kChalkTowardsCamera, behind},
   };
 }
 
@@ -315,7 +334,9 @@ TEST_P(SurfaceTextureTest, EverySlotHasItsOwnTextureCoordinatesAndTransform) {
 
 // A surface may have all of them at once, each on its own texture unit.
 TEST_P(SurfaceTextureTest, AllSlotsTogetherKeepTheirTextures) {
-  Material material = chalk();
+  Material material;
+  material.base_color = glm::vec3(1.0f);
+  material.transmission = 1.0f;
   material.emission = glm::vec3(1.0f);
   Scene scene = sceneOf(square(), material);
   const auto put = [&](TextureSlot Material::*slot, const Texel& texel) {
@@ -328,6 +349,8 @@ TEST_P(SurfaceTextureTest, AllSlotsTogetherKeepTheirTextures) {
   put(&Material::normal_map, kRightwards);
   put(&Material::occlusion_map, {51, 0, 0, 255});
   put(&Material::emission_map, {0, 0, 51, 255});
+  put(&Material::specular_map, kClear);
+  put(&Material::transmission_map, kBlue);
   // (0.4, 0.8, 1) of the light on the bent normal, of which a fifth arrives, and 0.2 more in blue.
   const glm::vec4 expected(0.4f * 0.7f * 0.2f, 0.8f * 0.5f * 0.2f, (0.5f + 0.8f / 3.0f) * 0.2f + 0.2f, 1.0f);
   expectNear(seen(scene, compass()), expected, kBentNormal, "all");
@@ -360,6 +383,18 @@ TEST_P(SurfaceTextureTest, RoughnessIsInGreenAndMetallicInBlue) {
   partial.perceptual_roughness = 0.1f;
   partial.metallic = 0.2f;
   expectNear(seen(textured, compass()), seen(sceneOf(square(), partial), compass()), kExact, "products");
+}
+
+TEST_P(SurfaceTextureTest, SpecularIsInAlphaAndTransmissionInRed) {
+  Material glass;
+  glass.perceptual_roughness = 0.2f;
+  glass.specular = 0.75f;
+  glass.transmission = 0.5f;
+  Scene textured = texturedSquare(glass, &Material::specular_map, textureOf(1, {Texel{51, 255, 0, 102}}));
+  textured.materials[0].transmission_map = textured.materials[0].specular_map;
+  glass.specular = 0.3f;
+  glass.transmission = 0.1f;
+  expectNear(seen(textured, compass()), seen(sceneOf(square(), glass), compass()), kExact, "products");
 }
 
 TEST_P(SurfaceTextureTest, OcclusionInRedDarkensDiffuseLightOnly) {

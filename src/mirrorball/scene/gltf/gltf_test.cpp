@@ -226,8 +226,10 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
       "\"normalTexture\":{\"index\":1,\"scale\":0.75},\"occlusionTexture\":{\"index\":1,\"strength\":0.5},"
       "\"emissiveTexture\":{\"index\":2},\"emissiveFactor\":[1,0.5,0],\"alphaMode\":\"MASK\",\"alphaCutoff\":0.3,"
       "\"doubleSided\":true,\"extensions\":{\"KHR_materials_ior\":{\"ior\":1.33},\"KHR_materials_transmission\":"
-      "{\"transmissionFactor\":0.9},\"KHR_materials_emissive_strength\":{\"emissiveStrength\":4},"
-      "\"KHR_materials_specular\":{\"specularFactor\":0.6},\"KHR_materials_dispersion\":{\"dispersion\":0.1}}}]";
+      "{\"transmissionFactor\":0.9,\"transmissionTexture\":{\"index\":2}},\"KHR_materials_emissive_strength\":{"
+      "\"emissiveStrength\":4},"
+      "\"KHR_materials_specular\":{\"specularFactor\":0.6,\"specularTexture\":{\"index\":1,\"texCoord\":1}},\"KHR_"
+      "materials_dispersion\":{\"dispersion\":0.1}}}]";
   const Scene scene = decoded(maker.gltf(primitive("", ",\"material\":1"), rest));
   ASSERT_EQ(scene.materials.size(), 1u);
   const Material& material = scene.materials[0];
@@ -255,7 +257,9 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
   EXPECT_EQ(material.metallic_map.uv_set, 1);
   EXPECT_EQ(material.roughness_map.uv_set, 1);
   EXPECT_EQ(material.occlusion_map.texture, material.normal_map.texture);
-  ASSERT_EQ(scene.textures.size(), 3u);
+  EXPECT_EQ(material.specular_map.texture, material.normal_map.texture);
+  EXPECT_EQ(material.specular_map.uv_set, 1);
+  ASSERT_EQ(scene.textures.size(), 4u);
   const auto texture = [&](const TextureSlot& slot) { return scene.textures.at(std::size_t(slot.texture)); };
   EXPECT_TRUE(texture(color).srgb);
   EXPECT_TRUE(texture(color).nearest);
@@ -263,6 +267,7 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
   EXPECT_EQ(texture(color).wrap_t, Wrap::mirrored_repeat);
   EXPECT_FALSE(texture(material.normal_map).srgb);
   EXPECT_TRUE(texture(material.emission_map).srgb);
+  EXPECT_FALSE(texture(material.transmission_map).srgb) << "the same picture, here as numbers";
   for (const Texture& each : scene.textures) {
     ASSERT_EQ(each.image.width(), 2);
     EXPECT_EQ(each.image.texel(1, 0)[0], 200);

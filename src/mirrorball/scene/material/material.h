@@ -38,6 +38,8 @@ struct Material : formula::Material {
   TextureSlot normal_map;
   TextureSlot occlusion_map;  ///< in R
   TextureSlot emission_map;
+  TextureSlot specular_map;      ///< in A
+  TextureSlot transmission_map;  ///< in R
 };
 
 /// A parameter of materials: one row of a table from which come --set, the documentation, the uniform block of the

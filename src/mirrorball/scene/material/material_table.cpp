@@ -117,7 +117,7 @@ const std::array<MaterialParameter, 22> kParameters{{
      "doubleSided"},
 }};
 
-constexpr std::array<MaterialMap, 6> kMaps{{
+constexpr std::array<MaterialMap, 8> kMaps{{
     {"base_color_map", &Material::base_color_map, true, "pbrMetallicRoughness.baseColorTexture",
      "colour picture that multiplies base_color; its alpha multiplies opacity"},
     {"metallic_map", &Material::metallic_map, false, "pbrMetallicRoughness.metallicRoughnessTexture",
@@ -129,6 +129,10 @@ constexpr std::array<MaterialMap, 6> kMaps{{
     {"occlusion_map", &Material::occlusion_map, false, "occlusionTexture",
      "picture whose red channel is the share of the environment that a point sees"},
     {"emission_map", &Material::emission_map, true, "emissiveTexture", "colour picture that multiplies emission"},
+    {"specular_map", &Material::specular_map, false, "extensions.KHR_materials_specular.specularTexture",
+     "picture whose alpha channel multiplies specular"},
+    {"transmission_map", &Material::transmission_map, false,
+     "extensions.KHR_materials_transmission.transmissionTexture", "picture whose red channel multiplies transmission"},
 }};
 
 }  // namespace

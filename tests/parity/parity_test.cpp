@@ -220,8 +220,25 @@ TEST_P(GlslangTest, TakesEveryShader) {
   }
 }
 
-/// Every pair of answers to two questions of the surface's shader, the others answered as usual;
-/// and each with all maps.
+/// Maps with a unit each, or the later half of them as layers with every way to read them.
+std::vector<MapSource> allMaps(bool with_layers) {
+  std::vector<MapSource> maps(materialMaps().size());
+  const int units = static_cast<int>(with_layers ? maps.size() / 2 : maps.size());
+  for (int row = 0; row < static_cast<int>(maps.size()); ++row) {
+    MapSource& source = maps[static_cast<std::size_t>(row)];
+    source.unit = std::min(row, units);
+    if (row < units) continue;
+    source.layer = row - units;
+    source.srgb = row % 2 == 0;
+    source.nearest = row % 3 == 0;
+    source.wrap_s = static_cast<Wrap>(row % 3);
+    source.wrap_t = static_cast<Wrap>((row + 1) % 3);
+  }
+  return maps;
+}
+
+/// Every pair of answers to two questions of the surface's shader, the others answered as usual; and each with all maps,
+/// some of them layers.
 std::vector<SurfaceVariant> pairsOfParts() {
   std::set<SurfaceVariant> variants;
   const auto questions = surfaceQuestions();
@@ -233,8 +250,8 @@ std::vector<SurfaceVariant> pairsOfParts() {
           variant.answers[a] = i;
           variant.answers[b] = j;
           if (variant.has(Part::lamps, LampsPart::point)) variant.lamp_count = 3;
-          variant.maps = (1u << materialMaps().size()) - 1;
-          if (!variant.has(Part::detail, DetailPart::normal_map) && (i + j) % 2 == 0) variant.maps = 0;
+          const bool needs_maps = variant.has(Part::detail, DetailPart::normal_map);
+          if (needs_maps || (i + j) % 2 != 0) variant.maps = allMaps((i + j) % 3 == 0);
           variants.insert(variant);
         }
   return {variants.begin(), variants.end()};

@@ -18,7 +18,7 @@
 namespace mirrorball::gl {
 namespace {
 
-constexpr int kWorkUnit = 15;  // the last one that OpenGL ES 3.0 promises
+constexpr int kWorkUnit = Texture::kUnits;  // the last one that OpenGL ES 3.0 promises
 constexpr std::uint16_t kHalfOne = 0x3c00;
 
 GLenum internalFormat(Format format) {
@@ -98,41 +98,32 @@ GLint minifyMode(Sampling::Filter filter) {
   return GL_NEAREST;
 }
 
-GLenum targetOf(bool is_cube) { return is_cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D; }
-
-/// What names one image of a texture in uploads and framebuffers.
-GLenum imageTarget(bool is_cube, int face) {
-  assert(face >= 0 && face < (is_cube ? 6 : 1));
-  return is_cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : GL_TEXTURE_2D;
-}
-
-int allLevels(int longest_side) {
-  int levels = 1;
-  while (longest_side >> levels > 0) ++levels;
-  return levels;
-}
-
 }  // namespace
 
 Result<Texture> Texture::make2d(Format format, int width, int height, int levels) {
-  return make(format, false, width, height, levels);
+  return make(format, Shape::plane, width, height, 1, levels);
 }
 
 Result<Texture> Texture::makeCube(Format format, int size, int levels) {
-  return make(format, true, size, size, levels);
+  return make(format, Shape::cube, size, size, 1, levels);
 }
 
-Result<Texture> Texture::make(Format format, bool is_cube, int width, int height, int levels) {
+Result<Texture> Texture::makeArray(Format format, int width, int height, int layers, int levels) {
+  assert(layers >= 1 && layers <= 256);
+  return make(format, Shape::array, width, height, layers, levels);
+}
+
+Result<Texture> Texture::make(Format format, Shape shape, int width, int height, int layers, int levels) {
   assert(width >= 1 && height >= 1 && levels >= 0);
   GLint largest = 0;
-  glGetIntegerv(is_cube ? GL_MAX_CUBE_MAP_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &largest);
+  glGetIntegerv(shape == Shape::cube ? GL_MAX_CUBE_MAP_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &largest);
   const std::string what = "a texture of " + std::to_string(width) + " × " + std::to_string(height);
   if (width > largest || height > largest) {
     return fail(ErrorCode::too_large, what + " texels is larger than the " + std::to_string(largest) +
                                           " texels a side that the graphics driver takes");
   }
-  const int max = allLevels(std::max(width, height));
-  Texture texture(format, is_cube, width, height, levels == kAllLevels ? max : std::min(levels, max));
+  const int max = levelCount(std::max(width, height));
+  Texture texture(format, shape, width, height, layers, levels == kAllLevels ? max : std::min(levels, max));
   if (glGetError() == GL_OUT_OF_MEMORY) {
     return fail(ErrorCode::too_large, what + " texels does not fit into the graphics memory");
   }
@@ -142,7 +133,8 @@ Result<Texture> Texture::make(Format format, bool is_cube, int width, int height
 Result<Texture> Texture::fromImages(Format format, const ImageSet& images) {
   assert(!images.empty() && (images.faces() == 1 || images.faces() == 6));
   const Image& first = images.at(0, 0);
-  MIRRORBALL_TRY(texture, make(format, images.faces() == 6, first.width(), first.height(), images.levels()));
+  MIRRORBALL_TRY(texture, make(format, images.faces() == 6 ? Shape::cube : Shape::plane, first.width(), first.height(),
+                               1, images.levels()));
   for (int level = 0; level < images.levels(); ++level) {
     for (int face = 0; face < images.faces(); ++face) {
       texture.upload(level, face, images.at(level, face));
@@ -151,13 +143,16 @@ Result<Texture> Texture::fromImages(Format format, const ImageSet& images) {
   return texture;
 }
 
-Texture::Texture(Format format, bool is_cube, int width, int height, int levels)
-    : format_(format), is_cube_(is_cube), width_(width), height_(height), levels_(levels) {
+Texture::Texture(Format format, Shape shape, int width, int height, int layers, int levels)
+    : format_(format), shape_(shape), width_(width), height_(height), levels_(levels) {
   GLuint name = 0;
   glGenTextures(1, &name);
   handle_ = Handle<destroy>(name);
   bindForWork();
-  glTexStorage2D(targetOf(is_cube), levels, internalFormat(format), width, height);
+  if (shape == Shape::array)
+    glTexStorage3D(target(), levels, internalFormat(format), width, height, layers);
+  else
+    glTexStorage2D(target(), levels, internalFormat(format), width, height);
   Sampling sampling;
   if (format == Format::rgba32f) sampling.filter = Sampling::Filter::nearest;
   setSampling(sampling);
@@ -165,56 +160,87 @@ Texture::Texture(Format format, bool is_cube, int width, int height, int levels)
 
 void Texture::destroy(unsigned name) { glDeleteTextures(1, &name); }
 
+unsigned Texture::target() const {
+  switch (shape_) {
+    case Shape::plane:
+      return GL_TEXTURE_2D;
+    case Shape::array:
+      return GL_TEXTURE_2D_ARRAY;
+    case Shape::cube:
+      return GL_TEXTURE_CUBE_MAP;
+  }
+  assert(false && "no such shape");
+  return GL_TEXTURE_2D;
+}
+
 void Texture::bindForWork() const {
   glActiveTexture(GL_TEXTURE0 + kWorkUnit);
-  glBindTexture(targetOf(is_cube_), handle_.name());
+  glBindTexture(target(), handle_.name());
 }
 
 void Texture::bind(int unit) const {
   assert(unit >= 0 && unit < kWorkUnit);
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(targetOf(is_cube_), handle_.name());
+  glBindTexture(target(), handle_.name());
+}
+
+/// What names one image of it in uploads and framebuffers.
+unsigned Texture::imageTarget(int face) const {
+  assert(face >= 0 && face < (isCube() ? 6 : 1));
+  return isCube() ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : GLenum{GL_TEXTURE_2D};
+}
+
+/// Whether that is the size of an image of the level.
+bool Texture::takes(int level, int width, int height) const {
+  if (level < 0 || level >= levels_) return false;
+  const int level_width = levelSide(width_, level);
+  const int level_height = levelSide(height_, level);
+  if (shape_ == Shape::array) return width <= level_width && height <= level_height;
+  return width == level_width && height == level_height;
 }
 
 template <typename Component, typename Fill>
-void Texture::uploadRows(int level, int face, Fill&& fill) {
+void Texture::uploadRows(int level, int face, int width, int height, Fill&& fill) {
   // Rows go over in bands, so that a large image is not in memory twice and a band is still in the
   // cache when the driver copies it.
   constexpr std::size_t kBandBytes = std::size_t{2} << 20;
   constexpr std::size_t kGrainBytes = std::size_t{64} << 10;
-  const int width = levelSide(width_, level);
   const std::size_t row_length = 4 * static_cast<std::size_t>(width);
   const std::size_t row_bytes = row_length * sizeof(Component);
-  const std::size_t height = static_cast<std::size_t>(levelSide(height_, level));
-  const std::size_t band_rows = std::clamp<std::size_t>(kBandBytes / row_bytes, 1, height);
+  const auto all_rows = static_cast<std::size_t>(height);
+  const std::size_t band_rows = std::clamp<std::size_t>(kBandBytes / row_bytes, 1, all_rows);
   std::vector<Component> band(band_rows * row_length);
   bindForWork();
-  for (std::size_t top = 0; top < height; top += band_rows) {
-    const std::size_t rows = std::min(band_rows, height - top);
+  for (std::size_t top = 0; top < all_rows; top += band_rows) {
+    const std::size_t rows = std::min(band_rows, all_rows - top);
     parallelFor(rows, kGrainBytes / row_bytes, [&](std::size_t begin, std::size_t end) {
       for (std::size_t row = begin; row < end; ++row) {
         fill(static_cast<int>(top + row), std::span(band).subspan(row * row_length, row_length));
       }
     });
-    glTexSubImage2D(imageTarget(is_cube_, face), level, 0, static_cast<GLint>(top), width, static_cast<GLsizei>(rows),
-                    GL_RGBA, kComponentType<Component>, band.data());
+    const auto y = static_cast<GLint>(top);
+    const auto row_count = static_cast<GLsizei>(rows);
+    constexpr GLenum kType = kComponentType<Component>;
+    if (shape_ == Shape::array)
+      glTexSubImage3D(target(), level, 0, y, face, width, row_count, 1, GL_RGBA, kType, band.data());
+    else
+      glTexSubImage2D(imageTarget(face), level, 0, y, width, row_count, GL_RGBA, kType, band.data());
   }
 }
 
 void Texture::upload(int level, int face, const Image& image) {
-  assert(level >= 0 && level < levels_);
-  assert(image.width() == levelSide(width_, level) && image.height() == levelSide(height_, level));
+  assert(takes(level, image.width(), image.height()));
   const auto expanded = [&](int y, std::span<float> rgba) { expandRow(image.row(y), image.channels(), 1.0f, rgba); };
   if (format_ == Format::rgba32f) {
-    uploadRows<float>(level, face, expanded);
+    uploadRows<float>(level, face, image.width(), image.height(), expanded);
   } else if (format_ == Format::rgba16f) {
-    uploadRows<std::uint16_t>(level, face, [&](int y, std::span<std::uint16_t> rgba) {
+    uploadRows<std::uint16_t>(level, face, image.width(), image.height(), [&](int y, std::span<std::uint16_t> rgba) {
       std::vector<std::uint16_t> halves(image.row(y).size());
       halvesFromFloats(image.row(y), halves);
       expandRow<std::uint16_t>(halves, image.channels(), kHalfOne, rgba);
     });
   } else {
-    uploadRows<std::uint8_t>(level, face, [&](int y, std::span<std::uint8_t> bytes) {
+    uploadRows<std::uint8_t>(level, face, image.width(), image.height(), [&](int y, std::span<std::uint8_t> bytes) {
       std::vector<float> rgba(bytes.size());
       expanded(y, rgba);
       encodeRow(rgba, format_ == Format::srgb8_alpha8, bytes);
@@ -223,28 +249,26 @@ void Texture::upload(int level, int face, const Image& image) {
 }
 
 void Texture::upload(int level, int face, const Image8& image) {
-  assert(isEightBit(format_) && level >= 0 && level < levels_);
-  assert(image.width() == levelSide(width_, level) && image.height() == levelSide(height_, level));
-  uploadRows<std::uint8_t>(level, face, [&](int y, std::span<std::uint8_t> bytes) {
+  assert(isEightBit(format_) && takes(level, image.width(), image.height()));
+  uploadRows<std::uint8_t>(level, face, image.width(), image.height(), [&](int y, std::span<std::uint8_t> bytes) {
     expandRow<std::uint8_t>(image.row(y), image.channels(), 255, bytes);
   });
 }
 
 void Texture::setSampling(const Sampling& sampling) {
   bindForWork();
-  const GLenum target = targetOf(is_cube_);
   const bool magnify_nearest = sampling.magnify_nearest || sampling.filter == Sampling::Filter::nearest;
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minifyMode(sampling.filter));
-  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify_nearest ? GL_NEAREST : GL_LINEAR);
-  glTexParameteri(target, GL_TEXTURE_WRAP_S, is_cube_ ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_s));
-  glTexParameteri(target, GL_TEXTURE_WRAP_T, is_cube_ ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_t));
+  glTexParameteri(target(), GL_TEXTURE_MIN_FILTER, minifyMode(sampling.filter));
+  glTexParameteri(target(), GL_TEXTURE_MAG_FILTER, magnify_nearest ? GL_NEAREST : GL_LINEAR);
+  glTexParameteri(target(), GL_TEXTURE_WRAP_S, isCube() ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_s));
+  glTexParameteri(target(), GL_TEXTURE_WRAP_T, isCube() ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_t));
 }
 
 void Texture::setLevels(int first, int last) {
   assert(first >= 0 && first <= last && last < levels_);
   bindForWork();
-  glTexParameteri(targetOf(is_cube_), GL_TEXTURE_BASE_LEVEL, first);
-  glTexParameteri(targetOf(is_cube_), GL_TEXTURE_MAX_LEVEL, last);
+  glTexParameteri(target(), GL_TEXTURE_BASE_LEVEL, first);
+  glTexParameteri(target(), GL_TEXTURE_MAX_LEVEL, last);
 }
 
 Image Texture::read(int level, int face) const {
@@ -254,7 +278,10 @@ Image Texture::read(int level, int face) const {
   GLuint framebuffer = 0;
   glGenFramebuffers(1, &framebuffer);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, imageTarget(is_cube_, face), handle_.name(), level);
+  if (shape_ == Shape::array)
+    glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, handle_.name(), level, face);
+  else
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, imageTarget(face), handle_.name(), level);
   Image image = readPixelFloats(format_, levelSide(width_, level), levelSide(height_, level));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(previous));
   glDeleteFramebuffers(1, &framebuffer);

@@ -30,7 +30,7 @@ struct Sampling {
   Wrap wrap_t = Wrap::clamp_to_edge;
 };
 
-/// A 2D texture or a cube map of any number of mip levels. Texel rows are as in Image: row 0 is at
+/// A 2D texture, an array of them or a cube map, of any number of mip levels. Texel rows are as in Image: row 0 is at
 /// t = 0. It starts with Sampling{}; rgba32f, which OpenGL ES cannot filter, with Filter::nearest.
 ///
 /// Uploads and settings go through texture unit 15, which is therefore no unit to bind textures to.
@@ -48,6 +48,12 @@ class Texture {
   /// errors   too_large
   static Result<Texture> makeCube(Format format, int size, int levels = 1);
 
+  /// An array of 2D textures of the same size, whose texels are undefined until uploaded.
+  ///
+  /// layers   at most 256, which every driver takes
+  /// errors   too_large
+  static Result<Texture> makeArray(Format format, int width, int height, int layers, int levels = 1);
+
   /// A texture with all levels of `images`: a cube if it has six faces, else 2D.
   ///
   /// errors   too_large
@@ -55,11 +61,16 @@ class Texture {
 
   static constexpr int kAllLevels = 0;
 
+  /// Texture units to bind to.
+  static constexpr int kUnits = 15;
+
   /// Replaces one image by linear floats. A grey image fills r, g and b; alpha is 1 where the image
   /// has none. In 8-bit formats [0, 1] is stored (sRGB-encoded for srgb8_alpha8); rgba16f clamps to
   /// ±65504.
   ///
-  /// image    of exactly the level's size, with 1, 3 or 4 channels
+  /// face     of a cube; of an array the layer; else 0
+  /// image    of exactly the level's size, with 1, 3 or 4 channels. Of an array's layer it may be smaller: it then lies at
+  ///          texel (0, 0), and the others stay as they are
   void upload(int level, int face, const Image& image);
 
   /// Replaces one image of an 8-bit format by bytes as they are; the channels as above.
@@ -72,7 +83,7 @@ class Texture {
   /// be among those that are read.
   void setLevels(int first, int last);
 
-  /// Binds to a texture unit, 0 to 14, for the sampler uniform that is set to that number.
+  /// Binds to a texture unit, 0 to kUnits − 1, for the sampler uniform that is set to that number.
   void bind(int unit) const;
 
   /// Reads one image back: 4 channels as a shader would sample them, so sRGB is decoded. In OpenGL
@@ -80,24 +91,29 @@ class Texture {
   Image read(int level = 0, int face = 0) const;
 
   Format format() const { return format_; }
-  bool isCube() const { return is_cube_; }
+  bool isCube() const { return shape_ == Shape::cube; }
   int width() const { return width_; }
   int height() const { return height_; }
   int levels() const { return levels_; }
   unsigned name() const { return handle_.name(); }  ///< for a call that this class does not have
 
  private:
+  enum class Shape { plane, array, cube };
+
   static void destroy(unsigned name);
-  Texture(Format format, bool is_cube, int width, int height, int levels);
-  static Result<Texture> make(Format format, bool is_cube, int width, int height, int levels);
+  Texture(Format format, Shape shape, int width, int height, int layers, int levels);
+  static Result<Texture> make(Format format, Shape shape, int width, int height, int layers, int levels);
+  unsigned target() const;
+  unsigned imageTarget(int face) const;
   void bindForWork() const;
+  bool takes(int level, int width, int height) const;
   /// Replaces an image row by row: fill(y, rgba) writes row y as the GPU keeps it.
   template <typename Component, typename Fill>
-  void uploadRows(int level, int face, Fill&& fill);
+  void uploadRows(int level, int face, int width, int height, Fill&& fill);
 
   Handle<destroy> handle_;
   Format format_;
-  bool is_cube_;
+  Shape shape_;
   int width_;
   int height_;
   int levels_;

@@ -106,6 +106,24 @@ TEST_P(TextureTest, KeepsEveryFaceAndLevelOfACube) {
   }
 }
 
+TEST_P(TextureTest, ALayerOfAnArrayTakesASmallerImageInItsCorner) {
+  auto array = Texture::makeArray(Format::rgba8, 4, 3, 3, Texture::kAllLevels);
+  ASSERT_TRUE(array) << array.error().message;
+  EXPECT_FALSE(array->isCube());
+  EXPECT_EQ(array->levels(), 3);
+  Image8 small(2, 1, 3);
+  for (std::size_t i = 0; i < small.samples().size(); ++i) small.samples()[i] = static_cast<std::uint8_t>(40 * i);
+  for (int layer = 0; layer < 3; ++layer) array->upload(0, layer, Image8(4, 3, 4, std::uint8_t(17 * layer)));
+  array->upload(0, 1, small);
+  array->upload(1, 2, Image8(2, 1, 4, 255));
+  for (int layer = 0; layer < 3; ++layer) {
+    const Image read = array->read(0, layer);
+    EXPECT_FLOAT_EQ(read.texel(3, 2)[0], static_cast<float>(17 * layer) / 255.0f) << layer;
+    EXPECT_FLOAT_EQ(read.texel(1, 0)[1], static_cast<float>(layer == 1 ? 160 : 17 * layer) / 255.0f) << layer;
+  }
+  EXPECT_FLOAT_EQ(array->read(1, 2).texel(1, 0)[3], 1.0f);
+}
+
 TEST_P(TextureTest, UploadsInSeveralBands) {
   // Taller than one band of 2 MiB, with a last band of another height.
   const Image image = patternImage(1024, 517, 3);

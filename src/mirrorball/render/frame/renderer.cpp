@@ -86,7 +86,7 @@ struct Renderer::State {
   Scene scene = {};
   std::optional<Environment> environment = {};
   std::optional<EnvironmentLight> light = {};
-  std::optional<SceneBuffers> buffers = {};
+  SceneBuffers buffers = {};
   BoundingSphere bounds = {};
   std::optional<SurfacePrograms> surfaces = {};  ///< made for the first frame
   gl::VertexArray screen = {};
@@ -140,7 +140,7 @@ Result<Renderer> Renderer::on(gl::Context context) {
 
 Result<void> Renderer::setScene(Scene scene) {
   State& state = *state_;
-  MIRRORBALL_TRY(buffers, SceneBuffers::make(scene));
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(scene, TextureUnit::of_material));
   state.scene = std::move(scene);
   state.buffers = std::move(buffers);
   state.bounds = boundingSphere(state.scene);
@@ -324,7 +324,7 @@ Result<void> Renderer::State::makeSphereMap() {
 Result<void> Renderer::State::drawSample(const Camera& camera) {
   FrameUniforms of_sample = frame;
   of_sample.camera = camera;
-  MIRRORBALL_TRY_VOID(surfaces->begin(scene, *light, of_sample, settings));
+  MIRRORBALL_TRY_VOID(surfaces->begin(scene, buffers, *light, of_sample, settings));
   sample->bind();
   const bool has_color = settings.background == BackgroundKind::radiance;
   const glm::vec3 color = has_color ? settings.background_color : glm::vec3(0.0f);
@@ -372,7 +372,7 @@ void Renderer::State::drawInstance(int instance) {
     glDisable(GL_CULL_FACE);
   else
     glEnable(GL_CULL_FACE);
-  surfaces->draw(scene, instance, *buffers, settings);
+  surfaces->draw(scene, instance, buffers, settings);
 }
 
 void Renderer::State::drawOpaque() {

@@ -2,6 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <glm/glm.hpp>
 
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/image/halve.h"
@@ -62,20 +68,64 @@ Result<gl::Texture> makeTexture(const Texture& texture, const MipLevels& levels)
   return Result<gl::Texture>(std::move(made));
 }
 
+/// The array of those textures of a material that are layers, if some are.
+Result<std::optional<gl::Texture>> makeLayers(const Scene& scene, const Material& material,
+                                              std::span<const MapSource> sources,
+                                              const std::vector<MipLevels>& levels) {
+  std::map<int, std::size_t> textures;  // layer → texture
+  glm::ivec2 size(0);
+  for (std::size_t row = 0; row < sources.size(); ++row) {
+    if (sources[row].layer < 0) continue;
+    const auto texture = static_cast<std::size_t>((material.*materialMaps()[row].slot).texture);
+    const Image8& image = scene.textures[texture].image;
+    textures[sources[row].layer] = texture;
+    size = glm::max(size, glm::ivec2(image.width(), image.height()));
+  }
+  if (textures.empty()) return std::optional<gl::Texture>();
+  MIRRORBALL_TRY(array, gl::Texture::makeArray(gl::Format::rgba8, size.x, size.y, static_cast<int>(textures.size()),
+                                               gl::Texture::kAllLevels));
+  for (const auto& [layer, texture] : textures) {
+    array.upload(0, layer, scene.textures[texture].image);
+    for (std::size_t level = 0; level < levels[texture].size(); ++level)
+      array.upload(static_cast<int>(level) + 1, layer, levels[texture][level]);
+  }
+  return std::optional<gl::Texture>(std::move(array));
+}
+
 }  // namespace
 
-Result<SceneBuffers> SceneBuffers::make(const Scene& scene) {
+Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
   SceneBuffers buffers;
   for (const Mesh& mesh : scene.meshes)
     buffers.meshes_.push_back({gl::VertexArray(gl::Buffer(std::span(mesh.vertices)), sizeof(Vertex), kAttributes,
                                                gl::Buffer(std::span(mesh.indices))),
                                mesh.indices.size()});
   const std::vector<MipLevels> levels = makeMipLevels(scene.textures);
-  for (std::size_t index = 0; index < scene.textures.size(); ++index) {
-    MIRRORBALL_TRY(made, makeTexture(scene.textures[index], levels[index]));
-    buffers.textures_.push_back(std::move(made));
+  buffers.textures_.resize(scene.textures.size());
+  for (const Material& material : scene.materials) {
+    std::vector<MapSource> sources = mapSources(material, scene.textures, units);
+    for (std::size_t row = 0; row < sources.size(); ++row) {
+      if (sources[row].unit < 0 || sources[row].layer >= 0) continue;
+      const auto index = static_cast<std::size_t>((material.*materialMaps()[row].slot).texture);
+      if (buffers.textures_[index]) continue;
+      MIRRORBALL_TRY(made, makeTexture(scene.textures[index], levels[index]));
+      buffers.textures_[index] = std::move(made);
+    }
+    MIRRORBALL_TRY(layers, makeLayers(scene, material, sources, levels));
+    buffers.materials_.push_back({std::move(sources), std::move(layers)});
   }
   return Result<SceneBuffers>(std::move(buffers));
+}
+
+void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit) const {
+  const MaterialMaps& maps = materials_[std::size_t(material)];
+  for (std::size_t row = 0; row < maps.sources.size(); ++row) {
+    const MapSource& source = maps.sources[row];
+    if (source.unit < 0) continue;
+    const TextureSlot& slot = scene.materials[std::size_t(material)].*materialMaps()[row].slot;
+    const gl::Texture& texture = source.layer < 0 ? *textures_[std::size_t(slot.texture)] : *maps.layers;
+    texture.bind(first_unit + source.unit);
+  }
 }
 
 void SceneBuffers::drawMesh(int index) const {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/texture.h"
+#include "mirrorball/render/surface/map_sources.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -12,19 +14,29 @@ namespace mirrorball {
 /// A scene's meshes and textures on the GPU.
 class SceneBuffers {
  public:
+  /// units    texture units that each material has
   /// errors   too_large: a texture is larger than the driver takes
-  static Result<SceneBuffers> make(const Scene& scene);
+  static Result<SceneBuffers> make(const Scene& scene, int units);
 
   void drawMesh(int index) const;
-  const gl::Texture& texture(int index) const { return textures_[std::size_t(index)]; }
+
+  /// mapSources() of a material.
+  const std::vector<MapSource>& mapsOf(int material) const { return materials_[std::size_t(material)].sources; }
+  /// Binds their textures to the units from `first_unit` on.
+  void bindMaps(const Scene& scene, int material, int first_unit) const;
 
  private:
   struct MeshBuffers {
     gl::VertexArray vertices;
     std::size_t index_count;
   };
+  struct MaterialMaps {
+    std::vector<MapSource> sources;
+    std::optional<gl::Texture> layers;
+  };
   std::vector<MeshBuffers> meshes_;
-  std::vector<gl::Texture> textures_;
+  std::vector<std::optional<gl::Texture>> textures_;  // those that have a unit of their own
+  std::vector<MaterialMaps> materials_;
 };
 
 }  // namespace mirrorball

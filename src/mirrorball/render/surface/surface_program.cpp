@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "mirrorball/bake/brdf/brdf_table.h"
+#include "mirrorball/image/image_set.h"
 
 namespace mirrorball {
 namespace {
@@ -51,19 +52,15 @@ void setMaps(gl::UniformBlock& block, const Material& material) {
   block.set("map_offset", std::span<const glm::vec4>(offsets));
 }
 
-/// Binds the material's textures, each to one unit however many maps it is, and tells the program which.
-void bindMaps(gl::Program& program, const Material& material, const SceneBuffers& buffers) {
-  std::vector<int> bound;
-  for (const MaterialMap& map : materialMaps()) {
-    const int texture = (material.*map.slot).texture;
-    if (texture < 0) continue;
-    const auto found = std::find(bound.begin(), bound.end(), texture);
-    const int unit = TextureUnit::first_of_material + static_cast<int>(found - bound.begin());
-    if (found == bound.end()) {
-      buffers.texture(texture).bind(unit);
-      bound.push_back(texture);
-    }
-    program.set(map.name, unit);
+/// Tells the program how large the maps are that it filters itself.
+void setExtents(gl::Program& program, const Scene& scene, const Material& material,
+                const std::vector<MapSource>& sources) {
+  for (std::size_t row = 0; row < sources.size(); ++row) {
+    if (sources[row].layer < 0) continue;
+    const MaterialMap& map = materialMaps()[row];
+    const Image8& image = scene.textures[std::size_t((material.*map.slot).texture)].image;
+    const int last_level = levelCount(std::max(image.width(), image.height())) - 1;
+    program.set(std::string(map.name) + "_extent", glm::vec3(image.width(), image.height(), last_level));
   }
 }
 
@@ -79,9 +76,13 @@ void setLamps(gl::Program& program, const std::vector<PointLight>& lights) {
   program.set("lamp_color", std::span<const glm::vec3>(colors));
 }
 
-const Material& materialOf(const Scene& scene, int instance) {
-  const Mesh& mesh = scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)];
-  return scene.materials[std::size_t(mesh.material)];
+/// The index of an instance's material.
+int materialOf(const Scene& scene, int instance) {
+  return scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)].material;
+}
+
+SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers, const FrameSettings& settings) {
+  return surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings);
 }
 
 /// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light around
@@ -123,6 +124,9 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
   if (is_sphere_map) program.set("sphere_map", TextureUnit::sphere_map);
   program.set("environment", TextureUnit::environment);
   program.set("prefiltered", TextureUnit::prefiltered);
+  for (std::size_t row = 0; row < variant.maps.size(); ++row)
+    if (const int unit = variant.maps[row].unit; unit >= 0)
+      program.set(samplerName(variant.maps, row), TextureUnit::first_of_material + unit);
   for (unsigned point = 0; point < block_points; ++point) {
     const auto layout = program.connect(kBlocks[point], point);
     if (layout && !layouts_[point]) layouts_[point] = std::make_shared<gl::BlockLayout>(*layout);
@@ -179,11 +183,11 @@ gl::UniformBlock& SurfacePrograms::materialBlock(const Scene& scene, int materia
   return found->second;
 }
 
-Result<void> SurfacePrograms::begin(const Scene& scene, const EnvironmentLight& light, const FrameUniforms& frame,
-                                    const FrameSettings& settings) {
+Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buffers, const EnvironmentLight& light,
+                                    const FrameUniforms& frame, const FrameSettings& settings) {
   if (scene.instances.empty()) return {};
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    MIRRORBALL_TRY(program, programFor(surfaceVariant(materialOf(scene, instance), settings)));
+    MIRRORBALL_TRY(program, programFor(variantOf(scene, materialOf(scene, instance), buffers, settings)));
     if (!settings.lights.empty()) setLamps(*program, settings.lights);
   }
   setFrame(light, frame, settings);
@@ -201,15 +205,15 @@ void SurfacePrograms::forgetScene() {
 
 void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) {
-  const Material& material = materialOf(scene, instance);
-  const int mesh = scene.instances[std::size_t(instance)].mesh;
-  gl::Program& program = programs_.find(surfaceVariant(material, settings))->second;
-  bindMaps(program, material, buffers);
+  const int material = materialOf(scene, instance);
+  gl::Program& program = programs_.find(variantOf(scene, material, buffers, settings))->second;
+  buffers.bindMaps(scene, material, TextureUnit::first_of_material);
+  setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
   frame_->bind(frame_point);
   instanceBlock(scene, instance).bind(instance_point);
-  materialBlock(scene, scene.meshes[std::size_t(mesh)].material).bind(material_point);
+  materialBlock(scene, material).bind(material_point);
   program.use();
-  buffers.drawMesh(mesh);
+  buffers.drawMesh(scene.instances[std::size_t(instance)].mesh);
 }
 
 }  // namespace mirrorball

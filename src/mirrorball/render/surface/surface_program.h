@@ -31,6 +31,7 @@ struct TextureUnit {
   static constexpr int prefiltered = 4;
   static constexpr int irradiance = 5;
   static constexpr int first_of_material = 6;
+  static constexpr int of_material = gl::Texture::kUnits - first_of_material;
 };
 
 /// A chain of prefiltered cubes, of which a texture holds the levels from `first_level` on.
@@ -67,11 +68,11 @@ class SurfacePrograms {
   static Result<SurfacePrograms> make(gl::Api api, const Image& brdf_table);
 
   /// Makes the programs that a frame needs and sets what all surfaces share. Each sample begins with it; `draw` must be
-  /// called with the same scene and settings.
+  /// called with the same scene, buffers and settings.
   ///
   /// errors   unsupported (the driver does not compile a shader)
-  Result<void> begin(const Scene& scene, const EnvironmentLight& light, const FrameUniforms& frame,
-                     const FrameSettings& settings);
+  Result<void> begin(const Scene& scene, const SceneBuffers& buffers, const EnvironmentLight& light,
+                     const FrameUniforms& frame, const FrameSettings& settings);
 
   /// Must be called when the scene is another one, or its materials or instances have changed.
   void forgetScene();

@@ -1,5 +1,7 @@
 #include "mirrorball/render/surface/surface_variant.h"
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "shaders/embedded_text.h"
@@ -48,6 +50,30 @@ LookUpPart lookUpPart(const FrameSettings& settings) {
   return LookUpPart::reflection;
 }
 
+constexpr std::array<Names, 3> kWraps{"kWrapRepeat", "kWrapMirroredRepeat", "kWrapClampToEdge"};  // by Wrap
+
+/// What a row's function returns that has a texture, and the uniforms for it.
+struct MapReading {
+  std::string uniforms;
+  std::string expression;
+};
+
+MapReading mapReading(std::span<const MapSource> sources, std::size_t row) {
+  const std::string name(materialMaps()[row].name);
+  const std::string sampler(samplerName(sources, row));
+  const std::string coordinates = "mapCoordinates(point, " + std::to_string(row) + ")";
+  const MapSource& source = sources[row];
+  if (source.layer < 0)
+    return {name == sampler ? "uniform sampler2D " + name + ";\n" : "",
+            "texture(" + sampler + ", " + coordinates + ")"};
+  const auto flag = [](bool value) { return value ? std::string("true") : std::string("false"); };
+  const auto wrap = [](Wrap mode) { return std::string(kWraps[static_cast<std::size_t>(mode)]); };
+  const std::string layer = std::to_string(source.layer) + ", " + name + "_extent, " + flag(source.srgb);
+  const std::string sampling = wrap(source.wrap_s) + ", " + wrap(source.wrap_t) + ", " + flag(source.nearest);
+  return {"uniform vec3 " + name + "_extent;\n",
+          "layerAt(MapLayer(" + layer + "), MapSampling(" + sampling + "), " + coordinates + ")"};
+}
+
 /// For each row of materialMaps() its function `vec4 base_color_map_at(SurfacePoint point)`: the texture where the
 /// material has one, and else 1, which multiplies nothing.
 std::string mapsText(const SurfaceVariant& variant) {
@@ -56,14 +82,13 @@ std::string mapsText(const SurfaceVariant& variant) {
       "  vec2 uv = map_offset[map].z > 0.5 ? point.uv_1 : point.uv_0;\n"
       "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * uv + map_offset[map].xy;\n"
       "}\n";
-  for (std::size_t row = 0; row < materialMaps().size(); ++row) {
-    const std::string name(materialMaps()[row].name);
-    const std::string function = "vec4 " + name + "_at(SurfacePoint point) { return ";
-    if ((variant.maps >> row & 1u) != 0)
-      text += "uniform sampler2D " + name + ";\n" + function + "texture(" + name + ", mapCoordinates(point, " +
-              std::to_string(row) + ")); }\n";
-    else
-      text += function + "vec4(1.0); }\n";
+  if (std::ranges::any_of(variant.maps, [](const MapSource& source) { return source.layer >= 0; }))
+    text += "#include \"map_layers.glsl\"\n";
+  for (std::size_t row = 0; row < variant.maps.size(); ++row) {
+    const bool has_texture = variant.maps[row].unit >= 0;
+    const MapReading reading = has_texture ? mapReading(variant.maps, row) : MapReading{"", "vec4(1.0)"};
+    text += reading.uniforms + "vec4 " + std::string(materialMaps()[row].name) + "_at(SurfacePoint point) { return " +
+            reading.expression + "; }\n";
   }
   return text;
 }
@@ -86,10 +111,9 @@ std::string answeredText(const SurfaceVariant& variant) {
 
 std::span<const SurfaceQuestion, kParts> surfaceQuestions() { return kQuestions; }
 
-SurfaceVariant surfaceVariant(const Material& material, const FrameSettings& settings) {
+SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings) {
   SurfaceVariant variant;
-  for (std::size_t row = 0; row < materialMaps().size(); ++row)
-    if ((material.*materialMaps()[row].slot).texture >= 0) variant.maps |= 1u << row;
+  variant.maps = std::move(maps);
   variant.choose(Part::normal, material.bump == BumpHeight::orange ? NormalPart::bump : NormalPart::vertex);
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
   variant.choose(Part::look_up, lookUpPart(settings));

@@ -7,10 +7,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/shader_source.h"
 #include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/surface/map_sources.h"
 #include "mirrorball/scene/material/material.h"
 
 namespace mirrorball {
@@ -35,11 +37,11 @@ enum class TransmissionPart : std::uint8_t { none, single };
 enum class LampsPart : std::uint8_t { none, point };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };
 
-/// Which shader draws a surface: an answer for each question, and which maps its material has.
+/// Which shader draws a surface: an answer for each question, and where its material's maps are.
 struct SurfaceVariant {
   std::array<std::uint8_t, kParts> answers{};
-  std::uint32_t maps = 0;       ///< bit i: row i of materialMaps() has a texture
-  std::uint8_t lamp_count = 0;  ///< of LampsPart::point
+  std::vector<MapSource> maps = std::vector<MapSource>(materialMaps().size());  ///< of each row of that table
+  std::uint8_t lamp_count = 0;                                                  ///< of LampsPart::point
 
   template <typename Answer>
   void choose(Part part, Answer answer) {
@@ -52,7 +54,8 @@ struct SurfaceVariant {
   auto operator<=>(const SurfaceVariant&) const = default;
 };
 
-SurfaceVariant surfaceVariant(const Material& material, const FrameSettings& settings);
+/// maps   mapSources() of the material
+SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings);
 
 /// The two shaders of a variant.
 struct SurfaceShaders {

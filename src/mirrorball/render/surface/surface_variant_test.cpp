@@ -13,6 +13,7 @@
 namespace mirrorball {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -44,22 +45,37 @@ TEST(SurfaceVariant, FollowsMaterialAndSettings) {
   FrameSettings settings;
   settings.reflect_at = ReflectAt::triangle;
   settings.lights.resize(2);
-  const SurfaceVariant variant = surfaceVariant(material, settings);
+  std::vector<MapSource> maps(materialMaps().size());
+  maps[2] = {.unit = 0};
+  const SurfaceVariant variant = surfaceVariant(material, maps, settings);
   EXPECT_TRUE(variant.has(Part::normal, NormalPart::bump));
   EXPECT_TRUE(variant.has(Part::detail, DetailPart::none));
   EXPECT_TRUE(variant.has(Part::look_up, LookUpPart::triangle_reflection));
   EXPECT_TRUE(variant.has(Part::transmission, TransmissionPart::single));
   EXPECT_TRUE(variant.has(Part::lamps, LampsPart::point));
   EXPECT_EQ(variant.lamp_count, 2);
-  EXPECT_EQ(materialMaps()[2].name, "roughness_map");
-  EXPECT_EQ(variant.maps, 4u);
+  EXPECT_EQ(variant.maps, maps);
 }
 
 TEST(SurfaceVariant, CompilesOnlyWhatItUses) {
   const auto plain = surfaceShaders(gl::Api::es30, {});
   ASSERT_TRUE(plain);
-  for (const char* unused : {"orangeHeight", "sampler2D sphere_map", "normal_map;", "LAMP_COUNT", "#include"})
+  for (const char* unused :
+       {"orangeHeight", "sampler2D sphere_map", "normal_map;", "map_layers", "LAMP_COUNT", "#include"})
     EXPECT_THAT(plain->fragment.text, Not(HasSubstr(unused)));
+}
+
+TEST(SurfaceVariant, MapsWithTheSameUnitReadOneSampler) {
+  SurfaceVariant variant;
+  variant.maps[0] = {.unit = 0};
+  variant.maps[1] = {.unit = 1};
+  variant.maps[2] = {.unit = 1};
+  const auto shaders = surfaceShaders(gl::Api::es30, variant);
+  ASSERT_TRUE(shaders);
+  EXPECT_THAT(
+      shaders->fragment.text,
+      AllOf(HasSubstr("uniform sampler2D base_color_map;"), HasSubstr("uniform sampler2D metallic_map;"),
+            Not(HasSubstr("sampler2D roughness_map")), HasSubstr("texture(metallic_map, mapCoordinates(point, 2))")));
 }
 
 }  // namespace

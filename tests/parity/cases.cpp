@@ -6,7 +6,6 @@
 namespace mirrorball::formula {
 
 #define FN inline
-#include "mirrorball/environment/projection/texel_geometry.h"
 #include "parity/smooth_cube.glsl"
 #include "parity/smooth_map.glsl"
 #include "parity/test_surface.glsl"

@@ -2,6 +2,8 @@
 
 #include "mirrorball/scene/material/material.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>

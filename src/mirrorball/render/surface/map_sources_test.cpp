@@ -1,6 +1,8 @@
 #include "mirrorball/render/surface/map_sources.h"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

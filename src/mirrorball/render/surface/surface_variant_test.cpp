@@ -3,6 +3,8 @@
 
 #include "mirrorball/render/surface/surface_variant.h"
 
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -237,8 +237,8 @@ std::vector<MapSource> allMaps(bool with_layers) {
   return maps;
 }
 
-/// Every pair of answers to two questions of the surface's shader, the others answered as usual; and each with all maps,
-/// some of them layers.
+/// Every pair of answers to two questions of the surface's shader, the others answered as usual; and each with all
+/// maps, some of them layers.
 std::vector<SurfaceVariant> pairsOfParts() {
   std::set<SurfaceVariant> variants;
   const auto questions = surfaceQuestions();

@@ -1,5 +1,5 @@
-// Stands for a 2D map on both sides, as smooth_cube.glsl does for a cube: its texels hold their coordinates and level. It is
-// half as high as wide.
+// Stands for a 2D map on both sides, as smooth_cube.glsl does for a cube: its texels hold their coordinates and level.
+// It is half as high as wide.
 struct SmoothMap {
   float size;  // width
 };

@@ -69,8 +69,8 @@ class Texture {
   /// ±65504.
   ///
   /// face     of a cube; of an array the layer; else 0
-  /// image    of exactly the level's size, with 1, 3 or 4 channels. Of an array's layer it may be smaller: it then lies at
-  ///          texel (0, 0), and the others stay as they are
+  /// image    of exactly the level's size, with 1, 3 or 4 channels. Of an array's layer it may be smaller: it then
+  ///          lies at texel (0, 0), and the others stay as they are
   void upload(int level, int face, const Image& image);
 
   /// Replaces one image of an 8-bit format by bytes as they are; the channels as above.

@@ -1,5 +1,5 @@
-// A material with more textures than texture units: those that are layers of an array, filtered by the shader, look as they do
-// with a unit each, filtered by the driver.
+// A material with more textures than texture units: those that are layers of an array, filtered by the shader, look as
+// they do with a unit each, filtered by the driver.
 
 #include <algorithm>
 #include <cmath>
@@ -121,8 +121,8 @@ class Drawing {
 class MapLayersTest : public gl::GlTest {};
 MIRRORBALL_WITH_BOTH_APIS(MapLayersTest);
 
-// Drivers weigh texels by 8-bit fractions and take a short way to the mip level. Where texels show as squares, the last bit
-// decides to which of two a pixel on their edge belongs: that is the one sample in a hundred.
+// Drivers weigh texels by 8-bit fractions and take a short way to the mip level. Where texels show as squares, the last
+// bit decides to which of two a pixel on their edge belongs: that is the one sample in a hundred.
 TEST_P(MapLayersTest, LookAsWithUnitsOfTheirOwn) {
   auto drawing = Drawing::make(GetParam(), context().filtersFloats());
   ASSERT_TRUE(drawing) << drawing.error().message;

@@ -1,0 +1,65 @@
+#include "mirrorball/metric/picture/lettering.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <stb/stb_easy_font.h>
+
+namespace mirrorball {
+namespace {
+
+/// A corner of a stroke, as stb_easy_font.h hands it out.
+struct Corner {
+  float x;
+  float y;
+  float z;
+  std::array<std::uint8_t, 4> color;
+};
+static_assert(sizeof(Corner) == 16);
+using Stroke = std::array<Corner, 4>;  ///< an upright rectangle, from its upper left corner clockwise
+
+constexpr int kLineHeight = 12;
+
+/// One line of the letters that the font has.
+std::string ascii(std::string_view text) {
+  std::string letters;
+  for (const char letter : text) {
+    const bool continues = (static_cast<unsigned char>(letter) & 0xC0u) == 0x80u;  // a code point of several bytes
+    if (!continues) letters += letter >= ' ' && letter <= '~' ? letter : '?';
+  }
+  return letters;
+}
+
+std::vector<Stroke> strokesOf(std::string letters) {
+  constexpr std::size_t kStrokesPerLetter = 32;  // '@' has 13
+  std::vector<Stroke> strokes(kStrokesPerLetter * letters.size());
+  const int count = stb_easy_font_print(0.0f, 0.0f, letters.data(), nullptr, strokes.data(),
+                                        static_cast<int>(strokes.size() * sizeof(Stroke)));
+  strokes.resize(std::size_t(count));
+  return strokes;
+}
+
+}  // namespace
+
+int lineHeight(int scale) { return kLineHeight * scale; }
+
+int textWidth(std::string_view text, int scale) {
+  std::string letters = ascii(text);
+  return scale * stb_easy_font_width(letters.data());
+}
+
+void drawText(Image8& picture, glm::ivec2 upper_left, int scale, glm::vec<3, std::uint8_t> color,
+              std::string_view text) {
+  for (const Stroke& stroke : strokesOf(ascii(text))) {
+    const int left = upper_left.x + scale * static_cast<int>(stroke[0].x);
+    const int top = upper_left.y + scale * static_cast<int>(stroke[0].y);
+    const int right = std::min(upper_left.x + scale * static_cast<int>(stroke[2].x), picture.width());
+    const int bottom = std::min(upper_left.y + scale * static_cast<int>(stroke[2].y), picture.height());
+    for (int y = std::max(top, 0); y < bottom; ++y)
+      for (int x = std::max(left, 0); x < right; ++x) std::copy_n(&color.x, 3, picture.texel(x, y));
+  }
+}
+
+}  // namespace mirrorball

@@ -12,6 +12,7 @@ Command convertCommand();
 Command bakeCommand();
 Command captureCommand();
 Command infoCommand();
+Command compareCommand();
 Command photoCommand();
 Command cacheCommand();
 Command referenceCommand();

@@ -1,23 +1,10 @@
 #include <string>
 
-#include <nlohmann/json.hpp>
-
+#include "cli/json_values.h"
 #include "cli/map_info.h"
-#include "mirrorball/base/text.h"
 
 namespace mirrorball::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// A float by its shortest text: 0.1 rather than 0.10000000149.
-Json numberOf(float value) {
-  const auto shortest = parseNumber(formatNumber(double(value)));
-  return shortest ? Json(*shortest) : Json();
-}
-
-Json arrayOf(glm::vec3 v) { return {numberOf(v.x), numberOf(v.y), numberOf(v.z)}; }
-Json arrayOf(glm::ivec2 v) { return {v.x, v.y}; }
 
 Json jsonOfDirection(const DirectionInfo& direction) {
   Json json;
@@ -30,7 +17,7 @@ Json jsonOfDirection(const DirectionInfo& direction) {
     projection["covered"] = place.place.has_value();
     if (!place.place) continue;
     projection["image"] = place.place->face;
-    projection["uv"] = {numberOf(place.place->uv.x), numberOf(place.place->uv.y)};
+    projection["uv"] = {numberOf(double(place.place->uv.x)), numberOf(double(place.place->uv.y))};
     projection["texel"] = arrayOf(place.texel);
   }
   return json;
@@ -49,7 +36,7 @@ void add(const MapInfo& map, Json& json) {
     json["told_by"] = loaded.recognition->told_by;
     json["size"] = arrayOf(loaded.file_size);
   }
-  json["covered"] = numberOf(map.covered);
+  json["covered"] = numberOf(double(map.covered));
   json["bad_texels"]["count"] = loaded.bad_texels.count;
   if (loaded.bad_texels.count > 0) json["bad_texels"]["first"] = arrayOf(loaded.bad_texels.first);
   json["least"] = arrayOf(map.statistics.min);
@@ -83,8 +70,7 @@ std::string jsonOf(std::span<const InputInfo> inputs) {
     std::visit([&](const auto& what) { add(what, json); }, input.what);
     all.push_back(std::move(json));
   }
-  // File names need not be UTF-8, which JSON is.
-  return (inputs.size() == 1 ? all.front() : all).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return printedJson(inputs.size() == 1 ? all.front() : all);
 }
 
 }  // namespace mirrorball::cli

@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 
+#include "cli/formatted.h"
 #include "cli/map_info.h"
 
 namespace mirrorball::cli {
@@ -11,21 +11,11 @@ namespace {
 
 constexpr std::array<const char*, 6> kFaceNames{"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
 
-/// As printf writes it.
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), '\0');
-  std::snprintf(text.data(), text.size() + 1, format, values...);
-  return text;
-}
-
-std::string text(glm::vec3 v) { return formatted("%.5g %.5g %.5g", double(v.x), double(v.y), double(v.z)); }
-
 /// Of a unit direction, in which what is next to nothing is rounding.
 std::string directionText(glm::vec3 d) {
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(d[axis]) < 1e-6f) d[axis] = 0.0f;
-  return text(d);
+  return shortText(d);
 }
 
 /// "  format       KTX2": a fact with its name.
@@ -53,10 +43,10 @@ std::string fileText(const MapInfo& map) {
 }
 
 std::string statisticsText(const RadianceStatistics& statistics) {
-  return line("range", text(statistics.min) + " to " + text(statistics.max)) +
-         line("mean", text(statistics.mean) + " over the sphere") +
+  return line("range", shortText(statistics.min) + " to " + shortText(statistics.max)) +
+         line("mean", shortText(statistics.mean) + " over the sphere") +
          line("brightest",
-              text(statistics.brightest) + " from direction " + directionText(statistics.brightest_direction));
+              shortText(statistics.brightest) + " from direction " + directionText(statistics.brightest_direction));
 }
 
 /// What the two numbers are, after the image that they lie in: "face -X, (s, t)", "front, (u, v)", "(u, v)".
@@ -82,17 +72,17 @@ std::string placeText(const DirectionPlace& place) {
 }
 
 std::string directionText(const DirectionInfo& direction) {
-  std::string said = "direction " + text(direction.given) + ", unit " + directionText(direction.unit) + "\n";
+  std::string said = "direction " + shortText(direction.given) + ", unit " + directionText(direction.unit) + "\n";
   for (const DirectionPlace& place : direction.places)
     said += line(std::string(nameOf(place.projection)).c_str(), placeText(place));
-  return said + line("radiance", text(direction.radiance));
+  return said + line("radiance", shortText(direction.radiance));
 }
 
 std::string textOf(const MapInfo& map) {
   if (map.direction) return directionText(*map.direction);
   std::string said = fileText(map) + statisticsText(map.statistics);
   if (map.harmonics)
-    said += line("harmonics", "Filament's, of irradiance / pi: " + text((*map.harmonics)[0]) + " in the mean");
+    said += line("harmonics", "Filament's, of irradiance / pi: " + shortText((*map.harmonics)[0]) + " in the mean");
   return said;
 }
 

@@ -66,11 +66,12 @@ constexpr std::array<Synonyms, 38> kOptionSynonyms{{
     {"", "env enviroment environment environmentmap envmap hdr hdri hdrifile map panorama skybox"},
 }};
 
-constexpr std::array<Synonyms, 5> kCommandSynonyms{{
+constexpr std::array<Synonyms, 6> kCommandSynonyms{{
     {"render", "display draw preview show view"},
     {"convert", "cubemap reproject resample resize transform"},
     {"bake", "filter ibl irradiance prefilter"},
     {"info", "describe identify inspect"},
+    {"compare", "diff difference metric metrics"},
     {"photo", "unwrap"},
 }};
 

@@ -26,7 +26,7 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
 using HelpTest = CliTest;
-const char* const kCommands[] = {"render", "convert", "bake", "capture", "info", "photo", "cache", "reference"};
+const char* const kCommands[] = {"render", "convert", "bake", "capture", "info", "compare", "photo", "cache", "reference"};
 
 std::set<std::string> optionsIn(const std::string& help) {
   std::set<std::string> options;
@@ -90,7 +90,7 @@ TEST_F(HelpTest, TheReferenceHasEveryOptionAndParameter) {
 
 TEST_F(HelpTest, ListsOfFormatsAreTheTables) {
   const std::string read(readExtensions());
-  for (const std::string command : {"info", "convert", "render", "capture"})
+  for (const std::string command : {"info", "compare", "convert", "render", "capture"})
     EXPECT_THAT(succeed(command + " --help"), HasSubstr(read)) << command;
   EXPECT_THAT(succeed("render --help"), HasSubstr(writtenExtensions(Holds::picture)));
   for (const std::string command : {"convert", "capture", "photo"})

@@ -109,7 +109,7 @@ std::string valueText(Metric metric, double value) {
 
 Result<ComparedImage> comparedImage(Image image, ImageKind kind) {
   if (const NonFinite bad = findNonFinite(image); bad.count > 0)
-    return fail(ErrorCode::non_finite, textOf(bad) + ", of which there is no difference", Remedy::repair);
+    return fail(ErrorCode::non_finite, textOf(bad), Remedy::repair);
   ComparedImage compared{{}, coverageOf(image)};
   compared.light = rgbOf(image);
   if (kind == ImageKind::picture && !compared.alpha.empty())

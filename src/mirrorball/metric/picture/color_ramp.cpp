@@ -31,21 +31,9 @@ glm::vec3 linearFromOklch(float lightness, float chroma, float hue_deg) {
           -0.0041960863f * cones.x - 0.7034186147f * cones.y + 1.7076147010f * cones.z};
 }
 
-bool isOnDisplay(glm::vec3 light) {
-  return std::min({light.x, light.y, light.z}) >= 0.0f && std::max({light.x, light.y, light.z}) <= 1.0f;
-}
-
-/// The most colourful one that a display has of that lightness and hue, up to `chroma`; encoded.
+/// A colour that a display has, encoded.
 glm::vec3 displayColor(float lightness, float chroma, float hue_deg) {
-  float shown = 0.0f;
-  float too_much = chroma;
-  if (isOnDisplay(linearFromOklch(lightness, chroma, hue_deg))) shown = chroma;
-  for (int step = 0; step < 20 && shown < chroma; ++step) {
-    const float half = 0.5f * (shown + too_much);
-    (isOnDisplay(linearFromOklch(lightness, half, hue_deg)) ? shown : too_much) = half;
-  }
-  const glm::vec3 light = glm::clamp(linearFromOklch(lightness, shown, hue_deg), 0.0f, 1.0f);
-  return formula::srgbFromLinear(light);
+  return formula::srgbFromLinear(glm::clamp(linearFromOklch(lightness, chroma, hue_deg), 0.0f, 1.0f));
 }
 
 Ramp makeRamp(glm::vec3 (*color)(float)) {
@@ -61,16 +49,21 @@ glm::vec3 colorAt(const Ramp& ramp, float t) {
   return ramp[static_cast<std::size_t>(std::min(t, 1.0f) * static_cast<float>(kSteps - 1) + 0.5f)];
 }
 
+// Chromas stay within what a display has of each lightness and hue: where one is cut off, a ramp gets an edge.
 constexpr float kLightest = 0.97f;
 
 glm::vec3 sequential(float t) {
-  // Colours are strongest in the middle; the hue goes from violet (290°) over red (0°) to yellow (105°).
-  const float chroma = 0.2f * std::sqrt(std::sin(std::numbers::pi_v<float> * std::min(0.12f + 0.8f * t, 1.0f)));
-  return displayColor(0.12f + (kLightest - 0.12f) * t, chroma, 290.0f + 175.0f * t);
+  constexpr float kDarkest = 0.12f;
+  const float chroma = 0.06f + 0.11f * std::sin(std::numbers::pi_v<float> * t) + 0.035f * t;
+  // From violet (290°) over red (25°) to yellow (105°).
+  return displayColor(kDarkest + (kLightest - kDarkest) * t, chroma, 290.0f + 175.0f * t);
 }
 
 /// One arm of the diverging ramp.
-glm::vec3 arm(float t, float hue_deg) { return displayColor(kLightest + (0.45f - kLightest) * t, 0.25f * t, hue_deg); }
+glm::vec3 arm(float t, float hue_deg) {
+  constexpr float kDarkest = 0.45f;
+  return displayColor(kLightest + (kDarkest - kLightest) * t, 0.18f * t, hue_deg);
+}
 
 }  // namespace
 

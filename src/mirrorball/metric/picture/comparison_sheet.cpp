@@ -1,8 +1,9 @@
 #include "mirrorball/metric/picture/comparison_sheet.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <string_view>
+#include <utility>
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/metric/picture/color_ramp.h"
@@ -45,6 +46,23 @@ std::string fitted(std::string line, int width, int scale) {
   return line + "...";
 }
 
+/// Lines that fit: what is longer goes on in the next one, indented.
+std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::size_t most) {
+  const std::string indent(10, ' ');
+  std::vector<std::string> result;
+  for (std::string line : lines) {
+    while (line.size() > most) {
+      const std::size_t space = line.rfind(' ', most);
+      const bool has_space = space != std::string::npos && line.find_first_not_of(' ') < space;
+      const std::size_t end = has_space ? space : most;
+      result.push_back(line.substr(0, end));
+      line = indent + line.substr(has_space ? end + 1 : end);
+    }
+    result.push_back(std::move(line));
+  }
+  return result;
+}
+
 /// The map's colours from the least to the greatest, with what they mean.
 void drawScale(Image8& sheet, glm::ivec2 upper_left, int width, int text_scale, HeatMapKind kind, float scale) {
   const bool is_signed = kind == HeatMapKind::difference;
@@ -83,17 +101,18 @@ Image8 comparisonSheet(const Comparison& comparison, HeatMapKind kind, float sca
   const int margin = 4 * text_scale;
   const int line = lineHeight(text_scale);
   const int below = margin + line + panels[0].height() + margin;
-  const int lines = std::max(static_cast<int>(text.lines.size()), 3);
+  const int map_left = margin + 2 * (column + margin);
+  const std::vector<std::string> written =
+      wrapped(text.lines, std::size_t((map_left - 2 * margin) / textWidth(" ", text_scale)));
+  const int lines = std::max(static_cast<int>(written.size()), 3);
   Image8 sheet(4 * margin + 3 * column, below + lines * line + margin, 3, kPaper);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const int left = margin + static_cast<int>(i) * (column + margin);
     drawText(sheet, {left, margin}, text_scale, kInk, fitted(text.titles[i], column, text_scale));
     place(panels[i], sheet, left, margin + line);
   }
-  const int map_left = margin + 2 * (column + margin);
-  for (std::size_t i = 0; i < text.lines.size(); ++i)
-    drawText(sheet, {margin, below + static_cast<int>(i) * line}, text_scale, kInk,
-             fitted(text.lines[i], map_left - 2 * margin, text_scale));
+  for (std::size_t i = 0; i < written.size(); ++i)
+    drawText(sheet, {margin, below + static_cast<int>(i) * line}, text_scale, kInk, written[i]);
   drawScale(sheet, {map_left, below}, column, text_scale, kind, scale);
   return sheet;
 }

@@ -43,6 +43,7 @@ TEST(Lettering, LeavesOutWhatLiesBesideAndKnowsOnlyAscii) {
   drawText(picture, {8, 8}, 4, {255, 255, 255}, "WWW");
   EXPECT_EQ(textWidth("süß", 1), textWidth("s??", 1));
   EXPECT_EQ(textWidth("", 1), 0);
+  EXPECT_EQ(textWidth("iii", 1), textWidth("WWW", 1)) << "columns stand below each other";
   std::string all;
   for (char letter = ' '; letter <= '~'; ++letter) all += letter;
   Image8 letters(2000, 20, 3);
@@ -72,13 +73,30 @@ TEST(ComparisonSheet, HasTheThreePicturesAsTheyAre) {
     }
 }
 
-TEST(ComparisonSheet, SmallPicturesAreMagnifiedAndLongNamesCut) {
-  const std::string name(1000, 'W');
-  const SheetText text{{name, name, name}, std::vector<std::string>(9, name)};
+TEST(ComparisonSheet, SmallPicturesAreMagnifiedUnlessTheyAreTall) {
+  const SheetText text{{"A", "B", "C"}, {"RMSE 1"}};
   EXPECT_GT(comparisonSheet(comparisonOf(1, 1), HeatMapKind::difference, 1.0f, text).height(), 320);
-  EXPECT_GT(comparisonSheet(comparisonOf(1, 1000), HeatMapKind::flip, 1.0f, text).height(), 1000);
-  EXPECT_LT(comparisonSheet(comparisonOf(1, 1000), HeatMapKind::flip, 1.0f, text).height(), 1300);
-  EXPECT_GT(comparisonSheet(comparisonOf(1000, 1), HeatMapKind::flip, 1.0f, text).width(), 3000);
+  EXPECT_EQ(comparisonSheet(comparisonOf(1, 1), HeatMapKind::difference, 1.0f, text).width(), 3 * 320 + 4 * 8);
+  const int tall = comparisonSheet(comparisonOf(1, 1000), HeatMapKind::flip, 1.0f, text).height();
+  EXPECT_GT(tall, 1000);
+  EXPECT_LT(tall, 1200);
+}
+
+TEST(ComparisonSheet, LongNamesAreCutAndLongLinesGoOnInTheNext) {
+  const Comparison comparison = comparisonOf(20, 20);
+  const std::string word(1000, 'W');
+  const auto sheetOf = [&](const SheetText& text) {
+    return comparisonSheet(comparison, HeatMapKind::flip, 1.0f, text);
+  };
+  const std::vector<std::string> four(4, "RMSE");
+  const Image8 usual = sheetOf({{"A", "B", "C"}, four});
+  const Image8 named = sheetOf({{word, word, word}, four});
+  EXPECT_EQ(named.width(), usual.width());
+  EXPECT_EQ(named.height(), usual.height());
+  const Image8 one_more = sheetOf({{"A", "B", "C"}, {"", "", "", "of the picture as it is " + std::string(30, 'W')}});
+  EXPECT_EQ(one_more.height(), usual.height() + lineHeight(2));
+  EXPECT_GT(sheetOf({{"A", "B", "C"}, {word}}).height(), usual.height() + 20 * lineHeight(2))
+      << "where there is no space it breaks anywhere";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "mirrorball/base/parallel.h"
@@ -29,6 +30,13 @@ Image8 coloredBy(const Image& numbers, const Color& colorOf) {
   return map;
 }
 
+std::vector<float> magnitudesFrom(float least, const Image& difference) {
+  std::vector<float> magnitudes;
+  for (const float number : difference.samples())
+    if (std::abs(number) >= least) magnitudes.push_back(std::abs(number));
+  return magnitudes;
+}
+
 /// The least of 1, 2 and 5 times a power of ten that is not below `number`.
 float roundedUp(float number) {
   const double power = std::pow(10.0, std::floor(std::log10(double(number))));
@@ -45,13 +53,12 @@ Image8 signedHeatMap(const Image& difference, float scale) {
 
 float usualScale(const Image& difference) {
   constexpr double kShown = 0.99;
-  std::vector<float> magnitudes;
-  for (const float number : difference.samples())
-    if (number != 0.0f) magnitudes.push_back(std::abs(number));
+  // Differences that are no more than rounding may be in every pixel, and those that count in few.
+  std::vector<float> magnitudes = magnitudesFrom(1.0f / 255.0f, difference);
+  if (magnitudes.empty()) magnitudes = magnitudesFrom(std::numeric_limits<float>::denorm_min(), difference);
   if (magnitudes.empty()) return 1.0f;
   const auto rank = std::ptrdiff_t(kShown * static_cast<double>(magnitudes.size() - 1));
   std::nth_element(magnitudes.begin(), magnitudes.begin() + rank, magnitudes.end());
-  // A number that is no more than rounding has no scale of its own.
   return roundedUp(std::max(magnitudes[std::size_t(rank)], 1e-30f));
 }
 

@@ -41,6 +41,10 @@ TEST(HeatMap, TheUsualScaleIsARoundNumberThatFewExceed) {
   EXPECT_FLOAT_EQ(usualScale(difference), 0.05f) << "a round number is its own";
   *difference.texel(0, 0) = 1e5f;
   EXPECT_FLOAT_EQ(usualScale(difference), 0.05f) << "one sun alone does not hide the rest";
+  Image rounding(100, 20, 1, 1e-6f);
+  EXPECT_FLOAT_EQ(usualScale(rounding), 1e-6f);
+  *rounding.texel(9, 9) = 0.2f;
+  EXPECT_FLOAT_EQ(usualScale(rounding), 0.2f) << "what is seen counts, where there is some";
   Image huge(1, 1, 1, -3e38f);
   EXPECT_GE(usualScale(huge), 3e38f);
   Image tiny(1, 1, 1, 1e-44f);

@@ -15,7 +15,7 @@ namespace mirrorball {
 /// scale    how many pixels a letter's strokes are wide, at least 1
 int lineHeight(int scale);
 
-/// How wide a line of text is [pixels].
+/// How wide a line of text is [pixels]. All letters are equally wide, so that columns stand below each other.
 int textWidth(std::string_view text, int scale);
 
 /// Draws a line of text into a picture of 3 channels; what lies beside the picture is left out.

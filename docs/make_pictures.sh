@@ -33,7 +33,8 @@ complain() {
 
 # The arguments of each command, once. The commands are this repository's own text: the shell may read them.
 commands=$(sed -n 's|^\./mirrorball \(.* docs/pictures/.*\)$|\1|p' README.md docs/*.md | awk '!seen[$0]++')
-made=$(echo "$commands" | sed 's|.*-o docs/pictures/\([^ ]*\).*|\1|' | sort)
+# What a command writes is named last: after -o, or --heat-map of `compare`, which reads others.
+made=$(echo "$commands" | sed 's|.* docs/pictures/\([^ ]*\).*|\1|' | sort)
 shown=$(cat README.md docs/*.md | grep -o '[("][a-z/]*pictures/[A-Za-z0-9_]*\.[a-z]*' | sed 's|.*/||' | sort -u)
 is_plot() { [ "${1##*.}" = svg ]; }
 

@@ -187,7 +187,7 @@ Result<void> writePictures(const ToldComparison& told) {
   }
   if (!options.sheet.empty()) {
     const std::string map = options.map == HeatMapKind::flip ? "FLIP" : "A - B";
-    const SheetText text{{"A: " + told.test, "B: " + told.reference, map}, linesOf(told)};
+    const SheetText text{told.test, told.reference, map, linesOf(told)};
     MIRRORBALL_TRY_VOID(savePicture(options.sheet, comparisonSheet(told.comparison, options.map, told.scale, text)));
     announce(options.sheet);
   }

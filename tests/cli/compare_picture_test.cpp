@@ -56,13 +56,13 @@ TEST_F(ComparePictureTest, TheSheetHasAllThree) {
   succeed("compare a.png b.png --sheet sheet.png --heat-map map.jpg");
   EXPECT_THAT(files(), ElementsAre("a.png", "b.png", "map.jpg", "sheet.png"));
   const Image8 sheet = picture("sheet.png");
-  EXPECT_GT(sheet.width(), 960);
+  EXPECT_GT(sheet.width(), 1320);
   const Image8 a = picture("a.png");
   const Image8 b = picture("b.png");
   const int y = 100;
   EXPECT_EQ(sheet.texel(30, y)[0], a.texel(0, 0)[0]);
-  EXPECT_EQ(sheet.texel(370, y)[0], b.texel(0, 0)[0]);
-  EXPECT_GT(sheet.texel(710, y)[0], sheet.texel(710, y)[2] + 50) << "the map";
+  EXPECT_EQ(sheet.texel(500, y)[0], b.texel(0, 0)[0]);
+  EXPECT_GT(sheet.texel(960, y)[0], sheet.texel(960, y)[2] + 50) << "the map";
 }
 
 TEST_F(ComparePictureTest, OutputsThatCannotBeAreRefusedFirst) {

@@ -1,6 +1,7 @@
 #include "mirrorball/metric/picture/comparison_sheet.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -14,7 +15,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr int kLeastColumn_px = 320;
+constexpr int kLeastColumn_px = 440;
 constexpr int kTallestMagnified_px = 1024;
 constexpr std::uint8_t kPaper = 28;
 constexpr glm::vec<3, std::uint8_t> kInk{230, 230, 230};
@@ -39,11 +40,13 @@ Image8 magnified(const Image8& picture, int factor) {
   return large;
 }
 
-/// As much of a line as fits.
-std::string fitted(std::string line, int width, int scale) {
-  if (textWidth(line, scale) <= width) return line;
-  while (!line.empty() && textWidth(line + "...", scale) > width) line.pop_back();
-  return line + "...";
+/// A title with a name, of which the end tells more than the beginning where not all fits.
+std::string fitted(const std::string& title, const std::string& name, int width, int scale) {
+  for (std::size_t begin = 0; begin < name.size(); ++begin) {
+    const std::string shown = title + (begin == 0 ? name : "..." + name.substr(begin));
+    if (textWidth(shown, scale) <= width) return shown;
+  }
+  return title;
 }
 
 /// Lines that fit: what is longer goes on in the next one, indented.
@@ -106,9 +109,11 @@ Image8 comparisonSheet(const Comparison& comparison, HeatMapKind kind, float sca
       wrapped(text.lines, std::size_t((map_left - 2 * margin) / textWidth(" ", text_scale)));
   const int lines = std::max(static_cast<int>(written.size()), 3);
   Image8 sheet(4 * margin + 3 * column, below + lines * line + margin, 3, kPaper);
+  const std::array<std::string, 3> titles{fitted("A: ", text.test, column, text_scale),
+                                          fitted("B: ", text.reference, column, text_scale), text.map};
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const int left = margin + static_cast<int>(i) * (column + margin);
-    drawText(sheet, {left, margin}, text_scale, kInk, fitted(text.titles[i], column, text_scale));
+    drawText(sheet, {left, margin}, text_scale, kInk, titles[i]);
     place(panels[i], sheet, left, margin + line);
   }
   for (std::size_t i = 0; i < written.size(); ++i)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -22,12 +21,14 @@ Image8 heatMapOf(const Comparison& comparison, HeatMapKind kind, float scale);
 
 /// What is written on a sheet.
 struct SheetText {
-  std::array<std::string, 3> titles;  ///< above test, reference and map
-  std::vector<std::string> lines;     ///< below them
+  std::string test;                ///< its name, which stands above it as "A: NAME"
+  std::string reference;           ///< likewise, "B: NAME"
+  std::string map;                 ///< what stands above the heat map
+  std::vector<std::string> lines;  ///< below all
 };
 
 /// Test, reference and heat map side by side, as a display shows them, with what is known of them written below, and the
-/// scale of the map's colours. Pictures narrower than 320 pixels are magnified by a whole number, as far as they stay lower
+/// scale of the map's colours. Pictures narrower than 440 pixels are magnified by a whole number, as far as they stay lower
 /// than 1024.
 ///
 /// returns  3 channels, encoded

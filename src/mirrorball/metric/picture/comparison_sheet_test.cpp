@@ -1,6 +1,7 @@
 #include "mirrorball/metric/picture/comparison_sheet.h"
 
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -58,25 +59,25 @@ Comparison comparisonOf(int width, int height) {
 }
 
 TEST(ComparisonSheet, HasTheThreePicturesAsTheyAre) {
-  const Comparison comparison = comparisonOf(400, 50);
-  const Image8 sheet = comparisonSheet(comparison, HeatMapKind::flip, 1.0f, {{"A", "B", "C"}, {"RMSE 1"}});
+  const Comparison comparison = comparisonOf(450, 50);
+  const Image8 sheet = comparisonSheet(comparison, HeatMapKind::flip, 1.0f, {"A", "B", "C", {"RMSE 1"}});
   const Image8 map = heatMapOf(comparison, HeatMapKind::flip, 1.0f);
-  ASSERT_EQ(sheet.width(), 3 * 400 + 4 * 8);
+  ASSERT_EQ(sheet.width(), 3 * 450 + 4 * 8);
   const int top = 8 + lineHeight(2);
-  for (int x = 0; x < 400; ++x)
+  for (int x = 0; x < 450; ++x)
     for (int channel = 0; channel < 3; ++channel) {
       EXPECT_EQ(sheet.texel(8 + x, top + 20)[channel],
                 int(comparison.shown_test.texel(x, 20)[channel] * 255.0f + 0.5f));
-      EXPECT_EQ(sheet.texel(8 + 408 + x, top + 20)[channel],
+      EXPECT_EQ(sheet.texel(8 + 458 + x, top + 20)[channel],
                 int(comparison.shown_reference.texel(x, 20)[channel] * 255.0f + 0.5f));
-      EXPECT_EQ(sheet.texel(8 + 816 + x, top + 20)[channel], map.texel(x, 20)[channel]);
+      EXPECT_EQ(sheet.texel(8 + 916 + x, top + 20)[channel], map.texel(x, 20)[channel]);
     }
 }
 
 TEST(ComparisonSheet, SmallPicturesAreMagnifiedUnlessTheyAreTall) {
-  const SheetText text{{"A", "B", "C"}, {"RMSE 1"}};
-  EXPECT_GT(comparisonSheet(comparisonOf(1, 1), HeatMapKind::difference, 1.0f, text).height(), 320);
-  EXPECT_EQ(comparisonSheet(comparisonOf(1, 1), HeatMapKind::difference, 1.0f, text).width(), 3 * 320 + 4 * 8);
+  const SheetText text{"A", "B", "C", {"RMSE 1"}};
+  EXPECT_GT(comparisonSheet(comparisonOf(1, 1), HeatMapKind::difference, 1.0f, text).height(), 440);
+  EXPECT_EQ(comparisonSheet(comparisonOf(1, 1), HeatMapKind::difference, 1.0f, text).width(), 3 * 440 + 4 * 8);
   const int tall = comparisonSheet(comparisonOf(1, 1000), HeatMapKind::flip, 1.0f, text).height();
   EXPECT_GT(tall, 1000);
   EXPECT_LT(tall, 1200);
@@ -89,13 +90,14 @@ TEST(ComparisonSheet, LongNamesAreCutAndLongLinesGoOnInTheNext) {
     return comparisonSheet(comparison, HeatMapKind::flip, 1.0f, text);
   };
   const std::vector<std::string> four(4, "RMSE");
-  const Image8 usual = sheetOf({{"A", "B", "C"}, four});
-  const Image8 named = sheetOf({{word, word, word}, four});
+  const Image8 usual = sheetOf({"A", "B", "C", four});
+  const Image8 named = sheetOf({word, word, "C", four});
   EXPECT_EQ(named.width(), usual.width());
   EXPECT_EQ(named.height(), usual.height());
-  const Image8 one_more = sheetOf({{"A", "B", "C"}, {"", "", "", "of the picture as it is " + std::string(30, 'W')}});
+  const Image8 one_more =
+      sheetOf({"A", "B", "C", {"", "", "", "of the picture as it is, and so on, " + std::string(50, 'W')}});
   EXPECT_EQ(one_more.height(), usual.height() + lineHeight(2));
-  EXPECT_GT(sheetOf({{"A", "B", "C"}, {word}}).height(), usual.height() + 20 * lineHeight(2))
+  EXPECT_GT(sheetOf({"A", "B", "C", {word}}).height(), usual.height() + 10 * lineHeight(2))
       << "where there is no space it breaks anywhere";
 }
 

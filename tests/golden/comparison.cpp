@@ -1,10 +1,8 @@
 #include "golden/comparison.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <span>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -12,6 +10,8 @@
 #include <glm/vec4.hpp>
 
 #include "mirrorball/base/text.h"
+#include "mirrorball/metric/image_error.h"
+#include "mirrorball/metric/picture/side_by_side.h"
 
 namespace mirrorball::golden {
 namespace {
@@ -28,8 +28,15 @@ glm::vec4 premultiplied(const std::uint8_t* texel) {
   return glm::vec4(glm::vec3(texel[0], texel[1], texel[2]) * (alpha / 255.0f), alpha);
 }
 
-glm::vec4 differenceAt(const Image8& golden, const Image8& now, int x, int y) {
-  return glm::abs(premultiplied(now.texel(x, y)) - premultiplied(golden.texel(x, y)));
+/// What is compared of a picture.
+Image premultiplied(const Image8& picture) {
+  Image codes = Image::withoutValues(picture.width(), picture.height(), 4);
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const glm::vec4 texel = premultiplied(picture.texel(x, y));
+      std::copy_n(&texel.x, 4, codes.texel(x, y));
+    }
+  return codes;
 }
 
 void setTexel(Image8& picture, int x, int y, glm::vec3 codes) {
@@ -54,27 +61,11 @@ Image8 magnifiedDifference(const Image8& golden, const Image8& now) {
   Image8 panel(golden.width(), golden.height(), 3);
   for (int y = 0; y < golden.height(); ++y) {
     for (int x = 0; x < golden.width(); ++x) {
-      const glm::vec4 codes = differenceAt(golden, now, x, y);
+      const glm::vec4 codes = glm::abs(premultiplied(now.texel(x, y)) - premultiplied(golden.texel(x, y)));
       setTexel(panel, x, y, kMagnification * glm::max(glm::vec3(codes), glm::vec3(codes.w)));
     }
   }
   return panel;
-}
-
-Image8 sideBySide(std::span<const Image8> panels) {
-  int width = -kGap_px;
-  int height = 0;
-  for (const Image8& panel : panels) {
-    width += kGap_px + panel.width();
-    height = std::max(height, panel.height());
-  }
-  Image8 sheet(width, height, 3, kGrey);
-  int left = 0;
-  for (const Image8& panel : panels) {
-    for (int y = 0; y < panel.height(); ++y) std::ranges::copy(panel.row(y), sheet.texel(left, y));
-    left += panel.width() + kGap_px;
-  }
-  return sheet;
 }
 
 }  // namespace
@@ -86,20 +77,8 @@ std::string textOf(const Difference& difference) {
 
 Difference differenceOf(const Image8& golden, const Image8& now) {
   assert(haveSameSize(golden, now) && golden.channels() == 4 && now.channels() == 4);
-  Difference difference;
-  double sum = 0.0;
-  for (int y = 0; y < golden.height(); ++y) {
-    for (int x = 0; x < golden.width(); ++x) {
-      const glm::vec4 channels = differenceAt(golden, now, x, y);
-      const double pixel = std::max({channels.x, channels.y, channels.z, channels.w});
-      sum += pixel;
-      if (pixel <= difference.maximum) continue;
-      difference.maximum = pixel;
-      difference.worst = {x, y};
-    }
-  }
-  difference.mean = sum / static_cast<double>(golden.texelCount());
-  return difference;
+  const ImageError error = imageError(premultiplied(now), premultiplied(golden));
+  return {.maximum = double(error.greatest), .mean = error.mean_of_worst, .worst = error.worst};
 }
 
 bool isWithin(const Difference& difference, const Tolerance& tolerance) {
@@ -109,7 +88,7 @@ bool isWithin(const Difference& difference, const Tolerance& tolerance) {
 Image8 contactSheet(const Image8& golden, const Image8& now) {
   std::vector<Image8> panels{onGrey(golden), onGrey(now)};
   if (haveSameSize(golden, now)) panels.push_back(magnifiedDifference(golden, now));
-  return sideBySide(panels);
+  return sideBySide(panels, kGap_px, kGrey);
 }
 
 }  // namespace mirrorball::golden

@@ -107,8 +107,11 @@ ExposureRange exposureRangeOf(const Image& reference) {
     median = medianOf(luminances);
   }
   const float brightest = *std::max_element(luminances.begin(), luminances.end());
-  const float target = flip::lightShownAs(0.85f);
-  ExposureRange range{std::log2(target / brightest), std::log2(target / median)};
+  const auto exposureFor = [](float luminance) {
+    constexpr float kLargestStops = 126.0f;  // whose factors are floats
+    return std::clamp(std::log2(flip::lightShownAs(0.85f)) - std::log2(luminance), -kLargestStops, kLargestStops);
+  };
+  ExposureRange range{exposureFor(brightest), exposureFor(median)};
   range.count = std::max(2, static_cast<int>(std::ceil(range.stop_ev - range.start_ev)));
   return range;
 }

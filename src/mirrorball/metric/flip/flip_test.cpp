@@ -170,6 +170,16 @@ TEST(HdrFlip, IsNothingForEqualLightHoweverBrightAndNoneIsNegative) {
   EXPECT_EQ(meanOf(*hdrFlip(negative, black, exposureRangeOf(black), kUsualPixelsPerDegree)), 0.0);
 }
 
+TEST(HdrFlip, LightOfAnySizeHasExposuresThatAreNumbers) {
+  for (const float light : {1e-45f, 1e-38f, 1e38f, 3.4e38f}) {
+    const Image reference(6, 6, 3, light);
+    const ExposureRange range = exposureRangeOf(reference);
+    EXPECT_TRUE(std::isfinite(range.start_ev) && std::isfinite(range.stop_ev)) << light;
+    EXPECT_EQ(range.count, 2) << light;
+    EXPECT_TRUE(std::isfinite(meanOf(*hdrFlip(Image(6, 6, 3), reference, range, kUsualPixelsPerDegree)))) << light;
+  }
+}
+
 TEST(HdrFlip, ADifferenceInTheDarkIsSeenUnderASun) {
   Image reference(40, 40, 3, 0.01f);
   for (int channel = 0; channel < 3; ++channel) reference.texel(2, 2)[channel] = 1e5f;

@@ -37,12 +37,13 @@ std::vector<float> magnitudesFrom(float least, const Image& difference) {
   return magnitudes;
 }
 
-/// The least of 1, 2 and 5 times a power of ten that is not below `number`.
+/// The least of 1, 2 and 5 times a power of ten that is not below `number`, as far as there are floats.
 float roundedUp(float number) {
+  constexpr auto kLargest = double(std::numeric_limits<float>::max());
   const double power = std::pow(10.0, std::floor(std::log10(double(number))));
   for (const double digit : {1.0, 2.0, 5.0})
-    if (const auto rounded = static_cast<float>(digit * power); rounded >= number) return rounded;
-  return static_cast<float>(10.0 * power);
+    if (const auto rounded = static_cast<float>(std::min(digit * power, kLargest)); rounded >= number) return rounded;
+  return static_cast<float>(std::min(10.0 * power, kLargest));
 }
 
 }  // namespace

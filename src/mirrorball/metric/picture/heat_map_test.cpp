@@ -1,5 +1,7 @@
 #include "mirrorball/metric/picture/heat_map.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "mirrorball/metric/picture/color_ramp.h"
@@ -47,6 +49,7 @@ TEST(HeatMap, TheUsualScaleIsARoundNumberThatFewExceed) {
   EXPECT_FLOAT_EQ(usualScale(rounding), 0.2f) << "what is seen counts, where there is some";
   Image huge(1, 1, 1, -3e38f);
   EXPECT_GE(usualScale(huge), 3e38f);
+  EXPECT_TRUE(std::isfinite(usualScale(huge)));
   Image tiny(1, 1, 1, 1e-44f);
   EXPECT_GT(usualScale(tiny), 0.0f);
 }

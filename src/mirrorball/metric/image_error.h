@@ -15,8 +15,9 @@ struct ImageError {
   glm::ivec2 worst{0};                ///< the pixel that has it, the first in reading order
 };
 
-/// Keeps pixels that are black in the reference from counting without bound: the usual value of the measure of Rousselle
-/// et al. 2011 ("Adaptive Sampling and Reconstruction using Greedy Error Minimization"), in the samples' unit squared.
+/// Keeps pixels that are black in the reference from counting without bound: the usual value of the measure of
+/// Rousselle et al. 2011 ("Adaptive Sampling and Reconstruction using Greedy Error Minimization"), in the samples' unit
+/// squared.
 inline constexpr double kRelativeEpsilon = 0.01;
 
 /// Compares an image with the reference `b`, sample by sample.

@@ -11,8 +11,8 @@ namespace mirrorball {
 /// The side of SSIM's window [pixels].
 inline constexpr int kSsimWindow = 11;
 
-/// Mean structural similarity of two pictures, by their luma (Rec. 709's weights on encoded values): over all places where
-/// the window of 11 × 11 pixels, a Gaussian of σ = 1.5, lies inside.
+/// Mean structural similarity of two pictures, by their luma (Rec. 709's weights on encoded values): over all places
+/// where the window of 11 × 11 pixels, a Gaussian of σ = 1.5, lies inside.
 ///
 /// a, b      3 channels or 1 of values encoded for a display, in [0, 1]; of one size
 /// returns   at most 1, which is for equal pictures; nothing where a side is shorter than the window. Symmetric

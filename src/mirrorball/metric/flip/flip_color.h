@@ -10,8 +10,8 @@
 
 namespace mirrorball::flip {
 
-// FLIP's colour spaces, with the digits of the published program, on which its values depend. (formula/color.glsl rounds
-// the same primaries otherwise.)
+// FLIP's colour spaces, with the digits of the published program, on which its values depend. (formula/color.glsl
+// rounds the same primaries otherwise.)
 
 inline constexpr glm::vec3 kWhite{0.950428545f, 1.0f, 1.088900371f};  ///< D65 as XYZ
 

@@ -7,8 +7,8 @@
 
 namespace mirrorball::testing {
 
-// Pictures of whole numbers / 255, so that the published program could be given exactly the same ones: stripes, a ramp and
-// noise in all three channels. They are linear light, as FLIP takes it.
+// Pictures of whole numbers / 255, so that the published program could be given exactly the same ones: stripes, a ramp
+// and noise in all three channels. They are linear light, as FLIP takes it.
 
 /// 0 … 255, of which neighbours know nothing.
 inline int noiseAt(int x, int y, int channel) {

@@ -4,8 +4,8 @@
 
 namespace mirrorball {
 
-// Colours for numbers, sRGB-encoded, in [0, 1]. Their lightness is that of Oklab (Ottosson 2020), in which equal steps look
-// equal, so that the ramps can be read without seeing colours, too.
+// Colours for numbers, sRGB-encoded, in [0, 1]. Their lightness is that of Oklab (Ottosson 2020), in which equal steps
+// look equal, so that the ramps can be read without seeing colours, too.
 
 /// From nearly black by violet and orange to light yellow: lightness grows evenly with `t` in [0, 1]. NaN is as 0.
 glm::vec3 sequentialColor(float t);

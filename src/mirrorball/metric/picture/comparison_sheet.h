@@ -27,9 +27,9 @@ struct SheetText {
   std::vector<std::string> lines;  ///< below all
 };
 
-/// Test, reference and heat map side by side, as a display shows them, with what is known of them written below, and the
-/// scale of the map's colours. Pictures narrower than 440 pixels are magnified by a whole number, as far as they stay lower
-/// than 1024.
+/// Test, reference and heat map side by side, as a display shows them, with what is known of them written below, and
+/// the scale of the map's colours. Pictures narrower than 440 pixels are magnified by a whole number, as far as they
+/// stay lower than 1024.
 ///
 /// returns  3 channels, encoded
 /// cost     memory of about four pictures of 3 bytes a pixel

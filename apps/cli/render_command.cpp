@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/interruption.h"
+#include "cli/render_reference.h"
 #include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
 #include "cli/standard_streams.h"
@@ -50,6 +51,7 @@ struct RenderRequest {
   FrameSettings frame;
   MaterialChanges materials;
   Turntable turntable;
+  ReferenceOptions reference;
   GivenOptions given;
 };
 
@@ -164,7 +166,11 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
 Result<void> render(const RenderRequest& request) {
   StageClock clock;
   FrameSettings settings = request.frame;
+  MIRRORBALL_TRY_VOID(checkReference(request.reference, settings, request.given));
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
+  if (request.reference.is_wanted)
+    return renderReference(request.scene, request.materials, settings, request.reference, request.given,
+                           request.files.output);
   if (storesLinearLight(request.files.output)) settings.resolve = Resolve::radiance;
   MIRRORBALL_TRY(outputs, outputPaths(request));
   if (isStandardOutputTaken() && request.turntable.frames > 0)
@@ -201,6 +207,7 @@ Command renderCommand() {
   addOptions(command, kFileOptions, request->files);
   addOptions(command, frameOptions(), request->frame, &request->given);
   addOptions(command, turntableOptions(), request->turntable, &request->given);
+  addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials, &request->given);
   command.action = [request] {
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,

@@ -65,24 +65,44 @@ void addModel(Command& command, std::string_view name, SceneRequest& request) {
               request.model);
 }
 
-Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
-                                std::span<const std::string> outputs, StageClock& clock) {
+namespace {
+
+/// errors   usage
+Result<RenderInputNames> namesOf(const SceneRequest& request, const MaterialChanges& materials) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
   MIRRORBALL_TRY(hint, formHintNamed(request.from));
-  RenderInputNames names{.model = request.model,
-                         .up = request.up,
-                         .materials = materials,
-                         .environment = request.environment,
-                         .load = {.from = hint, .repair = request.repair}};
-  if (!request.is_uncached) {
-    MIRRORBALL_TRY(of_user, PrefilterCache::ofUser());
-    names.cache = std::move(of_user);
-  }
-  auto inputs = loadRenderInputs(names, clock.observing(terminalObserver()));
+  return RenderInputNames{.model = request.model,
+                          .up = request.up,
+                          .materials = materials,
+                          .environment = request.environment,
+                          .load = {.from = hint, .repair = request.repair}};
+}
+
+/// What was loaded, if it is none of the outputs.
+template <typename Inputs>
+Result<Inputs> checkedInputs(Result<Inputs> inputs, const SceneRequest& request, std::span<const std::string> outputs) {
   if (!inputs) return tl::unexpected<Error>(ofMap(request.environment, std::move(inputs).error()));
   MIRRORBALL_TRY_VOID(refuseOverwriting(inputs->files, outputs));
   MIRRORBALL_TRY_VOID(refuseOverwriting(std::span(&request.model, 1), outputs));
   return inputs;
+}
+
+}  // namespace
+
+Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
+                                std::span<const std::string> outputs, StageClock& clock) {
+  MIRRORBALL_TRY(names, namesOf(request, materials));
+  if (!request.is_uncached) {
+    MIRRORBALL_TRY(of_user, PrefilterCache::ofUser());
+    names.cache = std::move(of_user);
+  }
+  return checkedInputs(loadRenderInputs(names, clock.observing(terminalObserver())), request, outputs);
+}
+
+Result<SceneInputs> loadSceneFor(const SceneRequest& request, const MaterialChanges& materials,
+                                 std::span<const std::string> outputs, StageClock& clock) {
+  MIRRORBALL_TRY(names, namesOf(request, materials));
+  return checkedInputs(loadSceneInputs(names, clock.observing(terminalObserver())), request, outputs);
 }
 
 Result<Renderer> rendererOf(RenderInputs inputs, StageClock& clock) {

@@ -37,6 +37,10 @@ void addModel(Command& command, std::string_view name, SceneRequest& request);
 Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
                                 std::span<const std::string> outputs, StageClock& clock);
 
+/// The same without a driver.
+Result<SceneInputs> loadSceneFor(const SceneRequest& request, const MaterialChanges& materials,
+                                 std::span<const std::string> outputs, StageClock& clock);
+
 /// A renderer of them.
 ///
 /// errors   as Renderer's

@@ -34,3 +34,4 @@
 #include "mirrorball/render/frame/turntable.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/material/material_changes.h"
+#include "mirrorball/trace/path_tracer.h"

@@ -29,4 +29,16 @@ OptionText toneMapText();
 /// cost     up to 0.1 µs a texel
 void showOn(const Display& display, Image& image);
 
+/// The picture that a display shows of radiance over a background: formula::displayed, texel by texel.
+///
+/// image     4 channels, alpha premultiplied
+/// backdrop  light of the display, and 1; 0: none
+/// returns   4 channels, straight alpha, encoded
+Image8 displayedPicture(const Display& display, const Image& image, glm::vec4 backdrop = glm::vec4(0.0f));
+
+/// Lays an image of four channels, alpha premultiplied, over a light that fills what is left of each texel.
+///
+/// backdrop  its light, and 1
+void layOver(Image& image, glm::vec4 backdrop);
+
 }  // namespace mirrorball

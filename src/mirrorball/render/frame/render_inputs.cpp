@@ -16,45 +16,71 @@ Result<Scene> loadScene(const RenderInputNames& names) {
   return scene;
 }
 
-/// An environment as it is, and as the GPU takes it.
-struct LoadedLight {
-  LoadedEnvironment loaded;
-  PreparedEnvironment prepared;
-};
-
-Result<LoadedLight> loadLight(const RenderInputNames& names, const Observer& observer) {
+Result<LoadedEnvironment> loadLight(const RenderInputNames& names, const Observer& observer) {
   MIRRORBALL_TRY(loaded, observer.timed("environment: read", [&] {
     return loadEnvironment(names.environment, names.load, observer.progressOf("read"));
   }));
   tellAbout(loaded, observer);
   if (EnvironmentMap* map = loaded.environment.map()) raiseNegativeLight(*map, observer.named(loaded.name));
+  return loaded;
+}
+
+/// An environment as it is, and as the GPU takes it.
+struct PreparedLight {
+  LoadedEnvironment loaded;
+  PreparedEnvironment prepared;
+};
+
+Result<PreparedLight> prepareLight(const RenderInputNames& names, const Observer& observer) {
+  MIRRORBALL_TRY(loaded, loadLight(names, observer));
   MIRRORBALL_TRY(prepared, observer.timed("environment: cube, mips, prefiltering",
                                           [&] { return prepareEnvironment(loaded.environment, names.cache); }));
-  return LoadedLight{std::move(loaded), std::move(prepared)};
+  return PreparedLight{std::move(loaded), std::move(prepared)};
+}
+
+/// A wrong name among the materials is told before anything is loaded.
+Result<void> checkMaterials(const RenderInputNames& names) {
+  Scene no_scene;
+  return changeMaterials(no_scene, names.materials);
+}
+
+std::future<Result<Scene>> sceneLater(const RenderInputNames& names, const Observer& observer) {
+  return std::async(besideOthers(), [&] { return observer.timed("model: read", [&] { return loadScene(names); }); });
+}
+
+SceneInputs inputsOf(Scene scene, LoadedEnvironment light, const Observer& observer) {
+  for (const std::string& warning : scene.warnings) observer.tell(RemarkKind::model_reduced, warning);
+  std::vector<std::string> files = std::move(light.files);
+  files.insert(files.end(), scene.files.begin(), scene.files.end());
+  return {std::move(scene), std::move(light.environment), std::move(files)};
 }
 
 }  // namespace
 
+Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observer& observer) {
+  MIRRORBALL_TRY_VOID(checkMaterials(names));
+  auto scene_later = sceneLater(names, observer);
+  auto light = loadLight(names, observer);
+  // It refers to this frame, and so is waited for before any error returns.
+  auto scene = scene_later.get();
+  if (!scene) return fail(std::move(scene));
+  if (!light) return fail(std::move(light));
+  return inputsOf(std::move(*scene), std::move(*light), observer);
+}
+
 Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Observer& observer) {
-  // A wrong name among the materials is told before anything is loaded.
-  Scene no_scene;
-  MIRRORBALL_TRY_VOID(changeMaterials(no_scene, names.materials));
+  MIRRORBALL_TRY_VOID(checkMaterials(names));
   // None of the three needs the others.
-  auto scene_later =
-      std::async(besideOthers(), [&] { return observer.timed("model: read", [&] { return loadScene(names); }); });
-  auto light_later = std::async(besideOthers(), [&] { return loadLight(names, observer); });
+  auto scene_later = sceneLater(names, observer);
+  auto light_later = std::async(besideOthers(), [&] { return prepareLight(names, observer); });
   auto context = observer.timed("GL: start the driver", [] { return gl::Context::createHeadless(); });
-  // Both are waited for before any error returns, since they refer to this frame.
   auto scene = scene_later.get();
   auto light = light_later.get();
   if (!scene) return fail(std::move(scene));
   if (!light) return fail(std::move(light));
   if (!context) return fail(std::move(context));
-  for (const std::string& warning : scene->warnings) observer.tell(RemarkKind::model_reduced, warning);
-  std::vector<std::string> files = light->loaded.files;
-  files.insert(files.end(), scene->files.begin(), scene->files.end());
-  return RenderInputs{std::move(*scene), std::move(light->loaded.environment), std::move(light->prepared),
-                      std::move(*context), std::move(files)};
+  return RenderInputs{inputsOf(std::move(*scene), std::move(light->loaded), observer), std::move(light->prepared),
+                      std::move(*context)};
 }
 
 Result<Renderer> rendererOf(RenderInputs inputs) {

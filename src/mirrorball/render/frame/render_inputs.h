@@ -22,14 +22,24 @@ struct RenderInputNames {
   std::optional<PrefilterCache> cache = {};  ///< where prefiltered environments are kept, if they are
 };
 
-/// What there is to draw, and what draws it.
-struct RenderInputs {
+/// What there is to draw.
+struct SceneInputs {
   Scene scene;
   Environment environment;
-  PreparedEnvironment prepared;
-  gl::Context context;             ///< without a window, current
   std::vector<std::string> files;  ///< that were read
 };
+
+/// That, and what draws it.
+struct RenderInputs : SceneInputs {
+  PreparedEnvironment prepared;
+  gl::Context context;  ///< without a window, current
+};
+
+/// Loads the model and the environment at the same time, without a driver.
+///
+/// observer told what is doubtful about them; values of the environment below 0 are taken as 0
+/// errors   usage (materials that are not there); as loadModel's and loadEnvironment's
+Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observer& observer = {});
 
 /// Loads the model and the environment and starts the driver, all at the same time.
 ///

@@ -54,15 +54,6 @@ void setDisplay(gl::Program& program, const FrameSettings& settings) {
 /// How rough a mirror would blur the environment as `--background blur` does.
 constexpr float kBackgroundRoughness = 0.35f;
 
-/// Lays an image of four channels over a light that fills what is left of each texel.
-void layOver(Image& image, glm::vec4 backdrop) {
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const glm::vec4 texel = formula::laidOver(rgbaAt(image, x, y), backdrop);
-      std::copy_n(&texel.x, 4, image.texel(x, y));
-    }
-}
-
 /// The middle of the box around a mesh, in its own frame.
 glm::vec3 centerOf(const Mesh& mesh) {
   if (mesh.vertices.empty()) return glm::vec3(0.0f);
@@ -197,9 +188,7 @@ Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings,
 }
 
 Camera Renderer::cameraFor(const FrameSettings& settings) const {
-  const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
-  const CameraOptions camera = framed(state_->scene, state_->bounds, settings.camera, aspect);
-  return makeCamera(camera, state_->bounds, aspect);
+  return framedCamera(state_->scene, state_->bounds, settings.camera, settings.size);
 }
 
 Result<void> Renderer::begin(const FrameSettings& settings) { return begin(cameraFor(settings), settings); }

@@ -164,4 +164,9 @@ CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const Cam
   return chosen;
 }
 
+Camera framedCamera(const Scene& scene, const BoundingSphere& bounds, const CameraOptions& options, glm::ivec2 size) {
+  const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+  return makeCamera(framed(scene, bounds, options, aspect), bounds, aspect);
+}
+
 }  // namespace mirrorball

@@ -1,0 +1,115 @@
+#include "cli/render_reference.h"
+
+#include <array>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+#include "cli/interruption.h"
+#include "cli/stage_clock.h"
+#include "cli/terminal.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/image_format.h"
+#include "mirrorball/scene/camera/framing.h"
+
+namespace mirrorball::cli {
+namespace {
+
+const Option<ReferenceOptions> kReference{
+    {.name = "reference",
+     .help = "path-trace the picture instead of drawing it: slow, and right where objects block light and send it to "
+             "each other; it needs no graphics driver",
+     .group = "Reference"},
+    &ReferenceOptions::is_wanted};
+
+/// Paths a pixel where nothing else says when to stop, and where something does.
+constexpr int kUsualSamples = 256;
+constexpr int kManySamples = 1 << 20;
+
+TraceSettings traceSettings(const ReferenceOptions& options, const FrameSettings& frame, const GivenOptions& given) {
+  TraceSettings trace = options.trace;
+  const bool stops_itself = trace.noise > 0.0f || trace.time_s > 0.0f;
+  trace.size = frame.size;
+  trace.samples = given.contains("samples") ? frame.samples : stops_itself ? kManySamples : kUsualSamples;
+  trace.display = frame.display;
+  trace.environment_from_world = frame.environmentFromWorld();
+  trace.environment_intensity = frame.env_intensity;
+  trace.shows_environment = frame.background == BackgroundKind::environment;
+  return trace;
+}
+
+Result<void> writePicture(Image image, const FrameSettings& frame, const std::string& output) {
+  const glm::vec4 backdrop(frame.background_color, 1.0f);
+  if (frame.background == BackgroundKind::radiance) layOver(image, backdrop);
+  if (storesLinearLight(output)) {
+    if (frame.background == BackgroundKind::display_color) layOver(image, backdrop);
+    return writeImage(output, image);
+  }
+  return savePicture(output,
+                     displayedPicture(frame.display, image,
+                                      frame.background == BackgroundKind::display_color ? backdrop : glm::vec4(0.0f)));
+}
+
+/// "64 paths a pixel, standard error 0.0031"
+std::string foundOut(const TracedPicture& picture) {
+  std::array<char, 96> text;
+  std::snprintf(text.data(), text.size(), "%d paths a pixel, standard error at most %.2g of white", picture.samples,
+                double(picture.noise));
+  return text.data();
+}
+
+}  // namespace
+
+void addReference(Command& command, ReferenceOptions& options, GivenOptions& given) {
+  addOptions(command, std::span(&kReference, 1), options);
+  addOptions(command, traceOptions(), options.trace, &given);
+}
+
+Result<void> checkReference(const ReferenceOptions& options, const FrameSettings& frame, const GivenOptions& given) {
+  if (!options.is_wanted) {
+    for (const Option<TraceSettings>& option : traceOptions())
+      if (given.contains(option.text.name))
+        return fail(ErrorCode::usage, "--" + std::string(option.text.name) + " is for the reference; add --reference");
+    return {};
+  }
+  constexpr std::array<std::string_view, 6> kOfRenderer{"resolve", "blur", "mapping", "reflect-at", "turn", "frames"};
+  for (const std::string_view name : kOfRenderer)
+    if (given.contains(name))
+      return fail(ErrorCode::usage,
+                  "--" + std::string(name) + " is for the renderer; leave it out, or leave --reference out");
+  if (!frame.lights.empty())
+    return fail(ErrorCode::usage, "--light: the reference has no point lights yet; leave it out");
+  if (frame.background == BackgroundKind::blur)
+    return fail(ErrorCode::usage, "--background blur: the reference shows the environment as it is; leave it out");
+  return {};
+}
+
+Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& materials, const FrameSettings& frame,
+                             const ReferenceOptions& options, const GivenOptions& given, const std::string& output) {
+  StageClock clock;
+  MIRRORBALL_TRY(inputs, loadSceneFor(scene, materials, {&output, 1}, clock));
+  for (const Material& material : inputs.scene.materials)
+    if (material.dispersion > 0.0f) {
+      remark("dispersion is not traced yet: all light is refracted as green is");
+      break;
+    }
+  const Camera camera = framedCamera(inputs.scene, boundingSphere(inputs.scene), frame.camera, frame.size);
+  MIRRORBALL_TRY(tracer, clock.time("scene: sort triangles and light", [&] {
+    return PathTracer::make(std::move(inputs.scene), std::move(inputs.environment));
+  }));
+  MIRRORBALL_TRY(picture, clock.time("picture: trace", [&] {
+    return tracer.render(camera, traceSettings(options, frame, given), progressBar("reference"));
+  }));
+  // The picture so far is worth more time than an interruption leaves.
+  if (picture.is_interrupted) claimEnd();
+  MIRRORBALL_TRY_VOID(clock.time("picture: encode and write",
+                                 [&] { return writePicture(std::move(picture.radiance), frame, output); }));
+  announce(output);
+  if (scene.timings) clock.print();
+  if (picture.is_interrupted)
+    return fail(ErrorCode::interrupted, "interrupted; " + output + " is the picture so far: " + foundOut(picture));
+  tell(foundOut(picture));
+  return {};
+}
+
+}  // namespace mirrorball::cli

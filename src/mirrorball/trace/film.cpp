@@ -1,0 +1,58 @@
+#include "mirrorball/trace/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "formula/color.h"
+#include "mirrorball/base/parallel.h"
+
+namespace mirrorball {
+namespace {
+
+/// What a display shows of radiance, encoded.
+glm::vec3 displayed(glm::vec3 radiance, const Display& display) {
+  const glm::vec4 light(glm::max(radiance, glm::vec3(0.0f)), 1.0f);
+  return glm::vec3(formula::displayed(light, display.exposure(), static_cast<int>(display.tone_map)));
+}
+
+/// The standard error of a pixel as it is displayed, the mean of its channels: that of the radiance, on the slope of the
+/// tone curve.
+float displayedError(const PixelSums& sums, int samples, const Display& display) {
+  const glm::vec3 mean = glm::vec3(sums.light) / float(samples);
+  const glm::vec3 variance = glm::max(sums.squares / float(samples) - mean * mean, glm::vec3(0.0f));
+  const glm::vec3 error = glm::sqrt(variance / float(std::max(samples - 1, 1)));
+  const glm::vec3 change = displayed(mean + error, display) - displayed(mean - error, display);
+  return (std::abs(change.x) + std::abs(change.y) + std::abs(change.z)) / 6.0f;
+}
+
+}  // namespace
+
+void Film::addPass(const Film& pass, int count) {
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    sums_[i].light += pass.sums_[i].light;
+    sums_[i].squares += pass.sums_[i].squares;
+  }
+  samples_ += count;
+}
+
+float Film::noise(const Display& display) const {
+  std::vector<double> rows(static_cast<std::size_t>(size_.y));
+  parallelFor(rows.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y)
+      for (std::size_t x = 0; x < std::size_t(size_.x); ++x)
+        rows[y] += double(displayedError(sums_[y * std::size_t(size_.x) + x], samples_, display));
+  });
+  return static_cast<float>(std::accumulate(rows.begin(), rows.end(), 0.0) / double(sums_.size()));
+}
+
+Image Film::radiance() const {
+  Image image(size_.x, size_.y, 4);
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    const glm::vec4 mean = sums_[i].light / float(samples_);
+    std::copy_n(&mean.x, 4, image.samples().data() + 4 * i);
+  }
+  return image;
+}
+
+}  // namespace mirrorball

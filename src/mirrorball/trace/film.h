@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/codec/color/display.h"
+#include "mirrorball/image/image.h"
+
+namespace mirrorball {
+
+/// All that is known of a pixel's paths.
+struct PixelSums {
+  glm::vec4 light{0.0f};
+  glm::vec3 squares{0.0f};
+};
+
+/// A path-traced picture so far: for each pixel the sum of its paths' light, and of its squares.
+class Film {
+ public:
+  explicit Film(glm::ivec2 size) : size_(size), sums_(std::size_t(size.x) * std::size_t(size.y)) {}
+
+  int samples() const { return samples_; }
+  PixelSums& at(int x, int y) { return sums_[std::size_t(y) * std::size_t(size_.x) + std::size_t(x)]; }
+
+  /// Takes a pass of so many paths a pixel that is whole.
+  void addPass(const Film& pass, int count);
+
+  /// The standard error of the picture as it is displayed, encoded, in the mean over its pixels and channels: as if the
+  /// paths of a pixel were independent of each other, which makes it rather too high.
+  float noise(const Display& display) const;
+
+  /// The mean of the paths: 4 channels.
+  Image radiance() const;
+
+ private:
+  glm::ivec2 size_;
+  std::vector<PixelSums> sums_;
+  int samples_ = 0;
+};
+
+}  // namespace mirrorball

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// Where a ray meets a scene.
+struct Hit {
+  float distance = 0.0f;
+  std::uint32_t instance = 0;        ///< index into Scene::instances
+  std::uint32_t triangle = 0;        ///< of its mesh
+  glm::vec2 barycentric{0.0f};       ///< of the triangle's second and third corner
+  glm::vec3 geometric_normal{0.0f};  ///< world, unit, on the counter-clockwise side
+};
+
+/// The triangles of a scene, sorted for rays by Intel's Embree 3 (Wald et al. 2014).
+class Geometry {
+ public:
+  /// scene    positions that are not finite are left out with their triangles
+  /// errors   too_large
+  /// cost     some 0.2 µs a triangle on each core, and 130 bytes
+  static Result<Geometry> make(const Scene& scene);
+
+  Geometry(Geometry&&) noexcept;
+  Geometry& operator=(Geometry&&) noexcept;
+  ~Geometry();
+
+  /// The largest coordinate of any of its triangles.
+  float extent() const;
+
+  /// The nearest triangle along a ray.
+  ///
+  /// direction  unit; a ray that is not finite meets nothing
+  /// nearest    distance from which on triangles count
+  std::optional<Hit> hit(glm::vec3 origin, glm::vec3 direction, float nearest) const;
+
+ private:
+  struct State;
+  explicit Geometry(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace mirrorball

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/progress.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/environment/environment.h"
+
+namespace mirrorball {
+
+/// A direction that light comes from, and how likely it was to be chosen.
+struct LightSample {
+  glm::vec3 direction{0.0f};  ///< unit
+  float pdf = 0.0f;           ///< density [1/sr]
+};
+
+/// Chooses directions as often as the environment is bright there (importance sampling), so that a sun of 10⁵ over half a
+/// degree is found by nearly every path. Between the texels of an equal-area map, all of one solid angle, the choice is
+/// by the luminance that the map has in each, and within a texel it is uniform; the density is exact for whatever the
+/// environment's light is between them.
+class LightSampler {
+ public:
+  /// environment   finite, not negative
+  /// errors        too_large; interrupted
+  /// cost          that of a conversion to some 1024² texels, and 4 bytes for each
+  static Result<LightSampler> make(const Environment& environment, const ProgressFunction& progress = {});
+
+  /// A direction for two uniform numbers; near numbers give near directions.
+  LightSample sample(glm::vec2 u) const;
+
+  /// The density with which `sample` returns directions around that one [1/sr].
+  float pdf(glm::vec3 direction) const;
+
+ private:
+  float densityOf(int x, int y) const;
+
+  int size_ = 0;
+  std::vector<float> rows_;     // of each row, the share of the light up to its end
+  std::vector<float> columns_;  // of each row and in it each column, the share of the row's light up to its end
+};
+
+}  // namespace mirrorball

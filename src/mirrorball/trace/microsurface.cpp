@@ -1,0 +1,47 @@
+#include "mirrorball/trace/microsurface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formula/bsdf.h"
+
+namespace mirrorball {
+namespace {
+
+/// Smith's Λ for all directions: downwards Λ(w) = −1 − Λ(−w), which is −1 straight down.
+float smithLambda(float alpha, glm::vec3 w) {
+  const float upwards = formula::ggxLambda(alpha, w);
+  return w.z >= 0.0f ? upwards : -1.0f - upwards;
+}
+
+/// The share of heights below this one.
+float shareBelow(float height) { return std::clamp(0.5f * (height + 1.0f), 0.0f, 1.0f); }
+float heightOfShare(float share) { return std::clamp(2.0f * share - 1.0f, -1.0f, 1.0f); }
+
+}  // namespace
+
+float escapeProbability(float alpha, glm::vec3 w, float height) {
+  if (w.z <= 0.0f) return 0.0f;
+  return std::pow(shareBelow(height), formula::ggxLambda(alpha, w));
+}
+
+float heightOfNextFacet(float alpha, glm::vec3 w, float height, float u) {
+  constexpr float kStraight = 0.9999f;
+  constexpr float kLevel = 1e-4f;
+  if (w.z > kStraight) return kEscaped;
+  if (w.z < -kStraight) return heightOfShare(u * shareBelow(height));
+  if (std::abs(w.z) < kLevel) return height;
+  if (u >= 1.0f - escapeProbability(alpha, w, height)) return kEscaped;
+  // Upwards the probability to get as high as h is (C(height) / C(h))^Λ, downwards with Λ < 0 the same.
+  return heightOfShare(shareBelow(height) / std::pow(1.0f - u, 1.0f / smithLambda(alpha, w)));
+}
+
+float densityOfMetFacets(float alpha, glm::vec3 w, glm::vec3 h) {
+  // The area of facets that is seen along w: the cosine for what the surface shows, and Λ for what facets hide.
+  const float seen = w.z >= 0.0f ? w.z * (1.0f + formula::ggxLambda(alpha, w)) : -w.z * formula::ggxLambda(alpha, w);
+  const float cosine = glm::dot(w, h);
+  if (seen <= 0.0f || cosine <= 0.0f) return 0.0f;
+  return cosine * formula::ggxDistribution(alpha, h) / seen;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,165 @@
+#include "mirrorball/trace/path_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "formula/constants.h"
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/scene/camera/framing.h"
+#include "mirrorball/scene/load_model.h"
+
+namespace mirrorball {
+namespace {
+
+Environment lightOf(float radiance) {
+  return Environment([=](glm::vec3) { return glm::vec3(radiance); }, 16);
+}
+
+Material matt(float albedo) {
+  Material material;
+  material.base_color = glm::vec3(albedo);
+  material.specular = 0.0f;
+  material.perceptual_roughness = 1.0f;
+  return material;
+}
+
+/// A built-in shape of one material, from the front.
+Image traced(Scene scene, Environment environment, const TraceSettings& settings) {
+  const BoundingSphere bounds = boundingSphere(scene);
+  const Camera camera = makeCamera({.azimuth_deg = 0.0f, .elevation_deg = 0.0f}, bounds, 1.0f);
+  const auto tracer = PathTracer::make(std::move(scene), std::move(environment));
+  EXPECT_TRUE(tracer) << tracer.error().message;
+  auto image = tracer->render(camera, settings);
+  EXPECT_TRUE(image) << image.error().message;
+  return std::move(image->radiance);
+}
+
+Scene shapeOf(const std::string& name, const Material& material) {
+  Scene scene = *loadModel(name);
+  for (Material& one : scene.materials) one = material;
+  return scene;
+}
+
+float meanOf(const Image& image) {
+  double sum = 0.0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) sum += double(image.texel(x, y)[1]);
+  return static_cast<float>(sum / (double(image.width()) * image.height()));
+}
+
+TraceSettings small(int samples) { return {.size = {24, 24}, .samples = samples}; }
+
+// What absorbs nothing is as bright as its surroundings, and cannot be seen.
+TEST(PathTracer, TheFurnaceIsWhite) {
+  for (const float roughness : {0.0f, 0.3f, 1.0f}) {
+    Material metal = matt(1.0f);
+    metal.metallic = 1.0f;
+    metal.perceptual_roughness = roughness;
+    Material plastic = matt(1.0f);
+    plastic.specular = 1.0f;
+    plastic.perceptual_roughness = roughness;
+    Material glass = plastic;
+    glass.transmission = 1.0f;
+    for (const auto& [name, material] : {std::pair("metal", metal), {"plastic", plastic}, {"glass", glass}}) {
+      TraceSettings settings = small(64);
+      settings.bounces = 64;
+      EXPECT_NEAR(meanOf(traced(shapeOf("sphere", material), lightOf(1.0f), settings)), 1.0f, 4e-3f)
+          << name << " of roughness " << roughness;
+    }
+  }
+}
+
+// A matt sphere under light of the first band, 1 + z: irradiance / π is 1 + ⅔ n.z (Ramamoorthi & Hanrahan 2001).
+TEST(PathTracer, AMattSphereUnderHarmonicsIsTheClosedForm) {
+  TraceSettings settings = small(256);
+  settings.bounces = 1;
+  const Image image = traced(shapeOf("sphere", matt(0.5f)),
+                             Environment([](glm::vec3 d) { return glm::vec3(1.0f + d.z); }, 64), settings);
+  // The middle of the picture faces the camera on +Z.
+  EXPECT_NEAR(image.texel(12, 12)[0], 0.5f * (1.0f + 2.0f / 3.0f), 0.03f);
+}
+
+// A mirror sphere shows the environment along the reflected ray, exactly.
+TEST(PathTracer, AMirrorShowsWhatIsBehindTheCamera) {
+  Material mirror = matt(1.0f);
+  mirror.metallic = 1.0f;
+  mirror.perceptual_roughness = 0.0f;
+  const Image image =
+      traced(shapeOf("sphere", mirror),
+             Environment([](glm::vec3 d) { return glm::vec3(d.z > 0.9f ? 3.0f : 1.0f); }, 256), small(16));
+  EXPECT_FLOAT_EQ(image.texel(12, 12)[1], 3.0f);
+}
+
+// Two bounces light more than one, and one that nothing blocks more than one that is blocked: a bowl's inside.
+TEST(PathTracer, OcclusionDarkensAndBouncesBrighten) {
+  const auto meanAt = [](int bounces, bool is_unoccluded) {
+    TraceSettings settings = small(64);
+    settings.bounces = bounces;
+    settings.is_unoccluded = is_unoccluded;
+    return meanOf(traced(shapeOf("knot", matt(0.8f)), lightOf(1.0f), settings));
+  };
+  const float unoccluded = meanAt(1, true), once = meanAt(1, false), often = meanAt(16, false);
+  EXPECT_LT(once, unoccluded - 0.01f);
+  EXPECT_GT(often, once + 0.01f);
+  EXPECT_LT(often, unoccluded);
+}
+
+TEST(PathTracer, GivesTheSameBitsForAnyNumberOfThreads) {
+  const auto image = [](int threads) {
+    setThreadLimit(threads);
+    return traced(shapeOf("teapot", matt(0.8f)), *builtinEnvironment("studio"), small(4));
+  };
+  const Image one = image(1), three = image(3);
+  EXPECT_TRUE(std::ranges::equal(one.samples(), three.samples()));
+}
+
+// A sun of 10⁵ over half a degree: no pixel is an outlier. Chosen by the cosine alone, one path in 10⁵ would find it.
+TEST(PathTracer, ASmallSunGivesNoFireflies) {
+  const glm::vec3 sun = glm::normalize(glm::vec3(0.3f, 0.5f, 1.0f));
+  const Environment environment(
+      [=](glm::vec3 d) { return glm::vec3(glm::dot(d, sun) > std::cos(0.00436f) ? 1e5f : 0.1f); }, 1024);
+  Material plastic = matt(0.5f);
+  plastic.specular = 1.0f;
+  plastic.perceptual_roughness = 0.6f;
+  TraceSettings settings = small(64);
+  settings.bounces = 1;
+  const Image few = traced(shapeOf("sphere", plastic), environment, settings);
+  settings.samples = 1024;
+  const Image many = traced(shapeOf("sphere", plastic), environment, settings);
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < 24; ++x)
+      EXPECT_NEAR(few.texel(x, y)[1], many.texel(x, y)[1], 0.25f * many.texel(x, y)[1] + 0.15f) << x << ", " << y;
+}
+
+TEST(PathTracer, BrokenTrianglesAreLeftOut) {
+  Scene scene = shapeOf("sphere", matt(1.0f));
+  Mesh& mesh = scene.meshes[0];
+  mesh.vertices[0].position.x = std::numeric_limits<float>::quiet_NaN();
+  mesh.vertices[1].position.y = std::numeric_limits<float>::infinity();
+  mesh.indices.insert(mesh.indices.end(), {5, 5, 5});
+  TraceSettings settings = small(4);
+  const auto tracer = PathTracer::make(std::move(scene), lightOf(1.0f));
+  ASSERT_TRUE(tracer);
+  const Camera camera = makeCamera({}, {glm::vec3(0.0f), 1.0f}, 1.0f);
+  const auto image = tracer->render(camera, settings);
+  ASSERT_TRUE(image);
+  for (const float sample : image->radiance.samples()) ASSERT_TRUE(std::isfinite(sample));
+}
+
+TEST(PathTracer, StopsWhenItsProgressSaysSo) {
+  const auto tracer = PathTracer::make(shapeOf("sphere", matt(1.0f)), lightOf(1.0f));
+  ASSERT_TRUE(tracer);
+  const auto image = tracer->render(makeCamera({}, {glm::vec3(0.0f), 1.0f}, 1.0f), small(4),
+                                    [](std::size_t done, std::size_t) { return done < 3; });
+  ASSERT_FALSE(image);
+  EXPECT_EQ(image.error().code, ErrorCode::interrupted);
+}
+
+}  // namespace
+}  // namespace mirrorball

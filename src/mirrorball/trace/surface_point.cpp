@@ -1,0 +1,132 @@
+#include "mirrorball/trace/surface_point.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "formula/color.h"
+#include "formula/grid_random.h"
+#include "formula/surface.h"
+
+namespace mirrorball {
+namespace {
+
+/// The vertices of a triangle, interpolated.
+struct Corners {
+  std::array<const Vertex*, 3> vertices;
+  glm::vec3 weights;
+
+  template <typename Value>
+  Value at(Value Vertex::*member) const {
+    return weights.x * vertices[0]->*member + weights.y * vertices[1]->*member + weights.z * vertices[2]->*member;
+  }
+  glm::vec2 uv(int set) const {
+    const auto index = static_cast<std::size_t>(set);
+    return weights.x * vertices[0]->uv[index] + weights.y * vertices[1]->uv[index] + weights.z * vertices[2]->uv[index];
+  }
+};
+
+Corners cornersOf(const Scene& scene, const Hit& hit) {
+  const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
+  const std::uint32_t* const corner = mesh.indices.data() + std::size_t{3} * hit.triangle;
+  const glm::vec2 b = hit.barycentric;
+  return {{&mesh.vertices[corner[0]], &mesh.vertices[corner[1]], &mesh.vertices[corner[2]]}, {1.0f - b.x - b.y, b}};
+}
+
+/// A texture as a formula reads it: linear, and without mip levels, since the paths of a pixel are what averages it.
+struct TextureMap {
+  const Texture& texture;
+};
+glm::ivec2 mapSize(const TextureMap& map, int) { return {map.texture.image.width(), map.texture.image.height()}; }
+glm::vec4 fetchMap(const TextureMap& map, glm::ivec2 texel, int) {
+  const std::uint8_t* const stored = map.texture.image.texel(texel.x, texel.y);
+  const glm::vec4 light = glm::vec4(stored[0], stored[1], stored[2], stored[3]) / 255.0f;
+  return map.texture.srgb ? glm::vec4(formula::linearFromSrgb(glm::vec3(light)), light.w) : light;
+}
+
+/// What a slot's texture holds there; 1 where there is none.
+glm::vec4 sampleSlot(const Scene& scene, const TextureSlot& slot, const Corners& corners) {
+  if (slot.texture < 0) return glm::vec4(1.0f);
+  const glm::vec2 uv = corners.uv(slot.uv_set) * slot.scale;
+  const float c = std::cos(slot.rotation_rad), s = std::sin(slot.rotation_rad);
+  // KHR_texture_transform: scaled, then turned, then moved.
+  const glm::vec2 moved = glm::vec2(c * uv.x + s * uv.y, -s * uv.x + c * uv.y) + slot.offset;
+  const Texture& texture = scene.textures[std::size_t(slot.texture)];
+  return formula::filteredMap(TextureMap{texture}, moved, 0.0f,
+                              {static_cast<int>(texture.wrap_s), static_cast<int>(texture.wrap_t), texture.nearest});
+}
+
+/// base colour and opacity
+glm::vec4 colorAt(const Scene& scene, const Material& material, const Corners& corners) {
+  return glm::vec4(material.base_color, material.opacity) * corners.at(&Vertex::color) *
+         sampleSlot(scene, material.base_color_map, corners);
+}
+
+float opacityOf(const Material& material, float alpha) {
+  if (material.alpha_mode == AlphaMode::opaque) return 1.0f;
+  if (material.alpha_mode == AlphaMode::mask) return alpha < material.alpha_cutoff ? 0.0f : 1.0f;
+  return std::clamp(alpha, 0.0f, 1.0f);
+}
+
+/// shaders/surface/normal_bump.glsl
+glm::vec3 bumpedNormal(const Material& material, const Corners& corners) {
+  const glm::vec3 n = glm::normalize(corners.at(&Vertex::normal));
+  const glm::vec3 p_u = formula::anyTangent(n);
+  const glm::vec3 p_v = glm::cross(n, p_u);
+  const float frequency = material.bump_frequency;
+  const glm::vec3 slope =
+      glm::vec3(formula::orangeHeight(corners.at(&Vertex::position) * frequency)) * (material.bump_height * frequency);
+  return formula::perturbedNormal(p_u, p_v, n, glm::dot(slope, p_u), glm::dot(slope, p_v));
+}
+
+/// The world's normal of smooth surface, bumps and normal map.
+glm::vec3 normalAt(const Scene& scene, const Material& material, const Corners& corners, const glm::mat3& linear) {
+  const glm::mat3 normal_matrix = glm::transpose(glm::inverse(linear));
+  const glm::vec3 object =
+      material.bump == BumpHeight::none ? corners.at(&Vertex::normal) : bumpedNormal(material, corners);
+  const glm::vec3 n = glm::normalize(normal_matrix * object);
+  if (material.normal_map.texture < 0) return n;
+  const glm::vec4 tangent = corners.at(&Vertex::tangent);
+  const glm::vec3 along = linear * glm::vec3(tangent);
+  const glm::vec3 t = glm::normalize(along - n * glm::dot(n, along));
+  const glm::vec3 b = glm::cross(n, t) * corners.vertices[0]->tangent.w;
+  return formula::normalFromMap(t, b, n, glm::vec3(sampleSlot(scene, material.normal_map, corners)),
+                                material.normal_scale);
+}
+
+}  // namespace
+
+const Material& materialAt(const Scene& scene, const Hit& hit) {
+  return scene.materials[std::size_t(scene.meshes[std::size_t(scene.instances[hit.instance].mesh)].material)];
+}
+
+float opacityAt(const Scene& scene, const Hit& hit) {
+  const Material& material = materialAt(scene, hit);
+  if (material.alpha_mode == AlphaMode::opaque) return 1.0f;
+  return opacityOf(material, colorAt(scene, material, cornersOf(scene, hit)).w);
+}
+
+SurfacePoint surfacePointAt(const Scene& scene, const Hit& hit) {
+  const Material& material = materialAt(scene, hit);
+  const Corners corners = cornersOf(scene, hit);
+  const glm::mat4& world_from_object = scene.instances[hit.instance].world_from_object;
+  SurfacePoint point;
+  point.position = glm::vec3(world_from_object * glm::vec4(corners.at(&Vertex::position), 1.0f));
+  point.geometric_normal = hit.geometric_normal;
+  point.normal = normalAt(scene, material, corners, glm::mat3(world_from_object));
+  // Degenerate vertices and maps have no normal.
+  if (glm::any(glm::isnan(point.normal))) point.normal = point.geometric_normal;
+  const glm::vec4 color = colorAt(scene, material, corners);
+  point.opacity = opacityOf(material, color.w);
+  point.material = material;
+  point.material.base_color = glm::vec3(color);
+  point.material.perceptual_roughness *= sampleSlot(scene, material.roughness_map, corners).y;
+  point.material.metallic *= sampleSlot(scene, material.metallic_map, corners).z;
+  point.material.specular *= sampleSlot(scene, material.specular_map, corners).w;
+  point.material.transmission *= sampleSlot(scene, material.transmission_map, corners).x;
+  point.material.emission *= glm::vec3(sampleSlot(scene, material.emission_map, corners));
+  return point;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,97 @@
+// render --reference: the path tracer from outside.
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <string>
+#include <thread>
+
+#include "cli/cli_testing.h"
+#include "cli/measure.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+using ReferenceRenderTest = CliTest;
+using ReferenceAgainstRendererTest = RenderCliTest;
+
+/// Peak signal-to-noise ratio of two pictures of light, each value cut off at white [dB].
+double psnr(const Image& a, const Image& b) {
+  double squares = 0.0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const glm::vec3 difference = glm::min(rgbAt(a, x, y), 1.0f) - glm::min(rgbAt(b, x, y), 1.0f);
+      squares += double(glm::dot(difference, difference)) / 3.0;
+    }
+  return 10.0 * std::log10(double(a.width()) * a.height() / squares);
+}
+
+TEST_F(ReferenceRenderTest, WritesAPictureAndSaysHowGoodItIs) {
+  const std::string line = "render sphere --reference --size 32x24 --samples 8 -e white -o ";
+  EXPECT_THAT(succeed(line + "ball.png"),
+              ContainsRegex("^8 paths a pixel, standard error at most [0-9.e-]+ of white\n$"));
+  succeed(line + "again.png");
+  EXPECT_EQ(bytes("ball.png"), bytes("again.png"));
+  succeed(line + "ball.exr --background transparent");
+  const Image ball = image("ball.exr");
+  EXPECT_EQ(ball.texel(0, 0)[3], 0.0f);
+  EXPECT_NEAR(ball.texel(16, 12)[3], 1.0f, 1e-6f);
+}
+
+TEST_F(ReferenceRenderTest, StopsWhenThePictureIsGoodEnough) {
+  const std::string line = "render sphere --reference --size 24x24 -e studio -o ball.png ";
+  const auto pathsOf = [&](const std::string& options) { return std::stoi(succeed(line + options)); };
+  const int coarse = pathsOf("--noise 0.02"), fine = pathsOf("--noise 0.006");
+  EXPECT_GE(coarse, 16);
+  EXPECT_GT(fine, 3 * coarse);
+  EXPECT_GE(pathsOf("--time 0.2"), 1);
+  EXPECT_EQ(pathsOf("--noise 0.5 --samples 4"), 4);
+}
+
+// A convex mirror: what an environment map can know is all that there is.
+TEST_F(ReferenceAgainstRendererTest, AgreesWhereTheRendererIsExact) {
+  succeed("convert studio --to cube --size 256 --format float32 -o room.ktx2");
+  const std::string line = "render sphere --material mirror -e room.ktx2 --size 96x96 --samples 64 ";
+  succeed(line + "-o drawn.exr");
+  succeed(line + "--reference --bounces 1 --unoccluded -o traced.exr");
+  EXPECT_GE(psnr(image("drawn.exr"), image("traced.exr")), 45.0);
+}
+
+TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
+  EXPECT_THAT(refuse(2, "render sphere --bounces 2"), HasSubstr("--bounces is for the reference; add --reference"));
+  const std::string line = "render sphere --reference -o ball.png ";
+  EXPECT_THAT(refuse(2, line + "--blur mip"), HasSubstr("--blur is for the renderer"));
+  EXPECT_THAT(refuse(2, line + "--light 0,1,0,1,1,1"), HasSubstr("--light"));
+  EXPECT_THAT(refuse(2, line + "--noise 0"), HasSubstr("noise"));
+  EXPECT_THAT(refuse(2, line + "--time 0"), HasSubstr("time"));
+  EXPECT_THAT(refuse(2, line + "--bounces 0"), HasSubstr("bounces"));
+  EXPECT_THAT(files(), ElementsAre());
+}
+
+TEST_F(ReferenceRenderTest, AnInterruptionLeavesThePictureSoFar) {
+  Program program({.arguments = Arguments("render teapot --reference --size 160x120 --samples 4096 -o pot.png").words,
+                   .folder = path("")});
+  program.waitUntilItCatchesInterrupts();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  ASSERT_TRUE(program.running()) << "it was done before it could be interrupted";
+  program.interrupt();
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.signal, SIGINT) << "ended with " << outcome.exit_code;
+  EXPECT_THAT(outcome.err, HasSubstr("mirrorball: interrupted; pot.png is the picture so far: "));
+  EXPECT_EQ(image("pot.png").width(), 160);
+}
+
+TEST_F(ReferenceRenderTest, ASceneWithoutLightIsBlackAndOneWithoutAModelIsItsEnvironment) {
+  write("dark.exr", Image(8, 4, 3, 0.0f));
+  succeed("render sphere --reference -e dark.exr --size 16x16 --samples 4 -o dark.png");
+  EXPECT_EQ(image("dark.png").texel(8, 8)[1], 0.0f);
+  succeed("render none --reference -e white --size 16x16 --samples 4 -o none.exr");
+  EXPECT_NEAR(image("none.exr").texel(8, 8)[1], 1.0f, 1e-5f);
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

@@ -1,6 +1,6 @@
-// Textures for which a material has no unit of their own: layers of one array. Each keeps its size, in the corner of its
-// layer at texel (0, 0), and its mip levels. What the hardware does for a texture with a unit of its own is done here:
-// wrapping, filtering and decoding.
+// Textures for which a material has no unit of their own: layers of one array. Each keeps its size, in the corner of
+// its layer at texel (0, 0), and its mip levels. What the hardware does for a texture with a unit of its own is done
+// here: wrapping, filtering and decoding.
 #include "color.glsl"
 
 uniform highp sampler2DArray map_layers;

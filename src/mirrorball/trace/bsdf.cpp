@@ -26,8 +26,8 @@ glm::vec3 refractingNormal(glm::vec3 w, glm::vec3 l, float eta) {
   return h.z < 0.0f ? -h : h;
 }
 
-/// The density [1/sr] of refraction into l at the facets that are met along w: without Fresnel's share (Walter et al. 2007,
-/// eq. 17).
+/// The density [1/sr] of refraction into l at the facets that are met along w: without Fresnel's share (Walter et al.
+/// 2007, eq. 17).
 float densityOfRefraction(float alpha, glm::vec3 w, glm::vec3 l, float eta) {
   const glm::vec3 h = refractingNormal(w, l, eta);
   const float cosine = glm::dot(w, h);

@@ -37,20 +37,20 @@ float balanced(float chosen_pdf, float other_pdf);
 
 /// How a point of a surface scatters light: glTF's metallic-roughness material as a random walk between the facets of a
 /// rough surface (microsurface.h). What a dielectric's facets do not reflect is scattered by the matter below them
-/// (Lambert), or refracted, in the shares that Material::transmission says. The reflectance of facets, their distribution
-/// and their sampling are those of formula/bsdf/.
+/// (Lambert), or refracted, in the shares that Material::transmission says. The reflectance of facets, their
+/// distribution and their sampling are those of formula/bsdf/.
 ///
-/// Directions are unit, in the frame of the surface, whose normal is +Z on the outside; v is towards the eye. v.z < 0 is
-/// inside of a transmitting body. Radiance is carried divided by the square of the index, so that white light stays white
-/// in glass.
+/// Directions are unit, in the frame of the surface, whose normal is +Z on the outside; v is towards the eye. v.z < 0
+/// is inside of a transmitting body. Radiance is carried divided by the square of the index, so that white light stays
+/// white in glass.
 class Bsdf {
  public:
   /// material  its numbers at the point
   explicit Bsdf(const formula::Material& material);
 
-  /// Walks from the eye between the facets until the path leaves. At each facet the offered light has its share, weighed
-  /// against the facet's own choice: the densities are exact at each facet, though nobody knows that of the whole walk, and
-  /// so neither a sun nor a narrow lobe makes single paths bright.
+  /// Walks from the eye between the facets until the path leaves. At each facet the offered light has its share,
+  /// weighed against the facet's own choice: the densities are exact at each facet, though nobody knows that of the
+  /// whole walk, and so neither a sun nor a narrow lobe makes single paths bright.
   ///
   /// cost     some 0.3 µs
   Scattering scatter(glm::vec3 v, const OfferedLight& light, SampleSequence& samples) const;

@@ -16,8 +16,8 @@ glm::vec3 displayed(glm::vec3 radiance, const Display& display) {
   return glm::vec3(formula::displayed(light, display.exposure(), static_cast<int>(display.tone_map)));
 }
 
-/// The standard error of a pixel as it is displayed, the mean of its channels: that of the radiance, on the slope of the
-/// tone curve.
+/// The standard error of a pixel as it is displayed, the mean of its channels: that of the radiance, on the slope of
+/// the tone curve.
 float displayedError(const PixelSums& sums, int samples, const Display& display) {
   const glm::vec3 mean = glm::vec3(sums.light) / float(samples);
   const glm::vec3 variance = glm::max(sums.squares / float(samples) - mean * mean, glm::vec3(0.0f));

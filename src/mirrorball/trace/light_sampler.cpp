@@ -28,8 +28,8 @@ std::vector<float> brightnessOf(const Image& light) {
   return brightness;
 }
 
-/// A texel's luminance, or a quarter of its brightest neighbour's: a lamp whose edge runs through the texel may be missed
-/// by its centre, and would then be found by so few paths that they stand out as bright pixels.
+/// A texel's luminance, or a quarter of its brightest neighbour's: a lamp whose edge runs through the texel may be
+/// missed by its centre, and would then be found by so few paths that they stand out as bright pixels.
 float withNeighbours(const std::vector<float>& brightness, int size, int x, int y) {
   float most = 4.0f * brightness[std::size_t(y) * std::size_t(size) + std::size_t(x)];
   for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size - 1); ++j)

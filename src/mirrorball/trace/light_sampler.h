@@ -16,10 +16,10 @@ struct LightSample {
   float pdf = 0.0f;           ///< density [1/sr]
 };
 
-/// Chooses directions as often as the environment is bright there (importance sampling), so that a sun of 10⁵ over half a
-/// degree is found by nearly every path. Between the texels of an equal-area map, all of one solid angle, the choice is
-/// by the luminance that the map has in each, and within a texel it is uniform; the density is exact for whatever the
-/// environment's light is between them.
+/// Chooses directions as often as the environment is bright there (importance sampling), so that a sun of 10⁵ over half
+/// a degree is found by nearly every path. Between the texels of an equal-area map, all of one solid angle, the choice
+/// is by the luminance that the map has in each, and within a texel it is uniform; the density is exact for whatever
+/// the environment's light is between them.
 class LightSampler {
  public:
   /// environment   finite, not negative

@@ -9,10 +9,10 @@
 namespace mirrorball {
 
 /// A rough surface as a random height field of GGX facets (Smith's model: heights and slopes do not know of their
-/// neighbours), and a ray's walk between them: facets are met and left until the ray escapes, which is multiple scattering
-/// without an approximation (Heitz, Hanika, d'Eon & Dachsbacher 2016, "Multiple-scattering microfacet BSDFs with the Smith
-/// model"). Heights are uniform in [−1, 1]; results do not depend on their distribution. Directions are unit, in the frame
-/// of the surface, whose normal is +Z.
+/// neighbours), and a ray's walk between them: facets are met and left until the ray escapes, which is multiple
+/// scattering without an approximation (Heitz, Hanika, d'Eon & Dachsbacher 2016, "Multiple-scattering microfacet BSDFs
+/// with the Smith model"). Heights are uniform in [−1, 1]; results do not depend on their distribution. Directions are
+/// unit, in the frame of the surface, whose normal is +Z.
 
 /// The height at which a ray has left the microsurface.
 inline constexpr float kEscaped = std::numeric_limits<float>::infinity();

@@ -112,8 +112,8 @@ glm::vec3 PathTracer::State::beside(const SurfacePoint& point, glm::vec3 directi
   return point.position + point.geometric_normal * (glm::dot(direction, point.geometric_normal) >= 0.0f ? step : -step);
 }
 
-/// Whether a ray goes on as if a triangle were not there: it is cut away, it lets this ray through, or it is the back of a
-/// surface that has only a front.
+/// Whether a ray goes on as if a triangle were not there: it is cut away, it lets this ray through, or it is the back
+/// of a surface that has only a front.
 bool PathTracer::State::passes(const Hit& hit, glm::vec3 direction, SampleSequence& samples) const {
   const Material& material = materialAt(scene, hit);
   const bool has_back = material.double_sided || material.transmission > 0.0f;

@@ -43,9 +43,9 @@ struct TracedPicture {
   bool is_interrupted = false;  ///< before it was good enough
 };
 
-/// The truth that the techniques of the renderer are measured against: a path tracer over the same scenes, materials and
-/// environments, which knows that objects block light and send it to each other (Kajiya 1986). The environment is chosen by
-/// its light and surfaces by their BSDF, and both are weighed against each other (Veach & Guibas 1995).
+/// The truth that the techniques of the renderer are measured against: a path tracer over the same scenes, materials
+/// and environments, which knows that objects block light and send it to each other (Kajiya 1986). The environment is
+/// chosen by its light and surfaces by their BSDF, and both are weighed against each other (Veach & Guibas 1995).
 class PathTracer {
  public:
   /// errors   too_large; interrupted

@@ -19,9 +19,9 @@ std::uint32_t hashed(std::uint32_t a, std::uint32_t b) {
   return x ^ (x >> 16);
 }
 
-/// Owen's scrambling: each digit is flipped or not as all digits above it, and the seed, say. The permutation of Laine &
-/// Karras 2011, in which a digit changes only those above it, with the constants of Vegdahl 2021 ("Building a better LK
-/// hash"), is therefore done on the reversed digits.
+/// Owen's scrambling: each digit is flipped or not as all digits above it, and the seed, say. The permutation of Laine
+/// & Karras 2011, in which a digit changes only those above it, with the constants of Vegdahl 2021 ("Building a better
+/// LK hash"), is therefore done on the reversed digits.
 std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
   x = reversed(x);
   x ^= x * 0x3d20adeau;

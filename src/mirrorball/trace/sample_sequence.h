@@ -6,8 +6,8 @@
 
 namespace mirrorball {
 
-/// The numbers that the paths of one pixel are made of: Sobol' points whose digits are scrambled at random (Owen 1995), so
-/// that the error of a mean falls faster than that of independent numbers. Each call of `next` takes the next two
+/// The numbers that the paths of one pixel are made of: Sobol' points whose digits are scrambled at random (Owen 1995),
+/// so that the error of a mean falls faster than that of independent numbers. Each call of `next` takes the next two
 /// dimensions of the path's point; pairs of dimensions are made independent of each other by shuffling the order of the
 /// points (padding: Burley 2020, "Practical hash-based Owen scrambling"). The points of a pixel are the same on every
 /// machine and whatever is drawn beside it.

@@ -9,8 +9,8 @@
 namespace mirrorball {
 namespace {
 
-// In each pair of dimensions the first 2ⁿ points have one in each box of 2ᵃ × 2ⁿ⁻ᵃ: a (0, 2)-sequence stays one when its
-// digits are scrambled and its order is shuffled.
+// In each pair of dimensions the first 2ⁿ points have one in each box of 2ᵃ × 2ⁿ⁻ᵃ: a (0, 2)-sequence stays one when
+// its digits are scrambled and its order is shuffled.
 TEST(SampleSequence, EveryElementaryBoxHasOnePoint) {
   constexpr std::uint32_t kPoints = 64;
   for (int pair = 0; pair < 5; ++pair)

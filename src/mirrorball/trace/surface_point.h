@@ -8,7 +8,8 @@
 
 namespace mirrorball {
 
-/// A point of a surface with all that its material and its textures say of it: what shaders/surface/ makes of a fragment.
+/// A point of a surface with all that its material and its textures say of it: what shaders/surface/ makes of a
+/// fragment.
 struct SurfacePoint {
   glm::vec3 position{0.0f};          ///< world
   glm::vec3 geometric_normal{0.0f};  ///< of the triangle, unit, outwards

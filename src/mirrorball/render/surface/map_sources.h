@@ -26,7 +26,8 @@ struct MapSource {
 };
 
 /// Deals a material's textures out to texture units. Rows with the same texture share its unit. Where there are more
-/// different textures than units, the largest keep a unit each and the others become layers of an array in the last one.
+/// different textures than units, the largest keep a unit each and the others become layers of an array in the last
+/// one.
 ///
 /// units    that the material has: at least 1
 /// returns  one source for each row of materialMaps()

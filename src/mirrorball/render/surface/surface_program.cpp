@@ -85,8 +85,9 @@ SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& b
   return surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings);
 }
 
-/// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light around
-/// it, and from rounded shares it would come out as some 2e-4 of that where it is nothing: of a sun more than of a room.
+/// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light
+/// around it, and from rounded shares it would come out as some 2e-4 of that where it is nothing: of a sun more than of
+/// a room.
 Result<Image> missingAndBias() {
   MIRRORBALL_TRY(table, brdfTable({.axes = BrdfAxes::warped}));
   Image shares(table.width(), table.height(), 3);  // textures have one, three or four channels

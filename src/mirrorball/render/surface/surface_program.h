@@ -53,8 +53,8 @@ struct FrameUniforms {
   glm::mat4 sphere_map_matrix{1.0f};
 };
 
-/// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf of
-/// formula/surface/shading.glsl. Needs no GL context.
+/// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
+/// of formula/surface/shading.glsl. Needs no GL context.
 ///
 /// cost     about 10 ms on 2 cores
 Result<Image> surfaceBrdfTable();

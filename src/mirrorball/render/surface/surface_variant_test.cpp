@@ -1,5 +1,5 @@
-// Every answer to every question, and every pair of answers, makes shaders that compile: by glslang in tests/parity, which
-// needs no driver, and here the names of what the rooms share.
+// Every answer to every question, and every pair of answers, makes shaders that compile: by glslang in tests/parity,
+// which needs no driver, and here the names of what the rooms share.
 
 #include "mirrorball/render/surface/surface_variant.h"
 

@@ -12,7 +12,7 @@ uniform vec3 camera_forward;
 uniform float orthographic;
 uniform float texels_per_radian;
 uniform float samples_per_pixel;
-uniform float least_level;
+uniform float min_level;
 uniform float lobe_roughness;  // blurs by the mip levels; 0: not
 
 out vec4 fragment;
@@ -24,7 +24,7 @@ void main() {
   vec3 d = normalize(ray);
   float minified = footprintLod(sampleFootprint(dFdx(d), dFdy(d), samples_per_pixel), texels_per_radian);
   vec3 seen = environment_from_world * d;
-  float blurred = lobe_roughness > 0.0 ? lodOfLobe(lobe_roughness, texels_per_radian, seen) : least_level;
+  float blurred = lobe_roughness > 0.0 ? lodOfLobe(lobe_roughness, texels_per_radian, seen) : min_level;
   vec3 light = sampleLod(environment, seen, max(blurred, minified)).xyz;
   fragment = vec4(light * environment_intensity, 1.0);
 }

@@ -41,7 +41,7 @@ const std::string kBakedHelp =
 const Option<BakeOptions> kBakeOutput{
     {.name = "output", .value = "OUT", .help = kBakedHelp, .letter = "o", .takes_path = true}, &BakeOptions::output};
 
-const std::array<Option<BakeOptions>, 4> kBakeOptions{{
+const auto kBakeOptions = std::to_array<Option<BakeOptions>>({
     {{.name = "from",
       .value = "FORM",
       .help = "form of the environment map, if it is not recognised (see convert --from)",
@@ -51,7 +51,7 @@ const std::array<Option<BakeOptions>, 4> kBakeOptions{{
      &BakeOptions::repair},
     {{.name = "timings", .help = "print how long each stage took"}, &BakeOptions::timings},
     {kMaxMemoryText, &BakeOptions::max_memory},
-}};
+});
 
 const Option<BakedSetSettings> kBakeRotate{kRotateText, &BakedSetSettings::rotate_deg};
 

@@ -39,7 +39,7 @@ const std::string kProjectionHelp = "projection of the map: " + join(projectionN
                                     "; without it, cube in " + writtenExtensions(Holds::texture, " and ") +
                                     ", equirect in other files";
 
-const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
+const auto kCaptureOptions = std::to_array<Option<CaptureOptions>>({
     {{.name = "at",
       .value = "X,Y,Z",
       .unit = "world units",
@@ -70,7 +70,7 @@ const std::array<Option<CaptureOptions>, 4> kCaptureOptions{{
               "panorama; 0: 256 for cube faces, and the same detail in other projections",
       .group = "Output"},
      &CaptureOptions::size},
-}};
+});
 
 /// What has no meaning for a map of all directions, or a map's own option in its place.
 constexpr std::array<std::string_view, 8> kOptionsOfPictures{"size",   "exposure", "tone-map", "resolve",

@@ -10,7 +10,7 @@
 namespace mirrorball::cli {
 namespace {
 
-const std::array<Option<CommonOptions>, 2> kCommonOptions{{
+const auto kCommonOptions = std::to_array<Option<CommonOptions>>({
     {{.name = "quiet", .help = "print no progress and no remarks; errors are still printed"}, &CommonOptions::quiet},
     {{.name = "threads",
       .value = "N",
@@ -18,7 +18,7 @@ const std::array<Option<CommonOptions>, 2> kCommonOptions{{
       .maximum = 1024,
       .help = "number of threads; 0: one for each core. The result is the same for any number"},
      &CommonOptions::threads},
-}};
+});
 
 }  // namespace
 

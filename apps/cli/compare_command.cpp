@@ -71,12 +71,12 @@ OptionText ofLight(OptionText text, std::string_view help) {
   return text;
 }
 
-const std::array<Option<CompareOptions>, 11> kCompareOptions{{
+const auto kCompareOptions = std::to_array<Option<CompareOptions>>({
     {{.name = "threshold", .value = "METRIC=VALUE", .help = kThresholdHelp}, kThresholds},
     {{.name = "json", .help = "print JSON"}, &CompareOptions::json},
     {{.name = "pixels-per-degree",
       .value = "N",
-      .minimum = kLeastPixelsPerDegree,
+      .minimum = kMinPixelsPerDegree,
       .maximum = 1000,
       .help =
           "how many pixels a degree of FLIP's observer has; the default is a display of 3840 pixels over 0.7 m, seen "
@@ -108,7 +108,7 @@ const std::array<Option<CompareOptions>, 11> kCompareOptions{{
     {ofLight(exposureText(), "exposure at which psnr, ssim and the sheet see light, applied before its tone map"),
      kCompareExposure},
     {ofLight(toneMapText(), "curve by which psnr, ssim and the sheet see light"), kCompareToneMap},
-}};
+});
 
 /// One of the two files.
 struct Side {

@@ -22,7 +22,7 @@ std::string jsonOf(const ToldComparison& told) {
                    {"reference", arrayOf(comparison.reference_at_worst)}};
   json["flip"] = {
       {"pixels_per_degree", numberOf(double(told.options.pixels_per_degree))},
-      {"worst", {{"pixel", arrayOf(comparison.worst_flip)}, {"flip", numberOf(double(comparison.greatest_flip))}}}};
+      {"worst", {{"pixel", arrayOf(comparison.worst_flip)}, {"flip", numberOf(double(comparison.max_flip))}}}};
   if (is_light) {
     const ExposureRange& exposures = comparison.exposures;
     json["flip"]["exposures"] = {{"start", numberOf(double(exposures.start_ev))},

@@ -62,8 +62,8 @@ std::vector<std::string> linesOf(const ToldComparison& told) {
                                  pixelText(comparison.worst) + ": " + shortText(comparison.test_at_worst) +
                                      " against " + shortText(comparison.reference_at_worst),
                                  ""));
-  lines.push_back(comparisonLine(
-      "", pixelText(comparison.worst_flip) + ": FLIP " + shortText(double(comparison.greatest_flip)), ""));
+  lines.push_back(
+      comparisonLine("", pixelText(comparison.worst_flip) + ": FLIP " + shortText(double(comparison.max_flip)), ""));
   return lines;
 }
 

@@ -53,7 +53,7 @@ std::span<const std::string_view> extensionNames() {
   return names;
 }
 
-const std::array<Option<ConvertOptions>, 11> kConvertOptions{{
+const auto kConvertOptions = std::to_array<Option<ConvertOptions>>({
     {{.name = "to", .value = "PROJECTION", .help = kToHelp, .names = projectionNames}, &ConvertOptions::to},
     {{.name = "from",
       .value = "FORM",
@@ -90,7 +90,7 @@ const std::array<Option<ConvertOptions>, 11> kConvertOptions{{
     {kMaxMemoryText, &ConvertOptions::max_memory},
     {exposureText(), &ConvertOptions::exposure_ev},
     {toneMapText(), choiceField<&ConvertOptions::tone_map>},
-}};
+});
 
 Resampling resamplingOf(const ConvertOptions& options) {
   Resampling resampling{.interpolation = options.filter, .source_from_target = sourceFromRotated(options.rotate_deg)};

@@ -34,7 +34,7 @@ struct InfoOptions {
   std::string max_memory;
 };
 
-const std::array<Option<InfoOptions>, 4> kInfoOptions{{
+const auto kInfoOptions = std::to_array<Option<InfoOptions>>({
     {{.name = "direction",
       .value = "X,Y,Z",
       .min_count = 3,
@@ -48,7 +48,7 @@ const std::array<Option<InfoOptions>, 4> kInfoOptions{{
       .names = projectionNames},
      &InfoOptions::from},
     {kMaxMemoryText, &InfoOptions::max_memory},
-}};
+});
 
 constexpr std::array<Projection::Kind, 10> kListed{
     Projection::cube,       Projection::equirect,   Projection::sphere,     Projection::angular,

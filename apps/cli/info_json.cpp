@@ -39,8 +39,8 @@ void add(const MapInfo& map, Json& json) {
   json["covered"] = numberOf(double(map.covered));
   json["bad_texels"]["count"] = loaded.bad_texels.count;
   if (loaded.bad_texels.count > 0) json["bad_texels"]["first"] = arrayOf(loaded.bad_texels.first);
-  json["least"] = arrayOf(map.statistics.min);
-  json["greatest"] = arrayOf(map.statistics.max);
+  json["min"] = arrayOf(map.statistics.min);
+  json["max"] = arrayOf(map.statistics.max);
   json["mean"] = arrayOf(map.statistics.mean);
   json["brightest"] = {{"radiance", arrayOf(map.statistics.brightest)},
                        {"direction", arrayOf(map.statistics.brightest_direction)}};

@@ -24,7 +24,10 @@ constexpr std::chrono::milliseconds kPatience(250);
 
 volatile std::sig_atomic_t caught_signal = 0;  // 0: none yet
 sem_t signal_came;
-std::atomic_flag is_end_claimed;
+
+/// Whose it is to end the program.
+enum class End { nobodys, works, watchers };
+std::atomic<End> end = End::nobodys;
 
 /// What is said if the work does not tell itself.
 struct LastWords {
@@ -47,7 +50,7 @@ void onInterrupt(int signal) {
 void watch() {
   while (::sem_wait(&signal_came) != 0) continue;
   std::this_thread::sleep_for(kPatience);
-  if (is_end_claimed.test_and_set()) return;
+  if (End nobodys = End::nobodys; !end.compare_exchange_strong(nobodys, End::watchers)) return;
   removeUnfinished();
   std::unique_lock lock(lastWords().guard);
   complain({ErrorCode::interrupted, lastWords().message});
@@ -98,9 +101,8 @@ std::string interruptedAmongMany(const std::string& folder) {
 }
 
 void claimEnd() {
-  static bool is_ours = false;  // one thread alone claims it
-  is_ours = is_ours || !is_end_claimed.test_and_set();
-  if (is_ours) return;
+  End before = End::nobodys;
+  if (end.compare_exchange_strong(before, End::works) || before == End::works) return;
   while (true) ::pause();
 }
 

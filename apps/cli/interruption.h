@@ -29,8 +29,8 @@ std::string interruptedAfter(std::size_t whole, std::size_t all);
 std::string interruptedAmongMany(const std::string& folder);
 
 /// From now on the program ends as its caller ends it: to be called before an outcome is told, or before work that an
-/// interruption must not cut off. Does not return where the program is ending already. For one thread only, which may
-/// call it again.
+/// interruption must not cut off. Does not return where the program is ending already. May be called again, and
+/// by several threads.
 void claimEnd();
 
 /// Ends the program by the signal that came, if one did: whoever started it, a loop of a shell, then knows why.

@@ -50,7 +50,7 @@ const std::string kProjectionsHelp = "projection of the map: " + join(projection
 const std::string kOutlineHelp =
     "also write the photograph with the ball's rim drawn over it, as " + writtenExtensions(Holds::picture, " or ");
 
-const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
+const auto kPhotoOptions = std::to_array<Option<PhotoOptions>>({
     {{.name = "to", .value = "PROJECTION", .help = kProjectionsHelp, .group = "Output", .names = projectionNames},
      &PhotoOptions::to},
     {{.name = "size",
@@ -130,7 +130,7 @@ const std::array<Option<PhotoOptions>, 13> kPhotoOptions{{
       .group = "Second side"},
      &PhotoOptions::second_exposures},
     {kMaxMemoryText, &PhotoOptions::max_memory},
-}};
+});
 
 /// "1/60,1/15,0.25"
 Result<std::vector<double>> parseExposures(const std::string& written) {

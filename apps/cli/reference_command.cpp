@@ -22,12 +22,12 @@ struct ReferenceRequest {
   ReferenceFormat format = ReferenceFormat::markdown;
 };
 
-const std::array<Option<ReferenceRequest>, 1> kReferenceOptions{{
+const auto kReferenceOptions = std::to_array<Option<ReferenceRequest>>({
     {{.name = "format",
       .choices = "markdown|man|bash|zsh|fish",
       .help = "what to print: a page of documentation, a manual page, or completions for a shell"},
      choiceField<&ReferenceRequest::format>},
-}};
+});
 
 template <typename Target>
 CommandOption rowOf(const Option<Target>& option, const Target& defaults) {

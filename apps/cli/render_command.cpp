@@ -39,10 +39,10 @@ const std::string kPictureHelp = "the picture file, " + writtenExtensions(Holds:
                                  writtenExtensions(Holds::light) +
                                  " (linear radiance); -.png is standard output, likewise with the other extensions";
 
-const std::array<Option<RenderFiles>, 1> kFileOptions{{
+const auto kFileOptions = std::to_array<Option<RenderFiles>>({
     {{.name = "output", .value = "OUT", .help = kPictureHelp, .letter = "o", .group = "Files", .takes_path = true},
      &RenderFiles::output},
-}};
+});
 
 /// All that `render` was told.
 struct RenderRequest {

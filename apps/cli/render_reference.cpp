@@ -8,6 +8,7 @@
 #include "cli/interruption.h"
 #include "cli/stage_clock.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/scene/camera/framing.h"
@@ -50,6 +51,16 @@ Result<void> writePicture(Image image, const FrameSettings& frame, const std::st
                                       frame.background == BackgroundKind::display_color ? backdrop : glm::vec4(0.0f)));
 }
 
+/// A progress bar. From the first whole pass on, an interruption waits for the picture so far to be written.
+ProgressFunction untilInterrupted(glm::ivec2 size) {
+  const std::size_t first_pass = std::size_t(size.x) * std::size_t(size.y);
+  return [bar = progressBar("reference"), first_pass](std::size_t done, std::size_t total) {
+    if (bar(done, total)) return true;
+    if (done > first_pass) claimEnd();
+    return false;
+  };
+}
+
 /// "64 paths a pixel, standard error 0.0031"
 std::string foundOut(const TracedPicture& picture) {
   std::array<char, 96> text;
@@ -77,6 +88,8 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
     if (given.contains(name))
       return fail(ErrorCode::usage,
                   "--" + std::string(name) + " is for the renderer; leave it out, or leave --reference out");
+  if (options.trace.is_unoccluded && options.trace.bounces != 1)
+    return fail(ErrorCode::usage, "--unoccluded knows no second surface; add --bounces 1");
   if (!frame.lights.empty())
     return fail(ErrorCode::usage, "--light: the reference has no point lights yet; leave it out");
   if (frame.background == BackgroundKind::blur)
@@ -98,10 +111,10 @@ Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& m
     return PathTracer::make(std::move(inputs.scene), std::move(inputs.environment));
   }));
   MIRRORBALL_TRY(picture, clock.time("picture: trace", [&] {
-    return tracer.render(camera, traceSettings(options, frame, given), progressBar("reference"));
+    return tracer.render(camera, traceSettings(options, frame, given), untilInterrupted(frame.size));
   }));
-  // The picture so far is worth more time than an interruption leaves.
-  if (picture.is_interrupted) claimEnd();
+  if (picture.lost_paths > 0)
+    remark(countedAre(picture.lost_paths, "path") + " without a number as its light, and counted as black");
   MIRRORBALL_TRY_VOID(clock.time("picture: encode and write",
                                  [&] { return writePicture(std::move(picture.radiance), frame, output); }));
   announce(output);

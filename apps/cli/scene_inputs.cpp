@@ -20,7 +20,7 @@ const std::string kEnvironmentHelp = "the environment: a panorama, sphere map or
                                      "), or a built-in: " + join(builtinEnvironmentNames()) +
                                      "; sky takes parameters, as in sky:elevation=20,turbidity=3";
 
-const std::array<Option<SceneRequest>, 7> kSceneOptions{{
+const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
     {{.name = "env",
       .value = "ENV",
       .help = kEnvironmentHelp,
@@ -49,7 +49,7 @@ const std::array<Option<SceneRequest>, 7> kSceneOptions{{
      &SceneRequest::is_uncached},
     {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &SceneRequest::timings},
     {kMaxMemoryText, &SceneRequest::max_memory},
-}};
+});
 
 }  // namespace
 

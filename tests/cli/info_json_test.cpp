@@ -33,8 +33,8 @@ TEST_F(InfoJsonTest, AMapIsAnObject) {
   EXPECT_EQ(said["size"], json::array({8, 4}));
   EXPECT_EQ(said["covered"], 1.0);
   EXPECT_EQ(said["bad_texels"]["count"], 0);
-  EXPECT_EQ(said["least"], json::array({2.0, 2.0, 2.0}));
-  EXPECT_EQ(said["greatest"], json::array({5.0, 2.0, 2.0}));
+  EXPECT_EQ(said["min"], json::array({2.0, 2.0, 2.0}));
+  EXPECT_EQ(said["max"], json::array({5.0, 2.0, 2.0}));
   EXPECT_EQ(said["brightest"]["radiance"], json::array({5.0, 2.0, 2.0}));
   EXPECT_EQ(said["brightest"]["direction"].size(), 3u);
   EXPECT_EQ(said["mean"].size(), 3u);

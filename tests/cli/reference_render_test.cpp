@@ -69,11 +69,12 @@ TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refuse(2, line + "--noise 0"), HasSubstr("noise"));
   EXPECT_THAT(refuse(2, line + "--time 0"), HasSubstr("time"));
   EXPECT_THAT(refuse(2, line + "--bounces 0"), HasSubstr("bounces"));
+  EXPECT_THAT(refuse(2, line + "--unoccluded"), HasSubstr("add --bounces 1"));
   EXPECT_THAT(files(), ElementsAre());
 }
 
 TEST_F(ReferenceRenderTest, AnInterruptionLeavesThePictureSoFar) {
-  Program program({.arguments = Arguments("render teapot --reference --size 160x120 --samples 4096 -o pot.png").words,
+  Program program({.arguments = Arguments("render teapot --reference --size 4096x64 --samples 4096 -o pot.png").words,
                    .folder = path("")});
   program.waitUntilItCatchesInterrupts();
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
@@ -82,7 +83,7 @@ TEST_F(ReferenceRenderTest, AnInterruptionLeavesThePictureSoFar) {
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.signal, SIGINT) << "ended with " << outcome.exit_code;
   EXPECT_THAT(outcome.err, HasSubstr("mirrorball: interrupted; pot.png is the picture so far: "));
-  EXPECT_EQ(image("pot.png").width(), 160);
+  EXPECT_EQ(image("pot.png").width(), 4096);
 }
 
 TEST_F(ReferenceRenderTest, ASceneWithoutLightIsBlackAndOneWithoutAModelIsItsEnvironment) {

@@ -78,7 +78,7 @@ std::string textOf(const Difference& difference) {
 Difference differenceOf(const Image8& golden, const Image8& now) {
   assert(haveSameSize(golden, now) && golden.channels() == 4 && now.channels() == 4);
   const ImageError error = imageError(premultiplied(now), premultiplied(golden));
-  return {.maximum = double(error.greatest), .mean = error.mean_of_worst, .worst = error.worst};
+  return {.maximum = double(error.max), .mean = error.mean_of_worst, .worst = error.worst};
 }
 
 bool isWithin(const Difference& difference, const Tolerance& tolerance) {

@@ -33,7 +33,8 @@ struct Remark {
   std::string detail = {};  ///< as its kind says
 };
 
-/// Functions by which work reports to its caller while it goes on. Each may be empty.
+/// Functions by which work reports to its caller while it goes on. Each may be empty, and each may be called from
+/// several threads at a time.
 struct Observer {
   std::function<void(const Remark&)> remark = {};
   std::function<void(const std::string& path)> written = {};              ///< a file is finished

@@ -75,7 +75,7 @@ TEST(Text, OnlyWhatIsCloseIsSuggested) {
 }
 
 TEST(Text, ANameIsFoundInAnyCaseAndByItsAliases) {
-  constexpr std::array<Alias, 2> kAliases{{{"Latlong", "equirect"}, {"dx", "direct-x"}}};
+  constexpr auto kAliases = std::to_array<Alias>({{"Latlong", "equirect"}, {"dx", "direct-x"}});
   constexpr std::array<std::string_view, 3> kForms{"equirect", "equal-area", "direct-x"};
   EXPECT_EQ(indexOfName("equirect", kForms, kAliases), 0u);
   EXPECT_EQ(indexOfName("Equal_Area", kForms, kAliases), 1u);

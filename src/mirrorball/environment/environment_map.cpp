@@ -72,7 +72,7 @@ glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolat
   if (projection_ == Projection::hemioctahedral && direction.z < 0.0f) return glm::vec3(0.0f);
   const MapPosition place = positionOf(projection_, direction);
   const glm::vec2 position = place.uv * glm::vec2(extent_);
-  // Of the fewest texels a cubic would reach over several borders.
+  // Of the min_count texels a cubic would reach over several borders.
   if (interpolation == Interpolation::bicubic && hasSmoothRegions(projection_) && size() < kMinSizeOfCubic)
     interpolation = Interpolation::bilinear;
   if (interpolation == Interpolation::bicubic && hasSmoothRegions(projection_)) {

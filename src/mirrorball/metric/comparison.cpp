@@ -89,10 +89,10 @@ Result<void> measureFlip(Comparison& comparison, const Image& test, const Image&
     comparison.flip = std::move(flip);
   }
   const auto errors = comparison.flip.samples();
-  const auto greatest = std::size_t(std::max_element(errors.begin(), errors.end()) - errors.begin());
+  const auto worst = std::size_t(std::max_element(errors.begin(), errors.end()) - errors.begin());
   const auto width = std::size_t(test.width());
-  comparison.greatest_flip = errors[greatest];
-  comparison.worst_flip = {static_cast<int>(greatest % width), static_cast<int>(greatest / width)};
+  comparison.max_flip = errors[worst];
+  comparison.worst_flip = {static_cast<int>(worst % width), static_cast<int>(worst / width)};
   comparison.values[static_cast<std::size_t>(Metric::flip)] = meanOf(comparison.flip);
   return {};
 }

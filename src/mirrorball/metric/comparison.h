@@ -68,7 +68,7 @@ struct ComparedImage {
 Result<ComparedImage> comparedImage(Image image, ImageKind kind);
 
 struct ComparisonSettings {
-  float pixels_per_degree = kUsualPixelsPerDegree;  ///< for FLIP, at least kLeastPixelsPerDegree
+  float pixels_per_degree = kUsualPixelsPerDegree;  ///< for FLIP, at least kMinPixelsPerDegree
   // How PSNR and SSIM see light: as formula::displayLight shows it.
   float exposure = 1.0f;  ///< factor on the radiance
   int tone_map = 2;       ///< formula::toneMap's number; the neutral one
@@ -84,7 +84,7 @@ struct Comparison {
   glm::vec3 test_at_worst{0};  ///< encoded values of pictures, radiance of light
   glm::vec3 reference_at_worst{0};
   glm::ivec2 worst_flip{0};  ///< the pixel with the greatest FLIP
-  float greatest_flip = 0.0f;
+  float max_flip = 0.0f;
   ExposureRange exposures;  ///< of HDR-FLIP
   Image flip;               ///< FLIP of each pixel, one channel
   Image difference;         ///< signedDifference of the values that RMSE compares

@@ -89,7 +89,7 @@ TEST(CompareImages, FlipIsThatOfItsKind) {
   EXPECT_NEAR(valueOf(light, Metric::flip), 0.261788172, 1e-7);
   EXPECT_EQ(light.exposures.count, 17);
   EXPECT_EQ(light.worst_flip, glm::ivec2(58, 0)) << "as the published program has it";
-  EXPECT_NEAR(light.greatest_flip, 0.987069547f, 2e-6f);
+  EXPECT_NEAR(light.max_flip, 0.987069547f, 2e-6f);
 }
 
 TEST(CompareImages, ColoursCountByTheirCoverageWhichIsAMetricItself) {

@@ -26,17 +26,17 @@ ImageError sumsOfRow(const Image& a, const Image& b, int y) {
   ImageError sums;
   sums.worst = {0, y};
   for (std::size_t pixel = 0; pixel < std::size_t(a.width()); ++pixel) {
-    float greatest = 0.0f;
+    float max = 0.0f;
     for (std::size_t i = pixel * channels; i < (pixel + 1) * channels; ++i) {
       const double difference = double(row_a[i]) - double(row_b[i]);
       const double square = difference * difference;
       sums.mean_square += square;
       sums.relative_mean_square += square / (double(row_b[i]) * double(row_b[i]) + kRelativeEpsilon);
-      greatest = std::max(greatest, std::abs(row_a[i] - row_b[i]));
+      max = std::max(max, std::abs(row_a[i] - row_b[i]));
     }
-    sums.mean_of_worst += double(greatest);
-    if (greatest <= sums.greatest) continue;
-    sums.greatest = greatest;
+    sums.mean_of_worst += double(max);
+    if (max <= sums.max) continue;
+    sums.max = max;
     sums.worst.x = static_cast<int>(pixel);
   }
   return sums;
@@ -56,8 +56,8 @@ ImageError imageError(const Image& a, const Image& b) {
     error.mean_square += row.mean_square;
     error.relative_mean_square += row.relative_mean_square;
     error.mean_of_worst += row.mean_of_worst;
-    if (row.greatest <= error.greatest) continue;
-    error.greatest = row.greatest;
+    if (row.max <= error.max) continue;
+    error.max = row.max;
     error.worst = row.worst;
   }
   error.mean_square /= static_cast<double>(a.samples().size());

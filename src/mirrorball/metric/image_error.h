@@ -11,7 +11,7 @@ struct ImageError {
   double mean_square = 0.0;           ///< mean of (a − b)² over all samples
   double relative_mean_square = 0.0;  ///< mean of (a − b)² / (b² + kRelativeEpsilon) over all samples
   double mean_of_worst = 0.0;         ///< mean over the pixels of |a − b| of the channel that is farthest apart
-  float greatest = 0.0f;              ///< greatest |a − b| of a sample
+  float max = 0.0f;                   ///< greatest |a − b| of a sample
   glm::ivec2 worst{0};                ///< the pixel that has it, the first in reading order
 };
 

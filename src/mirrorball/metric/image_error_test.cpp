@@ -25,7 +25,7 @@ TEST(ImageError, OfAConstantOffsetIsTheOffset) {
     const ImageError error = imageError(pair.raised, pair.reference);
     EXPECT_EQ(error.mean_square, 0.015625);
     EXPECT_EQ(error.mean_of_worst, 0.125);
-    EXPECT_EQ(error.greatest, 0.125f);
+    EXPECT_EQ(error.max, 0.125f);
     EXPECT_EQ(error.worst, glm::ivec2(0, 0));
     EXPECT_NEAR(error.relative_mean_square, 0.015625 / (0.25 + 0.01), 1e-15);
     EXPECT_EQ(imageError(pair.reference, pair.raised).mean_square, 0.015625) << "squares have no sign";
@@ -46,7 +46,7 @@ TEST(ImageError, OneSampleCountsAsOne) {
   test.texel(50, 33)[1] = -0.75f;
   const ImageError error = imageError(test, reference);
   EXPECT_EQ(error.worst, glm::ivec2(50, 33));
-  EXPECT_EQ(error.greatest, 1.0f);
+  EXPECT_EQ(error.max, 1.0f);
   EXPECT_DOUBLE_EQ(error.mean_square, 1.0 / (61 * 47 * 3));
   EXPECT_DOUBLE_EQ(error.mean_of_worst, 1.0 / (61 * 47)) << "of a pixel only the worst channel counts";
 }
@@ -56,7 +56,7 @@ TEST(ImageError, OfEqualImagesIsNothing) {
   const ImageError error = imageError(image, image);
   EXPECT_EQ(error.mean_square, 0.0);
   EXPECT_EQ(error.relative_mean_square, 0.0);
-  EXPECT_EQ(error.greatest, 0.0f);
+  EXPECT_EQ(error.max, 0.0f);
 }
 
 TEST(ImageError, LightOf1e5IsSummedWithoutLoss) {

@@ -77,7 +77,7 @@ const std::string kMipsHelp =
     " store them as such; a picture shows them on one sheet, the smaller ones beside or below level 0";
 // First those that any texture of a cube may be asked for.
 constexpr std::size_t kTextureOptions = 8;
-const std::array<Option<MapFileOptions>, 12> kMapFileOptions{{
+const auto kMapFileOptions = std::to_array<Option<MapFileOptions>>({
     {{.name = "for", .value = "PROGRAM", .help = kProgramHelp, .group = "Output", .names = presetNames},
      &MapFileOptions::program},
     {{.name = "as-seen",
@@ -139,7 +139,7 @@ const std::array<Option<MapFileOptions>, 12> kMapFileOptions{{
               "solid-angle, but keeps the levels of a texture whose map is not changed",
       .group = "Output"},
      choiceField<&MapFileOptions::mip_source>},
-}};
+});
 
 }  // namespace
 

@@ -18,11 +18,11 @@ namespace mirrorball {
 namespace {
 
 constexpr int kCoarseSide = 320;
-constexpr double kLeastShare = 0.4;
-constexpr double kLeastVisible = 0.4;
-constexpr double kLeastRadius_px = 8.0;
+constexpr double kMinShare = 0.4;
+constexpr double kMinVisible = 0.4;
+constexpr double kMinRadius_px = 8.0;
 /// Below it no circle is named.
-constexpr double kLeastConfidence = 0.2;
+constexpr double kMinConfidence = 0.2;
 
 /// Brightness as the eye grades it, in any exposure: the median becomes a middle grey, lights above it are compressed,
 /// so that a lamp's edge is no stronger than a hundred times the rim's,
@@ -93,11 +93,11 @@ std::optional<Candidate> fitCandidate(const PlanePicture& picture, const Circle&
     circle = refineCircle(edges, circle, 2.0 * tolerance, tolerance);
     if (distanceBetween(circle, before) < 0.5 * reach) break;
   }
-  if (!(circle.radius_px >= kLeastRadius_px) || distanceBetween(circle, start) > 2.0 * reach) return {};
+  if (!(circle.radius_px >= kMinRadius_px) || distanceBetween(circle, start) > 2.0 * reach) return {};
   // Along the fitted circle again: an edge counts only where it runs across the fitted circle's own radii.
   const auto across = edgesAcross(picture, circle, kRays, 2.0 * tolerance, blur, kWeakest / pixel);
   const RimSupport support = supportOf(picture, circle, across, kRays, tolerance);
-  if (support.visible < kLeastVisible) return {};
+  if (support.visible < kMinVisible) return {};
   return Candidate{circle, ballLogOdds(picture, circle, support.share, pixel)};
 }
 
@@ -160,7 +160,7 @@ Fit refined(const PlanePicture& picture, const Circle& start, double within_px) 
   for (const double width : {1.0, 2.0, 3.5}) {
     const Fit fit = refined(picture, start, within_px, width * sharpest);
     if (fit.support.share > best.support.share) best = fit;
-    if (best.support.share >= kLeastShare) break;
+    if (best.support.share >= kMinShare) break;
   }
   return best;
 }
@@ -216,7 +216,7 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective) {
   const auto candidates =
       findCandidates(PlanePicture(coarse, pinhole, factor), coarse.width(), coarse.height(), factor);
   const double confidence = candidates.empty() ? 0.0 : confidenceIn(candidates);
-  if (confidence < kLeastConfidence) return fail(ErrorCode::bad_shape, "no mirror ball is found", Remedy::give_circle);
+  if (confidence < kMinConfidence) return fail(ErrorCode::bad_shape, "no mirror ball is found", Remedy::give_circle);
 
   const Circle& likeliest = candidates.front().circle;
   Fit fit = refined(PlanePicture(grey, pinhole, 1.0), likeliest, std::max(2.5 * factor, 0.02 * likeliest.radius_px));
@@ -229,7 +229,7 @@ Result<FoundBall> findBall(const Image& light, const Perspective& perspective) {
     fit = refined(PlanePicture(grey, pinhole, 1.0), planeCircle(pinhole, seen.outline(64), fit.circle),
                   std::max(4.0, 0.03 * fit.circle.radius_px));
   }
-  if (fit.support.share < kLeastShare || fit.circle.radius_px < kLeastRadius_px)
+  if (fit.support.share < kMinShare || fit.circle.radius_px < kMinRadius_px)
     return fail(ErrorCode::bad_shape,
                 "the ball's rim is not sure (an edge along only " + percent(fit.support.share) + " of it)",
                 Remedy::give_circle);

@@ -52,15 +52,15 @@ inline Image throughJpeg(const Image& light) {
   return decodeJpeg(bytes)->image;
 }
 
-/// The greatest distance of the true outline from the found rim.
+/// The max_distance distance of the true outline from the found rim.
 inline double outlineError_px(const BallScene& scene, const FoundBall& found) {
-  double greatest = 0.0;
+  double max_distance = 0.0;
   for (const glm::dvec2 position : scene.outline(180)) {
     const glm::dvec2 plane = found.view.pinhole().planeFromPicture(position);
-    greatest =
-        std::max(greatest, std::abs(glm::distance(plane, found.view.rim().center_px) - found.view.rim().radius_px));
+    max_distance =
+        std::max(max_distance, std::abs(glm::distance(plane, found.view.rim().center_px) - found.view.rim().radius_px));
   }
-  return greatest;
+  return max_distance;
 }
 
 // The bound of 0.3 px is what is promised. A shift of 0.3 px moves the light in the middle of a ball of 100 px radius

@@ -51,10 +51,10 @@ Result<std::vector<double>> exposuresOf(std::span<const Photograph> photographs,
   if (exposures.size() != photographs.size())
     return fail(ErrorCode::usage, std::to_string(exposures.size()) + " exposures are given for " +
                                       std::to_string(photographs.size()) + " photographs; give one each");
-  const auto [least, greatest] = std::ranges::minmax(exposures);
-  if (greatest / least < 1.05)
+  const auto [min, max] = std::ranges::minmax(exposures);
+  if (max / min < 1.05)
     return fail(ErrorCode::usage,
-                "all photographs have the exposure " + formatNumber(least) + " s; a series has different ones",
+                "all photographs have the exposure " + formatNumber(min) + " s; a series has different ones",
                 Remedy::give_exposures);
   return exposures;
 }
@@ -129,32 +129,32 @@ std::vector<double> contradictions(const CodesOfAll& codes, std::span<const doub
   const std::size_t count = codes.size();
   std::vector<std::vector<double>> stops(count * count);
   forEachSmoothPlace(codes, [&](std::span<const std::array<double, 3>> mean) {
-    constexpr double kLeastTrust = 0.1;
+    constexpr double kMinTrust = 0.1;
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t p = 0; p < count; ++p)
         for (std::size_t other = 0; other < p; ++other) {
           const auto code = [&](std::size_t i) { return static_cast<int>(std::lround(mean[i][c])); };
-          if (std::min(trustIn(code(p)), trustIn(code(other))) < kLeastTrust) continue;
+          if (std::min(trustIn(code(p)), trustIn(code(other))) < kMinTrust) continue;
           const auto light = [&](std::size_t i) { return response.light[c][std::size_t(code(i))] / exposures[i]; };
           stops[p * count + other].push_back(std::log2(light(p) / light(other)));
         }
   });
-  std::vector<double> least(count, 1e9);
+  std::vector<double> min_stops(count, 1e9);
   for (std::size_t p = 0; p < count; ++p)
     for (std::size_t other = 0; other < p; ++other) {
       std::vector<double>& of_pair = stops[p * count + other];
       if (of_pair.empty()) continue;
       const auto middle = of_pair.begin() + std::ptrdiff_t(of_pair.size() / 2);
       std::ranges::nth_element(of_pair, middle);
-      if (std::abs(*middle) < std::abs(least[p])) least[p] = *middle;
-      if (std::abs(*middle) < std::abs(least[other])) least[other] = -*middle;
+      if (std::abs(*middle) < std::abs(min_stops[p])) min_stops[p] = *middle;
+      if (std::abs(*middle) < std::abs(min_stops[other])) min_stops[other] = -*middle;
     }
   // Those that share no place with any other contradict none.
-  std::ranges::replace(least, 1e9, 0.0);
-  return least;
+  std::ranges::replace(min_stops, 1e9, 0.0);
+  return min_stops;
 }
 
-double greatest(const std::vector<double>& stops) {
+double maxStops(const std::vector<double>& stops) {
   double result = 0.0;
   for (const double stop : stops) result = std::max(result, std::abs(stop));
   return result;
@@ -174,9 +174,9 @@ std::vector<double> namedContradictions(const CodesOfAll& codes, const std::vect
                                         const Response& response, const MergeOptions& options) {
   std::vector<double> stops = contradictions(codes, exposures, response);
   // Of two, neither is the odd one out; and for any two exposures some response makes them agree.
-  const std::size_t fewest = options.response || options.known ? 3 : 4;
-  if (greatest(stops) < kContradiction_stops / 2.0 || codes.size() < fewest) return stops;
-  double least = greatest(stops);
+  const std::size_t min_count = options.response || options.known ? 3 : 4;
+  if (maxStops(stops) < kContradiction_stops / 2.0 || codes.size() < min_count) return stops;
+  double min_stops = maxStops(stops);
   for (std::size_t odd = 0; odd < codes.size(); ++odd) {
     CodesOfAll rest = codes;
     std::vector<double> rest_exposures = exposures;
@@ -185,8 +185,8 @@ std::vector<double> namedContradictions(const CodesOfAll& codes, const std::vect
     const auto of_rest = responseOf(rest, rest_exposures, options);
     if (!of_rest) continue;
     const std::vector<double> rest_stops = contradictions(rest, rest_exposures, *of_rest);
-    if (greatest(rest_stops) >= least) continue;
-    least = greatest(rest_stops);
+    if (maxStops(rest_stops) >= min_stops) continue;
+    min_stops = maxStops(rest_stops);
     const double off = contradictions(codes, exposures, *of_rest)[odd];
     stops = rest_stops;
     stops.insert(stops.begin() + std::ptrdiff_t(odd), off);
@@ -201,13 +201,13 @@ std::vector<double> allContradictions(const CodesOfAll& codes, const std::vector
                                       const Response& response, const MergeOptions& options) {
   const std::vector<double> stops = namedContradictions(codes, exposures, response, options);
   const bool is_recovered = codes.size() > 2 && !options.response && !options.known;
-  if (!is_recovered || greatest(stops) > kContradiction_stops) return stops;
+  if (!is_recovered || maxStops(stops) > kContradiction_stops) return stops;
   MergeOptions assumed = options;
   assumed.response = ResponseKind::srgb;
   const auto by_srgb = namedContradictions(codes, exposures, assumedResponse(ResponseKind::srgb), assumed);
   const auto contradicts = [](double stop) { return std::abs(stop) > kContradiction_stops; };
   const bool is_one = std::ranges::count_if(by_srgb, contradicts) == 1;
-  return is_one && greatest(by_srgb) > 2.0 * kContradiction_stops ? by_srgb : stops;
+  return is_one && maxStops(by_srgb) > 2.0 * kContradiction_stops ? by_srgb : stops;
 }
 
 }  // namespace

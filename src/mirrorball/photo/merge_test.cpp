@@ -28,14 +28,14 @@ double contrasty(double light) {
 }
 
 /// Smooth light over six decades: bright to the right, of slightly different colours from top to bottom.
-Image rampOfLight(double least, double greatest) {
+Image rampOfLight(double min, double max) {
   Image light(300, 120, 3);
   for (int y = 0; y < light.height(); ++y)
     for (int x = 0; x < light.width(); ++x)
       for (int c = 0; c < 3; ++c) {
         const double share = (x + 0.5) / light.width();
         const double tint = 1.0 + 0.3 * std::sin(y * 0.05 + 2.0 * c);
-        light.texel(x, y)[c] = static_cast<float>(tint * least * std::pow(greatest / least, share));
+        light.texel(x, y)[c] = static_cast<float>(tint * min * std::pow(max / min, share));
       }
   return light;
 }
@@ -106,16 +106,16 @@ TEST(Merge, KeepsTheRangeOfASeriesWithARecoveredCurve) {
   EXPECT_EQ(merged->reference, 2u);
   // What no exposure shows between black and clipped is left out: the longest shows from 0.01, the shortest to 220.
   std::vector<double> ratios;
-  double least = 1e30, greatest = 0.0;
+  double min = 1e30, max = 0.0;
   for (int y = 0; y < light.height(); ++y)
     for (int x = 0; x < light.width(); ++x) {
       const double truth = light.texel(x, y)[1];
       if (truth > 200.0) continue;
       ratios.push_back(std::log2(merged->light.texel(x, y)[1] / (truth * kExposures[2])));
-      least = std::min(least, truth);
-      greatest = std::max(greatest, truth);
+      min = std::min(min, truth);
+      max = std::max(max, truth);
     }
-  EXPECT_GT(greatest / least, 1e4);
+  EXPECT_GT(max / min, 1e4);
   // In stops: half a code at the dark end (code 25, 4 % of the light) and just below clipping, both ways.
   EXPECT_LT(std::ranges::max(ratios) - std::ranges::min(ratios), 0.15);
   EXPECT_THAT(merged->contradicts_stops, Each(::testing::DoubleNear(0.0, 0.1)));

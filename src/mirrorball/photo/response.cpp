@@ -114,10 +114,10 @@ std::vector<double> solveCurve(const std::vector<Sample>& samples) {
 std::array<float, kCodes> lightFromLogarithm(const std::vector<double>& logarithm) {
   const double grey = formula::linearFromSrgb1(kGreyCode / 255.0f);
   std::array<float, kCodes> light;
-  double greatest = 0.0;
+  double max_light = 0.0;
   for (std::size_t code = 0; code < kCodes; ++code) {
-    greatest = std::max(greatest, grey * std::exp(logarithm[code] - logarithm[kGreyCode]));
-    light[code] = static_cast<float>(greatest);
+    max_light = std::max(max_light, grey * std::exp(logarithm[code] - logarithm[kGreyCode]));
+    light[code] = static_cast<float>(max_light);
   }
   return light;
 }
@@ -148,15 +148,15 @@ void forEachSmoothPlace(std::span<const Image8* const> codes,
   const auto isSmooth = [&](int x, int y) {
     for (std::size_t p = 0; p < codes.size(); ++p)
       for (int c = 0; c < 3; ++c) {
-        int sum = 0, least = 255, greatest = 0;
+        int sum = 0, min = 255, max = 0;
         for (int j = -1; j <= 1; ++j)
           for (int i = -1; i <= 1; ++i) {
             const int code = codes[p]->texel(x + i, y + j)[c];
             sum += code;
-            least = std::min(least, code);
-            greatest = std::max(greatest, code);
+            min = std::min(min, code);
+            max = std::max(max, code);
           }
-        if (greatest - least > kLargestStep) return false;
+        if (max - min > kLargestStep) return false;
         mean[p][std::size_t(c)] = sum / 9.0;
       }
     return true;
@@ -180,8 +180,8 @@ Result<Response> recoverResponse(std::span<const Image8* const> codes, std::span
       if (sample.codes.size() >= 2) samples.push_back(std::move(sample));
     }
   });
-  constexpr std::size_t kFewest = 100;
-  if (samples.size() < kFewest)
+  constexpr std::size_t kMinPlaces = 100;
+  if (samples.size() < kMinPlaces)
     return fail(ErrorCode::bad_shape,
                 "only " + std::to_string(samples.size()) +
                     " places are neither black nor clipped in two of the photographs, too few to recover the camera's "

@@ -101,7 +101,7 @@ bool PlanePicture::contains(glm::dvec2 plane_px, double margin_px) const {
 
 std::vector<EdgePoint> edgesAcross(const PlanePicture& picture, const Circle& circle, int rays, double reach_px,
                                    double blur_px, double weakest) {
-  constexpr std::size_t kMostOnRay = 4;
+  constexpr std::size_t kMaxOnRay = 4;
   const double step = std::max(0.25, blur_px / 4.0);
   const std::vector<double> kernel = slopeKernel(blur_px, step);
   const double reach = reach_px + 3.0 * blur_px;
@@ -123,7 +123,7 @@ std::vector<EdgePoint> edgesAcross(const PlanePicture& picture, const Circle& ci
       }
     }
     std::vector<EdgePoint> found = edgesOnRay(profile, kernel);
-    found.resize(std::min(found.size(), kMostOnRay));
+    found.resize(std::min(found.size(), kMaxOnRay));
     for (const EdgePoint& peak : found) {
       const double radius = circle.radius_px + (peak.plane_px.x - samples / 2) * step;
       const glm::dvec2 position = circle.center_px + radius * outwards;

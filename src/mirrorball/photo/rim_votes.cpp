@@ -10,11 +10,11 @@
 namespace mirrorball {
 namespace {
 
-constexpr int kLeastRadius = 9;
-constexpr int kMostRadius = 26;
-constexpr int kRadii = kMostRadius - kLeastRadius + 1;
+constexpr int kMinRadius = 9;
+constexpr int kMaxRadius = 26;
+constexpr int kRadii = kMaxRadius - kMinRadius + 1;
 constexpr float kWeakestEdge = 0.012f;  // change of brightness a pixel
-constexpr std::size_t kMostCandidates = 12;
+constexpr std::size_t kMaxCandidates = 12;
 // Centres may lie beyond the border where the ball is cut.
 constexpr int kBorder = 6;
 
@@ -85,8 +85,8 @@ class Votes {
   void cast(const Edge& edge) {
     for (const float side : {-1.0f, 1.0f})
       for (int radius = 0; radius < kRadii; ++radius) {
-        const glm::vec2 center = edge.position + side * static_cast<float>(radius + kLeastRadius) * edge.across +
-                                 static_cast<float>(kBorder);
+        const glm::vec2 center =
+            edge.position + side * static_cast<float>(radius + kMinRadius) * edge.across + static_cast<float>(kBorder);
         const glm::ivec2 cell(glm::floor(center));
         if (cell.x < 0 || cell.y < 0 || cell.x >= width_ || cell.y >= height_) continue;
         cells_[std::size_t((radius * height_ + cell.y) * width_ + cell.x)] += 1.0f;
@@ -102,7 +102,7 @@ class Votes {
          {std::pair(std::size_t{1}, row), std::pair(row, level), std::pair(level, result.cells_.size())})
       addNeighbours(result.cells_, step, count);
     for (std::size_t cell = 0; cell < result.cells_.size(); ++cell)
-      result.cells_[cell] /= glm::two_pi<float>() * static_cast<float>(int(cell / level) + kLeastRadius);
+      result.cells_[cell] /= glm::two_pi<float>() * static_cast<float>(int(cell / level) + kMinRadius);
     return result;
   }
 
@@ -142,10 +142,10 @@ std::vector<Candidate> peaksOf(const Votes& votes) {
       for (int x = 0; x < votes.width(); ++x) {
         const float share = votes.at(x, y, radius);
         if (share < 0.25f || !isPeak(x, y, radius)) continue;
-        peaks.push_back({{glm::dvec2(x, y) + 0.5 - double(kBorder), double(radius + kLeastRadius)}, share});
+        peaks.push_back({{glm::dvec2(x, y) + 0.5 - double(kBorder), double(radius + kMinRadius)}, share});
       }
   std::ranges::stable_sort(peaks, std::greater{}, &Candidate::share);
-  peaks.resize(std::min(peaks.size(), kMostCandidates));
+  peaks.resize(std::min(peaks.size(), kMaxCandidates));
   return peaks;
 }
 
@@ -154,12 +154,12 @@ std::vector<Candidate> peaksOf(const Votes& votes) {
 std::vector<Circle> voteForCircles(const Image& grey) {
   std::vector<Circle> circles;
   Image level = grey;
-  for (double scale = 1.0; std::max(level.width(), level.height()) >= kLeastRadius; scale *= 2.0) {
+  for (double scale = 1.0; std::max(level.width(), level.height()) >= kMinRadius; scale *= 2.0) {
     Votes votes(level.width(), level.height());
     for (const Edge& edge : edgesOf(level)) votes.cast(edge);
     for (const Candidate& peak : peaksOf(votes.smoothed()))
       circles.push_back({peak.circle.center_px * scale, peak.circle.radius_px * scale});
-    if (std::min(level.width(), level.height()) <= kLeastRadius) break;
+    if (std::min(level.width(), level.height()) <= kMinRadius) break;
     level = halved(level);
   }
   return circles;

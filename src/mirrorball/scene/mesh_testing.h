@@ -46,7 +46,7 @@ inline std::size_t openEdgeCount(const Mesh& mesh) {
 
 /// Expects unit normals that agree with the triangles' winding, and unit tangents in the surface.
 ///
-/// least_cosine  between a triangle's normal and those of its corners
+/// min_cosine  between a triangle's normal and those of its corners
 inline void expectSound(const Mesh& mesh, float min_cosine) {
   ASSERT_FALSE(mesh.indices.empty());
   ASSERT_EQ(mesh.indices.size() % 3, 0u);

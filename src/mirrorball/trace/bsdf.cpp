@@ -15,7 +15,7 @@ constexpr float kSmoothAlpha = 1e-4f;
 /// A walk that has not ended by then carries next to nothing.
 constexpr int kLongestWalk = 64;
 
-float greatest(glm::vec3 v) { return std::max({v.x, v.y, v.z}); }
+float maxComponent(glm::vec3 v) { return std::max({v.x, v.y, v.z}); }
 
 /// The index of the far side over that of the near side.
 float etaFrom(bool is_outside, float ior) { return is_outside ? ior : 1.0f / ior; }
@@ -94,10 +94,10 @@ glm::vec3 Bsdf::offeredByFacets(const Walk& walk, const OfferedLight& light) con
   const glm::vec3 w = walk.back();
   const glm::vec3 l = walk.side() * light.direction;
   if (l.z > 0.0f) {
-    const float density = densityOfReflection(alpha_, w, l);
+    const float density = densityOfReflection(alpha_, w, l) * shareOfFacets(walk);
     if (density <= 0.0f) return glm::vec3(0.0f);
     const glm::vec3 reflectance = facetReflectance(walk.is_metal, walk.is_outside, glm::dot(w, glm::normalize(w + l)));
-    const float own = density * (walk.is_metal ? 1.0f : greatest(reflectance));
+    const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance));
     return walk.weight * reflectance *
            (density * escapeProbability(alpha_, l, walk.height) * balanced(light.pdf, own) / light.pdf);
   }
@@ -106,51 +106,58 @@ glm::vec3 Bsdf::offeredByFacets(const Walk& walk, const OfferedLight& light) con
   const float density = densityOfRefraction(alpha_, w, l, eta) * material_.transmission;
   if (density <= 0.0f) return glm::vec3(0.0f);
   const glm::vec3 reflectance = facetReflectance(false, walk.is_outside, glm::dot(w, refractingNormal(w, l, eta)));
-  const float own = density * (1.0f - greatest(reflectance));
+  const float own = density * (1.0f - maxComponent(reflectance));
   return walk.weight * material_.base_color * (glm::vec3(1.0f) - reflectance) *
          (density * escapeProbability(alpha_, -l, -walk.height) * balanced(light.pdf, own) / light.pdf);
 }
 
-/// What the matter below a facet scatters into the light's direction.
+/// What the matter below a facet, or from inside before it, scatters back into the light's direction.
 glm::vec3 Bsdf::offeredByMatter(const Walk& walk, const OfferedLight& light, glm::vec3 reflectance) const {
   const float scattered = 1.0f - material_.transmission;
-  if (walk.is_metal || !walk.is_outside || scattered <= 0.0f) return glm::vec3(0.0f);
-  const float density = scattered * formula::pdfDiffuse(light.direction);
-  const float own = density * (1.0f - greatest(reflectance));
-  return walk.weight * material_.base_color * (glm::vec3(1.0f) - reflectance) *
-         (density * balanced(light.pdf, own) / light.pdf);
+  if (walk.is_metal || scattered <= 0.0f) return glm::vec3(0.0f);
+  const glm::vec3 entered = walk.is_outside ? glm::vec3(1.0f) - reflectance : glm::vec3(1.0f);
+  const float density = scattered * formula::pdfDiffuse(walk.side() * light.direction);
+  const float own = density * (walk.is_outside ? 1.0f - maxComponent(reflectance) : 1.0f);
+  return walk.weight * material_.base_color * entered * (density * balanced(light.pdf, own) / light.pdf);
+}
+
+/// The share of a ray that facets reflect or refract: from inside, matter scatters its share before they are met, so that
+/// light does not circle in a ball that reflects it totally.
+float Bsdf::shareOfFacets(const Walk& walk) const {
+  return walk.is_outside || walk.is_metal ? 1.0f : material_.transmission;
 }
 
 /// Reflects, refracts or scatters a ray that has met a facet.
 ///
 /// u        for the choice
-/// returns  whether it was not absorbed
-bool Bsdf::chooseNext(Walk& walk, glm::vec3 h, glm::vec3 reflectance, glm::vec2 u, SampleSequence& samples) const {
+void Bsdf::chooseNext(Walk& walk, glm::vec3 h, glm::vec3 reflectance, glm::vec2 u, SampleSequence& samples) const {
   const glm::vec3 w = walk.back();
-  const float share = walk.is_metal ? 1.0f : greatest(reflectance);
-  if (u.x < share) {
+  const float share = walk.is_metal ? 1.0f : maxComponent(reflectance);
+  const float by_facets = shareOfFacets(walk);
+  const bool is_reflected = u.x < share && (by_facets == 1.0f || u.y < by_facets);
+  if (is_reflected) {
     const glm::vec3 l = glm::reflect(-w, h);
-    walk.pdf = isSmooth() ? 0.0f : share * densityOfReflection(alpha_, w, l);
+    walk.pdf = isSmooth() ? 0.0f : by_facets * share * densityOfReflection(alpha_, w, l);
     walk.weight *= reflectance / share;
     walk.ray = walk.side() * l;
-    return true;
+    return;
   }
-  walk.weight *= material_.base_color * (glm::vec3(1.0f) - reflectance) / (1.0f - share);
+  const glm::vec3 entered = (glm::vec3(1.0f) - reflectance) / std::max(1.0f - share, 1e-30f);
   if (u.y < material_.transmission) {
     const float eta = etaFrom(walk.is_outside, material_.ior);
     const glm::vec3 l = formula::refractedDirection(-w, h, eta);
     walk.pdf = isSmooth() ? 0.0f : (1.0f - share) * material_.transmission * densityOfRefraction(alpha_, w, l, eta);
+    walk.weight *= material_.base_color * entered;
     walk.ray = walk.side() * l;
     walk.is_outside = !walk.is_outside;
     walk.height = -walk.height;
-    return true;
+    return;
   }
-  // Light that comes from inside is met by the matter from behind, which sends none through.
-  if (!walk.is_outside) return false;
-  walk.ray = formula::sampleDiffuse(samples.next());
-  walk.pdf = (1.0f - share) * (1.0f - material_.transmission) * formula::pdfDiffuse(walk.ray);
+  const glm::vec3 l = formula::sampleDiffuse(samples.next());
+  walk.weight *= material_.base_color * (walk.is_outside ? entered : glm::vec3(1.0f));
+  walk.pdf = (1.0f - material_.transmission) * (walk.is_outside ? 1.0f - share : 1.0f) * formula::pdfDiffuse(l);
+  walk.ray = walk.side() * l;
   walk.has_left = true;
-  return true;
 }
 
 Scattering Bsdf::scatter(glm::vec3 v, const OfferedLight& light, SampleSequence& samples) const {
@@ -176,7 +183,7 @@ Scattering Bsdf::scatter(glm::vec3 v, const OfferedLight& light, SampleSequence&
       if (!isSmooth()) result.offered += offeredByFacets(walk, light);
       result.offered += offeredByMatter(walk, light, reflectance);
     }
-    if (!chooseNext(walk, h, reflectance, for_choice, samples)) return result;
+    chooseNext(walk, h, reflectance, for_choice, samples);
   }
   return result;
 }

@@ -26,8 +26,8 @@ struct BsdfSample {
 struct Scattering {
   /// The share of the offered light that goes towards the eye, over its density, and weighed against `next`.
   glm::vec3 offered{0.0f};
-  /// Where the path goes on; nothing where it was absorbed. Light that is found there counts by its weight against the
-  /// density with which it would have been offered (balanced).
+  /// Where the path goes on; nothing where the walk had no end. Light that is found there counts by its weight against
+  /// the density with which it would have been offered (balanced).
   std::optional<BsdfSample> next = {};
 };
 
@@ -59,10 +59,11 @@ class Bsdf {
   struct Walk;
   bool chooseMetal(SampleSequence& samples) const;
   bool isSmooth() const { return alpha_ == 0.0f; }
+  float shareOfFacets(const Walk& walk) const;
   glm::vec3 facetReflectance(bool is_metal, bool is_outside, float cosine) const;
   glm::vec3 offeredByFacets(const Walk& walk, const OfferedLight& light) const;
   glm::vec3 offeredByMatter(const Walk& walk, const OfferedLight& light, glm::vec3 reflectance) const;
-  bool chooseNext(Walk& walk, glm::vec3 h, glm::vec3 reflectance, glm::vec2 u, SampleSequence& samples) const;
+  void chooseNext(Walk& walk, glm::vec3 h, glm::vec3 reflectance, glm::vec2 u, SampleSequence& samples) const;
 
   formula::Material material_;
   float alpha_;  // 0: smooth

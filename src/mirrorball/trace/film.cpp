@@ -19,9 +19,10 @@ glm::vec3 displayed(glm::vec3 radiance, const Display& display) {
 /// The standard error of a pixel as it is displayed, the mean of its channels: that of the radiance, on the slope of
 /// the tone curve.
 float displayedError(const PixelSums& sums, int samples, const Display& display) {
-  const glm::vec3 mean = glm::vec3(sums.light) / float(samples);
-  const glm::vec3 variance = glm::max(sums.squares / float(samples) - mean * mean, glm::vec3(0.0f));
-  const glm::vec3 error = glm::sqrt(variance / float(std::max(samples - 1, 1)));
+  const glm::dvec3 mean_exact = glm::dvec3(sums.light) / double(samples);
+  const glm::dvec3 variance = glm::max(sums.squares / double(samples) - mean_exact * mean_exact, glm::dvec3(0.0));
+  const glm::vec3 mean(mean_exact);
+  const glm::vec3 error(glm::sqrt(variance / double(std::max(samples - 1, 1))));
   const glm::vec3 change = displayed(mean + error, display) - displayed(mean - error, display);
   return (std::abs(change.x) + std::abs(change.y) + std::abs(change.z)) / 6.0f;
 }
@@ -32,6 +33,7 @@ void Film::addPass(const Film& pass, int count) {
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     sums_[i].light += pass.sums_[i].light;
     sums_[i].squares += pass.sums_[i].squares;
+    sums_[i].lost += pass.sums_[i].lost;
   }
   samples_ += count;
 }
@@ -46,10 +48,16 @@ float Film::noise(const Display& display) const {
   return static_cast<float>(std::accumulate(rows.begin(), rows.end(), 0.0) / double(sums_.size()));
 }
 
+std::uint64_t Film::lost() const {
+  std::uint64_t lost = 0;
+  for (const PixelSums& sums : sums_) lost += static_cast<std::uint64_t>(sums.lost);
+  return lost;
+}
+
 Image Film::radiance() const {
   Image image(size_.x, size_.y, 4);
   for (std::size_t i = 0; i < sums_.size(); ++i) {
-    const glm::vec4 mean = sums_[i].light / float(samples_);
+    const glm::vec4 mean(sums_[i].light / double(samples_));
     std::copy_n(&mean.x, 4, image.samples().data() + 4 * i);
   }
   return image;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -11,8 +12,9 @@ namespace mirrorball {
 
 /// All that is known of a pixel's paths.
 struct PixelSums {
-  glm::vec4 light{0.0f};
-  glm::vec3 squares{0.0f};
+  glm::dvec4 light{0.0};
+  glm::dvec3 squares{0.0};
+  int lost = 0;  ///< paths whose light was no number; they count as black
 };
 
 /// A path-traced picture so far: for each pixel the sum of its paths' light, and of its squares.
@@ -29,6 +31,9 @@ class Film {
   /// The standard error of the picture as it is displayed, encoded, in the mean over its pixels and channels: as if the
   /// paths of a pixel were independent of each other, which makes it rather too high.
   float noise(const Display& display) const;
+
+  /// How many paths had no number as their light.
+  std::uint64_t lost() const;
 
   /// The mean of the paths: 4 channels.
   Image radiance() const;

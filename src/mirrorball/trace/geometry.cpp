@@ -1,8 +1,8 @@
 #include "mirrorball/trace/geometry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <embree3/rtcore.h>
@@ -25,9 +25,7 @@ std::uint64_t trianglesOf(const Scene& scene) {
 }
 
 /// A mesh's triangles where an instance puts them.
-///
-/// extent   grows to their largest coordinate
-RTCGeometry placedMesh(RTCDevice device, const Mesh& mesh, const glm::mat4& world_from_object, float& extent) {
+RTCGeometry placedMesh(RTCDevice device, const Mesh& mesh, const glm::mat4& world_from_object) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.vertices.size()));
@@ -35,7 +33,6 @@ RTCGeometry placedMesh(RTCDevice device, const Mesh& mesh, const glm::mat4& worl
     const glm::vec3 place(world_from_object * glm::vec4(mesh.vertices[i].position, 1.0f));
     // Embree leaves triangles out that are as large as this.
     positions[i] = isFinite(place) ? place : glm::vec3(std::numeric_limits<float>::max());
-    if (isFinite(place)) extent = std::max({extent, std::abs(place.x), std::abs(place.y), std::abs(place.z)});
   }
   auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.indices.size() / 3));
@@ -49,7 +46,6 @@ RTCGeometry placedMesh(RTCDevice device, const Mesh& mesh, const glm::mat4& worl
 struct Geometry::State {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  float extent = 0.0f;
 
   ~State() {
     if (scene) rtcReleaseScene(scene);
@@ -73,17 +69,18 @@ Result<Geometry> Geometry::make(const Scene& scene) {
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     RTCGeometry geometry =
-        placedMesh(state->device, scene.meshes[std::size_t(instance.mesh)], instance.world_from_object, state->extent);
+        placedMesh(state->device, scene.meshes[std::size_t(instance.mesh)], instance.world_from_object);
     rtcAttachGeometryByID(state->scene, geometry, static_cast<unsigned>(i));
     rtcReleaseGeometry(geometry);
   }
   rtcCommitScene(state->scene);
-  if (rtcGetDeviceError(state->device) != RTC_ERROR_NONE)
+  if (const RTCError error = rtcGetDeviceError(state->device); error == RTC_ERROR_OUT_OF_MEMORY)
     return fail(ErrorCode::too_large, "the scene's triangles: no memory for them");
+  else if (error != RTC_ERROR_NONE)
+    return fail(ErrorCode::unsupported,
+                "Embree cannot sort the scene's triangles (its error " + std::to_string(error) + ")");
   return Geometry(std::move(state));
 }
-
-float Geometry::extent() const { return state_->extent; }
 
 std::optional<Hit> Geometry::hit(glm::vec3 origin, glm::vec3 direction, float nearest) const {
   if (!isFinite(origin) || !isFinite(direction)) return std::nullopt;

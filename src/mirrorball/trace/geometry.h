@@ -24,16 +24,14 @@ struct Hit {
 class Geometry {
  public:
   /// scene    positions that are not finite are left out with their triangles
-  /// errors   too_large
+  ///          instances do not mirror (Scene)
+  /// errors   too_large; unsupported (Embree does not run here)
   /// cost     some 0.2 µs a triangle on each core, and 130 bytes
   static Result<Geometry> make(const Scene& scene);
 
   Geometry(Geometry&&) noexcept;
   Geometry& operator=(Geometry&&) noexcept;
   ~Geometry();
-
-  /// The largest coordinate of any of its triangles.
-  float extent() const;
 
   /// The nearest triangle along a ray.
   ///

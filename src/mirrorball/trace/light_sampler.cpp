@@ -31,11 +31,11 @@ std::vector<float> brightnessOf(const Image& light) {
 /// A texel's luminance, or a quarter of its brightest neighbour's: a lamp whose edge runs through the texel may be
 /// missed by its centre, and would then be found by so few paths that they stand out as bright pixels.
 float withNeighbours(const std::vector<float>& brightness, int size, int x, int y) {
-  float most = 4.0f * brightness[std::size_t(y) * std::size_t(size) + std::size_t(x)];
+  float max = 4.0f * brightness[std::size_t(y) * std::size_t(size) + std::size_t(x)];
   for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size - 1); ++j)
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, size - 1); ++i)
-      most = std::max(most, brightness[std::size_t(j) * std::size_t(size) + std::size_t(i)]);
-  return most / 4.0f;
+      max = std::max(max, brightness[std::size_t(j) * std::size_t(size) + std::size_t(i)]);
+  return max / 4.0f;
 }
 
 /// Makes running sums of weights that end at 1; equal ones where all are 0.
@@ -71,15 +71,15 @@ Result<LightSampler> LightSampler::make(const Environment& environment, const Pr
   MIRRORBALL_TRY(map, convert(environment, Projection::equal_area, sampler.size_, {}, progress));
   const std::vector<float> brightness = brightnessOf(map.face(0));
   const double sum = std::accumulate(brightness.begin(), brightness.end(), 0.0);
-  const double least = kUniformShare * sum / double(size * size);
+  const double uniform_weight = kUniformShare * sum / double(size * size);
   sampler.columns_.resize(size * size);
   std::vector<double> row_sums(size);
   parallelFor(size, 16, [&](std::size_t begin, std::size_t end) {
     std::vector<double> weights(size);
     for (std::size_t y = begin; y < end; ++y) {
       for (std::size_t x = 0; x < size; ++x)
-        weights[x] =
-            least + double(withNeighbours(brightness, sampler.size_, static_cast<int>(x), static_cast<int>(y)));
+        weights[x] = uniform_weight +
+                     double(withNeighbours(brightness, sampler.size_, static_cast<int>(x), static_cast<int>(y)));
       row_sums[y] = accumulate(weights, std::span(sampler.columns_).subspan(y * size, size));
     }
   });

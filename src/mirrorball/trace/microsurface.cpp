@@ -14,8 +14,8 @@ float smithLambda(float alpha, glm::vec3 w) {
   return w.z >= 0.0f ? upwards : -1.0f - upwards;
 }
 
-/// The share of heights below this one.
-float shareBelow(float height) { return std::clamp(0.5f * (height + 1.0f), 0.0f, 1.0f); }
+/// The share of heights below this one. Never 0: from the deepest pit a ray must find a way on.
+float shareBelow(float height) { return std::clamp(0.5f * (height + 1.0f), 1e-6f, 1.0f); }
 float heightOfShare(float share) { return std::clamp(2.0f * share - 1.0f, -1.0f, 1.0f); }
 
 }  // namespace

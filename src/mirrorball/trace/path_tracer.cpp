@@ -19,8 +19,8 @@
 namespace mirrorball {
 namespace {
 
-/// Rays that pass so many cut-away or transparent surfaces see nothing.
-constexpr int kMostPassed = 64;
+/// The next surface after so many cut-away or transparent ones is taken as solid.
+constexpr int kMaxPassed = 512;
 /// The most paths that a pass adds: what an interruption, or a limit of the time, may cost.
 constexpr int kLargestPass = 128;
 /// From this surface on, dark paths are ended at random (Russian roulette).
@@ -29,6 +29,11 @@ constexpr int kFirstRoulette = 4;
 struct Ray {
   glm::vec3 origin;
   glm::vec3 direction;
+  /// The triangle that it leaves, which a plane cannot meet again.
+  std::optional<Hit> from = {};
+  /// Whether it passes the backs of surfaces that have only a front: as the renderer's eye does, and as light must that
+  /// a smooth normal sends below its flat triangle.
+  bool passes_backs = true;
 };
 
 /// The frame of a surface: +Z is its normal.
@@ -39,6 +44,20 @@ struct Frame {
 
   glm::vec3 n, t, b;
 };
+
+/// Whether a material fills what its triangles enclose; else they are all that there is.
+bool isBody(const Material& material) { return material.transmission > 0.0f; }
+
+/// The ray that leaves a surface where another one has met it, from a point so far beside the surface as rounding may
+/// have put it on the wrong side.
+Ray leaving(const Hit& hit, const Ray& arriving, glm::vec3 direction, bool is_outside, bool is_body) {
+  const glm::vec3 place = arriving.origin + hit.distance * arriving.direction;
+  const glm::vec3 magnitude = glm::abs(place);
+  const float step = 4e-6f * std::max({magnitude.x, magnitude.y, magnitude.z, hit.distance});
+  const float above = glm::dot(direction, hit.geometric_normal);
+  const bool is_below = (above < 0.0f) == is_outside;
+  return {place + hit.geometric_normal * (above >= 0.0f ? step : -step), direction, hit, is_below && !is_body};
+}
 
 /// The rays of a camera.
 class RayMaker {
@@ -77,16 +96,10 @@ struct PathTracer::State {
   LightSampler lights;
   Geometry geometry;
 
-  struct Meeting {
-    SurfacePoint point;
-    bool is_outside;  ///< the ray comes from the triangle's outside
-  };
-  std::optional<Meeting> meeting(Ray ray, SampleSequence& samples) const;
-  bool isLit(glm::vec3 origin, glm::vec3 direction, SampleSequence& samples) const;
+  std::optional<Hit> firstHit(const Ray& ray, SampleSequence& samples) const;
   glm::vec3 light(const TraceSettings& settings, glm::vec3 direction) const;
   glm::vec4 radiance(Ray ray, const TraceSettings& settings, SampleSequence& samples) const;
-  glm::vec3 beside(const SurfacePoint& point, glm::vec3 direction) const;
-  bool passes(const Hit& hit, glm::vec3 direction, SampleSequence& samples) const;
+  bool passes(const Hit& hit, const Ray& ray, SampleSequence& samples) const;
   bool drawPass(const RayMaker& rays, const TraceSettings& settings, int first, int count, Film& pass,
                 const ProgressFunction& progress) const;
 };
@@ -106,36 +119,24 @@ Result<PathTracer> PathTracer::make(Scene scene, Environment environment, const 
       new State{std::move(scene), std::move(environment), std::move(lights), std::move(geometry)}));
 }
 
-/// A point so far beside a surface that a ray from there does not meet it again.
-glm::vec3 PathTracer::State::beside(const SurfacePoint& point, glm::vec3 direction) const {
-  const float step = 2e-6f * geometry.extent();
-  return point.position + point.geometric_normal * (glm::dot(direction, point.geometric_normal) >= 0.0f ? step : -step);
-}
-
-/// Whether a ray goes on as if a triangle were not there: it is cut away, it lets this ray through, or it is the back
-/// of a surface that has only a front.
-bool PathTracer::State::passes(const Hit& hit, glm::vec3 direction, SampleSequence& samples) const {
+/// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
+/// ray through, or it is the back of a surface that has only a front.
+bool PathTracer::State::passes(const Hit& hit, const Ray& ray, SampleSequence& samples) const {
+  if (ray.from && ray.from->instance == hit.instance && ray.from->triangle == hit.triangle) return true;
   const Material& material = materialAt(scene, hit);
-  const bool has_back = material.double_sided || material.transmission > 0.0f;
-  if (!has_back && glm::dot(direction, hit.geometric_normal) > 0.0f) return true;
+  const bool has_back = material.double_sided || isBody(material) || !ray.passes_backs;
+  if (!has_back && glm::dot(ray.direction, hit.geometric_normal) > 0.0f) return true;
   const float opacity = opacityAt(scene, hit);
   return opacity <= 0.0f || (opacity < 1.0f && samples.nextIndependent() >= opacity);
 }
 
-std::optional<PathTracer::State::Meeting> PathTracer::State::meeting(Ray ray, SampleSequence& samples) const {
+std::optional<Hit> PathTracer::State::firstHit(const Ray& ray, SampleSequence& samples) const {
   float nearest = 0.0f;
-  for (int passed = 0; passed < kMostPassed; ++passed) {
+  for (int passed = 0;; ++passed) {
     const auto hit = geometry.hit(ray.origin, ray.direction, nearest);
-    if (!hit) return std::nullopt;
-    if (!passes(*hit, ray.direction, samples))
-      return Meeting{surfacePointAt(scene, *hit), glm::dot(ray.direction, hit->geometric_normal) < 0.0f};
+    if (!hit || passed == kMaxPassed || !passes(*hit, ray, samples)) return hit;
     nearest = std::nextafter(hit->distance * (1.0f + 1e-6f), INFINITY);
   }
-  return std::nullopt;
-}
-
-bool PathTracer::State::isLit(glm::vec3 origin, glm::vec3 direction, SampleSequence& samples) const {
-  return !meeting({origin, direction}, samples);
 }
 
 glm::vec3 PathTracer::State::light(const TraceSettings& settings, glm::vec3 direction) const {
@@ -149,8 +150,8 @@ glm::vec4 PathTracer::State::radiance(Ray ray, const TraceSettings& settings, Sa
   float pdf = 0.0f;  // of the ray's direction; 0: nothing else could have chosen it
   for (int surfaces = 0;; ++surfaces) {
     const bool meets = surfaces == 0 || !settings.is_unoccluded;
-    const auto met = meets ? meeting(ray, samples) : std::nullopt;
-    if (!met) {
+    const auto hit = meets ? firstHit(ray, samples) : std::nullopt;
+    if (!hit) {
       if (surfaces == 0 && !settings.shows_environment) return glm::vec4(0.0f);
       // What of this light was chosen directly counts there.
       const glm::vec3 seen = settings.environment_from_world * ray.direction;
@@ -158,13 +159,14 @@ glm::vec4 PathTracer::State::radiance(Ray ray, const TraceSettings& settings, Sa
       return glm::vec4(sum + share * weight * light(settings, ray.direction), 1.0f);
     }
     if (surfaces == settings.bounces) return glm::vec4(sum, 1.0f);
-    const SurfacePoint& point = met->point;
-    const bool is_body = point.material.transmission > 0.0f;
+    const SurfacePoint point = surfacePointAt(scene, *hit);
+    const bool is_body = isBody(materialAt(scene, *hit));
+    const bool is_outside = glm::dot(ray.direction, hit->geometric_normal) < 0.0f;
     // A thin surface is the same from both sides; a body has an inside.
-    glm::vec3 normal = met->is_outside || is_body ? point.normal : -point.normal;
+    glm::vec3 normal = is_outside || is_body ? point.normal : -point.normal;
     glm::vec3 v = -ray.direction;
     // A smooth normal may turn away from the eye that sees its triangle: it is bent back.
-    const float facing = met->is_outside || !is_body ? 1.0f : -1.0f;
+    const float facing = is_outside || !is_body ? 1.0f : -1.0f;
     if (const float cosine = facing * glm::dot(v, normal); cosine < 1e-3f)
       normal = glm::normalize(normal + facing * v * (1e-3f - cosine));
     const Frame frame(normal);
@@ -173,7 +175,8 @@ glm::vec4 PathTracer::State::radiance(Ray ray, const TraceSettings& settings, Sa
     const glm::vec3 towards = glm::transpose(settings.environment_from_world) * lamp.direction;
     const auto [offered, next] = Bsdf(point.material).scatter(v, {frame.toLocal(towards), lamp.pdf}, samples);
     sum += share * point.material.emission;
-    if (offered != glm::vec3(0.0f) && (settings.is_unoccluded || isLit(beside(point, towards), towards, samples)))
+    const auto rayTo = [&](glm::vec3 direction) { return leaving(*hit, ray, direction, is_outside, is_body); };
+    if (offered != glm::vec3(0.0f) && (settings.is_unoccluded || !firstHit(rayTo(towards), samples)))
       sum += share * offered * light(settings, towards);
     if (!next) return glm::vec4(sum, 1.0f);
     share *= next->weight;
@@ -183,8 +186,7 @@ glm::vec4 PathTracer::State::radiance(Ray ray, const TraceSettings& settings, Sa
       if (survives <= 0.0f || samples.nextIndependent() >= survives) return glm::vec4(sum, 1.0f);
       share /= survives;
     }
-    const glm::vec3 direction = glm::normalize(frame.toWorld(next->direction));
-    ray = {beside(point, direction), direction};
+    ray = rayTo(glm::normalize(frame.toWorld(next->direction)));
   }
 }
 
@@ -192,25 +194,31 @@ glm::vec4 PathTracer::State::radiance(Ray ray, const TraceSettings& settings, Sa
 bool PathTracer::State::drawPass(const RayMaker& rays, const TraceSettings& settings, int first, int count, Film& pass,
                                  const ProgressFunction& progress) const {
   std::atomic<bool> is_stopped = false;
-  std::atomic<std::size_t> rows_done = 0;
   const auto rows = static_cast<std::size_t>(settings.size.y);
+  const std::size_t pixels = rows * static_cast<std::size_t>(settings.size.x);
+  std::atomic<std::size_t> paths_done = pixels * std::size_t(first);
+  const bool stops_itself = settings.noise > 0.0f || settings.time_s > 0.0f;
+  const std::size_t paths_in_all = pixels * std::size_t(stops_itself ? first + count : settings.samples);
   parallelFor(rows, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end && !is_stopped; ++row) {
       const int y = static_cast<int>(row);
-      for (int x = 0; x < settings.size.x; ++x) {
+      for (int x = 0; x < settings.size.x && !is_stopped; ++x) {
         PixelSums& sums = pass.at(x, y);
         sums = {};
-        for (int index = first; index < first + count && !is_stopped; ++index) {
+        for (int index = first; index < first + count; ++index) {
           SampleSequence samples(static_cast<std::uint32_t>(y * settings.size.x + x),
                                  static_cast<std::uint32_t>(index));
           const glm::vec4 light = radiance(rays.through(glm::vec2(x, y) + samples.next()), settings, samples);
-          sums.light += light;
-          sums.squares += glm::vec3(light) * glm::vec3(light);
+          if (!std::isfinite(light.x + light.y + light.z)) {
+            ++sums.lost;
+            continue;
+          }
+          sums.light += glm::dvec4(light);
+          sums.squares += glm::dvec3(light) * glm::dvec3(light);
         }
+        paths_done += std::size_t(count);
+        if (progress && !progress(paths_done, paths_in_all)) is_stopped = true;
       }
-      const std::size_t before = rows * std::size_t(first);
-      if (progress && !progress(before + ++rows_done * std::size_t(count), rows * std::size_t(settings.samples)))
-        is_stopped = true;
     }
   });
   return !is_stopped;
@@ -225,9 +233,10 @@ Result<TracedPicture> PathTracer::render(const Camera& camera, const TraceSettin
   const RayMaker rays(camera, size);
   Film film(size), pass(size);
   TracedPicture picture;
-  while (film.samples() < settings.samples) {
+  const int max_samples = std::max(settings.samples, 1);
+  while (film.samples() < max_samples) {
     const int done = film.samples();
-    const int count = std::min({std::max(done, 1), kLargestPass, settings.samples - done});
+    const int count = std::min({std::max(done, 1), kLargestPass, max_samples - done});
     if (!state_->drawPass(rays, settings, done, count, pass, progress)) {
       picture.is_interrupted = true;
       break;
@@ -236,13 +245,15 @@ Result<TracedPicture> PathTracer::render(const Camera& camera, const TraceSettin
     const std::chrono::duration<float> elapsed = std::chrono::steady_clock::now() - start;
     if (settings.time_s > 0.0f && elapsed.count() >= settings.time_s) break;
     // The error of few paths is not known well enough to stop by it.
-    constexpr int kFewest = 16;
-    if (settings.noise > 0.0f && film.samples() >= kFewest && film.noise(settings.display) <= settings.noise) break;
+    constexpr int kMinSamples = 16;
+    if (settings.noise > 0.0f && film.samples() >= kMinSamples && film.noise(settings.display) <= settings.noise) break;
   }
-  if (film.samples() == 0) return fail(ErrorCode::interrupted, "interrupted; nothing was written");
+  if (film.samples() == 0)
+    return fail(ErrorCode::interrupted, "interrupted before the first pass; nothing was written");
   picture.radiance = film.radiance();
   picture.samples = film.samples();
   picture.noise = film.noise(settings.display);
+  picture.lost_paths = film.lost();
   return picture;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -19,7 +20,7 @@ namespace mirrorball {
 /// What a path-traced picture shows, and when it is good enough.
 struct TraceSettings {
   glm::ivec2 size{1280, 720};  ///< pixels
-  int samples = 256;           ///< paths a pixel, at most
+  int samples = 256;           ///< paths a pixel, at most; at least 1
   float noise = 0.0f;          ///< mean standard error of the displayed picture, in [0, 1], that is enough; 0: none is
   float time_s = 0.0f;         ///< after which no further pass over the picture is begun; 0: no limit
   Display display = {};        ///< that `noise` is about
@@ -40,7 +41,8 @@ struct TracedPicture {
   Image radiance;      ///< linear: 4 channels, premultiplied alpha, row 0 at the top
   int samples = 0;     ///< paths a pixel
   float noise = 0.0f;  ///< mean standard error of the displayed picture, as of independent paths: rather too high
-  bool is_interrupted = false;  ///< before it was good enough
+  std::uint64_t lost_paths = 0;  ///< whose light was no number, as by overflow; they count as black
+  bool is_interrupted = false;   ///< before it was good enough
 };
 
 /// The truth that the techniques of the renderer are measured against: a path tracer over the same scenes, materials
@@ -48,7 +50,7 @@ struct TracedPicture {
 /// chosen by its light and surfaces by their BSDF, and both are weighed against each other (Veach & Guibas 1995).
 class PathTracer {
  public:
-  /// errors   too_large; interrupted
+  /// errors   too_large; unsupported (Embree does not run here); interrupted
   /// cost     the tree of triangles (geometry.h) and the environment's table (light_sampler.h)
   static Result<PathTracer> make(Scene scene, Environment environment, const ProgressFunction& progress = {});
 
@@ -60,9 +62,10 @@ class PathTracer {
 
   /// Draws passes over the whole picture, each with as many paths as all before it, up to a hundred.
   ///
-  /// progress  told of rows; when it says so, the passes that are whole are the picture
+  /// progress  told of paths, of all or, with `noise` or `time_s`, of those up to the pass's end; called from all
+  ///           threads. When it says so, the passes that are whole are the picture
   /// returns   with `samples` or `noise` as the limit, the same bits for any number of threads
-  /// errors    too_large; interrupted, before the first pass was whole
+  /// errors    too_large; interrupted, before the first pass (one path a pixel) was whole
   /// cost      about 1 µs a surface on a path
   Result<TracedPicture> render(const Camera& camera, const TraceSettings& settings,
                                const ProgressFunction& progress = {}) const;

@@ -66,7 +66,10 @@ TEST(PathTracer, TheFurnaceIsWhite) {
     plastic.perceptual_roughness = roughness;
     Material glass = plastic;
     glass.transmission = 1.0f;
-    for (const auto& [name, material] : {std::pair("metal", metal), {"plastic", plastic}, {"glass", glass}}) {
+    Material milk_glass = plastic;
+    milk_glass.transmission = 0.5f;
+    for (const auto& [name, material] :
+         {std::pair("metal", metal), {"plastic", plastic}, {"glass", glass}, {"milk glass", milk_glass}}) {
       TraceSettings settings = small(64);
       settings.bounces = 64;
       EXPECT_NEAR(meanOf(traced(shapeOf("sphere", material), lightOf(1.0f), settings)), 1.0f, 4e-3f)
@@ -115,7 +118,9 @@ TEST(PathTracer, GivesTheSameBitsForAnyNumberOfThreads) {
     setThreadLimit(threads);
     return traced(shapeOf("teapot", matt(0.8f)), *builtinEnvironment("studio"), small(4));
   };
+  const int before = threadLimit();
   const Image one = image(1), three = image(3);
+  setThreadLimit(before);
   EXPECT_TRUE(std::ranges::equal(one.samples(), three.samples()));
 }
 
@@ -137,6 +142,73 @@ TEST(PathTracer, ASmallSunGivesNoFireflies) {
       EXPECT_NEAR(few.texel(x, y)[1], many.texel(x, y)[1], 0.25f * many.texel(x, y)[1] + 0.15f) << x << ", " << y;
 }
 
+/// A square in the plane y = height, seen from above, of half that side.
+Mesh square(float half_side, float height, int material) {
+  Mesh mesh;
+  for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)})
+    mesh.vertices.push_back({.position = {corner.x * half_side, height, corner.y * half_side}, .normal = {0, 1, 0}});
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  mesh.material = material;
+  return mesh;
+}
+
+/// What a floor sends upwards below a square of side 2 half a unit above it, of that material. The eye looks from below
+/// the square.
+float belowSquare(float floor_half_side, const Material& above) {
+  Scene scene;
+  scene.materials = {matt(0.8f), above};
+  scene.meshes = {square(floor_half_side, 0.0f, 0), square(1.0f, 0.5f, 1)};
+  scene.instances = {{.mesh = 0}, {.mesh = 1}};
+  const auto tracer = PathTracer::make(std::move(scene), lightOf(1.0f));
+  const Camera camera =
+      makeCamera({.azimuth_deg = 0.0f, .elevation_deg = 5.0f, .distance = 0.9f, .target = glm::vec3(0.0f)},
+                 {glm::vec3(0.0f), 1.0f}, 1.0f);
+  TraceSettings settings = small(64);
+  settings.bounces = 1;
+  return tracer->render(camera, settings)->radiance.texel(12, 13)[1];
+}
+
+// A square blocks light, whichever of its sides the light comes to, and however large the floor is that it stands over.
+TEST(PathTracer, WhatIsInTheWayCastsAShadow) {
+  Material two_sided = matt(0.8f);
+  two_sided.double_sided = true;
+  const float expected = belowSquare(10.0f, two_sided);
+  EXPECT_LT(expected, 0.4f);
+  EXPECT_NEAR(belowSquare(10.0f, matt(0.8f)), expected, 0.05f) << "of one side";
+  EXPECT_NEAR(belowSquare(1e6f, two_sided), expected, 0.05f) << "over a large floor";
+}
+
+// Half of the light passes a surface of opacity ½; none is left of a surface that is cut away.
+TEST(PathTracer, OpacityLetsLightThrough) {
+  Material veil = matt(0.0f);
+  veil.double_sided = true;
+  veil.alpha_mode = AlphaMode::blend;
+  veil.opacity = 0.5f;
+  Material cut = veil;
+  cut.alpha_mode = AlphaMode::mask;
+  cut.alpha_cutoff = 0.75f;
+  Material solid = veil;
+  solid.alpha_mode = AlphaMode::opaque;
+  const float lit = belowSquare(10.0f, cut), dark = belowSquare(10.0f, solid);
+  EXPECT_NEAR(lit, 0.8f, 0.02f);
+  EXPECT_NEAR(belowSquare(10.0f, veil), 0.5f * (lit + dark), 0.06f);
+}
+
+// Turned by 90°, the light of +X comes from where +Z was.
+TEST(PathTracer, TheEnvironmentTurns) {
+  const Environment environment([](glm::vec3 d) { return glm::max(d, glm::vec3(0.0f)); }, 64);
+  TraceSettings settings = small(4);
+  // Rows are the axes of the environment in the world's.
+  settings.environment_from_world = glm::transpose(glm::mat3({0, 0, 1}, {0, 1, 0}, {-1, 0, 0}));
+  const auto tracer = PathTracer::make({}, environment);
+  ASSERT_TRUE(tracer);
+  const auto image = tracer->render(makeCamera({.azimuth_deg = 180.0f, .elevation_deg = 0.0f}, {}, 1.0f), settings);
+  ASSERT_TRUE(image);
+  const glm::vec3 middle = rgbAt(image->radiance, 12, 12);
+  EXPECT_GT(middle.x, 0.9f) << "towards +Z the environment's +X is seen";
+  EXPECT_LT(middle.z, 0.1f);
+}
+
 TEST(PathTracer, BrokenTrianglesAreLeftOut) {
   Scene scene = shapeOf("sphere", matt(1.0f));
   Mesh& mesh = scene.meshes[0];
@@ -156,7 +228,7 @@ TEST(PathTracer, StopsWhenItsProgressSaysSo) {
   const auto tracer = PathTracer::make(shapeOf("sphere", matt(1.0f)), lightOf(1.0f));
   ASSERT_TRUE(tracer);
   const auto image = tracer->render(makeCamera({}, {glm::vec3(0.0f), 1.0f}, 1.0f), small(4),
-                                    [](std::size_t done, std::size_t) { return done < 3; });
+                                    [](std::size_t done, std::size_t) { return done < 30; });
   ASSERT_FALSE(image);
   EXPECT_EQ(image.error().code, ErrorCode::interrupted);
 }

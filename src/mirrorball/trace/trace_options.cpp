@@ -7,7 +7,7 @@
 namespace mirrorball {
 namespace {
 
-const std::array<Option<TraceSettings>, 4> kOptions{{
+const auto kOptions = std::to_array<Option<TraceSettings>>({
     {{.name = "bounces",
       .value = "N",
       .minimum = 1,
@@ -37,7 +37,7 @@ const std::array<Option<TraceSettings>, 4> kOptions{{
       .help = "stop at the first pass over the picture that ends after S",
       .group = "Reference"},
      &TraceSettings::time_s},
-}};
+});
 
 }  // namespace
 

@@ -31,7 +31,7 @@ Image8 textureOf(CodedPicture picture);
 /// Divides the colours by alpha, of a picture that holds them multiplied by it; where alpha is 0, they stay.
 void makeStraight(CodedPicture& picture);
 
-/// A code from 0 to `greatest` as the nearest from 0 to `new_greatest`.
+/// A code from 0 to `max` as the nearest from 0 to `new_max`.
 inline std::uint32_t rescaledCode(std::uint32_t code, std::uint32_t max, std::uint32_t new_max) {
   return static_cast<std::uint32_t>((std::uint64_t{code} * new_max + max / 2) / max);
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kNames{"studio", "sky", "uv", "white"};
 
-const std::array<Option<SkyParameters>, 5> kSkyParameters{{
+const auto kSkyParameters = std::to_array<Option<SkyParameters>>({
     {{.name = "elevation",
       .unit = "degrees",
       .minimum = 0,
@@ -34,7 +34,7 @@ const std::array<Option<SkyParameters>, 5> kSkyParameters{{
       .help = "how far the exposure follows the daylight: with 0, radiance 1 is always 20 kcd/m²; with 1, level ground "
               "is as bright at sunset as at noon"},
      &SkyParameters::adaptation},
-}};
+});
 
 /// The parameters written after "sky:".
 Result<SkyParameters> parseSky(std::string_view written) {

@@ -10,16 +10,16 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::array<Alias, 10> kAliases{{{"gl", "opengl"},
-                                          {"vk", "vulkan"},
-                                          {"dx", "directx"},
-                                          {"d3d", "directx"},
-                                          {"direct3d", "directx"},
-                                          {"ue", "unreal"},
-                                          {"ue5", "unreal"},
-                                          {"threejs", "three"},
-                                          {"three.js", "three"},
-                                          {"exr", "openexr"}}};
+constexpr auto kAliases = std::to_array<Alias>({{"gl", "opengl"},
+                                                {"vk", "vulkan"},
+                                                {"dx", "directx"},
+                                                {"d3d", "directx"},
+                                                {"direct3d", "directx"},
+                                                {"ue", "unreal"},
+                                                {"ue5", "unreal"},
+                                                {"threejs", "three"},
+                                                {"three.js", "three"},
+                                                {"exr", "openexr"}});
 
 /// OpenGL's table in the axes by which a program looks its cubes up.
 CubeArrangement tableIn(const WorldAxes& axes) { return inWorld(CubeArrangement{}, axes); }

@@ -29,19 +29,19 @@ constexpr float kLargeDistance =
 constexpr float kLargeError = 0.95f;  ///< the error there
 
 /// Green against blue: the greatest distance that two colours of a display have, to the power that distances get.
-float greatestDistance() {
-  static const float greatest =
+float maxDistance() {
+  static const float max =
       std::pow(flip::distance(flip::huntLab({0.0f, 1.0f, 0.0f}), flip::huntLab({0.0f, 0.0f, 1.0f})), kColorExponent);
-  return greatest;
+  return max;
 }
 
 /// Section 4.1.3: distances that are not large take nearly all of [0, 1].
 float colorError(glm::vec3 lab_a, glm::vec3 lab_b) {
-  const float greatest = greatestDistance();
-  const float large = kLargeDistance * greatest;
+  const float max = maxDistance();
+  const float large = kLargeDistance * max;
   const float distance = std::pow(flip::distance(lab_a, lab_b), kColorExponent);
   if (distance < large) return distance * (kLargeError / large);
-  return kLargeError + (distance - large) / (greatest - large) * (1.0f - kLargeError);
+  return kLargeError + (distance - large) / (max - large) * (1.0f - kLargeError);
 }
 
 /// Sections 4.2 and 4.3: a difference of edges or points makes one of colours count for more.
@@ -52,9 +52,9 @@ float pixelError(const flip::SeenPixel& a, const flip::SeenPixel& b) {
 }
 
 /// Compares two images tile by tile, at each way to show them, and keeps the greatest error of each pixel.
-Result<Image> greatestError(const Image& a, const Image& b, const std::vector<Shown>& ways, float pixels_per_degree,
-                            const ProgressFunction& progress) {
-  assert(a.width() == b.width() && a.height() == b.height() && pixels_per_degree >= kLeastPixelsPerDegree);
+Result<Image> maxError(const Image& a, const Image& b, const std::vector<Shown>& ways, float pixels_per_degree,
+                       const ProgressFunction& progress) {
+  assert(a.width() == b.width() && a.height() == b.height() && pixels_per_degree >= kMinPixelsPerDegree);
   const flip::Filters filters = flip::filtersFor(pixels_per_degree);
   const std::vector<Tile> tiles = flip::tilesOf(a.width(), a.height());
   Image error(a.width(), a.height(), 1);
@@ -68,8 +68,8 @@ Result<Image> greatestError(const Image& a, const Image& b, const std::vector<Sh
       for (int y = 0; y < tile.height; ++y)
         for (int x = 0; x < tile.width; ++x) {
           const std::size_t pixel = std::size_t(y) * std::size_t(tile.width) + std::size_t(x);
-          float& greatest = *error.texel(tile.left + x, tile.top + y);
-          greatest = std::max(greatest, pixelError(seen_a[pixel], seen_b[pixel]));
+          float& max = *error.texel(tile.left + x, tile.top + y);
+          max = std::max(max, pixelError(seen_a[pixel], seen_b[pixel]));
         }
       counter.advance();
     }
@@ -81,8 +81,7 @@ Result<Image> greatestError(const Image& a, const Image& b, const std::vector<Sh
 }  // namespace
 
 Result<Image> ldrFlip(const Image& a, const Image& b, float pixels_per_degree, const ProgressFunction& progress) {
-  return greatestError(a, b, {[](glm::vec3 light) { return glm::clamp(light, 0.0f, 1.0f); }}, pixels_per_degree,
-                       progress);
+  return maxError(a, b, {[](glm::vec3 light) { return glm::clamp(light, 0.0f, 1.0f); }}, pixels_per_degree, progress);
 }
 
 float ExposureRange::at(int index) const {
@@ -122,7 +121,7 @@ Result<Image> hdrFlip(const Image& test, const Image& reference, const ExposureR
   for (int i = 0; i < exposures.count; ++i)
     ways.emplace_back(
         [factor = std::exp2(exposures.at(i))](glm::vec3 light) { return flip::toneMapped(light * factor); });
-  return greatestError(test, reference, ways, pixels_per_degree, progress);
+  return maxError(test, reference, ways, pixels_per_degree, progress);
 }
 
 }  // namespace mirrorball

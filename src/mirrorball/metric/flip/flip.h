@@ -9,12 +9,12 @@ namespace mirrorball {
 /// Of a display of 3840 pixels over 0.7 m, seen from 0.7 m: what FLIP's authors publish their values for.
 inline constexpr float kUsualPixelsPerDegree = 67.0206451f;
 /// Below, FLIP's detectors of features are narrower than a pixel.
-inline constexpr float kLeastPixelsPerDegree = 5.0f;
+inline constexpr float kMinPixelsPerDegree = 5.0f;
 
 /// LDR-FLIP: how strongly an observer sees two pictures differ who flips between them, pixel by pixel.
 ///
 /// a, b               linear light of pictures in [0, 1] (clipped to it), 3 channels or 1, of one size, all finite
-/// pixels_per_degree  of the observer's eye, at least kLeastPixelsPerDegree
+/// pixels_per_degree  of the observer's eye, at least kMinPixelsPerDegree
 /// returns            one channel in [0, 1]; 0 where nothing differs. Symmetric. Its mean is what is called FLIP
 /// errors             interrupted
 /// cost               about 0.5 µs a pixel on one core at the usual density; bit-identical for any number of threads

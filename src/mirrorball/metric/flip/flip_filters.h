@@ -25,7 +25,7 @@ struct Filters {
   int radius() const;
 };
 
-/// pixels_per_degree  at least kLeastPixelsPerDegree (flip.h)
+/// pixels_per_degree  at least kMinPixelsPerDegree (flip.h)
 /// from               Andersson et al. 2020, sections 4.1.1 and 4.2 with table 1; separated as in the note "Separated
 ///                    Convolutions" of the published program
 Filters filtersFor(float pixels_per_degree);

@@ -15,7 +15,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr int kLeastColumn_px = 440;
+constexpr int kMinColumn_px = 440;
 constexpr int kTallestMagnified_px = 1024;
 constexpr std::uint8_t kPaper = 28;
 constexpr glm::vec<3, std::uint8_t> kInk{230, 230, 230};
@@ -28,7 +28,7 @@ Image8 codesOf(const Image& encoded) {
 }
 
 int magnificationOf(int width, int height) {
-  const int wanted = (kLeastColumn_px + width - 1) / width;
+  const int wanted = (kMinColumn_px + width - 1) / width;
   return std::clamp(wanted, 1, std::max(kTallestMagnified_px / height, 1));
 }
 
@@ -50,14 +50,14 @@ std::string fitted(const std::string& title, const std::string& name, int width,
 }
 
 /// Lines that fit: what is longer goes on in the next one, indented.
-std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::size_t most) {
+std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::size_t max_length) {
   const std::string indent(10, ' ');
   std::vector<std::string> result;
   for (std::string line : lines) {
-    while (line.size() > most) {
-      const std::size_t space = line.rfind(' ', most);
+    while (line.size() > max_length) {
+      const std::size_t space = line.rfind(' ', max_length);
       const bool has_space = space != std::string::npos && line.find_first_not_of(' ') < space;
-      const std::size_t end = has_space ? space : most;
+      const std::size_t end = has_space ? space : max_length;
       result.push_back(line.substr(0, end));
       line = indent + line.substr(has_space ? end + 1 : end);
     }
@@ -66,7 +66,7 @@ std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::siz
   return result;
 }
 
-/// The map's colours from the least to the greatest, with what they mean.
+/// The map's colours from the least to the max, with what they mean.
 void drawScale(Image8& sheet, glm::ivec2 upper_left, int width, int text_scale, HeatMapKind kind, float scale) {
   const bool is_signed = kind == HeatMapKind::difference;
   const int height = lineHeight(text_scale);
@@ -78,13 +78,13 @@ void drawScale(Image8& sheet, glm::ivec2 upper_left, int width, int text_scale, 
         sheet.texel(upper_left.x + x, upper_left.y + y)[channel] =
             static_cast<std::uint8_t>(color[channel] * 255.0f + 0.5f);
   }
-  const std::string greatest = is_signed ? "+" + formatNumber(double(scale)) : "1";
-  const std::string least = is_signed ? "-" + formatNumber(double(scale)) : "0";
+  const std::string max = is_signed ? "+" + formatNumber(double(scale)) : "1";
+  const std::string min = is_signed ? "-" + formatNumber(double(scale)) : "0";
   const std::string middle = is_signed ? "0" : "0.5";
   const int below = upper_left.y + height + 2 * text_scale;
-  drawText(sheet, {upper_left.x, below}, text_scale, kInk, least);
+  drawText(sheet, {upper_left.x, below}, text_scale, kInk, min);
   drawText(sheet, {upper_left.x + (width - textWidth(middle, text_scale)) / 2, below}, text_scale, kInk, middle);
-  drawText(sheet, {upper_left.x + width - textWidth(greatest, text_scale), below}, text_scale, kInk, greatest);
+  drawText(sheet, {upper_left.x + width - textWidth(max, text_scale), below}, text_scale, kInk, max);
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ Image8 comparisonSheet(const Comparison& comparison, HeatMapKind kind, float sca
                                      magnified(codesOf(comparison.shown_reference), factor),
                                      magnified(heatMapOf(comparison, kind, scale), factor)};
   // A column is at least as wide as its text needs; letters grow with the pictures.
-  const int column = std::max(panels[0].width(), kLeastColumn_px);
+  const int column = std::max(panels[0].width(), kMinColumn_px);
   const int text_scale = std::max(2, 3 * column / 800);
   const int margin = 4 * text_scale;
   const int line = lineHeight(text_scale);

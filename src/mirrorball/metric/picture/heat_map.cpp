@@ -30,10 +30,10 @@ Image8 coloredBy(const Image& numbers, const Color& colorOf) {
   return map;
 }
 
-std::vector<float> magnitudesFrom(float least, const Image& difference) {
+std::vector<float> magnitudesFrom(float min, const Image& difference) {
   std::vector<float> magnitudes;
   for (const float number : difference.samples())
-    if (std::abs(number) >= least) magnitudes.push_back(std::abs(number));
+    if (std::abs(number) >= min) magnitudes.push_back(std::abs(number));
   return magnitudes;
 }
 

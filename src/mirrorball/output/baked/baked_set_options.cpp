@@ -32,7 +32,7 @@ constexpr ChoiceField<BakedSetSettings> kMipMappingField{
       settings.mip_mapping = index > 0 ? std::optional(static_cast<MipMapping>(index - 1)) : std::nullopt;
     }};
 
-const std::array<Option<BakedSetSettings>, 13> kBakedSetOptions{{
+const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
     {{.name = "size",
       .value = "N",
       .unit = "texels",
@@ -104,7 +104,7 @@ const std::array<Option<BakedSetSettings>, 13> kBakedSetOptions{{
               "it, ktx2, and for filament ktx",
       .names = bakedCubeExtensions},
      &BakedSetSettings::extension},
-}};
+});
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<TexelFormat, 3> kOfFilament{TexelFormat::half, TexelFormat::float32, TexelFormat::bc6h};
 
 /// docs/prefiltering.md has the sources.
-constexpr std::array<EngineSet, 5> kEngineSets{{
+constexpr auto kEngineSets = std::to_array<EngineSet>({
     {.program = ""},
     {.program = "unreal", .mip_mapping = MipMapping::unreal},
     {.program = "unity", .mip_mapping = MipMapping::unity},
@@ -23,7 +23,7 @@ constexpr std::array<EngineSet, 5> kEngineSets{{
      .format = TexelFormat::b10g11r11,
      .other_formats = kOfFilament,
      .smallest_face = 16},
-}};
+});
 
 }  // namespace
 

@@ -153,7 +153,7 @@ constexpr Field kLight{[](const FrameSettings&) { return std::string(); },
                        },
                        true};
 
-const std::array<Option<FrameSettings>, 16> kOptions{{
+const auto kOptions = std::to_array<Option<FrameSettings>>({
     {{.name = "size", .value = "WxH", .unit = "pixels", .help = "width and height of the picture", .group = "Picture"},
      kSize},
     {{.name = "samples",
@@ -257,7 +257,7 @@ const std::array<Option<FrameSettings>, 16> kOptions{{
       .group = "Environment"},
      kLight},
 
-}};
+});
 
 }  // namespace
 

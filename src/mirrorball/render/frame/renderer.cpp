@@ -351,7 +351,7 @@ void Renderer::State::drawBackground(const Camera& camera) {
   background.set("samples_per_pixel", static_cast<float>(settings.samples));
   const float prefiltered_level = formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
                                   static_cast<float>(chain.first_level);
-  background.set("least_level", is_prefiltered ? prefiltered_level : 0.0f);
+  background.set("min_level", is_prefiltered ? prefiltered_level : 0.0f);
   background.set("lobe_roughness", blurred && !is_prefiltered ? kBackgroundRoughness : 0.0f);
   screen.draw(3);
 }

@@ -7,7 +7,7 @@
 namespace mirrorball {
 namespace {
 
-const std::array<Option<Turntable>, 2> kTurntableOptions{{
+const auto kTurntableOptions = std::to_array<Option<Turntable>>({
     {{.name = "frames",
       .value = "N",
       .minimum = 0,
@@ -22,7 +22,7 @@ const std::array<Option<Turntable>, 2> kTurntableOptions{{
               "stand still",
       .group = "Picture"},
      choiceField<&Turntable::turn>},
-}};
+});
 
 }  // namespace
 

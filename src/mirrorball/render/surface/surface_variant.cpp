@@ -10,17 +10,17 @@ namespace mirrorball {
 namespace {
 
 using Names = std::string_view;
-constexpr std::array<Names, 1> kPoint{"point_raster.glsl"};
-constexpr std::array<Names, 2> kNormal{"normal_vertex.glsl", "normal_bump.glsl"};
-constexpr std::array<Names, 2> kDetail{"detail_none.glsl", "detail_normal_map.glsl"};
-constexpr std::array<Names, 1> kMaterial{"material_core.glsl"};
-constexpr std::array<Names, 1> kArrivingLight{"arriving_light_distant.glsl"};
-constexpr std::array<Names, 5> kLookUp{"look_up_reflection.glsl", "look_up_vertex_reflection.glsl",
-                                       "look_up_triangle_reflection.glsl", "look_up_normal.glsl",
-                                       "look_up_sphere_map.glsl"};
-constexpr std::array<Names, 2> kTransmission{"transmission_none.glsl", "transmission_single.glsl"};
-constexpr std::array<Names, 2> kLamps{"lamps_none.glsl", "lamps_point.glsl"};
-constexpr std::array<Names, 3> kAlpha{"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"};
+constexpr auto kPoint = std::to_array<Names>({"point_raster.glsl"});
+constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl"});
+constexpr auto kDetail = std::to_array<Names>({"detail_none.glsl", "detail_normal_map.glsl"});
+constexpr auto kMaterial = std::to_array<Names>({"material_core.glsl"});
+constexpr auto kArrivingLight = std::to_array<Names>({"arriving_light_distant.glsl"});
+constexpr auto kLookUp =
+    std::to_array<Names>({"look_up_reflection.glsl", "look_up_vertex_reflection.glsl",
+                          "look_up_triangle_reflection.glsl", "look_up_normal.glsl", "look_up_sphere_map.glsl"});
+constexpr auto kTransmission = std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl"});
+constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_point.glsl"});
+constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
 
 constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
     {"point", kPoint},

@@ -81,7 +81,7 @@ constexpr std::array<NamedMaterial, 9> kMaterials{{
     {"orange", orange},
 }};
 
-constexpr std::array<Alias, 2> kAliases{{{"chromium", "chrome"}, {"mirror-ball", "mirror"}}};
+constexpr auto kAliases = std::to_array<Alias>({{"chromium", "chrome"}, {"mirror-ball", "mirror"}});
 
 constexpr auto kNames = [] {
   std::array<std::string_view, kMaterials.size()> names;

@@ -11,7 +11,7 @@ namespace {
 
 const std::string kMaterialHelp = "use this material for every surface: " + join(materialNames(), " ");
 
-const std::array<Option<MaterialChanges>, 3> kMaterialOptions{{
+const auto kMaterialOptions = std::to_array<Option<MaterialChanges>>({
     {{.name = "material", .value = "NAME", .help = kMaterialHelp, .group = "Material", .names = materialNames},
      &MaterialChanges::material},
     {{.name = "set",
@@ -25,7 +25,7 @@ const std::array<Option<MaterialChanges>, 3> kMaterialOptions{{
               "V·N)^power",
       .group = "Material"},
      choiceField<&MaterialChanges::fresnel>},
-}};
+});
 
 /// One material for every surface.
 void replaceMaterials(Scene& scene, const Material& material) {

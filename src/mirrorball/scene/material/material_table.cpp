@@ -11,7 +11,7 @@ namespace {
 constexpr ChoiceField<Material> kFresnelField{[](const Material& material) { return material.fresnel; },
                                               [](Material& material, int index) { material.fresnel = index; }};
 
-const std::array<MaterialParameter, 22> kParameters{{
+const auto kParameters = std::to_array<MaterialParameter>({
     {{{.name = "base_color",
        .value = "R,G,B",
        .unit = "linear light",
@@ -115,9 +115,9 @@ const std::array<MaterialParameter, 22> kParameters{{
      "occlusionTexture.strength"},
     {{{.name = "double_sided", .help = "yes also shows the back of the surface"}, &Material::double_sided},
      "doubleSided"},
-}};
+});
 
-constexpr std::array<MaterialMap, 8> kMaps{{
+constexpr auto kMaps = std::to_array<MaterialMap>({
     {"base_color_map", &Material::base_color_map, true, "pbrMetallicRoughness.baseColorTexture",
      "colour picture that multiplies base_color; its alpha multiplies opacity"},
     {"metallic_map", &Material::metallic_map, false, "pbrMetallicRoughness.metallicRoughnessTexture",
@@ -133,7 +133,7 @@ constexpr std::array<MaterialMap, 8> kMaps{{
      "picture whose alpha channel multiplies specular"},
     {"transmission_map", &Material::transmission_map, false,
      "extensions.KHR_materials_transmission.transmissionTexture", "picture whose red channel multiplies transmission"},
-}};
+});
 
 }  // namespace
 

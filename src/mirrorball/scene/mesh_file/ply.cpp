@@ -82,7 +82,7 @@ class ValueReader {
 
   std::size_t remaining() const { return body_.size() - position(); }
 
-  /// The fewest bytes that a value takes: in ascii a digit (its separator is not counted).
+  /// The min_count bytes that a value takes: in ascii a digit (its separator is not counted).
   std::size_t minSize(ValueType type) const { return encoding_ == Encoding::ascii ? 1 : sizeOf(type); }
 
   /// Nothing at the end of the file, or where there is no finite number.

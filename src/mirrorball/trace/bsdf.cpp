@@ -121,8 +121,8 @@ glm::vec3 Bsdf::offeredByMatter(const Walk& walk, const OfferedLight& light, glm
   return walk.weight * material_.base_color * entered * (density * balanced(light.pdf, own) / light.pdf);
 }
 
-/// The share of a ray that facets reflect or refract: from inside, matter scatters its share before they are met, so that
-/// light does not circle in a ball that reflects it totally.
+/// The share of a ray that facets reflect or refract: from inside, matter scatters its share before they are met, so
+/// that light does not circle in a ball that reflects it totally.
 float Bsdf::shareOfFacets(const Walk& walk) const {
   return walk.is_outside || walk.is_metal ? 1.0f : material_.transmission;
 }

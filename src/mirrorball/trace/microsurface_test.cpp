@@ -36,8 +36,8 @@ TEST(Microsurface, DensitiesIntegrateToOne) {
       constexpr int kSteps = 1024;
       for (int i = 0; i < kSteps; ++i)
         for (int j = 0; j < kSteps; ++j) {
-          // By tan² of the angle over alpha², u / (1 − u), GGX's facets are spread evenly; the steep ones are met by rays
-          // from below, and so get more steps: 1 − u = (1 − s)².
+          // By tan² of the angle over alpha², u / (1 − u), GGX's facets are spread evenly; the steep ones are met by
+          // rays from below, and so get more steps: 1 − u = (1 − s)².
           const double left = 1.0 - (i + 0.5) / kSteps, u = 1.0 - left * left,
                        phi = 6.283185307179586 * (j + 0.5) / kSteps;
           const double tangent2 = double(alpha) * double(alpha) * u / (1.0 - u), cosine2 = 1.0 / (1.0 + tangent2);

@@ -36,8 +36,6 @@ struct ConvertOptions {
   std::string extension;
   bool repair = false;
   std::string max_memory;
-  float exposure_ev = 0.0f;
-  ToneMap tone_map = ToneMap::linear;
 };
 
 const std::string kToHelp =
@@ -88,8 +86,11 @@ const auto kConvertOptions = std::to_array<Option<ConvertOptions>>({
     {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
      &ConvertOptions::repair},
     {kMaxMemoryText, &ConvertOptions::max_memory},
-    {exposureText(), &ConvertOptions::exposure_ev},
-    {toneMapText(), choiceField<&ConvertOptions::tone_map>},
+});
+
+const auto kConvertDisplay = std::to_array<Option<MapFileOptions>>({
+    {exposureText(), numberField<&MapFileOptions::display, &Display::exposure_ev>},
+    {toneMapText(), choiceField<&MapFileOptions::display, &Display::tone_map>},
 });
 
 Resampling resamplingOf(const ConvertOptions& options) {
@@ -117,7 +118,6 @@ Result<void> settle(ConvertRequest& request) {
       glm::length(glm::vec3(options.centre[0], options.centre[1], options.centre[2])) == 0.0f)
     return fail(ErrorCode::usage, "--centre takes a vector that has a length");
   FileConversion& conversion = request.conversion;
-  request.output.file.display = {options.exposure_ev, options.tone_map};
   request.output.file.is_one_file = isStandardOutputTaken();
   conversion.file = request.output.file;
   conversion.size = options.size;
@@ -242,9 +242,11 @@ Command convertCommand() {
                .names = builtinEnvironmentNames,
                .takes_path = true},
               request->inputs);
-  addOptions(command, kConvertOptions, request->convert.options, &request->convert.output.given);
+  MapOutputOptions& output = request->convert.output;
+  addOptions(command, kConvertOptions, request->convert.options, &output.given);
+  addOptions(command, kConvertDisplay, output.file, &output.given);
   static const std::string of_output = std::string(mapOutputHelp()) + "; for several inputs, a folder";
-  addMapOutput(command, request->convert.output, of_output);
+  addMapOutput(command, output, of_output);
   command.action = [request] {
     return withStandardStreams(pointersTo(request->inputs), request->convert.output.output,
                                [&] { return convertInputs(request->inputs, request->convert); });

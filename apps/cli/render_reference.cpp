@@ -47,7 +47,7 @@ Result<void> writePicture(Image image, const FrameSettings& frame, const std::st
     return writeImage(output, image);
   }
   return savePicture(output,
-                     displayedPicture(frame.display, image,
+                     displayedPicture(frame.display, std::move(image),
                                       frame.background == BackgroundKind::display_color ? backdrop : glm::vec4(0.0f)));
 }
 

@@ -52,7 +52,7 @@ class Bsdf {
   /// weighed against the facet's own choice: the densities are exact at each facet, though nobody knows that of the
   /// whole walk, and so neither a sun nor a narrow lobe makes single paths bright.
   ///
-  /// cost     some 0.3 µs
+  /// cost     0.2 µs where it is smooth, to 0.7 µs where it is rough; measured
   Scattering scatter(glm::vec3 v, const OfferedLight& light, SampleSequence& samples) const;
 
  private:

@@ -26,7 +26,7 @@ class Geometry {
   /// scene    positions that are not finite are left out with their triangles
   ///          instances do not mirror (Scene)
   /// errors   too_large; unsupported (Embree does not run here)
-  /// cost     some 0.2 µs a triangle on each core, and 130 bytes
+  /// cost     0.6 µs a triangle on two cores, and at most 130 bytes; measured on grids of up to 8 million triangles
   static Result<Geometry> make(const Scene& scene);
 
   Geometry(Geometry&&) noexcept;

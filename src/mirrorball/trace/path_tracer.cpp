@@ -97,7 +97,6 @@ struct PathTracer::State {
   Geometry geometry;
 
   std::optional<Hit> firstHit(const Ray& ray, SampleSequence& samples) const;
-  glm::vec3 light(const TraceSettings& settings, glm::vec3 direction) const;
   glm::vec4 radiance(Ray ray, const TraceSettings& settings, SampleSequence& samples) const;
   bool passes(const Hit& hit, const Ray& ray, SampleSequence& samples) const;
   bool drawPass(const RayMaker& rays, const TraceSettings& settings, int first, int count, Film& pass,
@@ -139,11 +138,6 @@ std::optional<Hit> PathTracer::State::firstHit(const Ray& ray, SampleSequence& s
   }
 }
 
-glm::vec3 PathTracer::State::light(const TraceSettings& settings, glm::vec3 direction) const {
-  return settings.environment_intensity *
-         environment.radiance(glm::normalize(settings.environment_from_world * direction));
-}
-
 glm::vec4 PathTracer::State::radiance(Ray ray, const TraceSettings& settings, SampleSequence& samples) const {
   glm::vec3 sum(0.0f);
   glm::vec3 share(1.0f);
@@ -154,9 +148,9 @@ glm::vec4 PathTracer::State::radiance(Ray ray, const TraceSettings& settings, Sa
     if (!hit) {
       if (surfaces == 0 && !settings.shows_environment) return glm::vec4(0.0f);
       // What of this light was chosen directly counts there.
-      const glm::vec3 seen = settings.environment_from_world * ray.direction;
-      const float weight = pdf > 0.0f ? balanced(pdf, lights.pdf(glm::normalize(seen))) : 1.0f;
-      return glm::vec4(sum + share * weight * light(settings, ray.direction), 1.0f);
+      const glm::vec3 seen = glm::normalize(settings.environment_from_world * ray.direction);
+      const float weight = pdf > 0.0f ? balanced(pdf, lights.pdf(seen)) : 1.0f;
+      return glm::vec4(sum + share * (weight * settings.environment_intensity) * environment.radiance(seen), 1.0f);
     }
     if (surfaces == settings.bounces) return glm::vec4(sum, 1.0f);
     const SurfacePoint point = surfacePointAt(scene, *hit);
@@ -177,7 +171,7 @@ glm::vec4 PathTracer::State::radiance(Ray ray, const TraceSettings& settings, Sa
     sum += share * point.material.emission;
     const auto rayTo = [&](glm::vec3 direction) { return leaving(*hit, ray, direction, is_outside, is_body); };
     if (offered != glm::vec3(0.0f) && (settings.is_unoccluded || !firstHit(rayTo(towards), samples)))
-      sum += share * offered * light(settings, towards);
+      sum += share * offered * settings.environment_intensity * environment.radiance(lamp.direction);
     if (!next) return glm::vec4(sum, 1.0f);
     share *= next->weight;
     pdf = next->pdf;

@@ -66,7 +66,7 @@ class PathTracer {
   ///           threads. When it says so, the passes that are whole are the picture
   /// returns   with `samples` or `noise` as the limit, the same bits for any number of threads
   /// errors    too_large; interrupted, before the first pass (one path a pixel) was whole
-  /// cost      about 1 µs a surface on a path
+  /// cost      docs/truth.md has paths a second
   Result<TracedPicture> render(const Camera& camera, const TraceSettings& settings,
                                const ProgressFunction& progress = {}) const;
 

@@ -110,17 +110,12 @@ float opacityAt(const Scene& scene, const Hit& hit) {
 SurfacePoint surfacePointAt(const Scene& scene, const Hit& hit) {
   const Material& material = materialAt(scene, hit);
   const Corners corners = cornersOf(scene, hit);
-  const glm::mat4& world_from_object = scene.instances[hit.instance].world_from_object;
   SurfacePoint point;
-  point.position = glm::vec3(world_from_object * glm::vec4(corners.at(&Vertex::position), 1.0f));
-  point.geometric_normal = hit.geometric_normal;
-  point.normal = normalAt(scene, material, corners, glm::mat3(world_from_object));
+  point.normal = normalAt(scene, material, corners, glm::mat3(scene.instances[hit.instance].world_from_object));
   // Degenerate vertices and maps have no normal.
-  if (glm::any(glm::isnan(point.normal))) point.normal = point.geometric_normal;
-  const glm::vec4 color = colorAt(scene, material, corners);
-  point.opacity = opacityOf(material, color.w);
+  if (glm::any(glm::isnan(point.normal))) point.normal = hit.geometric_normal;
   point.material = material;
-  point.material.base_color = glm::vec3(color);
+  point.material.base_color = glm::vec3(colorAt(scene, material, corners));
   point.material.perceptual_roughness *= sampleSlot(scene, material.roughness_map, corners).y;
   point.material.metallic *= sampleSlot(scene, material.metallic_map, corners).z;
   point.material.specular *= sampleSlot(scene, material.specular_map, corners).w;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/image_format.h"
 
 namespace mirrorball {
@@ -47,20 +47,15 @@ void showOn(const Display& display, Image& image) {
   });
 }
 
-Image8 displayedPicture(const Display& display, const Image& image, glm::vec4 backdrop) {
-  Image8 picture(image.width(), image.height(), 4);
-  const float exposure = display.exposure();
-  const int curve = static_cast<int>(display.tone_map);
-  parallelFor(std::size_t(image.height()), 16, [&](std::size_t begin, std::size_t end) {
-    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
-      for (int x = 0; x < image.width(); ++x) {
-        const glm::vec4 light = formula::displayLight(rgbaAt(image, x, y), exposure, curve);
-        const glm::vec4 encoded = formula::encodedPicture(formula::laidOver(light, backdrop));
-        for (int c = 0; c < 4; ++c)
-          picture.texel(x, y)[c] = static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(encoded[c], 0.0f, 1.0f)));
-      }
-  });
-  return picture;
+Image8 displayedPicture(const Display& display, Image image, glm::vec4 backdrop) {
+  showOn(display, image);
+  for (int y = 0; backdrop.w > 0.0f && y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec4 texel = rgbaAt(image, x, y);
+      const glm::vec4 over(glm::mix(glm::vec3(backdrop), glm::vec3(texel), texel.w), 1.0f);
+      std::copy_n(&over.x, 4, image.texel(x, y));
+    }
+  return pictureFromLinear(image, 4);
 }
 
 void layOver(Image& image, glm::vec4 backdrop) {

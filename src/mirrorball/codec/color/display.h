@@ -34,7 +34,7 @@ void showOn(const Display& display, Image& image);
 /// image     4 channels, alpha premultiplied
 /// backdrop  light of the display, and 1; 0: none
 /// returns   4 channels, straight alpha, encoded
-Image8 displayedPicture(const Display& display, const Image& image, glm::vec4 backdrop = glm::vec4(0.0f));
+Image8 displayedPicture(const Display& display, Image image, glm::vec4 backdrop = glm::vec4(0.0f));
 
 /// Lays an image of four channels, alpha premultiplied, over a light that fills what is left of each texel.
 ///

@@ -24,3 +24,11 @@ FN vec3 normalFromMap(vec3 tangent, vec3 bitangent, vec3 n, vec3 encoded, float 
   vec3 bent = encoded * 2.0f - 1.0f;
   return normalize(bent.x * scale * tangent + bent.y * scale * bitangent + bent.z * n);
 }
+
+// The same in the frame that a vertex's tangent makes with the unit normal.
+//   tangent   the direction of growing u; w is the bitangent's sign (glTF 2.0, 3.7.2.1)
+FN vec3 mappedNormal(vec4 tangent, vec3 n, vec3 encoded, float scale) {
+  vec3 along = vec3(tangent);
+  vec3 t = normalize(along - n * dot(n, along));
+  return normalFromMap(t, cross(n, t) * tangent.w, n, encoded, scale);
+}

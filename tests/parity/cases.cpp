@@ -141,6 +141,7 @@ const Case kCases[] = {
 
     // height
     PARITY(orangeHeight, unit, kTight, orangeHeight(vec3(p) * 16.0f - 8.0f)),
+    PARITY(orangeNormal, direction, kTight, vec4(orangeNormal(vec3(q), vec3(p), 0.01f, 12.0f), 0.0f)),
 
     // microfacet
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
@@ -279,6 +280,10 @@ const Case kCases[] = {
         perturbedNormal, direction, kTight,
         vec4(perturbedNormal(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p), r.x - 0.5f, r.y - 0.5f),
              0.0f)),
+    PARITY(mappedNormal, direction, kTight,
+           vec4(mappedNormal(vec4(anyTangent(vec3(p)) + 0.2f * vec3(p), -1.0f), vec3(p),
+                             vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),
+                0.0f)),
     PARITY(normalFromMap, direction, kTight,
            vec4(normalFromMap(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p),
                               vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),

@@ -12,8 +12,8 @@
 namespace mirrorball {
 namespace {
 
-/// What Embree takes for a triangle while it builds its tree, with the vertices: 111 to 128 bytes, of which 78 to 85 are
-/// kept, measured on grids of 0.18 to 8 million triangles.
+/// What Embree takes for a triangle while it builds its tree, with the vertices: 111 to 128 bytes, of which 78 to 85
+/// are kept, measured on grids of 0.18 to 8 million triangles.
 constexpr std::uint64_t kBytesPerTriangle = 130;
 
 bool isFinite(glm::vec3 p) { return !glm::any(glm::isnan(p)) && !glm::any(glm::isinf(p)); }

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "formula/color.h"
-#include "formula/grid_random.h"
 #include "formula/surface.h"
 
 namespace mirrorball {
@@ -48,10 +46,7 @@ glm::vec4 fetchMap(const TextureMap& map, glm::ivec2 texel, int) {
 /// What a slot's texture holds there; 1 where there is none.
 glm::vec4 sampleSlot(const Scene& scene, const TextureSlot& slot, const Corners& corners) {
   if (slot.texture < 0) return glm::vec4(1.0f);
-  const glm::vec2 uv = corners.uv(slot.uv_set) * slot.scale;
-  const float c = std::cos(slot.rotation_rad), s = std::sin(slot.rotation_rad);
-  // KHR_texture_transform: scaled, then turned, then moved.
-  const glm::vec2 moved = glm::vec2(c * uv.x + s * uv.y, -s * uv.x + c * uv.y) + slot.offset;
+  const glm::vec2 moved = uvMatrix(slot) * corners.uv(slot.uv_set) + slot.offset;
   const Texture& texture = scene.textures[std::size_t(slot.texture)];
   return formula::filteredMap(TextureMap{texture}, moved, 0.0f,
                               {static_cast<int>(texture.wrap_s), static_cast<int>(texture.wrap_t), texture.nearest});
@@ -69,30 +64,17 @@ float opacityOf(const Material& material, float alpha) {
   return std::clamp(alpha, 0.0f, 1.0f);
 }
 
-/// shaders/surface/normal_bump.glsl
-glm::vec3 bumpedNormal(const Material& material, const Corners& corners) {
-  const glm::vec3 n = glm::normalize(corners.at(&Vertex::normal));
-  const glm::vec3 p_u = formula::anyTangent(n);
-  const glm::vec3 p_v = glm::cross(n, p_u);
-  const float frequency = material.bump_frequency;
-  const glm::vec3 slope =
-      glm::vec3(formula::orangeHeight(corners.at(&Vertex::position) * frequency)) * (material.bump_height * frequency);
-  return formula::perturbedNormal(p_u, p_v, n, glm::dot(slope, p_u), glm::dot(slope, p_v));
-}
-
 /// The world's normal of smooth surface, bumps and normal map.
 glm::vec3 normalAt(const Scene& scene, const Material& material, const Corners& corners, const glm::mat3& linear) {
-  const glm::mat3 normal_matrix = glm::transpose(glm::inverse(linear));
-  const glm::vec3 object =
-      material.bump == BumpHeight::none ? corners.at(&Vertex::normal) : bumpedNormal(material, corners);
-  const glm::vec3 n = glm::normalize(normal_matrix * object);
+  glm::vec3 object = corners.at(&Vertex::normal);
+  if (material.bump == BumpHeight::orange)
+    object = formula::orangeNormal(corners.at(&Vertex::position), glm::normalize(object), material.bump_height,
+                                   material.bump_frequency);
+  const glm::vec3 n = glm::normalize(glm::transpose(glm::inverse(linear)) * object);
   if (material.normal_map.texture < 0) return n;
-  const glm::vec4 tangent = corners.at(&Vertex::tangent);
-  const glm::vec3 along = linear * glm::vec3(tangent);
-  const glm::vec3 t = glm::normalize(along - n * glm::dot(n, along));
-  const glm::vec3 b = glm::cross(n, t) * corners.vertices[0]->tangent.w;
-  return formula::normalFromMap(t, b, n, glm::vec3(sampleSlot(scene, material.normal_map, corners)),
-                                material.normal_scale);
+  const glm::vec4 tangent(linear * glm::vec3(corners.at(&Vertex::tangent)), corners.vertices[0]->tangent.w);
+  return formula::mappedNormal(tangent, n, glm::vec3(sampleSlot(scene, material.normal_map, corners)),
+                               material.normal_scale);
 }
 
 }  // namespace

@@ -43,9 +43,8 @@ void setMaps(gl::UniformBlock& block, const Material& material) {
   std::vector<glm::vec4> offsets;
   for (const MaterialMap& map : materialMaps()) {
     const TextureSlot& slot = material.*map.slot;
-    const float sine = std::sin(slot.rotation_rad);
-    const float cosine = std::cos(slot.rotation_rad);
-    matrices.emplace_back(cosine * slot.scale.x, -sine * slot.scale.x, sine * slot.scale.y, cosine * slot.scale.y);
+    const glm::mat2 matrix = uvMatrix(slot);
+    matrices.emplace_back(matrix[0], matrix[1]);
     offsets.emplace_back(slot.offset, static_cast<float>(slot.uv_set), 0.0f);
   }
   block.set("map_matrix", std::span<const glm::vec4>(matrices));

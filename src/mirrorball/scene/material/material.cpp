@@ -1,6 +1,7 @@
 #include "mirrorball/scene/material/material.h"
 
 #include <array>
+#include <cmath>
 
 #include "formula/bsdf.h"
 #include "mirrorball/base/text.h"
@@ -90,6 +91,12 @@ constexpr auto kNames = [] {
 }();
 
 }  // namespace
+
+glm::mat2 uvMatrix(const TextureSlot& slot) {
+  const float sine = std::sin(slot.rotation_rad);
+  const float cosine = std::cos(slot.rotation_rad);
+  return {cosine * slot.scale.x, -sine * slot.scale.x, sine * slot.scale.y, cosine * slot.scale.y};
+}
 
 std::span<const std::string_view> materialNames() { return kNames; }
 

@@ -24,6 +24,9 @@ struct TextureSlot {
   float rotation_rad = 0.0f;  ///< counter-clockwise, as KHR_texture_transform says
 };
 
+/// KHR_texture_transform without its offset: texture coordinates are scaled, then turned.
+glm::mat2 uvMatrix(const TextureSlot& slot);
+
 /// How a surface reflects light: numbers (formula/material.glsl), the textures that multiply them as in glTF 2.0, and
 /// settings that are not numbers.
 struct Material : formula::Material {

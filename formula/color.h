@@ -6,6 +6,8 @@
 
 namespace mirrorball::formula {
 #include "formula/color.glsl"
+//
+#include "formula/wavelength.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

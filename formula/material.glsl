@@ -15,6 +15,8 @@ struct Material {
   float ior INITIALLY(1.5f);                    // index of the inside over the outside, at 588 nm
   float dispersion INITIALLY(0.0f);             // 20 / Abbe number
   float transmission INITIALLY(0.0f);           // share of the light which is not reflected that is refracted
+  vec3 attenuation_color INITIALLY(vec3(1.0f)); // what is left of white light after attenuation_distance in the body
+  float attenuation_distance INITIALLY(0.0f);   // in world units; 0: nothing is absorbed
   vec3 conductor_n INITIALLY(vec3(0.0f));       // complex index n + ik of a metal; all 0: from base_color
   vec3 conductor_k INITIALLY(vec3(0.0f));
   vec3 emission INITIALLY(vec3(0.0f));          // radiance

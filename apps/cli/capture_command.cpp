@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/map_output.h"
+#include "cli/render_reference.h"
 #include "cli/scene_inputs.h"
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
@@ -83,6 +84,8 @@ struct CaptureRequest {
   FrameSettings look;
   MaterialChanges materials;
   MapOutputOptions output;
+  ReferenceOptions reference;
+  GivenOptions given;
 };
 
 /// errors   usage: what a map of all directions cannot show
@@ -130,6 +133,38 @@ Result<EnvironmentMap> captureMap(RenderInputs inputs, Projection to, int size, 
                     [&] { return convert(Environment(std::move(cube)), to, size, {}, progressBar("convert")); });
 }
 
+Result<void> writeMap(EnvironmentMap map, const CaptureRequest& request, const MapFile& output, StageClock& clock) {
+  tellLimited(output.paths().front(), limitLight(map, request.output.file.light), terminalObserver());
+  MIRRORBALL_TRY_VOID(clock.time("map: encode and write", [&] { return output.write(std::move(map)); }));
+  if (request.scene.timings) clock.print();
+  return {};
+}
+
+/// The same, path-traced: what a mirror there would show.
+Result<EnvironmentMap> traceMap(SceneInputs inputs, Projection to, int size, const CaptureSettings& settings,
+                                const CaptureRequest& request, TracedPicture& state, StageClock& clock) {
+  if (!inputs.scene.empty()) remarkOnDistance(settings.position, boundingSphere(inputs.scene));
+  MIRRORBALL_TRY(tracer, tracerOf(std::move(inputs), clock));
+  const TracedCapture capture{settings.position, to, size, settings.nearest.value_or(0.0f)};
+  const glm::ivec2 extent = imageSize(to, size);
+  const std::size_t first_pass = std::size_t(extent.x) * std::size_t(extent.y) * std::size_t(faceCount(to));
+  MIRRORBALL_TRY(traced, clock.time("map: trace", [&] {
+    return tracer.capture(capture, traceSettings(request.reference, request.look, request.given),
+                          untilInterrupted(first_pass));
+  }));
+  state = std::move(traced.state);
+  return std::move(traced.map);
+}
+
+Result<void> captureReference(const CaptureRequest& request, const CaptureSettings& settings, Projection to, int size,
+                              const MapFile& output, StageClock& clock) {
+  MIRRORBALL_TRY(inputs, loadSceneFor(request.scene, request.materials, output.paths(), clock));
+  TracedPicture state;
+  MIRRORBALL_TRY(map, traceMap(std::move(inputs), to, size, settings, request, state, clock));
+  MIRRORBALL_TRY_VOID(writeMap(std::move(map), request, output, clock));
+  return tellTraced(state, output.paths().front());
+}
+
 Result<void> capture(const CaptureRequest& request) {
   StageClock clock;
   const CaptureOptions& options = request.options;
@@ -144,13 +179,12 @@ Result<void> capture(const CaptureRequest& request) {
   MIRRORBALL_TRY(output, mapFileFor(request.output, request.output.output, to));
   const int size = options.size > 0 ? options.size : equivalentSize(Projection::cube, kUsualSize, to);
   MIRRORBALL_TRY_VOID(output.checkLevelOfSize(size));
+  MIRRORBALL_TRY_VOID(checkReference(request.reference, request.look, request.given));
+  if (request.reference.is_wanted) return captureReference(request, settings, to, size, output, clock);
 
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, output.paths(), clock));
   MIRRORBALL_TRY(map, captureMap(std::move(inputs), to, size, std::move(settings), clock));
-  tellLimited(output.paths().front(), limitLight(map, request.output.file.light), terminalObserver());
-  MIRRORBALL_TRY_VOID(clock.time("map: encode and write", [&] { return output.write(std::move(map)); }));
-  if (request.scene.timings) clock.print();
-  return {};
+  return writeMap(std::move(map), request, output, clock);
 }
 
 /// The options of `render` that say what a scene looks like, without those that say how a picture of it is taken.
@@ -190,7 +224,8 @@ Command captureCommand() {
   addOptions(command, sceneOptions(), request->scene);
   addOptions(command, kCaptureOptions, request->options);
   addMapOutput(command, request->output);
-  addOptions(command, captureLookOptions(), request->look);
+  addOptions(command, captureLookOptions(), request->look, &request->given);
+  addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->output.output,

@@ -27,6 +27,8 @@ const Option<ReferenceOptions> kReference{
 constexpr int kUsualSamples = 256;
 constexpr int kManySamples = 1 << 20;
 
+}  // namespace
+
 TraceSettings traceSettings(const ReferenceOptions& options, const FrameSettings& frame, const GivenOptions& given) {
   TraceSettings trace = options.trace;
   const bool stops_itself = trace.noise > 0.0f || trace.time_s > 0.0f;
@@ -36,29 +38,33 @@ TraceSettings traceSettings(const ReferenceOptions& options, const FrameSettings
   trace.environment_from_world = frame.environmentFromWorld();
   trace.environment_intensity = frame.env_intensity;
   trace.shows_environment = frame.background == BackgroundKind::environment;
+  trace.lights = frame.lights;
   return trace;
 }
 
-Result<void> writePicture(Image image, const FrameSettings& frame, const std::string& output) {
+namespace {
+
+/// As compositors and denoisers look for them; they are moved out of the picture.
+std::vector<ImageLayer> layersOf(TracedPicture& picture) {
+  if (!picture.layers) return {};
+  std::vector<ImageLayer> layers;
+  layers.push_back({"albedo", "RGB", std::move(picture.layers->albedo)});
+  layers.push_back({"normal", "XYZ", std::move(picture.layers->normal)});
+  layers.push_back({"variance", "RGB", std::move(picture.layers->variance)});
+  return layers;
+}
+
+Result<void> writePicture(TracedPicture& picture, const FrameSettings& frame, const std::string& output) {
+  Image& image = picture.radiance;
   const glm::vec4 backdrop(frame.background_color, 1.0f);
   if (frame.background == BackgroundKind::radiance) layOver(image, backdrop);
   if (storesLinearLight(output)) {
     if (frame.background == BackgroundKind::display_color) layOver(image, backdrop);
-    return writeImage(output, image);
+    return writeImage(output, image, {.metadata = {}, .layers = layersOf(picture)});
   }
   return savePicture(output,
                      displayedPicture(frame.display, std::move(image),
                                       frame.background == BackgroundKind::display_color ? backdrop : glm::vec4(0.0f)));
-}
-
-/// A progress bar. From the first whole pass on, an interruption waits for the picture so far to be written.
-ProgressFunction untilInterrupted(glm::ivec2 size) {
-  const std::size_t first_pass = std::size_t(size.x) * std::size_t(size.y);
-  return [bar = progressBar("reference"), first_pass](std::size_t done, std::size_t total) {
-    if (bar(done, total)) return true;
-    if (done > first_pass) claimEnd();
-    return false;
-  };
 }
 
 /// "64 paths a pixel, standard error 0.0031"
@@ -70,6 +76,28 @@ std::string foundOut(const TracedPicture& picture) {
 }
 
 }  // namespace
+
+ProgressFunction untilInterrupted(std::size_t first_pass) {
+  return [bar = progressBar("reference"), first_pass](std::size_t done, std::size_t total) {
+    if (bar(done, total)) return true;
+    if (done > first_pass) claimEnd();
+    return false;
+  };
+}
+
+Result<void> tellTraced(const TracedPicture& picture, const std::string& output) {
+  if (picture.lost_paths > 0)
+    remark(countedAre(picture.lost_paths, "path") + " without a number as its light, and counted as black");
+  if (picture.is_interrupted)
+    return fail(ErrorCode::interrupted, "interrupted; " + output + " is the picture so far: " + foundOut(picture));
+  tell(foundOut(picture));
+  return {};
+}
+
+Result<PathTracer> tracerOf(SceneInputs inputs, StageClock& clock) {
+  return clock.time("scene: sort triangles and light",
+                    [&] { return PathTracer::make(std::move(inputs.scene), std::move(inputs.environment)); });
+}
 
 void addReference(Command& command, ReferenceOptions& options, GivenOptions& given) {
   addOptions(command, std::span(&kReference, 1), options);
@@ -90,8 +118,6 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
                   "--" + std::string(name) + " is for the renderer; leave it out, or leave --reference out");
   if (options.trace.is_unoccluded && options.trace.bounces != 1)
     return fail(ErrorCode::usage, "--unoccluded knows no second surface; add --bounces 1");
-  if (!frame.lights.empty())
-    return fail(ErrorCode::usage, "--light: the reference has no point lights yet; leave it out");
   if (frame.background == BackgroundKind::blur)
     return fail(ErrorCode::usage, "--background blur: the reference shows the environment as it is; leave it out");
   return {};
@@ -99,30 +125,20 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
 
 Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& materials, const FrameSettings& frame,
                              const ReferenceOptions& options, const GivenOptions& given, const std::string& output) {
+  if (options.trace.wants_layers && extensionOf(output) != "exr")
+    return fail(ErrorCode::usage, "--layers: only OpenEXR files have layers; write an .exr");
   StageClock clock;
   MIRRORBALL_TRY(inputs, loadSceneFor(scene, materials, {&output, 1}, clock));
-  for (const Material& material : inputs.scene.materials)
-    if (material.dispersion > 0.0f) {
-      remark("dispersion is not traced yet: all light is refracted as green is");
-      break;
-    }
   const Camera camera = framedCamera(inputs.scene, boundingSphere(inputs.scene), frame.camera, frame.size);
-  MIRRORBALL_TRY(tracer, clock.time("scene: sort triangles and light", [&] {
-    return PathTracer::make(std::move(inputs.scene), std::move(inputs.environment));
-  }));
+  MIRRORBALL_TRY(tracer, tracerOf(std::move(inputs), clock));
+  const auto first_pass = std::size_t(frame.size.x) * std::size_t(frame.size.y);
   MIRRORBALL_TRY(picture, clock.time("picture: trace", [&] {
-    return tracer.render(camera, traceSettings(options, frame, given), untilInterrupted(frame.size));
+    return tracer.render(camera, traceSettings(options, frame, given), untilInterrupted(first_pass));
   }));
-  if (picture.lost_paths > 0)
-    remark(countedAre(picture.lost_paths, "path") + " without a number as its light, and counted as black");
-  MIRRORBALL_TRY_VOID(clock.time("picture: encode and write",
-                                 [&] { return writePicture(std::move(picture.radiance), frame, output); }));
+  MIRRORBALL_TRY_VOID(clock.time("picture: encode and write", [&] { return writePicture(picture, frame, output); }));
   announce(output);
   if (scene.timings) clock.print();
-  if (picture.is_interrupted)
-    return fail(ErrorCode::interrupted, "interrupted; " + output + " is the picture so far: " + foundOut(picture));
-  tell(foundOut(picture));
-  return {};
+  return tellTraced(picture, output);
 }
 
 }  // namespace mirrorball::cli

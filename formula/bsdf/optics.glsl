@@ -57,3 +57,11 @@ FN vec3 iorOfChannels(float ior, float dispersion) {
   float half_spread = (ior - 1.0f) * 0.025f * dispersion;
   return vec3(ior - half_spread, ior, ior + half_spread);
 }
+
+// The same for one wavelength [µm]: Cauchy's n = A + B / λ² through `ior` at the line d. From the line C (0.6563 µm) to
+// F (0.4861 µm) the index grows by (n_d − 1) / V, and so B = (n_d − 1) dispersion / 20 / (1 / F² − 1 / C²).
+FN float iorAtWavelength(float ior, float dispersion, float wavelength) {
+  const float cauchy = 0.026183f;  // µm²: 1 / 20 / (1 / F² − 1 / C²)
+  const float line_d = 0.58756f;
+  return ior + (ior - 1.0f) * dispersion * cauchy * (1.0f / (wavelength * wavelength) - 1.0f / (line_d * line_d));
+}

@@ -112,22 +112,6 @@ FN float hazePhase(float cosine) {
   return (1.0f - g * g) / (4.0f * kPi * x * sqrt(x));
 }
 
-// Two halves of a bell, one on either side of its middle.
-FN float unevenBell(float x, float middle, float below, float above) {
-  float t = (x - middle) / (x < middle ? below : above);
-  return exp(-0.5f * t * t);
-}
-
-// The CIE's colour matching functions of 1931 (Wyman, Sloan & Shirley 2013, "Simple analytic approximations to the CIE
-// XYZ color matching functions", multi-lobe fit).
-FN vec3 xyzOfWavelength(float wavelength) {
-  float nm = 1000.0f * wavelength;
-  return vec3(1.056f * unevenBell(nm, 599.8f, 37.9f, 31.0f) + 0.362f * unevenBell(nm, 442.0f, 16.0f, 26.7f) -
-                  0.065f * unevenBell(nm, 501.1f, 20.4f, 26.2f),
-              0.821f * unevenBell(nm, 568.8f, 46.9f, 40.5f) + 0.286f * unevenBell(nm, 530.9f, 16.3f, 31.1f),
-              1.217f * unevenBell(nm, 437.0f, 11.8f, 36.0f) + 0.681f * unevenBell(nm, 459.0f, 26.0f, 13.8f));
-}
-
 // The sun's light outside of the air, up to a factor: Planck's law at 5778 K.
 FN float sunSpectrum(float wavelength) {
   float w = wavelength;

@@ -65,7 +65,7 @@ TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refuse(2, "render sphere --bounces 2"), HasSubstr("--bounces is for the reference; add --reference"));
   const std::string line = "render sphere --reference -o ball.png ";
   EXPECT_THAT(refuse(2, line + "--blur mip"), HasSubstr("--blur is for the renderer"));
-  EXPECT_THAT(refuse(2, line + "--light 0,1,0,1,1,1"), HasSubstr("--light"));
+  EXPECT_THAT(refuse(2, line + "--layers"), HasSubstr("write an .exr"));
   EXPECT_THAT(refuse(2, line + "--noise 0"), HasSubstr("noise"));
   EXPECT_THAT(refuse(2, line + "--time 0"), HasSubstr("time"));
   EXPECT_THAT(refuse(2, line + "--bounces 0"), HasSubstr("bounces"));

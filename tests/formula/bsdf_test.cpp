@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "chi_squared.h"
+
 namespace mirrorball::formula {
 namespace {
 
@@ -60,35 +62,8 @@ std::vector<double> countedIn(const Sample& sample) {
   return counted;
 }
 
-/// Pearson's chi-squared test, rare bins taken together. It fails a right sampler once in a million; the numbers drawn
-/// are always the same.
 void expectDrawn(const Sample& sample, const Density& density, const std::string& what) {
-  const std::vector<double> expected = expectedIn(density);
-  const std::vector<double> counted = countedIn(sample);
-  double sum = 0.0;
-  double rare_expected = 0.0;
-  double rare_counted = 0.0;
-  int bins = 0;
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    if (expected[i] < 8.0) {
-      rare_expected += expected[i];
-      rare_counted += counted[i];
-      continue;
-    }
-    sum += (counted[i] - expected[i]) * (counted[i] - expected[i]) / expected[i];
-    ++bins;
-  }
-  if (rare_expected > 8.0) {
-    sum += (rare_counted - rare_expected) * (rare_counted - rare_expected) / rare_expected;
-    ++bins;
-  } else {
-    EXPECT_LE(rare_counted, 40.0) << what << ": directions where hardly any belong";
-  }
-  // Wilson and Hilferty 1931: the cube root of chi² over its degrees of freedom is nearly normal; 4.75 deviations.
-  const double freedom = bins - 1;
-  const double spread = 2.0 / (9.0 * freedom);
-  const double deviations = (std::cbrt(sum / freedom) - (1.0 - spread)) / std::sqrt(spread);
-  EXPECT_LT(deviations, 4.75) << what << ": chi² " << sum << " of " << freedom << " degrees of freedom";
+  testing::expectCounts(countedIn(sample), expectedIn(density), what);
 }
 
 const std::vector<vec3> kEyes{vec3(0, 0, 1), directionAt(0.7, 0.4), directionAt(0.15, 4.0)};

@@ -22,6 +22,31 @@ TEST(Color, WhiteOfXyzIsWhite) {
   EXPECT_NEAR(luminance(vec3(1.0f)), 1.0f, 1e-6f);
 }
 
+// Chosen wavelengths count as 1 in the mean, or what glass does not disperse would be tinted.
+TEST(Color, AllWavelengthsTogetherAreWhite) {
+  vec3 sum(0.0f);
+  constexpr int kSteps = 4096;
+  const float range = kLongestWavelength - kShortestWavelength;
+  for (int i = 0; i < kSteps; ++i) {
+    const float wavelength = sampleWavelength((float(i) + 0.5f) / kSteps);
+    sum += wavelengthWeight(wavelength) / (range * pdfWavelength(wavelength) * float(kSteps));
+  }
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(sum[channel], 1.0f, 1e-4f) << channel;
+}
+
+TEST(Color, WavelengthsHaveTheirColors) {
+  const auto strongest = [](vec3 weight) {
+    return weight.x > weight.y ? (weight.x > weight.z ? 0 : 2) : (weight.y > weight.z ? 1 : 2);
+  };
+  EXPECT_EQ(strongest(wavelengthWeight(0.63f)), 0);
+  EXPECT_EQ(strongest(wavelengthWeight(0.53f)), 1);
+  EXPECT_EQ(strongest(wavelengthWeight(0.45f)), 2);
+  EXPECT_LT(wavelengthWeight(0.5f).x, 0.0f) << "cyan is outside of Rec.709";
+  // CIE 1931: ȳ is 1 at 555 nm, and z̄ 1.7721 at 450 nm; the fit is within 2 %.
+  EXPECT_NEAR(xyzOfWavelength(0.555f).y, 1.0f, 0.02f);
+  EXPECT_NEAR(xyzOfWavelength(0.45f).z, 1.7721f, 0.035f);
+}
+
 TEST(Color, EveryToneMapRisesFromBlackToWhite) {
   for (int curve = 0; curve < 5; ++curve) {
     EXPECT_NEAR(toneMap(curve, vec3(0.0f)).x, 0.0f, 2e-3f) << curve;

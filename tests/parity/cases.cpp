@@ -186,6 +186,8 @@ const Case kCases[] = {
     PARITY(fresnelEmpirical, unit, kTranscendental,
            vec4(fresnelEmpirical(p.x, p.y, p.z, 1.0f + 5.0f * p.w), 0.0f, 0.0f, 0.0f)),
     PARITY(iorOfChannels, unit, kTight, vec4(iorOfChannels(1.0f + 1.5f * p.x, p.y), 0.0f)),
+    PARITY(iorAtWavelength, unit, kTight,
+           vec4(iorAtWavelength(1.0f + 1.5f * p.x, p.y, 0.4f + 0.3f * p.z), 0.0f, 0.0f, 0.0f)),
 
     // paraboloid
     PARITY(paraboloidFace, direction, kExact, vec4(float(paraboloidFace(vec3(p))), 0.0f, 0.0f, 0.0f)),
@@ -262,8 +264,6 @@ const Case kCases[] = {
     PARITY(sunAboveHorizon, unit, kTight, vec4(sunAboveHorizon(0.0f, 0.015625f * (p.x - 0.5f)), 0.0f, 0.0f, 0.0f)),
     PARITY(moleculePhase, direction, kTight, vec4(moleculePhase(p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(hazePhase, direction, kTight, vec4(hazePhase(p.y), 0.0f, 0.0f, 0.0f)),
-    PARITY(unevenBell, unit, kTranscendental, vec4(unevenBell(p.x, 0.5f, 0.125f, 0.25f + p.y), 0.0f, 0.0f, 0.0f)),
-    PARITY(xyzOfWavelength, unit, kTranscendental, vec4(xyzOfWavelength(0.375f + 0.375f * p.x), 0.0f)),
     PARITY(sunSpectrum, unit, kTranscendental, vec4(sunSpectrum(0.375f + 0.375f * p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(xyzD65FromD55, light, kTight, vec4(xyzD65FromD55(vec3(p)), 0.0f)),
 
@@ -330,6 +330,13 @@ const Case kCases[] = {
            vec4(shadedByPointLight(testSurface(p, q, r), vec3(p), normalize(vec3(0.5f, 0.75f, 0.25f)),
                                    vec3(1.0f, 2.0f, 3.0f)),
                 0.0f)),
+
+    // wavelength
+    PARITY(unevenBell, unit, kTranscendental, vec4(unevenBell(p.x, 0.5f, 0.125f, 0.25f + p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(xyzOfWavelength, unit, kTranscendental, vec4(xyzOfWavelength(0.375f + 0.375f * p.x), 0.0f)),
+    PARITY(wavelengthWeight, unit, kTranscendental, vec4(0.25f * wavelengthWeight(0.36f + 0.47f * p.x), 0.0f)),
+    PARITY(sampleWavelength, unit, kTranscendental, vec4(sampleWavelength(p.x))),
+    PARITY(pdfWavelength, unit, kTranscendental, vec4(0.25f * pdfWavelength(0.36f + 0.47f * p.x))),
 };
 
 }  // namespace

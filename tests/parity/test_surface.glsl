@@ -11,6 +11,8 @@ FN Surface testSurface(vec4 p, vec4 q, vec4 r) {
   s.material.ior = 1.0f + 1.5f * r.z;
   s.material.dispersion = r.w;
   s.material.transmission = r.y;
+  s.material.attenuation_color = vec3(1.0f, 1.0f, 1.0f);
+  s.material.attenuation_distance = 0.0f;
   s.material.conductor_n = vec3(0.2f, 0.9f, 1.5f);
   s.material.conductor_k = r.w < 0.5f ? vec3(0.0f, 0.0f, 0.0f) : vec3(3.0f, 2.5f, 2.0f);
   s.occlusion = 1.0f - p.w;

@@ -145,6 +145,8 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
   MIRRORBALL_TRY(format, formatToWrite(path, kPicturesAndLight));
   MIRRORBALL_TRY_VOID(withName(name, checkShape(image)));
   MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
+  if (!options.layers.empty() && format != ImageFormatId::exr)
+    return fail(ErrorCode::usage, name + ": only OpenEXR files have layers; name it .exr");
   MIRRORBALL_TRY(bytes, withName(name, withinMemory<Bytes>([&] { return encodeImage(format, image, options); })));
   return writeFile(path, bytes);
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/progress.h"
@@ -32,10 +33,18 @@ struct DecodedImage {
   std::string color = {};  ///< the file's, and what was done about it: describeColor in codec/color/primaries.h
 };
 
+/// What travels in an OpenEXR file beside its image: "albedo.R", "normal.X".
+struct ImageLayer {
+  std::string name;      ///< "albedo"
+  std::string channels;  ///< a letter for each: "RGB", "XYZ"
+  Image image;           ///< of the main image's size
+};
+
 /// How writeImage stores floats.
 struct ImageWriteOptions {
   bool half = false;  ///< OpenEXR: 16-bit floats instead of 32-bit ones
   Metadata metadata;
+  std::vector<ImageLayer> layers = {};  ///< OpenEXR alone
 };
 
 /// Reads every format of image_format.h by its first bytes, not by its name. Integers are decoded to linear light, from
@@ -58,8 +67,8 @@ bool isImage(std::span<const std::uint8_t> bytes);
 /// clipped to [0, 1]. PNG keeps straight alpha, EXR premultiplied (the caller's samples are taken
 /// as the format wants them), HDR and JPEG drop it.
 ///
-/// errors   usage (not an extension that can be written; lists those that can); io; bad_shape (a number of channels
-///          that the format cannot hold)
+/// errors   usage (not an extension that can be written; lists those that can; layers in another file than .exr); io;
+///          bad_shape (a number of channels that the format cannot hold)
 Result<void> writeImage(const std::filesystem::path& path, const Image& image, const ImageWriteOptions& options = {});
 
 /// Decodes a texture of integers (PNG, JPEG, TIFF, WebP, TGA, BMP, PNM) to its 8-bit samples as stored (no colour

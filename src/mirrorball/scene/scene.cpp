@@ -9,6 +9,10 @@
 
 namespace mirrorball {
 
+const Material& materialOf(const Scene& scene, std::size_t instance) {
+  return scene.materials[std::size_t(scene.meshes[std::size_t(scene.instances[instance].mesh)].material)];
+}
+
 Scene sceneOf(Mesh mesh, Material material) {
   Scene scene;
   mesh.material = 0;

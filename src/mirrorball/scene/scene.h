@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,9 @@ struct Scene {
 
   bool empty() const { return instances.empty(); }
 };
+
+/// The material of an instance, an index into Scene::instances.
+const Material& materialOf(const Scene& scene, std::size_t instance);
 
 /// A scene of one mesh where it is, with one material.
 Scene sceneOf(Mesh mesh, Material material = {});

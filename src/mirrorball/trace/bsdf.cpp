@@ -12,6 +12,11 @@ namespace {
 
 /// Below this a lobe is as narrow as a float's direction.
 constexpr float kSmoothAlpha = 1e-4f;
+/// Light samples of this density [1/sr] and more are of small lights, which need to be looked for between two facets
+/// from both sides. Of other lights, what is found by chance is weighed against the facets' own choice, and so never
+/// bright.
+constexpr float kSmallLight = 10.0f;
+constexpr glm::vec3 kUp{0.0f, 0.0f, 1.0f};
 /// A walk that has not ended by then carries next to nothing.
 constexpr int kLongestWalk = 64;
 
@@ -25,6 +30,9 @@ glm::vec3 refractingNormal(glm::vec3 w, glm::vec3 l, float eta) {
   const glm::vec3 h = glm::normalize(w + l * eta);
   return h.z < 0.0f ? -h : h;
 }
+
+/// The direction on the other side of a thin wall.
+glm::vec3 mirrored(glm::vec3 l) { return {l.x, l.y, -l.z}; }
 
 /// The density [1/sr] of refraction into l at the facets that are met along w: without Fresnel's share (Walter et al.
 /// 2007, eq. 17).
@@ -41,13 +49,29 @@ float densityOfRefraction(float alpha, glm::vec3 w, glm::vec3 l, float eta) {
 float densityOfReflection(float alpha, glm::vec3 w, glm::vec3 l) {
   const glm::vec3 h = glm::normalize(w + l);
   const float cosine = glm::dot(w, h);
-  if (h.z <= 0.0f || cosine <= 0.0f) return 0.0f;
-  return densityOfMetFacets(alpha, w, h) / (4.0f * cosine);
+  const bool is_met = h.z > 0.0f && cosine > 0.0f;
+  return is_met ? densityOfMetFacets(alpha, w, h) / (4.0f * cosine) : 0.0f;
+}
+
+/// The density [1/sr] of the rays that a facet reflects into l, if facets are chosen as those that are seen from above:
+/// more often than by their area where l grazes them, since such facets mirror the sun of the widest choice of rays.
+float densityFromLight(float alpha, glm::vec3 ray, glm::vec3 l) {
+  const glm::vec3 h = glm::normalize(l - ray);
+  const float cosine = glm::dot(l, h);
+  const bool is_met = h.z > 0.0f && cosine > 0.0f;  // not where the ray already goes there
+  return is_met ? densityOfMetFacets(alpha, kUp, h) / (4.0f * cosine) : 0.0f;
 }
 
 }  // namespace
 
-float balanced(float chosen_pdf, float other_pdf) { return chosen_pdf / std::max(chosen_pdf + other_pdf, 1e-30f); }
+float balanceHeuristic(float chosen_pdf, float other_pdf) {
+  return chosen_pdf / std::max(chosen_pdf + other_pdf, 1e-30f);
+}
+
+/// The weight of a light sample against a surface's own choice.
+static float weightOf(const LightSample& light, float own_pdf) {
+  return light.is_weighed ? balanceHeuristic(light.pdf, own_pdf) : 1.0f;
+}
 
 /// A ray between the facets. Inside of the body everything is as outside, turned upside down.
 struct Bsdf::Walk {
@@ -56,20 +80,26 @@ struct Bsdf::Walk {
   bool is_outside;
   float height = kAboveAllFacets;  // above the facets as seen from the side where the ray is
   glm::vec3 weight{1.0f};
-  float pdf = 0.0f;       // of the last choice
-  bool has_left = false;  // for good: no facet is met any more
+  float pdf = 0.0f;           // of the last choice, and of the facet that it was made at
+  float meeting = 1.0f;       // probability with which the facet is met that is looked at
+  float from_facet = 0.0f;    // density with which a facet has reflected it to where it is; 0: none has
+  bool has_left = false;      // for good: no facet is met any more
+  bool is_refracted = false;  // once at least
 
   float side() const { return is_outside ? 1.0f : -1.0f; }
   /// Towards where the ray comes from, as seen from its side.
   glm::vec3 back() const { return -side() * ray; }
-
-  bool meetsFacet(float alpha, float u) {
-    height = heightOfNextFacet(alpha, side() * ray, height, u);
-    return height != kEscaped;
-  }
 };
 
-Bsdf::Bsdf(const formula::Material& material) : material_(material) {
+/// One that a ray has met.
+struct Bsdf::Facet {
+  glm::vec3 normal;
+  float cosine;
+  glm::vec3 reflectance;
+};
+
+Bsdf::Bsdf(const formula::Material& material, const Refraction& refraction)
+    : material_(material), refraction_(refraction) {
   const float alpha = formula::alphaFromPerceptualRoughness(material.perceptual_roughness);
   alpha_ = alpha < kSmoothAlpha ? 0.0f : alpha;
 }
@@ -79,111 +109,187 @@ bool Bsdf::chooseMetal(SampleSequence& samples) const {
   return material_.metallic >= 1.0f || samples.nextIndependent() < material_.metallic;
 }
 
-glm::vec3 Bsdf::facetReflectance(bool is_metal, bool is_outside, float cosine) const {
+/// Whether the ray is inside of a body that facets enclose.
+bool Bsdf::isInMatter(const Walk& walk) const { return !walk.is_outside && !refraction_.is_thin; }
+
+/// What a dielectric's facet reflects by the one index that refracted light has.
+float Bsdf::reflectanceOfIndex(const Walk& walk, float cosine) const {
+  const bool refracts = material_.transmission > 0.0f && !refraction_.is_thin;
+  if (refracts) {
+    const float exact = formula::fresnelDielectric(cosine, etaFrom(walk.is_outside, refraction_.ior));
+    if (exact >= 1.0f) return 1.0f;  // nothing passes beyond the critical angle
+    if (!walk.is_outside) return material_.specular * exact;
+  }
+  formula::Surface surface;
+  surface.material = material_;
+  return material_.specular * formula::dielectricReflectance(surface, cosine, refraction_.ior);
+}
+
+glm::vec3 Bsdf::facetReflectance(const Walk& walk, float cosine) const {
   const float bounded = std::clamp(cosine, 0.0f, 1.0f);
   formula::Surface surface;
   surface.material = material_;
-  if (is_metal) return formula::metalReflectance(surface, bounded);
-  if (is_outside) return formula::smoothDielectric(surface, bounded);
-  const float inner = formula::fresnelDielectric(bounded, 1.0f / material_.ior);
-  return glm::vec3(inner < 1.0f ? material_.specular * inner : 1.0f);  // nothing passes beyond the critical angle
+  if (walk.is_metal) return formula::metalReflectance(surface, bounded);
+  if (material_.dispersion > 0.0f && !walk.is_refracted) return formula::smoothDielectric(surface, bounded);
+  return glm::vec3(reflectanceOfIndex(walk, bounded));
+}
+
+/// What it lets through, weighed for its wavelength when that is new.
+glm::vec3 Bsdf::facetTransmittance(const Walk& walk, float cosine) const {
+  const float passes = 1.0f - reflectanceOfIndex(walk, std::clamp(cosine, 0.0f, 1.0f));
+  return material_.base_color * passes * (walk.is_refracted ? glm::vec3(1.0f) : refraction_.weight);
 }
 
 /// What the facets that may be met here send straight into the light's direction, if no other facet catches it there.
-glm::vec3 Bsdf::offeredByFacets(const Walk& walk, const OfferedLight& light) const {
+glm::vec3 Bsdf::directFromFacets(const Walk& walk, const LightSample& light) const {
   const glm::vec3 w = walk.back();
   const glm::vec3 l = walk.side() * light.direction;
-  if (l.z > 0.0f) {
-    const float density = densityOfReflection(alpha_, w, l) * shareOfFacets(walk);
-    if (density <= 0.0f) return glm::vec3(0.0f);
-    const glm::vec3 reflectance = facetReflectance(walk.is_metal, walk.is_outside, glm::dot(w, glm::normalize(w + l)));
-    const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance));
-    return walk.weight * reflectance *
-           (density * escapeProbability(alpha_, l, walk.height) * balanced(light.pdf, own) / light.pdf);
-  }
-  if (walk.is_metal || material_.transmission <= 0.0f) return glm::vec3(0.0f);
-  const float eta = etaFrom(walk.is_outside, material_.ior);
-  const float density = densityOfRefraction(alpha_, w, l, eta) * material_.transmission;
+  if (l.z <= 0.0f) return directThroughFacets(walk, light);
+  const float density = walk.meeting * densityOfReflection(alpha_, w, l) * shareOfFacets(walk);
   if (density <= 0.0f) return glm::vec3(0.0f);
-  const glm::vec3 reflectance = facetReflectance(false, walk.is_outside, glm::dot(w, refractingNormal(w, l, eta)));
-  const float own = density * (1.0f - maxComponent(reflectance));
-  return walk.weight * material_.base_color * (glm::vec3(1.0f) - reflectance) *
-         (density * escapeProbability(alpha_, -l, -walk.height) * balanced(light.pdf, own) / light.pdf);
+  const glm::vec3 reflectance = facetReflectance(walk, glm::dot(w, glm::normalize(w + l)));
+  const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance));
+  float weight = weightOf(light, own) / light.pdf;
+  if (walk.from_facet > 0.0f && light.pdf >= kSmallLight)
+    weight *= balanceHeuristic(walk.from_facet, densityFromLight(alpha_, -w, l));
+  return walk.weight * reflectance * (density * escapeProbability(alpha_, l, walk.height) * weight);
+}
+
+/// What two facets send there, the second one chosen before the ray to it: the first one seldom reflects a ray that a
+/// second one then mirrors into a low sun, but such light is bright.
+glm::vec3 Bsdf::directFromTwoFacets(const Walk& walk, const LightSample& light, SampleSequence& samples) const {
+  const glm::vec3 w = walk.back();
+  const glm::vec3 l = walk.side() * light.direction;
+  if (l.z <= 0.0f) return glm::vec3(0.0f);
+  const glm::vec2 u(samples.nextIndependent(), samples.nextIndependent());
+  const glm::vec3 between = glm::reflect(l, formula::sampleVisibleNormal(alpha_, kUp, u));
+  const float by_light = densityFromLight(alpha_, between, l);
+  const float first = walk.meeting * shareOfFacets(walk) * densityOfReflection(alpha_, w, between);
+  if (by_light <= 0.0f || first <= 0.0f) return glm::vec3(0.0f);
+  const glm::vec3 reflectance = facetReflectance(walk, glm::dot(w, glm::normalize(w + between)));
+  const float by_first = first * (walk.is_metal ? 1.0f : maxComponent(reflectance));
+  Walk second = walk;
+  second.ray = walk.side() * between;
+  second.meeting = 1.0f - escapeProbability(alpha_, between, walk.height);
+  second.height = heightOfNextFacet(alpha_, between, walk.height, samples.nextIndependent());
+  second.from_facet = 0.0f;
+  second.weight *= reflectance * (first / by_light * balanceHeuristic(by_light, by_first));
+  return directFromFacets(second, light);
+}
+
+/// The same through the facets.
+glm::vec3 Bsdf::directThroughFacets(const Walk& walk, const LightSample& light) const {
+  if (walk.is_metal || material_.transmission <= 0.0f) return glm::vec3(0.0f);
+  const glm::vec3 w = walk.back();
+  const glm::vec3 l = walk.side() * light.direction;
+  const float eta = etaFrom(walk.is_outside, refraction_.ior);
+  const glm::vec3 h = refraction_.is_thin ? glm::normalize(w + mirrored(l)) : refractingNormal(w, l, eta);
+  const float through =
+      refraction_.is_thin ? densityOfReflection(alpha_, w, mirrored(l)) : densityOfRefraction(alpha_, w, l, eta);
+  const float density = walk.meeting * through * material_.transmission;
+  if (density <= 0.0f) return glm::vec3(0.0f);
+  const float cosine = glm::dot(w, h);
+  const float own = density * (1.0f - maxComponent(facetReflectance(walk, cosine)));
+  const float height = refraction_.is_thin ? walk.height : -walk.height;
+  return walk.weight * facetTransmittance(walk, cosine) *
+         (density * escapeProbability(alpha_, -l, height) * weightOf(light, own) / light.pdf);
 }
 
 /// What the matter below a facet, or from inside before it, scatters back into the light's direction.
-glm::vec3 Bsdf::offeredByMatter(const Walk& walk, const OfferedLight& light, glm::vec3 reflectance) const {
+glm::vec3 Bsdf::directFromMatter(const Walk& walk, const LightSample& light, glm::vec3 reflectance) const {
   const float scattered = 1.0f - material_.transmission;
   if (walk.is_metal || scattered <= 0.0f) return glm::vec3(0.0f);
-  const glm::vec3 entered = walk.is_outside ? glm::vec3(1.0f) - reflectance : glm::vec3(1.0f);
-  const float density = scattered * formula::pdfDiffuse(walk.side() * light.direction);
-  const float own = density * (walk.is_outside ? 1.0f - maxComponent(reflectance) : 1.0f);
-  return walk.weight * material_.base_color * entered * (density * balanced(light.pdf, own) / light.pdf);
+  const bool is_inside = isInMatter(walk);
+  const glm::vec3 entered = is_inside ? glm::vec3(1.0f) : glm::vec3(1.0f) - reflectance;
+  const float density = walk.meeting * scattered * formula::pdfDiffuse(walk.side() * light.direction);
+  const float own = density * (is_inside ? 1.0f : 1.0f - maxComponent(reflectance));
+  return walk.weight * material_.base_color * entered * (density * weightOf(light, own) / light.pdf);
 }
 
 /// The share of a ray that facets reflect or refract: from inside, matter scatters its share before they are met, so
 /// that light does not circle in a ball that reflects it totally.
 float Bsdf::shareOfFacets(const Walk& walk) const {
-  return walk.is_outside || walk.is_metal ? 1.0f : material_.transmission;
+  return isInMatter(walk) && !walk.is_metal ? material_.transmission : 1.0f;
 }
 
 /// Reflects, refracts or scatters a ray that has met a facet.
 ///
 /// u        for the choice
-void Bsdf::chooseNext(Walk& walk, glm::vec3 h, glm::vec3 reflectance, glm::vec2 u, SampleSequence& samples) const {
+void Bsdf::chooseNext(Walk& walk, const Facet& facet, glm::vec2 u, SampleSequence& samples) const {
   const glm::vec3 w = walk.back();
-  const float share = walk.is_metal ? 1.0f : maxComponent(reflectance);
+  const float share = walk.is_metal ? 1.0f : maxComponent(facet.reflectance);
   const float by_facets = shareOfFacets(walk);
+  walk.from_facet = 0.0f;
   const bool is_reflected = u.x < share && (by_facets == 1.0f || u.y < by_facets);
   if (is_reflected) {
-    const glm::vec3 l = glm::reflect(-w, h);
-    walk.pdf = isSmooth() ? 0.0f : by_facets * share * densityOfReflection(alpha_, w, l);
-    walk.weight *= reflectance / share;
+    const glm::vec3 l = glm::reflect(-w, facet.normal);
+    walk.pdf = isSmooth() ? 0.0f : walk.meeting * by_facets * share * densityOfReflection(alpha_, w, l);
+    walk.from_facet = walk.pdf;
+    walk.weight *= facet.reflectance / share;
     walk.ray = walk.side() * l;
     return;
   }
-  const glm::vec3 entered = (glm::vec3(1.0f) - reflectance) / std::max(1.0f - share, 1e-30f);
-  if (u.y < material_.transmission) {
-    const float eta = etaFrom(walk.is_outside, material_.ior);
-    const glm::vec3 l = formula::refractedDirection(-w, h, eta);
-    walk.pdf = isSmooth() ? 0.0f : (1.0f - share) * material_.transmission * densityOfRefraction(alpha_, w, l, eta);
-    walk.weight *= material_.base_color * entered;
-    walk.ray = walk.side() * l;
-    walk.is_outside = !walk.is_outside;
-    walk.height = -walk.height;
-    return;
-  }
+  if (u.y < material_.transmission) return transmit(walk, facet);
+  const bool is_inside = isInMatter(walk);
+  const glm::vec3 entered = (glm::vec3(1.0f) - facet.reflectance) / std::max(1.0f - share, 1e-30f);
   const glm::vec3 l = formula::sampleDiffuse(samples.next());
-  walk.weight *= material_.base_color * (walk.is_outside ? entered : glm::vec3(1.0f));
-  walk.pdf = (1.0f - material_.transmission) * (walk.is_outside ? 1.0f - share : 1.0f) * formula::pdfDiffuse(l);
+  walk.weight *= material_.base_color * (is_inside ? glm::vec3(1.0f) : entered);
+  walk.pdf =
+      walk.meeting * (1.0f - material_.transmission) * (is_inside ? 1.0f : 1.0f - share) * formula::pdfDiffuse(l);
   walk.ray = walk.side() * l;
   walk.has_left = true;
 }
 
-Scattering Bsdf::scatter(glm::vec3 v, const OfferedLight& light, SampleSequence& samples) const {
+/// Refracts a ray through a facet, or lets it pass a thin wall.
+void Bsdf::transmit(Walk& walk, const Facet& facet) const {
+  const glm::vec3 w = walk.back();
+  const float eta = etaFrom(walk.is_outside, refraction_.ior);
+  const glm::vec3 l = refraction_.is_thin ? mirrored(glm::reflect(-w, facet.normal))
+                                          : formula::refractedDirection(-w, facet.normal, eta);
+  const float passes = std::max(1.0f - maxComponent(facet.reflectance), 1e-30f);  // the probability
+  if (!isSmooth()) {
+    const float density =
+        refraction_.is_thin ? densityOfReflection(alpha_, w, mirrored(l)) : densityOfRefraction(alpha_, w, l, eta);
+    walk.pdf = walk.meeting * passes * material_.transmission * density;
+  } else {
+    walk.pdf = 0.0f;
+  }
+  walk.weight *= facetTransmittance(walk, facet.cosine) / passes;
+  walk.ray = walk.side() * l;
+  walk.is_outside = !walk.is_outside;
+  walk.is_refracted = true;
+  if (!refraction_.is_thin) walk.height = -walk.height;
+}
+
+Scattering Bsdf::scatter(glm::vec3 v, const LightSample& light, SampleSequence& samples) const {
   Walk walk{.ray = -v, .is_metal = chooseMetal(samples), .is_outside = v.z > 0.0f};
   Scattering result;
   // The first facet's numbers are spread well over the paths of a pixel.
   glm::vec2 for_facet = samples.next();
   glm::vec2 for_choice = samples.next();
   for (int step = 0; step < kLongestWalk; ++step) {
-    const bool meets = !walk.has_left && (isSmooth() ? step == 0 : walk.meetsFacet(alpha_, samples.nextIndependent()));
-    if (!meets) {
-      if (step > 0) result.next = BsdfSample{walk.ray, walk.weight, walk.pdf};
-      return result;
-    }
     if (step > 0) {
+      const float escapes =
+          isSmooth() || walk.has_left ? 1.0f : escapeProbability(alpha_, walk.side() * walk.ray, walk.height);
+      if (escapes >= 1.0f || samples.nextIndependent() < escapes)
+        result.next = BsdfSample{walk.ray, walk.weight, walk.pdf, walk.is_refracted};
+      if (escapes >= 1.0f || (result.next && light.pdf <= 0.0f)) return result;
+      walk.meeting = 1.0f - escapes;
       for_facet = {samples.nextIndependent(), samples.nextIndependent()};
       for_choice = {samples.nextIndependent(), samples.nextIndependent()};
     }
     const glm::vec3 w = walk.back();
-    const glm::vec3 h = isSmooth() ? glm::vec3(0.0f, 0.0f, 1.0f) : formula::sampleVisibleNormal(alpha_, w, for_facet);
-    const glm::vec3 reflectance = facetReflectance(walk.is_metal, walk.is_outside, glm::dot(w, h));
+    if (!isSmooth()) walk.height = heightOfNextFacet(alpha_, -w, walk.height, samples.nextIndependent());
+    const glm::vec3 normal = isSmooth() ? kUp : formula::sampleVisibleNormal(alpha_, w, for_facet);
+    const float cosine = glm::dot(w, normal);
+    const Facet facet{normal, cosine, facetReflectance(walk, cosine)};
     if (light.pdf > 0.0f) {
-      if (!isSmooth()) result.offered += offeredByFacets(walk, light);
-      result.offered += offeredByMatter(walk, light, reflectance);
+      if (!isSmooth()) result.direct += directFromFacets(walk, light);
+      if (!isSmooth() && light.pdf >= kSmallLight) result.direct += directFromTwoFacets(walk, light, samples);
+      result.direct += directFromMatter(walk, light, facet.reflectance);
     }
-    chooseNext(walk, h, reflectance, for_choice, samples);
+    if (result.next) return result;
+    chooseNext(walk, facet, for_choice, samples);
   }
   return result;
 }

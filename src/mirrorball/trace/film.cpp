@@ -16,13 +16,18 @@ glm::vec3 displayed(glm::vec3 radiance, const Display& display) {
   return glm::vec3(formula::displayed(light, display.exposure(), static_cast<int>(display.tone_map)));
 }
 
+/// Of the mean of a pixel's paths, as if they were independent.
+glm::dvec3 varianceOfMean(const PixelSums& sums, int samples) {
+  const glm::dvec3 mean = glm::dvec3(sums.light) / double(samples);
+  const glm::dvec3 variance = glm::max(sums.squares / double(samples) - mean * mean, glm::dvec3(0.0));
+  return variance / double(std::max(samples - 1, 1));
+}
+
 /// The standard error of a pixel as it is displayed, the mean of its channels: that of the radiance, on the slope of
 /// the tone curve.
 float displayedError(const PixelSums& sums, int samples, const Display& display) {
-  const glm::dvec3 mean_exact = glm::dvec3(sums.light) / double(samples);
-  const glm::dvec3 variance = glm::max(sums.squares / double(samples) - mean_exact * mean_exact, glm::dvec3(0.0));
-  const glm::vec3 mean(mean_exact);
-  const glm::vec3 error(glm::sqrt(variance / double(std::max(samples - 1, 1))));
+  const glm::vec3 mean(glm::dvec3(sums.light) / double(samples));
+  const glm::vec3 error(glm::sqrt(varianceOfMean(sums, samples)));
   const glm::vec3 change = displayed(mean + error, display) - displayed(mean - error, display);
   return (std::abs(change.x) + std::abs(change.y) + std::abs(change.z)) / 6.0f;
 }
@@ -33,6 +38,8 @@ void Film::addPass(const Film& pass, int count) {
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     sums_[i].light += pass.sums_[i].light;
     sums_[i].squares += pass.sums_[i].squares;
+    sums_[i].albedo += pass.sums_[i].albedo;
+    sums_[i].normal += pass.sums_[i].normal;
     sums_[i].lost += pass.sums_[i].lost;
   }
   samples_ += count;
@@ -55,10 +62,27 @@ std::uint64_t Film::lost() const {
 }
 
 Image Film::radiance() const {
-  Image image(size_.x, size_.y, 4);
+  return imageOf<4>([&](const PixelSums& sums) { return glm::vec4(sums.light / double(samples_)); });
+}
+
+Image Film::albedo() const {
+  return imageOf<3>([&](const PixelSums& sums) { return sums.albedo / float(samples_); });
+}
+
+Image Film::normal() const {
+  return imageOf<3>([&](const PixelSums& sums) { return sums.normal / float(samples_); });
+}
+
+Image Film::variance() const {
+  return imageOf<3>([&](const PixelSums& sums) { return glm::vec3(varianceOfMean(sums, samples_)); });
+}
+
+template <int Channels, typename Value>
+Image Film::imageOf(const Value& value) const {
+  Image image(size_.x, size_.y, Channels);
   for (std::size_t i = 0; i < sums_.size(); ++i) {
-    const glm::vec4 mean(sums_[i].light / double(samples_));
-    std::copy_n(&mean.x, 4, image.samples().data() + 4 * i);
+    const glm::vec<Channels, float> texel = value(sums_[i]);
+    std::copy_n(&texel.x, Channels, image.samples().data() + Channels * i);
   }
   return image;
 }

@@ -14,6 +14,8 @@ namespace mirrorball {
 struct PixelSums {
   glm::dvec4 light{0.0};
   glm::dvec3 squares{0.0};
+  glm::vec3 albedo{0.0f};
+  glm::vec3 normal{0.0f};
   int lost = 0;  ///< paths whose light was no number; they count as black
 };
 
@@ -22,6 +24,7 @@ class Film {
  public:
   explicit Film(glm::ivec2 size) : size_(size), sums_(std::size_t(size.x) * std::size_t(size.y)) {}
 
+  glm::ivec2 size() const { return size_; }
   int samples() const { return samples_; }
   PixelSums& at(int x, int y) { return sums_[std::size_t(y) * std::size_t(size_.x) + std::size_t(x)]; }
 
@@ -37,8 +40,15 @@ class Film {
 
   /// The mean of the paths: 4 channels.
   Image radiance() const;
+  /// 3 channels each; the variance is that of the mean.
+  Image albedo() const;
+  Image normal() const;
+  Image variance() const;
 
  private:
+  template <int Channels, typename Value>
+  Image imageOf(const Value& value) const;
+
   glm::ivec2 size_;
   std::vector<PixelSums> sums_;
   int samples_ = 0;

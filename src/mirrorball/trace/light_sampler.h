@@ -13,7 +13,8 @@ namespace mirrorball {
 /// A direction that light comes from, and how likely it was to be chosen.
 struct LightSample {
   glm::vec3 direction{0.0f};  ///< unit
-  float pdf = 0.0f;           ///< density [1/sr]
+  float pdf = 0.0f;           ///< density [1/sr]; 0: there is none
+  bool is_weighed = true;     ///< against other ways to choose the direction; else it counts as the only one
 };
 
 /// Chooses directions as often as the environment is bright there (importance sampling), so that a sun of 10⁵ over half

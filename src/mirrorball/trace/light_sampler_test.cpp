@@ -1,12 +1,16 @@
 #include "mirrorball/trace/light_sampler.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "chi_squared.h"
 #include "formula/constants.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/environment_testing.h"
+#include "mirrorball/trace/sample_sequence.h"
 
 namespace mirrorball {
 namespace {
@@ -43,8 +47,8 @@ TEST(LightSampler, FindsASmallSun) {
   EXPECT_LT(error, 0.01 * (sphere + sun)) << "a choice without the light would be 300 times as noisy";
 }
 
-// The density of a direction is that with which it was chosen, and integrates to 1.
-TEST(LightSampler, DensitiesAgreeAndIntegrateToOne) {
+// The density of a direction is that with which it was chosen.
+TEST(LightSampler, DensitiesAgree) {
   for (const Environment& environment :
        {sunlit(), Environment(testing::smoothRadiance, 64), *builtinEnvironment("sky")}) {
     const LightSampler sampler = *LightSampler::make(environment);
@@ -55,13 +59,31 @@ TEST(LightSampler, DensitiesAgreeAndIntegrateToOne) {
       differ += std::abs(sampler.pdf(sample.direction) - sample.pdf) > 1e-3f * sample.pdf ? 1 : 0;
     }
     EXPECT_LE(differ, 4) << "only what rounding puts into the next texel";
-    double integral = 0.0;
-    constexpr int kSide = 1024;
+  }
+}
+
+// As many directions fall into each part of the sphere as the density says.
+TEST(LightSampler, DirectionsAreDrawnByTheirDensity) {
+  constexpr int kBins = 16, kPlaces = 128, kDrawn = 200000;
+  for (const Environment& environment :
+       {sunlit(), Environment(testing::smoothRadiance, 64), *builtinEnvironment("sky")}) {
+    const LightSampler sampler = *LightSampler::make(environment);
+    std::vector<double> counted(kBins * kBins, 0.0), expected(kBins * kBins, 0.0);
+    constexpr int kSide = kBins * kPlaces;
     for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x)
-        integral +=
-            double(sampler.pdf(directionAt(Projection::equal_area, {0, (glm::vec2(x, y) + 0.5f) / float(kSide)})));
-    EXPECT_NEAR(integral / kSide / kSide * 4.0 * double(formula::kPi), 1.0, 0.02);
+      for (int x = 0; x < kSide; ++x) {
+        const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / float(kSide);
+        expected[std::size_t(y / kPlaces * kBins + x / kPlaces)] +=
+            double(sampler.pdf(directionAt(Projection::equal_area, {0, uv}))) * 4.0 * double(formula::kPi) / kSide /
+            kSide * kDrawn;
+      }
+    for (std::uint32_t i = 0; i < kDrawn; ++i) {
+      SampleSequence numbers(3, i);
+      const glm::vec2 u(numbers.nextIndependent(), numbers.nextIndependent());
+      const glm::ivec2 bin(positionOf(Projection::equal_area, sampler.sample(u).direction).uv * float(kBins));
+      counted[std::size_t(std::min(bin.y, kBins - 1) * kBins + std::min(bin.x, kBins - 1))] += 1.0;
+    }
+    testing::expectCounts(counted, expected, "light");
   }
 }
 

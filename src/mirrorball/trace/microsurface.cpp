@@ -28,12 +28,12 @@ float escapeProbability(float alpha, glm::vec3 w, float height) {
 float heightOfNextFacet(float alpha, glm::vec3 w, float height, float u) {
   constexpr float kStraight = 0.9999f;
   constexpr float kLevel = 1e-4f;
-  if (w.z > kStraight) return kEscaped;
   if (w.z < -kStraight) return heightOfShare(u * shareBelow(height));
-  if (std::abs(w.z) < kLevel) return height;
-  if (u >= 1.0f - escapeProbability(alpha, w, height)) return kEscaped;
-  // Upwards the probability to get as high as h is (C(height) / C(h))^Λ, downwards with Λ < 0 the same.
-  return heightOfShare(shareBelow(height) / std::pow(1.0f - u, 1.0f / smithLambda(alpha, w)));
+  if (w.z > kStraight || std::abs(w.z) < kLevel) return height;
+  // Upwards the probability to get as high as h is (C(height) / C(h))^Λ, downwards with Λ < 0 the same. Of the rays
+  // that meet a facet at all, it ends at the probability to escape.
+  const float gets_there = 1.0f - u * (1.0f - escapeProbability(alpha, w, height));
+  return heightOfShare(shareBelow(height) / std::pow(gets_there, 1.0f / smithLambda(alpha, w)));
 }
 
 float densityOfMetFacets(float alpha, glm::vec3 w, glm::vec3 h) {

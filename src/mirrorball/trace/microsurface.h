@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include <glm/glm.hpp>
 
 #include "mirrorball/trace/sample_sequence.h"
@@ -14,20 +12,18 @@ namespace mirrorball {
 /// with the Smith model"). Heights are uniform in [−1, 1]; results do not depend on their distribution. Directions are
 /// unit, in the frame of the surface, whose normal is +Z.
 
-/// The height at which a ray has left the microsurface.
-inline constexpr float kEscaped = std::numeric_limits<float>::infinity();
-/// A height from which a ray enters it.
+/// A height from which a ray enters the microsurface.
 inline constexpr float kAboveAllFacets = 1.0f;
 
-/// The height at which a ray meets the next facet, or kEscaped. (2016, algorithm 2)
+/// The probability that a ray along w escapes from a height without meeting a facet: 0 downwards.
+float escapeProbability(float alpha, glm::vec3 w, float height);
+
+/// The height at which a ray meets the next facet, if it does not escape. (2016, algorithm 2)
 ///
 /// w        along the ray, upwards or downwards
 /// height   where the ray is
 /// u        uniform in [0, 1)
 float heightOfNextFacet(float alpha, glm::vec3 w, float height, float u);
-
-/// The probability that a ray escapes upwards from a height without meeting a facet.
-float escapeProbability(float alpha, glm::vec3 w, float height);
 
 /// The density of the facets' normals h that a ray against w meets; w may point downwards, too, where a ray comes from
 /// between the facets (2016, eq. 17). formula::sampleVisibleNormal samples it.

@@ -14,17 +14,33 @@ TEST(Microsurface, ARayFindsAWayOutOfTheDeepestPit) {
     EXPECT_FALSE(std::isnan(height)) << u;
     EXPECT_GE(height, -1.0f) << u;
   }
-  EXPECT_EQ(heightOfNextFacet(0.1f, up, -1.0f, 0.9999999f), kEscaped);
+  EXPECT_GT(escapeProbability(0.1f, up, -1.0f), 0.0f);
+}
+
+// Of the rays from a height, as many get above another one as there are fewer that escape from below it.
+TEST(Microsurface, HeightsAreMetAsOftenAsRaysDoNotGetHigher) {
+  const glm::vec3 w = glm::normalize(glm::vec3(0.9f, 0.0f, 0.2f));
+  constexpr float kAlpha = 0.7f, kBegin = -0.6f, kLimit = 0.1f;
+  const float escapes = escapeProbability(kAlpha, w, kBegin);
+  int lower = 0;
+  constexpr int kRays = 10000;
+  for (int i = 0; i < kRays; ++i)
+    lower += heightOfNextFacet(kAlpha, w, kBegin, (float(i) + 0.5f) / kRays) < kLimit ? 1 : 0;
+  const float gets_past_limit = escapes / escapeProbability(kAlpha, w, kLimit);
+  EXPECT_NEAR(float(lower) / kRays, (1.0f - gets_past_limit) / (1.0f - escapes), 1e-3f);
 }
 
 // A ray from above meets the surface, or it could not be seen.
 TEST(Microsurface, ARayFromAboveMeetsAFacet) {
-  for (const float z : {-1.0f, -0.5f, -0.01f})
+  for (const float z : {-1.0f, -0.5f, -0.01f}) {
+    const glm::vec3 w(std::sqrt(1.0f - z * z), 0.0f, z);
+    EXPECT_EQ(escapeProbability(0.3f, w, kAboveAllFacets), 0.0f);
     for (const float u : {0.0f, 0.5f, 0.999f}) {
-      const float height = heightOfNextFacet(0.3f, {std::sqrt(1.0f - z * z), 0.0f, z}, kAboveAllFacets, u);
+      const float height = heightOfNextFacet(0.3f, w, kAboveAllFacets, u);
       EXPECT_GE(height, -1.0f);
       EXPECT_LE(height, 1.0f);
     }
+  }
 }
 
 // The facets that are met are all of them: their density integrates to 1, also for rays that come from below.

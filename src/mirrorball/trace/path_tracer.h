@@ -2,47 +2,49 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
+#include <optional>
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/base/option.h"
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
-#include "mirrorball/codec/color/display.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/image/image.h"
 #include "mirrorball/scene/camera/camera.h"
 #include "mirrorball/scene/scene.h"
+#include "mirrorball/trace/trace_settings.h"
 
 namespace mirrorball {
 
-/// What a path-traced picture shows, and when it is good enough.
-struct TraceSettings {
-  glm::ivec2 size{1280, 720};  ///< pixels
-  int samples = 256;           ///< paths a pixel, at most; at least 1
-  float noise = 0.0f;          ///< mean standard error of the displayed picture, in [0, 1], that is enough; 0: none is
-  float time_s = 0.0f;         ///< after which no further pass over the picture is begun; 0: no limit
-  Display display = {};        ///< that `noise` is about
-  /// Surfaces that light may meet on its way to the eye. 1: the environment lights each surface, and what blocks it is
-  /// dark; with `is_unoccluded`, nothing blocks it, which is all that an environment map can know.
-  int bounces = 16;
-  bool is_unoccluded = false;              ///< light reaches each surface as if there were nothing else
-  glm::mat3 environment_from_world{1.0f};  ///< turns the environment
-  float environment_intensity = 1.0f;      ///< scales its light
-  bool shows_environment = true;           ///< behind the scene; else what is behind it is transparent
+/// What denoisers ask for beside the radiance: means over the paths, 3 channels each.
+struct TraceLayers {
+  Image albedo;    ///< base colour of the first surface, or a metal's reflectance at normal incidence; 0: none is there
+  Image normal;    ///< its normal, world, on the eye's side
+  Image variance;  ///< of the radiance of the picture, as of independent paths
 };
-
-/// The table of those settings that only a path tracer has.
-std::span<const Option<TraceSettings>> traceOptions();
 
 /// A path-traced picture as far as it has come.
 struct TracedPicture {
-  Image radiance;      ///< linear: 4 channels, premultiplied alpha, row 0 at the top
+  Image radiance;  ///< linear: 4 channels, premultiplied alpha, row 0 at the top
+  std::optional<TraceLayers> layers = {};
   int samples = 0;     ///< paths a pixel
   float noise = 0.0f;  ///< mean standard error of the displayed picture, as of independent paths: rather too high
   std::uint64_t lost_paths = 0;  ///< whose light was no number, as by overflow; they count as black
   bool is_interrupted = false;   ///< before it was good enough
+};
+
+/// A map of all directions as far as it has come.
+struct TracedMap {
+  EnvironmentMap map;
+  TracedPicture state;  ///< without its pictures
+};
+
+/// Where light is captured.
+struct TracedCapture {
+  glm::vec3 position{0.0f};                      ///< world; finite
+  Projection projection = Projection::equirect;  ///< of the map
+  int size = 512;                                ///< a face's side, a disc's diameter, a panorama's height [texels]
+  float nearest = 0.0f;                          ///< distance from which on surfaces are there [world units]
 };
 
 /// The truth that the techniques of the renderer are measured against: a path tracer over the same scenes, materials
@@ -69,6 +71,15 @@ class PathTracer {
   /// cost      docs/truth.md has paths a second
   Result<TracedPicture> render(const Camera& camera, const TraceSettings& settings,
                                const ProgressFunction& progress = {}) const;
+
+  /// Traces the light that arrives at a point of the scene: an environment map.
+  ///
+  /// settings  their `size`, `shows_environment` and `wants_layers` are not used
+  /// returns   three channels, or four for discs, with alpha 0 outside of them. The world's axes are the map's. For
+  ///           `samples` and `noise`, likewise the same bits
+  /// errors    as render's
+  Result<TracedMap> capture(const TracedCapture& capture, TraceSettings settings,
+                            const ProgressFunction& progress = {}) const;
 
  private:
   struct State;

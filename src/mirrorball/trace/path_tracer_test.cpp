@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,49 +13,17 @@
 #include "formula/constants.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/environment/builtin/builtin.h"
-#include "mirrorball/scene/camera/framing.h"
-#include "mirrorball/scene/load_model.h"
+#include "mirrorball/trace/path_tracer_testing.h"
 
 namespace mirrorball {
 namespace {
 
-Environment lightOf(float radiance) {
-  return Environment([=](glm::vec3) { return glm::vec3(radiance); }, 16);
-}
-
-Material matt(float albedo) {
-  Material material;
-  material.base_color = glm::vec3(albedo);
-  material.specular = 0.0f;
-  material.perceptual_roughness = 1.0f;
-  return material;
-}
-
-/// A built-in shape of one material, from the front.
-Image traced(Scene scene, Environment environment, const TraceSettings& settings) {
-  const BoundingSphere bounds = boundingSphere(scene);
-  const Camera camera = makeCamera({.azimuth_deg = 0.0f, .elevation_deg = 0.0f}, bounds, 1.0f);
-  const auto tracer = PathTracer::make(std::move(scene), std::move(environment));
-  EXPECT_TRUE(tracer) << tracer.error().message;
-  auto image = tracer->render(camera, settings);
-  EXPECT_TRUE(image) << image.error().message;
-  return std::move(image->radiance);
-}
-
-Scene shapeOf(const std::string& name, const Material& material) {
-  Scene scene = *loadModel(name);
-  for (Material& one : scene.materials) one = material;
-  return scene;
-}
-
-float meanOf(const Image& image) {
-  double sum = 0.0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) sum += double(image.texel(x, y)[1]);
-  return static_cast<float>(sum / (double(image.width()) * image.height()));
-}
-
-TraceSettings small(int samples) { return {.size = {24, 24}, .samples = samples}; }
+using testing::lightOf;
+using testing::matt;
+using testing::meanOf;
+using testing::shapeOf;
+using testing::small;
+using testing::traced;
 
 // What absorbs nothing is as bright as its surroundings, and cannot be seen.
 TEST(PathTracer, TheFurnaceIsWhite) {
@@ -124,7 +94,8 @@ TEST(PathTracer, GivesTheSameBitsForAnyNumberOfThreads) {
   EXPECT_TRUE(std::ranges::equal(one.samples(), three.samples()));
 }
 
-// A sun of 10⁵ over half a degree: no pixel is an outlier. Chosen by the cosine alone, one path in 10⁵ would find it.
+// A sun of 10⁵ over half a degree: no pixel is an outlier, on plastic or, by way of several facets, on rough metal.
+// Chosen by the cosine alone, one path in 10⁵ would find it.
 TEST(PathTracer, ASmallSunGivesNoFireflies) {
   const glm::vec3 sun = glm::normalize(glm::vec3(0.3f, 0.5f, 1.0f));
   const Environment environment(
@@ -132,14 +103,19 @@ TEST(PathTracer, ASmallSunGivesNoFireflies) {
   Material plastic = matt(0.5f);
   plastic.specular = 1.0f;
   plastic.perceptual_roughness = 0.6f;
-  TraceSettings settings = small(64);
-  settings.bounces = 1;
-  const Image few = traced(shapeOf("sphere", plastic), environment, settings);
-  settings.samples = 1024;
-  const Image many = traced(shapeOf("sphere", plastic), environment, settings);
-  for (int y = 0; y < 24; ++y)
-    for (int x = 0; x < 24; ++x)
-      EXPECT_NEAR(few.texel(x, y)[1], many.texel(x, y)[1], 0.25f * many.texel(x, y)[1] + 0.15f) << x << ", " << y;
+  Material metal = plastic;
+  metal.metallic = 1.0f;
+  metal.perceptual_roughness = 0.45f;
+  for (const Material& material : {plastic, metal}) {
+    TraceSettings settings = small(64);
+    settings.bounces = 1;
+    const Image few = traced(shapeOf("sphere", material), environment, settings);
+    settings.samples = 1024;
+    const Image many = traced(shapeOf("sphere", material), environment, settings);
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 24; ++x)
+        EXPECT_NEAR(few.texel(x, y)[1], many.texel(x, y)[1], 0.25f * many.texel(x, y)[1] + 0.15f) << x << ", " << y;
+  }
 }
 
 /// A square in the plane y = height, seen from above, of half that side.
@@ -154,7 +130,7 @@ Mesh square(float half_side, float height, int material) {
 
 /// What a floor sends upwards below a square of side 2 half a unit above it, of that material. The eye looks from below
 /// the square.
-float belowSquare(float floor_half_side, const Material& above) {
+float belowSquare(float floor_half_side, const Material& above, int samples = 64) {
   Scene scene;
   scene.materials = {matt(0.8f), above};
   scene.meshes = {square(floor_half_side, 0.0f, 0), square(1.0f, 0.5f, 1)};
@@ -163,7 +139,7 @@ float belowSquare(float floor_half_side, const Material& above) {
   const Camera camera =
       makeCamera({.azimuth_deg = 0.0f, .elevation_deg = 5.0f, .distance = 0.9f, .target = glm::vec3(0.0f)},
                  {glm::vec3(0.0f), 1.0f}, 1.0f);
-  TraceSettings settings = small(64);
+  TraceSettings settings = small(samples);
   settings.bounces = 1;
   return tracer->render(camera, settings)->radiance.texel(12, 13)[1];
 }
@@ -189,9 +165,9 @@ TEST(PathTracer, OpacityLetsLightThrough) {
   cut.alpha_cutoff = 0.75f;
   Material solid = veil;
   solid.alpha_mode = AlphaMode::opaque;
-  const float lit = belowSquare(10.0f, cut), dark = belowSquare(10.0f, solid);
+  const float lit = belowSquare(10.0f, cut, 1024), dark = belowSquare(10.0f, solid, 1024);
   EXPECT_NEAR(lit, 0.8f, 0.02f);
-  EXPECT_NEAR(belowSquare(10.0f, veil), 0.5f * (lit + dark), 0.06f);
+  EXPECT_NEAR(belowSquare(10.0f, veil, 1024), 0.5f * (lit + dark), 0.03f);
 }
 
 // Turned by 90°, the light of +X comes from where +Z was.
@@ -231,6 +207,106 @@ TEST(PathTracer, StopsWhenItsProgressSaysSo) {
                                     [](std::size_t done, std::size_t) { return done < 30; });
   ASSERT_FALSE(image);
   EXPECT_EQ(image.error().code, ErrorCode::interrupted);
+}
+
+// Light, surfaces and both find the same: their differences in each pixel are as large as their standard errors say.
+TEST(PathTracer, StrategiesAgreeInEachPixel) {
+  Material metal = matt(0.9f);
+  metal.metallic = 1.0f;
+  metal.perceptual_roughness = 0.5f;
+  Material plastic = matt(0.5f);
+  plastic.specular = 1.0f;
+  plastic.perceptual_roughness = 0.4f;
+  for (const Material& material : {metal, plastic}) {
+    std::vector<TracedPicture> pictures;
+    const auto tracer = PathTracer::make(shapeOf("knot", material), *builtinEnvironment("studio"));
+    ASSERT_TRUE(tracer);
+    const Camera camera = makeCamera({}, boundingSphere(tracer->scene()), 1.0f);
+    for (const LightStrategy strategy : {LightStrategy::both, LightStrategy::light, LightStrategy::surface}) {
+      TraceSettings settings{.size = {16, 16}, .samples = 256};
+      settings.strategy = strategy;
+      settings.wants_layers = true;
+      pictures.push_back(*tracer->render(camera, settings));
+    }
+    for (std::size_t other = 1; other < pictures.size(); ++other) {
+      double squares = 0.0;
+      int compared = 0;
+      for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+          const double variance = double(pictures[0].layers->variance.texel(x, y)[1]) +
+                                  double(pictures[other].layers->variance.texel(x, y)[1]);
+          const double difference =
+              double(pictures[0].radiance.texel(x, y)[1]) - double(pictures[other].radiance.texel(x, y)[1]);
+          if (variance <= 0.0) continue;
+          EXPECT_LT(std::abs(difference), 6.0 * std::sqrt(variance) + 1e-3) << x << ", " << y << ", " << other;
+          squares += difference * difference / variance;
+          ++compared;
+        }
+      ASSERT_GT(compared, 180);
+      // Points that are spread evenly have less error than the variance of independent ones says.
+      EXPECT_LT(squares / compared, 1.2) << other;
+    }
+  }
+}
+
+// Phong's light on a matt surface: albedo times cosine; none behind what is in the way.
+TEST(PathTracer, APointLightLightsWhatItSees) {
+  TraceSettings settings = small(16);
+  settings.lights = {{.position = {0.0f, 0.0f, 50.0f}, .color = glm::vec3(2.0f)}};
+  const Image image = traced(shapeOf("sphere", matt(0.5f)), lightOf(0.0f), settings);
+  EXPECT_NEAR(image.texel(12, 12)[1], 0.5f * 2.0f, 0.02f) << "it faces the light";
+  const auto below = [&](float height) {
+    Scene scene;
+    scene.materials = {matt(0.8f)};
+    scene.materials[0].double_sided = true;
+    scene.meshes = {square(10.0f, 0.0f, 0), square(1.0f, height, 0)};
+    scene.instances = {{.mesh = 0}, {.mesh = 1}};
+    TraceSettings lit = small(16);
+    lit.bounces = 1;
+    lit.lights = {{.position = {0.0f, 5.0f, 0.0f}, .color = glm::vec3(1.0f)}};
+    const Camera camera =
+        makeCamera({.azimuth_deg = 0.0f, .elevation_deg = 5.0f, .distance = 0.9f, .target = glm::vec3(0.0f)},
+                   {glm::vec3(0.0f), 1.0f}, 1.0f);
+    return PathTracer::make(std::move(scene), lightOf(0.0f))->render(camera, lit)->radiance.texel(12, 13)[1];
+  };
+  EXPECT_EQ(below(0.5f), 0.0f) << "in the shadow";
+  EXPECT_GT(below(6.0f), 0.7f) << "what is beyond the light casts none";
+}
+
+// What denoisers are given, on a sphere whose front faces the eye.
+TEST(PathTracer, LayersAreThoseOfTheFirstSurface) {
+  TraceSettings settings = small(64);
+  settings.wants_layers = true;
+  Material metal = matt(0.5f);
+  metal.metallic = 1.0f;
+  metal.base_color = {0.9f, 0.6f, 0.3f};
+  const auto tracer = PathTracer::make(shapeOf("sphere", metal), *builtinEnvironment("studio"));
+  const auto picture = tracer->render(
+      makeCamera({.azimuth_deg = 0.0f, .elevation_deg = 0.0f}, boundingSphere(tracer->scene()), 1.0f), settings);
+  ASSERT_TRUE(picture && picture->layers);
+  EXPECT_NEAR(glm::distance(rgbAt(picture->layers->normal, 12, 12), glm::vec3(0, 0, 1)), 0.0f, 0.1f);
+  EXPECT_NEAR(glm::distance(rgbAt(picture->layers->albedo, 12, 12), metal.base_color), 0.0f, 1e-5f);
+  EXPECT_EQ(rgbAt(picture->layers->albedo, 0, 0), glm::vec3(0.0f)) << "the background";
+  // The noise that the picture states is the mean of the variances' roots, but for the display's curve.
+  EXPECT_GT(picture->layers->variance.texel(12, 12)[1], 0.0f);
+}
+
+// A map of all directions of a place where nothing is is the environment; a body shows where it is.
+TEST(PathTracer, CapturesWhatIsAround) {
+  Scene scene = shapeOf("sphere", matt(0.0f));
+  scene.instances[0].world_from_object[3] = glm::vec4(5.0f, 0.0f, 0.0f, 1.0f);
+  const Environment environment([](glm::vec3 d) { return glm::vec3(1.0f) + 0.5f * d; }, 64);
+  const auto tracer = PathTracer::make(std::move(scene), environment);
+  ASSERT_TRUE(tracer);
+  for (const Projection projection : {Projection::cube, Projection::sphere, Projection::equirect}) {
+    const auto traced_map = tracer->capture({.projection = projection, .size = 64}, {.samples = 16});
+    ASSERT_TRUE(traced_map);
+    const EnvironmentMap& map = traced_map->map;
+    EXPECT_EQ(map.faces(), faceCount(projection));
+    for (const glm::vec3 d : {glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::normalize(glm::vec3(-1, 0.2f, 0.4f))})
+      EXPECT_NEAR(glm::distance(map.radiance(d), glm::vec3(1.0f) + 0.5f * d), 0.0f, 0.05f) << nameOf(projection);
+    EXPECT_NEAR(map.radiance({1, 0, 0}).x, 0.0f, 1e-3f) << nameOf(projection) << ": the black ball";
+  }
 }
 
 }  // namespace

@@ -79,18 +79,14 @@ glm::vec3 normalAt(const Scene& scene, const Material& material, const Corners& 
 
 }  // namespace
 
-const Material& materialAt(const Scene& scene, const Hit& hit) {
-  return scene.materials[std::size_t(scene.meshes[std::size_t(scene.instances[hit.instance].mesh)].material)];
-}
-
 float opacityAt(const Scene& scene, const Hit& hit) {
-  const Material& material = materialAt(scene, hit);
+  const Material& material = materialOf(scene, hit.instance);
   if (material.alpha_mode == AlphaMode::opaque) return 1.0f;
   return opacityOf(material, colorAt(scene, material, cornersOf(scene, hit)).w);
 }
 
 SurfacePoint surfacePointAt(const Scene& scene, const Hit& hit) {
-  const Material& material = materialAt(scene, hit);
+  const Material& material = materialOf(scene, hit.instance);
   const Corners corners = cornersOf(scene, hit);
   SurfacePoint point;
   point.normal = normalAt(scene, material, corners, glm::mat3(scene.instances[hit.instance].world_from_object));

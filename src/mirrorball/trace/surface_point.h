@@ -23,7 +23,4 @@ SurfacePoint surfacePointAt(const Scene& scene, const Hit& hit);
 /// The opacity there alone, for rays that only ask what they pass.
 float opacityAt(const Scene& scene, const Hit& hit);
 
-/// The material of what was met.
-const Material& materialAt(const Scene& scene, const Hit& hit);
-
 }  // namespace mirrorball

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "mirrorball/trace/path_tracer.h"
+#include "mirrorball/trace/trace_settings.h"
 
 namespace mirrorball {
 namespace {
@@ -22,6 +22,13 @@ const auto kOptions = std::to_array<Option<TraceSettings>>({
               "can know",
       .group = "Reference"},
      &TraceSettings::is_unoccluded},
+    {{.name = "strategy",
+      .choices = "both|light|surface",
+      .help =
+          "how paths find the light: in directions that the environment chooses, that the surfaces choose, or both, "
+          "weighed against each other; all show the same with more or less noise",
+      .group = "Reference"},
+     choiceField<&TraceSettings::strategy>},
     {{.name = "noise",
       .value = "X",
       .minimum = 1e-5,
@@ -37,6 +44,10 @@ const auto kOptions = std::to_array<Option<TraceSettings>>({
       .help = "stop at the first pass over the picture that ends after S",
       .group = "Reference"},
      &TraceSettings::time_s},
+    {{.name = "layers",
+      .help = "also write what denoisers ask for, as layers of an .exr file: albedo, normal and variance",
+      .group = "Reference"},
+     &TraceSettings::wants_layers},
 });
 
 }  // namespace

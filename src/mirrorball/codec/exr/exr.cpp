@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <exception>
 #include <memory>
 #include <new>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <ImfChannelList.h>
@@ -108,24 +111,49 @@ Imf::Header headerFor(const Image& image, const Metadata& metadata) {
   return header;
 }
 
-/// samples  interleaved, of the type that `type` says
-Bytes encode(const Image& image, const void* samples, Imf::PixelType type, std::size_t sample_size,
-             const Metadata& metadata) {
-  constexpr std::array<const char*, 4> kColors{"R", "G", "B", "A"};
-  Imf::Header header = headerFor(image, metadata);
-  Imf::FrameBuffer frame;
-  const std::size_t texel_size = sample_size * std::size_t(image.channels());
-  for (int c = 0; c < image.channels(); ++c) {
-    const char* channel = image.channels() == 1 ? "Y" : kColors[std::size_t(c)];
-    header.channels().insert(channel, Imf::Channel(type));
-    const char* first = static_cast<const char*>(samples) + std::size_t(c) * sample_size;
-    frame.insert(channel, Imf::Slice::Make(type, first, header.dataWindow(), texel_size,
-                                           texel_size * std::size_t(image.width())));
+/// The samples of images in the type of a file, while it is written.
+class ChannelWriter {
+ public:
+  ChannelWriter(Imf::Header& header, bool is_half) : header_(header), is_half_(is_half) {}
+
+  /// Adds an image's channels.
+  ///
+  /// prefix   "albedo." or nothing
+  /// letters  of each channel
+  void add(const Image& image, const std::string& prefix, std::string_view letters) {
+    const Imf::PixelType type = is_half_ ? Imf::HALF : Imf::FLOAT;
+    const std::size_t sample_size = is_half_ ? sizeof(half) : sizeof(float);
+    const void* samples =
+        is_half_ ? static_cast<const void*>(halves_.emplace_back(halvesOf(image)).data()) : image.samples().data();
+    const std::size_t texel_size = sample_size * std::size_t(image.channels());
+    for (std::size_t c = 0; c < letters.size(); ++c) {
+      const std::string channel = prefix + letters[c];
+      header_.channels().insert(channel, Imf::Channel(type));
+      frame_.insert(channel,
+                    Imf::Slice::Make(type, static_cast<const char*>(samples) + c * sample_size, header_.dataWindow(),
+                                     texel_size, texel_size * std::size_t(image.width())));
+    }
   }
+
+  const Imf::FrameBuffer& frame() const { return frame_; }
+
+ private:
+  Imf::Header& header_;
+  bool is_half_;
+  Imf::FrameBuffer frame_;
+  std::deque<std::vector<half>> halves_;
+};
+
+Bytes encode(const Image& image, const ImageWriteOptions& options) {
+  Imf::Header header = headerFor(image, options.metadata);
+  ChannelWriter channels(header, options.half);
+  channels.add(image, "",
+               image.channels() == 1 ? "Y" : std::string_view("RGBA").substr(0, std::size_t(image.channels())));
+  for (const ImageLayer& layer : options.layers) channels.add(layer.image, layer.name + ".", layer.channels);
   ExrOutput stream;
   {
     Imf::OutputFile file(stream, header);
-    file.setFrameBuffer(frame);
+    file.setFrameBuffer(channels.frame());
     file.writePixels(image.height());
   }  // which writes the table of offsets
   return stream.takeBytes();
@@ -145,8 +173,7 @@ Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const Progre
 Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options) {
   try {
     useExrThreads();
-    if (options.half) return encode(image, halvesOf(image).data(), Imf::HALF, sizeof(half), options.metadata);
-    return encode(image, image.samples().data(), Imf::FLOAT, sizeof(float), options.metadata);
+    return encode(image, options);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::too_large, "not enough memory to encode it");
   } catch (const std::exception& exception) {

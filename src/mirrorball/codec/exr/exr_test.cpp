@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -105,6 +107,22 @@ TEST(Exr, ALayerIsReadWhereThereIsNoPlainColour) {
   const DecodedImage back = decoded(bytes);
   EXPECT_EQ(rgbAt(back.image, 3, 2), rgbAt(image, 3, 2));
   EXPECT_EQ(back.format, "OpenEXR, float, ZIP, layer light");
+}
+
+// What is written beside the image does not change how it is read, and OpenEXR finds it under its name.
+TEST(Exr, LayersAreWrittenBesideTheImage) {
+  const Image image = gradient(7, 5, 4), normals = gradient(7, 5, 3);
+  const Bytes bytes = encoded(image, {.metadata = {}, .layers = {{"normal", "XYZ", normals}}});
+  expectSameBits(decoded(bytes).image, image);
+  ExrInput stream(bytes);
+  Imf::InputFile file(stream);
+  std::vector<float> y(7 * 5);
+  Imf::FrameBuffer frame;
+  frame.insert("normal.Y", Imf::Slice::Make(Imf::FLOAT, y.data(), file.header().dataWindow()));
+  file.setFrameBuffer(frame);
+  file.readPixels(0, 4);
+  EXPECT_EQ(y[3 * 7 + 2], normals.texel(2, 3)[1]);
+  EXPECT_FALSE(writeImage("layers.hdr", image, {.metadata = {}, .layers = {{"normal", "XYZ", normals}}}));
 }
 
 TEST(Exr, AFileWithoutColourListsItsChannels) {

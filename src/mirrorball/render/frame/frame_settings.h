@@ -8,6 +8,7 @@
 #include "mirrorball/base/option.h"
 #include "mirrorball/codec/color/display.h"
 #include "mirrorball/scene/camera/camera.h"
+#include "mirrorball/scene/point_light.h"
 
 namespace mirrorball {
 
@@ -20,12 +21,6 @@ enum class BackgroundKind { environment, blur, radiance, display_color, transpar
 enum class Resolve {
   display,   ///< the light that a display sends, after the tone map: light above the display's white counts as white
   radiance,  ///< radiance, which is tone mapped afterwards
-};
-
-/// A point light, for Phong's model.
-struct PointLight {
-  glm::vec3 position{0.0f};  ///< world
-  glm::vec3 color{1.0f};     ///< the radiance that a white diffuse surface facing it shows
 };
 
 /// All settings of one picture of a scene in an environment.

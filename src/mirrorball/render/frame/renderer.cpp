@@ -103,10 +103,6 @@ struct Renderer::State {
   void drawBlended(const Camera& camera);
   void addSample();
   void drawPicture();
-
-  const Material& materialOf(const Instance& instance) const {
-    return scene.materials[std::size_t(scene.meshes[std::size_t(instance.mesh)].material)];
-  }
 };
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -357,7 +353,7 @@ void Renderer::State::drawBackground(const Camera& camera) {
 }
 
 void Renderer::State::drawInstance(int instance) {
-  if (materialOf(scene.instances[std::size_t(instance)]).double_sided)
+  if (materialOf(scene, std::size_t(instance)).double_sided)
     glDisable(GL_CULL_FACE);
   else
     glEnable(GL_CULL_FACE);
@@ -366,14 +362,14 @@ void Renderer::State::drawInstance(int instance) {
 
 void Renderer::State::drawOpaque() {
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance)
-    if (materialOf(scene.instances[std::size_t(instance)]).alpha_mode != AlphaMode::blend) drawInstance(instance);
+    if (materialOf(scene, std::size_t(instance)).alpha_mode != AlphaMode::blend) drawInstance(instance);
 }
 
 /// What shines through is drawn over the rest, the farthest first.
 void Renderer::State::drawBlended(const Camera& camera) {
   std::vector<int> blended;
   for (int index = 0; index < static_cast<int>(scene.instances.size()); ++index)
-    if (materialOf(scene.instances[std::size_t(index)]).alpha_mode == AlphaMode::blend) blended.push_back(index);
+    if (materialOf(scene, std::size_t(index)).alpha_mode == AlphaMode::blend) blended.push_back(index);
   if (blended.empty()) return;
   // The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
   const auto depth = [&](int index) {

@@ -18,7 +18,8 @@ constexpr auto kArrivingLight = std::to_array<Names>({"arriving_light_distant.gl
 constexpr auto kLookUp =
     std::to_array<Names>({"look_up_reflection.glsl", "look_up_vertex_reflection.glsl",
                           "look_up_triangle_reflection.glsl", "look_up_normal.glsl", "look_up_sphere_map.glsl"});
-constexpr auto kTransmission = std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl"});
+constexpr auto kTransmission =
+    std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_point.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
 
@@ -117,7 +118,9 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::normal, material.bump == BumpHeight::orange ? NormalPart::bump : NormalPart::vertex);
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
   variant.choose(Part::look_up, lookUpPart(settings));
-  variant.choose(Part::transmission, material.transmission > 0.0f ? TransmissionPart::single : TransmissionPart::none);
+  variant.choose(Part::transmission, material.transmission <= 0.0f ? TransmissionPart::none
+                                     : material.thin_walled        ? TransmissionPart::thin
+                                                                   : TransmissionPart::single);
   variant.choose(Part::lamps, settings.lights.empty() ? LampsPart::none : LampsPart::point);
   variant.lamp_count = static_cast<std::uint8_t>(settings.lights.size());
   if (material.alpha_mode == AlphaMode::mask) variant.choose(Part::alpha, AlphaPart::mask);

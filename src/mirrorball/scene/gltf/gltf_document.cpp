@@ -14,10 +14,11 @@
 namespace mirrorball::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 9> kKnownExtensions = {
+constexpr std::array<std::string_view, 10> kKnownExtensions = {
     "KHR_draco_mesh_compression", "KHR_mesh_quantization",           "KHR_texture_transform",
     "KHR_materials_ior",          "KHR_materials_specular",          "KHR_materials_transmission",
-    "KHR_materials_dispersion",   "KHR_materials_emissive_strength", "EXT_texture_webp",
+    "KHR_materials_dispersion",   "KHR_materials_emissive_strength", "KHR_materials_volume",
+    "EXT_texture_webp",
 };
 
 float notNegative(const JsonReader& value, float otherwise) {
@@ -140,6 +141,9 @@ Material parseMaterial(const JsonReader& json) {
   // An index of 0 asks for the specular-glossiness model's mirror; it is read as the default.
   if (material.ior < 1.0f) material.ior = defaultMaterial().ior;
   material.emission *= notNegative(json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"], 1.0f);
+  // KHR_materials_volume: what has no thickness is an infinitely thin sheet.
+  const JsonReader volume = json["extensions"]["KHR_materials_volume"];
+  material.thin_walled = material.transmission > 0.0f && notNegative(volume["thicknessFactor"], 0.0f) == 0.0f;
   const std::string alpha_mode = json["alphaMode"].text("OPAQUE");
   if (alpha_mode == "MASK") material.alpha_mode = AlphaMode::mask;
   if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;

@@ -229,7 +229,8 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
       "{\"transmissionFactor\":0.9,\"transmissionTexture\":{\"index\":2}},\"KHR_materials_emissive_strength\":{"
       "\"emissiveStrength\":4},"
       "\"KHR_materials_specular\":{\"specularFactor\":0.6,\"specularTexture\":{\"index\":1,\"texCoord\":1}},\"KHR_"
-      "materials_dispersion\":{\"dispersion\":0.1}}}]";
+      "materials_dispersion\":{\"dispersion\":0.1},\"KHR_materials_volume\":{\"thicknessFactor\":0.2,"
+      "\"attenuationDistance\":3,\"attenuationColor\":[0.5,0.25,1]}}}]";
   const Scene scene = decoded(maker.gltf(primitive("", ",\"material\":1"), rest));
   ASSERT_EQ(scene.materials.size(), 1u);
   const Material& material = scene.materials[0];
@@ -241,6 +242,9 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
   EXPECT_EQ(material.emission, glm::vec3(4, 2, 0));
   EXPECT_EQ(material.ior, 1.33f);
   EXPECT_EQ(material.transmission, 0.9f);
+  EXPECT_FALSE(material.thin_walled);
+  EXPECT_EQ(material.attenuation_distance, 3.0f);
+  EXPECT_EQ(material.attenuation_color, glm::vec3(0.5f, 0.25f, 1.0f));
   EXPECT_EQ(material.specular, 0.6f);
   EXPECT_EQ(material.dispersion, 0.1f);
   EXPECT_EQ(material.alpha_mode, AlphaMode::mask);
@@ -248,6 +252,10 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
   EXPECT_TRUE(material.double_sided);
   EXPECT_EQ(material.normal_scale, 0.75f);
   EXPECT_EQ(material.occlusion_strength, 0.5f);
+
+  std::string without_thickness = rest;
+  without_thickness.replace(rest.find("0.2,\"att"), 3, "0.0");
+  EXPECT_TRUE(decoded(maker.gltf(primitive("", ",\"material\":1"), without_thickness)).materials[0].thin_walled);
 
   const TextureSlot& color = material.base_color_map;
   EXPECT_EQ(color.uv_set, 0);  // the transform's own texCoord wins

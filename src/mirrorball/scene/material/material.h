@@ -34,6 +34,8 @@ struct Material : formula::Material {
   BumpHeight bump = BumpHeight::none;
   AlphaMode alpha_mode = AlphaMode::opaque;
   bool double_sided = false;
+  bool thin_walled = false;  ///< transmits like a sheet, without a body that refracts
+  int priority = 0;          ///< of bodies that overlap, the one with the greatest fills the place
 
   TextureSlot base_color_map;
   TextureSlot metallic_map;   ///< in B

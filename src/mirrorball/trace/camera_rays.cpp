@@ -1,0 +1,34 @@
+#include "mirrorball/trace/camera_rays.h"
+
+#include <algorithm>
+
+namespace mirrorball {
+
+CameraRays raysOf(const Camera& camera, glm::ivec2 size, const Media& media) {
+  // Without the camera's place, directions are exact however far away from the origin it stands.
+  const glm::mat4 directions = glm::inverse(camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world)));
+  const glm::mat4 places = glm::inverse(camera.clip_from_view * camera.view_from_world);
+  return [=](glm::vec2 pixel) -> std::optional<Ray> {
+    const glm::vec2 ndc(2.0f * pixel.x / float(size.x) - 1.0f, 1.0f - 2.0f * pixel.y / float(size.y));
+    if (camera.orthographic) {
+      const glm::vec4 origin = places * glm::vec4(ndc, -1.0f, 1.0f);
+      return Ray{.origin = glm::vec3(origin) / origin.w, .direction = camera.forward, .media = media};
+    }
+    const glm::vec4 from = directions * glm::vec4(ndc, -1.0f, 1.0f);
+    const glm::vec4 to = directions * glm::vec4(ndc, 1.0f, 1.0f);
+    const glm::vec3 direction = glm::normalize(glm::vec3(to) / to.w - glm::vec3(from) / from.w);
+    return Ray{.origin = camera.position, .direction = direction, .media = media};
+  };
+}
+
+CameraRays raysOfMap(Projection projection, glm::ivec2 size, glm::vec3 position, float nearest, const Media& media) {
+  return [=](glm::vec2 pixel) -> std::optional<Ray> {
+    const int face = std::min(static_cast<int>(pixel.y) / size.y, faceCount(projection) - 1);
+    const glm::vec2 uv = glm::vec2(pixel.x, pixel.y - float(face * size.y)) / glm::vec2(size);
+    if (!covers(projection, uv)) return std::nullopt;
+    return Ray{
+        .origin = position, .direction = directionAt(projection, {face, uv}), .nearest = nearest, .media = media};
+  };
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,353 @@
+#include "mirrorball/trace/light_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "formula/bsdf.h"
+#include "formula/color.h"
+#include "formula/surface.h"
+#include "formula/tangent.h"
+#include "mirrorball/bake/brdf/directional_albedo.h"
+#include "mirrorball/trace/bsdf.h"
+#include "mirrorball/trace/surface_point.h"
+
+namespace mirrorball {
+namespace {
+
+/// The next surface after so many cut-away or transparent ones is taken as solid.
+constexpr int kMaxPassed = 512;
+/// From this surface on, dark paths are ended at random (Russian roulette).
+constexpr int kFirstRoulette = 4;
+
+/// The frame of a surface: +Z is its normal.
+struct Frame {
+  explicit Frame(glm::vec3 normal) : n(normal), t(formula::anyTangent(normal)), b(glm::cross(normal, t)) {}
+  glm::vec3 toLocal(glm::vec3 w) const { return {glm::dot(w, t), glm::dot(w, b), glm::dot(w, n)}; }
+  glm::vec3 toWorld(glm::vec3 w) const { return w.x * t + w.y * b + w.z * n; }
+
+  glm::vec3 n, t, b;
+};
+
+/// Whether a material fills what its triangles enclose; else they are all that there is.
+bool isBody(const Material& material) { return material.transmission > 0.0f && !material.thin_walled; }
+
+/// The ray behind a triangle that another ray has passed.
+float justBehind(float distance) { return std::nextafter(distance * (1.0f + 1e-6f), INFINITY); }
+
+/// What light of a wavelength counts for that has been chosen by formula::sampleWavelength.
+glm::vec3 weightOf(float wavelength) {
+  const float all = formula::kLongestWavelength - formula::kShortestWavelength;
+  return formula::wavelengthWeight(wavelength) / (all * formula::pdfWavelength(wavelength));
+}
+
+/// A normal that does not turn away from the eye that sees its triangle, as a smooth one may: it is bent back.
+///
+/// facing   1, or −1 for the inside of a body
+glm::vec3 bentTowards(glm::vec3 normal, glm::vec3 v, float facing) {
+  constexpr float kLeastCosine = 1e-3f;
+  const float cosine = facing * glm::dot(v, normal);
+  return cosine < kLeastCosine ? glm::normalize(normal + facing * v * (kLeastCosine - cosine)) : normal;
+}
+
+/// The colour of a surface: its base colour, or a metal's reflectance at normal incidence.
+glm::vec3 albedoOf(const formula::Material& material) {
+  formula::Surface surface;
+  surface.material = material;
+  return glm::mix(material.base_color, formula::metalReflectance(surface, 1.0f), material.metallic);
+}
+
+/// A path on its way from the eye.
+class Path {
+ public:
+  Path(const World& world, const TraceSettings& settings, SampleSequence& samples)
+      : world_(world), settings_(settings), samples_(samples) {}
+
+  PathLight follow(Ray ray);
+
+ private:
+  /// Where it has met a surface.
+  struct Vertex {
+    Hit hit;
+    Ray arriving;
+    const Material& surface;
+    SurfacePoint point;
+    bool is_body;
+    bool is_outside;
+  };
+
+  std::optional<Hit> firstHit(Ray& ray);
+  bool passes(const Hit& hit, Ray& ray);
+  bool isBlocked(Ray ray, float distance);
+  void absorb(const Media& media, float distance);
+  glm::vec3 environmentAlong(glm::vec3 direction) const;
+  float iorOf(const formula::Material& material) const;
+  bool needsWavelength(const Vertex& vertex) const;
+  Refraction refractionAt(const Vertex& vertex, float new_wavelength) const;
+  std::optional<std::uint32_t> otherSide(const Vertex& vertex) const;
+  formula::Material materialAt(const Vertex& vertex) const;
+  LightSample sampleLight();
+  glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, glm::vec3 normal);
+  Ray leaving(const Vertex& vertex, glm::vec3 direction) const;
+  bool survivesRoulette();
+  std::optional<Ray> scatter(const Vertex& vertex, glm::vec3 normal);
+
+  const World& world_;
+  const TraceSettings& settings_;
+  SampleSequence& samples_;
+  glm::vec3 sum_{0.0f};
+  glm::vec3 throughput_{1.0f};
+  float pdf_ = 0.0f;         // of the ray's direction; 0: nothing else could have chosen it
+  float wavelength_ = 0.0f;  // nm, once light is dispersed; 0: all are there
+};
+
+/// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
+/// ray through, it is the back of a surface that has only a front, or of a body where another one fills the place.
+bool Path::passes(const Hit& hit, Ray& ray) {
+  if (ray.from && ray.from->instance == hit.instance && ray.from->triangle == hit.triangle) return true;
+  const Material& material = materialOf(world_.scene, hit.instance);
+  const bool is_entering = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
+  const bool is_body = isBody(material);
+  const bool has_back = material.double_sided || is_body || !ray.passes_backs;
+  if (!has_back && !is_entering) return true;
+  const float opacity = opacityAt(world_.scene, hit);
+  if (opacity <= 0.0f || (opacity < 1.0f && samples_.nextIndependent() >= opacity)) return true;
+  if (!is_body || ray.media.hasSurface(world_.scene, hit.instance, is_entering)) return false;
+  is_entering ? ray.media.enter(hit.instance) : ray.media.leave(hit.instance);
+  return true;
+}
+
+std::optional<Hit> Path::firstHit(Ray& ray) {
+  for (int passed = 0;; ++passed) {
+    const auto hit = world_.geometry.hit(ray.origin, ray.direction, ray.nearest);
+    if (!hit || passed == kMaxPassed || !passes(*hit, ray)) return hit;
+    ray.nearest = justBehind(hit->distance);
+  }
+}
+
+/// Whether light does not get so far along a ray.
+bool Path::isBlocked(Ray ray, float distance) {
+  if (settings_.is_unoccluded) return false;
+  const auto hit = firstHit(ray);
+  return hit && hit->distance < distance;
+}
+
+/// What a body leaves of light over a distance (Lambert & Beer).
+void Path::absorb(const Media& media, float distance) {
+  const auto filling = media.filling(world_.scene);
+  if (!filling) return;
+  const Material& material = materialOf(world_.scene, *filling);
+  if (material.attenuation_distance <= 0.0f) return;
+  throughput_ *= glm::pow(material.attenuation_color, glm::vec3(distance / material.attenuation_distance));
+}
+
+glm::vec3 Path::environmentAlong(glm::vec3 direction) const {
+  return settings_.environment_intensity * world_.environment.radiance(direction);
+}
+
+float Path::iorOf(const formula::Material& material) const {
+  return wavelength_ > 0.0f ? formula::iorAtWavelength(material.ior, material.dispersion, wavelength_) : material.ior;
+}
+
+/// The body on the other side of a surface from the one that its material fills: outside of a body, and on both sides
+/// of other surfaces.
+std::optional<std::uint32_t> Path::otherSide(const Vertex& vertex) const {
+  const Media& media = vertex.arriving.media;
+  return vertex.is_outside ? media.filling(world_.scene) : media.fillingWithout(world_.scene, vertex.hit.instance);
+}
+
+/// Whether light of each wavelength goes its own way from here on, and none has been chosen. Where light comes from
+/// outside, the choice can wait until it is refracted, so that what is reflected has no noise of colours.
+bool Path::needsWavelength(const Vertex& vertex) const {
+  if (wavelength_ > 0.0f || !vertex.is_body) return false;
+  const auto other = otherSide(vertex);
+  return (vertex.point.material.dispersion > 0.0f && !vertex.is_outside) ||
+         (other && materialOf(world_.scene, *other).dispersion > 0.0f);
+}
+
+/// The material's numbers, its indices relative to what is on the other side.
+formula::Material Path::materialAt(const Vertex& vertex) const {
+  formula::Material material = vertex.point.material;
+  material.ior = iorOf(material);
+  if (wavelength_ > 0.0f) material.dispersion = 0.0f;
+  if (const auto other = otherSide(vertex)) {
+    const float ior = iorOf(materialOf(world_.scene, *other));
+    material.ior /= ior;
+    material.conductor_n /= ior;
+    material.conductor_k /= ior;
+  }
+  return material;
+}
+
+/// How light goes on that is refracted, and is of that wavelength from then on.
+Refraction Path::refractionAt(const Vertex& vertex, float new_wavelength) const {
+  if (vertex.surface.thin_walled) return {.ior = vertex.surface.ior, .is_thin = true};
+  const formula::Material& material = vertex.point.material;
+  const auto other = otherSide(vertex);
+  const float outside = other ? iorOf(materialOf(world_.scene, *other)) : 1.0f;
+  if (new_wavelength == 0.0f) return {.ior = iorOf(material) / outside};
+  return {.ior = formula::iorAtWavelength(material.ior, material.dispersion, new_wavelength) / outside,
+          .weight = weightOf(new_wavelength)};
+}
+
+/// A direction that the environment chooses, in its own axes.
+LightSample Path::sampleLight() {
+  const glm::vec2 u = samples_.next();
+  if (settings_.strategy == LightStrategy::surface) return {};
+  LightSample sample = world_.lights.sample(u);
+  sample.is_weighed = settings_.strategy == LightStrategy::both;
+  return sample;
+}
+
+/// Phong's point lights, as far as nothing is in their way. They light the outside of bodies.
+glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& material, glm::vec3 normal) {
+  if (settings_.lights.empty() || (vertex.is_body && !vertex.is_outside)) return glm::vec3(0.0f);
+  const Ray& arriving = vertex.arriving;
+  const float cosine = std::clamp(-glm::dot(arriving.direction, normal), 0.0f, 1.0f);
+  const DirectionalAlbedo albedo = directionalAlbedo(Distribution::ggx, material.perceptual_roughness, cosine);
+  formula::Surface surface;
+  surface.material = material;
+  surface.normal = normal;
+  surface.environment_brdf = {1.0f - albedo.total(), albedo.bias};
+  const glm::vec3 place = arriving.origin + vertex.hit.distance * arriving.direction;
+  glm::vec3 light(0.0f);
+  for (const PointLight& lamp : settings_.lights) {
+    const float distance = glm::distance(lamp.position, place);
+    const glm::vec3 towards = (lamp.position - place) / distance;
+    const glm::vec3 shaded = formula::shadedByPointLight(surface, arriving.direction, towards, lamp.color);
+    if (shaded != glm::vec3(0.0f) && !isBlocked(leaving(vertex, towards), distance)) light += shaded;
+  }
+  return light;
+}
+
+/// The ray that leaves a surface, from a point so far beside it as rounding may have put it on the wrong side.
+Ray Path::leaving(const Vertex& vertex, glm::vec3 direction) const {
+  const Ray& arriving = vertex.arriving;
+  const Hit& hit = vertex.hit;
+  const glm::vec3 place = arriving.origin + hit.distance * arriving.direction;
+  const glm::vec3 magnitude = glm::abs(place);
+  const float step = 4e-6f * std::max({magnitude.x, magnitude.y, magnitude.z, hit.distance});
+  const bool goes_out = glm::dot(direction, hit.geometric_normal) >= 0.0f;
+  const bool crosses = goes_out != vertex.is_outside;
+  Ray ray{.origin = place + hit.geometric_normal * (goes_out ? step : -step),
+          .direction = direction,
+          .from = hit,
+          .passes_backs = crosses && !vertex.is_body,
+          .media = arriving.media};
+  if (crosses && vertex.is_body) goes_out ? ray.media.leave(hit.instance) : ray.media.enter(hit.instance);
+  return ray;
+}
+
+/// Ends dark paths at random; the others count for those that are ended.
+bool Path::survivesRoulette() {
+  const glm::vec3 carried = glm::abs(throughput_);  // of a wavelength, some may be negative
+  const float survives = std::min(std::max({carried.x, carried.y, carried.z}), 1.0f);
+  if (survives <= 0.0f || samples_.nextIndependent() >= survives) return false;
+  throughput_ /= survives;
+  return true;
+}
+
+/// Adds the light that reaches the surface directly.
+///
+/// returns  how the path goes on, if it does
+std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
+  const bool disperses = vertex.is_body && vertex.point.material.dispersion > 0.0f && wavelength_ == 0.0f;
+  float new_wavelength = disperses ? formula::sampleWavelength(samples_.next().x) : 0.0f;
+  if (needsWavelength(vertex)) {
+    wavelength_ = disperses ? new_wavelength : formula::sampleWavelength(samples_.next().x);
+    throughput_ *= weightOf(wavelength_);
+    new_wavelength = 0.0f;
+  }
+  const formula::Material material = materialAt(vertex);
+  const Frame frame(normal);
+  const LightSample light = sampleLight();
+  const glm::vec3 towards = glm::transpose(settings_.environment_from_world) * light.direction;
+  const LightSample local{frame.toLocal(towards), light.pdf, light.is_weighed};
+  const glm::vec3 v = frame.toLocal(-vertex.arriving.direction);
+  const auto [direct, next] = Bsdf(material, refractionAt(vertex, new_wavelength)).scatter(v, local, samples_);
+  if (direct != glm::vec3(0.0f) && !isBlocked(leaving(vertex, towards), INFINITY))
+    sum_ += throughput_ * direct * environmentAlong(light.direction);
+  sum_ += throughput_ * lightOfLamps(vertex, material, normal);
+  if (!next) return std::nullopt;
+  if (next->is_refracted && new_wavelength > 0.0f) wavelength_ = new_wavelength;
+  throughput_ *= next->weight;
+  pdf_ = next->pdf;
+  return leaving(vertex, glm::normalize(frame.toWorld(next->direction)));
+}
+
+PathLight Path::follow(Ray ray) {
+  PathLight result;
+  const auto ended = [&] {
+    result.radiance = glm::vec4(sum_, 1.0f);
+    return result;
+  };
+  for (int surfaces = 0;; ++surfaces) {
+    const bool meets = surfaces == 0 || !settings_.is_unoccluded;
+    const auto hit = meets ? firstHit(ray) : std::nullopt;
+    if (!hit) {
+      if (surfaces == 0 && !settings_.shows_environment) return result;
+      // What of this light was chosen directly counts there.
+      const glm::vec3 seen = glm::normalize(settings_.environment_from_world * ray.direction);
+      float weight = 1.0f;
+      if (pdf_ > 0.0f && settings_.strategy == LightStrategy::both)
+        weight = balanceHeuristic(pdf_, world_.lights.pdf(seen));
+      if (pdf_ > 0.0f && settings_.strategy == LightStrategy::light) weight = 0.0f;
+      sum_ += throughput_ * weight * environmentAlong(seen);
+      return ended();
+    }
+    absorb(ray.media, hit->distance);
+    if (surfaces == settings_.bounces) return ended();
+    const Material& material = materialOf(world_.scene, hit->instance);
+    const Vertex vertex{*hit,
+                        ray,
+                        material,
+                        surfacePointAt(world_.scene, *hit),
+                        isBody(material),
+                        glm::dot(ray.direction, hit->geometric_normal) < 0.0f};
+    // A thin surface is the same from both sides; a body has an inside.
+    const float facing = vertex.is_outside || !vertex.is_body ? 1.0f : -1.0f;
+    glm::vec3 normal = vertex.is_outside || vertex.is_body ? vertex.point.normal : -vertex.point.normal;
+    normal = bentTowards(normal, -ray.direction, facing);
+    if (surfaces == 0) {
+      result.albedo = albedoOf(vertex.point.material);
+      result.normal = facing * normal;
+    }
+    sum_ += throughput_ * vertex.point.material.emission;
+    const auto next = scatter(vertex, normal);
+    if (!next || (surfaces >= kFirstRoulette && !survivesRoulette())) return ended();
+    ray = *next;
+  }
+}
+
+}  // namespace
+
+PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray, SampleSequence& samples) {
+  return Path(world, settings, samples).follow(ray);
+}
+
+Media mediaAt(const World& world, glm::vec3 point) {
+  // Any direction but those in which edges of models lie.
+  const glm::vec3 direction = glm::normalize(glm::vec3(0.3713f, 0.8017f, 0.4672f));
+  Media entered;
+  std::vector<std::uint32_t> left;  // the innermost first
+  float nearest = 0.0f;
+  for (int passed = 0; passed < kMaxPassed; ++passed) {
+    const auto hit = world.geometry.hit(point, direction, nearest);
+    if (!hit) break;
+    nearest = justBehind(hit->distance);
+    if (!isBody(materialOf(world.scene, hit->instance))) continue;
+    const bool is_entering = glm::dot(direction, hit->geometric_normal) < 0.0f;
+    if (is_entering)
+      entered.enter(hit->instance);
+    else if (entered.contains(hit->instance))
+      entered.leave(hit->instance);
+    else
+      left.push_back(hit->instance);
+  }
+  Media around;
+  for (auto body = left.rbegin(); body != left.rend(); ++body) around.enter(*body);
+  return around;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/option.h"
+#include "mirrorball/codec/color/display.h"
+#include "mirrorball/scene/point_light.h"
+
+namespace mirrorball {
+
+/// How the light of the environment is found. All find the same light, with more or less noise.
+enum class LightStrategy {
+  both,     ///< weighed against each other (Veach & Guibas 1995)
+  light,    ///< in directions that the environment chooses: noisy on what is nearly smooth
+  surface,  ///< in directions that the surfaces choose: noisy where the sun is small
+};
+
+/// What a path-traced picture shows, and when it is good enough.
+struct TraceSettings {
+  glm::ivec2 size{1280, 720};  ///< pixels
+  int samples = 256;           ///< paths a pixel, at most; at least 1
+  float noise = 0.0f;          ///< mean standard error of the displayed picture, in [0, 1], that is enough; 0: none is
+  float time_s = 0.0f;         ///< after which no further pass over the picture is begun; 0: no limit
+  Display display = {};        ///< that `noise` is about
+  /// Surfaces that light may meet on its way to the eye. 1: the environment lights each surface, and what blocks it is
+  /// dark; with `is_unoccluded`, nothing blocks it, which is all that an environment map can know.
+  int bounces = 16;
+  bool is_unoccluded = false;  ///< light reaches each surface as if there were nothing else
+  LightStrategy strategy = LightStrategy::both;
+  glm::mat3 environment_from_world{1.0f};  ///< turns the environment
+  float environment_intensity = 1.0f;      ///< scales its light
+  bool shows_environment = true;           ///< behind the scene; else what is behind it is transparent
+  std::vector<PointLight> lights = {};     ///< by Phong's model, as the renderer has them, but with shadows
+  bool wants_layers = false;               ///< also what denoisers ask for (TraceLayers)
+};
+
+/// The table of those settings that only a path tracer has.
+std::span<const Option<TraceSettings>> traceOptions();
+
+}  // namespace mirrorball

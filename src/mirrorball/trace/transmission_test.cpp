@@ -1,0 +1,163 @@
+// Light through bodies: in one another, absorbing, dispersing.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/trace/path_tracer_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::lightOf;
+using testing::matt;
+using testing::meanOf;
+using testing::shapeOf;
+using testing::small;
+using testing::traced;
+
+Material clear(float ior) {
+  Material material = matt(1.0f);
+  material.specular = 1.0f;
+  material.perceptual_roughness = 0.0f;
+  material.transmission = 1.0f;
+  material.ior = ior;
+  return material;
+}
+
+/// Balls about the origin, each of a radius and a material.
+Scene balls(const std::vector<std::pair<float, Material>>& parts) {
+  Scene scene;
+  const Scene ball = *loadModel("sphere");
+  for (const auto& [radius, material] : parts) {
+    Mesh mesh = ball.meshes[0];
+    mesh.material = static_cast<int>(scene.materials.size());
+    scene.materials.push_back(material);
+    glm::mat4 world_from_object(radius);
+    world_from_object[3] = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    scene.instances.push_back({static_cast<int>(scene.meshes.size()), world_from_object});
+    scene.meshes.push_back(std::move(mesh));
+  }
+  return scene;
+}
+
+float greatestDifference(const Image& a, const Image& b) {
+  float greatest = 0.0f;
+  for (std::size_t i = 0; i < a.samples().size(); ++i)
+    greatest = std::max(greatest, std::abs(a.samples()[i] - b.samples()[i]));
+  return greatest;
+}
+
+TEST(Transmission, ABodyOfIndexOneIsInvisible) {
+  const Environment smooth([](glm::vec3 d) { return glm::vec3(1.0f) + 0.5f * d; }, 64);
+  EXPECT_LT(greatestDifference(traced(balls({{1.0f, clear(1.0f)}}), smooth, small(16)), traced({}, smooth, small(16))),
+            1e-4f);
+}
+
+// Lambert and Beer: the middle of a ball of radius 1 is 2 thick.
+TEST(Transmission, ABodyAbsorbsByTheLengthOfThePath) {
+  Material blue = clear(1.0f);
+  blue.attenuation_color = {0.25f, 0.5f, 1.0f};
+  blue.attenuation_distance = 4.0f;
+  const Image image = traced(balls({{1.0f, blue}}), lightOf(1.0f), small(64));
+  for (int channel = 0; channel < 3; ++channel)
+    EXPECT_NEAR(image.texel(12, 12)[channel], std::sqrt(blue.attenuation_color[channel]), 0.01f) << channel;
+}
+
+// Inside of a body of greater priority, the surfaces of others are not there.
+TEST(Transmission, TheGreaterPriorityHidesSurfaces) {
+  Material outer = clear(1.5f), inner = clear(2.4f);
+  outer.priority = 1;
+  const Environment studio = *builtinEnvironment("studio");
+  const Image alone = traced(balls({{1.0f, outer}}), studio, small(16));
+  EXPECT_EQ(greatestDifference(alone, traced(balls({{1.0f, outer}, {0.5f, inner}}), studio, small(16))), 0.0f);
+  inner.priority = 1;
+  EXPECT_GT(greatestDifference(alone, traced(balls({{1.0f, outer}, {0.5f, inner}}), studio, small(16))), 0.1f)
+      << "among equals the inner one is there";
+}
+
+// A ball of the same index is invisible in another one; one of air is not: indices are those of both sides.
+TEST(Transmission, IndicesAreRelativeToWhatIsAround) {
+  const Environment smooth([](glm::vec3 d) { return glm::vec3(1.0f) + 0.5f * d; }, 64);
+  const Image alone = traced(balls({{1.0f, clear(1.5f)}}), smooth, small(64));
+  const auto with = [&](float ior) {
+    return traced(balls({{1.0f, clear(1.5f)}, {0.6f, clear(ior)}}), smooth, small(64));
+  };
+  EXPECT_NEAR(meanOf(with(1.5f)), meanOf(alone), 2e-3f);
+  EXPECT_GT(greatestDifference(with(1.0f), alone), 0.1f);
+}
+
+// Nothing is absorbed: all is white, from outside and from under water.
+TEST(Transmission, WhiteStaysWhiteInBodiesInBodies) {
+  Material rough = clear(1.5f);
+  rough.perceptual_roughness = 0.5f;
+  Material dispersing = clear(1.7f);
+  dispersing.dispersion = 0.5f;
+  Material pane = clear(1.5f);
+  pane.thin_walled = true;
+  Material water = clear(1.333f);
+  water.dispersion = 0.3f;
+  for (const Material& ball : {clear(1.0f), clear(2.4f), rough, dispersing, pane}) {
+    TraceSettings settings = small(64);
+    settings.bounces = 128;
+    EXPECT_NEAR(meanOf(traced(balls({{1.0f, water}, {0.7f, ball}}), lightOf(1.0f), settings)), 1.0f, 0.02f);
+    // The camera of `traced` stands some 4 radii of the scene away: within the water of radius 20.
+    const auto tracer = PathTracer::make(balls({{1.0f, ball}, {20.0f, clear(1.333f)}}), lightOf(1.0f));
+    ASSERT_TRUE(tracer);
+    const Camera camera = makeCamera({}, {glm::vec3(0.0f), 1.0f}, 1.0f);
+    EXPECT_NEAR(meanOf(tracer->render(camera, settings)->radiance), 1.0f, 0.02f);
+  }
+}
+
+// Under water, the world above is seen in a circle of 48.6°; beyond it the water's surface is a mirror.
+TEST(Transmission, UnderWaterTheCriticalAngleIsSnells) {
+  Scene scene;
+  scene.materials = {clear(1.333f)};
+  Mesh sea;
+  for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
+    sea.vertices.push_back({.position = {corner.x * 500.0f, 1.0f, corner.y * 500.0f}, .normal = {0, 1, 0}});
+  }
+  sea.indices = {0, 1, 2, 0, 2, 3};
+  scene.meshes = {sea};
+  scene.instances = {{.mesh = 0}};
+  const Environment sky([](glm::vec3 d) { return glm::vec3(d.y > 0.0f ? 1.0f : 0.0f); }, 64);
+  const auto tracer = PathTracer::make(std::move(scene), sky);
+  ASSERT_TRUE(tracer);
+  TraceSettings settings;
+  settings.samples = 16;
+  const auto map = tracer->capture({.position = {0, 0, 0}, .projection = Projection::equirect, .size = 360}, settings);
+  ASSERT_TRUE(map);
+  const auto at = [&](float from_zenith_deg) {
+    const float angle = glm::radians(from_zenith_deg);
+    return map->map.radiance({std::sin(angle), std::cos(angle), 0.0f}).y;
+  };
+  EXPECT_GT(at(46.0f), 0.5f);
+  EXPECT_NEAR(at(50.5f), 0.0f, 1e-3f) << "it shows the dark below";
+  // The radiance counts over the square of the index, so that it is not 1.777 times as bright in water.
+  EXPECT_NEAR(at(5.0f), 0.98f, 0.01f);
+}
+
+// White light stays white in the mean, and becomes coloured at edges; what does not disperse has the same bits.
+TEST(Transmission, DispersionColoursAndKeepsWhite) {
+  const Environment edge([](glm::vec3 d) { return glm::vec3(d.x > 0.0f ? 2.0f : 0.0f); }, 256);
+  Material glass = clear(1.5f), flint = glass;
+  flint.dispersion = 1.0f;
+  const auto colourOf = [&](const Material& material) {
+    const Image image = traced(balls({{1.0f, material}}), edge, small(256));
+    double colour = 0.0;
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 24; ++x) colour += double(std::abs(image.texel(x, y)[0] - image.texel(x, y)[2]));
+    return colour / (24.0 * 24.0);
+  };
+  EXPECT_LT(colourOf(glass), 1e-6);
+  EXPECT_GT(colourOf(flint), 0.005);
+  const Image white = traced(balls({{1.0f, flint}}), lightOf(1.0f), small(256));
+  glm::dvec3 mean(0.0);
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < 24; ++x) mean += glm::dvec3(rgbAt(white, x, y)) / (24.0 * 24.0);
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(mean[channel], 1.0, 0.01) << channel;
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -22,8 +22,8 @@ struct Node {
 };
 
 // Its Lambert has no surface before it. Its metal reflects all colours alike at all angles, as ours does where f0 is 1:
-// another would grow towards white at grazing angles. Its multiscatter glass is not white in a white furnace, the less
-// so the rougher it is (docs/truth.md): it is tried where it is nearly smooth, and there beside its glass of one bounce.
+// another would grow towards white at grazing angles. Its rough multiscatter glass is not white in a white furnace
+// (docs/truth.md), so it is tried where it is nearly smooth, and there beside its glass of one bounce.
 constexpr std::array<Node, 7> kNodes{{
     {"diffuse,0,0.8,0.5,0.2", "--set specular=0 --set perceptual_roughness=1 --set base_color=0.8,0.5,0.2"},
     {"glossy,0", "--set metallic=1 --set base_color=1 --set perceptual_roughness=0"},

@@ -22,7 +22,7 @@ namespace {
 
 OutputJson numbersOf(std::span<const float> numbers) { return std::vector<float>(numbers.begin(), numbers.end()); }
 
-/// A parameter's value as JSON; null for a choice, of which glTF's core has none among the numbers.
+/// A parameter's value as JSON; null for kinds of fields of which no row has a key in glTF, as choices.
 OutputJson valueOf(const MaterialParameter& parameter, const Material& material) {
   if (const auto* number = std::get_if<float Material::*>(&parameter.field)) return material.**number;
   if (const auto* flag = std::get_if<bool Material::*>(&parameter.field)) return material.**flag;
@@ -54,7 +54,7 @@ bool isSamePlace(const TextureSlot& a, const TextureSlot& b) {
   return a.uv_set == b.uv_set && a.offset == b.offset && a.scale == b.scale && a.rotation_rad == b.rotation_rad;
 }
 
-bool haveSameTexels(const mirrorball::Texture& a, const mirrorball::Texture& b) {
+bool haveSameShape(const mirrorball::Texture& a, const mirrorball::Texture& b) {
   return a.image.width() == b.image.width() && a.image.height() == b.image.height() && a.wrap_s == b.wrap_s &&
          a.wrap_t == b.wrap_t && a.nearest == b.nearest;
 }
@@ -171,7 +171,7 @@ class MaterialWriter {
     if (metallic.texture == roughness.texture && isSamePlace(metallic, roughness)) return;
     const bool are_two = metallic.texture >= 0 && roughness.texture >= 0;
     if (are_two && !(isSamePlace(metallic, roughness) &&
-                     haveSameTexels(textureOf(metallic.texture), textureOf(roughness.texture)))) {
+                     haveSameShape(textureOf(metallic.texture), textureOf(roughness.texture)))) {
       lost.emplace_back("metallic_map, which has another size or place than roughness_map,");
       metallic.texture = -1;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <set>
 #include <span>
@@ -78,6 +79,15 @@ void addOptions(Command& command, std::type_identity_t<std::span<const Option<Ta
                                  if (given != nullptr) given->insert(option.text.name);
                                  return assign(option, target, value);
                                }});
+}
+
+/// The rows of a table that have one of these names, in the table's order.
+template <typename Target>
+std::vector<Option<Target>> rowsNamed(std::span<const Option<Target>> table, std::span<const std::string_view> names) {
+  std::vector<Option<Target>> rows;
+  for (const Option<Target>& option : table)
+    if (std::ranges::find(names, option.text.name) != names.end()) rows.push_back(option);
+  return rows;
 }
 
 /// How the subcommand is written: "convert IN…", "render [MODEL]".

@@ -11,6 +11,7 @@ Command renderCommand();
 Command convertCommand();
 Command bakeCommand();
 Command captureCommand();
+Command exportCommand();
 Command infoCommand();
 Command compareCommand();
 Command photoCommand();

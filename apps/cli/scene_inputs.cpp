@@ -78,16 +78,31 @@ Result<RenderInputNames> namesOf(const SceneRequest& request, const MaterialChan
                           .load = {.from = hint, .repair = request.repair}};
 }
 
+/// errors   usage: an output is the model, or one of the files that were read
+Result<void> refuseOverwritingInputs(const SceneRequest& request, std::span<const std::string> files,
+                                     std::span<const std::string> outputs) {
+  MIRRORBALL_TRY_VOID(refuseOverwriting(files, outputs));
+  return refuseOverwriting(std::span(&request.model, 1), outputs);
+}
+
 /// What was loaded, if it is none of the outputs.
 template <typename Inputs>
 Result<Inputs> checkedInputs(Result<Inputs> inputs, const SceneRequest& request, std::span<const std::string> outputs) {
   if (!inputs) return tl::unexpected<Error>(ofMap(request.environment, std::move(inputs).error()));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(inputs->files, outputs));
-  MIRRORBALL_TRY_VOID(refuseOverwriting(std::span(&request.model, 1), outputs));
+  MIRRORBALL_TRY_VOID(refuseOverwritingInputs(request, inputs->files, outputs));
   return inputs;
 }
 
 }  // namespace
+
+Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& materials,
+                           std::span<const std::string> outputs) {
+  MIRRORBALL_TRY(names, namesOf(request, materials));
+  MIRRORBALL_TRY(scene, loadScene(names));
+  MIRRORBALL_TRY_VOID(refuseOverwritingInputs(request, scene.files, outputs));
+  for (const std::string& warning : scene.warnings) remark(warning);
+  return scene;
+}
 
 Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
                                 std::span<const std::string> outputs, StageClock& clock) {

@@ -30,6 +30,13 @@ std::span<const Option<SceneRequest>> sceneOptions();
 /// Adds the model, which may be left out, as a positional argument of that name.
 void addModel(Command& command, std::string_view name, SceneRequest& request);
 
+/// Loads the model alone, and changes its materials; says what its file has that is left out.
+///
+/// outputs  the files that will be written, none of which may be one that is read
+/// errors   usage; as loadScene's
+Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& materials,
+                           std::span<const std::string> outputs);
+
 /// Loads driver, model and environment at the same time, and changes the model's materials.
 ///
 /// outputs  the files that will be written, none of which may be one that is read

@@ -7,7 +7,6 @@
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball {
-namespace {
 
 Result<Scene> loadScene(const RenderInputNames& names) {
   MIRRORBALL_TRY(scene, loadModel(names.model));
@@ -15,6 +14,8 @@ Result<Scene> loadScene(const RenderInputNames& names) {
   MIRRORBALL_TRY_VOID(changeMaterials(scene, names.materials));
   return scene;
 }
+
+namespace {
 
 Result<LoadedEnvironment> loadLight(const RenderInputNames& names, const Observer& observer) {
   MIRRORBALL_TRY(loaded, observer.timed("environment: read", [&] {

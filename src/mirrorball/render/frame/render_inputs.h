@@ -35,6 +35,11 @@ struct RenderInputs : SceneInputs {
   gl::Context context;  ///< without a window, current
 };
 
+/// Loads the model alone, with its axis up and its materials as told.
+///
+/// errors   usage (materials that are not there); as loadModel's
+Result<Scene> loadScene(const RenderInputNames& names);
+
 /// Loads the model and the environment at the same time, without a driver.
 ///
 /// observer told what is doubtful about them; values of the environment below 0 are taken as 0

@@ -1,0 +1,184 @@
+#include "mirrorball/scene/gltf/gltf_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "mirrorball/base/memory.h"
+#include "mirrorball/scene/gltf/glb_builder.h"
+#include "mirrorball/scene/gltf/gltf_document.h"
+#include "mirrorball/scene/gltf/gltf_file.h"
+#include "mirrorball/scene/gltf/gltf_material_writer.h"
+
+namespace mirrorball {
+namespace gltf {
+namespace {
+
+// What OpenGL would bind a buffer view to.
+constexpr int kArrayBuffer = 34962;
+constexpr int kElementArrayBuffer = 34963;
+
+template <typename Element>
+std::span<const std::uint8_t> bytesOf(const std::vector<Element>& elements) {
+  return {reinterpret_cast<const std::uint8_t*>(elements.data()), elements.size() * sizeof(Element)};
+}
+
+template <int kComponents>
+OutputJson componentsOf(const glm::vec<kComponents, float>& vector) {
+  return std::vector<float>(&vector.x, &vector.x + kComponents);
+}
+
+class SceneWriter {
+ public:
+  explicit SceneWriter(const Scene& scene) : scene_(scene) {}
+
+  Result<EncodedScene> write(const std::optional<Camera>& camera) {
+    file_.json["asset"] = {{"version", "2.0"}, {"generator", "Mirrorball"}};
+    EncodedScene encoded;
+    for (const Mesh& mesh : scene_.meshes) writeMesh(mesh);
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) writeInstance(i, encoded.left_out);
+    if (camera) writeCamera(*camera);
+    OutputJson roots = OutputJson::array();
+    for (std::size_t i = 0; i < file_.json["nodes"].size(); ++i) roots.push_back(i);
+    file_.append("scenes", {{"nodes", std::move(roots)}});
+    file_.json["scene"] = 0;
+    MIRRORBALL_TRY_VOID(writeMaterials(scene_, file_, encoded.left_out));
+    MIRRORBALL_TRY(bytes, file_.finish());
+    encoded.bytes = std::move(bytes);
+    return encoded;
+  }
+
+ private:
+  /// Appends one number or vector of every vertex; returns the index of its accessor.
+  template <typename Element, typename Get>
+  std::size_t writeAttribute(const Mesh& mesh, Get&& get) {
+    std::vector<Element> elements(mesh.vertices.size());
+    std::ranges::transform(mesh.vertices, elements.begin(), get);
+    const std::size_t view = file_.appendView(bytesOf(elements), kArrayBuffer);
+    return file_.append("accessors", {{"bufferView", view},
+                                      {"componentType", static_cast<int>(kFloat)},
+                                      {"count", elements.size()},
+                                      {"type", "VEC" + std::to_string(Element::length())}});
+  }
+
+  /// The same, unless all vertices have what a reader takes where there is no such attribute.
+  template <typename Element, typename Get>
+  void writeUnlessDefault(const Mesh& mesh, const char* name, Element usual, Get&& get, OutputJson& attributes) {
+    const bool is_usual =
+        std::ranges::all_of(mesh.vertices, [&](const Vertex& vertex) { return get(vertex) == usual; });
+    if (!is_usual) attributes[name] = writeAttribute<Element>(mesh, get);
+  }
+
+  std::size_t writePositions(const Mesh& mesh) {
+    glm::vec3 min = mesh.vertices.front().position, max = min;
+    for (const Vertex& vertex : mesh.vertices) {
+      min = glm::min(min, vertex.position);
+      max = glm::max(max, vertex.position);
+    }
+    const std::size_t accessor = writeAttribute<glm::vec3>(mesh, [](const Vertex& vertex) { return vertex.position; });
+    file_.json["accessors"][accessor]["min"] = componentsOf(min);
+    file_.json["accessors"][accessor]["max"] = componentsOf(max);
+    return accessor;
+  }
+
+  std::size_t writeIndices(const Mesh& mesh) {
+    const std::size_t view = file_.appendView(bytesOf(mesh.indices), kElementArrayBuffer);
+    return file_.append("accessors", {{"bufferView", view},
+                                      {"componentType", static_cast<int>(kUnsignedInt)},
+                                      {"count", mesh.indices.size()},
+                                      {"type", "SCALAR"}});
+  }
+
+  void writeMesh(const Mesh& mesh) {
+    OutputJson attributes{{"POSITION", writePositions(mesh)}};
+    attributes["NORMAL"] = writeAttribute<glm::vec3>(mesh, [](const Vertex& vertex) { return vertex.normal; });
+    writeUnlessDefault(
+        mesh, "TANGENT", Vertex{}.tangent, [](const Vertex& vertex) { return vertex.tangent; }, attributes);
+    const auto uv = [](std::size_t set) { return [set](const Vertex& vertex) { return vertex.uv[set]; }; };
+    writeUnlessDefault(mesh, "TEXCOORD_0", Vertex{}.uv[0], uv(0), attributes);
+    writeUnlessDefault(mesh, "TEXCOORD_1", Vertex{}.uv[1], uv(1), attributes);
+    // The sets' numbers may not begin with 1.
+    if (attributes.contains("TEXCOORD_1") && !attributes.contains("TEXCOORD_0"))
+      attributes["TEXCOORD_0"] = writeAttribute<glm::vec2>(mesh, uv(0));
+    writeUnlessDefault(
+        mesh, "COLOR_0", Vertex{}.color, [](const Vertex& vertex) { return vertex.color; }, attributes);
+    const std::size_t indices = writeIndices(mesh);
+    OutputJson primitive{{"attributes", std::move(attributes)}, {"indices", indices}, {"material", mesh.material}};
+    file_.append("meshes", {{"primitives", OutputJson::array({std::move(primitive)})}});
+  }
+
+  void writeInstance(std::size_t index, std::vector<std::string>& left_out) {
+    const Instance& instance = scene_.instances[index];
+    const glm::mat4& matrix = instance.world_from_object;
+    OutputJson node{{"mesh", instance.mesh}};
+    if (matrix != glm::mat4(1.0f)) node["matrix"] = matrixOf(matrix);
+    const std::size_t place = file_.append("nodes", std::move(node));
+    if (isSheared(matrix))
+      left_out.push_back(quoted("nodes", place) +
+                         ": its transform has shear, which glTF does not allow and some programs leave out");
+  }
+
+  static OutputJson matrixOf(const glm::mat4& matrix) { return std::vector<float>(&matrix[0].x, &matrix[0].x + 16); }
+
+  static bool isSheared(const glm::mat4& matrix) {
+    constexpr float kRightAngle = 1e-4f;  // a cosine: rounding leaves less
+    const auto cosine = [&](int a, int b) {
+      return glm::dot(glm::normalize(glm::vec3(matrix[a])), glm::normalize(glm::vec3(matrix[b])));
+    };
+    return std::max({std::abs(cosine(0, 1)), std::abs(cosine(1, 2)), std::abs(cosine(2, 0))}) > kRightAngle;
+  }
+
+  void writeCamera(const Camera& camera) {
+    // m[0][0] and m[1][1] of a projection are 1 / tan of half the angle, or 1 over half the width and height.
+    const glm::mat4& clip = camera.clip_from_view;
+    glm::mat4 world_from_view = glm::inverse(camera.view_from_world);
+    OutputJson lens;
+    if (camera.orthographic) {
+      const float depth = -2.0f / clip[2][2];
+      const float nearest = (clip[3][2] + 1.0f) / clip[2][2];
+      // glTF's depths begin at 0 or behind; where a camera stands along its axis makes no difference to this one.
+      if (nearest < 0.0f) world_from_view[3] += world_from_view[2] * -nearest;
+      const float begin = std::max(nearest, 0.0f);
+      lens = {{"type", "orthographic"},
+              {"orthographic",
+               {{"xmag", 1.0f / clip[0][0]}, {"ymag", 1.0f / clip[1][1]}, {"znear", begin}, {"zfar", begin + depth}}}};
+    } else {
+      lens = {{"type", "perspective"},
+              {"perspective",
+               {{"aspectRatio", clip[1][1] / clip[0][0]},
+                {"yfov", 2.0f * std::atan(1.0f / clip[1][1])},
+                {"znear", clip[3][2] / (clip[2][2] - 1.0f)},
+                {"zfar", clip[3][2] / (clip[2][2] + 1.0f)}}}};
+    }
+    const std::size_t index = file_.append("cameras", std::move(lens));
+    file_.append("nodes", {{"name", "Camera"}, {"camera", index}, {"matrix", matrixOf(world_from_view)}});
+  }
+
+  const Scene& scene_;
+  GlbBuilder file_;
+};
+
+/// The largest part of what encodeGlb takes: the buffer, and the file that it is copied into.
+std::uint64_t memoryFor(const Scene& scene) {
+  std::uint64_t bytes = 0;
+  for (const Mesh& mesh : scene.meshes)
+    bytes += mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t);
+  return 2 * bytes;
+}
+
+}  // namespace
+}  // namespace gltf
+
+Result<EncodedScene> encodeGlb(const Scene& scene, const std::optional<Camera>& camera) {
+  if (scene.empty()) return fail(ErrorCode::bad_shape, "there are no triangles to export");
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.indices.empty()) return fail(ErrorCode::bad_shape, "a mesh of the scene has no triangles");
+  MIRRORBALL_TRY_VOID(checkMemory(gltf::memoryFor(scene)));
+  return gltf::SceneWriter(scene).write(camera);
+}
+
+}  // namespace mirrorball

@@ -53,6 +53,9 @@ class Bsdf {
   ///           reflected by its own index
   Bsdf(const formula::Material& material, const Refraction& refraction);
 
+  /// Whether a light sample can be of use: a smooth mirror or glass has light from single directions alone.
+  bool takesLightSamples() const { return !isSmooth() || (material_.metallic < 1.0f && material_.transmission < 1.0f); }
+
   /// Walks from the eye between the facets until the path leaves. At each facet the light sample has its share, weighed
   /// against the facet's own choice: the densities are exact at each facet, though nobody knows that of the whole walk,
   /// and so neither a sun nor a narrow lobe makes single paths bright. Whether a further facet is met is a matter of

@@ -5,19 +5,28 @@
 namespace mirrorball {
 
 CameraRays raysOf(const Camera& camera, glm::ivec2 size, const Media& media) {
+  const auto ndcOf = [=](glm::vec2 pixel) {
+    return glm::vec2(2.0f * pixel.x / float(size.x) - 1.0f, 1.0f - 2.0f * pixel.y / float(size.y));
+  };
+  if (camera.orthographic) {
+    const glm::mat4 places = glm::inverse(camera.clip_from_view * camera.view_from_world);
+    return [=, forward = camera.forward](glm::vec2 pixel) -> std::optional<Ray> {
+      const glm::vec4 origin = places * glm::vec4(ndcOf(pixel), -1.0f, 1.0f);
+      return Ray{.origin = glm::vec3(origin) / origin.w, .direction = forward, .media = media};
+    };
+  }
   // Without the camera's place, directions are exact however far away from the origin it stands.
   const glm::mat4 directions = glm::inverse(camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world)));
-  const glm::mat4 places = glm::inverse(camera.clip_from_view * camera.view_from_world);
-  return [=](glm::vec2 pixel) -> std::optional<Ray> {
-    const glm::vec2 ndc(2.0f * pixel.x / float(size.x) - 1.0f, 1.0f - 2.0f * pixel.y / float(size.y));
-    if (camera.orthographic) {
-      const glm::vec4 origin = places * glm::vec4(ndc, -1.0f, 1.0f);
-      return Ray{.origin = glm::vec3(origin) / origin.w, .direction = camera.forward, .media = media};
-    }
-    const glm::vec4 from = directions * glm::vec4(ndc, -1.0f, 1.0f);
-    const glm::vec4 to = directions * glm::vec4(ndc, 1.0f, 1.0f);
-    const glm::vec3 direction = glm::normalize(glm::vec3(to) / to.w - glm::vec3(from) / from.w);
-    return Ray{.origin = camera.position, .direction = direction, .media = media};
+  const auto farPoint = [&](glm::vec2 ndc) {
+    const glm::vec4 point = directions * glm::vec4(ndc, 1.0f, 1.0f);
+    return glm::vec3(point) / point.w;
+  };
+  // Points of the far plane follow each other evenly.
+  const glm::vec3 middle = farPoint({0.0f, 0.0f});
+  const glm::vec3 right = farPoint({1.0f, 0.0f}) - middle, up = farPoint({0.0f, 1.0f}) - middle;
+  return [=, position = camera.position](glm::vec2 pixel) -> std::optional<Ray> {
+    const glm::vec2 ndc = ndcOf(pixel);
+    return Ray{.origin = position, .direction = glm::normalize(middle + ndc.x * right + ndc.y * up), .media = media};
   };
 }
 

@@ -261,11 +261,12 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   }
   const formula::Material material = materialAt(vertex);
   const Frame frame(normal);
-  const LightSample light = sampleLight();
+  const Bsdf bsdf(material, refractionAt(vertex, new_wavelength));
+  const LightSample light = bsdf.takesLightSamples() ? sampleLight() : LightSample();
   const glm::vec3 towards = glm::transpose(settings_.environment_from_world) * light.direction;
   const LightSample local{frame.toLocal(towards), light.pdf, light.is_weighed};
   const glm::vec3 v = frame.toLocal(-vertex.arriving.direction);
-  const auto [direct, next] = Bsdf(material, refractionAt(vertex, new_wavelength)).scatter(v, local, samples_);
+  const auto [direct, next] = bsdf.scatter(v, local, samples_);
   if (direct != glm::vec3(0.0f) && !isBlocked(leaving(vertex, towards), INFINITY))
     sum_ += throughput_ * direct * environmentAlong(light.direction);
   sum_ += throughput_ * lightOfLamps(vertex, material, normal);
@@ -302,7 +303,7 @@ PathLight Path::follow(Ray ray) {
     const Vertex vertex{*hit,
                         ray,
                         material,
-                        surfacePointAt(world_.scene, *hit),
+                        surfacePointAt(world_.scene, world_.world_from_normal[hit->instance], *hit),
                         isBody(material),
                         glm::dot(ray.direction, hit->geometric_normal) < 0.0f};
     // A thin surface is the same from both sides; a body has an inside.

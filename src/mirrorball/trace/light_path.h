@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <glm/glm.hpp>
 
 #include "mirrorball/environment/environment.h"
@@ -18,6 +20,7 @@ struct World {
   Environment environment;
   LightSampler lights;
   Geometry geometry;
+  std::vector<glm::mat3> world_from_normal;  ///< of each instance: normalMatrices
 };
 
 /// What one path has found.

@@ -10,6 +10,7 @@
 #include "mirrorball/trace/camera_rays.h"
 #include "mirrorball/trace/film.h"
 #include "mirrorball/trace/light_path.h"
+#include "mirrorball/trace/surface_point.h"
 
 namespace mirrorball {
 namespace {
@@ -67,8 +68,9 @@ Result<PathTracer> PathTracer::make(Scene scene, Environment environment, const 
   if (EnvironmentMap* map = environment.map()) raiseNegativeLight(*map);
   MIRRORBALL_TRY(lights, LightSampler::make(environment, progress));
   MIRRORBALL_TRY(geometry, Geometry::make(scene));
-  return PathTracer(std::unique_ptr<State>(
-      new State{{std::move(scene), std::move(environment), std::move(lights), std::move(geometry)}}));
+  std::vector<glm::mat3> world_from_normal = normalMatrices(scene);
+  return PathTracer(std::unique_ptr<State>(new State{{std::move(scene), std::move(environment), std::move(lights),
+                                                      std::move(geometry), std::move(world_from_normal)}}));
 }
 
 /// returns  whether the pass is whole

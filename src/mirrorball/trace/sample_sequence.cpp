@@ -19,25 +19,28 @@ std::uint32_t hashed(std::uint32_t a, std::uint32_t b) {
   return x ^ (x >> 16);
 }
 
-/// Owen's scrambling: each digit is flipped or not as all digits above it, and the seed, say. The permutation of Laine
-/// & Karras 2011, in which a digit changes only those above it, with the constants of Vegdahl 2021 ("Building a better
-/// LK hash"), is therefore done on the reversed digits.
-std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
-  x = reversed(x);
+/// Owen's scrambling of a number whose digits are reversed: each digit is flipped or not as all digits that are above it
+/// in the number, and the seed, say. The permutation of Laine & Karras 2011, in which a digit changes only those above
+/// it, with the constants of Vegdahl 2021 ("Building a better LK hash").
+std::uint32_t scrambledReversed(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= (seed >> 16) | 1u;
   x ^= x * 0x05526c56u;
   x ^= x * 0x53a22864u;
-  return reversed(x);
+  return x;
 }
 
-/// The second dimension of Sobol's sequence; the first one is the reversed index. Its direction numbers are the rows of
-/// Pascal's triangle modulo 2.
-std::uint32_t sobolSecond(std::uint32_t index) {
-  std::uint32_t x = 0;
-  for (std::uint32_t direction = 1u << 31; index != 0; index >>= 1, direction ^= direction >> 1)
-    if ((index & 1u) != 0) x ^= direction;
+/// The second dimension of Sobol's sequence, its digits reversed; the first one is the index itself. Its matrix is
+/// Pascal's triangle modulo 2: digit i is the sum of the index's digits j for which C(j, i) is odd, which are those whose
+/// number j has all bits of i (Lucas); and sums over such sets are made bit by bit.
+std::uint32_t sobolSecondReversed(std::uint32_t index) {
+  std::uint32_t x = index;
+  x ^= x >> 16;
+  x ^= (x >> 8) & 0x00ff00ffu;
+  x ^= (x >> 4) & 0x0f0f0f0fu;
+  x ^= (x >> 2) & 0x33333333u;
+  x ^= (x >> 1) & 0x55555555u;
   return x;
 }
 
@@ -49,10 +52,10 @@ float unitFloat(std::uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f;
 glm::vec2 SampleSequence::next() {
   const std::uint32_t seed = hashed(seed_, pair_++);
   // Scrambled as a number, the first 2ⁿ indices become a block of 2ⁿ that follow each other, in another order.
-  const std::uint32_t index = scrambled(index_, seed);
-  const std::uint32_t x = scrambled(reversed(index), hashed(seed, 1));
-  const std::uint32_t y = scrambled(sobolSecond(index), hashed(seed, 2));
-  return {unitFloat(x), unitFloat(y)};
+  const std::uint32_t index = reversed(scrambledReversed(reversed(index_), seed));
+  const std::uint32_t x = scrambledReversed(index, hashed(seed, 1));
+  const std::uint32_t y = scrambledReversed(sobolSecondReversed(index), hashed(seed, 2));
+  return {unitFloat(reversed(x)), unitFloat(reversed(y))};
 }
 
 float SampleSequence::nextIndependent() {

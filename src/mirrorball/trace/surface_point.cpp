@@ -65,12 +65,13 @@ float opacityOf(const Material& material, float alpha) {
 }
 
 /// The world's normal of smooth surface, bumps and normal map.
-glm::vec3 normalAt(const Scene& scene, const Material& material, const Corners& corners, const glm::mat3& linear) {
+glm::vec3 normalAt(const Scene& scene, const Material& material, const Corners& corners, const glm::mat3& linear,
+                   const glm::mat3& world_from_normal) {
   glm::vec3 object = corners.at(&Vertex::normal);
   if (material.bump == BumpHeight::orange)
     object = formula::orangeNormal(corners.at(&Vertex::position), glm::normalize(object), material.bump_height,
                                    material.bump_frequency);
-  const glm::vec3 n = glm::normalize(glm::transpose(glm::inverse(linear)) * object);
+  const glm::vec3 n = glm::normalize(world_from_normal * object);
   if (material.normal_map.texture < 0) return n;
   const glm::vec4 tangent(linear * glm::vec3(corners.at(&Vertex::tangent)), corners.vertices[0]->tangent.w);
   return formula::mappedNormal(tangent, n, glm::vec3(sampleSlot(scene, material.normal_map, corners)),
@@ -85,11 +86,19 @@ float opacityAt(const Scene& scene, const Hit& hit) {
   return opacityOf(material, colorAt(scene, material, cornersOf(scene, hit)).w);
 }
 
-SurfacePoint surfacePointAt(const Scene& scene, const Hit& hit) {
+std::vector<glm::mat3> normalMatrices(const Scene& scene) {
+  std::vector<glm::mat3> matrices;
+  for (const Instance& instance : scene.instances)
+    matrices.push_back(glm::transpose(glm::inverse(glm::mat3(instance.world_from_object))));
+  return matrices;
+}
+
+SurfacePoint surfacePointAt(const Scene& scene, const glm::mat3& world_from_normal, const Hit& hit) {
   const Material& material = materialOf(scene, hit.instance);
   const Corners corners = cornersOf(scene, hit);
   SurfacePoint point;
-  point.normal = normalAt(scene, material, corners, glm::mat3(scene.instances[hit.instance].world_from_object));
+  point.normal =
+      normalAt(scene, material, corners, glm::mat3(scene.instances[hit.instance].world_from_object), world_from_normal);
   // Degenerate vertices and maps have no normal.
   if (glm::any(glm::isnan(point.normal))) point.normal = hit.geometric_normal;
   point.material = material;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <glm/glm.hpp>
 
 #include "formula/material.h"
@@ -15,10 +17,14 @@ struct SurfacePoint {
   formula::Material material;  ///< times what the textures hold here
 };
 
+/// What turns the normals of each instance's mesh into the world's: not their lengths.
+std::vector<glm::mat3> normalMatrices(const Scene& scene);
+
 /// Material, textures and normal where a ray has met a scene.
 ///
-/// cost     four texels for each texture of the material
-SurfacePoint surfacePointAt(const Scene& scene, const Hit& hit);
+/// world_from_normal   of the instance: normalMatrices
+/// cost                four texels for each texture of the material
+SurfacePoint surfacePointAt(const Scene& scene, const glm::mat3& world_from_normal, const Hit& hit);
 
 /// The opacity there alone, for rays that only ask what they pass.
 float opacityAt(const Scene& scene, const Hit& hit);

@@ -23,7 +23,7 @@ struct StudySettings {
 
   /// Size, camera, display, and how the environment stands. `samples` is of the renderer's pictures, at
   /// most `paths`; what a technique is about, such as `blur`, it sets itself.
-  FrameSettings frame = {.size = {320, 320}, .samples = 64};
+  FrameSettings frame = {.size = {256, 256}, .samples = 64};
   std::optional<int> paths = {};  ///< a pixel of what is path-traced; without it 256, or with `noise` what that takes
   float noise = 0.0f;             ///< as TraceSettings::noise
 };

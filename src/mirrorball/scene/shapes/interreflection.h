@@ -13,9 +13,8 @@ namespace mirrorball {
 Scene spheresScene(float gap = 0.25f);
 
 /// A bowl of clay: a part of a hollow ball, open upwards, with a flat rim. Its inside has an occlusion map of one texel,
-/// which is the closed form: from each place inside of a sphere every other is seen under a solid angle, weighted by
-/// the cosine there, of its share of the sphere's area (Jacquez & Kuppenheim 1955). So the share of the light that
-/// enters is everywhere the missing cap's, kBowlOpenShare.
+/// which is a closed form: seen from inside of a sphere, a part of it fills, weighted by the cosine, the same share of
+/// the hemisphere everywhere: that of its area (Jacquez & Kuppenheim 1955). The opening's is kBowlOpenShare.
 Scene bowlScene();
 
 /// Of the inner sphere's area; a whole number of steps of 1/255, so that the map holds it exactly.

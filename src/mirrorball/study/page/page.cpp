@@ -60,7 +60,7 @@ Result<std::string> layersOf(const StudiedShot& shot) {
     MIRRORBALL_TRY(address, dataAddressOf(picture));
     layers += "<img data-technique=\"" + std::to_string(technique) + "\" data-map=\"" + map + "\" width=\"" +
               std::to_string(picture.width()) + "\" height=\"" + std::to_string(picture.height()) + "\" alt=\"" +
-              escaped(name) + "\" src=\"" + address + "\"" + (layers.empty() ? "" : " hidden") + ">\n";
+              escaped(name) + "\" src=\"" + address + "\">\n";
     return {};
   };
   MIRRORBALL_TRY_VOID(add(0, "picture", "reference", shot.reference));
@@ -124,6 +124,7 @@ Plot plotOverAngle(const StudiedSection& section) {
             .x_label = "n·v (0 is grazing)",
             .y_label = "root of relMSE of " + technique + ", by " + section.axis};
   for (const StudiedShot& shot : section.shots) {
+    if (!section.axis.empty() && !shot.value) continue;
     Curve curve{.name = shot.label};
     const ErrorByAngle& errors = shot.pictures.front().by_angle;
     for (std::size_t step = 0; step < kAngleSteps; ++step)
@@ -212,7 +213,8 @@ std::string navigationOf(const Study& study) {
 std::string aboutOf(const Study& study, const PageText& text) {
   std::string about =
       "<p>Each picture is compared with its reference as linear light. PSNR and SSIM see both as they are shown here; "
-      "relMSE is of radiance; FLIP is HDR-FLIP.</p>\n<p>Time: the median of the frames of one sample a pixel that the "
+      "relMSE is of radiance; FLIP is HDR-FLIP. The noise that is left in the reference counts as error "
+      "too.</p>\n<p>Time: the median of the frames of one sample a pixel that the "
       "picture is the mean of, " +
       std::to_string(study.size.x) + " × " + std::to_string(study.size.y) + " pixels, " +
       std::to_string(study.samples) + " samples, on " + escaped(study.driver) +
@@ -236,9 +238,11 @@ Result<std::string> pageOf(const Study& study, const PageText& text) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          escaped(text.title) + "</title>\n<style>\n" + std::string(pageFile("page.css").value()) +
-         "</style>\n</head>\n<body>\n<header>\n<h1>" + escaped(text.title) + "</h1>\n<nav>" + navigationOf(study) +
-         "</nav>\n</header>\n<main>\n" + glanceOf(study) + sections + aboutOf(study, text) + "</main>\n<script>\n" +
-         std::string(pageFile("page.js").value()) + "</script>\n</body>\n</html>\n";
+         "</style>\n<script>document.documentElement.classList.add('scripted')</script>\n</"
+         "head>\n<body>\n<header>\n<h1>" +
+         escaped(text.title) + "</h1>\n<nav>" + navigationOf(study) + "</nav>\n</header>\n<main>\n" + glanceOf(study) +
+         sections + aboutOf(study, text) + "</main>\n<script>\n" + std::string(pageFile("page.js").value()) +
+         "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace mirrorball

@@ -18,7 +18,7 @@ struct PageText {
 ///
 /// returns  UTF-8; the same for the same study
 /// errors   as encodePng's
-/// cost     some 0.1 MB a picture of 320 × 320, of which a study has four a technique and shot
+/// cost     some 0.07 MB a picture of 256 × 256, of which a study has four a technique and shot
 Result<std::string> pageOf(const Study& study, const PageText& text);
 
 }  // namespace mirrorball

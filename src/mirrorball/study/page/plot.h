@@ -22,8 +22,8 @@ struct Plot {
   std::vector<Curve> curves = {};
 };
 
-/// A plot as an element <svg> for a page: colours are the page's classes `curve0` to `curve7`, text has its colours, and
-/// each point tells its numbers. The axes are linear.
+/// A plot with linear axes as an element <svg> for a page, whose classes `curve0` to `curve7` colour it. Each point
+/// tells its numbers.
 ///
 /// id       of the element, of which others are made; each in the page only once
 std::string svgOf(const Plot& plot, const std::string& id);

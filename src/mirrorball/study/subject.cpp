@@ -117,7 +117,7 @@ constexpr std::array kSubjects{
             .title = "Rough reflections and the split sum",
             .teaches = "Four ways to blur the map for a rough surface. All share the split sum: one blurred look-up "
                        "times one number for the BRDF, as if the lobe were round. It stretches at grazing angles, so "
-                       "the error grows where n·v is small.",
+                       "a rough metal is most wrong where n·v is small.",
             .models = kSphere,
             .material = "rough-metal",
             .reference = kKnownToMap,

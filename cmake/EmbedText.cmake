@@ -1,7 +1,8 @@
-# cmake -DOUTPUT=embedded_text.cpp -DFILES="a.glsl|b.frag" -P EmbedText.cmake
+# cmake -DOUTPUT=embedded_text.cpp -DHEADER=shaders/embedded_text.h -DFUNCTION=embeddedText -DFILES="a.glsl|b.frag"
+#       -P EmbedText.cmake
 #
-# Writes the C++ file that holds the text of all FILES, for mirrorball::embeddedText(name). A name is that of the file
-# without its folders, so no two may share one.
+# Writes the C++ file that holds the text of all FILES, for mirrorball::FUNCTION(name), which HEADER declares. A name is
+# that of the file without its folders, so no two may share one.
 cmake_minimum_required(VERSION 3.25)
 
 string(REPLACE "|" ";" files "${FILES}")
@@ -11,7 +12,7 @@ set(names "")
 foreach(file IN LISTS files)
   get_filename_component(name "${file}" NAME)
   if(name IN_LIST names)
-    message(FATAL_ERROR "two shader texts are named ${name}: rename ${file}")
+    message(FATAL_ERROR "two texts are named ${name}: rename ${file}")
   endif()
   list(APPEND names "${name}")
   file(READ "${file}" text)
@@ -19,8 +20,8 @@ foreach(file IN LISTS files)
 endforeach()
 
 string(CONFIGURE [=[
-// Written by cmake/EmbedText.cmake from the files of shaders/ and formula/.
-#include "shaders/embedded_text.h"
+// Written by cmake/EmbedText.cmake.
+#include "@HEADER@"
 
 namespace mirrorball {
 namespace {
@@ -35,7 +36,7 @@ constexpr EmbeddedText kTexts[] = {
 
 }  // namespace
 
-std::optional<std::string_view> embeddedText(std::string_view name) {
+std::optional<std::string_view> @FUNCTION@(std::string_view name) {
   for (const EmbeddedText& file : kTexts) {
     if (file.name == name) return file.text;
   }

@@ -15,6 +15,7 @@ Command exportCommand();
 Command infoCommand();
 Command compareCommand();
 Command photoCommand();
+Command studyCommand();
 Command cacheCommand();
 Command referenceCommand();
 

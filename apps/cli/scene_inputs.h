@@ -16,12 +16,12 @@ namespace mirrorball::cli {
 struct SceneRequest {
   std::string model = "showcase";
   std::string environment = "studio";
-  std::string from;
+  std::string from = {};
   UpAxis up = UpAxis::y;
   bool repair = false;
   bool is_uncached = false;
   bool timings = false;
-  std::string max_memory;
+  std::string max_memory = {};
 };
 
 /// The table of them, but for the model.

@@ -42,6 +42,7 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"trace", {"scene", "bake"}},
     {"transfer", {"trace", "surface"}},
     {"render", {"gl", "scene", "bake"}},
+    {"study", {"render", "trace", "metric"}},
 };
 
 constexpr std::size_t kLongestFile = 600;

@@ -36,7 +36,7 @@ GLenum internalFormat(Format format) {
   return GL_RGBA8;
 }
 
-[[maybe_unused]] bool isEightBit(Format format) { return format == Format::rgba8 || format == Format::srgb8_alpha8; }
+bool isEightBit(Format format) { return format == Format::rgba8 || format == Format::srgb8_alpha8; }
 
 /// The type of one component as it is handed to OpenGL.
 template <typename Component>
@@ -144,7 +144,12 @@ Result<Texture> Texture::fromImages(Format format, const ImageSet& images) {
 }
 
 Texture::Texture(Format format, Shape shape, int width, int height, int layers, int levels)
-    : format_(format), shape_(shape), width_(width), height_(height), levels_(levels) {
+    : format_(format),
+      shape_(shape),
+      width_(width),
+      height_(height),
+      layers_(shape == Shape::cube ? 6 : layers),
+      levels_(levels) {
   GLuint name = 0;
   glGenTextures(1, &name);
   handle_ = Handle<destroy>(name);
@@ -156,6 +161,14 @@ Texture::Texture(Format format, Shape shape, int width, int height, int layers, 
   Sampling sampling;
   if (format == Format::rgba32f) sampling.filter = Sampling::Filter::nearest;
   setSampling(sampling);
+}
+
+std::size_t Texture::bytes() const {
+  const std::size_t of_component = isEightBit(format_) ? 1 : format_ == Format::rgba16f ? 2 : 4;
+  std::size_t texels = 0;
+  for (int level = 0; level < levels_; ++level)
+    texels += std::size_t(std::max(width_ >> level, 1)) * std::size_t(std::max(height_ >> level, 1));
+  return texels * std::size_t(layers_) * 4 * of_component;
 }
 
 void Texture::destroy(unsigned name) { glDeleteTextures(1, &name); }

@@ -95,6 +95,8 @@ class Texture {
   int width() const { return width_; }
   int height() const { return height_; }
   int levels() const { return levels_; }
+  /// What its texels take, of all levels.
+  std::size_t bytes() const;
   unsigned name() const { return handle_.name(); }  ///< for a call that this class does not have
 
  private:
@@ -116,6 +118,7 @@ class Texture {
   Shape shape_;
   int width_;
   int height_;
+  int layers_;  ///< faces of a cube
   int levels_;
 };
 

@@ -18,6 +18,7 @@
 #include "mirrorball/scene/mesh_file/ply.h"
 #include "mirrorball/scene/mesh_file/stl.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
+#include "mirrorball/scene/shapes/interreflection.h"
 #include "mirrorball/scene/shapes/showcase.h"
 #include "mirrorball/scene/shapes/teapot.h"
 
@@ -47,6 +48,8 @@ constexpr std::array kBuiltins = {
     BuiltinModel{"teapot", [] { return sceneOf(teapotMesh(), doubleSided()); }},
     BuiltinModel{"plane", [] { return sceneOf(planeMesh(), doubleSided()); }},
     BuiltinModel{"cube", [] { return sceneOf(cubeMesh()); }},
+    BuiltinModel{"spheres", [] { return spheresScene(); }},
+    BuiltinModel{"bowl", bowlScene},
     BuiltinModel{"showcase", showcaseScene},
 };
 

@@ -20,13 +20,6 @@ constexpr int kTallestMagnified_px = 1024;
 constexpr std::uint8_t kPaper = 28;
 constexpr glm::vec<3, std::uint8_t> kInk{230, 230, 230};
 
-Image8 codesOf(const Image& encoded) {
-  Image8 picture = Image8::withoutValues(encoded.width(), encoded.height(), 3);
-  std::ranges::transform(encoded.samples(), picture.samples().begin(),
-                         [](float value) { return static_cast<std::uint8_t>(value * 255.0f + 0.5f); });
-  return picture;
-}
-
 int magnificationOf(int width, int height) {
   const int wanted = (kMinColumn_px + width - 1) / width;
   return std::clamp(wanted, 1, std::max(kTallestMagnified_px / height, 1));
@@ -88,6 +81,13 @@ void drawScale(Image8& sheet, glm::ivec2 upper_left, int width, int text_scale, 
 }
 
 }  // namespace
+
+Image8 codesOf(const Image& encoded) {
+  Image8 picture = Image8::withoutValues(encoded.width(), encoded.height(), 3);
+  std::ranges::transform(encoded.samples(), picture.samples().begin(),
+                         [](float value) { return static_cast<std::uint8_t>(value * 255.0f + 0.5f); });
+  return picture;
+}
 
 Image8 heatMapOf(const Comparison& comparison, HeatMapKind kind, float scale) {
   return kind == HeatMapKind::flip ? flipHeatMap(comparison.flip) : signedHeatMap(comparison.difference, scale);

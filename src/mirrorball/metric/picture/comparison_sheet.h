@@ -14,6 +14,11 @@ enum class HeatMapKind {
   flip,        ///< how strongly an observer sees a difference
 };
 
+/// The picture that an image of a comparison is: of shown_test, for example.
+///
+/// encoded  in [0, 1], 3 channels
+Image8 codesOf(const Image& encoded);
+
 /// The heat map of a comparison: signedHeatMap or flipHeatMap.
 ///
 /// scale    of the signed one, above 0

@@ -28,7 +28,7 @@ struct FrameSettings {
   static constexpr std::size_t kMaxLights = 8;
 
   glm::ivec2 size{1280, 720};  ///< pixels
-  CameraOptions camera;
+  CameraOptions camera = {};
   Display display{.tone_map = ToneMap::neutral};
   glm::vec3 env_rotation_deg{
       0.0f};  ///< yaw about +Y, +Z towards +X; before it pitch about +X, before that roll about +Z
@@ -40,7 +40,7 @@ struct FrameSettings {
   BlurKind blur = BlurKind::exact;
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;
-  std::vector<PointLight> lights;  ///< at most kMaxLights
+  std::vector<PointLight> lights = {};  ///< at most kMaxLights
 
   /// Directions of the environment from those of the world.
   glm::mat3 environmentFromWorld() const;

@@ -19,6 +19,7 @@
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/render/light/gpu_prefilter.h"
+#include "mirrorball/render/surface/light_reads.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/sphere_map.h"
 #include "mirrorball/render/surface/surface_program.h"
@@ -148,6 +149,21 @@ Result<void> Renderer::setEnvironment(Environment environment, const PreparedEnv
   state.environment = std::move(environment);
   state.gpu_prefilter.reset();
   return {};
+}
+
+std::string Renderer::driver() const { return state_->context.renderer(); }
+
+LightCost Renderer::lightCost() const {
+  const State& state = *state_;
+  const EnvironmentLight& light = *state.light;
+  const PrefilteredChain& chain = state.frame.prefiltered;
+  const LightReads reads = lightReads(state.scene, blurOf(state.settings, light, chain), state.settings.mapping);
+  LightCost cost{.reads = reads.sum()};
+  if (reads.environment > 0) cost.texture_bytes += light.cube().bytes();
+  if (reads.prefiltered > 0) cost.texture_bytes += chain.texture->bytes();
+  if (reads.irradiance > 0) cost.texture_bytes += light.irradiance().bytes();
+  if (reads.sphere_map > 0) cost.texture_bytes += state.sphere_map->bytes();
+  return cost;
 }
 
 const Scene& Renderer::scene() const { return state_->scene; }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <glm/glm.hpp>
 
@@ -15,6 +17,12 @@
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
+
+/// What the light that surfaces reflect takes, beside time.
+struct LightCost {
+  std::size_t texture_bytes = 0;  ///< of the textures that are read for it
+  int reads = 0;                  ///< of those textures, for a sample of a pixel (render/surface/light_reads.h)
+};
 
 /// Draws a scene in an environment. It owns both, and each may be replaced between frames.
 ///
@@ -54,6 +62,11 @@ class Renderer {
   ///
   /// errors   too_large (a texture for this driver)
   Result<void> setEnvironment(Environment environment, const PreparedEnvironment& prepared);
+
+  /// The driver's name for its device: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  std::string driver() const;
+  /// Of the last frame, without its background.
+  LightCost lightCost() const;
 
   const Scene& scene() const;
   /// Of the scene.

@@ -3,29 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <string>
 #include <variant>
 
 #include "mirrorball/bake/brdf/brdf_table.h"
 #include "mirrorball/image/image_set.h"
+#include "mirrorball/render/surface/light_reads.h"
 
 namespace mirrorball {
 namespace {
 
 constexpr std::array<const char*, 3> kBlocks{"FrameBlock", "InstanceBlock", "MaterialBlock"};  // by BlockPoint
-
-/// Blur::kind in formula/prefilter/blur.glsl: both chains are looked up alike.
-int blurKindOfFormula(BlurKind blur) {
-  switch (blur) {
-    case BlurKind::mip:
-      return 1;
-    case BlurKind::cone:
-      return 2;
-    default:
-      return 0;
-  }
-}
 
 /// Every parameter that the block has; what a choice only chooses a part by, it has not.
 void setParameters(gl::UniformBlock& block, const Material& material) {
@@ -155,12 +143,12 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
   block.set("camera_forward", frame.camera.forward);
   block.set("environment_intensity", settings.env_intensity * light.unit());
-  const PrefilteredChain& chain = frame.prefiltered;
-  block.set("blur_kind", blurKindOfFormula(settings.blur));
-  block.set("first_level", static_cast<float>(chain.first_level));
-  block.set("last_level", static_cast<float>(chain.lastLevel()));
-  block.set("texels_per_radian", light.texelsPerRadian());
-  block.set("coarser", std::log2(static_cast<float>(light.cube().width()) / static_cast<float>(chain.size())));
+  const formula::Blur blur = blurOf(settings, light, frame.prefiltered);
+  block.set("blur_kind", blur.kind);
+  block.set("first_level", blur.first_level);
+  block.set("last_level", blur.last_level);
+  block.set("texels_per_radian", blur.texels_per_radian);
+  block.set("coarser", blur.coarser);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
 }
 

@@ -1,0 +1,66 @@
+#include "mirrorball/render/surface/light_reads.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirrorball {
+namespace {
+
+/// A sampler of a formula that counts how often it is read.
+struct CountingCube {
+  int& reads;
+};
+
+glm::vec4 sampleLod(const CountingCube& cube, glm::vec3, float) {
+  ++cube.reads;
+  return glm::vec4(1.0f);
+}
+
+/// Blur::kind: both chains are looked up alike.
+int blurKindOfFormula(BlurKind blur) {
+  switch (blur) {
+    case BlurKind::mip:
+      return 1;
+    case BlurKind::cone:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
+LightReads readsOf(const Material& material, const formula::Blur& blur, Mapping mapping) {
+  LightReads reads{.irradiance = 1};
+  // transmission_single.glsl: one direction, or one a channel.
+  const int refracted = material.transmission == 0.0f ? 0 : material.dispersion == 0.0f ? 1 : 3;
+  const int reflected = mapping == Mapping::sphere ? 0 : 1;
+  reads.sphere_map = 1 - reflected;
+  const glm::vec3 anywhere(0.0f, 0.0f, 1.0f);
+  for (int ray = 0; ray < reflected + refracted; ++ray)
+    formula::blurredLight(blur, CountingCube{reads.environment}, CountingCube{reads.prefiltered}, anywhere,
+                          material.perceptual_roughness, 0.0f);
+  return reads;
+}
+
+}  // namespace
+
+formula::Blur blurOf(const FrameSettings& settings, const EnvironmentLight& light, const PrefilteredChain& chain) {
+  return {.kind = blurKindOfFormula(settings.blur),
+          .first_level = static_cast<float>(chain.first_level),
+          .last_level = static_cast<float>(chain.lastLevel()),
+          .texels_per_radian = light.texelsPerRadian(),
+          .coarser = std::log2(static_cast<float>(light.cube().width()) / static_cast<float>(chain.size()))};
+}
+
+LightReads lightReads(const Scene& scene, const formula::Blur& blur, Mapping mapping) {
+  LightReads most;
+  for (const Mesh& mesh : scene.meshes) {
+    const LightReads reads = readsOf(scene.materials[std::size_t(mesh.material)], blur, mapping);
+    most = {.environment = std::max(most.environment, reads.environment),
+            .prefiltered = std::max(most.prefiltered, reads.prefiltered),
+            .irradiance = std::max(most.irradiance, reads.irradiance),
+            .sphere_map = std::max(most.sphere_map, reads.sphere_map)};
+  }
+  return most;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,308 @@
+#include "mirrorball/study/study.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "mirrorball/base/text.h"
+#include "mirrorball/metric/picture/comparison_sheet.h"
+#include "mirrorball/metric/picture/heat_map.h"
+#include "mirrorball/scene/camera/framing.h"
+#include "mirrorball/scene/load_model.h"
+#include "mirrorball/study/angle_error.h"
+#include "mirrorball/study/subject.h"
+#include "mirrorball/trace/path_tracer.h"
+
+namespace mirrorball {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Where a limit on the noise says when to stop.
+constexpr int kManyPaths = 1 << 20;
+
+/// What a picture counts for in the progress, about in proportion to its time.
+constexpr std::size_t kStepsOfDrawn = 100;
+constexpr std::size_t kStepsOfTraced = 1000;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// A picture that is to be made of a subject.
+struct PlannedShot {
+  std::string label;
+  std::optional<double> value = {};
+  std::string_view model = {};  ///< built-in; empty: the scene that was given
+  std::string key;              ///< what it shows: those of one key are the same
+};
+
+std::string keyOf(std::string_view model, std::string_view material, const std::string& change) {
+  return std::string(model) + " " + std::string(material) + " " + change;
+}
+
+void planSeries(std::vector<PlannedShot>& shots, const Subject& subject, std::string_view model,
+                std::string_view material) {
+  for (const double value : subject.series->values) {
+    const std::string label = formatNumber(value);
+    shots.push_back({label, value, model, keyOf(model, material, std::string(subject.series->axis) + "=" + label)});
+  }
+}
+
+std::vector<PlannedShot> plannedShots(const Subject& subject, bool is_built_in) {
+  std::vector<PlannedShot> shots;
+  if (is_built_in) {
+    for (const std::string_view model : subject.models) {
+      if (subject.series)
+        planSeries(shots, subject, model, subject.material);
+      else
+        shots.push_back({std::string(model), {}, model, keyOf(model, subject.material, std::string(subject.view))});
+    }
+    return shots;
+  }
+  shots.push_back({.label = "as it is", .key = keyOf("", "", "")});
+  if (subject.series && subject.series->is_of_any_scene) planSeries(shots, subject, "", "");
+  return shots;
+}
+
+/// A path-traced picture that more than one subject may ask for.
+struct Traced {
+  Image radiance;
+  TraceCost cost;
+};
+
+/// A picture of the renderer.
+struct Drawn {
+  Image radiance;
+  DrawCost cost;
+};
+
+std::string tracedKey(const PlannedShot& shot, std::string_view settings) {
+  return shot.key + " " + std::string(settings);
+}
+
+/// How much there is to do, and how much of it is done.
+class Steps {
+ public:
+  Steps(const ProgressFunction& progress, std::size_t total) : progress_(progress), total_(total) {}
+
+  /// The function for the next part of the work.
+  ProgressFunction next(std::size_t count) {
+    const std::size_t first = std::exchange(done_, done_ + count);
+    return partOf(progress_, first, count, total_);
+  }
+
+ private:
+  const ProgressFunction& progress_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+};
+
+/// Makes the pictures of subjects, one after the other.
+class Workshop {
+ public:
+  Workshop(Renderer renderer, Scene scene, Environment environment, PreparedEnvironment prepared,
+           const StudySettings& settings, Steps steps)
+      : renderer_(std::move(renderer)),
+        scene_(std::move(scene)),
+        environment_(std::move(environment)),
+        prepared_(std::move(prepared)),
+        settings_(settings),
+        steps_(steps) {}
+
+  std::string driver() const { return renderer_.driver(); }
+  Result<StudiedSection> section(const Subject& subject, const std::vector<PlannedShot>& shots);
+
+ private:
+  /// What stands before the camera.
+  struct Stage {
+    Scene scene;
+    FrameSettings frame;
+    std::optional<PathTracer> tracer = {};  ///< made when it is first needed
+  };
+
+  Result<Stage> staged(const Subject& subject, const PlannedShot& shot) const;
+  Result<Image> cosines(const Stage& stage);
+  Result<StudiedShot> studied(const Subject& subject, const PlannedShot& shot, Stage stage, const Image& cosines);
+  Result<Drawn> draw(const Stage& stage, const Technique& technique);
+  Result<const Traced*> trace(Stage& stage, const PlannedShot& shot, std::string_view settings);
+
+  Renderer renderer_;
+  Scene scene_;
+  Environment environment_;
+  PreparedEnvironment prepared_;
+  StudySettings settings_;
+  Steps steps_;
+  std::map<std::string, Traced> traced_;
+  std::optional<PreparedEnvironment> directions_ = {};
+};
+
+Result<Workshop::Stage> Workshop::staged(const Subject& subject, const PlannedShot& shot) const {
+  Stage stage{scene_, settings_.frame};
+  if (!shot.model.empty()) {
+    MIRRORBALL_TRY(model, loadModel(std::string(shot.model)));
+    MIRRORBALL_TRY_VOID(changeMaterials(model, {.material = std::string(subject.material)}));
+    MIRRORBALL_TRY_VOID(applySettings(subject.view, stage.frame));
+    stage.scene = std::move(model);
+  }
+  if (shot.value) subject.series->change(*shot.value, stage.scene, stage.frame);
+  return stage;
+}
+
+Result<Image> Workshop::cosines(const Stage& stage) {
+  if (!directions_) {
+    MIRRORBALL_TRY(prepared, prepareEnvironment(environmentOfDirections()));
+    directions_ = std::move(prepared);
+  }
+  MIRRORBALL_TRY_VOID(renderer_.setEnvironment(environmentOfDirections(), *directions_));
+  MIRRORBALL_TRY(cosines, cosinesOf(renderer_, stage.scene, stage.frame));
+  MIRRORBALL_TRY_VOID(renderer_.setEnvironment(environment_, prepared_));
+  return cosines;
+}
+
+Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
+  FrameSettings frame = stage.frame;
+  MIRRORBALL_TRY_VOID(applySettings(technique.settings, frame));
+  Scene scene = stage.scene;
+  MIRRORBALL_TRY_VOID(applyParameters(technique.parameters, scene));
+  MIRRORBALL_TRY_VOID(renderer_.setScene(std::move(scene)));
+
+  std::vector<double> times_ms;
+  const ProgressFunction progress = steps_.next(kStepsOfDrawn);
+  std::optional<Clock::time_point> last;
+  const auto timed = [&](std::size_t done, std::size_t total) {
+    // The first frame waits for what the driver puts off: compiling, uploading.
+    if (last) times_ms.push_back(1e3 * secondsSince(*last));
+    const bool goes_on = !progress || progress(done, total);
+    last = Clock::now();
+    return goes_on;
+  };
+  MIRRORBALL_TRY(radiance, renderer_.renderRadiance(frame, timed));
+  DrawCost cost{.light = renderer_.lightCost()};
+  if (!times_ms.empty()) {
+    const auto middle = times_ms.begin() + static_cast<std::ptrdiff_t>(times_ms.size() / 2);
+    std::ranges::nth_element(times_ms, middle);
+    cost.frame_ms = *middle;
+  }
+  return Drawn{std::move(radiance), cost};
+}
+
+Result<const Traced*> Workshop::trace(Stage& stage, const PlannedShot& shot, std::string_view settings) {
+  const std::string key = tracedKey(shot, settings);
+  if (const auto found = traced_.find(key); found != traced_.end()) return &found->second;
+  if (!stage.tracer) {
+    MIRRORBALL_TRY(made, PathTracer::make(stage.scene, environment_));
+    stage.tracer = std::move(made);
+  }
+  TraceSettings trace;
+  MIRRORBALL_TRY_VOID(applySettings(settings, trace));
+  trace.size = stage.frame.size;
+  trace.noise = settings_.noise;
+  trace.samples = settings_.paths.value_or(trace.noise > 0.0f ? kManyPaths : StudySettings::kUsualPaths);
+  trace.display = stage.frame.display;
+  trace.environment_from_world = stage.frame.environmentFromWorld();
+  trace.environment_intensity = stage.frame.env_intensity;
+  const Camera camera = framedCamera(stage.scene, boundingSphere(stage.scene), stage.frame.camera, trace.size);
+  const auto start = Clock::now();
+  MIRRORBALL_TRY(picture, stage.tracer->render(camera, trace, steps_.next(kStepsOfTraced)));
+  if (picture.is_interrupted) return fail(ErrorCode::interrupted, "interrupted; nothing was written");
+  return &traced_
+              .emplace(key, Traced{std::move(picture.radiance), {picture.samples, picture.noise, secondsSince(start)}})
+              .first->second;
+}
+
+Result<StudiedShot> Workshop::studied(const Subject& subject, const PlannedShot& shot, Stage stage,
+                                      const Image& cosines) {
+  MIRRORBALL_TRY(reference, trace(stage, shot, subject.reference));
+  const ComparisonSettings display{.exposure = stage.frame.display.exposure(),
+                                   .tone_map = static_cast<int>(stage.frame.display.tone_map)};
+  StudiedShot studied{.label = shot.label, .value = shot.value, .cost = reference->cost, .scale = 0.0f};
+  std::vector<Image> differences;
+  for (const Technique& technique : subject.techniques) {
+    StudiedPicture made{.technique = std::string(technique.name),
+                        .settings = std::string(technique.settings) + std::string(technique.parameters)};
+    Image radiance;
+    if (technique.maker == Technique::Maker::renderer) {
+      MIRRORBALL_TRY(drawn, draw(stage, technique));
+      radiance = std::move(drawn.radiance);
+      made.drawn = drawn.cost;
+    } else {
+      MIRRORBALL_TRY(traced, trace(stage, shot, technique.settings));
+      radiance = traced->radiance;
+      made.traced = traced->cost;
+    }
+    if (!cosines.empty()) made.by_angle = errorByAngle(radiance, reference->radiance, cosines);
+    MIRRORBALL_TRY(test, comparedImage(std::move(radiance), ImageKind::light));
+    MIRRORBALL_TRY(right, comparedImage(reference->radiance, ImageKind::light));
+    MIRRORBALL_TRY(comparison, compareImages(std::move(test), std::move(right), ImageKind::light, display));
+    made.values = comparison.values;
+    made.picture = codesOf(comparison.shown_test);
+    made.flip = flipHeatMap(comparison.flip);
+    studied.reference = codesOf(comparison.shown_reference);
+    studied.scale = std::max(studied.scale, usualScale(comparison.difference));
+    differences.push_back(std::move(comparison.difference));
+    studied.pictures.push_back(std::move(made));
+  }
+  for (std::size_t i = 0; i < differences.size(); ++i)
+    studied.pictures[i].difference = signedHeatMap(differences[i], studied.scale);
+  return studied;
+}
+
+Result<StudiedSection> Workshop::section(const Subject& subject, const std::vector<PlannedShot>& shots) {
+  StudiedSection section{.id = std::string(subject.id),
+                         .title = std::string(subject.title),
+                         .teaches = std::string(subject.teaches),
+                         .held_to = std::string(subject.held_to),
+                         .axis = subject.series ? std::string(subject.series->axis) : "",
+                         .by_angle = subject.by_angle};
+  Image angles;
+  for (const PlannedShot& shot : shots) {
+    MIRRORBALL_TRY(stage, staged(subject, shot));
+    if (subject.by_angle && angles.empty()) {
+      MIRRORBALL_TRY(found, cosines(stage));
+      angles = std::move(found);
+    }
+    MIRRORBALL_TRY(done, studied(subject, shot, std::move(stage), angles));
+    section.shots.push_back(std::move(done));
+  }
+  return section;
+}
+
+}  // namespace
+
+Result<Study> study(RenderInputs inputs, bool is_built_in, const StudySettings& told,
+                    const ProgressFunction& progress) {
+  StudySettings settings = told;
+  settings.frame.samples = std::min(settings.frame.samples, settings.paths.value_or(settings.frame.samples));
+  settings.frame.resolve = Resolve::radiance;
+  std::vector<std::pair<const Subject*, std::vector<PlannedShot>>> plan;
+  std::set<std::string> to_trace;
+  std::size_t to_draw = 0;
+  for (const Subject& subject : subjects()) {
+    if (!is_built_in && !subject.applies(inputs.scene)) continue;
+    plan.emplace_back(&subject, plannedShots(subject, is_built_in));
+    for (const PlannedShot& shot : plan.back().second) {
+      to_trace.insert(tracedKey(shot, subject.reference));
+      for (const Technique& technique : subject.techniques) {
+        if (technique.maker == Technique::Maker::renderer)
+          ++to_draw;
+        else
+          to_trace.insert(tracedKey(shot, technique.settings));
+      }
+    }
+  }
+
+  MIRRORBALL_TRY(renderer, Renderer::on(std::move(inputs.context)));
+  MIRRORBALL_TRY_VOID(renderer.setEnvironment(inputs.environment, inputs.prepared));
+  Workshop workshop(std::move(renderer), std::move(inputs.scene), std::move(inputs.environment),
+                    std::move(inputs.prepared), settings,
+                    Steps(progress, to_trace.size() * kStepsOfTraced + to_draw * kStepsOfDrawn));
+  Study study{.driver = workshop.driver(), .size = settings.frame.size, .samples = settings.frame.samples};
+  for (const auto& [subject, shots] : plan) {
+    MIRRORBALL_TRY(section, workshop.section(*subject, shots));
+    study.sections.push_back(std::move(section));
+  }
+  return study;
+}
+
+}  // namespace mirrorball

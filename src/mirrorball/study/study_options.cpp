@@ -1,0 +1,48 @@
+// The tables of what a study is told.
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "mirrorball/study/study.h"
+
+namespace mirrorball {
+namespace {
+
+const auto kOptions = std::to_array<Option<StudySettings>>({
+    {{.name = "samples",
+      .value = "N",
+      .minimum = 1,
+      .maximum = 65536,
+      .help =
+          "paths a pixel of each path-traced picture, and up to 64 samples of the renderer's; without it 256, or with "
+          "--noise as many as that takes",
+      .group = "Reference"},
+     &StudySettings::paths},
+    {{.name = "noise",
+      .value = "X",
+      .minimum = 1e-5,
+      .maximum = 1,
+      .help = "trace until the mean standard error of each picture is below X; 0.004 is one step of an 8-bit picture",
+      .group = "Reference"},
+     &StudySettings::noise},
+});
+
+}  // namespace
+
+std::span<const Option<StudySettings>> studyOptions() { return kOptions; }
+
+std::span<const Option<FrameSettings>> studyFrameOptions() {
+  static const std::vector<Option<FrameSettings>> options = [] {
+    constexpr std::array<std::string_view, 9> kNames{"size", "exposure",     "tone-map",     "camera",       "target",
+                                                     "fov",  "orthographic", "env-rotation", "env-intensity"};
+    std::vector<Option<FrameSettings>> chosen;
+    std::ranges::copy_if(frameOptions(), std::back_inserter(chosen), [&](const Option<FrameSettings>& option) {
+      return std::ranges::find(kNames, option.text.name) != kNames.end();
+    });
+    return chosen;
+  }();
+  return options;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,197 @@
+#include "mirrorball/study/subject.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "mirrorball/base/text.h"
+#include "mirrorball/scene/material/material.h"
+#include "mirrorball/scene/material/material_changes.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+using enum Technique::Maker;
+
+constexpr std::string_view kKnownToMap = "bounces=1 unoccluded=yes";  // all that an environment map can know
+constexpr std::string_view kHeldToMap = "one bounce, and nothing blocks the light";
+
+constexpr auto kSphere = std::to_array<std::string_view>({"sphere"});
+constexpr auto kBowl = std::to_array<std::string_view>({"bowl"});
+constexpr auto kInterreflecting = std::to_array<std::string_view>({"spheres", "bowl"});
+
+constexpr auto kLookUps = std::to_array<Technique>({{"cube, reflected ray", "mapping=reflection"},
+                                                    {"sphere map", "mapping=sphere"},
+                                                    {"cube, normal", "mapping=normal"}});
+
+constexpr auto kReflectAt = std::to_array<Technique>({{"each fragment", "reflect-at=fragment"},
+                                                      {"each vertex", "reflect-at=vertex"},
+                                                      {"each triangle", "reflect-at=triangle"}});
+
+constexpr auto kBlurs = std::to_array<Technique>({{"exact prefiltering", "blur=exact"},
+                                                  {"GPU prefiltering", "blur=gpu"},
+                                                  {"coarser mip level", "blur=mip"},
+                                                  {"cone of 64 rays", "blur=cone"}});
+
+constexpr auto kSteps = std::to_array<Technique>({{"distant map, drawn"},
+                                                  {"what a map can know", kKnownToMap, "", path_tracer},
+                                                  {"and occlusion", "bounces=1", "", path_tracer},
+                                                  {"2 bounces", "bounces=2", "", path_tracer},
+                                                  {"4 bounces", "bounces=4", "", path_tracer}});
+
+constexpr auto kOcclusion = std::to_array<Technique>(
+    {{"with the occlusion map", "", "occlusion_strength=1"}, {"without it", "", "occlusion_strength=0"}});
+
+constexpr auto kDistantMap = std::to_array<Technique>({{"distant map, drawn"}});
+
+constexpr auto kRoughnesses = std::to_array({0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1.0});
+constexpr auto kFields_deg = std::to_array({2.0, 10.0, 20.0, 35.0, 60.0, 90.0});
+constexpr auto kRings = std::to_array({8.0, 16.0, 32.0, 64.0, 128.0});
+constexpr auto kGaps = std::to_array({0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0});
+
+void setRoughness(double value, Scene& scene, FrameSettings&) {
+  for (Material& material : scene.materials) material.perceptual_roughness = static_cast<float>(value);
+}
+
+void setFieldOfView(double value_deg, Scene&, FrameSettings& frame) {
+  frame.camera.fov_deg = static_cast<float>(value_deg);
+}
+
+void setRings(double value, Scene& scene, FrameSettings&) {
+  const int rings = static_cast<int>(value);
+  const int material = scene.meshes[0].material;
+  scene.meshes[0] = sphereMesh(rings, 2 * rings);
+  scene.meshes[0].material = material;
+}
+
+/// Puts a red sphere beside the one that there is, and the camera where the first is seen whole and in one place, so
+/// that pictures of all distances have the same pixels.
+void setGap(double value, Scene& scene, FrameSettings& frame) {
+  const glm::vec3 aside(2.0f + static_cast<float>(value), 0.0f, 0.0f);
+  scene.instances.push_back({.mesh = 1, .world_from_object = glm::translate(glm::mat4(1.0f), aside)});
+  scene.meshes.push_back(scene.meshes[0]);
+  scene.meshes[1].material = 1;
+  scene.materials.push_back(*materialNamed("plastic"));
+  frame.camera = {.azimuth_deg = -20.0f,
+                  .elevation_deg = 10.0f,
+                  .distance = 4.2f / boundingSphere(scene).radius,
+                  .target = glm::vec3(0.0f)};
+}
+
+bool always(const Scene&) { return true; }
+bool never(const Scene&) { return false; }
+
+bool hasOcclusionMap(const Scene& scene) {
+  return std::ranges::any_of(scene.materials, [](const Material& m) { return m.occlusion_map.texture >= 0; });
+}
+
+constexpr std::array kSubjects{
+    Subject{.id = "look-up",
+            .title = "What addresses the map",
+            .teaches = "The reflected ray finds the light that a mirror shows. A sphere map is addressed by the normal "
+                       "instead, as if all rays from the eye were parallel: the wider the field of view, the wronger. "
+                       "The normal in a cube map only looks like something shiny.",
+            .models = kSphere,
+            .material = "mirror",
+            .reference = kKnownToMap,
+            .held_to = kHeldToMap,
+            .techniques = kLookUps,
+            .series = Series{"field of view in degrees", kFields_deg, setFieldOfView, false},
+            .applies = always},
+    Subject{.id = "reflect-at",
+            .title = "Where the ray is reflected",
+            .teaches = "The first hardware reflected rays at the vertices and interpolated them. How wrong that is "
+                       "depends on how large the triangles are; at each fragment, it is right on any mesh.",
+            .models = kSphere,
+            .material = "mirror",
+            .reference = kKnownToMap,
+            .held_to = kHeldToMap,
+            .techniques = kReflectAt,
+            .series = Series{"rings of the sphere", kRings, setRings, false},
+            .applies = always},
+    Subject{.id = "blur",
+            .title = "Rough reflections and the split sum",
+            .teaches = "Four ways to blur the map for a rough surface. All share the split sum: one blurred look-up "
+                       "times one number for the BRDF, as if the lobe were round. It stretches at grazing angles, so "
+                       "a rough metal is most wrong where n·v is small.",
+            .models = kSphere,
+            .material = "rough-metal",
+            .reference = kKnownToMap,
+            .held_to = kHeldToMap,
+            .techniques = kBlurs,
+            .series = Series{"perceptual roughness", kRoughnesses, setRoughness, true},
+            .by_angle = true,
+            .applies = always},
+    Subject{.id = "knowledge",
+            .title = "What a map can know",
+            .teaches = "A map has the light from far away. It does not know that objects block that light, nor that "
+                       "they send light to each other: where rays bounce several times before they escape, it is wrong "
+                       "by construction.",
+            .models = kInterreflecting,
+            .material = "mirror",
+            .view = "camera=20,40",
+            .held_to = "up to 16 bounces",
+            .techniques = kSteps,
+            .applies = always},
+    Subject{.id = "occlusion-map",
+            .title = "What an occlusion map brings",
+            .teaches = "An occlusion map says how much of the sky each place sees, but not which part. Inside of a "
+                       "spherical bowl that share is the same everywhere: the opening's share of the sphere. Held to "
+                       "one bounce, which has the shadows themselves.",
+            .models = kBowl,
+            .view = "camera=20,40",
+            .reference = "bounces=1",
+            .held_to = "one bounce, with shadows",
+            .techniques = kOcclusion,
+            .applies = hasOcclusionMap},
+    Subject{.id = "distance",
+            .title = "How far away is far away",
+            .teaches = "A mirror sphere with a red one beside it. The map takes everything to be infinitely far; the "
+                       "error falls as the neighbour moves away and fills less of the mirror.",
+            .models = kSphere,
+            .material = "mirror",
+            .held_to = "up to 16 bounces",
+            .techniques = kDistantMap,
+            .series = Series{"gap between the spheres, in radii", kGaps, setGap, false},
+            .applies = never},
+};
+
+/// The words of a text, without those of no letters.
+std::vector<std::string> wordsOf(std::string_view text) {
+  std::vector<std::string> words = split(text, ' ');
+  std::erase(words, "");
+  return words;
+}
+
+template <typename Target>
+Result<void> setByTable(std::span<const Option<Target>> table, std::string_view settings, Target& target) {
+  for (const std::string& word : wordsOf(settings)) {
+    const std::string name = word.substr(0, word.find('='));
+    const auto row = std::ranges::find(table, name, [](const auto& option) { return option.text.name; });
+    if (row == table.end()) return fail(ErrorCode::usage, "there is no option " + name);
+    MIRRORBALL_TRY_VOID(assign(*row, target, std::string_view(word).substr(std::min(name.size() + 1, word.size()))));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::span<const Subject> subjects() { return kSubjects; }
+
+Result<void> applySettings(std::string_view settings, FrameSettings& frame) {
+  return setByTable(frameOptions(), settings, frame);
+}
+
+Result<void> applySettings(std::string_view settings, TraceSettings& trace) {
+  return setByTable(traceOptions(), settings, trace);
+}
+
+Result<void> applyParameters(std::string_view parameters, Scene& scene) {
+  return changeMaterials(scene, {.set = wordsOf(parameters)});
+}
+
+}  // namespace mirrorball

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <numbers>
 #include <string>
 #include <thread>
 #include <vector>
@@ -48,6 +50,37 @@ class CaptureTest : public RenderCliTest {
     }
     write("squares.obj", model);
     write("squares.mtl", materials);
+  }
+
+  /// The same squares around a mirror ball of 1/1000 of their distance.
+  void writeSquaresAroundBall() const {
+    writeSquares();
+    const Bytes squares = bytes("squares.obj"), materials = bytes("squares.mtl");
+    constexpr int kRings = 48, kSectors = 96;
+    std::string model(squares.begin(), squares.end());
+    model += "usemtl mirror\n";
+    for (int ring = 0; ring <= kRings; ++ring)
+      for (int sector = 0; sector < kSectors; ++sector) {
+        const float polar = std::numbers::pi_v<float> * float(ring) / kRings;
+        const float azimuth = 2.0f * std::numbers::pi_v<float> * float(sector) / kSectors;
+        const glm::vec3 n(std::sin(polar) * std::sin(azimuth), std::cos(polar), std::sin(polar) * std::cos(azimuth));
+        const auto text = [](glm::vec3 v) {
+          return std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z) + "\n";
+        };
+        model += "v " + text(0.001f * n) + "vn " + text(n);
+      }
+    for (int ring = 0; ring < kRings; ++ring)
+      for (int sector = 0; sector < kSectors; ++sector) {
+        model += "f";
+        for (const glm::ivec2 corner : {glm::ivec2(0, 0), glm::ivec2(1, 0), glm::ivec2(1, 1), glm::ivec2(0, 1)}) {
+          const int index = (ring + corner.x) * kSectors + (sector + corner.y) % kSectors + 1;
+          model += " " + std::to_string(24 + index) + "//" + std::to_string(index);
+        }
+        model += "\n";
+      }
+    write("around_ball.obj", model);
+    write("squares.mtl",
+          std::string(materials.begin(), materials.end()) + "newmtl mirror\nKd 1 1 1\nPm 1\nPr 0.000001\n");
   }
 };
 
@@ -236,6 +269,38 @@ TEST_F(CaptureTest, CtrlCLeavesNothing) {
     EXPECT_TRUE(outcome.err.starts_with("mirrorball: interrupted")) << outcome.err;
     EXPECT_THAT(files(), IsEmpty()) << form;
   }
+}
+
+// The lecture's second way to a sphere map: a scene is traced, not drawn.
+TEST_F(CaptureTest, TheReferenceCapturesTheSame) {
+  writeSquares();
+  write("map.exr", smoothPanorama());
+  for (const std::string form : {"sphere --size 96", "cube --size 32"}) {
+    const std::string line = "capture squares.obj -e map.exr --at 0.2,0.1,-0.1 --samples 64 --to " + form + " -o ";
+    succeed(line + "drawn.exr");
+    run(line + "traced.exr --reference");
+    const Image drawn = image("drawn.exr"), traced = image("traced.exr");
+    ASSERT_EQ(drawn.width(), traced.width());
+    EXPECT_GT(psnrOnDisplay(drawn, traced, [](int, int) { return true; }), 30.0) << form;
+  }
+  EXPECT_THAT(refuse(2, "capture squares.obj --at 0,0,0 --reference --blur mip -o map.exr"), HasSubstr("--blur"));
+}
+
+// And a third one: a mirror ball that is small beside its scene is rendered, and its picture unwrapped.
+TEST_F(CaptureTest, APictureOfASmallMirrorBallIsTheSameMap) {
+  writeSquaresAroundBall();
+  write("map.exr", smoothPanorama());
+  // The model's radius is √(1 + 2/16), and the picture is 1.1 times as high as the ball.
+  run("render around_ball.obj -e map.exr --reference --samples 64 --size 192x192 --target 0,0,0 --camera 0,0,0.2 "
+      "--orthographic 0.002074185 -o ball.exr");
+  run("photo ball.exr --circle 96,96,87.2727 --to equirect --size 64 -o photographed.exr");
+  run("capture squares.obj -e map.exr --at 0,0,0 --reference --samples 64 --to equirect --size 64 -o traced.exr");
+  const Image photographed = image("photographed.exr"), traced = image("traced.exr");
+  const auto isBeforeBall = [&](int x, int y) {
+    const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(traced.width(), traced.height());
+    return directionAt(Projection::equirect, {0, uv}).z > -0.7f;
+  };
+  EXPECT_GT(psnrOnDisplay(photographed, traced, isBeforeBall), 25.0);
 }
 
 }  // namespace

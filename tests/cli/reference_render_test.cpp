@@ -61,6 +61,25 @@ TEST_F(ReferenceAgainstRendererTest, AgreesWhereTheRendererIsExact) {
   EXPECT_GE(psnr(image("drawn.exr"), image("traced.exr")), 45.0);
 }
 
+// Phong's lights are the same formula in both; on a ball, which casts no shadow on itself where the lights reach it.
+TEST_F(ReferenceAgainstRendererTest, PointLightsAreTheSame) {
+  write("dark.exr", Image(8, 4, 3, 0.0f));
+  const std::string line =
+      "render sphere --material plastic --set perceptual_roughness=0.4 -e dark.exr --light 3,4,3,0.8,0.7,0.6 "
+      "--light -3,1,2,0.1,0.3,0.6 --size 96x96 --samples 64 ";
+  succeed(line + "-o drawn.exr");
+  run(line + "--reference --bounces 1 --unoccluded -o traced.exr");
+  EXPECT_GE(psnr(image("drawn.exr"), image("traced.exr")), 45.0);
+}
+
+TEST_F(ReferenceRenderTest, LayersAreForDenoisers) {
+  run("render sphere --material gold --reference --layers --size 32x24 --samples 8 -o ball.exr");
+  const Bytes file = bytes("ball.exr");
+  const std::string text(file.begin(), file.end());
+  for (const char* channel : {"albedo.R", "normal.X", "variance.B"}) EXPECT_THAT(text, HasSubstr(channel));
+  EXPECT_EQ(image("ball.exr").channels(), 4);
+}
+
 TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refuse(2, "render sphere --bounces 2"), HasSubstr("--bounces is for the reference; add --reference"));
   const std::string line = "render sphere --reference -o ball.png ";

@@ -19,9 +19,9 @@ std::uint32_t hashed(std::uint32_t a, std::uint32_t b) {
   return x ^ (x >> 16);
 }
 
-/// Owen's scrambling of a number whose digits are reversed: each digit is flipped or not as all digits that are above it
-/// in the number, and the seed, say. The permutation of Laine & Karras 2011, in which a digit changes only those above
-/// it, with the constants of Vegdahl 2021 ("Building a better LK hash").
+/// Owen's scrambling of a number whose digits are reversed: each digit is flipped or not as all digits that are above
+/// it in the number, and the seed, say. The permutation of Laine & Karras 2011, in which a digit changes only those
+/// above it, with the constants of Vegdahl 2021 ("Building a better LK hash").
 std::uint32_t scrambledReversed(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -32,8 +32,8 @@ std::uint32_t scrambledReversed(std::uint32_t x, std::uint32_t seed) {
 }
 
 /// The second dimension of Sobol's sequence, its digits reversed; the first one is the index itself. Its matrix is
-/// Pascal's triangle modulo 2: digit i is the sum of the index's digits j for which C(j, i) is odd, which are those whose
-/// number j has all bits of i (Lucas); and sums over such sets are made bit by bit.
+/// Pascal's triangle modulo 2: digit i is the sum of the index's digits j for which C(j, i) is odd, which are those
+/// whose number j has all bits of i (Lucas); and sums over such sets are made bit by bit.
 std::uint32_t sobolSecondReversed(std::uint32_t index) {
   std::uint32_t x = index;
   x ^= x >> 16;

@@ -150,7 +150,7 @@ Result<EnvironmentMap> traceMap(SceneInputs inputs, Projection to, int size, con
   const std::size_t first_pass = std::size_t(extent.x) * std::size_t(extent.y) * std::size_t(faceCount(to));
   MIRRORBALL_TRY(traced, clock.time("map: trace", [&] {
     return tracer.capture(capture, traceSettings(request.reference, request.look, request.given),
-                          untilInterrupted(first_pass));
+                          observerUntilInterrupted(first_pass));
   }));
   state = std::move(traced.state);
   return std::move(traced.map);

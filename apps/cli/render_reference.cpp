@@ -1,10 +1,13 @@
 #include "cli/render_reference.h"
 
 #include <array>
-#include <cstdio>
+#include <atomic>
+#include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "cli/formatted.h"
 #include "cli/interruption.h"
 #include "cli/stage_clock.h"
 #include "cli/terminal.h"
@@ -69,20 +72,23 @@ Result<void> writePicture(TracedPicture& picture, const FrameSettings& frame, co
 
 /// "64 paths a pixel, standard error 0.0031"
 std::string foundOut(const TracedPicture& picture) {
-  std::array<char, 96> text;
-  std::snprintf(text.data(), text.size(), "%d paths a pixel, standard error at most %.2g of white", picture.samples,
-                double(picture.noise));
-  return text.data();
+  return formatted("%d paths a pixel, standard error at most %.2g of white", picture.samples, double(picture.noise));
 }
 
 }  // namespace
 
-ProgressFunction untilInterrupted(std::size_t first_pass) {
-  return [bar = progressBar("reference"), first_pass](std::size_t done, std::size_t total) {
-    if (bar(done, total)) return true;
-    if (done > first_pass) claimEnd();
-    return false;
+TraceObserver observerUntilInterrupted(std::size_t first_pass) {
+  const auto noise = std::make_shared<std::atomic<float>>(0.0f);
+  const auto label = [noise] {
+    return "reference" + (*noise > 0.0f ? ", standard error " + formatted("%.2g", double(*noise)) : "");
   };
+  return {.progress =
+              [bar = progressBar(label), first_pass](std::size_t done, std::size_t total) {
+                if (bar(done, total)) return true;
+                if (done > first_pass) claimEnd();
+                return false;
+              },
+          .pass = [noise](int, float found) { *noise = found; }};
 }
 
 Result<void> tellTraced(const TracedPicture& picture, const std::string& output) {
@@ -133,7 +139,7 @@ Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& m
   MIRRORBALL_TRY(tracer, tracerOf(std::move(inputs), clock));
   const auto first_pass = std::size_t(frame.size.x) * std::size_t(frame.size.y);
   MIRRORBALL_TRY(picture, clock.time("picture: trace", [&] {
-    return tracer.render(camera, traceSettings(options, frame, given), untilInterrupted(first_pass));
+    return tracer.render(camera, traceSettings(options, frame, given), observerUntilInterrupted(first_pass));
   }));
   MIRRORBALL_TRY_VOID(clock.time("picture: encode and write", [&] { return writePicture(picture, frame, output); }));
   announce(output);

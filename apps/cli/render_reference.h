@@ -32,10 +32,11 @@ TraceSettings traceSettings(const ReferenceOptions& options, const FrameSettings
 /// errors   as PathTracer::make's
 Result<PathTracer> tracerOf(SceneInputs inputs, StageClock& clock);
 
-/// A progress bar. From the first whole pass on, an interruption waits for the picture so far to be written.
+/// A progress bar with the noise so far. From the first whole pass on, an interruption waits for the picture so far to
+/// be written.
 ///
 /// first_pass   the paths of one pass
-ProgressFunction untilInterrupted(std::size_t first_pass);
+TraceObserver observerUntilInterrupted(std::size_t first_pass);
 
 /// Says how good a picture is that was written.
 ///

@@ -75,6 +75,10 @@ void keepStandardOutputFree() { output_is_taken = true; }
 bool isStandardOutputTaken() { return output_is_taken; }
 
 ProgressFunction progressBar(const std::string& what) {
+  return progressBar([what] { return what; });
+}
+
+ProgressFunction progressBar(std::function<std::string()> what) {
   const bool on_terminal = isTerminal();
   auto state = std::make_shared<BarState>();
   return [=](std::size_t done, std::size_t total) {
@@ -84,7 +88,7 @@ ProgressFunction progressBar(const std::string& what) {
     // Work that ends within half a second shows no bar at all.
     if (seconds(now - state->start) > 0.5 && seconds(now - state->drawn) > 0.1) {
       state->drawn = now;
-      drawBar(what, done, total, seconds(now - state->start));
+      drawBar(what(), done, total, seconds(now - state->start));
     }
     return !interrupted();
   };

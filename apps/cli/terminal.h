@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include "mirrorball/base/observer.h"
@@ -25,6 +26,8 @@ bool isStandardOutputTaken();
 /// A progress bar with the time left, on standard error if that is a terminal; else silent. Stops the work when the
 /// program is interrupted.
 ProgressFunction progressBar(const std::string& what);
+/// The same with a text that changes.
+ProgressFunction progressBar(std::function<std::string()> what);
 
 /// Says on standard error what was written, if that is a terminal; and notes it (interruption.h).
 void announce(const std::string& path);

@@ -204,7 +204,7 @@ Result<const Traced*> Workshop::trace(Stage& stage, const PlannedShot& shot, std
   trace.environment_intensity = stage.frame.env_intensity;
   const Camera camera = framedCamera(stage.scene, boundingSphere(stage.scene), stage.frame.camera, trace.size);
   const auto start = Clock::now();
-  MIRRORBALL_TRY(picture, stage.tracer->render(camera, trace, steps_.next(kStepsOfTraced)));
+  MIRRORBALL_TRY(picture, stage.tracer->render(camera, trace, {.progress = steps_.next(kStepsOfTraced)}));
   if (picture.is_interrupted) return fail(ErrorCode::interrupted, "interrupted; nothing was written");
   return &traced_
               .emplace(key, Traced{std::move(picture.radiance), {picture.samples, picture.noise, secondsSince(start)}})

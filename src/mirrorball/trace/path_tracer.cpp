@@ -30,6 +30,22 @@ void addPath(PixelSums& sums, const PathLight& path) {
   sums.normal += path.normal;
 }
 
+/// The paths of one pass.
+struct PassRange {
+  int first;     ///< index of the first one of a pixel
+  int count;     ///< of a pixel
+  int expected;  ///< how many paths of a pixel there will be in all passes, as far as is known
+};
+
+/// How many paths a pixel there will be, after so many with this noise in this time.
+int expectedSamples(const TraceSettings& settings, int samples, float noise, float elapsed_s) {
+  double expected = settings.samples;
+  // Errors fall with the root of the number of paths.
+  if (settings.noise > 0.0f) expected = std::min(expected, samples * std::pow(double(noise / settings.noise), 2.0));
+  if (settings.time_s > 0.0f) expected = std::min(expected, samples * double(settings.time_s / elapsed_s));
+  return static_cast<int>(std::ceil(expected));
+}
+
 /// The images of a map that lie one below the other. A texel on the rim of a disc shows the light of its part inside.
 ImageSet cutIntoFaces(const Image& all, Projection projection, glm::ivec2 size) {
   const int channels = hasDisc(projection) ? 4 : 3;
@@ -52,8 +68,8 @@ ImageSet cutIntoFaces(const Image& all, Projection projection, glm::ivec2 size) 
 
 struct PathTracer::State : World {
   Result<Film> trace(const CameraRays& rays, const TraceSettings& settings, TracedPicture& picture,
-                     const ProgressFunction& progress) const;
-  bool drawPass(const CameraRays& rays, const TraceSettings& settings, int first, int count, Film& pass,
+                     const TraceObserver& observer) const;
+  bool drawPass(const CameraRays& rays, const TraceSettings& settings, const PassRange& range, Film& pass,
                 const ProgressFunction& progress) const;
 };
 
@@ -74,27 +90,26 @@ Result<PathTracer> PathTracer::make(Scene scene, Environment environment, const 
 }
 
 /// returns  whether the pass is whole
-bool PathTracer::State::drawPass(const CameraRays& rays, const TraceSettings& settings, int first, int count,
+bool PathTracer::State::drawPass(const CameraRays& rays, const TraceSettings& settings, const PassRange& range,
                                  Film& pass, const ProgressFunction& progress) const {
   std::atomic<bool> is_stopped = false;
   const glm::ivec2 size = pass.size();
   const auto rows = static_cast<std::size_t>(size.y);
   const std::size_t pixels = rows * static_cast<std::size_t>(size.x);
-  std::atomic<std::size_t> paths_done = pixels * std::size_t(first);
-  const bool stops_itself = settings.noise > 0.0f || settings.time_s > 0.0f;
-  const std::size_t paths_in_all = pixels * std::size_t(stops_itself ? first + count : settings.samples);
+  std::atomic<std::size_t> paths_done = pixels * std::size_t(range.first);
+  const std::size_t paths_in_all = pixels * std::size_t(range.expected);
   parallelFor(rows, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end && !is_stopped; ++row) {
       const int y = static_cast<int>(row);
       for (int x = 0; x < size.x && !is_stopped; ++x) {
         PixelSums& sums = pass.at(x, y);
         sums = {};
-        for (int index = first; index < first + count; ++index) {
+        for (int index = range.first; index < range.first + range.count; ++index) {
           SampleSequence samples(static_cast<std::uint32_t>(y * size.x + x), static_cast<std::uint32_t>(index));
           if (const auto ray = rays(glm::vec2(x, y) + samples.next()))
             addPath(sums, lightAlong(*this, settings, *ray, samples));
         }
-        paths_done += std::size_t(count);
+        paths_done += std::size_t(range.count);
         if (progress && !progress(paths_done, paths_in_all)) is_stopped = true;
       }
     }
@@ -104,7 +119,7 @@ bool PathTracer::State::drawPass(const CameraRays& rays, const TraceSettings& se
 
 /// Draws passes until the picture is good enough.
 Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSettings& settings, TracedPicture& picture,
-                                      const ProgressFunction& progress) const {
+                                      const TraceObserver& observer) const {
   const auto start = std::chrono::steady_clock::now();
   const glm::ivec2 size = settings.size;
   const std::uint64_t pixels = std::uint64_t(size.x) * std::uint64_t(size.y);
@@ -113,19 +128,23 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
       withName("the picture", checkMemory(pixels * (2 * sizeof(PixelSums) + channels * sizeof(float)))));
   Film film(size), pass(size);
   const int max_samples = std::max(settings.samples, 1);
+  int expected = max_samples;
   while (film.samples() < max_samples) {
     const int done = film.samples();
     const int count = std::min({std::max(done, 1), kLargestPass, max_samples - done});
-    if (!drawPass(rays, settings, done, count, pass, progress)) {
+    if (!drawPass(rays, settings, {done, count, std::max(expected, done + count)}, pass, observer.progress)) {
       picture.is_interrupted = true;
       break;
     }
     film.addPass(pass, count);
     const std::chrono::duration<float> elapsed = std::chrono::steady_clock::now() - start;
     if (settings.time_s > 0.0f && elapsed.count() >= settings.time_s) break;
+    const float noise = settings.noise > 0.0f || observer.pass ? film.noise(settings.display) : 0.0f;
+    if (observer.pass) observer.pass(film.samples(), noise);
     // The error of few paths is not known well enough to stop by it.
     constexpr int kMinSamples = 16;
-    if (settings.noise > 0.0f && film.samples() >= kMinSamples && film.noise(settings.display) <= settings.noise) break;
+    if (settings.noise > 0.0f && film.samples() >= kMinSamples && noise <= settings.noise) break;
+    expected = expectedSamples(settings, film.samples(), noise, elapsed.count());
   }
   if (film.samples() == 0)
     return fail(ErrorCode::interrupted, "interrupted before the first pass; nothing was written");
@@ -136,17 +155,17 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
 }
 
 Result<TracedPicture> PathTracer::render(const Camera& camera, const TraceSettings& settings,
-                                         const ProgressFunction& progress) const {
+                                         const TraceObserver& observer) const {
   const Media media = camera.orthographic ? Media() : mediaAt(*state_, camera.position);
   TracedPicture picture;
-  MIRRORBALL_TRY(film, state_->trace(raysOf(camera, settings.size, media), settings, picture, progress));
+  MIRRORBALL_TRY(film, state_->trace(raysOf(camera, settings.size, media), settings, picture, observer));
   picture.radiance = film.radiance();
   if (settings.wants_layers) picture.layers = TraceLayers{film.albedo(), film.normal(), film.variance()};
   return picture;
 }
 
 Result<TracedMap> PathTracer::capture(const TracedCapture& capture, TraceSettings settings,
-                                      const ProgressFunction& progress) const {
+                                      const TraceObserver& observer) const {
   const glm::ivec2 size = imageSize(capture.projection, capture.size);
   const int faces = faceCount(capture.projection);
   settings.size = {size.x, size.y * faces};
@@ -155,7 +174,7 @@ Result<TracedMap> PathTracer::capture(const TracedCapture& capture, TraceSetting
   TracedMap traced;
   const CameraRays rays =
       raysOfMap(capture.projection, size, capture.position, capture.nearest, mediaAt(*state_, capture.position));
-  MIRRORBALL_TRY(film, state_->trace(rays, settings, traced.state, progress));
+  MIRRORBALL_TRY(film, state_->trace(rays, settings, traced.state, observer));
   traced.map = EnvironmentMap(capture.projection, cutIntoFaces(film.radiance(), capture.projection, size));
   return traced;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -31,6 +32,15 @@ struct TracedPicture {
   float noise = 0.0f;  ///< mean standard error of the displayed picture, as of independent paths: rather too high
   std::uint64_t lost_paths = 0;  ///< whose light was no number, as by overflow; they count as black
   bool is_interrupted = false;   ///< before it was good enough
+};
+
+/// Who is told how far the tracing is.
+struct TraceObserver {
+  /// Of paths, of all that there will be, as far as that is known before: by their noise, or by the time that they took.
+  /// Called from all threads. When it says so, the passes that are whole are the picture.
+  ProgressFunction progress = {};
+  /// Of each whole pass, with TracedPicture's `samples` and `noise` up to then.
+  std::function<void(int samples, float noise)> pass = {};
 };
 
 /// A map of all directions as far as it has come.
@@ -64,13 +74,11 @@ class PathTracer {
 
   /// Draws passes over the whole picture, each with as many paths as all before it, up to a hundred.
   ///
-  /// progress  told of paths, of all or, with `noise` or `time_s`, of those up to the pass's end; called from all
-  ///           threads. When it says so, the passes that are whole are the picture
   /// returns   with `samples` or `noise` as the limit, the same bits for any number of threads
   /// errors    too_large; interrupted, before the first pass (one path a pixel) was whole
   /// cost      docs/truth.md has paths a second
   Result<TracedPicture> render(const Camera& camera, const TraceSettings& settings,
-                               const ProgressFunction& progress = {}) const;
+                               const TraceObserver& observer = {}) const;
 
   /// Traces the light that arrives at a point of the scene: an environment map.
   ///
@@ -79,7 +87,7 @@ class PathTracer {
   ///           `samples` and `noise`, likewise the same bits
   /// errors    as render's
   Result<TracedMap> capture(const TracedCapture& capture, TraceSettings settings,
-                            const ProgressFunction& progress = {}) const;
+                            const TraceObserver& observer = {}) const;
 
  private:
   struct State;

@@ -204,7 +204,7 @@ TEST(PathTracer, StopsWhenItsProgressSaysSo) {
   const auto tracer = PathTracer::make(shapeOf("sphere", matt(1.0f)), lightOf(1.0f));
   ASSERT_TRUE(tracer);
   const auto image = tracer->render(makeCamera({}, {glm::vec3(0.0f), 1.0f}, 1.0f), small(4),
-                                    [](std::size_t done, std::size_t) { return done < 30; });
+                                    {.progress = [](std::size_t done, std::size_t) { return done < 30; }});
   ASSERT_FALSE(image);
   EXPECT_EQ(image.error().code, ErrorCode::interrupted);
 }

@@ -57,7 +57,7 @@ const auto kCaptureOptions = std::to_array<Option<CaptureOptions>>({
       .minimum = 0,
       .maximum = 1e15,
       .help = "surfaces nearer than this are not drawn; 0: 1/10000 of the distance to the scene's farthest point or, "
-              "from outside the scene, the distance at which it begins",
+              "from outside the scene, the distance at which it begins; with --reference all are drawn",
       .group = "Capture"},
      &CaptureOptions::nearest},
     {{.name = "to", .value = "PROJECTION", .help = kProjectionHelp, .group = "Output", .names = projectionNames},
@@ -180,6 +180,8 @@ Result<void> capture(const CaptureRequest& request) {
   const int size = options.size > 0 ? options.size : equivalentSize(Projection::cube, kUsualSize, to);
   MIRRORBALL_TRY_VOID(output.checkLevelOfSize(size));
   MIRRORBALL_TRY_VOID(checkReference(request.reference, request.look, request.given));
+  if (request.reference.trace.wants_layers)
+    return fail(ErrorCode::usage, "--layers are for pictures; leave it out, or use render");
   if (request.reference.is_wanted) return captureReference(request, settings, to, size, output, clock);
 
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, output.paths(), clock));

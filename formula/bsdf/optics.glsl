@@ -63,5 +63,6 @@ FN vec3 iorOfChannels(float ior, float dispersion) {
 FN float iorAtWavelength(float ior, float dispersion, float wavelength) {
   const float cauchy = 0.026183f;  // µm²: 1 / 20 / (1 / F² − 1 / C²)
   const float line_d = 0.58756f;
-  return ior + (ior - 1.0f) * dispersion * cauchy * (1.0f / (wavelength * wavelength) - 1.0f / (line_d * line_d));
+  float spread = (ior - 1.0f) * dispersion * cauchy * (1.0f / (wavelength * wavelength) - 1.0f / (line_d * line_d));
+  return max(ior + spread, 0.1f);  // far from any glass it would end below 0
 }

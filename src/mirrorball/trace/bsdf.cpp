@@ -12,9 +12,9 @@ namespace {
 
 /// Below this a lobe is as narrow as a float's direction.
 constexpr float kSmoothAlpha = 1e-4f;
-/// Light samples of this density [1/sr] and more are of small lights, which need to be looked for between two facets
-/// from both sides. Of other lights, what is found by chance is weighed against the facets' own choice, and so never
-/// bright.
+/// Light samples of this density [1/sr] and more are of small lights, for which the second of two facets is also chosen
+/// first. For larger lights the balance against the facets' own densities, which are some units a steradian where a
+/// bright way is found by chance, keeps its weight small.
 constexpr float kSmallLight = 10.0f;
 constexpr glm::vec3 kUp{0.0f, 0.0f, 1.0f};
 /// A walk that has not ended by then carries next to nothing.
@@ -53,8 +53,8 @@ float densityOfReflection(float alpha, glm::vec3 w, glm::vec3 l) {
   return is_met ? densityOfMetFacets(alpha, w, h) / (4.0f * cosine) : 0.0f;
 }
 
-/// The density [1/sr] of the rays that a facet reflects into l, if facets are chosen as those that are seen from above:
-/// more often than by their area where l grazes them, since such facets mirror the sun of the widest choice of rays.
+/// The density [1/sr] of the rays that a facet reflects into l, if facets are chosen by D(h) h.z, as they are seen along
+/// the surface's normal: D(h) h.z / (4 l·h). It is great for facets that l grazes, where the walk finds too few.
 float densityFromLight(float alpha, glm::vec3 ray, glm::vec3 l) {
   const glm::vec3 h = glm::normalize(l - ray);
   const float cosine = glm::dot(l, h);
@@ -62,15 +62,15 @@ float densityFromLight(float alpha, glm::vec3 ray, glm::vec3 l) {
   return is_met ? densityOfMetFacets(alpha, kUp, h) / (4.0f * cosine) : 0.0f;
 }
 
+/// The weight of a light sample against a surface's own choice.
+float misWeight(const LightSample& light, float own_pdf) {
+  return light.is_weighed ? balanceHeuristic(light.pdf, own_pdf) : 1.0f;
+}
+
 }  // namespace
 
 float balanceHeuristic(float chosen_pdf, float other_pdf) {
   return chosen_pdf / std::max(chosen_pdf + other_pdf, 1e-30f);
-}
-
-/// The weight of a light sample against a surface's own choice.
-static float weightOf(const LightSample& light, float own_pdf) {
-  return light.is_weighed ? balanceHeuristic(light.pdf, own_pdf) : 1.0f;
 }
 
 /// A ray between the facets. Inside of the body everything is as outside, turned upside down.
@@ -134,9 +134,9 @@ glm::vec3 Bsdf::facetReflectance(const Walk& walk, float cosine) const {
   return glm::vec3(reflectanceOfIndex(walk, bounded));
 }
 
-/// What it lets through, weighed for its wavelength when that is new.
+/// What it lets through: all that it does not reflect, weighed for its wavelength when that is new.
 glm::vec3 Bsdf::facetTransmittance(const Walk& walk, float cosine) const {
-  const float passes = 1.0f - reflectanceOfIndex(walk, std::clamp(cosine, 0.0f, 1.0f));
+  const glm::vec3 passes = glm::vec3(1.0f) - facetReflectance(walk, cosine);
   return material_.base_color * passes * (walk.is_refracted ? glm::vec3(1.0f) : refraction_.weight);
 }
 
@@ -149,7 +149,7 @@ glm::vec3 Bsdf::directFromFacets(const Walk& walk, const LightSample& light) con
   if (density <= 0.0f) return glm::vec3(0.0f);
   const glm::vec3 reflectance = facetReflectance(walk, glm::dot(w, glm::normalize(w + l)));
   const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance));
-  float weight = weightOf(light, own) / light.pdf;
+  float weight = misWeight(light, own) / light.pdf;
   if (walk.from_facet > 0.0f && light.pdf >= kSmallLight)
     weight *= balanceHeuristic(walk.from_facet, densityFromLight(alpha_, -w, l));
   return walk.weight * reflectance * (density * escapeProbability(alpha_, l, walk.height) * weight);
@@ -179,7 +179,7 @@ glm::vec3 Bsdf::directFromTwoFacets(const Walk& walk, const LightSample& light, 
 
 /// The same through the facets.
 glm::vec3 Bsdf::directThroughFacets(const Walk& walk, const LightSample& light) const {
-  if (walk.is_metal || material_.transmission <= 0.0f) return glm::vec3(0.0f);
+  if (walk.is_metal || material_.transmission <= 0.0f || goesStraightOn()) return glm::vec3(0.0f);
   const glm::vec3 w = walk.back();
   const glm::vec3 l = walk.side() * light.direction;
   const float eta = etaFrom(walk.is_outside, refraction_.ior);
@@ -192,7 +192,7 @@ glm::vec3 Bsdf::directThroughFacets(const Walk& walk, const LightSample& light) 
   const float own = density * (1.0f - maxComponent(facetReflectance(walk, cosine)));
   const float height = refraction_.is_thin ? walk.height : -walk.height;
   return walk.weight * facetTransmittance(walk, cosine) *
-         (density * escapeProbability(alpha_, -l, height) * weightOf(light, own) / light.pdf);
+         (density * escapeProbability(alpha_, -l, height) * misWeight(light, own) / light.pdf);
 }
 
 /// What the matter below a facet, or from inside before it, scatters back into the light's direction.
@@ -203,7 +203,7 @@ glm::vec3 Bsdf::directFromMatter(const Walk& walk, const LightSample& light, glm
   const glm::vec3 entered = is_inside ? glm::vec3(1.0f) : glm::vec3(1.0f) - reflectance;
   const float density = walk.meeting * scattered * formula::pdfDiffuse(walk.side() * light.direction);
   const float own = density * (is_inside ? 1.0f : 1.0f - maxComponent(reflectance));
-  return walk.weight * material_.base_color * entered * (density * weightOf(light, own) / light.pdf);
+  return walk.weight * material_.base_color * entered * (density * misWeight(light, own) / light.pdf);
 }
 
 /// The share of a ray that facets reflect or refract: from inside, matter scatters its share before they are met, so
@@ -247,7 +247,7 @@ void Bsdf::transmit(Walk& walk, const Facet& facet) const {
   const glm::vec3 l = refraction_.is_thin ? mirrored(glm::reflect(-w, facet.normal))
                                           : formula::refractedDirection(-w, facet.normal, eta);
   const float passes = std::max(1.0f - maxComponent(facet.reflectance), 1e-30f);  // the probability
-  if (!isSmooth()) {
+  if (!isSmooth() && !goesStraightOn()) {
     const float density =
         refraction_.is_thin ? densityOfReflection(alpha_, w, mirrored(l)) : densityOfRefraction(alpha_, w, l, eta);
     walk.pdf = walk.meeting * passes * material_.transmission * density;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include <glm/glm.hpp>
@@ -71,6 +72,8 @@ class Bsdf {
   struct Facet;
   bool chooseMetal(SampleSequence& samples) const;
   bool isSmooth() const { return alpha_ == 0.0f; }
+  /// Whether both sides have one index.
+  bool goesStraightOn() const { return !refraction_.is_thin && std::abs(refraction_.ior - 1.0f) < 1e-4f; }
   bool isInMatter(const Walk& walk) const;
   float shareOfFacets(const Walk& walk) const;
   float reflectanceOfIndex(const Walk& walk, float cosine) const;

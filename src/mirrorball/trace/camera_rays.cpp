@@ -33,8 +33,11 @@ CameraRays raysOf(const Camera& camera, glm::ivec2 size, const Media& media) {
 CameraRays raysOfMap(Projection projection, glm::ivec2 size, glm::vec3 position, float nearest, const Media& media) {
   return [=](glm::vec2 pixel) -> std::optional<Ray> {
     const int face = std::min(static_cast<int>(pixel.y) / size.y, faceCount(projection) - 1);
-    const glm::vec2 uv = glm::vec2(pixel.x, pixel.y - float(face * size.y)) / glm::vec2(size);
-    if (!covers(projection, uv)) return std::nullopt;
+    const glm::vec2 place(pixel.x, pixel.y - float(face * size.y));
+    const glm::vec2 center = (glm::floor(place) + 0.5f) / glm::vec2(size);
+    if (!covers(projection, center)) return std::nullopt;
+    // On the rim of a disc, a part of a texel may lie outside.
+    const glm::vec2 uv = covers(projection, place / glm::vec2(size)) ? place / glm::vec2(size) : center;
     return Ray{
         .origin = position, .direction = directionAt(projection, {face, uv}), .nearest = nearest, .media = media};
   };

@@ -40,6 +40,7 @@ void Film::addPass(const Film& pass, int count) {
     sums_[i].squares += pass.sums_[i].squares;
     sums_[i].albedo += pass.sums_[i].albedo;
     sums_[i].normal += pass.sums_[i].normal;
+    sums_[i].paths += pass.sums_[i].paths;
     sums_[i].lost += pass.sums_[i].lost;
   }
   samples_ += count;
@@ -52,7 +53,9 @@ float Film::noise(const Display& display) const {
       for (std::size_t x = 0; x < std::size_t(size_.x); ++x)
         rows[y] += double(displayedError(sums_[y * std::size_t(size_.x) + x], samples_, display));
   });
-  return static_cast<float>(std::accumulate(rows.begin(), rows.end(), 0.0) / double(sums_.size()));
+  const auto shown = std::ranges::count_if(sums_, [](const PixelSums& sums) { return sums.paths > 0; });
+  return static_cast<float>(std::accumulate(rows.begin(), rows.end(), 0.0) /
+                            double(std::max<std::ptrdiff_t>(shown, 1)));
 }
 
 std::uint64_t Film::lost() const {

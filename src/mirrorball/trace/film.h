@@ -16,7 +16,8 @@ struct PixelSums {
   glm::dvec3 squares{0.0};
   glm::vec3 albedo{0.0f};
   glm::vec3 normal{0.0f};
-  int lost = 0;  ///< paths whose light was no number; they count as black
+  int paths = 0;  ///< fewer than the film's where the picture shows nothing
+  int lost = 0;   ///< of these, those whose light was no number; they count as black
 };
 
 /// A path-traced picture so far: for each pixel the sum of its paths' light, and of its squares.
@@ -31,8 +32,8 @@ class Film {
   /// Takes a pass of so many paths a pixel that is whole.
   void addPass(const Film& pass, int count);
 
-  /// The standard error of the picture as it is displayed, encoded, in the mean over its pixels and channels: as if the
-  /// paths of a pixel were independent of each other, which makes it rather too high.
+  /// The standard error of the picture as it is displayed, encoded, in the mean over its channels and those pixels that
+  /// show something: as if the paths of a pixel were independent of each other, which makes it rather too high.
   float noise(const Display& display) const;
 
   /// How many paths had no number as their light.

@@ -1,6 +1,7 @@
 #include "mirrorball/trace/light_path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -33,11 +34,11 @@ struct Frame {
 /// Whether a material fills what its triangles enclose; else they are all that there is.
 bool isBody(const Material& material) { return material.transmission > 0.0f && !material.thin_walled; }
 
-/// The ray behind a triangle that another ray has passed.
+/// The distance from which on a ray has passed what it met.
 float justBehind(float distance) { return std::nextafter(distance * (1.0f + 1e-6f), INFINITY); }
 
 /// What light of a wavelength counts for that has been chosen by formula::sampleWavelength.
-glm::vec3 weightOf(float wavelength) {
+glm::vec3 shareOfWavelength(float wavelength) {
   const float all = formula::kLongestWavelength - formula::kShortestWavelength;
   return formula::wavelengthWeight(wavelength) / (all * formula::pdfWavelength(wavelength));
 }
@@ -77,10 +78,11 @@ class Path {
     bool is_outside;
   };
 
-  std::optional<Hit> firstHit(Ray& ray);
+  std::optional<Hit> firstHit(Ray& ray, float farthest, glm::vec3& share);
+  glm::vec3 shareThatArrives(Ray ray, float distance);
   bool passes(const Hit& hit, Ray& ray);
-  bool isBlocked(Ray ray, float distance);
-  void absorb(const Media& media, float distance);
+  bool isHole(const Hit& hit);
+  glm::vec3 transmittance(const Media& media, float distance) const;
   glm::vec3 environmentAlong(glm::vec3 direction) const;
   float iorOf(const formula::Material& material) const;
   bool needsWavelength(const Vertex& vertex) const;
@@ -99,7 +101,7 @@ class Path {
   glm::vec3 sum_{0.0f};
   glm::vec3 throughput_{1.0f};
   float pdf_ = 0.0f;         // of the ray's direction; 0: nothing else could have chosen it
-  float wavelength_ = 0.0f;  // nm, once light is dispersed; 0: all are there
+  float wavelength_ = 0.0f;  // µm, once light is dispersed; 0: all are there
 };
 
 /// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
@@ -108,38 +110,58 @@ bool Path::passes(const Hit& hit, Ray& ray) {
   if (ray.from && ray.from->instance == hit.instance && ray.from->triangle == hit.triangle) return true;
   const Material& material = materialOf(world_.scene, hit.instance);
   const bool is_entering = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
-  const bool is_body = isBody(material);
-  const bool has_back = material.double_sided || is_body || !ray.passes_backs;
+  const bool has_back = material.double_sided || material.transmission > 0.0f || !ray.passes_backs;
   if (!has_back && !is_entering) return true;
-  const float opacity = opacityAt(world_.scene, hit);
-  if (opacity <= 0.0f || (opacity < 1.0f && samples_.nextIndependent() >= opacity)) return true;
-  if (!is_body || ray.media.hasSurface(world_.scene, hit.instance, is_entering)) return false;
+  const bool is_there = hit.distance >= ray.nearest && !isHole(hit);
+  if (!isBody(material)) return !is_there;
+  if (is_there && ray.media.hasSurface(world_.scene, hit.instance, is_entering)) return false;
+  // Also at a hole a body begins or ends.
   is_entering ? ray.media.enter(hit.instance) : ray.media.leave(hit.instance);
   return true;
 }
 
-std::optional<Hit> Path::firstHit(Ray& ray) {
+/// Whether a surface is cut away there, or lets this ray through.
+bool Path::isHole(const Hit& hit) {
+  const float opacity = opacityAt(world_.scene, hit);
+  return opacity <= 0.0f || (opacity < 1.0f && samples_.nextIndependent() >= opacity);
+}
+
+/// The first surface that is there for a ray, if it is not farther away than that.
+///
+/// share    is dimmed by what bodies absorb on the way; not on a way without an end
+std::optional<Hit> Path::firstHit(Ray& ray, float farthest, glm::vec3& share) {
+  float absorbed_to = ray.nearest;
+  const auto absorbTo = [&](const Media& media, float distance) {
+    if (distance > absorbed_to && distance < INFINITY) share *= transmittance(media, distance - absorbed_to);
+    absorbed_to = std::max(distance, absorbed_to);
+  };
+  float nearest = 0.0f;
   for (int passed = 0;; ++passed) {
-    const auto hit = world_.geometry.hit(ray.origin, ray.direction, ray.nearest);
-    if (!hit || passed == kMaxPassed || !passes(*hit, ray)) return hit;
-    ray.nearest = justBehind(hit->distance);
+    const auto hit = world_.geometry.hit(ray.origin, ray.direction, nearest);
+    const bool is_reached = hit && hit->distance < farthest;
+    const Media before = ray.media;
+    const bool is_passed = is_reached && passed < kMaxPassed && passes(*hit, ray);
+    absorbTo(before, is_reached ? hit->distance : farthest);
+    if (!is_reached) return std::nullopt;
+    if (!is_passed) return hit;
+    nearest = justBehind(hit->distance);
   }
 }
 
-/// Whether light does not get so far along a ray.
-bool Path::isBlocked(Ray ray, float distance) {
-  if (settings_.is_unoccluded) return false;
-  const auto hit = firstHit(ray);
-  return hit && hit->distance < distance;
+/// The share of light that gets from a distance along a ray to its origin.
+glm::vec3 Path::shareThatArrives(Ray ray, float distance) {
+  glm::vec3 share(1.0f);
+  if (!settings_.is_unoccluded && firstHit(ray, distance, share)) return glm::vec3(0.0f);
+  return share;
 }
 
-/// What a body leaves of light over a distance (Lambert & Beer).
-void Path::absorb(const Media& media, float distance) {
+/// What the body that fills a place leaves of light over a distance (Lambert & Beer).
+glm::vec3 Path::transmittance(const Media& media, float distance) const {
   const auto filling = media.filling(world_.scene);
-  if (!filling) return;
+  if (!filling) return glm::vec3(1.0f);
   const Material& material = materialOf(world_.scene, *filling);
-  if (material.attenuation_distance <= 0.0f) return;
-  throughput_ *= glm::pow(material.attenuation_color, glm::vec3(distance / material.attenuation_distance));
+  if (material.attenuation_distance <= 0.0f) return glm::vec3(1.0f);
+  return glm::pow(material.attenuation_color, glm::vec3(distance / material.attenuation_distance));
 }
 
 glm::vec3 Path::environmentAlong(glm::vec3 direction) const {
@@ -157,21 +179,24 @@ std::optional<std::uint32_t> Path::otherSide(const Vertex& vertex) const {
   return vertex.is_outside ? media.filling(world_.scene) : media.fillingWithout(world_.scene, vertex.hit.instance);
 }
 
-/// Whether light of each wavelength goes its own way from here on, and none has been chosen. Where light comes from
-/// outside, the choice can wait until it is refracted, so that what is reflected has no noise of colours.
+/// Whether light of each wavelength goes its own way from here on, and none has been chosen. Where light comes out of
+/// the air, the choice can wait until it is refracted, so that what is reflected has no noise of colours; else a
+/// channel's own critical angle would be in the way.
 bool Path::needsWavelength(const Vertex& vertex) const {
   if (wavelength_ > 0.0f || !vertex.is_body) return false;
+  const formula::Material& material = vertex.point.material;
   const auto other = otherSide(vertex);
-  return (vertex.point.material.dispersion > 0.0f && !vertex.is_outside) ||
-         (other && materialOf(world_.scene, *other).dispersion > 0.0f);
+  const bool is_from_air = vertex.is_outside && !other && material.ior >= 1.0f;
+  return (material.dispersion > 0.0f && !is_from_air) || (other && materialOf(world_.scene, *other).dispersion > 0.0f);
 }
 
 /// The material's numbers, its indices relative to what is on the other side.
 formula::Material Path::materialAt(const Vertex& vertex) const {
   formula::Material material = vertex.point.material;
   material.ior = iorOf(material);
-  if (wavelength_ > 0.0f) material.dispersion = 0.0f;
-  if (const auto other = otherSide(vertex)) {
+  const auto other = otherSide(vertex);
+  if (wavelength_ > 0.0f || other) material.dispersion = 0.0f;
+  if (other) {
     const float ior = iorOf(materialOf(world_.scene, *other));
     material.ior /= ior;
     material.conductor_n /= ior;
@@ -182,13 +207,15 @@ formula::Material Path::materialAt(const Vertex& vertex) const {
 
 /// How light goes on that is refracted, and is of that wavelength from then on.
 Refraction Path::refractionAt(const Vertex& vertex, float new_wavelength) const {
-  if (vertex.surface.thin_walled) return {.ior = vertex.surface.ior, .is_thin = true};
   const formula::Material& material = vertex.point.material;
   const auto other = otherSide(vertex);
   const float outside = other ? iorOf(materialOf(world_.scene, *other)) : 1.0f;
-  if (new_wavelength == 0.0f) return {.ior = iorOf(material) / outside};
-  return {.ior = formula::iorAtWavelength(material.ior, material.dispersion, new_wavelength) / outside,
-          .weight = weightOf(new_wavelength)};
+  Refraction refraction{.ior = iorOf(material) / outside, .is_thin = vertex.surface.thin_walled};
+  if (new_wavelength > 0.0f) {
+    refraction.ior = formula::iorAtWavelength(material.ior, material.dispersion, new_wavelength) / outside;
+    refraction.weight = shareOfWavelength(new_wavelength);
+  }
+  return refraction;
 }
 
 /// A direction that the environment chooses, in its own axes.
@@ -214,9 +241,10 @@ glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& mate
   glm::vec3 light(0.0f);
   for (const PointLight& lamp : settings_.lights) {
     const float distance = glm::distance(lamp.position, place);
+    if (distance == 0.0f) continue;
     const glm::vec3 towards = (lamp.position - place) / distance;
     const glm::vec3 shaded = formula::shadedByPointLight(surface, arriving.direction, towards, lamp.color);
-    if (shaded != glm::vec3(0.0f) && !isBlocked(leaving(vertex, towards), distance)) light += shaded;
+    if (shaded != glm::vec3(0.0f)) light += shaded * shareThatArrives(leaving(vertex, towards), distance);
   }
   return light;
 }
@@ -233,7 +261,7 @@ Ray Path::leaving(const Vertex& vertex, glm::vec3 direction) const {
   Ray ray{.origin = place + hit.geometric_normal * (goes_out ? step : -step),
           .direction = direction,
           .from = hit,
-          .passes_backs = crosses && !vertex.is_body,
+          .passes_backs = crosses && vertex.surface.transmission <= 0.0f,
           .media = arriving.media};
   if (crosses && vertex.is_body) goes_out ? ray.media.leave(hit.instance) : ray.media.enter(hit.instance);
   return ray;
@@ -256,7 +284,7 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   float new_wavelength = disperses ? formula::sampleWavelength(samples_.next().x) : 0.0f;
   if (needsWavelength(vertex)) {
     wavelength_ = disperses ? new_wavelength : formula::sampleWavelength(samples_.next().x);
-    throughput_ *= weightOf(wavelength_);
+    throughput_ *= shareOfWavelength(wavelength_);
     new_wavelength = 0.0f;
   }
   const formula::Material material = materialAt(vertex);
@@ -267,8 +295,9 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   const LightSample local{frame.toLocal(towards), light.pdf, light.is_weighed};
   const glm::vec3 v = frame.toLocal(-vertex.arriving.direction);
   const auto [direct, next] = bsdf.scatter(v, local, samples_);
-  if (direct != glm::vec3(0.0f) && !isBlocked(leaving(vertex, towards), INFINITY))
-    sum_ += throughput_ * direct * environmentAlong(light.direction);
+  if (direct != glm::vec3(0.0f))
+    sum_ +=
+        throughput_ * direct * shareThatArrives(leaving(vertex, towards), INFINITY) * environmentAlong(light.direction);
   sum_ += throughput_ * lightOfLamps(vertex, material, normal);
   if (!next) return std::nullopt;
   if (next->is_refracted && new_wavelength > 0.0f) wavelength_ = new_wavelength;
@@ -285,7 +314,7 @@ PathLight Path::follow(Ray ray) {
   };
   for (int surfaces = 0;; ++surfaces) {
     const bool meets = surfaces == 0 || !settings_.is_unoccluded;
-    const auto hit = meets ? firstHit(ray) : std::nullopt;
+    const auto hit = meets ? firstHit(ray, INFINITY, throughput_) : std::nullopt;
     if (!hit) {
       if (surfaces == 0 && !settings_.shows_environment) return result;
       // What of this light was chosen directly counts there.
@@ -297,7 +326,6 @@ PathLight Path::follow(Ray ray) {
       sum_ += throughput_ * weight * environmentAlong(seen);
       return ended();
     }
-    absorb(ray.media, hit->distance);
     if (surfaces == settings_.bounces) return ended();
     const Material& material = materialOf(world_.scene, hit->instance);
     const Vertex vertex{*hit,
@@ -321,17 +349,10 @@ PathLight Path::follow(Ray ray) {
   }
 }
 
-}  // namespace
-
-PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray, SampleSequence& samples) {
-  return Path(world, settings, samples).follow(ray);
-}
-
-Media mediaAt(const World& world, glm::vec3 point) {
-  // Any direction but those in which edges of models lie.
-  const glm::vec3 direction = glm::normalize(glm::vec3(0.3713f, 0.8017f, 0.4672f));
+/// The bodies that a ray leaves without having entered them, the innermost first.
+std::vector<std::uint32_t> bodiesLeft(const World& world, glm::vec3 point, glm::vec3 direction) {
   Media entered;
-  std::vector<std::uint32_t> left;  // the innermost first
+  std::vector<std::uint32_t> left;
   float nearest = 0.0f;
   for (int passed = 0; passed < kMaxPassed; ++passed) {
     const auto hit = world.geometry.hit(point, direction, nearest);
@@ -346,8 +367,26 @@ Media mediaAt(const World& world, glm::vec3 point) {
     else
       left.push_back(hit->instance);
   }
+  return left;
+}
+
+}  // namespace
+
+PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray, SampleSequence& samples) {
+  return Path(world, settings, samples).follow(ray);
+}
+
+Media mediaAt(const World& world, glm::vec3 point) {
+  // Directions in which edges of models seldom lie, and not on one side of the point.
+  constexpr std::array<glm::vec3, 3> kDirections{
+      {{0.3713f, 0.8017f, 0.4686f}, {-0.8351f, -0.2689f, 0.4798f}, {0.4638f, -0.5328f, -0.7078f}}};
+  std::vector<std::uint32_t> candidates;  // the innermost first
+  for (const glm::vec3 direction : kDirections)
+    for (const std::uint32_t body : bodiesLeft(world, point, glm::normalize(direction))) candidates.push_back(body);
+  // An open mesh has a back on one side alone.
   Media around;
-  for (auto body = left.rbegin(); body != left.rend(); ++body) around.enter(*body);
+  for (auto body = candidates.rbegin(); body != candidates.rend(); ++body)
+    if (!around.contains(*body) && std::ranges::count(candidates, *body) >= 2) around.enter(*body);
   return around;
 }
 

@@ -36,7 +36,7 @@ struct PathLight {
 /// cost     docs/truth.md has paths a second
 PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray, SampleSequence& samples);
 
-/// The bodies that a point lies in: those that a ray from there leaves and has not entered.
+/// The bodies that a point lies in: those that at least two of three rays from there leave and have not entered.
 Media mediaAt(const World& world, glm::vec3 point);
 
 }  // namespace mirrorball

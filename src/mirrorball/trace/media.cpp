@@ -40,10 +40,13 @@ std::optional<std::uint32_t> Media::fillingWithout(const Scene& scene, std::uint
 }
 
 bool Media::hasSurface(const Scene& scene, std::uint32_t instance, bool is_entering) const {
+  const auto entered = std::count(instances_.begin(), instances_.begin() + count_, instance);
+  // Where parts of one mesh overlap, they are one body.
+  if (entered > (is_entering ? 0 : 1)) return false;
   const auto current = filling(scene);
   if (!current) return true;
   if (is_entering) return priorityOf(scene, instance) >= priorityOf(scene, *current);
-  return !contains(instance) || *current == instance;
+  return entered == 0 || *current == instance;
 }
 
 }  // namespace mirrorball

@@ -47,6 +47,18 @@ TEST(Media, ThePriorityDecides) {
   EXPECT_FALSE(media.hasSurface(scene, 1, true));
 }
 
+// Two closed parts of one mesh that overlap: only the outer surface is there.
+TEST(Media, ABodyThatOverlapsItselfIsOne) {
+  const Scene scene = bodiesOf({0});
+  Media media;
+  media.enter(0);
+  EXPECT_FALSE(media.hasSurface(scene, 0, true));
+  media.enter(0);
+  EXPECT_FALSE(media.hasSurface(scene, 0, false));
+  media.leave(0);
+  EXPECT_TRUE(media.hasSurface(scene, 0, false));
+}
+
 TEST(Media, WhatWasNotEnteredIsLeftWithoutAChange) {
   const Scene scene = bodiesOf({0, 5});
   Media media;

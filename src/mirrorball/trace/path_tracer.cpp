@@ -20,8 +20,10 @@ constexpr int kLargestPass = 128;
 
 void addPath(PixelSums& sums, const PathLight& path) {
   const glm::vec4& light = path.radiance;
+  ++sums.paths;
   if (!std::isfinite(light.x + light.y + light.z)) {
     ++sums.lost;
+    sums.light.w += 1.0;
     return;
   }
   sums.light += glm::dvec4(light);
@@ -46,7 +48,7 @@ int expectedSamples(const TraceSettings& settings, int samples, float noise, flo
   return static_cast<int>(std::ceil(expected));
 }
 
-/// The images of a map that lie one below the other. A texel on the rim of a disc shows the light of its part inside.
+/// The images of a map that lie one below the other.
 ImageSet cutIntoFaces(const Image& all, Projection projection, glm::ivec2 size) {
   const int channels = hasDisc(projection) ? 4 : 3;
   ImageSet images(1, faceCount(projection));
@@ -56,9 +58,7 @@ ImageSet cutIntoFaces(const Image& all, Projection projection, glm::ivec2 size) 
       for (int x = 0; x < size.x; ++x) {
         const float* const traced = all.texel(x, face * size.y + y);
         float* const texel = image.texel(x, y);
-        if (!covers(projection, (glm::vec2(x, y) + 0.5f) / glm::vec2(size))) continue;
-        for (int c = 0; c < 3; ++c) texel[c] = traced[c] / traced[3];
-        if (channels == 4) texel[3] = 1.0f;
+        std::copy_n(traced, channels, texel);
       }
   }
   return images;

@@ -72,7 +72,7 @@ class PathTracer {
 
   const Scene& scene() const;
 
-  /// Draws passes over the whole picture, each with as many paths as all before it, up to a hundred.
+  /// Draws passes over the whole picture, each with as many paths as all before it, up to 128.
   ///
   /// returns   with `samples` or `noise` as the limit, the same bits for any number of threads
   /// errors    too_large; interrupted, before the first pass (one path a pixel) was whole

@@ -287,7 +287,6 @@ TEST(PathTracer, LayersAreThoseOfTheFirstSurface) {
   EXPECT_NEAR(glm::distance(rgbAt(picture->layers->normal, 12, 12), glm::vec3(0, 0, 1)), 0.0f, 0.1f);
   EXPECT_NEAR(glm::distance(rgbAt(picture->layers->albedo, 12, 12), metal.base_color), 0.0f, 1e-5f);
   EXPECT_EQ(rgbAt(picture->layers->albedo, 0, 0), glm::vec3(0.0f)) << "the background";
-  // The noise that the picture states is the mean of the variances' roots, but for the display's curve.
   EXPECT_GT(picture->layers->variance.texel(12, 12)[1], 0.0f);
 }
 
@@ -303,6 +302,9 @@ TEST(PathTracer, CapturesWhatIsAround) {
     ASSERT_TRUE(traced_map);
     const EnvironmentMap& map = traced_map->map;
     EXPECT_EQ(map.faces(), faceCount(projection));
+    const auto one_path = tracer->capture({.projection = projection, .size = 32}, {.samples = 1});
+    for (int face = 0; face < one_path->map.faces(); ++face)
+      for (const float sample : one_path->map.face(face).samples()) ASSERT_TRUE(std::isfinite(sample));
     for (const glm::vec3 d : {glm::vec3(0, 1, 0), glm::vec3(0, 0, 1), glm::normalize(glm::vec3(-1, 0.2f, 0.4f))})
       EXPECT_NEAR(glm::distance(map.radiance(d), glm::vec3(1.0f) + 0.5f * d), 0.0f, 0.05f) << nameOf(projection);
     EXPECT_NEAR(map.radiance({1, 0, 0}).x, 0.0f, 1e-3f) << nameOf(projection) << ": the black ball";

@@ -48,6 +48,20 @@ inline float meanOf(const Image& image) {
   return static_cast<float>(sum / (double(image.width()) * image.height()));
 }
 
+/// The mean of each channel.
+inline glm::dvec3 meansOf(const Image& image) {
+  glm::dvec3 sum(0.0);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) sum += glm::dvec3(rgbAt(image, x, y));
+  return sum / (double(image.width()) * image.height());
+}
+
+inline void expectWhite(const Image& image, double tolerance, const std::string& what) {
+  const glm::dvec3 means = meansOf(image);
+  for (int channel = 0; channel < 3; ++channel)
+    EXPECT_NEAR(means[channel], 1.0, tolerance) << what << ", channel " << channel;
+}
+
 inline TraceSettings small(int samples) { return {.size = {24, 24}, .samples = samples}; }
 
 }  // namespace mirrorball::testing

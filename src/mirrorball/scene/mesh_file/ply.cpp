@@ -12,6 +12,7 @@
 
 #include "formula/color.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/scene/mesh_file/polygon.h"
 #include "mirrorball/scene/mesh_file/smoothing.h"
 #include "mirrorball/scene/mesh_file/text_scanner.h"
@@ -268,6 +269,7 @@ class PlyDecoder {
   Result<Mesh> decode() {
     for (const Element& element : header_.elements) {
       MIRRORBALL_TRY_VOID(checkSize(element));
+      MIRRORBALL_TRY_VOID(checkMemory(memoryOf(element)));
       MIRRORBALL_TRY_VOID(element.name == "vertex" ? readVertices(element) : readLists(element));
     }
     for (const std::uint32_t index : mesh_.indices)
@@ -284,6 +286,14 @@ class PlyDecoder {
  private:
   tl::unexpected<Error> wrong(const std::string& what) const {
     return fail(ErrorCode::bad_file, reader_.place() + ": " + what);
+  }
+
+  /// What an element takes at least: a face is a triangle or more.
+  static std::uint64_t memoryOf(const Element& element) {
+    const std::size_t each = element.name == "vertex" ? sizeof(Vertex)
+                             : element.name == "face" ? 3 * sizeof(std::uint32_t)
+                                                      : 0;
+    return element.count * std::uint64_t{each};
   }
 
   /// Refuses a count that the bytes cannot hold, before memory is taken for it.

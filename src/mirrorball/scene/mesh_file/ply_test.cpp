@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/scene/mesh_testing.h"
 
 namespace mirrorball {
@@ -177,6 +178,14 @@ TEST(Ply, SurvivesRandomDamage) {
     if (!scene) continue;
     for (const std::uint32_t index : scene->meshes.at(0).indices) ASSERT_LT(index, scene->meshes[0].vertices.size());
   }
+}
+
+TEST(Ply, MemoryIsAskedForBeforeItIsTaken) {
+  const std::uint64_t before = memoryLimit();
+  setMemoryLimit(4 * sizeof(Vertex) - 1);
+  expectRefused(binarySquare(std::endian::little), ErrorCode::too_large, "of memory");
+  setMemoryLimit(before);
+  EXPECT_TRUE(decode(binarySquare(std::endian::little)));
 }
 
 }  // namespace

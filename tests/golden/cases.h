@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <span>
 #include <string>
@@ -15,12 +16,23 @@ struct Tolerance {
   const char* reason;
 };
 
+/// How near a drawn picture is to the path-traced one of the same command, where light does what an environment map can
+/// know of (`--bounces 1 --unoccluded`). docs/truth.md shows what was measured, and how much of the distance is noise.
+struct Truth {
+  double psnr_db;       ///< at least
+  const char* reason;   ///< of the distance
+  const char* mistake;  ///< an option of the drawn picture alone that must be found; empty: none is tried
+  int samples;          ///< of a drawn pixel
+  int paths;            ///< of a traced pixel
+};
+
 /// A picture that the program must make again.
 struct Case {
   const char* name;            ///< of pictures/NAME.png and of the test
   const char* command;         ///< what follows `mirrorball`, without -o; single spaces between the words
   const Tolerance* tolerance;  ///< one of a few, each with its reason, in cases.cpp
   const char* min_error;       ///< an option of the command, changed to the smallest mistake that the case must find
+  std::optional<Truth> truth = {};  ///< nothing: a conversion, which has no picture to trace
 };
 
 /// The table of them, each with built-in inputs only, so that it runs everywhere.
@@ -34,6 +46,15 @@ const Case& caseNamed(const std::string& name);
 /// changed  an option with its value, in the place of the one that the command may have: "--fov 100.1"; --set and
 ///          --light come on top
 std::string commandOf(const Case& golden_case, const std::string& changed = {});
+
+/// The command that draws the picture of a case for its truth: tone mapped after the mean of the samples, as the traced
+/// one.
+///
+/// changed  as commandOf's
+std::string drawnCommandOf(const Case& golden_case, const std::string& changed = {});
+
+/// The command that traces the truth of a case: without what only the renderer has.
+std::string tracedCommandOf(const Case& golden_case);
 
 /// Whether the command draws with OpenGL. A conversion does not.
 bool needsGl(const Case& golden_case);

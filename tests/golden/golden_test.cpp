@@ -1,4 +1,5 @@
-// The pictures that the program makes are those in tests/golden/pictures, which someone has looked at.
+// The pictures that the program makes are those in tests/golden/pictures, which someone has looked at. That they are
+// right as well is held by truth_test.cpp.
 //
 // After a change that is meant to be seen, one command makes them anew, and counts these tests as skipped:
 //

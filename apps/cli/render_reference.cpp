@@ -15,6 +15,7 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/scene/camera/framing.h"
+#include "mirrorball/study/traced_frame.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -26,22 +27,11 @@ const Option<ReferenceOptions> kReference{
      .group = "Reference"},
     &ReferenceOptions::is_wanted};
 
-/// Paths a pixel where nothing else says when to stop, and where something does.
-constexpr int kUsualSamples = 256;
-constexpr int kManySamples = 1 << 20;
-
 }  // namespace
 
 TraceSettings traceSettings(const ReferenceOptions& options, const FrameSettings& frame, const GivenOptions& given) {
-  TraceSettings trace = options.trace;
-  const bool stops_itself = trace.noise > 0.0f || trace.time_s > 0.0f;
-  trace.size = frame.size;
-  trace.samples = given.contains("samples") ? frame.samples : stops_itself ? kManySamples : kUsualSamples;
-  trace.display = frame.display;
-  trace.environment_from_world = frame.environmentFromWorld();
-  trace.environment_intensity = frame.env_intensity;
-  trace.shows_environment = frame.background == BackgroundKind::environment;
-  trace.lights = frame.lights;
+  TraceSettings trace = tracedFrame(frame, options.trace);
+  if (given.contains("samples")) trace.samples = frame.samples;
   return trace;
 }
 

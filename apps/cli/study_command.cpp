@@ -62,6 +62,15 @@ Result<void> check(const StudyRequest& request) {
   return {};
 }
 
+/// A word as a shell takes it: in single quotes where it has more than letters, digits and a path's marks.
+std::string shellWord(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
 /// " --name value" for each option that is not as it was.
 template <typename Target>
 std::string changesOf(std::type_identity_t<std::span<const Option<Target>>> table, const Target& target,
@@ -69,19 +78,19 @@ std::string changesOf(std::type_identity_t<std::span<const Option<Target>>> tabl
   std::string changes;
   for (const Option<Target>& option : table)
     if (const std::string value = written(option, target); value != written(option, usual))
-      changes += " --" + std::string(option.text.name) + (option.isFlag() ? "" : " " + value);
+      changes += " --" + std::string(option.text.name) + (option.isFlag() ? "" : " " + shellWord(value));
   return changes;
 }
 
 /// The command line that makes the page again.
 std::string commandOf(const StudyRequest& request) {
   const StudyRequest usual;
-  std::string command = "mirrorball study" + (request.isBuiltIn() ? "" : " " + request.scene.model);
+  std::string command = "mirrorball study" + (request.isBuiltIn() ? "" : " " + shellWord(request.scene.model));
   command += changesOf(materialOptions(), request.materials, usual.materials);
-  for (const std::string& assignment : request.materials.set) command += " --set " + assignment;
+  for (const std::string& assignment : request.materials.set) command += " --set " + shellWord(assignment);
   return command + changesOf(sceneOptions(), request.scene, usual.scene) +
          changesOf(studyFrameOptions(), request.settings.frame, usual.settings.frame) +
-         changesOf(studyOptions(), request.settings, usual.settings) + " --output " + request.files.output;
+         changesOf(studyOptions(), request.settings, usual.settings) + " --output " + shellWord(request.files.output);
 }
 
 /// "sphere of rough-metal in room.hdr"

@@ -13,15 +13,13 @@
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/study/angle_error.h"
 #include "mirrorball/study/subject.h"
+#include "mirrorball/study/traced_frame.h"
 #include "mirrorball/trace/path_tracer.h"
 
 namespace mirrorball {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Where a limit on the noise says when to stop.
-constexpr int kManyPaths = 1 << 20;
 
 /// What a picture counts for in the progress, about in proportion to its time.
 constexpr std::size_t kStepsOfDrawn = 100;
@@ -196,12 +194,9 @@ Result<const Traced*> Workshop::trace(Stage& stage, const PlannedShot& shot, std
   }
   TraceSettings trace;
   MIRRORBALL_TRY_VOID(applySettings(settings, trace));
-  trace.size = stage.frame.size;
   trace.noise = settings_.noise;
-  trace.samples = settings_.paths.value_or(trace.noise > 0.0f ? kManyPaths : StudySettings::kUsualPaths);
-  trace.display = stage.frame.display;
-  trace.environment_from_world = stage.frame.environmentFromWorld();
-  trace.environment_intensity = stage.frame.env_intensity;
+  trace = tracedFrame(stage.frame, trace);
+  if (settings_.paths) trace.samples = *settings_.paths;
   const Camera camera = framedCamera(stage.scene, boundingSphere(stage.scene), stage.frame.camera, trace.size);
   const auto start = Clock::now();
   MIRRORBALL_TRY(picture, stage.tracer->render(camera, trace, {.progress = steps_.next(kStepsOfTraced)}));

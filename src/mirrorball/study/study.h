@@ -19,8 +19,6 @@ namespace mirrorball {
 
 /// How pictures are made that are held against each other.
 struct StudySettings {
-  static constexpr int kUsualPaths = 256;
-
   /// Size, camera, display, and how the environment stands. `samples` is of the renderer's pictures, at
   /// most `paths`; what a technique is about, such as `blur`, it sets itself.
   FrameSettings frame = {.size = {256, 256}, .samples = 64};

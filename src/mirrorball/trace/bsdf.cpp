@@ -53,8 +53,8 @@ float densityOfReflection(float alpha, glm::vec3 w, glm::vec3 l) {
   return is_met ? densityOfMetFacets(alpha, w, h) / (4.0f * cosine) : 0.0f;
 }
 
-/// The density [1/sr] of the rays that a facet reflects into l, if facets are chosen by D(h) h.z, as they are seen along
-/// the surface's normal: D(h) h.z / (4 l·h). It is great for facets that l grazes, where the walk finds too few.
+/// The density [1/sr] of the rays that a facet reflects into l, if facets are chosen by D(h) h.z, as they are seen
+/// along the surface's normal: D(h) h.z / (4 l·h). It is great for facets that l grazes, where the walk finds too few.
 float densityFromLight(float alpha, glm::vec3 ray, glm::vec3 l) {
   const glm::vec3 h = glm::normalize(l - ray);
   const float cosine = glm::dot(l, h);

@@ -36,8 +36,8 @@ struct TracedPicture {
 
 /// Who is told how far the tracing is.
 struct TraceObserver {
-  /// Of paths, of all that there will be, as far as that is known before: by their noise, or by the time that they took.
-  /// Called from all threads. When it says so, the passes that are whole are the picture.
+  /// Of paths, of all that there will be, as far as that is known before: by their noise, or by the time that they
+  /// took. Called from all threads. When it says so, the passes that are whole are the picture.
   ProgressFunction progress = {};
   /// Of each whole pass, with TracedPicture's `samples` and `noise` up to then.
   std::function<void(int samples, float noise)> pass = {};

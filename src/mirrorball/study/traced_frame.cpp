@@ -1,0 +1,17 @@
+#include "mirrorball/study/traced_frame.h"
+
+namespace mirrorball {
+
+TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings) {
+  constexpr int kManySamples = 1 << 20;
+  if (settings.noise > 0.0f || settings.time_s > 0.0f) settings.samples = kManySamples;
+  settings.size = frame.size;
+  settings.display = frame.display;
+  settings.environment_from_world = frame.environmentFromWorld();
+  settings.environment_intensity = frame.env_intensity;
+  settings.shows_environment = frame.background == BackgroundKind::environment;
+  settings.lights = frame.lights;
+  return settings;
+}
+
+}  // namespace mirrorball

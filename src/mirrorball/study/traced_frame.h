@@ -1,0 +1,13 @@
+#pragma once
+
+#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/trace/trace_settings.h"
+
+namespace mirrorball {
+
+/// What a path tracer is told so that it shows what a renderer shows with those settings: size, display, environment,
+/// background and lights. How many paths there are stays as it is, but where noise or time end them: then they may be
+/// many.
+TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings);
+
+}  // namespace mirrorball

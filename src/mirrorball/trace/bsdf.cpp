@@ -12,10 +12,6 @@ namespace {
 
 /// Below this a lobe is as narrow as a float's direction.
 constexpr float kSmoothAlpha = 1e-4f;
-/// Light samples of this density [1/sr] and more are of small lights, for which the second of two facets is also chosen
-/// first. For larger lights the balance against the facets' own densities, which are some units a steradian where a
-/// bright way is found by chance, keeps its weight small.
-constexpr float kSmallLight = 10.0f;
 constexpr glm::vec3 kUp{0.0f, 0.0f, 1.0f};
 /// A walk that has not ended by then carries next to nothing.
 constexpr int kLongestWalk = 64;
@@ -89,6 +85,13 @@ struct Bsdf::Walk {
   float side() const { return is_outside ? 1.0f : -1.0f; }
   /// Towards where the ray comes from, as seen from its side.
   glm::vec3 back() const { return -side() * ray; }
+
+  /// Of choosing this ray and then a facet that reflects it into l, against choosing that facet first
+  /// (directFromTwoFacets): the part that the former has, by their densities.
+  float partOfWalk(float alpha, glm::vec3 l) const {
+    const bool has_other_way = from_facet > 0.0f && l.z > 0.0f;
+    return has_other_way ? balanceHeuristic(from_facet, densityFromLight(alpha, -back(), l)) : 1.0f;
+  }
 };
 
 /// One that a ray has met.
@@ -141,6 +144,7 @@ glm::vec3 Bsdf::facetTransmittance(const Walk& walk, float cosine) const {
 }
 
 /// What the facets that may be met here send straight into the light's direction, if no other facet catches it there.
+/// The light sample is weighed against the walk alone: not against the other way to a second facet.
 glm::vec3 Bsdf::directFromFacets(const Walk& walk, const LightSample& light) const {
   const glm::vec3 w = walk.back();
   const glm::vec3 l = walk.side() * light.direction;
@@ -148,11 +152,9 @@ glm::vec3 Bsdf::directFromFacets(const Walk& walk, const LightSample& light) con
   const float density = walk.meeting * densityOfReflection(alpha_, w, l) * shareOfFacets(walk);
   if (density <= 0.0f) return glm::vec3(0.0f);
   const glm::vec3 reflectance = facetReflectance(walk, glm::dot(w, glm::normalize(w + l)));
-  const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance));
-  float weight = misWeight(light, own) / light.pdf;
-  if (walk.from_facet > 0.0f && light.pdf >= kSmallLight)
-    weight *= balanceHeuristic(walk.from_facet, densityFromLight(alpha_, -w, l));
-  return walk.weight * reflectance * (density * escapeProbability(alpha_, l, walk.height) * weight);
+  const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance)) * walk.partOfWalk(alpha_, l);
+  return walk.weight * reflectance *
+         (density * escapeProbability(alpha_, l, walk.height) * misWeight(light, own) / light.pdf);
 }
 
 /// What two facets send there, the second one chosen before the ray to it: the first one seldom reflects a ray that a
@@ -172,7 +174,7 @@ glm::vec3 Bsdf::directFromTwoFacets(const Walk& walk, const LightSample& light, 
   second.ray = walk.side() * between;
   second.meeting = 1.0f - escapeProbability(alpha_, between, walk.height);
   second.height = heightOfNextFacet(alpha_, between, walk.height, samples.nextIndependent());
-  second.from_facet = 0.0f;
+  second.from_facet = by_first;
   second.weight *= reflectance * (first / by_light * balanceHeuristic(by_light, by_first));
   return directFromFacets(second, light);
 }
@@ -219,16 +221,17 @@ void Bsdf::chooseNext(Walk& walk, const Facet& facet, glm::vec2 u, SampleSequenc
   const glm::vec3 w = walk.back();
   const float share = walk.is_metal ? 1.0f : maxComponent(facet.reflectance);
   const float by_facets = shareOfFacets(walk);
-  walk.from_facet = 0.0f;
   const bool is_reflected = u.x < share && (by_facets == 1.0f || u.y < by_facets);
   if (is_reflected) {
     const glm::vec3 l = glm::reflect(-w, facet.normal);
-    walk.pdf = isSmooth() ? 0.0f : walk.meeting * by_facets * share * densityOfReflection(alpha_, w, l);
-    walk.from_facet = walk.pdf;
+    const float density = isSmooth() ? 0.0f : walk.meeting * by_facets * share * densityOfReflection(alpha_, w, l);
+    walk.pdf = density * walk.partOfWalk(alpha_, l);
+    walk.from_facet = density;
     walk.weight *= facet.reflectance / share;
     walk.ray = walk.side() * l;
     return;
   }
+  walk.from_facet = 0.0f;
   if (u.y < material_.transmission) return transmit(walk, facet);
   const bool is_inside = isInMatter(walk);
   const glm::vec3 entered = (glm::vec3(1.0f) - facet.reflectance) / std::max(1.0f - share, 1e-30f);
@@ -284,8 +287,10 @@ Scattering Bsdf::scatter(glm::vec3 v, const LightSample& light, SampleSequence& 
     const float cosine = glm::dot(w, normal);
     const Facet facet{normal, cosine, facetReflectance(walk, cosine)};
     if (light.pdf > 0.0f) {
-      if (!isSmooth()) result.direct += directFromFacets(walk, light);
-      if (!isSmooth() && light.pdf >= kSmallLight) result.direct += directFromTwoFacets(walk, light, samples);
+      if (!isSmooth()) {
+        const float part = walk.partOfWalk(alpha_, walk.side() * light.direction);
+        result.direct += part * directFromFacets(walk, light) + directFromTwoFacets(walk, light, samples);
+      }
       result.direct += directFromMatter(walk, light, facet.reflectance);
     }
     if (result.next) return result;

@@ -193,7 +193,7 @@ TEST(Bsdf, LightSamplesAndFoundLightAreBalanced) {
         max = std::max(max, direct.y + found);
       }
       EXPECT_NEAR(light.mean(), 1.0, 1e-3 + 4.0 * light.error()) << one.name << ", n.v = " << cosine;
-      EXPECT_LT(max, 8.0f) << one.name << ", n.v = " << cosine;
+      EXPECT_LT(max, 9.0f) << one.name << ", n.v = " << cosine;
     }
 }
 
@@ -212,6 +212,29 @@ TEST(Bsdf, ASmallLightBetweenTheFacetsIsFoundEvenly) {
       }
       EXPECT_LT(light.error() * std::sqrt(light.count), 2.5 * light.mean()) << roughness << ", " << l.x;
     }
+}
+
+// The same of a lamp of 0.3 sr, which both a light sample and the walk find: weighed against the walk alone, single
+// paths by two facets would take the spread to 6 times the mean.
+TEST(Bsdf, ALampBetweenTheFacetsIsFoundEvenly) {
+  constexpr float kCosine = 0.95f;
+  const float pdf = 1.0f / (formula::kTwoPi * (1.0f - kCosine));
+  const Bsdf bsdf = bsdfOf(whiteMetal(0.45f));
+  for (const glm::vec3 towards : {glm::vec3(0.9f, 0.3f, 0.3f), glm::vec3(0.2f, 0.95f, 0.2f)}) {
+    const glm::vec3 lamp = glm::normalize(towards), x = formula::anyTangent(lamp), y = glm::cross(lamp, x);
+    Estimate light;
+    for (std::uint32_t i = 0; i < 50000; ++i) {
+      SampleSequence samples(18, i);
+      const glm::vec2 u = samples.next();
+      const float z = 1.0f - u.x * (1.0f - kCosine), radius = std::sqrt(1.0f - z * z);
+      const glm::vec3 l =
+          z * lamp + radius * (std::cos(formula::kTwoPi * u.y) * x + std::sin(formula::kTwoPi * u.y) * y);
+      const auto [direct, next] = bsdf.scatter(directionOf(0.6f), {l, pdf}, samples);
+      const bool finds = next && glm::dot(next->direction, lamp) > kCosine;
+      light.add(double(direct.y + (finds ? next->weight.y * balanceHeuristic(next->pdf, pdf) : 0.0f)));
+    }
+    EXPECT_LT(light.error() * std::sqrt(light.count), 2.5 * light.mean()) << lamp.x;
+  }
 }
 
 // What a thin wall lets through goes straight on, and as far to the sides as what it reflects.

@@ -343,8 +343,9 @@ TEST_F(RendererTest, RefractionBendsBySnellsLawAndReflectsPastTheCriticalAngle) 
   shot.frame.camera.orthographic_height = 2.0f;
   testing::aim(shot.frame, 0, 0);
   shot.frame.samples = 1;
-  for (const float ior : {1.5f, 0.7f}) {
-    shot.materials.set = {"transmission=1", "base_color=1", "perceptual_roughness=0", "ior=" + std::to_string(ior)};
+  for (const auto& [ior, is_thin] : {std::pair(1.5f, false), {0.7f, false}, {1.5f, true}}) {
+    shot.materials.set = {"transmission=1", "base_color=1", "perceptual_roughness=0", "ior=" + std::to_string(ior),
+                          is_thin ? "thin_walled=yes" : "thin_walled=no"};
     const Image image = room.radiance(shot);
     for (int x = 4; x < 125; ++x) {
       const float nx = (static_cast<float>(x) + 0.5f) / 64.5f - 1.0f;
@@ -352,8 +353,9 @@ TEST_F(RendererTest, RefractionBendsBySnellsLawAndReflectsPastTheCriticalAngle) 
       const glm::vec3 ray(0, 0, -1);
       const float reflectance = formula::fresnelDielectric(n.z, ior);
       const glm::vec3 expected = light(glm::reflect(ray, n)) * reflectance +
-                                 light(formula::refractedDirection(ray, n, ior)) * (1.0f - reflectance);
-      EXPECT_LT(glm::length(rgbAt(image, x, 64) - expected), 0.02f) << "ior " << ior << " at nx " << nx;
+                                 light(is_thin ? ray : formula::refractedDirection(ray, n, ior)) * (1.0f - reflectance);
+      EXPECT_LT(glm::length(rgbAt(image, x, 64) - expected), 0.02f)
+          << "ior " << ior << " at nx " << nx << (is_thin ? ", thin" : "");
     }
   }
 }

@@ -289,6 +289,23 @@ const Case kCases[] = {
                               vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),
                 0.0f)),
 
+    // texgen
+    PARITY(objectCoordinates, direction, kExact,
+           objectCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(placeCoordinates, direction, kExact,
+           placeCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(normalCoordinates, direction, kExact,
+           normalCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(reflectionCoordinates, direction, kTight,
+           reflectionCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(sphereCoordinates, direction, kTight,
+           sphereCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(coordinatesOfUv, unit, kExact, coordinatesOfUv(vec2(p))),
+    PARITY(uvOfCoordinates, unit, kTight, vec4(uvOfCoordinates(p + vec4(0.0f, 0.0f, 0.0f, 0.5f)), 0.0f, 0.0f)),
+    PARITY(projectedShare, direction, kExact, vec4(projectedShare(p), 0.0f, 0.0f, 0.0f)),
+    PARITY(projectorMatrix, direction, kTight,
+           projectorMatrix(vec3(r), vec3(p), vec3(r), 0.5f + q.w) * vec4(vec3(q), 1.0f)),
+
     // texture_filter, where texels lie up to two maps away from one of 16 x 8
     PARITY(wrappedTexel, unit, kExact,
            vec4(wrappedTexel(floor(64.0f * p.x) - 32.0f, 1.0f + floor(15.0f * p.y), int(2.9375f * r.x)), 0.0f, 0.0f,

@@ -13,6 +13,10 @@
 namespace mirrorball {
 
 enum class Mapping { reflection, normal, sphere };
+
+/// What generates texture coordinates, as OpenGL's glTexGen does (formula/surface/texgen.glsl).
+enum class Texgen { none, object_linear, eye_linear, sphere, reflection, normal, light };
+
 enum class ReflectAt { vertex, fragment, triangle };
 enum class BlurKind { exact, gpu, mip, cone };
 enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
@@ -40,6 +44,8 @@ struct FrameSettings {
   BlurKind blur = BlurKind::exact;
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;
+  Texgen texgen = Texgen::none;         ///< for base_color_map where the scene has one, else for the environment
+  glm::mat4 texture_matrix{1.0f};       ///< of these coordinates, or of those that there are without them
   std::vector<PointLight> lights = {};  ///< at most kMaxLights
 
   /// Directions of the environment from those of the world.

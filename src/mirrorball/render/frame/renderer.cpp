@@ -157,7 +157,7 @@ LightCost Renderer::lightCost() const {
   const State& state = *state_;
   const EnvironmentLight& light = *state.light;
   const PrefilteredChain& chain = state.frame.prefiltered;
-  const LightReads reads = lightReads(state.scene, blurOf(state.settings, light, chain), state.settings.mapping);
+  const LightReads reads = lightReads(state.scene, blurOf(state.settings, light, chain), state.settings);
   LightCost cost{.reads = reads.sum()};
   if (reads.environment > 0) cost.texture_bytes += light.cube().bytes();
   if (reads.prefiltered > 0) cost.texture_bytes += chain.texture->bytes();
@@ -216,8 +216,9 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
   state.frame.prefiltered = chain;
   state.frame.camera = camera;
   state.frame.environment_from_world = settings.environmentFromWorld();
-  state.frame.sphere_map_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
-  if (settings.mapping == Mapping::sphere) MIRRORBALL_TRY_VOID(state.makeSphereMap());
+  MIRRORBALL_TRY(coordinates, coordinateMatrices(state.scene, state.bounds, camera, settings));
+  state.frame.coordinates = coordinates;
+  if (coordinateChoice(state.scene, settings).is_sphere_map) MIRRORBALL_TRY_VOID(state.makeSphereMap());
   return {};
 }
 

@@ -28,11 +28,11 @@ int blurKindOfFormula(BlurKind blur) {
   }
 }
 
-LightReads readsOf(const Material& material, const formula::Blur& blur, Mapping mapping) {
+LightReads readsOf(const Material& material, const formula::Blur& blur, bool is_sphere_map) {
   LightReads reads{.irradiance = 1};
   // transmission_single.glsl: one direction, or one a channel.
   const int refracted = material.transmission == 0.0f ? 0 : material.dispersion == 0.0f ? 1 : 3;
-  const int reflected = mapping == Mapping::sphere ? 0 : 1;
+  const int reflected = is_sphere_map ? 0 : 1;
   reads.sphere_map = 1 - reflected;
   const glm::vec3 anywhere(0.0f, 0.0f, 1.0f);
   for (int ray = 0; ray < reflected + refracted; ++ray)
@@ -51,10 +51,11 @@ formula::Blur blurOf(const FrameSettings& settings, const EnvironmentLight& ligh
           .coarser = std::log2(static_cast<float>(light.cube().width()) / static_cast<float>(chain.size()))};
 }
 
-LightReads lightReads(const Scene& scene, const formula::Blur& blur, Mapping mapping) {
+LightReads lightReads(const Scene& scene, const formula::Blur& blur, const FrameSettings& settings) {
+  const bool is_sphere_map = coordinateChoice(scene, settings).is_sphere_map;
   LightReads most;
   for (const Mesh& mesh : scene.meshes) {
-    const LightReads reads = readsOf(scene.materials[std::size_t(mesh.material)], blur, mapping);
+    const LightReads reads = readsOf(scene.materials[std::size_t(mesh.material)], blur, is_sphere_map);
     most = {.environment = std::max(most.environment, reads.environment),
             .prefiltered = std::max(most.prefiltered, reads.prefiltered),
             .irradiance = std::max(most.irradiance, reads.irradiance),

@@ -68,8 +68,9 @@ int materialOf(const Scene& scene, int instance) {
   return scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)].material;
 }
 
-SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers, const FrameSettings& settings) {
-  return surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings);
+SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers, const FrameSettings& settings,
+                         const CoordinateChoice& coordinates) {
+  return surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings, coordinates);
 }
 
 /// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light
@@ -137,7 +138,9 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   if (!frame_) frame_.emplace(layouts_[frame_point]);
   gl::UniformBlock& block = *frame_;
   block.set("clip_from_world", frame.camera.clip_from_view * frame.camera.view_from_world);
-  block.set("sphere_map_matrix", frame.sphere_map_matrix);
+  block.set("look_up_matrix", frame.coordinates.look_up);
+  block.set("picture_matrix", frame.coordinates.picture);
+  block.set("eye_from_world", glm::mat3(frame.camera.view_from_world));
   block.set("environment_from_world", frame.environment_from_world);
   block.set("camera_position", frame.camera.position);
   block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
@@ -174,8 +177,9 @@ gl::UniformBlock& SurfacePrograms::materialBlock(const Scene& scene, int materia
 Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buffers, const EnvironmentLight& light,
                                     const FrameUniforms& frame, const FrameSettings& settings) {
   if (scene.instances.empty()) return {};
+  coordinates_ = coordinateChoice(scene, settings);
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    MIRRORBALL_TRY(program, programFor(variantOf(scene, materialOf(scene, instance), buffers, settings)));
+    MIRRORBALL_TRY(program, programFor(variantOf(scene, materialOf(scene, instance), buffers, settings, coordinates_)));
     if (!settings.lights.empty()) setLamps(*program, settings.lights);
   }
   setFrame(light, frame, settings);
@@ -194,7 +198,7 @@ void SurfacePrograms::forgetScene() {
 void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) {
   const int material = materialOf(scene, instance);
-  gl::Program& program = programs_.find(variantOf(scene, material, buffers, settings))->second;
+  gl::Program& program = programs_.find(variantOf(scene, material, buffers, settings, coordinates_))->second;
   buffers.bindMaps(scene, material, TextureUnit::first_of_material);
   setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
   frame_->bind(frame_point);

@@ -50,7 +50,7 @@ struct FrameUniforms {
   PrefilteredChain prefiltered;
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
-  glm::mat4 sphere_map_matrix{1.0f};
+  CoordinateMatrices coordinates;
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
@@ -95,6 +95,7 @@ class SurfacePrograms {
   gl::Api api_;
   gl::Texture brdf_table_;
   std::map<SurfaceVariant, gl::Program> programs_;
+  CoordinateChoice coordinates_;  ///< of the frame
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
   std::optional<gl::UniformBlock> frame_;
   std::map<int, gl::UniformBlock> instances_;

@@ -1,7 +1,7 @@
 // Texture coordinates (s, t, r, q) that are generated for a point of a surface instead of being stored with its
-// vertices: glTexGen of OpenGL 1.0 to 2.1 (OpenGL 2.1 specification, 2.11.4 "Generating Texture Coordinates"). A matrix
-// follows, of what is linear in a mode (its planes, the eye's frame) and of the user's texture matrix; and at last s and t
-// are divided by q.
+// vertices: glTexGen of OpenGL 1.0 to 2.1 (OpenGL 2.1 specification, 2.11.4 "Generating Texture Coordinates"). A
+// matrix follows, of what is linear in a mode (its planes, the eye's frame) and of the user's texture matrix; and at
+// last s and t are divided by q.
 // Needs: sphere_map.
 
 struct TexgenPoint {
@@ -16,8 +16,8 @@ struct TexgenPoint {
 // rows of a matrix.
 FN vec4 objectCoordinates(TexgenPoint p) { return vec4(p.object_position, 1.0f); }
 
-// GL_EYE_LINEAR, whose planes' matrix begins by turning the world into the eye's frame; with a light's frame instead, it
-// is a projector (Segal et al. 1992, "Fast Shadows and Lighting Effects Using Texture Mapping").
+// GL_EYE_LINEAR, whose matrix begins by turning the world into the eye's frame; with a light's frame instead, it is a
+// projector (Segal et al. 1992, "Fast Shadows and Lighting Effects Using Texture Mapping").
 FN vec4 placeCoordinates(TexgenPoint p) { return vec4(p.position, 1.0f); }
 
 // GL_NORMAL_MAP.

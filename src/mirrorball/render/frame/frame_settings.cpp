@@ -260,6 +260,12 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "interpolated, at each fragment, or once per triangle, like a mirror made of tiles",
       .group = "Environment"},
      choiceField<&FrameSettings::reflect_at>},
+    {{.name = "lookup",
+      .choices = "cube|flat|flat-nearest",
+      .help = "how surfaces find the light of a direction: by a cube sampler, or by face and texels computed in the "
+              "shader from one picture of six faces side by side, weighed or the nearest; faces then end in seams",
+      .group = "Environment"},
+     choiceField<&FrameSettings::look_up>},
     {{.name = "texgen",
       .choices = "none|object-linear|eye-linear|sphere|reflection|normal|light",
       .help =

@@ -18,6 +18,14 @@ enum class Mapping { reflection, normal, sphere };
 enum class Texgen { none, object_linear, eye_linear, sphere, reflection, normal, light };
 
 enum class ReflectAt { vertex, fragment, triangle };
+
+/// How a shader finds the light of a direction.
+enum class LightLookUp {
+  cube,          ///< a cube sampler does
+  flat,          ///< it finds the face and the texels in a picture of six faces, and weighs four of them
+  flat_nearest,  ///< and takes the nearest
+};
+
 enum class BlurKind { exact, gpu, mip, cone };
 enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
 
@@ -44,6 +52,7 @@ struct FrameSettings {
   BlurKind blur = BlurKind::exact;
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;
+  LightLookUp look_up = LightLookUp::cube;
   Texgen texgen = Texgen::none;         ///< for base_color_map where the scene has one, else for the environment
   glm::mat4 texture_matrix{1.0f};       ///< of these coordinates, or of those that there are without them
   std::vector<PointLight> lights = {};  ///< at most kMaxLights

@@ -108,11 +108,12 @@ Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_tab
 /// Says which unit and which binding point each sampler and block reads; they are the same in all programs.
 void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant) {
   program.set("brdf_table", TextureUnit::brdf_table);
-  program.set("irradiance", TextureUnit::irradiance);
+  const std::string form = variant.has(Part::arriving_light, ArrivingLightPart::distant) ? "" : "_faces";
+  program.set("environment" + form, TextureUnit::environment);
+  program.set("prefiltered" + form, TextureUnit::prefiltered);
+  program.set("irradiance" + form, TextureUnit::irradiance);
   const bool is_sphere_map = variant.has(Part::look_up, LookUpPart::sphere_map);
   if (is_sphere_map) program.set("sphere_map", TextureUnit::sphere_map);
-  program.set("environment", TextureUnit::environment);
-  program.set("prefiltered", TextureUnit::prefiltered);
   for (std::size_t row = 0; row < variant.maps.size(); ++row)
     if (const int unit = variant.maps[row].unit; unit >= 0)
       program.set(samplerName(variant.maps, row), TextureUnit::first_of_material + unit);
@@ -183,9 +184,9 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
     if (!settings.lights.empty()) setLamps(*program, settings.lights);
   }
   setFrame(light, frame, settings);
-  light.cube().bind(TextureUnit::environment);
-  frame.prefiltered.texture->bind(TextureUnit::prefiltered);
-  light.irradiance().bind(TextureUnit::irradiance);
+  (frame.flat ? frame.flat->environment : light.cube()).bind(TextureUnit::environment);
+  (frame.flat ? frame.flat->prefiltered : *frame.prefiltered.texture).bind(TextureUnit::prefiltered);
+  (frame.flat ? frame.flat->irradiance : light.irradiance()).bind(TextureUnit::irradiance);
   brdf_table_.bind(TextureUnit::brdf_table);
   return {};
 }

@@ -14,6 +14,7 @@
 #include "mirrorball/image/image.h"
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/light/flat_light.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_variant.h"
 #include "mirrorball/scene/camera/camera.h"
@@ -51,6 +52,7 @@ struct FrameUniforms {
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
   CoordinateMatrices coordinates;
+  const FlatLight* flat = nullptr;  ///< where FrameSettings::look_up reads it
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf

@@ -16,7 +16,8 @@ constexpr auto kCoordinates = std::to_array<Names>(
 constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl"});
 constexpr auto kDetail = std::to_array<Names>({"detail_none.glsl", "detail_normal_map.glsl"});
 constexpr auto kMaterial = std::to_array<Names>({"material_core.glsl"});
-constexpr auto kArrivingLight = std::to_array<Names>({"arriving_light_distant.glsl"});
+constexpr auto kArrivingLight = std::to_array<Names>(
+    {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp = std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl"});
 constexpr auto kTransmission =
     std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl"});
@@ -137,6 +138,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
   variant.coordinates = coordinates;
   variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
+  variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, coordinates.is_sphere_map ? LookUpPart::sphere_map : LookUpPart::environment);
   variant.choose(Part::transmission, material.transmission <= 0.0f ? TransmissionPart::none
                                      : material.thin_walled        ? TransmissionPart::thin

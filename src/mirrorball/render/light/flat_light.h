@@ -9,7 +9,8 @@ namespace mirrorball {
 /// A cube map with its six faces side by side in one picture, as formula/projection/flat_cube.glsl reads it. Copied on
 /// the GPU, texel by texel.
 ///
-/// cube     of all mip levels down to one texel a face, or of one that is read at lod 0; of a format that can be drawn into
+/// cube     of all mip levels down to one texel a face, or of one that is read at lod 0; of a format that can be drawn
+///          into
 /// errors   too_large: three faces are wider than the driver takes
 Result<gl::Texture> flattened(const gl::Texture& cube);
 

@@ -142,8 +142,8 @@ TEST_P(FlatLightTest, TheNearestTexelIsTheCubeSamplers) {
   EXPECT_GT(compared, 3000);
 }
 
-// Where a texel beyond an edge has a say, the cube sampler takes it from the neighbouring face, and the flat look-up has
-// none: up to half the difference of two texels, on the edge.
+// Where a texel beyond an edge has a say, the cube sampler takes it from the neighbouring face, and the flat look-up
+// has none.
 TEST_P(FlatLightTest, TheFourTexelsAreTheCubeSamplersButAlongTheEdges) {
   auto cube = gl::Texture::fromImages(gl::Format::rgba16f, noise());
   ASSERT_TRUE(cube);

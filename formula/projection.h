@@ -9,6 +9,7 @@
 namespace mirrorball::formula {
 #include "formula/projection/cube.glsl"
 #include "formula/projection/equiangular_cube.glsl"
+#include "formula/projection/flat_cube.glsl"
 #include "formula/projection/mirror_ball.glsl"
 #include "formula/projection/octahedral.glsl"
 #include "formula/projection/paraboloid.glsl"

@@ -8,6 +8,7 @@
 #include "formula/grid_random.h"
 #include "formula/material.h"
 #include "formula/prefilter.h"
+#include "formula/projection.h"
 #include "formula/tangent.h"
 //
 #include "formula/glsl_begin.inc"
@@ -15,6 +16,7 @@
 namespace mirrorball::formula {
 #include "formula/prefilter/sampling.glsl"
 #include "formula/surface/height.glsl"
+#include "formula/surface/texgen.glsl"
 #include "formula/surface/texture_filter.glsl"
 //
 #include "formula/prefilter/blur.glsl"

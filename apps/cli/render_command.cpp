@@ -151,6 +151,8 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
                 "--turn says what goes round in a turntable, and one picture is none; add --frames N");
   MIRRORBALL_TRY_VOID(checkFolder(output));
   MIRRORBALL_TRY_VOID(checkWritable(output));
+  if (settings.texgen == Texgen::light && settings.lights.empty())
+    return fail(ErrorCode::usage, "--texgen light projects from where the first light is; add --light X,Y,Z,R,G,B");
   GivenOptions given = request.given;
   if (settings.resolve == Resolve::radiance) given.erase("resolve");
   MIRRORBALL_TRY_VOID(refusePictureOptions(given, output, ""));

@@ -106,7 +106,8 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
         return fail(ErrorCode::usage, "--" + std::string(option.text.name) + " is for the reference; add --reference");
     return {};
   }
-  constexpr std::array<std::string_view, 6> kOfRenderer{"resolve", "blur", "mapping", "reflect-at", "turn", "frames"};
+  constexpr std::array<std::string_view, 9> kOfRenderer{"resolve", "blur",   "mapping", "reflect-at",    "turn",
+                                                        "frames",  "texgen", "lookup",  "texture-matrix"};
   for (const std::string_view name : kOfRenderer)
     if (given.contains(name))
       return fail(ErrorCode::usage,

@@ -135,6 +135,8 @@ std::string adviceOn(const Remark& remark) {
       return ", and --from " + join(split(remark.detail, '|'), " or --from ") + " names another form";
     case RemarkKind::levels_left_out:
       return "; --mips takes all";
+    case RemarkKind::body_open:
+      return "; --set thin_walled=yes makes it a thin sheet without an inside";
     case RemarkKind::levels_few:
       return "; --levels " + remark.detail + " mends it";
     default:

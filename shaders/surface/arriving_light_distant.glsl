@@ -3,24 +3,10 @@
 //                                       radiance from the direction d, blurred for the roughness;
 //                                       footprint: the solid angle that one sample of a pixel sees, in sr; 0: any
 //   vec3 arrivingIrradiance(vec3 origin, vec3 n)      on a surface with the normal n, divided by π
-// Here: an environment so far away that it is the same at every origin.
-#include "mip_mapping.glsl"
-#include "tangent.glsl"
-#include "blur.glsl"
-#include "sampling.glsl"
+// Here: an environment so far away that it is the same at every origin, in cube maps.
 
 uniform samplerCube environment;
 uniform samplerCube prefiltered;
-uniform samplerCube irradiance;  // divided by π
+uniform samplerCube irradiance;
 
-vec3 incomingLight(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
-  Blur blur = Blur(blur_kind, first_level, last_level, texels_per_radian, coarser);
-  float minified = footprintLod(footprint, texels_per_radian);
-  vec3 direction = environment_from_world * d;
-  vec4 light = blurredLight(blur, environment, prefiltered, direction, perceptual_roughness, minified);
-  return environment_intensity * light.xyz;
-}
-
-vec3 arrivingIrradiance(vec3 origin, vec3 n) {
-  return environment_intensity * sampleLod(irradiance, environment_from_world * n, 0.0).xyz;
-}
+#include "distant_light.glsl"

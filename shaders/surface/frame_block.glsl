@@ -1,7 +1,9 @@
 // What all surfaces of a frame share.
 layout(std140) uniform FrameBlock {
   mat4 clip_from_world;
-  mat4 sphere_map_matrix;  // sphere-map coordinates of a world normal
+  mat4 look_up_matrix;     // of the coordinates of reflected light: to a direction of the world, or to (s, t, r, q)
+  mat4 picture_matrix;     // of those of base_color_map: to (s, t, r, q)
+  mat3 eye_from_world;
   mat3 environment_from_world;
   vec3 camera_position;
   float orthographic;      // 1: all rays go along camera_forward

@@ -12,6 +12,7 @@
 #include "shading.glsl"
 
 #include "part: point"
+#include "part: coordinates"
 #include "part: maps"
 #include "part: normal"
 #include "part: detail"

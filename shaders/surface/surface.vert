@@ -1,6 +1,8 @@
 // A mesh's vertex in the world, and what the fragment needs of it.
 #include "frame_block.glsl"
 #include "instance_block.glsl"
+#include "sphere_map.glsl"
+#include "texgen.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -17,8 +19,10 @@ out vec4 world_tangent;
 out vec2 texture_uv_0;
 out vec2 texture_uv_1;
 out vec4 vertex_color;
-out vec3 vertex_reflection;
-flat out vec3 triangle_reflection;
+out vec4 vertex_look_up;
+out vec4 vertex_picture;
+flat out vec4 triangle_look_up;
+flat out vec4 triangle_picture;
 
 void main() {
   vec4 world = world_from_object * vec4(position, 1.0);
@@ -30,9 +34,12 @@ void main() {
   texture_uv_0 = uv_0;
   texture_uv_1 = uv_1;
   vertex_color = color;
-  // What is interpolated is the unit vector of each corner: not the reflection of the interpolated normal.
+  // What is interpolated are the coordinates of each corner: not those of the interpolated normal.
   vec3 ray = orthographic > 0.5 ? camera_forward : normalize(world.xyz - camera_position);
-  vertex_reflection = reflect(ray, normalize(world_normal));
-  triangle_reflection = vertex_reflection;
+  TexgenPoint corner = TexgenPoint(position, world.xyz, normalize(world_normal), ray, eye_from_world);
+  vertex_look_up = LOOK_UP_COORDINATES(corner);
+  vertex_picture = PICTURE_COORDINATES(corner);
+  triangle_look_up = vertex_look_up;
+  triangle_picture = vertex_picture;
   gl_Position = clip_from_world * world;
 }

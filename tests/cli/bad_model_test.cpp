@@ -74,6 +74,17 @@ TEST_F(BadModelTest, OneWithoutAnyAreaIsTold) {
   EXPECT_EQ(outcome.err, "mirrorball: note: point.obj: none of its triangles has an area; nothing is seen\n");
 }
 
+TEST_F(BadModelTest, AnOpenSurfaceOfGlassIsTold) {
+  const Outcome open = run("render teapot --material glass -e white --size 8x8 -o out.png");
+  EXPECT_EQ(open.exit_code, 0);
+  EXPECT_EQ(
+      open.err,
+      "mirrorball: note: teapot: the surface of the material 'glass' is open, so light that enters there may never "
+      "leave the body; --set thin_walled=yes makes it a thin sheet without an inside\n");
+  succeed("render teapot --material glass --set thin_walled=yes -e white --size 8x8 -o out.png");
+  succeed("render tumbler-water -e white --size 8x8 -o out.png");
+}
+
 TEST_F(BadModelTest, AnEmptyFileOrOneOfAnotherKind) {
   for (const std::string& extension : kExtensions) {
     write("empty." + extension, std::string());

@@ -148,7 +148,8 @@ TEST_F(BadOptionTest, AWrongNameListsTheRightOnes) {
 TEST_F(BadOptionTest, AWrongChoiceListsTheRightOnes) {
   EXPECT_THAT(refuseRender("--tone-map agxx"), AllOf(HasSubstr("'agxx'"), HasSubstr("did you mean 'agx'?"),
                                                      HasSubstr("agx, aces, neutral, reinhard, linear")));
-  for (const std::string words : {"--tone-map agxx", "--mapping cube", "--reflect-at pixel", "--fresnel no"})
+  for (const std::string words :
+       {"--tone-map agxx", "--mapping cube", "--reflect-at pixel", "--fresnel no", "--texgen cylinder"})
     EXPECT_THAT(refuseRender(words), AllOf(HasSubstr(words.substr(2, words.find(' ') - 2)), Not(HasSubstr("--no "))));
 }
 
@@ -172,6 +173,7 @@ TEST_F(BadOptionTest, AWrongNumberIsToldWithWhatIsRight) {
                             Case{"--camera 1,100", "-90 to 90"},
                             Case{"--camera 1,2,0", "above 0"},
                             Case{"--target 1,2", "3 numbers"},
+                            Case{"--texture-matrix 1,0,0,1", "16 numbers"},
                             Case{"--orthographic -1", "0 … 10000"},
                             Case{"--exposure 1000", "-30 … 30"},
                             Case{"--env-intensity -1", "0 …"},

@@ -92,6 +92,34 @@ TEST_F(RenderOptionTest, ReflectingAtTrianglesShowsOnePlaceEach) {
   EXPECT_GT(glm::length(rgbAt(side, 22, 10) - rgbAt(side, 10, 22)), 0.02f) << "the other triangle";
 }
 
+// OpenGL's sphere map holds the reflected ray, and is right with perspective too.
+TEST_F(RenderOptionTest, CoordinatesGeneratedForASphereMapShowTheReflection) {
+  const std::string shot = "render sphere -e smooth.exr --material mirror --camera 20,20 --size 64x64 -o ";
+  succeed(shot + "reflected.exr");
+  succeed(shot + "generated.exr --texgen sphere");
+  succeed(shot + "by_normal.exr --mapping sphere");
+  const Image reflected = image("reflected.exr");
+  EXPECT_LT(meanDifference(image("generated.exr"), reflected), 2e-3);
+  EXPECT_GT(meanDifference(image("by_normal.exr"), reflected), 1e-2);
+  succeed(shot + "matrix.exr --texture-matrix 0,0,-1,0,0,1,0,0,1,0,0,0,0,0,0,1 --background transparent");
+  succeed(shot + "turned.exr --env-rotation 90 --background transparent");
+  EXPECT_LT(meanDifference(image("matrix.exr"), image("turned.exr")), 1e-4);
+}
+
+TEST_F(RenderOptionTest, AProjectorNeedsALight) {
+  EXPECT_THAT(refuse(2, "render sphere --texgen light -o out.png"), ::testing::HasSubstr("add --light X,Y,Z,R,G,B"));
+}
+
+TEST_F(RenderOptionTest, LookUpsInAFlatPictureAreThoseOfTheCube) {
+  const std::string shot = "render sphere -e smooth.exr --material mirror --size 64x64 -o ";
+  succeed(shot + "cube.exr");
+  succeed(shot + "flat.exr --lookup flat");
+  succeed(shot + "nearest.exr --lookup flat-nearest");
+  const double flat = meanDifference(image("cube.exr"), image("flat.exr"));
+  EXPECT_LT(flat, 1e-3);
+  EXPECT_GT(meanDifference(image("cube.exr"), image("nearest.exr")), 2.0 * flat);
+}
+
 // Black glass in white light shows its reflectance: 0.04 at normal incidence for index 1.5, and so on by each law.
 TEST_F(RenderOptionTest, FresnelSaysHowReflectionGrowsTowardsTheRim) {
   const std::string glass =

@@ -262,6 +262,17 @@ const Case kCases[] = {
            vec4(sampleFootprint(vec3(p), vec3(q), 1.0f + 16.0f * r.y), 0.0f, 0.0f, 0.0f)),
     PARITY(footprintLod, unit, kTight, vec4(footprintLod(p.x, 1.0f + 2048.0f * r.x), 0.0f, 0.0f, 0.0f)),
 
+    // flat_cube, of a picture of 48 × 24 texels
+    PARITY(flatSize, unit, kExact, vec4(float(flatSize(SmoothMap(48.0f), int(2.9375f * p.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(flatTexel, unit, kExact,
+           flatTexel(SmoothMap(64.0f), int(5.9375f * r.x), ivec2(int(40.0f * p.x) - 10, int(40.0f * p.y) - 10),
+                     int(2.9375f * q.x))),
+    PARITY(flatNearest, direction, kExact, flatNearest(SmoothMap(64.0f), vec3(p), int(2.9375f * r.x))),
+    PARITY(flatBilinear, direction, kTight, flatBilinear(SmoothMap(64.0f), vec3(p), int(2.9375f * r.x))),
+    PARITY(flatLastLevel, unit, kExact, vec4(flatLastLevel(SmoothMap(64.0f)), 0.0f, 0.0f, 0.0f)),
+    PARITY(flatNearestLod, direction, kExact, flatNearestLod(SmoothMap(64.0f), vec3(p), 5.0f * r.x)),
+    PARITY(flatTrilinear, direction, kTight, flatTrilinear(SmoothMap(64.0f), vec3(p), 5.0f * r.x)),
+
     // ground
     PARITY(groundPlace, direction, kTight, vec4(groundPlace(vec3(p.x, -0.0625f - abs(p.y), p.z)), 0.0f, 0.0f)),
     PARITY(groundNoise, unit, kTight, vec4(groundNoise(vec2(p) * 64.0f - 32.0f), 0.0f, 0.0f, 0.0f)),
@@ -315,6 +326,23 @@ const Case kCases[] = {
            vec4(normalFromMap(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p),
                               vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),
                 0.0f)),
+
+    // texgen
+    PARITY(objectCoordinates, direction, kExact,
+           objectCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(placeCoordinates, direction, kExact,
+           placeCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(normalCoordinates, direction, kExact,
+           normalCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(reflectionCoordinates, direction, kTight,
+           reflectionCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(sphereCoordinates, direction, kTight,
+           sphereCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
+    PARITY(coordinatesOfUv, unit, kExact, coordinatesOfUv(vec2(p))),
+    PARITY(uvOfCoordinates, unit, kTight, vec4(uvOfCoordinates(p + vec4(0.0f, 0.0f, 0.0f, 0.5f)), 0.0f, 0.0f)),
+    PARITY(projectedShare, direction, kExact, vec4(projectedShare(p), 0.0f, 0.0f, 0.0f)),
+    PARITY(projectorMatrix, direction, kTight,
+           projectorMatrix(vec3(r), vec3(p), vec3(r), 0.5f + q.w) * vec4(vec3(q), 1.0f)),
 
     // texture_filter, where texels lie up to two maps away from one of 16 x 8
     PARITY(wrappedTexel, unit, kExact,

@@ -239,6 +239,22 @@ std::vector<MapSource> allMaps(bool with_layers) {
   return maps;
 }
 
+/// Every way to address light and pictures, at each of its places.
+std::vector<SurfaceVariant> variantsOfCoordinates() {
+  std::vector<SurfaceVariant> variants;
+  for (int generated = 0; generated <= static_cast<int>(Generated::place); ++generated)
+    for (int from = 0; from <= static_cast<int>(PictureFrom::projector); ++from) {
+      SurfaceVariant variant;
+      variant.maps = allMaps(from % 2 == 0);
+      variant.coordinates = {.look_up = static_cast<Generated>(generated),
+                             .picture_from = static_cast<PictureFrom>(from),
+                             .picture = static_cast<Generated>(generated)};
+      variant.choose(Part::coordinates, static_cast<CoordinatesPart>((generated + from) % 3));
+      variants.push_back(std::move(variant));
+    }
+  return variants;
+}
+
 /// Every pair of answers to two questions of the surface's shader, the others answered as usual; and each with all
 /// maps, some of them layers.
 std::vector<SurfaceVariant> pairsOfParts() {
@@ -256,6 +272,7 @@ std::vector<SurfaceVariant> pairsOfParts() {
           if (needs_maps || (i + j) % 2 != 0) variant.maps = allMaps((i + j) % 3 == 0);
           variants.insert(variant);
         }
+  for (SurfaceVariant variant : variantsOfCoordinates()) variants.insert(variant);
   return {variants.begin(), variants.end()};
 }
 

@@ -18,9 +18,11 @@
 #include "mirrorball/scene/mesh_file/ply.h"
 #include "mirrorball/scene/mesh_file/stl.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
+#include "mirrorball/scene/shapes/faceted.h"
 #include "mirrorball/scene/shapes/interreflection.h"
 #include "mirrorball/scene/shapes/showcase.h"
 #include "mirrorball/scene/shapes/teapot.h"
+#include "mirrorball/scene/shapes/tumbler.h"
 
 namespace mirrorball {
 namespace {
@@ -48,6 +50,10 @@ constexpr std::array kBuiltins = {
     BuiltinModel{"teapot", [] { return sceneOf(teapotMesh(), doubleSided()); }},
     BuiltinModel{"plane", [] { return sceneOf(planeMesh(), doubleSided()); }},
     BuiltinModel{"cube", [] { return sceneOf(cubeMesh()); }},
+    BuiltinModel{"brilliant", [] { return sceneOf(brilliantMesh()); }},
+    BuiltinModel{"prism", [] { return sceneOf(prismMesh()); }},
+    BuiltinModel{"tumbler", [] { return sceneOf(tumblerMesh()); }},
+    BuiltinModel{"tumbler-water", tumblerWaterScene},
     BuiltinModel{"spheres", [] { return spheresScene(); }},
     BuiltinModel{"bowl", bowlScene},
     BuiltinModel{"showcase", showcaseScene},

@@ -25,7 +25,8 @@ std::optional<std::string_view> modelFormatOf(const std::string& path);
 /// The extensions of the files that are read: ".glb .gltf .obj .ply .stl".
 std::string modelExtensions();
 
-/// "none", "sphere", "torus", "knot", "teapot", "plane", "cube", "spheres", "bowl", "showcase".
+/// "none", "sphere", "torus", "knot", "teapot", "plane", "cube", "brilliant", "prism", "tumbler", "tumbler-water",
+/// "spheres", "bowl", "showcase".
 std::span<const std::string_view> builtinModelNames();
 
 }  // namespace mirrorball

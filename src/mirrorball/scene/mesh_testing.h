@@ -44,6 +44,30 @@ inline std::size_t openEdgeCount(const Mesh& mesh) {
       std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
 }
 
+inline void expectUnitBounds(const Scene& scene) {
+  const BoundingSphere bounds = boundingSphere(scene);
+  EXPECT_LT(glm::length(bounds.center), 1e-5f);
+  EXPECT_NEAR(bounds.radius, 1.0f, 1e-5f);
+}
+
+/// Expects that each edge is one of exactly two triangles, which have it in opposite directions. Vertices at one
+/// place, to the last digit, count as one.
+inline void expectEdgesPaired(const Mesh& mesh) {
+  using Place = std::array<float, 3>;
+  std::map<std::pair<Place, Place>, int> count;
+  const auto place = [&](std::size_t i) {
+    const glm::vec3 p = mesh.vertices[mesh.indices[i]].position + 0.0f;  // −0 is 0
+    return Place{p.x, p.y, p.z};
+  };
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+    for (std::size_t k = 0; k < 3; ++k) ++count[{place(i + k), place(i + (k + 1) % 3)}];
+  for (const auto& [edge, times] : count) {
+    const auto opposite = count.find({edge.second, edge.first});
+    ASSERT_EQ(times, 1) << "at " << edge.first[0] << ", " << edge.first[1] << ", " << edge.first[2];
+    ASSERT_TRUE(opposite != count.end()) << "at " << edge.first[0] << ", " << edge.first[1] << ", " << edge.first[2];
+  }
+}
+
 /// Expects unit normals that agree with the triangles' winding, and unit tangents in the surface.
 ///
 /// min_cosine  between a triangle's normal and those of its corners

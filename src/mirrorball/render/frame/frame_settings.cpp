@@ -7,6 +7,7 @@
 #include <string>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "formula/color.h"
 #include "mirrorball/base/text.h"
@@ -141,6 +142,17 @@ constexpr Field kRotation{[](const FrameSettings& s) {
                             return {};
                           }};
 
+/// As matrices are written, row after row; GLM's are columns.
+constexpr Field kTextureMatrix{[](const FrameSettings& s) {
+                                 const glm::mat4 rows = glm::transpose(s.texture_matrix);
+                                 return writeNumbers({&rows[0].x, 16});
+                               },
+                               [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+                                 MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+                                 s.texture_matrix = glm::transpose(glm::make_mat4(numbers.data()));
+                                 return {};
+                               }};
+
 constexpr Field kLight{[](const FrameSettings&) { return std::string(); },
                        [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
                          MIRRORBALL_TRY(n, parseNumbers(text, written));
@@ -244,8 +256,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      choiceField<&FrameSettings::mapping>},
     {{.name = "reflect-at",
       .choices = "vertex|fragment|triangle",
-      .help = "where the reflected ray is computed: at the vertices and then interpolated, at each fragment, or once "
-              "per triangle, like a mirror made of tiles",
+      .help = "where the reflected ray, or what else --mapping or --texgen says, is computed: at the vertices and then "
+              "interpolated, at each fragment, or once per triangle, like a mirror made of tiles",
       .group = "Environment"},
      choiceField<&FrameSettings::reflect_at>},
     {{.name = "refraction",
@@ -262,6 +274,28 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "light from far away",
       .group = "Look"},
      &FrameSettings::inner_bounces},
+    {{.name = "lookup",
+      .choices = "cube|flat|flat-nearest",
+      .help = "how surfaces find the light of a direction: by a cube sampler, or by face and texels computed in the "
+              "shader from one picture of six faces side by side, weighed or the nearest; faces then end in seams",
+      .group = "Environment"},
+     choiceField<&FrameSettings::look_up>},
+    {{.name = "texgen",
+      .choices = "none|object-linear|eye-linear|sphere|reflection|normal|light",
+      .help =
+          "generate texture coordinates, as OpenGL's glTexGen did, for base_color_map, or where no material has one "
+          "for the environment: the place on the object or before the eye, the reflected ray on a sphere map or as it "
+          "is, the normal, or the place in the picture of a projector where the first light is",
+      .group = "Look"},
+     choiceField<&FrameSettings::texgen>},
+    {{.name = "texture-matrix",
+      .value = "16 NUMBERS",
+      .min_count = 16,
+      .max_count = 16,
+      .help = "matrix, row after row, by which the texture coordinates (s,t,r,q) are multiplied that address "
+              "base_color_map, or where no material has one the environment; s and t are then divided by q",
+      .group = "Look"},
+     kTextureMatrix},
     {{.name = "light",
       .value = "X,Y,Z,R,G,B",
       .unit = "world units and radiance",

@@ -13,7 +13,19 @@
 namespace mirrorball {
 
 enum class Mapping { reflection, normal, sphere };
+
+/// What generates texture coordinates, as OpenGL's glTexGen does (formula/surface/texgen.glsl).
+enum class Texgen { none, object_linear, eye_linear, sphere, reflection, normal, light };
+
 enum class ReflectAt { vertex, fragment, triangle };
+
+/// How a shader finds the light of a direction.
+enum class LightLookUp {
+  cube,          ///< a cube sampler does
+  flat,          ///< it finds the face and the texels in a picture of six faces, and weighs four of them
+  flat_nearest,  ///< and takes the nearest
+};
+
 enum class BlurKind { exact, gpu, mip, cone };
 enum class RefractionKind { single, traced };
 enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
@@ -43,6 +55,9 @@ struct FrameSettings {
   ReflectAt reflect_at = ReflectAt::fragment;
   RefractionKind refraction = RefractionKind::single;
   int inner_bounces = 4;                ///< surfaces that light meets inside of bodies where it is traced, 1 … 32
+  LightLookUp look_up = LightLookUp::cube;
+  Texgen texgen = Texgen::none;         ///< for base_color_map where the scene has one, else for the environment
+  glm::mat4 texture_matrix{1.0f};       ///< of these coordinates, or of those that there are without them
   std::vector<PointLight> lights = {};  ///< at most kMaxLights
 
   /// Directions of the environment from those of the world.

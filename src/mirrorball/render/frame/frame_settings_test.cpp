@@ -23,7 +23,9 @@ TEST(FrameOptions, DefaultsAreWhatTheProjectPromises) {
   const FrameSettings settings;
   std::string defaults;
   for (const auto& option : frameOptions()) defaults += written(option, settings) + " ";
-  EXPECT_EQ(defaults, "1280x720 4 display 0 neutral env 30,15  35  0 1 exact reflection fragment  ");
+  EXPECT_EQ(defaults,
+            "1280x720 4 display 0 neutral env 30,15  35  0 1 exact reflection fragment cube none "
+            "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1  ");
   EXPECT_EQ(settings.display.exposure(), 1.0f);
 }
 
@@ -38,11 +40,23 @@ TEST(FrameOptions, EveryRowHasANameOfItsOwnAndHelp) {
 // What a row writes it also reads.
 TEST(FrameOptions, AreWrittenAsTheyAreRead) {
   const std::vector<std::pair<std::string, std::string>> values{
-      {"size", "640x480"},     {"exposure", "-1.5"},      {"tone-map", "aces"},
-      {"background", "blur"},  {"camera", "1,2,3"},       {"target", "1,2,3"},
-      {"fov", "60"},           {"orthographic", "2"},     {"samples", "9"},
-      {"env-rotation", "1,2"}, {"env-rotation", "1,0,3"}, {"env-intensity", "0.5"},
-      {"blur", "cone"},        {"background", "0.5,2,0"}};
+      {"size", "640x480"},
+      {"exposure", "-1.5"},
+      {"tone-map", "aces"},
+      {"background", "blur"},
+      {"camera", "1,2,3"},
+      {"target", "1,2,3"},
+      {"fov", "60"},
+      {"orthographic", "2"},
+      {"samples", "9"},
+      {"env-rotation", "1,2"},
+      {"env-rotation", "1,0,3"},
+      {"env-intensity", "0.5"},
+      {"blur", "cone"},
+      {"background", "0.5,2,0"},
+      {"lookup", "flat-nearest"},
+      {"texgen", "eye-linear"},
+      {"texture-matrix", "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16"}};
   for (const auto& [name, value] : values) {
     FrameSettings settings;
     EXPECT_EQ(set(settings, name, value), "");

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/scene/closed_surface.h"
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball {
@@ -49,8 +50,9 @@ std::future<Result<Scene>> sceneLater(const RenderInputNames& names, const Obser
   return std::async(besideOthers(), [&] { return observer.timed("model: read", [&] { return loadScene(names); }); });
 }
 
-SceneInputs inputsOf(Scene scene, LoadedEnvironment light, const Observer& observer) {
+SceneInputs inputsOf(const std::string& model, Scene scene, LoadedEnvironment light, const Observer& observer) {
   for (const std::string& warning : scene.warnings) observer.tell(RemarkKind::model_reduced, warning);
+  for (const std::string& line : openBodies(scene)) observer.tell(RemarkKind::body_open, model + ": " + line);
   std::vector<std::string> files = std::move(light.files);
   files.insert(files.end(), scene.files.begin(), scene.files.end());
   return {std::move(scene), std::move(light.environment), std::move(files)};
@@ -66,7 +68,7 @@ Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observe
   auto scene = scene_later.get();
   if (!scene) return fail(std::move(scene));
   if (!light) return fail(std::move(light));
-  return inputsOf(std::move(*scene), std::move(*light), observer);
+  return inputsOf(names.model, std::move(*scene), std::move(*light), observer);
 }
 
 Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Observer& observer) {
@@ -80,8 +82,8 @@ Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Obser
   if (!scene) return fail(std::move(scene));
   if (!light) return fail(std::move(light));
   if (!context) return fail(std::move(context));
-  return RenderInputs{inputsOf(std::move(*scene), std::move(light->loaded), observer), std::move(light->prepared),
-                      std::move(*context)};
+  return RenderInputs{inputsOf(names.model, std::move(*scene), std::move(light->loaded), observer),
+                      std::move(light->prepared), std::move(*context)};
 }
 
 Result<Renderer> rendererOf(RenderInputs inputs) {

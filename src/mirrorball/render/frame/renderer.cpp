@@ -84,6 +84,8 @@ struct Renderer::State {
   std::optional<SurfacePrograms> surfaces = {};  ///< made for the first frame
   gl::VertexArray screen = {};
   std::optional<GpuPrefilter> gpu_prefilter = {};  ///< made when BlurKind::gpu first asks for it
+  std::optional<FlatLight> flat_light = {};        ///< made when LightLookUp::flat first asks for it
+  const gl::Texture* flattened_chain = nullptr;    ///< that it was made from
   std::optional<gl::Texture> sphere_map = {};
   std::optional<gl::Texture> bodies = {};      ///< bodyTree() of the scene, made when it is first traced
   std::optional<gl::Framebuffer> sample = {};  ///< one sample's picture
@@ -98,6 +100,7 @@ struct Renderer::State {
   Result<void> makeSurfaces();
   Result<void> makeFramebuffers();
   Result<PrefilteredChain> prefilteredChain();
+  Result<void> makeFlatLight();
   Result<void> makeSphereMap();
   Result<void> makeBodies();
   Result<void> drawSample(const Camera& camera);
@@ -152,6 +155,7 @@ Result<void> Renderer::setEnvironment(Environment environment, const PreparedEnv
   state.light = std::move(light);
   state.environment = std::move(environment);
   state.gpu_prefilter.reset();
+  state.flat_light.reset();
   return {};
 }
 
@@ -220,10 +224,12 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
   state.frame.prefiltered = chain;
   state.frame.camera = camera;
   state.frame.environment_from_world = settings.environmentFromWorld();
-  state.frame.sphere_map_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
-  if (settings.mapping == Mapping::sphere) MIRRORBALL_TRY_VOID(state.makeSphereMap());
   if (settings.refraction == RefractionKind::traced && !state.bodies) MIRRORBALL_TRY_VOID(state.makeBodies());
   state.frame.bodies = state.bodies ? &*state.bodies : nullptr;
+  MIRRORBALL_TRY_VOID(state.makeFlatLight());
+  MIRRORBALL_TRY(coordinates, coordinateMatrices(state.scene, state.bounds, camera, settings));
+  state.frame.coordinates = coordinates;
+  if (coordinateChoice(state.scene, settings).is_sphere_map) MIRRORBALL_TRY_VOID(state.makeSphereMap());
   return {};
 }
 
@@ -311,6 +317,18 @@ Result<PrefilteredChain> Renderer::State::prefilteredChain() {
     gpu_prefilter->run(cube);
   }
   return PrefilteredChain{&gpu_prefilter->chain(), 0};
+}
+
+Result<void> Renderer::State::makeFlatLight() {
+  frame.flat = nullptr;
+  if (settings.look_up == LightLookUp::cube) return {};
+  if (!flat_light || flattened_chain != frame.prefiltered.texture) {
+    MIRRORBALL_TRY(made, FlatLight::make(*light, *frame.prefiltered.texture));
+    flat_light = std::move(made);
+    flattened_chain = frame.prefiltered.texture;
+  }
+  frame.flat = &*flat_light;
+  return {};
 }
 
 /// Photographs the mirror ball from the camera's direction, so that the lecture's look-up is right for every camera.

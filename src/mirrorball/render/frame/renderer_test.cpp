@@ -169,6 +169,14 @@ TEST_F(RendererTest, EveryMappingIsWhiteInTheFurnace) {
       shot.frame.reflect_at = reflect_at;
       expectFurnaceWhite(white.radiance(shot), "mapping " + std::to_string(static_cast<int>(mapping)));
     }
+  for (const Texgen texgen :
+       {Texgen::object_linear, Texgen::eye_linear, Texgen::sphere, Texgen::reflection, Texgen::normal, Texgen::light}) {
+    Shot shot = smallShot("teapot", "mirror");
+    shot.frame.background = BackgroundKind::transparent;
+    shot.frame.texgen = texgen;
+    shot.frame.lights = {{glm::vec3(2.0f), glm::vec3(0.0f)}};
+    expectFurnaceWhite(white.radiance(shot), "texgen " + std::to_string(static_cast<int>(texgen)));
+  }
 }
 
 // Looking along +Z with +Y up, +X is on the left (docs/conventions.md).

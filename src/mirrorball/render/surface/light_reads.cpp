@@ -37,10 +37,11 @@ int transmittedRays(const Material& material, const FrameSettings& settings) {
   return settings.refraction == RefractionKind::traced ? channels * (settings.inner_bounces + 1) : channels;
 }
 
-LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings) {
+LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings,
+                   bool is_sphere_map) {
   LightReads reads{.irradiance = 1};
   const int refracted = transmittedRays(material, settings);
-  const int reflected = settings.mapping == Mapping::sphere ? 0 : 1;
+  const int reflected = is_sphere_map ? 0 : 1;
   reads.sphere_map = 1 - reflected;
   const glm::vec3 anywhere(0.0f, 0.0f, 1.0f);
   for (int ray = 0; ray < reflected + refracted; ++ray)
@@ -60,9 +61,10 @@ formula::Blur blurOf(const FrameSettings& settings, const EnvironmentLight& ligh
 }
 
 LightReads lightReads(const Scene& scene, const formula::Blur& blur, const FrameSettings& settings) {
+  const bool is_sphere_map = coordinateChoice(scene, settings).is_sphere_map;
   LightReads most;
   for (const Mesh& mesh : scene.meshes) {
-    const LightReads reads = readsOf(scene.materials[std::size_t(mesh.material)], blur, settings);
+    const LightReads reads = readsOf(scene.materials[std::size_t(mesh.material)], blur, settings, is_sphere_map);
     most = {.environment = std::max(most.environment, reads.environment),
             .prefiltered = std::max(most.prefiltered, reads.prefiltered),
             .irradiance = std::max(most.irradiance, reads.irradiance),

@@ -68,8 +68,9 @@ int materialOf(const Scene& scene, int instance) {
   return scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)].material;
 }
 
-SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers, const FrameSettings& settings) {
-  return surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings);
+SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers, const FrameSettings& settings,
+                         const CoordinateChoice& coordinates) {
+  return surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings, coordinates);
 }
 
 /// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light
@@ -107,12 +108,13 @@ Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_tab
 /// Says which unit and which binding point each sampler and block reads; they are the same in all programs.
 void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant) {
   program.set("brdf_table", TextureUnit::brdf_table);
-  program.set("irradiance", TextureUnit::irradiance);
+  const std::string form = variant.has(Part::arriving_light, ArrivingLightPart::distant) ? "" : "_faces";
+  program.set("environment" + form, TextureUnit::environment);
+  program.set("prefiltered" + form, TextureUnit::prefiltered);
+  program.set("irradiance" + form, TextureUnit::irradiance);
   if (variant.has(Part::transmission, TransmissionPart::traced)) program.set("bodies", TextureUnit::bodies);
   const bool is_sphere_map = variant.has(Part::look_up, LookUpPart::sphere_map);
   if (is_sphere_map) program.set("sphere_map", TextureUnit::sphere_map);
-  program.set("environment", TextureUnit::environment);
-  program.set("prefiltered", TextureUnit::prefiltered);
   for (std::size_t row = 0; row < variant.maps.size(); ++row)
     if (const int unit = variant.maps[row].unit; unit >= 0)
       program.set(samplerName(variant.maps, row), TextureUnit::first_of_material + unit);
@@ -138,7 +140,9 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   if (!frame_) frame_.emplace(layouts_[frame_point]);
   gl::UniformBlock& block = *frame_;
   block.set("clip_from_world", frame.camera.clip_from_view * frame.camera.view_from_world);
-  block.set("sphere_map_matrix", frame.sphere_map_matrix);
+  block.set("look_up_matrix", frame.coordinates.look_up);
+  block.set("picture_matrix", frame.coordinates.picture);
+  block.set("eye_from_world", glm::mat3(frame.camera.view_from_world));
   block.set("environment_from_world", frame.environment_from_world);
   block.set("camera_position", frame.camera.position);
   block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
@@ -177,14 +181,15 @@ gl::UniformBlock& SurfacePrograms::materialBlock(const Scene& scene, int materia
 Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buffers, const EnvironmentLight& light,
                                     const FrameUniforms& frame, const FrameSettings& settings) {
   if (scene.instances.empty()) return {};
+  coordinates_ = coordinateChoice(scene, settings);
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    MIRRORBALL_TRY(program, programFor(variantOf(scene, materialOf(scene, instance), buffers, settings)));
+    MIRRORBALL_TRY(program, programFor(variantOf(scene, materialOf(scene, instance), buffers, settings, coordinates_)));
     if (!settings.lights.empty()) setLamps(*program, settings.lights);
   }
   setFrame(light, frame, settings);
-  light.cube().bind(TextureUnit::environment);
-  frame.prefiltered.texture->bind(TextureUnit::prefiltered);
-  light.irradiance().bind(TextureUnit::irradiance);
+  (frame.flat ? frame.flat->environment : light.cube()).bind(TextureUnit::environment);
+  (frame.flat ? frame.flat->prefiltered : *frame.prefiltered.texture).bind(TextureUnit::prefiltered);
+  (frame.flat ? frame.flat->irradiance : light.irradiance()).bind(TextureUnit::irradiance);
   brdf_table_.bind(TextureUnit::brdf_table);
   if (frame.bodies) frame.bodies->bind(TextureUnit::bodies);
   return {};
@@ -198,7 +203,7 @@ void SurfacePrograms::forgetScene() {
 void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) {
   const int material = materialOf(scene, instance);
-  gl::Program& program = programs_.find(variantOf(scene, material, buffers, settings))->second;
+  gl::Program& program = programs_.find(variantOf(scene, material, buffers, settings, coordinates_))->second;
   buffers.bindMaps(scene, material, TextureUnit::first_of_material);
   setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
   frame_->bind(frame_point);

@@ -14,6 +14,7 @@
 #include "mirrorball/image/image.h"
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/light/flat_light.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_variant.h"
 #include "mirrorball/scene/camera/camera.h"
@@ -51,7 +52,8 @@ struct FrameUniforms {
   PrefilteredChain prefiltered;
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
-  glm::mat4 sphere_map_matrix{1.0f};
+  CoordinateMatrices coordinates;
+  const FlatLight* flat = nullptr;  ///< where FrameSettings::look_up reads it
   const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
 };
 
@@ -97,6 +99,7 @@ class SurfacePrograms {
   gl::Api api_;
   gl::Texture brdf_table_;
   std::map<SurfaceVariant, gl::Program> programs_;
+  CoordinateChoice coordinates_;  ///< of the frame
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
   std::optional<gl::UniformBlock> frame_;
   std::map<int, gl::UniformBlock> instances_;

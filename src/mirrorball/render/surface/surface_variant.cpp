@@ -11,13 +11,14 @@ namespace {
 
 using Names = std::string_view;
 constexpr auto kPoint = std::to_array<Names>({"point_raster.glsl"});
+constexpr auto kCoordinates = std::to_array<Names>(
+    {"coordinates_at_fragment.glsl", "coordinates_at_vertex.glsl", "coordinates_at_triangle.glsl"});
 constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl"});
 constexpr auto kDetail = std::to_array<Names>({"detail_none.glsl", "detail_normal_map.glsl"});
 constexpr auto kMaterial = std::to_array<Names>({"material_core.glsl"});
-constexpr auto kArrivingLight = std::to_array<Names>({"arriving_light_distant.glsl"});
-constexpr auto kLookUp =
-    std::to_array<Names>({"look_up_reflection.glsl", "look_up_vertex_reflection.glsl",
-                          "look_up_triangle_reflection.glsl", "look_up_normal.glsl", "look_up_sphere_map.glsl"});
+constexpr auto kArrivingLight = std::to_array<Names>(
+    {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
+constexpr auto kLookUp = std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl"});
 constexpr auto kTransmission = std::to_array<Names>(
     {"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl", "transmission_traced.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_point.glsl"});
@@ -25,6 +26,7 @@ constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.g
 
 constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
     {"point", kPoint},
+    {"coordinates", kCoordinates},
     {"normal", kNormal},
     {"detail", kDetail},
     {"material", kMaterial},
@@ -37,18 +39,16 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
 
 constexpr std::string_view kMapsFile = "material_maps.glsl";  // made below
 
-LookUpPart lookUpPart(const FrameSettings& settings) {
-  if (settings.mapping == Mapping::normal) return LookUpPart::normal;
-  if (settings.mapping == Mapping::sphere) return LookUpPart::sphere_map;
-  switch (settings.reflect_at) {
+CoordinatesPart coordinatesPart(ReflectAt reflect_at) {
+  switch (reflect_at) {
     case ReflectAt::vertex:
-      return LookUpPart::vertex_reflection;
+      return CoordinatesPart::at_vertex;
     case ReflectAt::triangle:
-      return LookUpPart::triangle_reflection;
+      return CoordinatesPart::at_triangle;
     case ReflectAt::fragment:
       break;
   }
-  return LookUpPart::reflection;
+  return CoordinatesPart::at_fragment;
 }
 
 TransmissionPart transmissionPart(const Material& material, const FrameSettings& settings) {
@@ -65,10 +65,11 @@ struct MapReading {
   std::string expression;
 };
 
-MapReading mapReading(std::span<const MapSource> sources, std::size_t row) {
+///
+/// coordinates   of the texture, as GLSL's expression
+MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const std::string& coordinates) {
   const std::string name(materialMaps()[row].name);
   const std::string sampler(samplerName(sources, row));
-  const std::string coordinates = "mapCoordinates(point, " + std::to_string(row) + ")";
   const MapSource& source = sources[row];
   if (source.layer < 0)
     return {name == sampler ? "uniform sampler2D " + name + ";\n" : "",
@@ -79,6 +80,23 @@ MapReading mapReading(std::span<const MapSource> sources, std::size_t row) {
   const std::string sampling = wrap(source.wrap_s) + ", " + wrap(source.wrap_t) + ", " + flag(source.nearest);
   return {"uniform vec3 " + name + "_extent;\n",
           "layerAt(MapLayer(" + layer + "), MapSampling(" + sampling + "), " + coordinates + ")"};
+}
+
+/// The row of the map whose coordinates may be generated.
+bool isPicture(std::size_t row) { return materialMaps()[row].slot == &Material::base_color_map; }
+
+/// What a row's function returns that has a texture, with the coordinates that the frame chooses.
+MapReading chosenReading(const SurfaceVariant& variant, std::size_t row) {
+  const std::string of_mesh = "mapCoordinates(point, " + std::to_string(row) + ")";
+  const PictureFrom from = variant.coordinates.picture_from;
+  if (!isPicture(row) || from == PictureFrom::mesh) return mapReading(variant.maps, row, of_mesh);
+  const std::string generated =
+      from == PictureFrom::transformed_mesh ? "coordinatesOfUv(" + of_mesh + ")" : "pictureCoordinates(point)";
+  const std::string coordinates = "picture_matrix * " + generated;
+  MapReading reading = mapReading(variant.maps, row, "uvOfCoordinates(" + coordinates + ")");
+  if (from == PictureFrom::projector)
+    reading.expression = "mix(vec4(1.0), " + reading.expression + ", projectedShare(" + coordinates + "))";
+  return reading;
 }
 
 /// For each row of materialMaps() its function `vec4 base_color_map_at(SurfacePoint point)`: the texture where the
@@ -93,7 +111,7 @@ std::string mapsText(const SurfaceVariant& variant) {
     text += "#include \"map_layers.glsl\"\n";
   for (std::size_t row = 0; row < variant.maps.size(); ++row) {
     const bool has_texture = variant.maps[row].unit >= 0;
-    const MapReading reading = has_texture ? mapReading(variant.maps, row) : MapReading{"", "vec4(1.0)"};
+    const MapReading reading = has_texture ? chosenReading(variant, row) : MapReading{"", "vec4(1.0)"};
     text += reading.uniforms + "vec4 " + std::string(materialMaps()[row].name) + "_at(SurfacePoint point) { return " +
             reading.expression + "; }\n";
   }
@@ -118,12 +136,16 @@ std::string answeredText(const SurfaceVariant& variant) {
 
 std::span<const SurfaceQuestion, kParts> surfaceQuestions() { return kQuestions; }
 
-SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings) {
+SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
+                              const CoordinateChoice& coordinates) {
   SurfaceVariant variant;
   variant.maps = std::move(maps);
   variant.choose(Part::normal, material.bump == BumpHeight::orange ? NormalPart::bump : NormalPart::vertex);
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
-  variant.choose(Part::look_up, lookUpPart(settings));
+  variant.coordinates = coordinates;
+  variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
+  variant.choose(Part::arriving_light, settings.look_up);  // the same choices
+  variant.choose(Part::look_up, coordinates.is_sphere_map ? LookUpPart::sphere_map : LookUpPart::environment);
   variant.choose(Part::transmission, transmissionPart(material, settings));
   variant.choose(Part::lamps, settings.lights.empty() ? LampsPart::none : LampsPart::point);
   variant.lamp_count = static_cast<std::uint8_t>(settings.lights.size());
@@ -140,7 +162,10 @@ Result<SurfaceShaders> surfaceShaders(gl::Api api, const SurfaceVariant& variant
     if (name == kMapsFile) return maps;
     return embeddedText(name);
   };
-  std::vector<std::string> defines{"MAP_COUNT " + std::to_string(materialMaps().size())};
+  const CoordinateChoice& coordinates = variant.coordinates;
+  std::vector<std::string> defines{"MAP_COUNT " + std::to_string(materialMaps().size()),
+                                   "LOOK_UP_COORDINATES " + std::string(formulaOf(coordinates.look_up)),
+                                   "PICTURE_COORDINATES " + std::string(formulaOf(coordinates.picture))};
   if (variant.lamp_count > 0) defines.push_back("LAMP_COUNT " + std::to_string(variant.lamp_count));
   const std::vector<std::string_view> views(defines.begin(), defines.end());
   MIRRORBALL_TRY(vertex, gl::shaderSource(api, "surface.vert", views, find));

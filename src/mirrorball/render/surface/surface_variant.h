@@ -13,6 +13,7 @@
 #include "mirrorball/gl/shader_source.h"
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/surface/map_sources.h"
+#include "mirrorball/render/surface/texture_coordinates.h"
 #include "mirrorball/scene/material/material.h"
 
 namespace mirrorball {
@@ -25,14 +26,16 @@ struct SurfaceQuestion {
 };
 
 /// The questions, in the order of their numbers.
-enum class Part { point, normal, detail, material, arriving_light, look_up, transmission, lamps, alpha };
-constexpr std::size_t kParts = 9;
+enum class Part { point, coordinates, normal, detail, material, arriving_light, look_up, transmission, lamps, alpha };
+constexpr std::size_t kParts = 10;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 
 // The answers, in the order of the table.
+enum class CoordinatesPart : std::uint8_t { at_fragment, at_vertex, at_triangle };
 enum class NormalPart : std::uint8_t { vertex, bump };
 enum class DetailPart : std::uint8_t { none, normal_map };
-enum class LookUpPart : std::uint8_t { reflection, vertex_reflection, triangle_reflection, normal, sphere_map };
+enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
+enum class LookUpPart : std::uint8_t { environment, sphere_map };
 enum class TransmissionPart : std::uint8_t { none, single, thin, traced };
 enum class LampsPart : std::uint8_t { none, point };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };
@@ -42,6 +45,7 @@ struct SurfaceVariant {
   std::array<std::uint8_t, kParts> answers{};
   std::vector<MapSource> maps = std::vector<MapSource>(materialMaps().size());  ///< of each row of that table
   std::uint8_t lamp_count = 0;                                                  ///< of LampsPart::point
+  CoordinateChoice coordinates = {};
 
   template <typename Answer>
   void choose(Part part, Answer answer) {
@@ -54,8 +58,10 @@ struct SurfaceVariant {
   auto operator<=>(const SurfaceVariant&) const = default;
 };
 
-/// maps   mapSources() of the material
-SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings);
+/// maps          mapSources() of the material
+/// coordinates   of the frame
+SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
+                              const CoordinateChoice& coordinates = {});
 
 /// The two shaders of a variant.
 struct SurfaceShaders {

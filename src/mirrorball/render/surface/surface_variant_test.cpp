@@ -52,7 +52,8 @@ TEST(SurfaceVariant, FollowsMaterialAndSettings) {
   const SurfaceVariant variant = surfaceVariant(material, maps, settings);
   EXPECT_TRUE(variant.has(Part::normal, NormalPart::bump));
   EXPECT_TRUE(variant.has(Part::detail, DetailPart::none));
-  EXPECT_TRUE(variant.has(Part::look_up, LookUpPart::triangle_reflection));
+  EXPECT_TRUE(variant.has(Part::coordinates, CoordinatesPart::at_triangle));
+  EXPECT_TRUE(variant.has(Part::look_up, LookUpPart::environment));
   EXPECT_TRUE(variant.has(Part::transmission, TransmissionPart::single));
   EXPECT_TRUE(variant.has(Part::lamps, LampsPart::point));
   EXPECT_EQ(variant.lamp_count, 2);

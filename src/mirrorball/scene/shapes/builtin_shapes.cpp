@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "mirrorball/scene/scene.h"
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace mirrorball {
 namespace {
@@ -32,16 +32,22 @@ Vertex vertexOf(const SurfacePoint& point, dvec2 uv) {
   return vertex;
 }
 
+/// Which of its two ends a surface joins to the other: the places there are the same numbers, of whatever digits the
+/// sines at the beginning and the end of a turn are.
+enum class Joined { in_u, in_both };
+
 /// Samples `surface(u, v)` on a grid over [0, 1]². Seen from outside u grows to the right and v downwards.
 template <typename Surface>
-Mesh gridMesh(int rows, int columns, Surface&& surface) {
+Mesh gridMesh(int rows, int columns, Joined joined, Surface&& surface) {
   Mesh mesh;
   mesh.vertices.reserve(std::size_t(rows + 1) * std::size_t(columns + 1));
   for (int row = 0; row <= rows; ++row) {
     for (int column = 0; column <= columns; ++column) {
       const double u = static_cast<double>(column) / columns;
       const double v = static_cast<double>(row) / rows;
-      mesh.vertices.push_back(vertexOf(surface(u, v), {u, v}));
+      const double joined_u = column == columns ? 0.0 : u;
+      const double joined_v = joined == Joined::in_both && row == rows ? 0.0 : v;
+      mesh.vertices.push_back(vertexOf(surface(joined_u, joined_v), {u, v}));
     }
   }
   addGridTriangles(mesh, 0, rows, columns);
@@ -120,9 +126,15 @@ void fitToUnitSphere(Mesh& mesh) {
   for (Vertex& vertex : mesh.vertices) vertex.position = (vertex.position - bounds.center) / bounds.radius;
 }
 
+void fitToUnitSphere(Scene& scene) {
+  const BoundingSphere bounds = boundingSphere(scene);
+  const glm::mat4 fitted = glm::translate(glm::scale(glm::mat4(1.0f), glm::vec3(1.0f / bounds.radius)), -bounds.center);
+  for (Instance& instance : scene.instances) instance.world_from_object = fitted * instance.world_from_object;
+}
+
 Mesh sphereMesh(int rings, int segments) {
   assert(rings >= 2 && segments >= 3);
-  return gridMesh(rings, segments, [](double u, double v) {
+  return gridMesh(rings, segments, Joined::in_u, [](double u, double v) {
     const double longitude = kTurn * (u - 0.5);
     const double colatitude = std::numbers::pi * v;
     // The sine is 0 at the lower pole too, where that of the rounded π is not: the pole is one point.
@@ -136,7 +148,7 @@ Mesh torusMesh(int segments, int sides) {
   assert(segments >= 3 && sides >= 3);
   constexpr double kMainRadius = 0.7;
   constexpr double kTubeRadius = 1.0 - kMainRadius;
-  return gridMesh(sides, segments, [](double u, double v) {
+  return gridMesh(sides, segments, Joined::in_both, [](double u, double v) {
     const double longitude = kTurn * (u - 0.5);
     const double angle = kTurn * (0.5 - v);  // 0 at the outer equator, growing upwards
     const dvec3 outwards(std::sin(longitude), 0, std::cos(longitude));
@@ -149,7 +161,7 @@ Mesh torusMesh(int segments, int sides) {
 Mesh knotMesh(int segments, int sides) {
   assert(segments >= 12 && sides >= 3);
   constexpr double kTube = 0.55;  // thick enough for broad reflections, and strands do not touch
-  Mesh mesh = gridMesh(sides, segments, [](double u, double v) { return knotPoint(u, v, kTube); });
+  Mesh mesh = gridMesh(sides, segments, Joined::in_both, [](double u, double v) { return knotPoint(u, v, kTube); });
   fitToUnitSphere(mesh);
   return mesh;
 }

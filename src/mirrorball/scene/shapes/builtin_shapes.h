@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mirrorball/scene/mesh.h"
+#include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
 
@@ -38,6 +39,8 @@ Mesh cubeMesh();
 
 /// Moves and scales a mesh so that its bounding sphere is the unit sphere. Directions stay.
 void fitToUnitSphere(Mesh& mesh);
+/// The same of a scene, by its instances' transforms.
+void fitToUnitSphere(Scene& scene);
 
 /// The triangles of a grid of (rows + 1) × (columns + 1) vertices stored row by row from vertex `first`, rows downwards
 /// and columns to the right as seen from outside. A triangle whose corners coincide in space (at a pole) is left out.

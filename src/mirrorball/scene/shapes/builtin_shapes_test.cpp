@@ -10,22 +10,17 @@
 namespace mirrorball {
 namespace {
 
+using testing::expectEdgesPaired;
 using testing::expectSound;
 using testing::expectTangentsAlongU;
-using testing::openEdgeCount;
+using testing::expectUnitBounds;
 using testing::signedVolume;
-
-void expectUnitBounds(const Mesh& mesh) {
-  const BoundingSphere bounds = boundingSphere(sceneOf(mesh));
-  EXPECT_LT(glm::length(bounds.center), 1e-5f);
-  EXPECT_NEAR(bounds.radius, 1.0f, 1e-5f);
-}
 
 TEST(SphereMesh, IsARoundClosedUnitSphere) {
   const Mesh mesh = sphereMesh();
-  expectUnitBounds(mesh);
+  expectUnitBounds(sceneOf(mesh));
   expectSound(mesh, 0.999f);
-  EXPECT_EQ(openEdgeCount(mesh), 0u);
+  expectEdgesPaired(mesh);
   // The volume that 128 rings of 256 segments lack of the ball's falls with the square of the step.
   EXPECT_NEAR(signedVolume(mesh), 4.0 / 3.0 * std::numbers::pi, 2e-3);
   for (const Vertex& vertex : mesh.vertices) ASSERT_EQ(vertex.normal, vertex.position);
@@ -42,26 +37,26 @@ TEST(SphereMesh, HasPlusZInTheMiddleOfItsTextureAndPlusXToTheRight) {
 
 TEST(SphereMesh, OfTheFewestRingsIsClosed) {
   const Mesh mesh = sphereMesh(2, 3);
-  EXPECT_EQ(openEdgeCount(mesh), 0u);
+  expectEdgesPaired(mesh);
   EXPECT_EQ(mesh.indices.size(), 3u * 6u);
 }
 
 TEST(TorusMesh, HasItsVolume) {
   const Mesh mesh = torusMesh();
-  expectUnitBounds(mesh);
+  expectUnitBounds(sceneOf(mesh));
   expectSound(mesh, 0.999f);
   expectTangentsAlongU(mesh, 0.999f);
-  EXPECT_EQ(openEdgeCount(mesh), 0u);
+  expectEdgesPaired(mesh);
   const double exact = 2.0 * std::numbers::pi * std::numbers::pi * 0.7 * 0.3 * 0.3;
   EXPECT_NEAR(signedVolume(mesh), exact, 2e-3 * exact);
 }
 
 TEST(KnotMesh, IsAClosedTubeWithoutASeam) {
   const Mesh mesh = knotMesh();
-  expectUnitBounds(mesh);
+  expectUnitBounds(sceneOf(mesh));
   expectSound(mesh, 0.99f);
   expectTangentsAlongU(mesh, 0.999f);
-  EXPECT_EQ(openEdgeCount(mesh), 0u);
+  expectEdgesPaired(mesh);
   EXPECT_GT(signedVolume(mesh), 0.0);
 }
 
@@ -84,7 +79,7 @@ TEST(KnotMesh, IsTheTrefoilInItsTubesMiddle) {
 
 TEST(PlaneMesh, FacesUp) {
   const Mesh mesh = planeMesh();
-  expectUnitBounds(mesh);
+  expectUnitBounds(sceneOf(mesh));
   expectSound(mesh, 0.999f);
   expectTangentsAlongU(mesh, 0.999f);
   for (const Vertex& vertex : mesh.vertices) EXPECT_EQ(vertex.normal, glm::vec3(0, 1, 0));
@@ -92,10 +87,10 @@ TEST(PlaneMesh, FacesUp) {
 
 TEST(CubeMesh, HasSixUprightFaces) {
   const Mesh mesh = cubeMesh();
-  expectUnitBounds(mesh);
+  expectUnitBounds(sceneOf(mesh));
   expectSound(mesh, 0.999f);
   expectTangentsAlongU(mesh, 0.999f);
-  EXPECT_EQ(openEdgeCount(mesh), 0u);
+  expectEdgesPaired(mesh);
   EXPECT_NEAR(signedVolume(mesh), std::pow(2.0 / std::numbers::sqrt3, 3.0), 1e-6);
   for (const Vertex& vertex : mesh.vertices) {
     const bool standing = vertex.normal.y == 0.0f;  // v = 0 is its upper edge

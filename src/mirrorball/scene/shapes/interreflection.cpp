@@ -2,82 +2,49 @@
 
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <utility>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "mirrorball/scene/shapes/builtin_shapes.h"
+#include "mirrorball/scene/shapes/revolution.h"
 
 namespace mirrorball {
 namespace {
 
 constexpr int kSegments = 192;  ///< about the bowl's axis
-constexpr int kRings = 96;      ///< from its opening to its bottom
+constexpr int kRings = 96;      ///< of each of its two walls
 
 /// The light that enters through a cap of a sphere's area's share: cos of its half angle is 1 − 2 share.
-constexpr float kHeightOfOpening = 1.0f - 2.0f * kBowlOpenShare;  // in radii of the inner sphere
-constexpr float kInnerRadius = 0.9f;                              // of the outer one
-constexpr float kHeight = kHeightOfOpening * kInnerRadius;
+constexpr double kHeightOfOpening = 1.0 - 2.0 * double(kBowlOpenShare);  // in radii of the inner sphere
+constexpr double kInnerRadius = 0.9;                                     // of the outer one
 
-/// Vertices on a circle about the Y axis, with normals in a plane through it. The first is there twice: its texture
-/// coordinates begin and end.
-void addRing(Mesh& mesh, float radius, float height, glm::vec2 normal, float v) {
-  for (int segment = 0; segment <= kSegments; ++segment) {
-    const double u = double(segment) / kSegments;
-    const double longitude = 2.0 * std::numbers::pi * (segment == kSegments ? -0.5 : u - 0.5);
-    const glm::vec3 outwards(std::sin(longitude), 0.0, std::cos(longitude));
-    Vertex vertex;
-    vertex.position = radius * outwards + glm::vec3(0.0f, height, 0.0f);
-    vertex.normal = normal.x * outwards + glm::vec3(0.0f, normal.y, 0.0f);
-    vertex.tangent = glm::vec4(std::cos(longitude), 0.0, -std::sin(longitude), 1.0);
-    vertex.uv[0] = vertex.uv[1] = glm::vec2(u, v);
-    mesh.vertices.push_back(vertex);
-  }
+/// How far above its equator a sphere of that radius is cut off.
+double elevationOfRim(double radius) { return glm::degrees(std::asin(kHeightOfOpening * kInnerRadius / radius)); }
+
+constexpr std::size_t kInsidePoints = kRings + 1;  ///< of the profile, its first ones
+
+/// From the middle of the inside up to the rim, over its flat ring, and down to the middle of the outside.
+std::vector<ProfilePoint> bowlProfile() {
+  std::vector<ProfilePoint> profile;
+  // The inside's normal points to the middle: at the bottom upwards, at the rim down by as much as the rim is up.
+  addArc(profile, glm::dvec2(0.0), -kInnerRadius, 90.0, 180.0 + elevationOfRim(kInnerRadius), kRings);
+  std::vector<ProfilePoint> outside;
+  addArc(outside, glm::dvec2(0.0), 1.0, elevationOfRim(1.0), -90.0, kRings);
+  profile.push_back({profile.back().place, {0.0, 1.0}});
+  profile.push_back({outside.front().place, {0.0, 1.0}});
+  profile.insert(profile.end(), outside.begin(), outside.end());
+  return profile;
 }
 
-/// From the upward axis, as seen from the middle of a sphere of that radius.
-double angleOfOpening(float radius) { return std::acos(double(kHeight) / double(radius)); }
-
-/// A sphere about the origin below the opening, as rings from there to the bottom.
-Mesh shell(float radius) {
-  Mesh mesh;
-  const double first = angleOfOpening(radius);
-  for (int ring = 0; ring <= kRings; ++ring) {
-    const double v = double(ring) / kRings;
-    const double angle = std::lerp(first, std::numbers::pi, v);
-    const glm::vec2 outwards(ring == kRings ? 0.0 : std::sin(angle), std::cos(angle));
-    addRing(mesh, radius * outwards.x, ring == 0 ? kHeight : radius * outwards.y, outwards, static_cast<float>(v));
-  }
-  addGridTriangles(mesh, 0, kRings, kSegments);
+/// The bowl as one closed surface. In the second set of texture coordinates all of the inside is the middle of an
+/// upper texel, and all else that of a lower one.
+Mesh bowlMesh() {
+  Mesh mesh = revolvedMesh(bowlProfile(), kSegments);
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    mesh.vertices[i].uv[1] = {0.5f, i < kInsidePoints * (kSegments + 1) ? 0.25f : 0.75f};
   return mesh;
-}
-
-/// The same seen from inside.
-Mesh insideOut(Mesh mesh) {
-  for (Vertex& vertex : mesh.vertices) {
-    vertex.normal = -vertex.normal;
-    vertex.tangent = glm::vec4(-glm::vec3(vertex.tangent), vertex.tangent.w);
-    for (glm::vec2& uv : vertex.uv) uv.x = 1.0f - uv.x;
-  }
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-  return mesh;
-}
-
-/// The flat ring between the two spheres.
-void addRim(Mesh& mesh) {
-  const auto radiusAt = [](float sphere) { return sphere * static_cast<float>(std::sin(angleOfOpening(sphere))); };
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  addRing(mesh, radiusAt(kInnerRadius), kHeight, {0.0f, 1.0f}, 0.0f);
-  addRing(mesh, radiusAt(1.0f), kHeight, {0.0f, 1.0f}, 1.0f);
-  addGridTriangles(mesh, first, 1, kSegments);
-}
-
-/// Moves and scales a scene into the unit sphere.
-void fitToUnitSphere(Scene& scene) {
-  const BoundingSphere bounds = boundingSphere(scene);
-  const glm::mat4 fitted = glm::translate(glm::scale(glm::mat4(1.0f), glm::vec3(1.0f / bounds.radius)), -bounds.center);
-  for (Instance& instance : scene.instances) instance.world_from_object = fitted * instance.world_from_object;
 }
 
 }  // namespace
@@ -96,20 +63,11 @@ Scene bowlScene() {
   Material clay;
   clay.base_color = glm::vec3(0.80f, 0.74f, 0.65f);
   clay.perceptual_roughness = 0.8f;
-  clay.name = "outside";
-  Mesh outside = shell(1.0f);
-  addRim(outside);
-  Scene scene = sceneOf(std::move(outside), clay);
-
-  clay.name = "inside";
-  clay.occlusion_map.texture = 0;
-  scene.textures.push_back({.image = Image8(1, 1, 4, 255)});
+  clay.name = "clay";
+  clay.occlusion_map = {.texture = 0, .uv_set = 1};
+  Scene scene = sceneOf(bowlMesh(), clay);
+  scene.textures.push_back({.image = Image8(1, 2, 4, 255), .nearest = true});
   scene.textures[0].image.texel(0, 0)[0] = static_cast<std::uint8_t>(std::lround(255.0f * kBowlOpenShare));
-  Mesh inside = insideOut(shell(kInnerRadius));
-  inside.material = 1;
-  scene.materials.push_back(clay);
-  scene.meshes.push_back(std::move(inside));
-  scene.instances.push_back({.mesh = 1});
   fitToUnitSphere(scene);
   return scene;
 }

@@ -12,9 +12,10 @@ namespace mirrorball {
 /// gap      between them, in radii of a sphere; at least 0
 Scene spheresScene(float gap = 0.25f);
 
-/// A bowl of clay: a part of a hollow ball, open upwards, with a flat rim. Its inside has an occlusion map of a texel,
-/// a closed form: seen from inside of a sphere, a part of it fills, weighted by the cosine, the same share of the
-/// hemisphere everywhere: that of its area (Jacquez & Kuppenheim 1955). The opening's is kBowlOpenShare.
+/// A bowl of clay: a part of a hollow ball, open upwards, with a flat rim; one closed surface, so that of glass it is a
+/// body. Its occlusion map has two texels, for the inside and for the rest. The inside's is a closed form: seen from
+/// inside of a sphere, a part of it fills, weighted by the cosine, the same share of the hemisphere everywhere: that of
+/// its area (Jacquez & Kuppenheim 1955). The opening's is kBowlOpenShare.
 Scene bowlScene();
 
 /// Of the inner sphere's area; a whole number of steps of 1/255, so that the map holds it exactly.

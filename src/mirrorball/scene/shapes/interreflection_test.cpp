@@ -10,27 +10,11 @@
 namespace mirrorball {
 namespace {
 
+using testing::expectEdgesPaired;
 using testing::expectSound;
 using testing::expectTangentsAlongU;
-using testing::openEdgeCount;
+using testing::expectUnitBounds;
 using testing::signedVolume;
-
-void expectUnitBounds(const Scene& scene) {
-  const BoundingSphere bounds = boundingSphere(scene);
-  EXPECT_LT(glm::length(bounds.center), 1e-5f);
-  EXPECT_NEAR(bounds.radius, 1.0f, 1e-5f);
-}
-
-/// All meshes of a scene as one.
-Mesh joined(const Scene& scene) {
-  Mesh all;
-  for (const Mesh& mesh : scene.meshes) {
-    const auto first = static_cast<std::uint32_t>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const std::uint32_t index : mesh.indices) all.indices.push_back(first + index);
-  }
-  return all;
-}
 
 TEST(SpheresScene, AreTwoMirrorsAGapApart) {
   for (const float gap : {0.0f, 0.25f, 3.0f}) {
@@ -47,12 +31,11 @@ TEST(SpheresScene, AreTwoMirrorsAGapApart) {
 TEST(BowlScene, IsAClosedBodyWithItsVolume) {
   const Scene scene = bowlScene();
   expectUnitBounds(scene);
-  for (const Mesh& mesh : scene.meshes) {
-    expectSound(mesh, 0.999f);
-    expectTangentsAlongU(mesh, 0.999f);
-  }
-  const Mesh bowl = joined(scene);
-  EXPECT_EQ(openEdgeCount(bowl), 0u);
+  ASSERT_EQ(scene.meshes.size(), 1u) << "a body is one mesh";
+  const Mesh& bowl = scene.meshes[0];
+  expectSound(bowl, 0.999f);
+  expectTangentsAlongU(bowl, 0.999f);
+  expectEdgesPaired(bowl);
   // Of a ball of radius r, what is below the height h: π (2/3 r³ + r² h − h³/3).
   const auto below = [](double r, double h) {
     return std::numbers::pi * (2.0 / 3.0 * r * r * r + r * r * h - h * h * h / 3.0);
@@ -64,18 +47,23 @@ TEST(BowlScene, IsAClosedBodyWithItsVolume) {
 
 TEST(BowlScene, TheMapHoldsTheMissingCapsShareOfTheSphere) {
   const Scene scene = bowlScene();
-  const Mesh& inside = scene.meshes[1];
-  const Material& material = scene.materials[std::size_t(inside.material)];
-  ASSERT_EQ(material.occlusion_map.texture, 0);
+  const Mesh& bowl = scene.meshes[0];
+  const TextureSlot& slot = scene.materials[0].occlusion_map;
+  ASSERT_EQ(slot.texture, 0);
+  ASSERT_EQ(slot.uv_set, 1);
   // By Archimedes the inner sphere's area without the cap is 2π r (r + h); its triangles' is that.
   double area = 0.0;
-  for (std::size_t i = 0; i < inside.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) { return glm::dvec3(inside.vertices[inside.indices[i + k]].position); };
-    area += glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) / 2.0;
+  for (std::size_t i = 0; i < bowl.indices.size(); i += 3) {
+    const auto corner = [&](std::size_t k) -> const Vertex& { return bowl.vertices[bowl.indices[i + k]]; };
+    const auto at = [&](std::size_t k) { return glm::dvec3(corner(k).position); };
+    const bool is_inside = corner(0).uv[1].y == 0.25f;
+    ASSERT_EQ(is_inside, corner(1).uv[1].y == 0.25f);
+    ASSERT_EQ(is_inside, corner(2).uv[1].y == 0.25f);
+    if (is_inside) area += glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) / 2.0;
   }
   const double open = 1.0 - area / (4.0 * std::numbers::pi * 0.9 * 0.9);
   EXPECT_NEAR(scene.textures[0].image.texel(0, 0)[0] / 255.0, open, 1e-3);
-  EXPECT_LT(scene.materials[0].occlusion_map.texture, 0) << "nothing blocks the outside";
+  EXPECT_EQ(scene.textures[0].image.texel(0, 1)[0], 255) << "nothing blocks the outside";
 }
 
 }  // namespace

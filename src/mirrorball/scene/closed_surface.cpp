@@ -1,0 +1,73 @@
+#include "mirrorball/scene/closed_surface.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+
+#include "mirrorball/base/parallel.h"
+
+namespace mirrorball {
+namespace {
+
+/// A number whose bits all depend on all of `bits` (the finalizer of SplitMix64; Steele, Lea & Flood 2014).
+std::uint64_t mixed(std::uint64_t bits) {
+  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
+  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
+  return bits ^ (bits >> 31);
+}
+
+/// The same for the same place.
+std::uint64_t hashOf(glm::vec3 place) {
+  place += 0.0f;  // −0 is 0
+  std::array<std::uint32_t, 3> bits;
+  std::memcpy(bits.data(), &place.x, sizeof bits);
+  return mixed(mixed((std::uint64_t{bits[0]} << 32) | bits[1]) + bits[2]);
+}
+
+/// Opposite numbers for the two directions of an edge, modulo 2⁶⁴.
+std::uint64_t hashOfEdge(std::uint64_t from, std::uint64_t to) {
+  if (from == to) return 0;
+  return from < to ? mixed(from + mixed(to)) : -mixed(to + mixed(from));
+}
+
+}  // namespace
+
+// The border is empty if and only if the directed edges cancel out. Their hashes then sum to 0, in any order; if they
+// do not cancel out, the sum is as good as random.
+bool isClosed(const Mesh& mesh) {
+  std::atomic<std::uint64_t> sum = 0;
+  parallelFor(mesh.indices.size() / 3, 1 << 14, [&](std::size_t begin, std::size_t end) {
+    std::uint64_t of_piece = 0;
+    for (std::size_t triangle = begin; triangle < end; ++triangle) {
+      const auto corner = [&](std::size_t i) { return hashOf(mesh.vertices[mesh.indices[3 * triangle + i]].position); };
+      const std::uint64_t a = corner(0), b = corner(1), c = corner(2);
+      of_piece += hashOfEdge(a, b) + hashOfEdge(b, c) + hashOfEdge(c, a);
+    }
+    sum += of_piece;
+  });
+  return sum == 0;
+}
+
+std::vector<std::string> openBodies(const Scene& scene) {
+  std::vector<std::size_t> bodies(scene.materials.size(), 0), open(scene.materials.size(), 0);
+  for (const Mesh& mesh : scene.meshes) {
+    const auto material = static_cast<std::size_t>(mesh.material);
+    if (!isBody(scene.materials[material])) continue;
+    ++bodies[material];
+    if (!isClosed(mesh)) ++open[material];
+  }
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (open[i] == 0) continue;
+    const std::string& name = scene.materials[i].name;
+    const std::string of_material = name.empty() ? "material " + std::to_string(i) : "the material '" + name + "'";
+    const std::string surfaces = bodies[i] == 1 ? "the surface of " + of_material + " is"
+                                                : std::to_string(open[i]) + " of " + std::to_string(bodies[i]) +
+                                                      " surfaces of " + of_material + " are";
+    lines.push_back(surfaces + " open, so light that enters there may never leave the body");
+  }
+  return lines;
+}
+
+}  // namespace mirrorball

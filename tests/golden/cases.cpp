@@ -43,6 +43,10 @@ constexpr const char* kTexels = "exact but for the texels that the renderer make
 
 constexpr const char* kRefracts = "exact but for the noise of paths that are either reflected or refracted";
 
+constexpr const char* kSplits = "of two ways that stay inside, one is followed; the rest is noise of paths";
+
+constexpr const char* kChannels = "three wavelengths stand for all; the rest is noise of paths";
+
 constexpr const char* kLobes = "prefiltered light knows only the lobe that is seen along the normal; the rest is noise";
 
 constexpr const char* kTable = "the BRDF table knows only Schlick's curve, a power of 5, and this surface has one of 2";
@@ -70,6 +74,10 @@ constexpr auto kCases = std::to_array<Case>({
      Truth{31.5, kRefracts, "", 16, 64}},
     {"diamond", "render torus --material diamond --camera 30,40,3 --size 120x90", &kOutlined, "--set ior=2.46",
      Truth{31.6, kRefracts, "", 16, 64}},
+    {"traced_glass", "render tumbler-water --set dispersion=0 --refraction traced --camera 30,20,3 --size 56x56",
+     &kOutlined, "--inner-bounces 2", Truth{31.4, kSplits, "--refraction single", 16, 64}},
+    {"traced_diamond", "render brilliant --material diamond --refraction traced --camera 20,35 --size 72x72",
+     &kFinelyOutlined, "--set dispersion=0", Truth{19, kChannels, "--refraction single", 16, 64}},
     {"rough_metal", "render knot --material rough-metal --size 96x96", &kOutlined, "--set perceptual_roughness=0.47",
      Truth{27.5, kLobes, "--set perceptual_roughness=0.3", 16, 32}},
     {"plastic", "render teapot --material plastic --camera 30,20,2.3 --size 144x96", &kOutlined,

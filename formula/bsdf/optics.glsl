@@ -66,3 +66,11 @@ FN float iorAtWavelength(float ior, float dispersion, float wavelength) {
   float spread = (ior - 1.0f) * dispersion * cauchy * (1.0f / (wavelength * wavelength) - 1.0f / (line_d * line_d));
   return max(ior + spread, 0.1f);  // far from any glass it would end below 0
 }
+
+// The same from measurements, where there are some (scene/material/optical_constants.h): Sellmeier 1871, n² = 1 +
+// Σ b λ² / (λ² − c), with λ in µm and c in µm². c are the squares of wavelengths that the substance absorbs: the formula
+// holds between them, as in all visible light.
+FN float iorOfSellmeier(vec4 b, vec4 c, float wavelength) {
+  vec4 squared = vec4(wavelength * wavelength);
+  return sqrt(1.0f + dot(b, squared / (squared - c)));
+}

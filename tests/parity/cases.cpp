@@ -188,6 +188,8 @@ const Case kCases[] = {
     PARITY(iorOfChannels, unit, kTight, vec4(iorOfChannels(1.0f + 1.5f * p.x, p.y), 0.0f)),
     PARITY(iorAtWavelength, unit, kTight,
            vec4(iorAtWavelength(1.0f + 1.5f * p.x, p.y, 0.4f + 0.3f * p.z), 0.0f, 0.0f, 0.0f)),
+    PARITY(iorOfSellmeier, unit, kTight,
+           vec4(iorOfSellmeier(p, q * 0.03125f, 0.375f + 0.375f * r.x), 0.0f, 0.0f, 0.0f)),
 
     // paraboloid
     PARITY(paraboloidFace, direction, kExact, vec4(float(paraboloidFace(vec3(p))), 0.0f, 0.0f, 0.0f)),

@@ -18,6 +18,10 @@ FN float fresnelDielectric(float cosine, float eta) {
   return (parallel * parallel + perpendicular * perpendicular) / 2.0f;
 }
 
+FN vec3 fresnelDielectricOfChannels(float cosine, vec3 eta) {
+  return vec3(fresnelDielectric(cosine, eta.x), fresnelDielectric(cosine, eta.y), fresnelDielectric(cosine, eta.z));
+}
+
 // The same into a metal of complex index n + ik (Born & Wolf, Principles of Optics, 14.2).
 FN float fresnelConductor1(float cosine, float n, float k) {
   float cosine2 = cosine * cosine;
@@ -44,6 +48,18 @@ FN vec3 fresnelSchlick(float cosine, vec3 f0) {
   float grazing = 1.0f - cosine;
   float grazing2 = grazing * grazing;
   return f0 + (1.0f - f0) * (grazing2 * grazing2 * grazing);
+}
+
+// F82 (Kutz, Hašan & Edmondson 2021, "Novel aspects of the Adobe Standard Material"): Schlick's form less a dip near
+// grazing incidence, a cos θ (1 − cos θ)⁶, which metals have. It is deepest at cos θ = 1/7, an angle of 82°; `tint` is
+// the share that it leaves of Schlick's form there, 1 being no dip. Where f0 is small a deep dip would end below 0.
+FN vec3 fresnelF82(float cosine, vec3 f0, vec3 tint) {
+  const float deepest_cosine = 1.0f / 7.0f;
+  const float of_deepest = 17.651384f;  // 1 / (1/7 · (6/7)⁶)
+  float grazing = 1.0f - cosine;
+  float grazing2 = grazing * grazing;
+  vec3 a = fresnelSchlick(deepest_cosine, f0) * (1.0f - tint) * of_deepest;
+  return max(fresnelSchlick(cosine, f0) - a * (cosine * grazing2 * grazing2 * grazing2), vec3(0.0f));
 }
 
 // The lecture's form, offset + scale (1 + V·N)ⁿ with V from the eye to the surface, so that V·N = −cos θ.

@@ -15,26 +15,28 @@ struct Reflectance {
   vec3 multiple_scattering;  // of the light from all sides, after several bounces between the facets of a rough surface
 };
 
-FN float dielectricReflectance(Surface s, float cosine, float ior) {
+// Of a smooth dielectric, whose index may differ between the channels.
+FN vec3 dielectricReflectance(Surface s, float cosine, vec3 ior) {
   Material m = s.material;
+  if (m.fresnel == kFresnelExact) return fresnelDielectricOfChannels(cosine, ior);
   if (m.fresnel == kFresnelEmpirical)
-    return fresnelEmpirical(cosine, m.fresnel_offset, m.fresnel_scale, m.fresnel_power);
-  if (m.fresnel == kFresnelSchlick) return fresnelSchlick(cosine, vec3(fresnelDielectric(1.0f, ior))).x;
-  return fresnelDielectric(cosine, ior);
+    return vec3(fresnelEmpirical(cosine, m.fresnel_offset, m.fresnel_scale, m.fresnel_power));
+  vec3 f0 = fresnelDielectricOfChannels(1.0f, ior);
+  if (m.fresnel == kFresnelF82) return fresnelF82(cosine, f0, m.f82_tint);
+  return fresnelSchlick(cosine, f0);
 }
 
 FN vec3 metalReflectance(Surface s, float cosine) {
-  vec3 k = s.material.conductor_k;
-  bool has_index = k.x + k.y + k.z > 0.0f;
-  if (s.material.fresnel == kFresnelExact && has_index) return fresnelConductor(cosine, s.material.conductor_n, k);
-  return fresnelSchlick(cosine, s.material.base_color);
+  Material m = s.material;
+  bool has_index = m.conductor_k.x + m.conductor_k.y + m.conductor_k.z > 0.0f;
+  if (m.fresnel == kFresnelExact && has_index) return fresnelConductor(cosine, m.conductor_n, m.conductor_k);
+  if (m.fresnel == kFresnelF82) return fresnelF82(cosine, m.base_color, m.f82_tint);
+  return fresnelSchlick(cosine, m.base_color);
 }
 
-// Of a smooth dielectric, per channel: dispersion gives each its own index.
+// Dispersion gives each channel its own index.
 FN vec3 smoothDielectric(Surface s, float cosine) {
-  vec3 ior = iorOfChannels(s.material.ior, s.material.dispersion);
-  return s.material.specular * vec3(dielectricReflectance(s, cosine, ior.x), dielectricReflectance(s, cosine, ior.y),
-                           dielectricReflectance(s, cosine, ior.z));
+  return s.material.specular * dielectricReflectance(s, cosine, iorOfChannels(s.material.ior, s.material.dispersion));
 }
 
 // What a surface reflects whose facets reflect `here` at this angle, f0 at normal and f90 at grazing incidence. Up to

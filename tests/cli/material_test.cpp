@@ -67,7 +67,8 @@ TEST_F(MaterialCliTest, EveryParameterThatASphereHasChangesThePicture) {
         Change{"--material water", "fresnel=empirical"},
         Change{"--material water --fresnel empirical", "fresnel_offset=0.3"},
         Change{"--material water --fresnel empirical", "fresnel_scale=0.5"},
-        Change{"--material water --fresnel empirical", "fresnel_power=2"}, Change{"", "bump=orange"},
+        Change{"--material water --fresnel empirical", "fresnel_power=2"},
+        Change{"--material gold --fresnel f82", "f82_tint=0.5"}, Change{"", "bump=orange"},
         Change{"--material orange", "bump_height=0.02"}, Change{"--material orange", "bump_frequency=8"}}) {
     const std::string base = std::string("sphere ") + change.base;
     if (!bases.contains(base)) bases[base] = draw(base);

@@ -179,10 +179,13 @@ const Case kCases[] = {
         refractedDirection, direction, kTight,
         vec4(refractedDirection(vec3(p), dot(vec3(p), vec3(q)) > 0.0f ? -vec3(q) : vec3(q), 0.4f + 2.0f * r.x), 0.0f)),
     PARITY(fresnelDielectric, unit, kTight, vec4(fresnelDielectric(p.x, 0.4f + 2.0f * p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(fresnelDielectricOfChannels, unit, kTight,
+           vec4(fresnelDielectricOfChannels(p.x, 0.4f + 2.0f * vec3(q)), 0.0f)),
     PARITY(fresnelConductor1, unit, kTight,
            vec4(fresnelConductor1(p.x, 0.1f + 3.0f * p.y, 0.5f + 6.0f * p.z), 0.0f, 0.0f, 0.0f)),
     PARITY(fresnelConductor, unit, kTight, vec4(fresnelConductor(p.x, vec3(q) + 0.1f, vec3(r) * 6.0f + 0.5f), 0.0f)),
     PARITY(fresnelSchlick, unit, kTight, vec4(fresnelSchlick(p.x, vec3(q)), 0.0f)),
+    PARITY(fresnelF82, unit, kTight, vec4(fresnelF82(p.x, vec3(q), vec3(r)), 0.0f)),
     PARITY(fresnelEmpirical, unit, kTranscendental,
            vec4(fresnelEmpirical(p.x, p.y, p.z, 1.0f + 5.0f * p.w), 0.0f, 0.0f, 0.0f)),
     PARITY(iorOfChannels, unit, kTight, vec4(iorOfChannels(1.0f + 1.5f * p.x, p.y), 0.0f)),
@@ -311,7 +314,7 @@ const Case kCases[] = {
 
     // shading
     PARITY(dielectricReflectance, direction, kTranscendental,
-           vec4(dielectricReflectance(testSurface(p, q, r), p.w, 1.0f + r.x), 0.0f, 0.0f, 0.0f)),
+           vec4(dielectricReflectance(testSurface(p, q, r), p.w, vec3(1.0f + r.x, 1.5f, 2.0f)), 0.0f)),
     PARITY(metalReflectance, direction, kTight, vec4(metalReflectance(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(smoothDielectric, direction, kTranscendental, vec4(smoothDielectric(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(roughReflectance, direction, kTight,

@@ -6,7 +6,9 @@ struct Surface {
   Material material;      // its numbers here: times what its textures hold
   vec3 normal;            // unit, on the viewer's side
   float occlusion;
-  vec2 environment_brdf;  // for its roughness and n·v what the BRDF table's scale and bias lack to 1, and the bias
+  // For its roughness and n·v: what white facets do not send away at the first bounce, and 1 − the cosine at which
+  // Schlick's term is its mean over the facets: the fifth root of the BRDF table's bias / (scale + bias).
+  vec2 environment_brdf;
 };
 
 // Shares of a white environment's light.
@@ -34,33 +36,51 @@ FN vec3 metalReflectance(Surface s, float cosine) {
   return fresnelSchlick(cosine, m.base_color);
 }
 
+// The cosine at which a facet stands for all that the eye sees: where Schlick's (1 − cosine)⁵ is its mean over them,
+// which is known from the BRDF table. So Schlick's form is exact on average. Any other form is then taken at that cosine:
+// it is nearly a line in Schlick's term, and what is even at the facets stays so.
+//   cosine   −dot(ray, n); a mirror has no facets
+FN float cosineOfFacets(Surface s, float cosine) {
+  return s.material.perceptual_roughness > 0.0f ? 1.0f - s.environment_brdf.y : cosine;
+}
+
 // Dispersion gives each channel its own index.
 FN vec3 smoothDielectric(Surface s, float cosine) {
   return s.material.specular * dielectricReflectance(s, cosine, iorOfChannels(s.material.ior, s.material.dispersion));
 }
 
-// What a surface reflects whose facets reflect `here` at this angle, f0 at normal and f90 at grazing incidence. Up to
-// perceptual roughness ¼ (alpha 1/16) the lobe is so narrow that Fresnel's equations hold at its middle. From 0 to ¼
-// they are blended into the BRDF table, which knows only f0 and f90.
-FN Reflectance roughReflectance(Surface s, vec3 here, vec3 f0, float f90) {
+// What a surface reflects whose facets reflect `facets`, as the eye sees them, and `mean` over the hemisphere.
+FN Reflectance roughReflectance(Surface s, vec3 facets, vec3 mean) {
   float missing = s.environment_brdf.x;
-  float bias = s.environment_brdf.y;
-  float whole = 1.0f - missing;
-  vec3 rough = f0 * (whole - bias) + vec3(f90 * bias);
   Reflectance r;
-  r.single_scattering = mix(here * whole, rough, clamp(s.material.perceptual_roughness * 4.0f, 0.0f, 1.0f));
-  r.multiple_scattering = multipleScattering(r.single_scattering, meanFresnel(f0, f90), missing);
+  r.single_scattering = facets * (1.0f - missing);
+  r.multiple_scattering = multipleScattering(r.single_scattering, mean, missing);
   return r;
 }
 
+// Where nothing is missing, the mean over the hemisphere does not count.
 FN Reflectance roughDielectric(Surface s, float cosine) {
-  return roughReflectance(s, smoothDielectric(s, cosine), smoothDielectric(s, 1.0f), s.material.specular);
+  vec3 facets = smoothDielectric(s, cosineOfFacets(s, cosine));
+  vec3 mean = facets;
+  if (s.environment_brdf.x > 0.0f)
+    mean = meanFresnel(smoothDielectric(s, kMeanFresnelCosines.x), smoothDielectric(s, kMeanFresnelCosines.y),
+                       smoothDielectric(s, kMeanFresnelCosines.z));
+  return roughReflectance(s, facets, mean);
+}
+
+FN Reflectance roughMetal(Surface s, float cosine) {
+  vec3 facets = metalReflectance(s, cosineOfFacets(s, cosine));
+  vec3 mean = facets;
+  if (s.environment_brdf.x > 0.0f)
+    mean = meanFresnel(metalReflectance(s, kMeanFresnelCosines.x), metalReflectance(s, kMeanFresnelCosines.y),
+                       metalReflectance(s, kMeanFresnelCosines.z));
+  return roughReflectance(s, facets, mean);
 }
 
 // glTF mixes the two materials, not their parts (appendix B.3.5).
 FN Reflectance specularReflectance(Surface s, float cosine) {
   Reflectance dielectric = roughDielectric(s, cosine);
-  Reflectance metal = roughReflectance(s, metalReflectance(s, cosine), metalReflectance(s, 1.0f), 1.0f);
+  Reflectance metal = roughMetal(s, cosine);
   Reflectance r;
   r.single_scattering = mix(dielectric.single_scattering, metal.single_scattering, s.material.metallic);
   r.multiple_scattering = mix(dielectric.multiple_scattering, metal.multiple_scattering, s.material.metallic);

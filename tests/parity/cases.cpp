@@ -146,7 +146,7 @@ const Case kCases[] = {
     // microfacet
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
-    PARITY(meanFresnel, unit, kTight, vec4(meanFresnel(vec3(p), p.w), 0.0f)),
+    PARITY(meanFresnel, unit, kTight, vec4(meanFresnel(vec3(p), vec3(q), vec3(r)), 0.0f)),
 
     // mip_mapping
     PARITY(lodOfRoughness, unit, kTight, vec4(lodOfRoughness(p.x, 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
@@ -318,11 +318,15 @@ const Case kCases[] = {
     PARITY(metalReflectance, direction, kTight, vec4(metalReflectance(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(smoothDielectric, direction, kTranscendental, vec4(smoothDielectric(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(roughReflectance, direction, kTight,
-           vec4(roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w), r.x).single_scattering,
-                roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w), r.x).multiple_scattering.x)),
+           vec4(roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).single_scattering,
+                roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).multiple_scattering.x)),
     PARITY(roughDielectric, direction, kTranscendental,
            vec4(roughDielectric(testSurface(p, q, r), p.w).single_scattering,
                 roughDielectric(testSurface(p, q, r), p.w).multiple_scattering.y)),
+    PARITY(cosineOfFacets, direction, kExact, vec4(cosineOfFacets(testSurface(p, q, r), p.w), 0.0f, 0.0f, 0.0f)),
+    PARITY(roughMetal, direction, kTranscendental,
+           vec4(roughMetal(testSurface(p, q, r), p.w).single_scattering,
+                roughMetal(testSurface(p, q, r), p.w).multiple_scattering.y)),
     PARITY(specularReflectance, direction, kTranscendental,
            vec4(specularReflectance(testSurface(p, q, r), p.w).single_scattering,
                 specularReflectance(testSurface(p, q, r), p.w).multiple_scattering.y)),

@@ -84,8 +84,8 @@ FN float iorAtWavelength(float ior, float dispersion, float wavelength) {
 }
 
 // The same from measurements, where there are some (scene/material/optical_constants.h): Sellmeier 1871, n² = 1 +
-// Σ b λ² / (λ² − c), with λ in µm and c in µm². c are the squares of wavelengths that the substance absorbs: the formula
-// holds between them, as in all visible light.
+// Σ b λ² / (λ² − c), with λ in µm and c in µm². c are the squares of wavelengths that the substance absorbs: the
+// formula holds between them, as in all visible light.
 FN float iorOfSellmeier(vec4 b, vec4 c, float wavelength) {
   vec4 squared = vec4(wavelength * wavelength);
   return sqrt(1.0f + dot(b, squared / (squared - c)));

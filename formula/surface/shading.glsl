@@ -37,8 +37,8 @@ FN vec3 metalReflectance(Surface s, float cosine) {
 }
 
 // The cosine at which a facet stands for all that the eye sees: where Schlick's (1 − cosine)⁵ is its mean over them,
-// which is known from the BRDF table. So Schlick's form is exact on average. Any other form is then taken at that cosine:
-// it is nearly a line in Schlick's term, and what is even at the facets stays so.
+// which is known from the BRDF table. So Schlick's form is exact on average. Any other form is taken at that cosine
+// too: it is nearly a line over Schlick's term, and what is the same at all angles stays so.
 //   cosine   −dot(ray, n); a mirror has no facets
 FN float cosineOfFacets(Surface s, float cosine) {
   return s.material.perceptual_roughness > 0.0f ? 1.0f - s.environment_brdf.y : cosine;

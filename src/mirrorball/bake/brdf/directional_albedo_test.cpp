@@ -198,8 +198,8 @@ TEST(DirectionalAlbedo, OfPhongIsThatOfTheBlinnLobeAsWide) {
             directionalAlbedo(Distribution::blinn, 0.4f, 0.3f).scale);
 }
 
-// Schlick's form at the cosine that `grazing` says is the mean over all facets. So are other forms, nearly: their greatest
-// errors are at grazing angles, where the facets differ most.
+// Schlick's form at the cosine that `grazing` says is the mean over all facets. So are other forms, nearly: their
+// greatest errors are at grazing angles, where the facets differ most.
 TEST(DirectionalAlbedo, GrazingStandsForAllFacets) {
   struct Form {
     const char* name;

@@ -13,10 +13,10 @@ constexpr float kLineD = 0.5875618f;
 constexpr float kLineF = 0.4861327f;
 
 // Johnson & Christy 1972, "Optical constants of the noble metals", Physical Review B 6; 1974, "Optical constants of
-// transition metals", Physical Review B 9. Rakić 1995, "Algorithm for the determination of intrinsic optical constants
-// of metal films: application to aluminum", Applied Optics 34. Rakić et al. 1998, "Optical properties of metallic films
-// for vertical-cavity optoelectronic devices", Applied Optics 37, Brendel & Bormann's model. All as refractiveindex.info
-// tabulates them.
+// transition metals", Physical Review B 9. Rakić 1995, "Algorithm for the determination of intrinsic optical
+// constants of metal films: application to aluminum", Applied Optics 34. Rakić et al. 1998, "Optical properties of
+// metallic films for vertical-cavity optoelectronic devices", Applied Optics 37, Brendel & Bormann's model. All as
+// refractiveindex.info tabulates them.
 constexpr auto kMetals = std::to_array<MeasuredMetal>({
     {"aluminium", {1.558f, 1.015f, 0.633f}, {7.712f, 6.627f, 5.454f}, "Rakić 1995"},
     {"chromium", {3.107f, 3.181f, 2.323f}, {3.331f, 3.329f, 3.135f}, "Johnson & Christy 1974"},
@@ -30,13 +30,13 @@ constexpr auto kMetals = std::to_array<MeasuredMetal>({
     {"tungsten", {3.652f, 3.506f, 3.313f}, {2.795f, 2.758f, 2.605f}, "Rakić et al. 1998"},
 });
 
-// Schott's catalogue of optical glass: b1 to b3 and c1 to c3 of a data sheet. Malitson 1965, "Interspecimen comparison
-// of the refractive index of fused silica", JOSA 55. Daimon & Masumura 2002, "High-accuracy measurements of the
-// refractive index and its temperature coefficient of calcium fluoride …", Applied Optics 41, at 20 °C. Malitson & Dodge
-// 1972, "Refractive index and birefringence of synthetic sapphire", JOSA 62: the ordinary ray. Peter 1923, "Über
-// Brechungsindizes und Absorptionskonstanten des Diamanten zwischen 644 und 226 mµ", Zeitschrift für Physik 15. Daimon &
-// Masumura 2007, "Measurement of the refractive index of distilled water from the near-infrared region to the
-// ultraviolet region", Applied Optics 46, at 20 °C, against vacuum as the formula has it.
+// Schott's catalogue of optical glass: b1 to b3 and c1 to c3 of a data sheet. Malitson 1965, "Interspecimen
+// comparison of the refractive index of fused silica", JOSA 55. Daimon & Masumura 2002, "High-accuracy measurements
+// of the refractive index and its temperature coefficient of calcium fluoride …", Applied Optics 41, at 20 °C.
+// Malitson & Dodge 1972, "Refractive index and birefringence of synthetic sapphire", JOSA 62: the ordinary ray. Peter
+// 1923, "Über Brechungsindizes und Absorptionskonstanten des Diamanten zwischen 644 und 226 mµ", Zeitschrift für
+// Physik 15. Daimon & Masumura 2007, "Measurement of the refractive index of distilled water from the near-infrared
+// region to the ultraviolet region", Applied Optics 46, at 20 °C, against vacuum as the formula has it.
 constexpr auto kGlasses = std::to_array<MeasuredGlass>({
     {"bk7",
      {1.03961212f, 0.231792344f, 1.01046945f, 0.0f},

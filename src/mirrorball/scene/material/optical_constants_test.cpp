@@ -23,8 +23,8 @@ struct Catalogued {
   float abbe_number;  // V_d
 };
 
-// Schott's data sheets of N-BK7, F2 and SF11; Hellma's of calcium fluoride; for fused silica and diamond the figures that
-// go with their formulas.
+// Schott's data sheets of N-BK7, F2 and SF11; Hellma's of calcium fluoride; for fused silica and diamond the figures
+// that go with their formulas.
 TEST(MeasuredGlass, HasTheIndexAndAbbesNumberOfItsCatalogue) {
   for (const Catalogued& known : {Catalogued{"bk7", 1.51680f, 64.17f}, Catalogued{"f2", 1.62004f, 36.37f},
                                   Catalogued{"sf11", 1.78472f, 25.76f}, Catalogued{"fused-silica", 1.45846f, 67.82f},

@@ -58,23 +58,19 @@ FN Reflectance roughReflectance(Surface s, vec3 facets, vec3 mean) {
   return r;
 }
 
-// Where nothing is missing, the mean over the hemisphere does not count.
+// The mean over the hemisphere is of the one index: what dispersion adds to it is not seen.
 FN Reflectance roughDielectric(Surface s, float cosine) {
-  vec3 facets = smoothDielectric(s, cosineOfFacets(s, cosine));
-  vec3 mean = facets;
-  if (s.environment_brdf.x > 0.0f)
-    mean = meanFresnel(smoothDielectric(s, kMeanFresnelCosines.x), smoothDielectric(s, kMeanFresnelCosines.y),
-                       smoothDielectric(s, kMeanFresnelCosines.z));
-  return roughReflectance(s, facets, mean);
+  vec3 ior = vec3(s.material.ior);
+  vec3 mean = meanFresnel(dielectricReflectance(s, kMeanFresnelCosines.x, ior),
+                          dielectricReflectance(s, kMeanFresnelCosines.y, ior),
+                          dielectricReflectance(s, kMeanFresnelCosines.z, ior));
+  return roughReflectance(s, smoothDielectric(s, cosineOfFacets(s, cosine)), s.material.specular * mean);
 }
 
 FN Reflectance roughMetal(Surface s, float cosine) {
-  vec3 facets = metalReflectance(s, cosineOfFacets(s, cosine));
-  vec3 mean = facets;
-  if (s.environment_brdf.x > 0.0f)
-    mean = meanFresnel(metalReflectance(s, kMeanFresnelCosines.x), metalReflectance(s, kMeanFresnelCosines.y),
-                       metalReflectance(s, kMeanFresnelCosines.z));
-  return roughReflectance(s, facets, mean);
+  vec3 mean = meanFresnel(metalReflectance(s, kMeanFresnelCosines.x), metalReflectance(s, kMeanFresnelCosines.y),
+                          metalReflectance(s, kMeanFresnelCosines.z));
+  return roughReflectance(s, metalReflectance(s, cosineOfFacets(s, cosine)), mean);
 }
 
 // glTF mixes the two materials, not their parts (appendix B.3.5).

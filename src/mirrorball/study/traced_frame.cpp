@@ -10,7 +10,9 @@ TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings) {
   settings.environment_from_world = frame.environmentFromWorld();
   settings.environment_intensity = frame.env_intensity;
   settings.shows_environment = frame.background == BackgroundKind::environment;
+  if (frame.background == BackgroundKind::radiance) settings.background = frame.background_color;
   settings.lights = frame.lights;
+  if (frame.refraction == RefractionKind::traced) settings.inner_bounces = frame.inner_bounces;
   return settings;
 }
 

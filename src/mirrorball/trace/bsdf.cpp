@@ -101,15 +101,15 @@ struct Bsdf::Facet {
   glm::vec3 reflectance;
 };
 
-Bsdf::Bsdf(const formula::Material& material, const Refraction& refraction)
-    : material_(material), refraction_(refraction) {
+Bsdf::Bsdf(const formula::Material& material, const Refraction& refraction) : refraction_(refraction) {
+  surface_.material = material;
   const float alpha = formula::alphaFromPerceptualRoughness(material.perceptual_roughness);
   alpha_ = alpha < kSmoothAlpha ? 0.0f : alpha;
 }
 
 bool Bsdf::chooseMetal(SampleSequence& samples) const {
-  if (material_.metallic <= 0.0f) return false;
-  return material_.metallic >= 1.0f || samples.nextIndependent() < material_.metallic;
+  if (material().metallic <= 0.0f) return false;
+  return material().metallic >= 1.0f || samples.nextIndependent() < material().metallic;
 }
 
 /// Whether the ray is inside of a body that facets enclose.
@@ -117,42 +117,40 @@ bool Bsdf::isInMatter(const Walk& walk) const { return !walk.is_outside && !refr
 
 /// What a dielectric's facet reflects by the one index that refracted light has.
 glm::vec3 Bsdf::reflectanceOfIndex(const Walk& walk, float cosine) const {
-  const bool refracts = material_.transmission > 0.0f && !refraction_.is_thin;
+  const bool refracts = material().transmission > 0.0f && !refraction_.is_thin;
   if (refracts) {
     const float exact = formula::fresnelDielectric(cosine, etaFrom(walk.is_outside, refraction_.ior));
     if (exact >= 1.0f) return glm::vec3(1.0f);  // nothing passes beyond the critical angle
-    if (!walk.is_outside) return glm::vec3(material_.specular * exact);
+    if (!walk.is_outside) return glm::vec3(material().specular * exact);
   }
-  formula::Surface surface;
-  surface.material = material_;
-  return material_.specular * formula::dielectricReflectance(surface, cosine, glm::vec3(refraction_.ior));
+  return material().specular * formula::dielectricReflectance(surface_, cosine, glm::vec3(refraction_.ior));
 }
 
 glm::vec3 Bsdf::facetReflectance(const Walk& walk, float cosine) const {
   const float bounded = std::clamp(cosine, 0.0f, 1.0f);
-  formula::Surface surface;
-  surface.material = material_;
-  if (walk.is_metal) return formula::metalReflectance(surface, bounded);
-  if (material_.dispersion > 0.0f && !walk.is_refracted) return formula::smoothDielectric(surface, bounded);
+  if (walk.is_metal) return formula::metalReflectance(surface_, bounded);
+  if (material().dispersion > 0.0f && !walk.is_refracted) return formula::smoothDielectric(surface_, bounded);
   return reflectanceOfIndex(walk, bounded);
 }
 
 /// What it lets through: all that it does not reflect, weighed for its wavelength when that is new.
 glm::vec3 Bsdf::facetTransmittance(const Walk& walk, float cosine) const {
   const glm::vec3 passes = glm::vec3(1.0f) - facetReflectance(walk, cosine);
-  return material_.base_color * passes * (walk.is_refracted ? glm::vec3(1.0f) : refraction_.weight);
+  return material().base_color * passes * (walk.is_refracted ? glm::vec3(1.0f) : refraction_.weight);
 }
 
 /// What the facets that may be met here send straight into the light's direction, if no other facet catches it there.
 /// The light sample is weighed against the walk alone: not against the other way to a second facet.
-glm::vec3 Bsdf::directFromFacets(const Walk& walk, const LightSample& light) const {
+///
+/// part     partOfWalk, for the light's direction
+glm::vec3 Bsdf::directFromFacets(const Walk& walk, const LightSample& light, float part) const {
   const glm::vec3 w = walk.back();
   const glm::vec3 l = walk.side() * light.direction;
   if (l.z <= 0.0f) return directThroughFacets(walk, light);
   const float density = walk.meeting * densityOfReflection(alpha_, w, l) * shareOfFacets(walk);
   if (density <= 0.0f) return glm::vec3(0.0f);
   const glm::vec3 reflectance = facetReflectance(walk, glm::dot(w, glm::normalize(w + l)));
-  const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance)) * walk.partOfWalk(alpha_, l);
+  const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance)) * part;
   return walk.weight * reflectance *
          (density * escapeProbability(alpha_, l, walk.height) * misWeight(light, own) / light.pdf);
 }
@@ -174,21 +172,21 @@ glm::vec3 Bsdf::directFromTwoFacets(const Walk& walk, const LightSample& light, 
   second.ray = walk.side() * between;
   second.meeting = 1.0f - escapeProbability(alpha_, between, walk.height);
   second.height = heightOfNextFacet(alpha_, between, walk.height, samples.nextIndependent());
-  second.from_facet = by_first;
-  second.weight *= reflectance * (first / by_light * balanceHeuristic(by_light, by_first));
-  return directFromFacets(second, light);
+  const float part = balanceHeuristic(by_first, by_light);
+  second.weight *= reflectance * (first / by_light * (1.0f - part));
+  return directFromFacets(second, light, part);
 }
 
 /// The same through the facets.
 glm::vec3 Bsdf::directThroughFacets(const Walk& walk, const LightSample& light) const {
-  if (walk.is_metal || material_.transmission <= 0.0f || goesStraightOn()) return glm::vec3(0.0f);
+  if (walk.is_metal || material().transmission <= 0.0f || goesStraightOn()) return glm::vec3(0.0f);
   const glm::vec3 w = walk.back();
   const glm::vec3 l = walk.side() * light.direction;
   const float eta = etaFrom(walk.is_outside, refraction_.ior);
   const glm::vec3 h = refraction_.is_thin ? glm::normalize(w + mirrored(l)) : refractingNormal(w, l, eta);
   const float through =
       refraction_.is_thin ? densityOfReflection(alpha_, w, mirrored(l)) : densityOfRefraction(alpha_, w, l, eta);
-  const float density = walk.meeting * through * material_.transmission;
+  const float density = walk.meeting * through * material().transmission;
   if (density <= 0.0f) return glm::vec3(0.0f);
   const float cosine = glm::dot(w, h);
   const float own = density * (1.0f - maxComponent(facetReflectance(walk, cosine)));
@@ -199,19 +197,19 @@ glm::vec3 Bsdf::directThroughFacets(const Walk& walk, const LightSample& light) 
 
 /// What the matter below a facet, or from inside before it, scatters back into the light's direction.
 glm::vec3 Bsdf::directFromMatter(const Walk& walk, const LightSample& light, glm::vec3 reflectance) const {
-  const float scattered = 1.0f - material_.transmission;
+  const float scattered = 1.0f - material().transmission;
   if (walk.is_metal || scattered <= 0.0f) return glm::vec3(0.0f);
   const bool is_inside = isInMatter(walk);
   const glm::vec3 entered = is_inside ? glm::vec3(1.0f) : glm::vec3(1.0f) - reflectance;
   const float density = walk.meeting * scattered * formula::pdfDiffuse(walk.side() * light.direction);
   const float own = density * (is_inside ? 1.0f : 1.0f - maxComponent(reflectance));
-  return walk.weight * material_.base_color * entered * (density * misWeight(light, own) / light.pdf);
+  return walk.weight * material().base_color * entered * (density * misWeight(light, own) / light.pdf);
 }
 
 /// The share of a ray that facets reflect or refract: from inside, matter scatters its share before they are met, so
 /// that light does not circle in a ball that reflects it totally.
 float Bsdf::shareOfFacets(const Walk& walk) const {
-  return isInMatter(walk) && !walk.is_metal ? material_.transmission : 1.0f;
+  return isInMatter(walk) && !walk.is_metal ? material().transmission : 1.0f;
 }
 
 /// Reflects, refracts or scatters a ray that has met a facet.
@@ -232,13 +230,13 @@ void Bsdf::chooseNext(Walk& walk, const Facet& facet, glm::vec2 u, SampleSequenc
     return;
   }
   walk.from_facet = 0.0f;
-  if (u.y < material_.transmission) return transmit(walk, facet);
+  if (u.y < material().transmission) return transmit(walk, facet);
   const bool is_inside = isInMatter(walk);
   const glm::vec3 entered = (glm::vec3(1.0f) - facet.reflectance) / std::max(1.0f - share, 1e-30f);
   const glm::vec3 l = formula::sampleDiffuse(samples.next());
-  walk.weight *= material_.base_color * (is_inside ? glm::vec3(1.0f) : entered);
+  walk.weight *= material().base_color * (is_inside ? glm::vec3(1.0f) : entered);
   walk.pdf =
-      walk.meeting * (1.0f - material_.transmission) * (is_inside ? 1.0f : 1.0f - share) * formula::pdfDiffuse(l);
+      walk.meeting * (1.0f - material().transmission) * (is_inside ? 1.0f : 1.0f - share) * formula::pdfDiffuse(l);
   walk.ray = walk.side() * l;
   walk.has_left = true;
 }
@@ -253,7 +251,7 @@ void Bsdf::transmit(Walk& walk, const Facet& facet) const {
   if (!isSmooth() && !goesStraightOn()) {
     const float density =
         refraction_.is_thin ? densityOfReflection(alpha_, w, mirrored(l)) : densityOfRefraction(alpha_, w, l, eta);
-    walk.pdf = walk.meeting * passes * material_.transmission * density;
+    walk.pdf = walk.meeting * passes * material().transmission * density;
   } else {
     walk.pdf = 0.0f;
   }
@@ -289,7 +287,7 @@ Scattering Bsdf::scatter(glm::vec3 v, const LightSample& light, SampleSequence& 
     if (light.pdf > 0.0f) {
       if (!isSmooth()) {
         const float part = walk.partOfWalk(alpha_, walk.side() * light.direction);
-        result.direct += part * directFromFacets(walk, light) + directFromTwoFacets(walk, light, samples);
+        result.direct += part * directFromFacets(walk, light, part) + directFromTwoFacets(walk, light, samples);
       }
       result.direct += directFromMatter(walk, light, facet.reflectance);
     }

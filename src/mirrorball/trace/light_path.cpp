@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "formula/bodies.h"
 #include "formula/bsdf.h"
 #include "formula/color.h"
 #include "formula/surface.h"
@@ -31,9 +32,6 @@ struct Frame {
   glm::vec3 n, t, b;
 };
 
-/// Whether a material fills what its triangles enclose; else they are all that there is.
-bool isBody(const Material& material) { return material.transmission > 0.0f && !material.thin_walled; }
-
 /// The distance from which on a ray has passed what it met.
 float justBehind(float distance) { return std::nextafter(distance * (1.0f + 1e-6f), INFINITY); }
 
@@ -41,15 +39,6 @@ float justBehind(float distance) { return std::nextafter(distance * (1.0f + 1e-6
 glm::vec3 shareOfWavelength(float wavelength) {
   const float all = formula::kLongestWavelength - formula::kShortestWavelength;
   return formula::wavelengthWeight(wavelength) / (all * formula::pdfWavelength(wavelength));
-}
-
-/// A normal that does not turn away from the eye that sees its triangle, as a smooth one may: it is bent back.
-///
-/// facing   1, or −1 for the inside of a body
-glm::vec3 bentTowards(glm::vec3 normal, glm::vec3 v, float facing) {
-  constexpr float kLeastCosine = 1e-3f;
-  const float cosine = facing * glm::dot(v, normal);
-  return cosine < kLeastCosine ? glm::normalize(normal + facing * v * (kLeastCosine - cosine)) : normal;
 }
 
 /// The colour of a surface: its base colour, or a metal's reflectance at normal incidence.
@@ -76,18 +65,21 @@ class Path {
     SurfacePoint point;
     bool is_body;
     bool is_outside;
+    const Material* beyond;  ///< the body on its other side: outside of a body, and on both sides of other surfaces
   };
 
   std::optional<Hit> firstHit(Ray& ray, float farthest, glm::vec3& share);
   glm::vec3 shareThatArrives(Ray ray, float distance);
+  bool meetsSurfaces(const Ray& ray) const;
   bool passes(const Hit& hit, Ray& ray);
   bool isHole(const Hit& hit);
-  glm::vec3 transmittance(const Media& media, float distance) const;
+  glm::vec3 transmittance(const formula::Media& media, float distance) const;
   glm::vec3 environmentAlong(glm::vec3 direction) const;
   float iorOf(const formula::Material& material) const;
   bool needsWavelength(const Vertex& vertex) const;
   Refraction refractionAt(const Vertex& vertex, float new_wavelength) const;
-  std::optional<std::uint32_t> otherSide(const Vertex& vertex) const;
+  Vertex vertexAt(const Hit& hit, const Ray& ray) const;
+  float iorBeyond(const Vertex& vertex) const;
   formula::Material materialAt(const Vertex& vertex) const;
   LightSample sampleLight();
   glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, glm::vec3 normal);
@@ -102,6 +94,7 @@ class Path {
   glm::vec3 throughput_{1.0f};
   float pdf_ = 0.0f;         // of the ray's direction; 0: nothing else could have chosen it
   float wavelength_ = 0.0f;  // µm, once light is dispersed; 0: all are there
+  int inner_surfaces_ = 0;   // that were met from within bodies
 };
 
 /// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
@@ -113,10 +106,12 @@ bool Path::passes(const Hit& hit, Ray& ray) {
   const bool has_back = material.double_sided || material.transmission > 0.0f || !ray.passes_backs;
   if (!has_back && !is_entering) return true;
   const bool is_there = hit.distance >= ray.nearest && !isHole(hit);
-  if (!isBody(material)) return !is_there;
-  if (is_there && ray.media.hasSurface(world_.scene, hit.instance, is_entering)) return false;
+  const bool meets_bodies_alone = settings_.is_unoccluded && formula::fillingBody(ray.media) >= 0 && ray.from;
+  if (!isBody(material)) return !is_there || meets_bodies_alone;
+  const int body = static_cast<int>(hit.instance);
+  if (is_there && formula::hasSurface(ray.media, body, material.priority, is_entering)) return false;
   // Also at a hole a body begins or ends.
-  is_entering ? ray.media.enter(hit.instance) : ray.media.leave(hit.instance);
+  ray.media = is_entering ? formula::entered(ray.media, body, material.priority) : formula::left(ray.media, body);
   return true;
 }
 
@@ -131,7 +126,7 @@ bool Path::isHole(const Hit& hit) {
 /// share    is dimmed by what bodies absorb on the way; not on a way without an end
 std::optional<Hit> Path::firstHit(Ray& ray, float farthest, glm::vec3& share) {
   float absorbed_to = ray.nearest;
-  const auto absorbTo = [&](const Media& media, float distance) {
+  const auto absorbTo = [&](const formula::Media& media, float distance) {
     if (distance > absorbed_to && distance < INFINITY) share *= transmittance(media, distance - absorbed_to);
     absorbed_to = std::max(distance, absorbed_to);
   };
@@ -139,7 +134,7 @@ std::optional<Hit> Path::firstHit(Ray& ray, float farthest, glm::vec3& share) {
   for (int passed = 0;; ++passed) {
     const auto hit = world_.geometry.hit(ray.origin, ray.direction, nearest);
     const bool is_reached = hit && hit->distance < farthest;
-    const Media before = ray.media;
+    const formula::Media before = ray.media;
     const bool is_passed = is_reached && passed < kMaxPassed && passes(*hit, ray);
     absorbTo(before, is_reached ? hit->distance : farthest);
     if (!is_reached) return std::nullopt;
@@ -148,18 +143,24 @@ std::optional<Hit> Path::firstHit(Ray& ray, float farthest, glm::vec3& share) {
   }
 }
 
+/// Whether something may be in the way of a ray that leaves a surface.
+bool Path::meetsSurfaces(const Ray& ray) const {
+  const bool is_inside = formula::fillingBody(ray.media) >= 0;
+  return !settings_.is_unoccluded || (is_inside && inner_surfaces_ < settings_.inner_bounces);
+}
+
 /// The share of light that gets from a distance along a ray to its origin.
 glm::vec3 Path::shareThatArrives(Ray ray, float distance) {
   glm::vec3 share(1.0f);
-  if (!settings_.is_unoccluded && firstHit(ray, distance, share)) return glm::vec3(0.0f);
+  if (meetsSurfaces(ray) && firstHit(ray, distance, share)) return glm::vec3(0.0f);
   return share;
 }
 
 /// What the body that fills a place leaves of light over a distance (Lambert & Beer).
-glm::vec3 Path::transmittance(const Media& media, float distance) const {
-  const auto filling = media.filling(world_.scene);
-  if (!filling) return glm::vec3(1.0f);
-  const Material& material = materialOf(world_.scene, *filling);
+glm::vec3 Path::transmittance(const formula::Media& media, float distance) const {
+  const int filling = formula::fillingBody(media);
+  if (filling < 0) return glm::vec3(1.0f);
+  const Material& material = materialOf(world_.scene, std::size_t(filling));
   if (material.attenuation_distance <= 0.0f) return glm::vec3(1.0f);
   return glm::pow(material.attenuation_color, glm::vec3(distance / material.attenuation_distance));
 }
@@ -172,12 +173,22 @@ float Path::iorOf(const formula::Material& material) const {
   return wavelength_ > 0.0f ? formula::iorAtWavelength(material.ior, material.dispersion, wavelength_) : material.ior;
 }
 
-/// The body on the other side of a surface from the one that its material fills: outside of a body, and on both sides
-/// of other surfaces.
-std::optional<std::uint32_t> Path::otherSide(const Vertex& vertex) const {
-  const Media& media = vertex.arriving.media;
-  return vertex.is_outside ? media.filling(world_.scene) : media.fillingWithout(world_.scene, vertex.hit.instance);
+Path::Vertex Path::vertexAt(const Hit& hit, const Ray& ray) const {
+  const Scene& scene = world_.scene;
+  const Material& material = materialOf(scene, hit.instance);
+  const bool is_outside = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
+  const int other =
+      formula::fillingBody(is_outside ? ray.media : formula::left(ray.media, static_cast<int>(hit.instance)));
+  return {hit,
+          ray,
+          material,
+          surfacePointAt(scene, world_.world_from_normal[hit.instance], hit),
+          isBody(material),
+          is_outside,
+          other >= 0 ? &materialOf(scene, std::size_t(other)) : nullptr};
 }
+
+float Path::iorBeyond(const Vertex& vertex) const { return vertex.beyond ? iorOf(*vertex.beyond) : 1.0f; }
 
 /// Whether light of each wavelength goes its own way from here on, and none has been chosen. Where light comes out of
 /// the air, the choice can wait until it is refracted, so that what is reflected has no noise of colours; else a
@@ -185,34 +196,27 @@ std::optional<std::uint32_t> Path::otherSide(const Vertex& vertex) const {
 bool Path::needsWavelength(const Vertex& vertex) const {
   if (wavelength_ > 0.0f || !vertex.is_body) return false;
   const formula::Material& material = vertex.point.material;
-  const auto other = otherSide(vertex);
-  const bool is_from_air = vertex.is_outside && !other && material.ior >= 1.0f;
-  return (material.dispersion > 0.0f && !is_from_air) || (other && materialOf(world_.scene, *other).dispersion > 0.0f);
+  const bool is_from_air = vertex.is_outside && !vertex.beyond && material.ior >= 1.0f;
+  return (material.dispersion > 0.0f && !is_from_air) || (vertex.beyond && vertex.beyond->dispersion > 0.0f);
 }
 
 /// The material's numbers, its indices relative to what is on the other side.
 formula::Material Path::materialAt(const Vertex& vertex) const {
   formula::Material material = vertex.point.material;
-  material.ior = iorOf(material);
-  const auto other = otherSide(vertex);
-  if (wavelength_ > 0.0f || other) material.dispersion = 0.0f;
-  if (other) {
-    const float ior = iorOf(materialOf(world_.scene, *other));
-    material.ior /= ior;
-    material.conductor_n /= ior;
-    material.conductor_k /= ior;
-  }
+  const float beyond = iorBeyond(vertex);
+  material.ior = iorOf(material) / beyond;
+  material.conductor_n /= beyond;
+  material.conductor_k /= beyond;
+  if (wavelength_ > 0.0f || vertex.beyond) material.dispersion = 0.0f;
   return material;
 }
 
 /// How light goes on that is refracted, and is of that wavelength from then on.
 Refraction Path::refractionAt(const Vertex& vertex, float new_wavelength) const {
   const formula::Material& material = vertex.point.material;
-  const auto other = otherSide(vertex);
-  const float outside = other ? iorOf(materialOf(world_.scene, *other)) : 1.0f;
-  Refraction refraction{.ior = iorOf(material) / outside, .is_thin = vertex.surface.thin_walled};
-  if (new_wavelength > 0.0f) {
-    refraction.ior = formula::iorAtWavelength(material.ior, material.dispersion, new_wavelength) / outside;
+  Refraction refraction{.ior = iorOf(material) / iorBeyond(vertex), .is_thin = vertex.surface.thin_walled};
+  if (new_wavelength > 0.0f) {  // which waits for light out of the air alone
+    refraction.ior = formula::iorAtWavelength(material.ior, material.dispersion, new_wavelength);
     refraction.weight = shareOfWavelength(new_wavelength);
   }
   return refraction;
@@ -263,7 +267,9 @@ Ray Path::leaving(const Vertex& vertex, glm::vec3 direction) const {
           .from = hit,
           .passes_backs = crosses && vertex.surface.transmission <= 0.0f,
           .media = arriving.media};
-  if (crosses && vertex.is_body) goes_out ? ray.media.leave(hit.instance) : ray.media.enter(hit.instance);
+  const int body = static_cast<int>(hit.instance);
+  if (crosses && vertex.is_body)
+    ray.media = goes_out ? formula::left(ray.media, body) : formula::entered(ray.media, body, vertex.surface.priority);
   return ray;
 }
 
@@ -313,10 +319,14 @@ PathLight Path::follow(Ray ray) {
     return result;
   };
   for (int surfaces = 0;; ++surfaces) {
-    const bool meets = surfaces == 0 || !settings_.is_unoccluded;
+    const bool meets = surfaces == 0 || meetsSurfaces(ray);
+    if (surfaces > 0 && formula::fillingBody(ray.media) >= 0) ++inner_surfaces_;
     const auto hit = meets ? firstHit(ray, INFINITY, throughput_) : std::nullopt;
     if (!hit) {
-      if (surfaces == 0 && !settings_.shows_environment) return result;
+      if (surfaces == 0 && !settings_.shows_environment) {
+        if (settings_.background) result.radiance = glm::vec4(throughput_ * *settings_.background, 1.0f);
+        return result;
+      }
       // What of this light was chosen directly counts there.
       const glm::vec3 seen = glm::normalize(settings_.environment_from_world * ray.direction);
       float weight = 1.0f;
@@ -326,18 +336,12 @@ PathLight Path::follow(Ray ray) {
       sum_ += throughput_ * weight * environmentAlong(seen);
       return ended();
     }
-    if (surfaces == settings_.bounces) return ended();
-    const Material& material = materialOf(world_.scene, hit->instance);
-    const Vertex vertex{*hit,
-                        ray,
-                        material,
-                        surfacePointAt(world_.scene, world_.world_from_normal[hit->instance], *hit),
-                        isBody(material),
-                        glm::dot(ray.direction, hit->geometric_normal) < 0.0f};
+    if (surfaces == settings_.bounces && !settings_.is_unoccluded) return ended();
+    const Vertex vertex = vertexAt(*hit, ray);
     // A thin surface is the same from both sides; a body has an inside.
     const float facing = vertex.is_outside || !vertex.is_body ? 1.0f : -1.0f;
     glm::vec3 normal = vertex.is_outside || vertex.is_body ? vertex.point.normal : -vertex.point.normal;
-    normal = bentTowards(normal, -ray.direction, facing);
+    normal = facing * formula::facingNormal(facing * normal, ray.direction);
     if (surfaces == 0) {
       result.albedo = albedoOf(vertex.point.material);
       result.normal = facing * normal;
@@ -350,22 +354,24 @@ PathLight Path::follow(Ray ray) {
 }
 
 /// The bodies that a ray leaves without having entered them, the innermost first.
-std::vector<std::uint32_t> bodiesLeft(const World& world, glm::vec3 point, glm::vec3 direction) {
-  Media entered;
-  std::vector<std::uint32_t> left;
+std::vector<int> bodiesLeft(const World& world, glm::vec3 point, glm::vec3 direction) {
+  formula::Media inside;
+  std::vector<int> left;
   float nearest = 0.0f;
   for (int passed = 0; passed < kMaxPassed; ++passed) {
     const auto hit = world.geometry.hit(point, direction, nearest);
     if (!hit) break;
     nearest = justBehind(hit->distance);
-    if (!isBody(materialOf(world.scene, hit->instance))) continue;
+    const Material& material = materialOf(world.scene, hit->instance);
+    if (!isBody(material)) continue;
+    const int body = static_cast<int>(hit->instance);
     const bool is_entering = glm::dot(direction, hit->geometric_normal) < 0.0f;
     if (is_entering)
-      entered.enter(hit->instance);
-    else if (entered.contains(hit->instance))
-      entered.leave(hit->instance);
+      inside = formula::entered(inside, body, material.priority);
+    else if (formula::timesEntered(inside, body) > 0)
+      inside = formula::left(inside, body);
     else
-      left.push_back(hit->instance);
+      left.push_back(body);
   }
   return left;
 }
@@ -376,17 +382,18 @@ PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray,
   return Path(world, settings, samples).follow(ray);
 }
 
-Media mediaAt(const World& world, glm::vec3 point) {
+formula::Media mediaAt(const World& world, glm::vec3 point) {
   // Directions in which edges of models seldom lie, and not on one side of the point.
   constexpr std::array<glm::vec3, 3> kDirections{
       {{0.3713f, 0.8017f, 0.4686f}, {-0.8351f, -0.2689f, 0.4798f}, {0.4638f, -0.5328f, -0.7078f}}};
-  std::vector<std::uint32_t> candidates;  // the innermost first
+  std::vector<int> candidates;  // the innermost first
   for (const glm::vec3 direction : kDirections)
-    for (const std::uint32_t body : bodiesLeft(world, point, glm::normalize(direction))) candidates.push_back(body);
+    for (const int body : bodiesLeft(world, point, glm::normalize(direction))) candidates.push_back(body);
   // An open mesh has a back on one side alone.
-  Media around;
+  formula::Media around;
   for (auto body = candidates.rbegin(); body != candidates.rend(); ++body)
-    if (!around.contains(*body) && std::ranges::count(candidates, *body) >= 2) around.enter(*body);
+    if (formula::timesEntered(around, *body) == 0 && std::ranges::count(candidates, *body) >= 2)
+      around = formula::entered(around, *body, materialOf(world.scene, std::size_t(*body)).priority);
   return around;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,13 +29,18 @@ struct TraceSettings {
   /// Surfaces that light may meet on its way to the eye. 1: the environment lights each surface, and what blocks it is
   /// dark; with `is_unoccluded`, nothing blocks it, which is all that an environment map can know.
   int bounces = 16;
-  bool is_unoccluded = false;  ///< light reaches each surface as if there were nothing else
+  /// Light reaches each surface as if there were nothing else.
+  bool is_unoccluded = false;
+  /// With is_unoccluded, in place of `bounces`: how many surfaces light still meets inside of bodies, those of other
+  /// bodies in them too. What is inside of them after that is the light from far away along its last direction.
+  int inner_bounces = 0;
   LightStrategy strategy = LightStrategy::both;
-  glm::mat3 environment_from_world{1.0f};  ///< turns the environment
-  float environment_intensity = 1.0f;      ///< scales its light
-  bool shows_environment = true;           ///< behind the scene; else what is behind it is transparent
-  std::vector<PointLight> lights = {};     ///< by Phong's model, as the renderer has them, but with shadows
-  bool wants_layers = false;               ///< also what denoisers ask for (TraceLayers)
+  glm::mat3 environment_from_world{1.0f};    ///< turns the environment
+  float environment_intensity = 1.0f;        ///< scales its light
+  bool shows_environment = true;             ///< behind the scene
+  std::optional<glm::vec3> background = {};  ///< radiance there if the environment is not shown; nothing: transparent
+  std::vector<PointLight> lights = {};       ///< by Phong's model, as the renderer has them, but with shadows
+  bool wants_layers = false;                 ///< also what denoisers ask for (TraceLayers)
 };
 
 /// The table of those settings that only a path tracer has.

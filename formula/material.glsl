@@ -5,6 +5,7 @@
 const int kFresnelExact = 0;
 const int kFresnelSchlick = 1;
 const int kFresnelEmpirical = 2;
+const int kFresnelF82 = 3;
 
 struct Material {
   vec3 base_color INITIALLY(vec3(0.8f));        // linear: diffuse albedo, or a metal's reflectance at normal incidence
@@ -24,6 +25,7 @@ struct Material {
   float fresnel_offset INITIALLY(0.0f);         // of the empirical form: offset + scale · (1 + V·N)^power
   float fresnel_scale INITIALLY(1.0f);
   float fresnel_power INITIALLY(5.0f);
+  vec3 f82_tint INITIALLY(vec3(1.0f));          // of the form F82: what is left of Schlick's at 82 degrees
   float bump_height INITIALLY(0.01f);           // in model units
   float bump_frequency INITIALLY(12.0f);        // dimples a model unit
   float alpha_cutoff INITIALLY(0.5f);

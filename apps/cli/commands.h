@@ -16,6 +16,7 @@ Command infoCommand();
 Command compareCommand();
 Command photoCommand();
 Command studyCommand();
+Command fresnelCommand();
 Command cacheCommand();
 Command referenceCommand();
 

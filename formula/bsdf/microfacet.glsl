@@ -9,7 +9,7 @@ FN float alphaFromPerceptualRoughness(float perceptual_roughness) {
 // Of the missing share, which does not leave at a bounce, the next facet reflects the mean share F. Of that the part
 // single_scattering / F leaves, and so on. This is a geometric series. For facets that reflect everything it adds up to
 // exactly what single scattering leaves missing.
-//   single_scattering  f0 · scale + bias of the BRDF table: what leaves after one bounce
+//   single_scattering  what leaves after one bounce
 //   mean_fresnel       the facets' reflectance, averaged over the cosine-weighted hemisphere
 //   missing            1 − scale − bias: the share that facets with reflectance 1 do not send away at the first bounce
 FN vec3 multipleScattering(vec3 single_scattering, vec3 mean_fresnel, float missing) {
@@ -17,5 +17,10 @@ FN vec3 multipleScattering(vec3 single_scattering, vec3 mean_fresnel, float miss
   return single_scattering * again / (1.0f - again);
 }
 
-// The cosine-weighted mean of Schlick's form, 2 ∫ (f0 + (f90 − f0)(1 − μ)⁵) μ dμ.
-FN vec3 meanFresnel(vec3 f0, float f90) { return f0 + (f90 - f0) / 21.0f; }
+// The cosine-weighted mean of a reflectance, 2 ∫ F(μ) μ dμ, from its values at three cosines: Gauss and Jacobi's rule,
+// exact for polynomials up to μ⁵, of which Schlick's form is one. For Fresnel's equations it is within 0.002, but where
+// part of the light is totally reflected.
+const vec3 kMeanFresnelCosines = vec3(0.21234054f, 0.59053314f, 0.91141204f);
+FN vec3 meanFresnel(vec3 at_first, vec3 at_second, vec3 at_third) {
+  return 0.13965396f * at_first + 0.45848221f * at_second + 0.40186383f * at_third;
+}

@@ -26,6 +26,10 @@ FN float fresnelDielectric(float cosine, float eta) {
   return (parallel * parallel + perpendicular * perpendicular) / 2.0f;
 }
 
+FN vec3 fresnelDielectricOfChannels(float cosine, vec3 eta) {
+  return vec3(fresnelDielectric(cosine, eta.x), fresnelDielectric(cosine, eta.y), fresnelDielectric(cosine, eta.z));
+}
+
 // The same into a metal of complex index n + ik (Born & Wolf, Principles of Optics, 14.2).
 FN float fresnelConductor1(float cosine, float n, float k) {
   float cosine2 = cosine * cosine;
@@ -54,6 +58,18 @@ FN vec3 fresnelSchlick(float cosine, vec3 f0) {
   return f0 + (1.0f - f0) * (grazing2 * grazing2 * grazing);
 }
 
+// F82 (Kutz, Hašan & Edmondson 2021, "Novel aspects of the Adobe Standard Material"): Schlick's form less a dip near
+// grazing incidence, a cos θ (1 − cos θ)⁶, which metals have. It is deepest at cos θ = 1/7, an angle of 82°; `tint` is
+// the share that it leaves of Schlick's form there, 1 being no dip. Where f0 is small a deep dip would end below 0.
+FN vec3 fresnelF82(float cosine, vec3 f0, vec3 tint) {
+  const float deepest_cosine = 1.0f / 7.0f;
+  const float of_deepest = 17.651384f;  // 1 / (1/7 · (6/7)⁶)
+  float grazing = 1.0f - cosine;
+  float grazing2 = grazing * grazing;
+  vec3 a = fresnelSchlick(deepest_cosine, f0) * (1.0f - tint) * of_deepest;
+  return max(fresnelSchlick(cosine, f0) - a * (cosine * grazing2 * grazing2 * grazing2), vec3(0.0f));
+}
+
 // The lecture's form, offset + scale (1 + V·N)ⁿ with V from the eye to the surface, so that V·N = −cos θ.
 FN float fresnelEmpirical(float cosine, float offset, float scale, float power) {
   return clamp(offset + scale * pow(max(1.0f - cosine, 0.0f), power), 0.0f, 1.0f);
@@ -73,4 +89,12 @@ FN float iorAtWavelength(float ior, float dispersion, float wavelength) {
   const float line_d = 0.58756f;
   float spread = (ior - 1.0f) * dispersion * cauchy * (1.0f / (wavelength * wavelength) - 1.0f / (line_d * line_d));
   return max(ior + spread, 0.1f);  // far from any glass it would end below 0
+}
+
+// The same from measurements, where there are some (scene/material/optical_constants.h): Sellmeier 1871, n² = 1 +
+// Σ b λ² / (λ² − c), with λ in µm and c in µm². c are the squares of wavelengths that the substance absorbs: the
+// formula holds between them, as in all visible light.
+FN float iorOfSellmeier(vec4 b, vec4 c, float wavelength) {
+  vec4 squared = vec4(wavelength * wavelength);
+  return sqrt(1.0f + dot(b, squared / (squared - c)));
 }

@@ -6,7 +6,9 @@ struct Surface {
   Material material;      // its numbers here: times what its textures hold
   vec3 normal;            // unit, on the viewer's side
   float occlusion;
-  vec2 environment_brdf;  // for its roughness and n·v what the BRDF table's scale and bias lack to 1, and the bias
+  // For its roughness and n·v: what white facets do not send away at the first bounce, and 1 − the cosine at which
+  // Schlick's term is its mean over the facets: the fifth root of the BRDF table's bias / (scale + bias).
+  vec2 environment_brdf;
 };
 
 // Shares of a white environment's light.
@@ -15,50 +17,66 @@ struct Reflectance {
   vec3 multiple_scattering;  // of the light from all sides, after several bounces between the facets of a rough surface
 };
 
-FN float dielectricReflectance(Surface s, float cosine, float ior) {
+// Of a smooth dielectric, whose index may differ between the channels.
+FN vec3 dielectricReflectance(Surface s, float cosine, vec3 ior) {
   Material m = s.material;
+  if (m.fresnel == kFresnelExact) return fresnelDielectricOfChannels(cosine, ior);
   if (m.fresnel == kFresnelEmpirical)
-    return fresnelEmpirical(cosine, m.fresnel_offset, m.fresnel_scale, m.fresnel_power);
-  if (m.fresnel == kFresnelSchlick) return fresnelSchlick(cosine, vec3(fresnelDielectric(1.0f, ior))).x;
-  return fresnelDielectric(cosine, ior);
+    return vec3(fresnelEmpirical(cosine, m.fresnel_offset, m.fresnel_scale, m.fresnel_power));
+  vec3 f0 = fresnelDielectricOfChannels(1.0f, ior);
+  if (m.fresnel == kFresnelF82) return fresnelF82(cosine, f0, m.f82_tint);
+  return fresnelSchlick(cosine, f0);
 }
 
 FN vec3 metalReflectance(Surface s, float cosine) {
-  vec3 k = s.material.conductor_k;
-  bool has_index = k.x + k.y + k.z > 0.0f;
-  if (s.material.fresnel == kFresnelExact && has_index) return fresnelConductor(cosine, s.material.conductor_n, k);
-  return fresnelSchlick(cosine, s.material.base_color);
+  Material m = s.material;
+  bool has_index = m.conductor_k.x + m.conductor_k.y + m.conductor_k.z > 0.0f;
+  if (m.fresnel == kFresnelExact && has_index) return fresnelConductor(cosine, m.conductor_n, m.conductor_k);
+  if (m.fresnel == kFresnelF82) return fresnelF82(cosine, m.base_color, m.f82_tint);
+  return fresnelSchlick(cosine, m.base_color);
 }
 
-// Of a smooth dielectric, per channel: dispersion gives each its own index.
+// The cosine at which a facet stands for all that the eye sees: where Schlick's (1 − cosine)⁵ is its mean over them,
+// which is known from the BRDF table. So Schlick's form is exact on average. Any other form is taken at that cosine
+// too: it is nearly a line over Schlick's term, and what is the same at all angles stays so.
+//   cosine   −dot(ray, n); a mirror has no facets
+FN float cosineOfFacets(Surface s, float cosine) {
+  return s.material.perceptual_roughness > 0.0f ? 1.0f - s.environment_brdf.y : cosine;
+}
+
+// Dispersion gives each channel its own index.
 FN vec3 smoothDielectric(Surface s, float cosine) {
-  vec3 ior = iorOfChannels(s.material.ior, s.material.dispersion);
-  return s.material.specular * vec3(dielectricReflectance(s, cosine, ior.x), dielectricReflectance(s, cosine, ior.y),
-                           dielectricReflectance(s, cosine, ior.z));
+  return s.material.specular * dielectricReflectance(s, cosine, iorOfChannels(s.material.ior, s.material.dispersion));
 }
 
-// What a surface reflects whose facets reflect `here` at this angle, f0 at normal and f90 at grazing incidence. Up to
-// perceptual roughness ¼ (alpha 1/16) the lobe is so narrow that Fresnel's equations hold at its middle. From 0 to ¼
-// they are blended into the BRDF table, which knows only f0 and f90.
-FN Reflectance roughReflectance(Surface s, vec3 here, vec3 f0, float f90) {
+// What a surface reflects whose facets reflect `facets`, as the eye sees them, and `mean` over the hemisphere.
+FN Reflectance roughReflectance(Surface s, vec3 facets, vec3 mean) {
   float missing = s.environment_brdf.x;
-  float bias = s.environment_brdf.y;
-  float whole = 1.0f - missing;
-  vec3 rough = f0 * (whole - bias) + vec3(f90 * bias);
   Reflectance r;
-  r.single_scattering = mix(here * whole, rough, clamp(s.material.perceptual_roughness * 4.0f, 0.0f, 1.0f));
-  r.multiple_scattering = multipleScattering(r.single_scattering, meanFresnel(f0, f90), missing);
+  r.single_scattering = facets * (1.0f - missing);
+  r.multiple_scattering = multipleScattering(r.single_scattering, mean, missing);
   return r;
 }
 
+// The mean over the hemisphere is of the one index: what dispersion adds to it is not seen.
 FN Reflectance roughDielectric(Surface s, float cosine) {
-  return roughReflectance(s, smoothDielectric(s, cosine), smoothDielectric(s, 1.0f), s.material.specular);
+  vec3 ior = vec3(s.material.ior);
+  vec3 mean = meanFresnel(dielectricReflectance(s, kMeanFresnelCosines.x, ior),
+                          dielectricReflectance(s, kMeanFresnelCosines.y, ior),
+                          dielectricReflectance(s, kMeanFresnelCosines.z, ior));
+  return roughReflectance(s, smoothDielectric(s, cosineOfFacets(s, cosine)), s.material.specular * mean);
+}
+
+FN Reflectance roughMetal(Surface s, float cosine) {
+  vec3 mean = meanFresnel(metalReflectance(s, kMeanFresnelCosines.x), metalReflectance(s, kMeanFresnelCosines.y),
+                          metalReflectance(s, kMeanFresnelCosines.z));
+  return roughReflectance(s, metalReflectance(s, cosineOfFacets(s, cosine)), mean);
 }
 
 // glTF mixes the two materials, not their parts (appendix B.3.5).
 FN Reflectance specularReflectance(Surface s, float cosine) {
   Reflectance dielectric = roughDielectric(s, cosine);
-  Reflectance metal = roughReflectance(s, metalReflectance(s, cosine), metalReflectance(s, 1.0f), 1.0f);
+  Reflectance metal = roughMetal(s, cosine);
   Reflectance r;
   r.single_scattering = mix(dielectric.single_scattering, metal.single_scattering, s.material.metallic);
   r.multiple_scattering = mix(dielectric.multiple_scattering, metal.multiple_scattering, s.material.metallic);

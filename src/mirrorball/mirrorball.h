@@ -35,6 +35,7 @@
 #include "mirrorball/scene/gltf/gltf_writer.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/material/material_changes.h"
+#include "mirrorball/study/fresnel_forms.h"
 #include "mirrorball/study/page/page.h"
 #include "mirrorball/study/study.h"
 #include "mirrorball/trace/path_tracer.h"

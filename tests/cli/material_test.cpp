@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,17 +29,21 @@ class MaterialCliTest : public RenderCliTest {
   }
 };
 
+// But for those that are another one by a second name.
 TEST_F(MaterialCliTest, EveryMaterialLooksLikeNoOther) {
+  const std::set<std::string> second_names = {"chrome", "glass"};
   std::map<std::string, Image> pictures;
   for (const std::string_view name : materialNames()) {
+    if (second_names.contains(std::string(name))) continue;
     const Image picture = draw("sphere --material " + std::string(name));
     EXPECT_GT(contentsOf(picture).texels, 1000) << name;
     EXPECT_GT(contentsOf(picture).mean, 0.05) << name;
     for (const auto& [other, its_picture] : pictures)
-      EXPECT_GT(meanDifference(picture, its_picture), 1e-3) << name << " and " << other;
+      EXPECT_GT(meanDifference(picture, its_picture), 3e-4) << name << " and " << other;
     pictures[std::string(name)] = picture;
   }
-  EXPECT_EQ(pictures.size(), 9u);
+  EXPECT_EQ(meanDifference(draw("sphere --material chrome"), pictures.at("chromium")), 0.0);
+  EXPECT_EQ(meanDifference(draw("sphere --material glass"), pictures.at("bk7")), 0.0);
 }
 
 TEST_F(MaterialCliTest, SetTakesEveryParameterOfTheTable) {
@@ -67,7 +72,8 @@ TEST_F(MaterialCliTest, EveryParameterThatASphereHasChangesThePicture) {
         Change{"--material water", "fresnel=empirical"},
         Change{"--material water --fresnel empirical", "fresnel_offset=0.3"},
         Change{"--material water --fresnel empirical", "fresnel_scale=0.5"},
-        Change{"--material water --fresnel empirical", "fresnel_power=2"}, Change{"", "bump=orange"},
+        Change{"--material water --fresnel empirical", "fresnel_power=2"},
+        Change{"--material gold --fresnel f82", "f82_tint=0.5"}, Change{"", "bump=orange"},
         Change{"--material orange", "bump_height=0.02"}, Change{"--material orange", "bump_frequency=8"}}) {
     const std::string base = std::string("sphere ") + change.base;
     if (!bases.contains(base)) bases[base] = draw(base);

@@ -124,7 +124,7 @@ TEST_F(RenderOptionTest, LookUpsInAFlatPictureAreThoseOfTheCube) {
 TEST_F(RenderOptionTest, FresnelSaysHowReflectionGrowsTowardsTheRim) {
   const std::string glass =
       "-e white --set base_color=0 --set perceptual_roughness=0 --set ior=1.5 "
-      "--set fresnel_offset=0.1 --set fresnel_scale=0.8 --set fresnel_power=2 --fresnel ";
+      "--set fresnel_offset=0.1 --set fresnel_scale=0.8 --set fresnel_power=2 --set f82_tint=0.5 --fresnel ";
   const auto exact = [](glm::vec3 n) {
     const float sine = std::sqrt(1.0f - n.z * n.z) / 1.5f;
     const float inside = std::sqrt(1.0f - sine * sine);
@@ -140,6 +140,12 @@ TEST_F(RenderOptionTest, FresnelSaysHowReflectionGrowsTowardsTheRim) {
   expectRow(
       drawBall(glass + "empirical"), [](glm::vec3 n) { return glm::vec3(0.1f + 0.8f * std::pow(1.0f - n.z, 2.0f)); },
       "empirical");
+  const auto f82 = [](glm::vec3 n) {
+    const auto schlick = [](float cosine) { return 0.04f + 0.96f * std::pow(1.0f - cosine, 5.0f); };
+    const float dip = n.z * std::pow(1.0f - n.z, 6.0f) / (std::pow(6.0f / 7.0f, 6.0f) / 7.0f);
+    return glm::vec3(schlick(n.z) - 0.5f * schlick(1.0f / 7.0f) * dip);
+  };
+  expectRow(drawBall(glass + "f82"), f82, "F82");
 }
 
 TEST_F(RenderOptionTest, ALightLightsTheSideThatItStandsOn) {

@@ -92,15 +92,24 @@ TEST(Microfacet, EachFurtherBounceTakesItsShare) {
   EXPECT_NEAR(multipleScattering(vec3(single_scattering), vec3(mean_fresnel), missing).x, sum, 1e-6f);
 }
 
-TEST(Microfacet, MeanFresnelIsSchlicksOverTheHemisphere) {
-  const float f0 = 0.3f;
-  constexpr int kSteps = 2000;
-  float mean = 0.0f;
-  for (int i = 0; i < kSteps; ++i) {
-    const float cosine = (static_cast<float>(i) + 0.5f) / kSteps;
-    mean += 2.0f * cosine / kSteps * fresnelSchlick(cosine, vec3(f0)).x;
-  }
-  EXPECT_NEAR(meanFresnel(vec3(f0), 1.0f).x, mean, 1e-5f);
+TEST(Microfacet, MeanFresnelIsThatOfTheWholeHemisphere) {
+  const auto expectMean = [](auto form, float tolerance, const char* what) {
+    constexpr int kSteps = 2000;
+    vec3 mean(0.0f);
+    for (int i = 0; i < kSteps; ++i) {
+      const float cosine = (static_cast<float>(i) + 0.5f) / kSteps;
+      mean += 2.0f * cosine / kSteps * form(cosine);
+    }
+    const vec3 at = kMeanFresnelCosines;
+    EXPECT_NEAR(meanFresnel(form(at.x), form(at.y), form(at.z)).x, mean.x, tolerance) << what;
+  };
+  expectMean([](float) { return vec3(1.0f); }, 1e-5f, "white");
+  expectMean([](float cosine) { return fresnelSchlick(cosine, vec3(0.3f)); }, 1e-5f, "Schlick");
+  expectMean([](float cosine) { return vec3(fresnelEmpirical(cosine, 0.1f, 0.8f, 2.0f)); }, 1e-5f, "empirical");
+  expectMean([](float cosine) { return vec3(fresnelDielectric(cosine, 1.5f)); }, 2e-3f, "glass");
+  expectMean([](float cosine) { return vec3(fresnelDielectric(cosine, 2.417f)); }, 2e-3f, "diamond");
+  expectMean([](float cosine) { return vec3(fresnelConductor1(cosine, 3.107f, 3.331f)); }, 2e-3f, "chromium");
+  expectMean([](float cosine) { return fresnelF82(cosine, vec3(0.9f), vec3(0.2f)); }, 6e-3f, "F82");
 }
 
 // However metallic and rough it is, a white surface in white light is white, and whatever its BRDF table says.
@@ -121,6 +130,24 @@ TEST(Shading, AMixtureOfMetalAndDielectricLosesNothing) {
         const vec3 light = shadedByEnvironment(surface, ray, vec3(1.0f), vec3(0.0f), vec3(1.0f));
         EXPECT_NEAR(light.x, 1.0f, 1e-5f) << metallic << ", roughness " << perceptual_roughness << " at " << sine;
       }
+}
+
+// The index is that of the air, and so there is no surface, however rough: what is behind it is seen as it is.
+TEST(Shading, AnIndexOfOneIsInvisible) {
+  Surface surface{};
+  surface.normal = vec3(0, 0, 1);
+  surface.material.base_color = vec3(1.0f);
+  surface.material.transmission = 1.0f;
+  surface.material.ior = 1.0f;
+  surface.occlusion = 1.0f;
+  for (const float perceptual_roughness : {0.0f, 0.15f, 0.6f, 1.0f})
+    for (const float grazing : {0.0f, 0.5f, 0.99f}) {
+      surface.material.perceptual_roughness = perceptual_roughness;
+      surface.environment_brdf = vec2(0.6f * perceptual_roughness, grazing);
+      const vec3 ray(0.6f, 0.0f, -0.8f);
+      const vec3 light = shadedByEnvironment(surface, ray, vec3(100.0f), vec3(0.5f), vec3(100.0f));
+      EXPECT_NEAR(light.x, 0.5f, 1e-4f) << "roughness " << perceptual_roughness << ", " << grazing;
+    }
 }
 
 TEST(Microfacet, PhongsExponentFollowsTheLobe) {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,76 @@ TEST(Optics, FresnelOfAConductorHasItsKnownValues) {
               1e-5f);
   for (float cosine = 0.05f; cosine <= 1.0f; cosine += 0.05f)
     EXPECT_NEAR(fresnelConductor1(cosine, 1.5f, 0.0f), fresnelDielectric(cosine, 1.5f), 1e-5f) << cosine;
+}
+
+// What the equations say of amplitudes, not of Fresnel's shares: the transmitted light carries n cos θt / cos θ of its
+// square, and with what is reflected that is all, at each angle, from either side.
+TEST(Optics, WhatIsReflectedAndTransmittedIsAll) {
+  for (const float n : {1.0f, 1.333f, 1.5f, 2.417f, 4.0f, 1.0f / 1.333f, 1.0f / 2.417f})
+    for (int degrees = 0; degrees < 90; ++degrees) {
+      const double cosine = std::cos(double(degrees) * double(kDegree));
+      const double sine_t = std::sqrt(1.0 - cosine * cosine) / double(n);
+      if (sine_t > 1.0) {
+        EXPECT_EQ(fresnelDielectric(static_cast<float>(cosine), n), 1.0f) << n << " at " << degrees;
+        continue;
+      }
+      const double cosine_t = std::sqrt(1.0 - sine_t * sine_t);
+      const double s = 2.0 * cosine / (cosine + double(n) * cosine_t);
+      const double p = 2.0 * cosine / (double(n) * cosine + cosine_t);
+      const double transmitted = double(n) * cosine_t / cosine * (s * s + p * p) / 2.0;
+      EXPECT_NEAR(double(fresnelDielectric(static_cast<float>(cosine), n)) + transmitted, 1.0, 2e-5)
+          << n << " at " << degrees;
+    }
+}
+
+// ((n − 1) / (n + 1))² head on, from both sides; an index of 1 is no surface.
+TEST(Optics, HeadOnTheIndexAloneSaysWhatIsReflected) {
+  for (const float n : {1.0f, 1.333f, 1.5f, 2.417f, 10.0f}) {
+    const float f0 = (n - 1.0f) * (n - 1.0f) / ((n + 1.0f) * (n + 1.0f));
+    EXPECT_NEAR(fresnelDielectric(1.0f, n), f0, 1e-6f) << n;
+    EXPECT_NEAR(fresnelDielectric(1.0f, 1.0f / n), f0, 1e-6f) << n;
+  }
+  for (float cosine = 0.01f; cosine <= 1.0f; cosine += 0.01f) EXPECT_NEAR(fresnelDielectric(cosine, 1.0f), 0.0f, 1e-6f);
+}
+
+TEST(Optics, F82IsSchlicksFormLessADip) {
+  const vec3 f0(0.9f, 0.5f, 0.04f);
+  const vec3 tint(0.6f, 1.0f, 0.25f);
+  const float at_dip = 1.0f / 7.0f;
+  for (int channel = 0; channel < 3; ++channel) {
+    EXPECT_NEAR(fresnelF82(1.0f, f0, tint)[channel], f0[channel], 1e-6f) << "head on";
+    EXPECT_NEAR(fresnelF82(0.0f, f0, tint)[channel], 1.0f, 1e-6f) << "grazing";
+    EXPECT_NEAR(fresnelF82(at_dip, f0, tint)[channel], tint[channel] * fresnelSchlick(at_dip, f0)[channel], 1e-6f);
+  }
+  float deepest_cosine = 0.0f;
+  float deepest = 0.0f;
+  for (float cosine = 0.0f; cosine <= 1.0f; cosine += 1.0f / 1024.0f) {
+    const vec3 dip = fresnelSchlick(cosine, f0) - fresnelF82(cosine, f0, tint);
+    EXPECT_NEAR(dip.y, 0.0f, 1e-6f) << "no tint, no dip";
+    EXPECT_GE(fresnelF82(cosine, f0, vec3(0.0f)).z, 0.0f) << "however deep it is";
+    if (dip.x > deepest) {
+      deepest = dip.x;
+      deepest_cosine = cosine;
+    }
+  }
+  EXPECT_NEAR(deepest_cosine, at_dip, 0.002f);
+}
+
+// A metal's dip is what Schlick's form lacks: with the tint that its index has at 82° it is less than half as far off.
+TEST(Optics, F82IsNearerToMetalsThanSchlicksForm) {
+  for (const auto& [n, k] : {std::pair(1.558f, 7.712f), std::pair(3.107f, 3.331f)}) {  // aluminium, chromium, at 650 nm
+    const vec3 f0(fresnelConductor1(1.0f, n, k));
+    const vec3 tint = vec3(fresnelConductor1(1.0f / 7.0f, n, k)) / fresnelSchlick(1.0f / 7.0f, f0);
+    float schlick = 0.0f;
+    float f82 = 0.0f;
+    for (float cosine = 0.0f; cosine <= 1.0f; cosine += 1.0f / 256.0f) {
+      const float exact = fresnelConductor1(cosine, n, k);
+      schlick = std::max(schlick, std::abs(fresnelSchlick(cosine, f0).x - exact));
+      f82 = std::max(f82, std::abs(fresnelF82(cosine, f0, tint).x - exact));
+    }
+    EXPECT_LT(f82, schlick / 2.0f) << n << " + " << k << "i";
+    EXPECT_GT(schlick, 0.05f);
+  }
 }
 
 // Schlick's form is known to be off by up to 0.036 at n = 1.5; the seeds' form, fitted, by less than half of that.

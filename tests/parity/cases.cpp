@@ -172,7 +172,7 @@ const Case kCases[] = {
     // microfacet
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
-    PARITY(meanFresnel, unit, kTight, vec4(meanFresnel(vec3(p), p.w), 0.0f)),
+    PARITY(meanFresnel, unit, kTight, vec4(meanFresnel(vec3(p), vec3(q), vec3(r)), 0.0f)),
 
     // mip_mapping
     PARITY(lodOfRoughness, unit, kTight, vec4(lodOfRoughness(p.x, 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
@@ -206,15 +206,20 @@ const Case kCases[] = {
         refractedDirection, direction, kTight,
         vec4(refractedDirection(vec3(p), dot(vec3(p), vec3(q)) > 0.0f ? -vec3(q) : vec3(q), 0.4f + 2.0f * r.x), 0.0f)),
     PARITY(fresnelDielectric, unit, kTight, vec4(fresnelDielectric(p.x, 0.4f + 2.0f * p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(fresnelDielectricOfChannels, unit, kTight,
+           vec4(fresnelDielectricOfChannels(p.x, 0.4f + 2.0f * vec3(q)), 0.0f)),
     PARITY(fresnelConductor1, unit, kTight,
            vec4(fresnelConductor1(p.x, 0.1f + 3.0f * p.y, 0.5f + 6.0f * p.z), 0.0f, 0.0f, 0.0f)),
     PARITY(fresnelConductor, unit, kTight, vec4(fresnelConductor(p.x, vec3(q) + 0.1f, vec3(r) * 6.0f + 0.5f), 0.0f)),
     PARITY(fresnelSchlick, unit, kTight, vec4(fresnelSchlick(p.x, vec3(q)), 0.0f)),
+    PARITY(fresnelF82, unit, kTight, vec4(fresnelF82(p.x, vec3(q), vec3(r)), 0.0f)),
     PARITY(fresnelEmpirical, unit, kTranscendental,
            vec4(fresnelEmpirical(p.x, p.y, p.z, 1.0f + 5.0f * p.w), 0.0f, 0.0f, 0.0f)),
     PARITY(iorOfChannels, unit, kTight, vec4(iorOfChannels(1.0f + 1.5f * p.x, p.y), 0.0f)),
     PARITY(iorAtWavelength, unit, kTight,
            vec4(iorAtWavelength(1.0f + 1.5f * p.x, p.y, 0.4f + 0.3f * p.z), 0.0f, 0.0f, 0.0f)),
+    PARITY(iorOfSellmeier, unit, kTight,
+           vec4(iorOfSellmeier(p, q * 0.03125f, 0.375f + 0.375f * r.x), 0.0f, 0.0f, 0.0f)),
 
     // paraboloid
     PARITY(paraboloidFace, direction, kExact, vec4(float(paraboloidFace(vec3(p))), 0.0f, 0.0f, 0.0f)),
@@ -364,15 +369,19 @@ const Case kCases[] = {
 
     // shading
     PARITY(dielectricReflectance, direction, kTranscendental,
-           vec4(dielectricReflectance(testSurface(p, q, r), p.w, 1.0f + r.x), 0.0f, 0.0f, 0.0f)),
+           vec4(dielectricReflectance(testSurface(p, q, r), p.w, vec3(1.0f + r.x, 1.5f, 2.0f)), 0.0f)),
     PARITY(metalReflectance, direction, kTight, vec4(metalReflectance(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(smoothDielectric, direction, kTranscendental, vec4(smoothDielectric(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(roughReflectance, direction, kTight,
-           vec4(roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w), r.x).single_scattering,
-                roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w), r.x).multiple_scattering.x)),
+           vec4(roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).single_scattering,
+                roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).multiple_scattering.x)),
     PARITY(roughDielectric, direction, kTranscendental,
            vec4(roughDielectric(testSurface(p, q, r), p.w).single_scattering,
                 roughDielectric(testSurface(p, q, r), p.w).multiple_scattering.y)),
+    PARITY(cosineOfFacets, direction, kExact, vec4(cosineOfFacets(testSurface(p, q, r), p.w), 0.0f, 0.0f, 0.0f)),
+    PARITY(roughMetal, direction, kTranscendental,
+           vec4(roughMetal(testSurface(p, q, r), p.w).single_scattering,
+                roughMetal(testSurface(p, q, r), p.w).multiple_scattering.y)),
     PARITY(specularReflectance, direction, kTranscendental,
            vec4(specularReflectance(testSurface(p, q, r), p.w).single_scattering,
                 specularReflectance(testSurface(p, q, r), p.w).multiple_scattering.y)),

@@ -17,10 +17,11 @@ FN Surface testSurface(vec4 p, vec4 q, vec4 r) {
   s.material.conductor_k = r.w < 0.5f ? vec3(0.0f, 0.0f, 0.0f) : vec3(3.0f, 2.5f, 2.0f);
   s.occlusion = 1.0f - p.w;
   s.material.emission = vec3(0.0f, 0.25f, r.w);
-  s.material.fresnel = int(2.9375f * r.z);
+  s.material.fresnel = int(3.9375f * r.z);
   s.material.fresnel_offset = 0.05f;
   s.material.fresnel_scale = 0.9f;
   s.material.fresnel_power = 4.0f;
+  s.material.f82_tint = vec3(0.25f, 0.75f, r.x);
   s.environment_brdf = vec2(0.25f + 0.5f * r.w, 0.25f * r.x);
   return s;
 }

@@ -116,21 +116,21 @@ bool Bsdf::chooseMetal(SampleSequence& samples) const {
 bool Bsdf::isInMatter(const Walk& walk) const { return !walk.is_outside && !refraction_.is_thin; }
 
 /// What a dielectric's facet reflects by the one index that refracted light has.
-float Bsdf::reflectanceOfIndex(const Walk& walk, float cosine) const {
+glm::vec3 Bsdf::reflectanceOfIndex(const Walk& walk, float cosine) const {
   const bool refracts = material().transmission > 0.0f && !refraction_.is_thin;
   if (refracts) {
     const float exact = formula::fresnelDielectric(cosine, etaFrom(walk.is_outside, refraction_.ior));
-    if (exact >= 1.0f) return 1.0f;  // nothing passes beyond the critical angle
-    if (!walk.is_outside) return material().specular * exact;
+    if (exact >= 1.0f) return glm::vec3(1.0f);  // nothing passes beyond the critical angle
+    if (!walk.is_outside) return glm::vec3(material().specular * exact);
   }
-  return material().specular * formula::dielectricReflectance(surface_, cosine, refraction_.ior);
+  return material().specular * formula::dielectricReflectance(surface_, cosine, glm::vec3(refraction_.ior));
 }
 
 glm::vec3 Bsdf::facetReflectance(const Walk& walk, float cosine) const {
   const float bounded = std::clamp(cosine, 0.0f, 1.0f);
   if (walk.is_metal) return formula::metalReflectance(surface_, bounded);
   if (material().dispersion > 0.0f && !walk.is_refracted) return formula::smoothDielectric(surface_, bounded);
-  return glm::vec3(reflectanceOfIndex(walk, bounded));
+  return reflectanceOfIndex(walk, bounded);
 }
 
 /// What it lets through: all that it does not reflect, weighed for its wavelength when that is new.

@@ -79,7 +79,7 @@ class Bsdf {
   bool goesStraightOn() const { return !refraction_.is_thin && std::abs(refraction_.ior - 1.0f) < 1e-4f; }
   bool isInMatter(const Walk& walk) const;
   float shareOfFacets(const Walk& walk) const;
-  float reflectanceOfIndex(const Walk& walk, float cosine) const;
+  glm::vec3 reflectanceOfIndex(const Walk& walk, float cosine) const;
   glm::vec3 facetReflectance(const Walk& walk, float cosine) const;
   glm::vec3 facetTransmittance(const Walk& walk, float cosine) const;
   glm::vec3 directFromTwoFacets(const Walk& walk, const LightSample& light, SampleSequence& samples) const;

@@ -240,7 +240,7 @@ glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& mate
   formula::Surface surface;
   surface.material = material;
   surface.normal = normal;
-  surface.environment_brdf = {1.0f - albedo.total(), albedo.bias};
+  surface.environment_brdf = {1.0f - albedo.total(), albedo.grazing()};
   const glm::vec3 place = arriving.origin + vertex.hit.distance * arriving.direction;
   glm::vec3 light(0.0f);
   for (const PointLight& lamp : settings_.lights) {

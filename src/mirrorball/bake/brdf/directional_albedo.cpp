@@ -259,6 +259,10 @@ double maskingOfEye(Distribution distribution, double alpha, double cosine, doub
 
 }  // namespace
 
+float DirectionalAlbedo::grazing() const {
+  return total() > 0.0f ? std::pow(std::clamp(bias / total(), 0.0f, 1.0f), 0.2f) : 1.0f;
+}
+
 DirectionalAlbedo directionalAlbedo(Distribution distribution, float perceptual_roughness, float cosine) {
   assert(perceptual_roughness >= 0.0f && perceptual_roughness <= 1.0f && cosine >= 0.0f && cosine <= 1.0f);
   const bool is_cloth = distribution == Distribution::charlie;

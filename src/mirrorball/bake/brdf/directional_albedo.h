@@ -12,6 +12,8 @@ struct DirectionalAlbedo {
 
   /// Of a surface whose facets reflect all.
   float total() const { return scale + bias; }
+  /// 1 − the cosine at which Schlick's term (1 − cosine)⁵ is its mean over the facets; in [0, 1].
+  float grazing() const;
 };
 
 /// The two integrals of the split sum, ∫ D V (1 − Fc) n·l dl and ∫ D V Fc n·l dl with Fc = (1 − v·h)⁵.

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "mirrorball/bake/brdf/brdf_table.h"
+#include "mirrorball/bake/brdf/directional_albedo.h"
 #include "mirrorball/image/image_set.h"
 #include "mirrorball/render/surface/light_reads.h"
 
@@ -76,16 +77,16 @@ SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& b
 /// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light
 /// around it, and from rounded shares it would come out as some 2e-4 of that where it is nothing: of a sun more than of
 /// a room.
-Result<Image> missingAndBias() {
+Result<Image> missingAndGrazing() {
   MIRRORBALL_TRY(table, brdfTable({.axes = BrdfAxes::warped}));
   Image shares(table.width(), table.height(), 3);  // textures have one, three or four channels
   for (int y = 0; y < table.height(); ++y)
     for (int x = 0; x < table.width(); ++x) {
-      const float* scale_and_bias = table.texel(x, y);
+      const DirectionalAlbedo albedo{.scale = table.texel(x, y)[0], .bias = table.texel(x, y)[1]};
       float* share = shares.texel(x, y);
       // A mirror, row 0, has no facets that light could go to and fro between.
-      share[0] = y == 0 ? 0.0f : std::max(1.0f - scale_and_bias[0] - scale_and_bias[1], 0.0f);
-      share[1] = scale_and_bias[1];
+      share[0] = y == 0 ? 0.0f : std::max(1.0f - albedo.total(), 0.0f);
+      share[1] = albedo.grazing();
     }
   return shares;
 }
@@ -94,7 +95,7 @@ Result<Image> missingAndBias() {
 
 Result<Image> surfaceBrdfTable() {
   // Made once, since it is the same for every renderer and all its inputs stand here.
-  static const Result<Image> table = missingAndBias();
+  static const Result<Image> table = missingAndGrazing();
   return table;
 }
 

@@ -1,10 +1,13 @@
 #include "mirrorball/scene/material/material.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "formula/bsdf.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/scene/material/optical_constants.h"
 
 namespace mirrorball {
 namespace {
@@ -17,20 +20,20 @@ Material metal(glm::vec3 color, float perceptual_roughness) {
   return material;
 }
 
-/// A metal by its complex index at 650, 550 and 450 nm; its base colour is for the other forms of Fresnel's law.
-Material conductor(glm::vec3 n, glm::vec3 k) {
-  Material material = metal(formula::fresnelConductor(1.0f, n, k), 0.0f);
-  material.conductor_n = n;
-  material.conductor_k = k;
+/// Its base colour is for the other forms of Fresnel's law.
+Material conductor(const MeasuredMetal& measured) {
+  Material material = metal(formula::fresnelConductor(1.0f, measured.n, measured.k), 0.0f);
+  material.conductor_n = measured.n;
+  material.conductor_k = measured.k;
   return material;
 }
 
-Material clear(float ior, float abbe_number) {
+Material clear(const MeasuredGlass& glass) {
   Material material;
   material.base_color = glm::vec3(1.0f);
   material.perceptual_roughness = 0.0f;
-  material.ior = ior;
-  material.dispersion = 20.0f / abbe_number;
+  material.ior = iorOf(glass);
+  material.dispersion = 20.0f / abbeNumberOf(glass);
   material.transmission = 1.0f;
   return material;
 }
@@ -50,27 +53,14 @@ Material orange() {
   return material;
 }
 
-/// A material of the list, made when it is asked for.
-struct NamedMaterial {
+/// A material of our own, made when it is asked for.
+struct MadeMaterial {
   std::string_view name;
   Material (*make)();
 };
 
-// Gold and chromium: Johnson & Christy 1972 and 1974. Glass BK7, water and diamond: index at 588 nm and Abbe's number
-// from the usual tables (Schott's catalogue; Hale & Querry 1973; Peter 1923).
-constexpr std::array<NamedMaterial, 9> kMaterials{{
+constexpr std::array<MadeMaterial, 4> kMade{{
     {"mirror", [] { return metal(glm::vec3(1.0f), 0.0f); }},
-    {"chrome",
-     [] {
-       return conductor({3.107f, 3.181f, 2.323f}, {3.331f, 3.329f, 3.135f});
-     }},
-    {"gold",
-     [] {
-       return conductor({0.156f, 0.424f, 1.383f}, {3.602f, 2.472f, 1.916f});
-     }},
-    {"glass", [] { return clear(1.517f, 64.2f); }},
-    {"water", [] { return clear(1.333f, 55.8f); }},
-    {"diamond", [] { return clear(2.417f, 55.3f); }},
     {"rough-metal",
      [] {
        return metal({0.56f, 0.57f, 0.58f}, 0.45f);
@@ -82,13 +72,39 @@ constexpr std::array<NamedMaterial, 9> kMaterials{{
     {"orange", orange},
 }};
 
-constexpr auto kAliases = std::to_array<Alias>({{"chromium", "chrome"}, {"mirror-ball", "mirror"}});
+/// Names of the list that mean a measured substance of another name.
+constexpr auto kTradeNames = std::to_array<Alias>({{"chrome", "chromium"}, {"glass", "bk7"}});
 
-constexpr auto kNames = [] {
-  std::array<std::string_view, kMaterials.size()> names;
-  for (std::size_t index = 0; index < names.size(); ++index) names[index] = kMaterials[index].name;
-  return names;
-}();
+constexpr auto kAliases =
+    std::to_array<Alias>({{"mirror-ball", "mirror"}, {"aluminum", "aluminium"}, {"n-bk7", "bk7"}});
+
+/// The whole list: what is our own, what has another name, metals, glasses.
+const std::vector<std::string_view>& names() {
+  static const std::vector<std::string_view> all = [] {
+    std::vector<std::string_view> list;
+    for (const MadeMaterial& made : kMade) list.push_back(made.name);
+    for (const Alias& trade : kTradeNames) list.push_back(trade.written);
+    for (const MeasuredMetal& measured : measuredMetals()) list.push_back(measured.name);
+    for (const MeasuredGlass& glass : measuredGlasses()) list.push_back(glass.name);
+    return list;
+  }();
+  return all;
+}
+
+/// The row of a table, or the table's end.
+auto rowNamed(const auto& table, std::string_view name) {
+  return std::ranges::find_if(table, [&](const auto& row) { return row.name == name; });
+}
+
+/// A material by a name that is in the list.
+Material made(std::string_view listed) {
+  const auto* const trade = std::ranges::find(kTradeNames, listed, &Alias::written);
+  const std::string_view name = trade != kTradeNames.end() ? trade->name : listed;
+  if (const auto own = rowNamed(kMade, name); own != kMade.end()) return own->make();
+  const auto metals = measuredMetals();
+  if (const auto measured = rowNamed(metals, name); measured != metals.end()) return conductor(*measured);
+  return clear(*rowNamed(measuredGlasses(), name));
+}
 
 }  // namespace
 
@@ -98,13 +114,13 @@ glm::mat2 uvMatrix(const TextureSlot& slot) {
   return {cosine * slot.scale.x, -sine * slot.scale.x, sine * slot.scale.y, cosine * slot.scale.y};
 }
 
-std::span<const std::string_view> materialNames() { return kNames; }
+std::span<const std::string_view> materialNames() { return names(); }
 
 Result<Material> materialNamed(std::string_view name) {
-  const auto index = indexOfName(name, kNames, kAliases);
-  if (!index) return tl::unexpected<Error>(unknownName("material", name, kNames));
-  Material material = kMaterials[*index].make();
-  material.name = kNames[*index];
+  const auto index = indexOfName(name, names(), kAliases);
+  if (!index) return tl::unexpected<Error>(unknownName("material", name, names()));
+  Material material = made(names()[*index]);
+  material.name = names()[*index];
   return material;
 }
 

@@ -71,7 +71,7 @@ struct MaterialMap {
 /// The table of these textures, in the order in which the shaders number them.
 std::span<const MaterialMap> materialMaps();
 
-/// "mirror", "chrome", "gold", "glass", "water", "diamond", "rough-metal", "plastic", "orange".
+/// "mirror", "rough-metal", "plastic", "orange", "chrome", "glass", and the metals and glasses of optical_constants.h.
 std::span<const std::string_view> materialNames();
 
 /// A material of that list.

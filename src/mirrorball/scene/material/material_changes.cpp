@@ -20,9 +20,9 @@ const auto kMaterialOptions = std::to_array<Option<MaterialChanges>>({
       .group = "Material"},
      &MaterialChanges::set},
     {{.name = "fresnel",
-      .choices = "material|exact|schlick|empirical",
+      .choices = "material|exact|schlick|empirical|f82",
       .help = "Fresnel formula of every material; material keeps each one's own, empirical is offset + scale (1 + "
-              "V·N)^power",
+              "V·N)^power, f82 is schlick with a dip at 82° for metals",
       .group = "Material"},
      choiceField<&MaterialChanges::fresnel>},
 });

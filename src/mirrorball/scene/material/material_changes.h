@@ -10,7 +10,7 @@
 
 namespace mirrorball {
 
-enum class FresnelOverride { material, exact, schlick, empirical };
+enum class FresnelOverride { material, exact, schlick, empirical, f82 };
 
 /// Changes to the materials of a scene.
 struct MaterialChanges {

@@ -238,6 +238,7 @@ Result<std::string> pageOf(const Study& study, const PageText& text) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          escaped(text.title) + "</title>\n<style>\n" + std::string(pageFile("page.css").value()) +
+         std::string(pageFile("plot.css").value()) +
          "</style>\n<script>document.documentElement.classList.add('scripted')</script>\n</"
          "head>\n<body>\n<header>\n<h1>" +
          escaped(text.title) + "</h1>\n<nav>" + navigationOf(study) + "</nav>\n</header>\n<main>\n" + glanceOf(study) +

@@ -5,7 +5,7 @@
 
 namespace mirrorball {
 
-/// The text of a file of this folder, "page.css" or "page.js".
+/// The text of a file of this folder, "page.css", "plot.css" or "page.js".
 std::optional<std::string_view> pageFile(std::string_view name);
 
 }  // namespace mirrorball

@@ -10,6 +10,7 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 #include "mirrorball/scene/gltf/gltf_material.h"
 #include "mirrorball/scene/gltf/gltf_mesh.h"
@@ -56,6 +57,8 @@ class SceneBuilder {
   Result<Scene> build() {
     for (const std::string& what : document_.left_out)
       scene_.warnings.push_back(file_.name + ": its " + what + " are left out");
+    if (const std::vector<std::string>& unread = document_.unread_extensions; !unread.empty())
+      scene_.warnings.push_back(file_.name + ": what it says by " + join(unread, ", ", " and ") + " is left out");
     MIRRORBALL_TRY(roots, rootNodes());
     MIRRORBALL_TRY(placements, walk(roots));
     MIRRORBALL_TRY(jobs, planPrimitives(placements));

@@ -97,11 +97,9 @@ struct Document {
   std::vector<Node> nodes;
   std::vector<std::vector<int>> scenes;  ///< root nodes
   int scene = -1;
+  std::vector<std::string> unread_extensions;  ///< unreadExtensions()
   std::vector<std::string> left_out;  ///< "animations", "skins": what the file holds and this program does not read
 };
-
-/// glTF's default material (section 3.9.6): white, and the factors' defaults.
-Material defaultMaterial();
 
 /// Reads a file's JSON.
 ///

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "mirrorball/scene/gltf/gltf_document_material.h"
 #include "mirrorball/scene/picture_decoding.h"
 
 namespace mirrorball::gltf {

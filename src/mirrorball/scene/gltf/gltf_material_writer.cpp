@@ -14,7 +14,7 @@
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/ldr/png.h"
-#include "mirrorball/scene/gltf/gltf_document.h"
+#include "mirrorball/scene/gltf/gltf_document_material.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 
 namespace mirrorball::gltf {

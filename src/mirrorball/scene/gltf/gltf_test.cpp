@@ -97,6 +97,22 @@ TEST(Gltf, LeavesOutPointsAndLinesWithAWarning) {
   EXPECT_THAT(scene.warnings, Contains(HasSubstr("its animations are left out")));
 }
 
+TEST(Gltf, NamesEachExtensionThatItDoesNotReadOnce) {
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  const std::string materials = R"("materials":[{"extensions":{"KHR_materials_sheen":{},"KHR_materials_ior":{}}},)"
+                                R"({"extensions":{"KHR_materials_sheen":{}}}])";
+  EXPECT_THAT(
+      decoded(maker.gltf(primitive(), R"("extensionsUsed":["MSFT_lod","KHR_materials_ior"],)" + materials)).warnings,
+      ElementsAre(HasSubstr("model.gltf: what it says by KHR_materials_sheen and MSFT_lod is left out")));
+  std::string many = "\"extensionsUsed\":[\"A\\nB\",\"" + std::string(5000, 'C') + "\"";
+  for (int i = 0; i < 100; ++i) many += ",\"D" + std::to_string(i) + "\"";
+  const std::vector<std::string> warnings = decoded(maker.gltf(primitive(), many + "]")).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], HasSubstr("A?B"));
+  EXPECT_LT(warnings[0].size(), 400u);
+}
+
 TEST(Gltf, PutsSparseValuesIn) {
   GltfMaker maker;
   const int dense = maker.view(kTriangle);

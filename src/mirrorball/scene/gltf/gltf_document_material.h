@@ -1,0 +1,15 @@
+#pragma once
+
+#include "mirrorball/scene/gltf/json_reader.h"
+#include "mirrorball/scene/material/material.h"
+
+namespace mirrorball::gltf {
+
+/// glTF's default material (section 3.9.6): white, and the factors' defaults.
+Material defaultMaterial();
+
+/// A material of a file, its numbers cut to their ranges; its slots hold indices into the file's textures, and are not
+/// checked.
+Material parseMaterial(const JsonReader& json);
+
+}  // namespace mirrorball::gltf

@@ -11,6 +11,7 @@ TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings) {
   settings.environment_intensity = frame.env_intensity;
   settings.shows_environment = frame.background == BackgroundKind::environment;
   settings.lights = frame.lights;
+  settings.light_intensity = frame.light_intensity;
   return settings;
 }
 

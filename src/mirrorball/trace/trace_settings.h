@@ -34,6 +34,7 @@ struct TraceSettings {
   float environment_intensity = 1.0f;      ///< scales its light
   bool shows_environment = true;           ///< behind the scene; else what is behind it is transparent
   std::vector<PointLight> lights = {};     ///< by Phong's model, as the renderer has them, but with shadows
+  float light_intensity = 1.0f;            ///< scales the scene's own lights
   bool wants_layers = false;               ///< also what denoisers ask for (TraceLayers)
 };
 

@@ -40,7 +40,8 @@ struct FrameSettings {
   BlurKind blur = BlurKind::exact;
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;
-  std::vector<PointLight> lights = {};  ///< at most kMaxLights
+  std::vector<PointLight> lights = {};  ///< at most kMaxLights, beside the scene's own
+  float light_intensity = 1.0f;         ///< scales the scene's own lights
 
   /// Directions of the environment from those of the world.
   glm::mat3 environmentFromWorld() const;

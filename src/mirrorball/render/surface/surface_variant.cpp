@@ -13,14 +13,14 @@ using Names = std::string_view;
 constexpr auto kPoint = std::to_array<Names>({"point_raster.glsl"});
 constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl"});
 constexpr auto kDetail = std::to_array<Names>({"detail_none.glsl", "detail_normal_map.glsl"});
-constexpr auto kMaterial = std::to_array<Names>({"material_core.glsl"});
+constexpr auto kMaterial = std::to_array<Names>({"material_core.glsl", "material_unlit.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>({"arriving_light_distant.glsl"});
 constexpr auto kLookUp =
     std::to_array<Names>({"look_up_reflection.glsl", "look_up_vertex_reflection.glsl",
                           "look_up_triangle_reflection.glsl", "look_up_normal.glsl", "look_up_sphere_map.glsl"});
 constexpr auto kTransmission =
     std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl"});
-constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_point.glsl"});
+constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
 
 constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
@@ -112,19 +112,24 @@ std::string answeredText(const SurfaceVariant& variant) {
 
 std::span<const SurfaceQuestion, kParts> surfaceQuestions() { return kQuestions; }
 
-SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings) {
+SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
+                              std::size_t lamps) {
   SurfaceVariant variant;
   variant.maps = std::move(maps);
+  if (material.alpha_mode == AlphaMode::mask) variant.choose(Part::alpha, AlphaPart::mask);
+  if (material.alpha_mode == AlphaMode::blend) variant.choose(Part::alpha, AlphaPart::blend);
+  if (material.unlit) {
+    variant.choose(Part::material, MaterialPart::unlit);
+    return variant;
+  }
   variant.choose(Part::normal, material.bump == BumpHeight::orange ? NormalPart::bump : NormalPart::vertex);
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
   variant.choose(Part::look_up, lookUpPart(settings));
   variant.choose(Part::transmission, material.transmission <= 0.0f ? TransmissionPart::none
                                      : material.thin_walled        ? TransmissionPart::thin
                                                                    : TransmissionPart::single);
-  variant.choose(Part::lamps, settings.lights.empty() ? LampsPart::none : LampsPart::point);
-  variant.lamp_count = static_cast<std::uint8_t>(settings.lights.size());
-  if (material.alpha_mode == AlphaMode::mask) variant.choose(Part::alpha, AlphaPart::mask);
-  if (material.alpha_mode == AlphaMode::blend) variant.choose(Part::alpha, AlphaPart::blend);
+  variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
+  variant.lamp_count = static_cast<std::uint8_t>(lamps);
   return variant;
 }
 

@@ -32,16 +32,17 @@ std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 // The answers, in the order of the table.
 enum class NormalPart : std::uint8_t { vertex, bump };
 enum class DetailPart : std::uint8_t { none, normal_map };
+enum class MaterialPart : std::uint8_t { core, unlit };
 enum class LookUpPart : std::uint8_t { reflection, vertex_reflection, triangle_reflection, normal, sphere_map };
 enum class TransmissionPart : std::uint8_t { none, single, thin };
-enum class LampsPart : std::uint8_t { none, point };
+enum class LampsPart : std::uint8_t { none, listed };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };
 
 /// Which shader draws a surface: an answer for each question, and where its material's maps are.
 struct SurfaceVariant {
   std::array<std::uint8_t, kParts> answers{};
   std::vector<MapSource> maps = std::vector<MapSource>(materialMaps().size());  ///< of each row of that table
-  std::uint8_t lamp_count = 0;                                                  ///< of LampsPart::point
+  std::uint8_t lamp_count = 0;                                                  ///< of LampsPart::listed
 
   template <typename Answer>
   void choose(Part part, Answer answer) {
@@ -55,7 +56,9 @@ struct SurfaceVariant {
 };
 
 /// maps   mapSources() of the material
-SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings);
+/// lamps  how many there are
+SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
+                              std::size_t lamps);
 
 /// The two shaders of a variant.
 struct SurfaceShaders {

@@ -5,8 +5,11 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "mirrorball/base/text.h"
+#include "mirrorball/scene/gltf/gltf_camera.h"
 #include "mirrorball/scene/gltf/gltf_document_material.h"
 #include "mirrorball/scene/gltf/gltf_extensions.h"
+#include "mirrorball/scene/gltf/gltf_light.h"
 #include "mirrorball/scene/gltf/json_reader.h"
 
 // Khronos, "glTF 2.0 Specification" (ISO/IEC 12113:2022).
@@ -97,6 +100,8 @@ Primitive parsePrimitive(const JsonReader& json) {
     primitive.draco_view = draco["bufferView"].required().index();
     primitive.draco_attributes = indicesByName(draco["attributes"].required());
   }
+  for (const JsonReader& mapping : json["extensions"]["KHR_materials_variants"]["mappings"].elements())
+    primitive.variant_mappings.push_back({mapping["material"].required().index(), indicesOf(mapping["variants"])});
   return primitive;
 }
 
@@ -131,8 +136,12 @@ glm::dmat4 parseTransform(const JsonReader& json) {
 }
 
 Node parseNode(const JsonReader& json) {
-  return {parseTransform(json), json["mesh"].index(), indicesOf(json["children"])};
+  return {parseTransform(json),        json["mesh"].index(),
+          indicesOf(json["children"]), printable(json["name"].text("")),
+          json["camera"].index(),      json["extensions"]["KHR_lights_punctual"]["light"].index()};
 }
+
+std::string parseVariant(const JsonReader& json) { return printable(json["name"].required().text("")); }
 
 std::vector<int> parseScene(const JsonReader& json) { return indicesOf(json["nodes"]); }
 
@@ -175,6 +184,9 @@ Result<Document> parseDocument(std::string_view text) {
   parseAll(root["textures"], parseTexture, document.textures);
   parseAll(root["materials"], parseMaterial, document.materials);
   parseAll(root["meshes"], parseMesh, document.meshes);
+  parseAll(root["cameras"], parseCamera, document.cameras);
+  parseAll(root["extensions"]["KHR_lights_punctual"]["lights"], parseLight, document.lights);
+  parseAll(root["extensions"]["KHR_materials_variants"]["variants"], parseVariant, document.variants);
   parseAll(root["nodes"], parseNode, document.nodes);
   parseAll(root["scenes"], parseScene, document.scenes);
   document.scene = root["scene"].index();

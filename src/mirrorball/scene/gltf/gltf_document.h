@@ -11,7 +11,9 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/camera/model_camera.h"
 #include "mirrorball/scene/material/material.h"
+#include "mirrorball/scene/model_light.h"
 #include "mirrorball/scene/scene.h"
 
 /// The JSON of a glTF 2.0 file as plain data. Types and required keys are checked; indices are −1 where there is none,
@@ -69,6 +71,12 @@ struct Texture {
   int sampler = -1;
 };
 
+/// What a primitive is made of in some variants of KHR_materials_variants.
+struct VariantMapping {
+  int material = -1;
+  std::vector<int> variants;
+};
+
 struct Primitive {
   std::map<std::string, int> attributes;  ///< name → accessor
   int indices = -1;
@@ -77,12 +85,16 @@ struct Primitive {
   bool has_targets = false;
   int draco_view = -1;                          ///< of KHR_draco_mesh_compression
   std::map<std::string, int> draco_attributes;  ///< name → the attribute's unique id in the compressed mesh
+  std::vector<VariantMapping> variant_mappings;
 };
 
 struct Node {
   glm::dmat4 parent_from_node{1.0};
   int mesh = -1;
   std::vector<int> children;
+  std::string name;
+  int camera = -1;
+  int light = -1;  ///< of KHR_lights_punctual
 };
 
 struct Document {
@@ -94,6 +106,9 @@ struct Document {
   std::vector<Texture> textures;
   std::vector<Material> materials;  ///< whose slots hold indices into `textures` here
   std::vector<std::vector<Primitive>> meshes;
+  std::vector<std::optional<ModelCamera>> cameras;  ///< parseCamera()
+  std::vector<std::optional<ModelLight>> lights;    ///< parseLight()
+  std::vector<std::string> variants;                ///< names, of KHR_materials_variants
   std::vector<Node> nodes;
   std::vector<std::vector<int>> scenes;  ///< root nodes
   int scene = -1;

@@ -5,8 +5,12 @@
 #include <variant>
 #include <vector>
 
+#include "formula/bsdf.h"
+
 namespace mirrorball::gltf {
 namespace {
+
+constexpr float kBrightest = 1e6f;  // as far as the table of parameters goes
 
 float notNegative(const JsonReader& value, float otherwise) {
   return static_cast<float>(std::max(value.number(otherwise), 0.0));
@@ -49,6 +53,18 @@ void readParameter(const MaterialParameter& parameter, const JsonReader& json, M
   }
 }
 
+/// KHR_materials_ior: an index of 0 stands for an infinite one. It reflects all light along the normal, so that the
+/// specular colour alone is its reflectance there, and grows by Schlick's form: as one of the usual index does whose
+/// colour is divided by that index's reflectance.
+void readIndex(const JsonReader& json, Material& material) {
+  const Material usual = defaultMaterial();
+  if (material.ior >= 1.0f) return;
+  material.ior = usual.ior;
+  if (json["extensions"]["KHR_materials_ior"]["ior"].number(1.0) != 0.0) return;
+  material.specular_color /= formula::fresnelDielectric(1.0f, usual.ior);
+  material.fresnel = formula::kFresnelSchlick;
+}
+
 }  // namespace
 
 Material defaultMaterial() {
@@ -59,14 +75,29 @@ Material defaultMaterial() {
   return material;
 }
 
+Material unlitOf(const Material& material) {
+  Material unlit = defaultMaterial();
+  unlit.unlit = true;
+  unlit.metallic = 0.0f;
+  unlit.perceptual_roughness = 0.9f;
+  unlit.name = material.name;
+  unlit.base_color = material.base_color;
+  unlit.base_color_map = material.base_color_map;
+  unlit.opacity = material.opacity;
+  unlit.alpha_mode = material.alpha_mode;
+  unlit.alpha_cutoff = material.alpha_cutoff;
+  unlit.double_sided = material.double_sided;
+  return unlit;
+}
+
 Material parseMaterial(const JsonReader& json) {
   Material material = defaultMaterial();
   material.name = json["name"].text("");
   for (const MaterialParameter& parameter : materialParameters())
     if (!parameter.gltf.empty()) readParameter(parameter, json, material);
-  // An index of 0 asks for the specular-glossiness model's mirror; it is read as the default.
-  if (material.ior < 1.0f) material.ior = defaultMaterial().ior;
-  material.emission *= notNegative(json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"], 1.0f);
+  readIndex(json, material);
+  const JsonReader strength = json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"];
+  material.emission = glm::min(material.emission * notNegative(strength, 1.0f), kBrightest);
   // KHR_materials_volume: what has no thickness is an infinitely thin sheet.
   const JsonReader volume = json["extensions"]["KHR_materials_volume"];
   material.thin_walled = material.transmission > 0.0f && notNegative(volume["thicknessFactor"], 0.0f) == 0.0f;
@@ -75,7 +106,7 @@ Material parseMaterial(const JsonReader& json) {
   if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;
   if (material.alpha_mode == AlphaMode::opaque) material.opacity = 1.0f;
   for (const MaterialMap& map : materialMaps()) material.*map.slot = parseSlot(json.at(map.gltf));
-  return material;
+  return json["extensions"]["KHR_materials_unlit"].exists() ? unlitOf(material) : material;
 }
 
 }  // namespace mirrorball::gltf

@@ -10,10 +10,21 @@
 namespace mirrorball::gltf {
 namespace {
 
-constexpr auto kRead = std::to_array<std::string_view>(
-    {"EXT_texture_webp", "KHR_draco_mesh_compression", "KHR_materials_dispersion", "KHR_materials_emissive_strength",
-     "KHR_materials_ior", "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_volume",
-     "KHR_mesh_quantization", "KHR_texture_transform"});
+constexpr auto kRead = std::to_array<std::string_view>({
+    "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_dispersion",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_variants",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+});
 
 bool isRead(std::string_view extension) { return std::ranges::find(kRead, extension) != kRead.end(); }
 

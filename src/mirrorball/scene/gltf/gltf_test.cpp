@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "formula/surface.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/ldr/webp_testing.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
@@ -296,6 +297,46 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
     ASSERT_EQ(each.image.width(), 2);
     EXPECT_EQ(each.image.texel(1, 0)[0], 200);
   }
+}
+
+/// The material of a triangle, by its JSON.
+Material materialOf(const std::string& json, const std::string& rest = "") {
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  return decoded(maker.gltf(primitive("", ",\"material\":0"), "\"materials\":[" + json + "]" + rest)).materials.at(0);
+}
+
+TEST(Gltf, ReadsTheColourOfReflections) {
+  const std::string path = ::testing::TempDir() + "gltf_specular.png";
+  ASSERT_TRUE(savePicture(path, Image8(1, 1, 3, 9)));
+  const Material material = materialOf(
+      R"({"extensions":{"KHR_materials_specular":{"specularColorFactor":[2,0.5,-1],"specularColorTexture":{"index":0}}}})",
+      R"(,"images":[{"uri":"gltf_specular.png"}],"textures":[{"source":0}])");
+  EXPECT_EQ(material.specular_color, glm::vec3(2.0f, 0.5f, 0.0f));
+  EXPECT_EQ(material.specular_color_map.texture, 0);
+}
+
+// An infinite index: the specular colour is all that is left of the reflectance along the normal.
+TEST(Gltf, AnIndexOf0LeavesTheSpecularColour) {
+  formula::Surface surface;
+  surface.material = materialOf(
+      R"({"extensions":{"KHR_materials_ior":{"ior":0},"KHR_materials_specular":{"specularColorFactor":[1,0.8,0.3]}}})");
+  EXPECT_LT(glm::distance(formula::smoothDielectric(surface, 1.0f), glm::vec3(1.0f, 0.8f, 0.3f)), 1e-6f);
+  EXPECT_LT(glm::distance(formula::smoothDielectric(surface, 0.0f), glm::vec3(1.0f)), 1e-6f);
+  EXPECT_EQ(materialOf(R"({"extensions":{"KHR_materials_ior":{"ior":0.5}}})").ior, 1.5f) << "which is not allowed";
+}
+
+TEST(Gltf, OfAnUnlitMaterialOnlyItsColourCounts) {
+  const Material material = materialOf(
+      R"({"pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,0.4],"metallicFactor":1},"emissiveFactor":[1,1,1],)"
+      R"("alphaMode":"BLEND","doubleSided":true,"extensions":{"KHR_materials_unlit":{},)"
+      R"("KHR_materials_transmission":{"transmissionFactor":1}}})");
+  EXPECT_TRUE(material.unlit);
+  EXPECT_EQ(material.base_color, glm::vec3(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(material.opacity, 0.4f);
+  EXPECT_TRUE(material.double_sided);
+  EXPECT_EQ(material.transmission, 0.0f);
+  EXPECT_EQ(material.emission, glm::vec3(0.0f));
 }
 
 TEST(Gltf, ReadsOnePictureForBothKindsOfColour) {

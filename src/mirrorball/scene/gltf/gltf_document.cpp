@@ -1,6 +1,7 @@
 #include "mirrorball/scene/gltf/gltf_document.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include <glm/gtc/quaternion.hpp>
@@ -53,8 +54,30 @@ Accessor parseAccessor(const JsonReader& json) {
 }
 
 BufferView parseBufferView(const JsonReader& json) {
-  return {json["buffer"].required().index(), json["byteOffset"].size(0), json["byteLength"].required().size(0),
-          json["byteStride"].size(0)};
+  BufferView view{json["buffer"].required().index(), json["byteOffset"].size(0), json["byteLength"].required().size(0),
+                  json["byteStride"].size(0)};
+  if (const JsonReader how = json["extensions"]["EXT_meshopt_compression"]; how.exists())
+    view.compression = Compression{.buffer = how["buffer"].required().index(),
+                                   .byte_offset = how["byteOffset"].size(0),
+                                   .byte_length = how["byteLength"].required().size(0),
+                                   .byte_stride = how["byteStride"].required().size(0),
+                                   .count = how["count"].required().size(0),
+                                   .mode = how["mode"].required().text(""),
+                                   .filter = how["filter"].text("NONE")};
+  return view;
+}
+
+/// Marks the buffers that nothing is read of: they stand for what compressed views hold.
+void markFallbacks(Document& document) {
+  std::set<int> read, replaced;
+  for (const BufferView& view : document.buffer_views) {
+    if (view.compression) replaced.insert(view.buffer);
+    read.insert(view.compression ? view.compression->buffer : view.buffer);
+  }
+  for (std::size_t i = 0; i < document.buffers.size(); ++i) {
+    const int index = static_cast<int>(i);
+    document.buffers[i].is_fallback = replaced.contains(index) && !read.contains(index);
+  }
 }
 
 std::optional<std::string> parseUri(const JsonReader& json) {
@@ -62,7 +85,9 @@ std::optional<std::string> parseUri(const JsonReader& json) {
   return json.text("");
 }
 
-Buffer parseBuffer(const JsonReader& json) { return {parseUri(json["uri"]), json["byteLength"].required().size(0)}; }
+Buffer parseBuffer(const JsonReader& json) {
+  return {.uri = parseUri(json["uri"]), .byte_length = json["byteLength"].required().size(0)};
+}
 
 Image parseImage(const JsonReader& json) {
   Image image{json["bufferView"].index(), parseUri(json["uri"])};
@@ -179,6 +204,7 @@ Result<Document> parseDocument(std::string_view text) {
   parseAll(root["accessors"], parseAccessor, document.accessors);
   parseAll(root["bufferViews"], parseBufferView, document.buffer_views);
   parseAll(root["buffers"], parseBuffer, document.buffers);
+  markFallbacks(document);
   parseAll(root["images"], parseImage, document.images);
   parseAll(root["samplers"], parseSampler, document.samplers);
   parseAll(root["textures"], parseTexture, document.textures);

@@ -43,16 +43,29 @@ struct Accessor {
   std::optional<Sparse> sparse;
 };
 
+/// Where and how EXT_meshopt_compression holds a buffer view's bytes.
+struct Compression {
+  int buffer = -1;
+  std::size_t byte_offset = 0;
+  std::size_t byte_length = 0;
+  std::size_t byte_stride = 0;  ///< of the elements
+  std::size_t count = 0;
+  std::string mode;
+  std::string filter;
+};
+
 struct BufferView {
   int buffer = -1;
   std::size_t byte_offset = 0;
   std::size_t byte_length = 0;
   std::size_t byte_stride = 0;  ///< 0: elements follow each other
+  std::optional<Compression> compression = {};
 };
 
 struct Buffer {
   std::optional<std::string> uri;  ///< none: the .glb's binary chunk
   std::size_t byte_length = 0;
+  bool is_fallback = false;  ///< only for readers that do not know EXT_meshopt_compression
 };
 
 struct Image {
@@ -97,6 +110,14 @@ struct Node {
   int light = -1;  ///< of KHR_lights_punctual
 };
 
+/// A material of the file.
+struct FileMaterial {
+  Material material;  ///< whose slots hold indices into Document::textures
+  /// Of KHR_materials_pbrSpecularGlossiness, where a texture has it too: the roughness is 1 − this · the alpha of
+  /// roughness_map.
+  std::optional<float> glossiness = {};
+};
+
 struct Document {
   std::vector<Accessor> accessors;
   std::vector<BufferView> buffer_views;
@@ -104,7 +125,7 @@ struct Document {
   std::vector<Image> images;
   std::vector<Sampler> samplers;
   std::vector<Texture> textures;
-  std::vector<Material> materials;  ///< whose slots hold indices into `textures` here
+  std::vector<FileMaterial> materials;
   std::vector<std::vector<Primitive>> meshes;
   std::vector<std::optional<ModelCamera>> cameras;  ///< parseCamera()
   std::vector<std::optional<ModelLight>> lights;    ///< parseLight()

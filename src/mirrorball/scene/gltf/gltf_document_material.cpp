@@ -53,16 +53,43 @@ void readParameter(const MaterialParameter& parameter, const JsonReader& json, M
   }
 }
 
-/// KHR_materials_ior: an index of 0 stands for an infinite one. It reflects all light along the normal, so that the
-/// specular colour alone is its reflectance there, and grows by Schlick's form: as one of the usual index does whose
-/// colour is divided by that index's reflectance.
-void readIndex(const JsonReader& json, Material& material) {
-  const Material usual = defaultMaterial();
-  if (material.ior >= 1.0f) return;
-  material.ior = usual.ior;
-  if (json["extensions"]["KHR_materials_ior"]["ior"].number(1.0) != 0.0) return;
-  material.specular_color /= formula::fresnelDielectric(1.0f, usual.ior);
+/// An infinite index reflects all light along the normal, so that the specular colour alone is the reflectance there,
+/// and it grows by Schlick's form: as one of the usual index does whose colour is divided by that index's reflectance.
+void setInfiniteIndex(Material& material) {
+  material.ior = defaultMaterial().ior;
+  material.specular_color /= formula::fresnelDielectric(1.0f, material.ior);
   material.fresnel = formula::kFresnelSchlick;
+}
+
+/// KHR_materials_ior, where 0 stands for an infinite index.
+void readIndex(const JsonReader& json, Material& material) {
+  if (material.ior >= 1.0f) return;
+  material.ior = defaultMaterial().ior;
+  if (json["extensions"]["KHR_materials_ior"]["ior"].number(1.0) == 0.0) setInfiniteIndex(material);
+}
+
+/// KHR_materials_pbrSpecularGlossiness, as KHR_materials_specular says that it is converted: a dielectric of infinite
+/// index, whose specular colour is the model's, and whose base is weighed by what that leaves. Nothing is lost, nor do
+/// the two textures need to be alike, as where the share of metal is solved for.
+void readSpecularGlossiness(const JsonReader& json, FileMaterial& read) {
+  const auto share = [](double number) { return static_cast<float>(std::clamp(number, 0.0, 1.0)); };
+  const std::vector<double> diffuse = json["diffuseFactor"].numbers({1, 1, 1, 1});
+  const std::vector<double> specular = json["specularFactor"].numbers({1, 1, 1});
+  const float glossiness = share(json["glossinessFactor"].number(1.0));
+  Material& material = read.material;
+  material.metallic = 0.0f;
+  material.base_color = {share(diffuse[0]), share(diffuse[1]), share(diffuse[2])};
+  material.opacity = share(diffuse[3]);
+  material.specular = 1.0f;
+  material.specular_color = {share(specular[0]), share(specular[1]), share(specular[2])};
+  setInfiniteIndex(material);
+  material.base_color_map = parseSlot(json["diffuseTexture"]);
+  material.specular_color_map = parseSlot(json["specularGlossinessTexture"]);
+  material.metallic_map = material.specular_map = {};
+  material.roughness_map = material.specular_color_map;
+  const bool is_textured = material.roughness_map.texture >= 0;
+  material.perceptual_roughness = is_textured ? 1.0f : 1.0f - glossiness;
+  if (is_textured) read.glossiness = glossiness;
 }
 
 }  // namespace
@@ -90,23 +117,28 @@ Material unlitOf(const Material& material) {
   return unlit;
 }
 
-Material parseMaterial(const JsonReader& json) {
-  Material material = defaultMaterial();
+FileMaterial parseMaterial(const JsonReader& json) {
+  FileMaterial read{.material = defaultMaterial()};
+  Material& material = read.material;
   material.name = json["name"].text("");
   for (const MaterialParameter& parameter : materialParameters())
     if (!parameter.gltf.empty()) readParameter(parameter, json, material);
+  for (const MaterialMap& map : materialMaps()) material.*map.slot = parseSlot(json.at(map.gltf));
   readIndex(json, material);
-  const JsonReader strength = json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"];
-  material.emission = glm::min(material.emission * notNegative(strength, 1.0f), kBrightest);
+  const JsonReader extensions = json["extensions"];
+  const float strength = notNegative(extensions["KHR_materials_emissive_strength"]["emissiveStrength"], 1.0f);
+  material.emission = glm::min(material.emission * strength, kBrightest);
   // KHR_materials_volume: what has no thickness is an infinitely thin sheet.
-  const JsonReader volume = json["extensions"]["KHR_materials_volume"];
-  material.thin_walled = material.transmission > 0.0f && notNegative(volume["thicknessFactor"], 0.0f) == 0.0f;
+  const JsonReader thickness = extensions["KHR_materials_volume"]["thicknessFactor"];
+  material.thin_walled = material.transmission > 0.0f && notNegative(thickness, 0.0f) == 0.0f;
+  if (const JsonReader older = extensions["KHR_materials_pbrSpecularGlossiness"]; older.exists())
+    readSpecularGlossiness(older, read);
   const std::string alpha_mode = json["alphaMode"].text("OPAQUE");
   if (alpha_mode == "MASK") material.alpha_mode = AlphaMode::mask;
   if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;
   if (material.alpha_mode == AlphaMode::opaque) material.opacity = 1.0f;
-  for (const MaterialMap& map : materialMaps()) material.*map.slot = parseSlot(json.at(map.gltf));
-  return json["extensions"]["KHR_materials_unlit"].exists() ? unlitOf(material) : material;
+  if (extensions["KHR_materials_unlit"].exists()) return {.material = unlitOf(material)};
+  return read;
 }
 
 }  // namespace mirrorball::gltf

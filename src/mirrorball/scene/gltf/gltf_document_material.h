@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mirrorball/scene/gltf/gltf_document.h"
 #include "mirrorball/scene/gltf/json_reader.h"
 #include "mirrorball/scene/material/material.h"
 
@@ -14,6 +15,6 @@ Material unlitOf(const Material& material);
 
 /// A material of a file, its numbers cut to their ranges; its slots hold indices into the file's textures, and are not
 /// checked.
-Material parseMaterial(const JsonReader& json);
+FileMaterial parseMaterial(const JsonReader& json);
 
 }  // namespace mirrorball::gltf

@@ -48,16 +48,17 @@ std::string problemOf(const BufferView& view) {
   return "";
 }
 
+/// Fills `to`, whose size is the view's; false if the bytes are damaged.
 bool decode(const Compression& how, std::span<const std::uint8_t> from, Bytes& to) {
-  if (how.mode == "ATTRIBUTES") {
-    if (meshopt_decodeVertexBuffer(to.data(), how.count, how.byte_stride, from.data(), from.size()) != 0) return false;
-    if (how.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(to.data(), how.count, how.byte_stride);
-    if (how.filter == "QUATERNION") meshopt_decodeFilterQuat(to.data(), how.count, how.byte_stride);
-    if (how.filter == "EXPONENTIAL") meshopt_decodeFilterExp(to.data(), how.count, how.byte_stride);
-    return true;
-  }
-  const auto decode_indices = how.mode == "TRIANGLES" ? meshopt_decodeIndexBuffer : meshopt_decodeIndexSequence;
-  return decode_indices(to.data(), how.count, how.byte_stride, from.data(), from.size()) == 0;
+  std::uint8_t* const begin = to.data();
+  const std::size_t count = how.count, stride = how.byte_stride;
+  if (how.mode == "TRIANGLES") return meshopt_decodeIndexBuffer(begin, count, stride, from.data(), from.size()) == 0;
+  if (how.mode == "INDICES") return meshopt_decodeIndexSequence(begin, count, stride, from.data(), from.size()) == 0;
+  if (meshopt_decodeVertexBuffer(begin, count, stride, from.data(), from.size()) != 0) return false;
+  if (how.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(begin, count, stride);
+  if (how.filter == "QUATERNION") meshopt_decodeFilterQuat(begin, count, stride);
+  if (how.filter == "EXPONENTIAL") meshopt_decodeFilterExp(begin, count, stride);
+  return true;
 }
 
 Result<Bytes> decoded(const File& file, const BufferView& view, const std::string& key) {

@@ -326,6 +326,44 @@ TEST(Gltf, AnIndexOf0LeavesTheSpecularColour) {
   EXPECT_EQ(materialOf(R"({"extensions":{"KHR_materials_ior":{"ior":0.5}}})").ior, 1.5f) << "which is not allowed";
 }
 
+// c_diff = diffuse · (1 − max(specular)) and f0 = specular, as the extension has it; its textures too.
+TEST(Gltf, ReadsSpecularAndGlossinessWithoutLoss) {
+  formula::Surface surface;
+  const std::string numbers =
+      R"("diffuseFactor":[0.2,0.4,0.6,0.5],"specularFactor":[0.1,0.7,0.3],"glossinessFactor":0.75)";
+  Material material = materialOf(R"({"alphaMode":"BLEND","pbrMetallicRoughness":{"metallicFactor":1},)"
+                                 R"("extensions":{"KHR_materials_pbrSpecularGlossiness":{)" +
+                                 numbers + "}}}");
+  EXPECT_EQ(material.perceptual_roughness, 0.25f);
+  EXPECT_EQ(material.opacity, 0.5f);
+  surface.material = material;
+  surface.environment_brdf = glm::vec2(0.0f);
+  EXPECT_LT(glm::distance(formula::smoothDielectric(surface, 1.0f), glm::vec3(0.1f, 0.7f, 0.3f)), 1e-6f);
+  surface.material.perceptual_roughness = 0.0f;
+  EXPECT_LT(glm::distance(formula::diffuseAlbedo(surface, 1.0f), glm::vec3(0.2f, 0.4f, 0.6f) * 0.3f), 1e-6f);
+
+  Image8 picture(1, 1, 4, 100);
+  picture.texel(0, 0)[3] = 204;  // glossiness 0.8
+  ASSERT_TRUE(savePicture(::testing::TempDir() + "gltf_gloss.png", picture));
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  const Scene scene =
+      decoded(maker.gltf(primitive("", ",\"material\":0"),
+                         R"("images":[{"uri":"gltf_gloss.png"}],"textures":[{"source":0}],"materials":[{"extensions":)"
+                         R"({"KHR_materials_pbrSpecularGlossiness":{)" +
+                             numbers + R"(,"diffuseTexture":{"index":0},"specularGlossinessTexture":{"index":0}}}}])"));
+  material = scene.materials.at(0);
+  const auto texture = [&](const TextureSlot& slot) { return scene.textures.at(std::size_t(slot.texture)); };
+  EXPECT_TRUE(texture(material.specular_color_map).srgb);
+  EXPECT_TRUE(texture(material.base_color_map).srgb);
+  EXPECT_EQ(texture(material.specular_color_map).image.texel(0, 0)[0], 100);
+  EXPECT_FALSE(texture(material.roughness_map).srgb);
+  EXPECT_EQ(material.perceptual_roughness, 1.0f);
+  EXPECT_EQ(texture(material.roughness_map).image.texel(0, 0)[1], 102) << "1 − 0.75 · 0.8";
+  EXPECT_EQ(material.metallic_map.texture, -1);
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
 TEST(Gltf, OfAnUnlitMaterialOnlyItsColourCounts) {
   const Material material = materialOf(
       R"({"pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,0.4],"metallicFactor":1},"emissiveFactor":[1,1,1],)"

@@ -34,7 +34,6 @@ FN vec3 metalReflectance(Surface s, float cosine) {
 // times the colour, at most 1, and from there it rises to 1 as it did from f0. With Schlick's form that is the
 // extension's formula. The exact form of a great index falls below f0 before it rises; that part is scaled.
 FN vec3 tintedReflectance(Material m, vec3 reflectance, vec3 f0) {
-  if (m.specular_color == vec3(1.0f)) return m.specular * reflectance;
   vec3 start = min(f0 * m.specular_color, vec3(1.0f));
   vec3 fallen = min(reflectance, f0) / max(f0, vec3(1e-6f));
   vec3 risen = max(reflectance - f0, vec3(0.0f)) / max(vec3(1.0f) - f0, vec3(1e-6f));
@@ -46,6 +45,7 @@ FN vec3 smoothDielectric(Surface s, float cosine) {
   vec3 ior = iorOfChannels(s.material.ior, s.material.dispersion);
   vec3 here = vec3(dielectricReflectance(s, cosine, ior.x), dielectricReflectance(s, cosine, ior.y),
                    dielectricReflectance(s, cosine, ior.z));
+  if (s.material.specular_color == vec3(1.0f)) return s.material.specular * here;
   vec3 f0 = vec3(dielectricReflectance(s, 1.0f, ior.x), dielectricReflectance(s, 1.0f, ior.y),
                  dielectricReflectance(s, 1.0f, ior.z));
   return tintedReflectance(s.material, here, f0);

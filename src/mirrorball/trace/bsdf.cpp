@@ -120,17 +120,15 @@ bool Bsdf::isInMatter(const Walk& walk) const { return !walk.is_outside && !refr
 glm::vec3 Bsdf::reflectanceOfIndex(const formula::Material& material, const Walk& walk, float cosine) const {
   formula::Surface surface;
   surface.material = material;
-  const auto tinted = [&](float here, float f0) {
-    return formula::tintedReflectance(material, glm::vec3(here), glm::vec3(f0));
-  };
   const bool refracts = material.transmission > 0.0f && !refraction_.is_thin;
-  if (refracts) {
-    const float exact = formula::fresnelDielectric(cosine, etaFrom(walk.is_outside, refraction_.ior));
-    if (exact >= 1.0f) return glm::vec3(1.0f);  // nothing passes beyond the critical angle
-    if (!walk.is_outside) return tinted(exact, formula::fresnelDielectric(1.0f, refraction_.ior));
-  }
-  return tinted(formula::dielectricReflectance(surface, cosine, refraction_.ior),
-                formula::dielectricReflectance(surface, 1.0f, refraction_.ior));
+  const float exact = refracts ? formula::fresnelDielectric(cosine, etaFrom(walk.is_outside, refraction_.ior)) : 0.0f;
+  if (exact >= 1.0f) return glm::vec3(1.0f);  // nothing passes beyond the critical angle
+  const bool is_inside = refracts && !walk.is_outside;
+  const float here = is_inside ? exact : formula::dielectricReflectance(surface, cosine, refraction_.ior);
+  if (material.specular_color == glm::vec3(1.0f)) return glm::vec3(material.specular * here);
+  const float f0 = is_inside ? formula::fresnelDielectric(1.0f, refraction_.ior)
+                             : formula::dielectricReflectance(surface, 1.0f, refraction_.ior);
+  return formula::tintedReflectance(material, glm::vec3(here), glm::vec3(f0));
 }
 
 glm::vec3 Bsdf::facetReflectance(const formula::Material& material, const Walk& walk, float cosine) const {

@@ -63,21 +63,14 @@ bool decode(const Compression& how, std::span<const std::uint8_t> from, Bytes& t
 
 Result<Bytes> decoded(const File& file, const BufferView& view, const std::string& key) {
   const Compression& how = *view.compression;
-  MIRRORBALL_TRY_VOID(checkIndex(how.buffer, file.buffers.size(), key + ".buffer", "buffers"));
-  const std::span<const std::uint8_t> buffer = file.buffers[std::size_t(how.buffer)];
-  if (how.byte_offset > buffer.size() || how.byte_length > buffer.size() - how.byte_offset)
-    return fail(ErrorCode::bad_file, key + " takes " + std::to_string(how.byte_length) + " bytes from byte " +
-                                         std::to_string(how.byte_offset) + " of " +
-                                         quoted("buffers", std::size_t(how.buffer)) + ", which has " +
-                                         std::to_string(buffer.size()));
+  MIRRORBALL_TRY(compressed, bufferBytes(file, how.buffer, how.byte_offset, how.byte_length, key));
   if (const std::string problem = problemOf(view); !problem.empty())
     return fail(ErrorCode::bad_file, key + "." + problem);
   if (view.byte_length / kMostOfAByte > how.byte_length)
     return fail(ErrorCode::bad_file, key + ": its " + std::to_string(how.byte_length) + " bytes cannot hold " +
                                          std::to_string(view.byte_length));
   Bytes bytes(view.byte_length);
-  if (!decode(how, buffer.subspan(how.byte_offset, how.byte_length), bytes))
-    return fail(ErrorCode::bad_file, key + ": the compressed bytes are damaged");
+  if (!decode(how, compressed, bytes)) return fail(ErrorCode::bad_file, key + ": the compressed bytes are damaged");
   return bytes;
 }
 
@@ -90,7 +83,8 @@ Result<void> decodeMeshopt(File& file) {
     if (!view.compression) continue;
     MIRRORBALL_TRY_VOID(checkMemory(all += std::min<std::uint64_t>(view.byte_length, std::uint64_t{1} << 40)));
     MIRRORBALL_TRY(bytes, decoded(file, view, quoted("bufferViews", i) + ".extensions.EXT_meshopt_compression"));
-    view = {static_cast<int>(file.buffers.size()), 0, bytes.size(), view.byte_stride, {}};
+    view = {
+        .buffer = static_cast<int>(file.buffers.size()), .byte_length = bytes.size(), .byte_stride = view.byte_stride};
     file.buffers.push_back(file.storage.emplace_back(std::move(bytes)));
   }
   return {};

@@ -44,7 +44,7 @@ struct Material : formula::Material {
   TextureSlot normal_map;
   TextureSlot occlusion_map;  ///< in R
   TextureSlot emission_map;
-  TextureSlot specular_map;      ///< in A
+  TextureSlot specular_map;  ///< in A
   TextureSlot specular_color_map;
   TextureSlot transmission_map;  ///< in R
 };

@@ -309,9 +309,9 @@ Material materialOf(const std::string& json, const std::string& rest = "") {
 TEST(Gltf, ReadsTheColourOfReflections) {
   const std::string path = ::testing::TempDir() + "gltf_specular.png";
   ASSERT_TRUE(savePicture(path, Image8(1, 1, 3, 9)));
-  const Material material = materialOf(
-      R"({"extensions":{"KHR_materials_specular":{"specularColorFactor":[2,0.5,-1],"specularColorTexture":{"index":0}}}})",
-      R"(,"images":[{"uri":"gltf_specular.png"}],"textures":[{"source":0}])");
+  const Material material = materialOf(R"({"extensions":{"KHR_materials_specular":{"specularColorFactor":[2,0.5,-1],)"
+                                       R"("specularColorTexture":{"index":0}}}})",
+                                       R"(,"images":[{"uri":"gltf_specular.png"}],"textures":[{"source":0}])");
   EXPECT_EQ(material.specular_color, glm::vec3(2.0f, 0.5f, 0.0f));
   EXPECT_EQ(material.specular_color_map.texture, 0);
 }

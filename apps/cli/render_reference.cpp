@@ -50,7 +50,6 @@ std::vector<ImageLayer> layersOf(TracedPicture& picture) {
 Result<void> writePicture(TracedPicture& picture, const FrameSettings& frame, const std::string& output) {
   Image& image = picture.radiance;
   const glm::vec4 backdrop(frame.background_color, 1.0f);
-  if (frame.background == BackgroundKind::radiance) layOver(image, backdrop);
   if (storesLinearLight(output)) {
     if (frame.background == BackgroundKind::display_color) layOver(image, backdrop);
     return writeImage(output, image, {.metadata = {}, .layers = layersOf(picture)});
@@ -72,13 +71,13 @@ TraceObserver observerUntilInterrupted(std::size_t first_pass) {
   const auto label = [noise] {
     return "reference" + (*noise > 0.0f ? ", standard error " + formatted("%.2g", double(*noise)) : "");
   };
-  return {.progress =
-              [bar = progressBar(label), first_pass](std::size_t done, std::size_t total) {
-                if (bar(done, total)) return true;
-                if (done > first_pass) claimEnd();
-                return false;
-              },
-          .pass = [noise](int, float found) { *noise = found; }};
+  TraceObserver observer{.progress = [bar = progressBar(label), first_pass](std::size_t done, std::size_t total) {
+    if (bar(done, total)) return true;
+    if (done > first_pass) claimEnd();
+    return false;
+  }};
+  if (showsProgress()) observer.pass = [noise](int, float found) { *noise = found; };
+  return observer;
 }
 
 Result<void> tellTraced(const TracedPicture& picture, const std::string& output) {

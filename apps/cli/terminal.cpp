@@ -59,6 +59,8 @@ void drawBar(const std::string& what, std::size_t done, std::size_t total, doubl
 
 }  // namespace
 
+bool showsProgress() { return isTerminal(); }
+
 void beQuiet() { is_quiet = true; }
 
 void showAs(const std::string& path, const std::string& name) { shownNames()[path] = name; }

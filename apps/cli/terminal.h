@@ -26,6 +26,8 @@ bool isStandardOutputTaken();
 /// A progress bar with the time left, on standard error if that is a terminal; else silent. Stops the work when the
 /// program is interrupted.
 ProgressFunction progressBar(const std::string& what);
+/// Whether they are seen.
+bool showsProgress();
 /// The same with a text that changes.
 ProgressFunction progressBar(std::function<std::string()> what);
 

@@ -286,6 +286,17 @@ TEST_F(CaptureTest, TheReferenceCapturesTheSame) {
   EXPECT_THAT(refuse(2, "capture squares.obj --at 0,0,0 --reference --blur mip -o map.exr"), HasSubstr("--blur"));
 }
 
+TEST_F(CaptureTest, TheReferenceHasTheBackgroundBehindTheScene) {
+  for (const std::string form : {"equirect --size 16", "sphere --size 16"}) {
+    const std::string line =
+        "capture sphere -e white --at 0,0,3 --background 1,0.25,0 --samples 16 --to " + form + " -o ";
+    succeed(line + "drawn.exr");
+    run(line + "traced.exr --reference");
+    const Image drawn = image("drawn.exr"), traced = image("traced.exr");
+    EXPECT_LT(meanDifference(drawn, traced), 0.01) << form;
+  }
+}
+
 // And a third one: a mirror ball that is small beside its scene is rendered, and its picture unwrapped.
 TEST_F(CaptureTest, APictureOfASmallMirrorBallIsTheSameMap) {
   writeSquaresAroundBall();

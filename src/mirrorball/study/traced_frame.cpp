@@ -10,6 +10,7 @@ TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings) {
   settings.environment_from_world = frame.environmentFromWorld();
   settings.environment_intensity = frame.env_intensity;
   settings.shows_environment = frame.background == BackgroundKind::environment;
+  if (frame.background == BackgroundKind::radiance) settings.background = frame.background_color;
   settings.lights = frame.lights;
   settings.light_intensity = frame.light_intensity;
   return settings;

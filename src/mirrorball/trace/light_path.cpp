@@ -76,6 +76,7 @@ class Path {
     SurfacePoint point;
     bool is_body;
     bool is_outside;
+    const Material* beyond;  ///< the body on its other side: outside of a body, and on both sides of other surfaces
   };
 
   std::optional<Hit> firstHit(Ray& ray, float farthest, glm::vec3& share);
@@ -87,7 +88,8 @@ class Path {
   float iorOf(const formula::Material& material) const;
   bool needsWavelength(const Vertex& vertex) const;
   Refraction refractionAt(const Vertex& vertex, float new_wavelength) const;
-  std::optional<std::uint32_t> otherSide(const Vertex& vertex) const;
+  Vertex vertexAt(const Hit& hit, const Ray& ray) const;
+  float iorBeyond(const Vertex& vertex) const;
   formula::Material materialAt(const Vertex& vertex) const;
   LightSample sampleLight();
   glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, glm::vec3 normal);
@@ -172,12 +174,21 @@ float Path::iorOf(const formula::Material& material) const {
   return wavelength_ > 0.0f ? formula::iorAtWavelength(material.ior, material.dispersion, wavelength_) : material.ior;
 }
 
-/// The body on the other side of a surface from the one that its material fills: outside of a body, and on both sides
-/// of other surfaces.
-std::optional<std::uint32_t> Path::otherSide(const Vertex& vertex) const {
-  const Media& media = vertex.arriving.media;
-  return vertex.is_outside ? media.filling(world_.scene) : media.fillingWithout(world_.scene, vertex.hit.instance);
+Path::Vertex Path::vertexAt(const Hit& hit, const Ray& ray) const {
+  const Scene& scene = world_.scene;
+  const Material& material = materialOf(scene, hit.instance);
+  const bool is_outside = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
+  const auto other = is_outside ? ray.media.filling(scene) : ray.media.fillingWithout(scene, hit.instance);
+  return {hit,
+          ray,
+          material,
+          surfacePointAt(scene, world_.world_from_normal[hit.instance], hit),
+          isBody(material),
+          is_outside,
+          other ? &materialOf(scene, *other) : nullptr};
 }
+
+float Path::iorBeyond(const Vertex& vertex) const { return vertex.beyond ? iorOf(*vertex.beyond) : 1.0f; }
 
 /// Whether light of each wavelength goes its own way from here on, and none has been chosen. Where light comes out of
 /// the air, the choice can wait until it is refracted, so that what is reflected has no noise of colours; else a
@@ -185,34 +196,27 @@ std::optional<std::uint32_t> Path::otherSide(const Vertex& vertex) const {
 bool Path::needsWavelength(const Vertex& vertex) const {
   if (wavelength_ > 0.0f || !vertex.is_body) return false;
   const formula::Material& material = vertex.point.material;
-  const auto other = otherSide(vertex);
-  const bool is_from_air = vertex.is_outside && !other && material.ior >= 1.0f;
-  return (material.dispersion > 0.0f && !is_from_air) || (other && materialOf(world_.scene, *other).dispersion > 0.0f);
+  const bool is_from_air = vertex.is_outside && !vertex.beyond && material.ior >= 1.0f;
+  return (material.dispersion > 0.0f && !is_from_air) || (vertex.beyond && vertex.beyond->dispersion > 0.0f);
 }
 
 /// The material's numbers, its indices relative to what is on the other side.
 formula::Material Path::materialAt(const Vertex& vertex) const {
   formula::Material material = vertex.point.material;
-  material.ior = iorOf(material);
-  const auto other = otherSide(vertex);
-  if (wavelength_ > 0.0f || other) material.dispersion = 0.0f;
-  if (other) {
-    const float ior = iorOf(materialOf(world_.scene, *other));
-    material.ior /= ior;
-    material.conductor_n /= ior;
-    material.conductor_k /= ior;
-  }
+  const float beyond = iorBeyond(vertex);
+  material.ior = iorOf(material) / beyond;
+  material.conductor_n /= beyond;
+  material.conductor_k /= beyond;
+  if (wavelength_ > 0.0f || vertex.beyond) material.dispersion = 0.0f;
   return material;
 }
 
 /// How light goes on that is refracted, and is of that wavelength from then on.
 Refraction Path::refractionAt(const Vertex& vertex, float new_wavelength) const {
   const formula::Material& material = vertex.point.material;
-  const auto other = otherSide(vertex);
-  const float outside = other ? iorOf(materialOf(world_.scene, *other)) : 1.0f;
-  Refraction refraction{.ior = iorOf(material) / outside, .is_thin = vertex.surface.thin_walled};
-  if (new_wavelength > 0.0f) {
-    refraction.ior = formula::iorAtWavelength(material.ior, material.dispersion, new_wavelength) / outside;
+  Refraction refraction{.ior = iorOf(material) / iorBeyond(vertex), .is_thin = vertex.surface.thin_walled};
+  if (new_wavelength > 0.0f) {  // which waits for light out of the air alone
+    refraction.ior = formula::iorAtWavelength(material.ior, material.dispersion, new_wavelength);
     refraction.weight = shareOfWavelength(new_wavelength);
   }
   return refraction;
@@ -320,7 +324,10 @@ PathLight Path::follow(Ray ray) {
     const bool meets = surfaces == 0 || !settings_.is_unoccluded;
     const auto hit = meets ? firstHit(ray, INFINITY, throughput_) : std::nullopt;
     if (!hit) {
-      if (surfaces == 0 && !settings_.shows_environment) return result;
+      if (surfaces == 0 && !settings_.shows_environment) {
+        if (settings_.background) result.radiance = glm::vec4(throughput_ * *settings_.background, 1.0f);
+        return result;
+      }
       // What of this light was chosen directly counts there.
       const glm::vec3 seen = glm::normalize(settings_.environment_from_world * ray.direction);
       float weight = 1.0f;
@@ -331,13 +338,7 @@ PathLight Path::follow(Ray ray) {
       return ended();
     }
     if (surfaces == settings_.bounces) return ended();
-    const Material& material = materialOf(world_.scene, hit->instance);
-    const Vertex vertex{*hit,
-                        ray,
-                        material,
-                        surfacePointAt(world_.scene, world_.world_from_normal[hit->instance], *hit),
-                        isBody(material),
-                        glm::dot(ray.direction, hit->geometric_normal) < 0.0f};
+    const Vertex vertex = vertexAt(*hit, ray);
     // A thin surface is the same from both sides; a body has an inside.
     const float facing = vertex.is_outside || !vertex.is_body ? 1.0f : -1.0f;
     glm::vec3 normal = vertex.is_outside || vertex.is_body ? vertex.point.normal : -vertex.point.normal;
@@ -347,7 +348,7 @@ PathLight Path::follow(Ray ray) {
       result.normal = facing * normal;
     }
     sum_ += throughput_ * vertex.point.material.emission;
-    if (material.unlit) return ended();
+    if (vertex.surface.unlit) return ended();
     const auto next = scatter(vertex, normal);
     if (!next || (surfaces >= kFirstRoulette && !survivesRoulette())) return ended();
     ray = *next;

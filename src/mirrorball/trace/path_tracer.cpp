@@ -48,7 +48,7 @@ int expectedSamples(const TraceSettings& settings, int samples, float noise, flo
   return static_cast<int>(std::ceil(expected));
 }
 
-/// The images of a map that lie one below the other.
+/// The images of a map that lie one below the other. What is transparent is black.
 ImageSet cutIntoFaces(const Image& all, Projection projection, glm::ivec2 size) {
   const int channels = hasDisc(projection) ? 4 : 3;
   ImageSet images(1, faceCount(projection));
@@ -56,9 +56,9 @@ ImageSet cutIntoFaces(const Image& all, Projection projection, glm::ivec2 size) 
     Image& image = images.at(0, face) = Image(size.x, size.y, channels);
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x) {
-        const float* const traced = all.texel(x, face * size.y + y);
         float* const texel = image.texel(x, y);
-        std::copy_n(traced, channels, texel);
+        std::copy_n(all.texel(x, face * size.y + y), 3, texel);
+        if (channels == 4) texel[3] = covers(projection, (glm::vec2(x, y) + 0.5f) / glm::vec2(size)) ? 1.0f : 0.0f;
       }
   }
   return images;
@@ -139,6 +139,7 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
     film.addPass(pass, count);
     const std::chrono::duration<float> elapsed = std::chrono::steady_clock::now() - start;
     if (settings.time_s > 0.0f && elapsed.count() >= settings.time_s) break;
+    // The noise takes about as long as one path a pixel: only where someone asks for it.
     const float noise = settings.noise > 0.0f || observer.pass ? film.noise(settings.display) : 0.0f;
     if (observer.pass) observer.pass(film.samples(), noise);
     // The error of few paths is not known well enough to stop by it.
@@ -169,7 +170,6 @@ Result<TracedMap> PathTracer::capture(const TracedCapture& capture, TraceSetting
   const glm::ivec2 size = imageSize(capture.projection, capture.size);
   const int faces = faceCount(capture.projection);
   settings.size = {size.x, size.y * faces};
-  settings.shows_environment = true;
   settings.wants_layers = false;
   TracedMap traced;
   const CameraRays rays =

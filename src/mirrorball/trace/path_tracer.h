@@ -39,7 +39,7 @@ struct TraceObserver {
   /// Of paths, of all that there will be, as far as that is known before: by their noise, or by the time that they
   /// took. Called from all threads. When it says so, the passes that are whole are the picture.
   ProgressFunction progress = {};
-  /// Of each whole pass, with TracedPicture's `samples` and `noise` up to then.
+  /// Of each whole pass, with TracedPicture's `samples` and `noise` up to then, which takes the time to compute it.
   std::function<void(int samples, float noise)> pass = {};
 };
 
@@ -82,7 +82,8 @@ class PathTracer {
 
   /// Traces the light that arrives at a point of the scene: an environment map.
   ///
-  /// settings  their `size`, `shows_environment` and `wants_layers` are not used
+  /// settings  their `size` and `wants_layers` are not used; if neither the environment nor a background is shown, what
+  ///           is behind the scene is black
   /// returns   three channels, or four for discs, with alpha 0 outside of them. The world's axes are the map's. For
   ///           `samples` and `noise`, likewise the same bits
   /// errors    as render's

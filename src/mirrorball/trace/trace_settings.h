@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,12 +31,13 @@ struct TraceSettings {
   int bounces = 16;
   bool is_unoccluded = false;  ///< light reaches each surface as if there were nothing else
   LightStrategy strategy = LightStrategy::both;
-  glm::mat3 environment_from_world{1.0f};  ///< turns the environment
-  float environment_intensity = 1.0f;      ///< scales its light
-  bool shows_environment = true;           ///< behind the scene; else what is behind it is transparent
-  std::vector<PointLight> lights = {};     ///< by Phong's model, as the renderer has them, but with shadows
-  float light_intensity = 1.0f;            ///< scales the scene's own lights
-  bool wants_layers = false;               ///< also what denoisers ask for (TraceLayers)
+  glm::mat3 environment_from_world{1.0f};    ///< turns the environment
+  float environment_intensity = 1.0f;        ///< scales its light
+  bool shows_environment = true;             ///< behind the scene
+  std::optional<glm::vec3> background = {};  ///< radiance there if the environment is not shown; nothing: transparent
+  std::vector<PointLight> lights = {};       ///< by Phong's model, as the renderer has them, but with shadows
+  float light_intensity = 1.0f;              ///< scales the scene's own lights
+  bool wants_layers = false;                 ///< also what denoisers ask for (TraceLayers)
 };
 
 /// The table of those settings that only a path tracer has.

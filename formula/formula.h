@@ -5,6 +5,7 @@
 /// docs/architecture.md, "Formula once". The rooms include the header of their topic, so that a formula that changes
 /// compiles only what uses it.
 
+#include "formula/bodies.h"
 #include "formula/bsdf.h"
 #include "formula/color.h"
 #include "formula/constants.h"

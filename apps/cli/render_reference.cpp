@@ -111,7 +111,7 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
     if (given.contains(name))
       return fail(ErrorCode::usage,
                   "--" + std::string(name) + " is for the renderer; leave it out, or leave --reference out");
-  if (options.trace.is_unoccluded && options.trace.bounces != 1)
+  if (options.trace.is_unoccluded && options.trace.bounces != 1 && frame.refraction != RefractionKind::traced)
     return fail(ErrorCode::usage, "--unoccluded knows no second surface; add --bounces 1");
   if (frame.background == BackgroundKind::blur)
     return fail(ErrorCode::usage, "--background blur: the reference shows the environment as it is; leave it out");

@@ -1,6 +1,13 @@
 // What happens to a ray at a smooth surface. Directions point along the ray; n is the unit normal on the side that the
 // ray comes from; cosine is −dot(ray, n) = V·N in [0, 1]; eta is the index of the far side over that of the near side.
 
+// A normal that does not turn away from the ray that meets its triangle, as a smooth one may: it is bent back.
+FN vec3 facingNormal(vec3 normal, vec3 ray) {
+  const float kLeastCosine = 1e-3f;
+  float cosine = -dot(ray, normal);
+  return cosine < kLeastCosine ? normalize(normal - ray * (kLeastCosine - cosine)) : normal;
+}
+
 // The direction of the ray beyond the surface (Snell: n1 sin θ1 = n2 sin θ2). Past the critical angle nothing passes
 // and the ray reflects: GLSL's refract then gives 0, which is no direction.
 FN vec3 refractedDirection(vec3 ray, vec3 n, float eta) {
@@ -10,6 +17,7 @@ FN vec3 refractedDirection(vec3 ray, vec3 n, float eta) {
 
 // Fresnel's equations for unpolarised light between two dielectrics; 1 past the critical angle.
 FN float fresnelDielectric(float cosine, float eta) {
+  if (eta == 1.0f) return 0.0f;  // also along the surface, where the equations are 0 / 0
   float sine2 = (1.0f - cosine * cosine) / (eta * eta);
   if (sine2 >= 1.0f) return 1.0f;
   float cosine_t = sqrt(1.0f - sine2);

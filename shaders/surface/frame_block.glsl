@@ -13,4 +13,5 @@ layout(std140) uniform FrameBlock {
   float texels_per_radian;
   float coarser;
   float samples_per_pixel;
+  int inner_bounces;       // surfaces that light meets inside of bodies
 };

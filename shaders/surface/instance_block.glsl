@@ -2,4 +2,5 @@
 layout(std140) uniform InstanceBlock {
   mat4 world_from_object;
   mat3 normal_matrix;
+  int instance;  // its number in the scene
 };

@@ -29,7 +29,7 @@ void main() {
   vec4 color = colorAt(point);
   if (isCutAway(color.w)) discard;
   vec3 normal = detailedNormal(point, smoothNormal(point));
-  Surface s = surfaceAt(point, gl_FrontFacing ? normal : -normal, color.xyz);
+  Surface s = surfaceAt(point, facingNormal(gl_FrontFacing ? normal : -normal, point.ray), color.xyz);
   vec3 light = shadedByEnvironment(s, point.ray, reflectedLight(s, point), transmittedLight(s, point),
                                    arrivingIrradiance(point.position, s.normal));
   fragment = shownAs(light + lightOfLamps(s, point), color.w);

@@ -8,6 +8,9 @@ namespace mirrorball::formula {
 #define FN inline
 #include "parity/smooth_cube.glsl"
 #include "parity/smooth_map.glsl"
+//
+#include "parity/small_tree.glsl"
+#include "parity/test_media.glsl"
 #include "parity/test_surface.glsl"
 #undef FN
 
@@ -36,6 +39,18 @@ constexpr float kTight = 1e-5f;
 constexpr float kTranscendental = 5e-5f;
 
 const Case kCases[] = {
+    // beam
+    PARITY(refractionOfBeam, unit, kTight, vec4(refractionOfBeam(p.x, p.y, 0.5f + q.x, 4.0f * q.y - 2.0f), 0.0f)),
+    PARITY(reflectionOfBeam, unit, kTight, vec4(reflectionOfBeam(p.x, p.y, 4.0f * q.y - 2.0f), 0.0f)),
+    PARITY(beamBeyond, unit, kTight,
+           vec4(beamBeyond(Beam(vec3(p), vec2(r.x, r.y)), vec3(q)).lobe,
+                beamBeyond(Beam(vec3(p), vec2(r.x, r.y)), vec3(q)).pixel.x)),
+    PARITY(beamAfter, unit, kTight,
+           vec4(beamAfter(Beam(vec3(p), vec2(r.x, r.y)), 4.0f * q.x).lobe,
+                beamAfter(Beam(vec3(p), vec2(r.x, r.y)), 4.0f * q.x).pixel.y)),
+    PARITY(roughnessOfBeam, unit, kTight, vec4(roughnessOfBeam(Beam(vec3(p), vec2(0.0f))), 0.0f, 0.0f, 0.0f)),
+    PARITY(footprintOfBeam, unit, kTight, vec4(footprintOfBeam(Beam(vec3(p), vec2(4.0f * q.x))), 0.0f, 0.0f, 0.0f)),
+
     // blur
     PARITY(prefilteredLight, direction, kTight,
            prefilteredLight(Blur(0, 1.0f, 6.0f, 32.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x,
@@ -143,6 +158,17 @@ const Case kCases[] = {
     PARITY(orangeHeight, unit, kTight, orangeHeight(vec3(p) * 16.0f - 8.0f)),
     PARITY(orangeNormal, direction, kTight, vec4(orangeNormal(vec3(q), vec3(p), 0.01f, 12.0f), 0.0f)),
 
+    // media
+    PARITY(entered, unit, kExact, shownMedia(entered(testMedia(p), int(2.9375f * q.x), int(2.9375f * q.y)))),
+    PARITY(left, unit, kExact, shownMedia(left(testMedia(p), int(2.9375f * q.x)))),
+    PARITY(timesEntered, unit, kExact,
+           vec4(float(timesEntered(entered(testMedia(p), 1, 0), int(2.9375f * q.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(fillingPlace, unit, kExact, vec4(float(fillingPlace(testMedia(p))), 0.0f, 0.0f, 0.0f)),
+    PARITY(fillingBody, unit, kExact, vec4(float(fillingBody(testMedia(p))), 0.0f, 0.0f, 0.0f)),
+    PARITY(hasSurface, unit, kExact,
+           vec4(hasSurface(testMedia(p), int(2.9375f * q.x), int(2.9375f * q.y), q.z < 0.5f) ? 1.0f : 0.0f, 0.0f, 0.0f,
+                0.0f)),
+
     // microfacet
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
@@ -175,6 +201,7 @@ const Case kCases[] = {
     PARITY(equalAreaDirection, unit, kTranscendental, vec4(equalAreaDirection(vec2(p)), 0.0f)),
 
     // optics
+    PARITY(facingNormal, direction, kTight, vec4(facingNormal(vec3(p), vec3(q)), 0.0f)),
     PARITY(
         refractedDirection, direction, kTight,
         vec4(refractedDirection(vec3(p), dot(vec3(p), vec3(q)) > 0.0f ? -vec3(q) : vec3(q), 0.4f + 2.0f * r.x), 0.0f)),
@@ -365,6 +392,43 @@ const Case kCases[] = {
                              Lamp(int(3.9375f * r.z), vec3(1.5f, 2.0f, 0.75f), vec3(-0.6f, -0.64f, -0.48f),
                                   vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f)),
                 0.0f)),
+
+    // triangle_tree
+    PARITY(leafOf, unit, kExact, vec4(float(leafOf(int(1000.0f * p.x), 1 + int(7.0f * p.y))), 0.0f, 0.0f, 0.0f)),
+    PARITY(firstOfLeaf, unit, kExact, vec4(float(firstOfLeaf(-1 - int(1000.0f * p.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(countOfLeaf, unit, kExact, vec4(float(countOfLeaf(-1 - int(1000.0f * p.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(floatsOf, unit, kExact, vec4(floatsOf(floatBitsToUint(p)), 0.0f)),
+    PARITY(inverseOf, unit, kTight, vec4(inverseOf(p.x - 0.5f), 0.0f, 0.0f, 0.0f)),
+    PARITY(inverseDirection, direction, kTight, vec4(inverseDirection(vec3(p) + vec3(2.0f)), 0.0f)),
+    PARITY(entryOfBox, direction, kTranscendental,
+           vec4(entryOfBox(uvec4(0u, 0xffff0000u, 0xffffffffu, 0u), vec3(0.5f) - 2.0f * vec3(p),
+                           inverseDirection(vec3(p)), 0.0f, 8.0f),
+                0.0f, 0.0f, 0.0f)),
+    // Through triangles that are wide enough for rounding not to decide whether they are met.
+    PARITY(meetingOfTriangle, direction, kTranscendental,
+           vec4(meetingOfTriangle(vec3(-9.0f, -9.0f, 1.0f), vec3(9.0f, -9.0f, 1.5f), vec3(0.0f, 9.0f, 1.0f), vec3(0.0f),
+                                  normalize(vec3(p.x, p.y, 2.0f))),
+                0.0f)),
+    PARITY(
+        nearestOfLeaf, direction, kTranscendental,
+        vec4(nearestOfLeaf(SmallTree(p.w), 5, leafOf(0, 2), vec3(0.0f, 0.0f, -3.0f),
+                           normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, -1, TriangleHit(9.0f, -1, vec2(0.0f)))
+                 .distance)),
+    PARITY(nearestTriangle, direction, kTranscendental,
+           vec4(nearestTriangle(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
+                                normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0)
+                    .distance,
+                nearestTriangle(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
+                                normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0)
+                    .barycentric,
+                0.0f)),
+    PARITY(curvatureAlong, direction, kTight, vec4(curvatureAlong(vec3(p) + vec3(2.0f), vec3(q)), 0.0f, 0.0f, 0.0f)),
+    PARITY(bodySurfaceAt, unit, kTight,
+           vec4(bodySurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).normal,
+                bodySurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).curvature)),
+    PARITY(bodyAt, unit, kExact,
+           vec4(bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).ior, bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).dispersion,
+                float(bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).priority), 0.0f)),
 
     // wavelength
     PARITY(unevenBell, unit, kTranscendental, vec4(unevenBell(p.x, 0.5f, 0.125f, 0.25f + p.y), 0.0f, 0.0f, 0.0f)),

@@ -37,14 +37,16 @@ std::string fragmentShader(const Case& formula, const std::string& includes) {
   std::string text =
       "#include \"smooth_cube.glsl\"\n"
       "#include \"smooth_map.glsl\"\n"
+      "#include \"small_tree.glsl\"\n"
       "#undef CUBE_SAMPLER\n"
       "#define CUBE_SAMPLER SmoothCube\n"
       "#undef MAP_SAMPLER\n"
-      "#define MAP_SAMPLER SmoothMap\n" +
+      "#define MAP_SAMPLER SmoothMap\n"
+      "#undef WORD_SAMPLER\n"
+      "#define WORD_SAMPLER SmallTree\n" +
       includes;
-  if (formula.glsl.find("testSurface") != std::string_view::npos) {
-    text += "#include \"test_surface.glsl\"\n";
-  }
+  if (formula.glsl.find("testSurface") != std::string_view::npos) text += "#include \"test_surface.glsl\"\n";
+  if (formula.glsl.find("testMedia") != std::string_view::npos) text += "#include \"test_media.glsl\"\n";
   return text +
          "uniform sampler2D inputs;\n"
          "out vec4 result;\n"

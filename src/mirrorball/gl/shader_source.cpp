@@ -16,7 +16,8 @@ constexpr std::string_view kEmbeddedVersion =
     "precision highp float;\n"
     "precision highp int;\n"
     "precision highp sampler2D;\n"
-    "precision highp samplerCube;\n";
+    "precision highp samplerCube;\n"
+    "precision highp usampler2D;\n";
 
 // The shader's half of the agreement that lets a formula file be GLSL and C++; the other half is
 // formula/glsl_begin.inc.
@@ -30,7 +31,11 @@ constexpr std::string_view kPrelude =
     "#define MAP_SAMPLER sampler2D\n"
     "vec4 sampleMap(sampler2D map, vec2 uv) { return textureLod(map, uv, 0.0); }\n"
     "vec4 fetchMap(sampler2D map, ivec2 texel, int level) { return texelFetch(map, texel, level); }\n"
-    "ivec2 mapSize(sampler2D map, int level) { return textureSize(map, level); }\n";
+    "ivec2 mapSize(sampler2D map, int level) { return textureSize(map, level); }\n"
+    "#define WORD_SAMPLER usampler2D\n"
+    "uvec4 fetchWords(usampler2D words, int texel) {\n"
+    "  return texelFetch(words, ivec2(texel & 4095, texel >> 12), 0);\n"  // Texture::kWordTexels a row
+    "}\n";
 
 /// The name in `#include "name"`, or nothing for any other line.
 std::optional<std::string_view> includedName(std::string_view line) {

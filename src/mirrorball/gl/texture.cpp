@@ -31,6 +31,8 @@ GLenum internalFormat(Format format) {
       return GL_RGBA16F;
     case Format::rgba32f:
       return GL_RGBA32F;
+    case Format::rgba32ui:
+      return GL_RGBA32UI;
   }
   assert(false && "no such format");
   return GL_RGBA8;
@@ -143,6 +145,22 @@ Result<Texture> Texture::fromImages(Format format, const ImageSet& images) {
   return texture;
 }
 
+Result<Texture> Texture::fromWords(std::span<const glm::uvec4> words) {
+  const auto count = static_cast<int>(words.size());
+  assert(count >= 1);
+  const int rows = (count - 1) / kWordTexels + 1;
+  MIRRORBALL_TRY(texture, make(Format::rgba32ui, Shape::plane, kWordTexels, rows, 1, 1));
+  const auto upload = [](int first_row, int width, int height, const glm::uvec4* texels) {
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first_row, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, texels);
+  };
+  texture.bindForWork();
+  const int whole_rows = count / kWordTexels;
+  if (whole_rows > 0) upload(0, kWordTexels, whole_rows, words.data());
+  const auto uploaded = static_cast<std::size_t>(whole_rows) * kWordTexels;
+  if (uploaded < words.size()) upload(whole_rows, count % kWordTexels, 1, words.data() + uploaded);
+  return Result<Texture>(std::move(texture));
+}
+
 Texture::Texture(Format format, Shape shape, int width, int height, int layers, int levels)
     : format_(format),
       shape_(shape),
@@ -159,7 +177,7 @@ Texture::Texture(Format format, Shape shape, int width, int height, int layers, 
   else
     glTexStorage2D(target(), levels, internalFormat(format), width, height);
   Sampling sampling;
-  if (format == Format::rgba32f) sampling.filter = Sampling::Filter::nearest;
+  if (format == Format::rgba32f || format == Format::rgba32ui) sampling.filter = Sampling::Filter::nearest;
   setSampling(sampling);
 }
 

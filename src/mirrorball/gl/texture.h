@@ -1,5 +1,9 @@
 #pragma once
 
+#include <span>
+
+#include <glm/glm.hpp>
+
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/handle.h"
 #include "mirrorball/image/image.h"
@@ -13,6 +17,7 @@ enum class Format {
   srgb8_alpha8,  ///< 8 bits, decoded from sRGB when sampled
   rgba16f,       ///< half floats: radiance up to 65504
   rgba32f,       ///< floats; OpenGL ES interpolates them only where Context::filtersFloats says so
+  rgba32ui,      ///< words that shaders take for what they like; of no mip levels, and not to be filtered
 };
 
 /// How a texture is read between texels and beyond its edges.
@@ -58,6 +63,13 @@ class Texture {
   ///
   /// errors   too_large
   static Result<Texture> fromImages(Format format, const ImageSet& images);
+
+  /// A list of texels of four words, for the shaders' fetchWords (gl/shader_source.h): rows of kWordTexels.
+  ///
+  /// words    at least one
+  /// errors   too_large: a side is longer than the driver takes, or there is no memory
+  static Result<Texture> fromWords(std::span<const glm::uvec4> words);
+  static constexpr int kWordTexels = 4096;
 
   static constexpr int kAllLevels = 0;
 

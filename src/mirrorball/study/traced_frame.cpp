@@ -13,6 +13,7 @@ TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings) {
   if (frame.background == BackgroundKind::radiance) settings.background = frame.background_color;
   settings.lights = frame.lights;
   settings.light_intensity = frame.light_intensity;
+  if (frame.refraction == RefractionKind::traced) settings.inner_bounces = frame.inner_bounces;
   return settings;
 }
 

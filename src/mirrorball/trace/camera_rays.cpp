@@ -4,7 +4,7 @@
 
 namespace mirrorball {
 
-CameraRays raysOf(const Camera& camera, glm::ivec2 size, const Media& media) {
+CameraRays raysOf(const Camera& camera, glm::ivec2 size, const formula::Media& media) {
   const auto ndcOf = [=](glm::vec2 pixel) {
     return glm::vec2(2.0f * pixel.x / float(size.x) - 1.0f, 1.0f - 2.0f * pixel.y / float(size.y));
   };
@@ -33,7 +33,8 @@ CameraRays raysOf(const Camera& camera, glm::ivec2 size, const Media& media) {
   };
 }
 
-CameraRays raysOfMap(Projection projection, glm::ivec2 size, glm::vec3 position, float nearest, const Media& media) {
+CameraRays raysOfMap(Projection projection, glm::ivec2 size, glm::vec3 position, float nearest,
+                     const formula::Media& media) {
   return [=](glm::vec2 pixel) -> std::optional<Ray> {
     const int face = std::min(static_cast<int>(pixel.y) / size.y, faceCount(projection) - 1);
     const glm::vec2 place(pixel.x, pixel.y - float(face * size.y));

@@ -15,12 +15,13 @@ namespace mirrorball {
 using CameraRays = std::function<std::optional<Ray>(glm::vec2 pixel)>;
 
 /// media   that the camera is in
-CameraRays raysOf(const Camera& camera, glm::ivec2 size, const Media& media);
+CameraRays raysOf(const Camera& camera, glm::ivec2 size, const formula::Media& media);
 
 /// The rays of a map of all directions around a point, its images one below the other.
 ///
 /// size     of each image
 /// nearest  distance from which on surfaces are met
-CameraRays raysOfMap(Projection projection, glm::ivec2 size, glm::vec3 position, float nearest, const Media& media);
+CameraRays raysOfMap(Projection projection, glm::ivec2 size, glm::vec3 position, float nearest,
+                     const formula::Media& media);
 
 }  // namespace mirrorball

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "formula/bodies.h"
 #include "formula/bsdf.h"
 #include "formula/color.h"
 #include "formula/surface.h"
@@ -31,9 +32,6 @@ struct Frame {
   glm::vec3 n, t, b;
 };
 
-/// Whether a material fills what its triangles enclose; else they are all that there is.
-bool isBody(const Material& material) { return material.transmission > 0.0f && !material.thin_walled; }
-
 /// The distance from which on a ray has passed what it met.
 float justBehind(float distance) { return std::nextafter(distance * (1.0f + 1e-6f), INFINITY); }
 
@@ -41,15 +39,6 @@ float justBehind(float distance) { return std::nextafter(distance * (1.0f + 1e-6
 glm::vec3 shareOfWavelength(float wavelength) {
   const float all = formula::kLongestWavelength - formula::kShortestWavelength;
   return formula::wavelengthWeight(wavelength) / (all * formula::pdfWavelength(wavelength));
-}
-
-/// A normal that does not turn away from the eye that sees its triangle, as a smooth one may: it is bent back.
-///
-/// facing   1, or −1 for the inside of a body
-glm::vec3 bentTowards(glm::vec3 normal, glm::vec3 v, float facing) {
-  constexpr float kLeastCosine = 1e-3f;
-  const float cosine = facing * glm::dot(v, normal);
-  return cosine < kLeastCosine ? glm::normalize(normal + facing * v * (kLeastCosine - cosine)) : normal;
 }
 
 /// The colour of a surface: its base colour, or a metal's reflectance at normal incidence.
@@ -81,9 +70,10 @@ class Path {
 
   std::optional<Hit> firstHit(Ray& ray, float farthest, glm::vec3& share);
   glm::vec3 shareThatArrives(Ray ray, float distance);
+  bool meetsSurfaces(const Ray& ray) const;
   bool passes(const Hit& hit, Ray& ray);
   bool isHole(const Hit& hit);
-  glm::vec3 transmittance(const Media& media, float distance) const;
+  glm::vec3 transmittance(const formula::Media& media, float distance) const;
   glm::vec3 environmentAlong(glm::vec3 direction) const;
   float iorOf(const formula::Material& material) const;
   bool needsWavelength(const Vertex& vertex) const;
@@ -104,6 +94,7 @@ class Path {
   glm::vec3 throughput_{1.0f};
   float pdf_ = 0.0f;         // of the ray's direction; 0: nothing else could have chosen it
   float wavelength_ = 0.0f;  // µm, once light is dispersed; 0: all are there
+  int inner_surfaces_ = 0;   // that were met from within bodies
 };
 
 /// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
@@ -115,10 +106,12 @@ bool Path::passes(const Hit& hit, Ray& ray) {
   const bool has_back = material.double_sided || material.transmission > 0.0f || !ray.passes_backs;
   if (!has_back && !is_entering) return true;
   const bool is_there = hit.distance >= ray.nearest && !isHole(hit);
-  if (!isBody(material)) return !is_there;
-  if (is_there && ray.media.hasSurface(world_.scene, hit.instance, is_entering)) return false;
+  const bool meets_bodies_alone = settings_.is_unoccluded && formula::fillingBody(ray.media) >= 0 && ray.from;
+  if (!isBody(material)) return !is_there || meets_bodies_alone;
+  const int body = static_cast<int>(hit.instance);
+  if (is_there && formula::hasSurface(ray.media, body, material.priority, is_entering)) return false;
   // Also at a hole a body begins or ends.
-  is_entering ? ray.media.enter(hit.instance) : ray.media.leave(hit.instance);
+  ray.media = is_entering ? formula::entered(ray.media, body, material.priority) : formula::left(ray.media, body);
   return true;
 }
 
@@ -133,7 +126,7 @@ bool Path::isHole(const Hit& hit) {
 /// share    is dimmed by what bodies absorb on the way; not on a way without an end
 std::optional<Hit> Path::firstHit(Ray& ray, float farthest, glm::vec3& share) {
   float absorbed_to = ray.nearest;
-  const auto absorbTo = [&](const Media& media, float distance) {
+  const auto absorbTo = [&](const formula::Media& media, float distance) {
     if (distance > absorbed_to && distance < INFINITY) share *= transmittance(media, distance - absorbed_to);
     absorbed_to = std::max(distance, absorbed_to);
   };
@@ -141,7 +134,7 @@ std::optional<Hit> Path::firstHit(Ray& ray, float farthest, glm::vec3& share) {
   for (int passed = 0;; ++passed) {
     const auto hit = world_.geometry.hit(ray.origin, ray.direction, nearest);
     const bool is_reached = hit && hit->distance < farthest;
-    const Media before = ray.media;
+    const formula::Media before = ray.media;
     const bool is_passed = is_reached && passed < kMaxPassed && passes(*hit, ray);
     absorbTo(before, is_reached ? hit->distance : farthest);
     if (!is_reached) return std::nullopt;
@@ -150,18 +143,24 @@ std::optional<Hit> Path::firstHit(Ray& ray, float farthest, glm::vec3& share) {
   }
 }
 
+/// Whether something may be in the way of a ray that leaves a surface.
+bool Path::meetsSurfaces(const Ray& ray) const {
+  const bool is_inside = formula::fillingBody(ray.media) >= 0;
+  return !settings_.is_unoccluded || (is_inside && inner_surfaces_ < settings_.inner_bounces);
+}
+
 /// The share of light that gets from a distance along a ray to its origin.
 glm::vec3 Path::shareThatArrives(Ray ray, float distance) {
   glm::vec3 share(1.0f);
-  if (!settings_.is_unoccluded && firstHit(ray, distance, share)) return glm::vec3(0.0f);
+  if (meetsSurfaces(ray) && firstHit(ray, distance, share)) return glm::vec3(0.0f);
   return share;
 }
 
 /// What the body that fills a place leaves of light over a distance (Lambert & Beer).
-glm::vec3 Path::transmittance(const Media& media, float distance) const {
-  const auto filling = media.filling(world_.scene);
-  if (!filling) return glm::vec3(1.0f);
-  const Material& material = materialOf(world_.scene, *filling);
+glm::vec3 Path::transmittance(const formula::Media& media, float distance) const {
+  const int filling = formula::fillingBody(media);
+  if (filling < 0) return glm::vec3(1.0f);
+  const Material& material = materialOf(world_.scene, std::size_t(filling));
   if (material.attenuation_distance <= 0.0f) return glm::vec3(1.0f);
   return glm::pow(material.attenuation_color, glm::vec3(distance / material.attenuation_distance));
 }
@@ -178,14 +177,15 @@ Path::Vertex Path::vertexAt(const Hit& hit, const Ray& ray) const {
   const Scene& scene = world_.scene;
   const Material& material = materialOf(scene, hit.instance);
   const bool is_outside = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
-  const auto other = is_outside ? ray.media.filling(scene) : ray.media.fillingWithout(scene, hit.instance);
+  const int other =
+      formula::fillingBody(is_outside ? ray.media : formula::left(ray.media, static_cast<int>(hit.instance)));
   return {hit,
           ray,
           material,
           surfacePointAt(scene, world_.world_from_normal[hit.instance], hit),
           isBody(material),
           is_outside,
-          other ? &materialOf(scene, *other) : nullptr};
+          other >= 0 ? &materialOf(scene, std::size_t(other)) : nullptr};
 }
 
 float Path::iorBeyond(const Vertex& vertex) const { return vertex.beyond ? iorOf(*vertex.beyond) : 1.0f; }
@@ -271,7 +271,9 @@ Ray Path::leaving(const Vertex& vertex, glm::vec3 direction) const {
           .from = hit,
           .passes_backs = crosses && vertex.surface.transmission <= 0.0f,
           .media = arriving.media};
-  if (crosses && vertex.is_body) goes_out ? ray.media.leave(hit.instance) : ray.media.enter(hit.instance);
+  const int body = static_cast<int>(hit.instance);
+  if (crosses && vertex.is_body)
+    ray.media = goes_out ? formula::left(ray.media, body) : formula::entered(ray.media, body, vertex.surface.priority);
   return ray;
 }
 
@@ -321,7 +323,8 @@ PathLight Path::follow(Ray ray) {
     return result;
   };
   for (int surfaces = 0;; ++surfaces) {
-    const bool meets = surfaces == 0 || !settings_.is_unoccluded;
+    const bool meets = surfaces == 0 || meetsSurfaces(ray);
+    if (surfaces > 0 && formula::fillingBody(ray.media) >= 0) ++inner_surfaces_;
     const auto hit = meets ? firstHit(ray, INFINITY, throughput_) : std::nullopt;
     if (!hit) {
       if (surfaces == 0 && !settings_.shows_environment) {
@@ -337,12 +340,12 @@ PathLight Path::follow(Ray ray) {
       sum_ += throughput_ * weight * environmentAlong(seen);
       return ended();
     }
-    if (surfaces == settings_.bounces) return ended();
+    if (surfaces == settings_.bounces && !settings_.is_unoccluded) return ended();
     const Vertex vertex = vertexAt(*hit, ray);
     // A thin surface is the same from both sides; a body has an inside.
     const float facing = vertex.is_outside || !vertex.is_body ? 1.0f : -1.0f;
     glm::vec3 normal = vertex.is_outside || vertex.is_body ? vertex.point.normal : -vertex.point.normal;
-    normal = bentTowards(normal, -ray.direction, facing);
+    normal = facing * formula::facingNormal(facing * normal, ray.direction);
     if (surfaces == 0) {
       result.albedo = albedoOf(vertex.point.material);
       result.normal = facing * normal;
@@ -356,22 +359,24 @@ PathLight Path::follow(Ray ray) {
 }
 
 /// The bodies that a ray leaves without having entered them, the innermost first.
-std::vector<std::uint32_t> bodiesLeft(const World& world, glm::vec3 point, glm::vec3 direction) {
-  Media entered;
-  std::vector<std::uint32_t> left;
+std::vector<int> bodiesLeft(const World& world, glm::vec3 point, glm::vec3 direction) {
+  formula::Media inside;
+  std::vector<int> left;
   float nearest = 0.0f;
   for (int passed = 0; passed < kMaxPassed; ++passed) {
     const auto hit = world.geometry.hit(point, direction, nearest);
     if (!hit) break;
     nearest = justBehind(hit->distance);
-    if (!isBody(materialOf(world.scene, hit->instance))) continue;
+    const Material& material = materialOf(world.scene, hit->instance);
+    if (!isBody(material)) continue;
+    const int body = static_cast<int>(hit->instance);
     const bool is_entering = glm::dot(direction, hit->geometric_normal) < 0.0f;
     if (is_entering)
-      entered.enter(hit->instance);
-    else if (entered.contains(hit->instance))
-      entered.leave(hit->instance);
+      inside = formula::entered(inside, body, material.priority);
+    else if (formula::timesEntered(inside, body) > 0)
+      inside = formula::left(inside, body);
     else
-      left.push_back(hit->instance);
+      left.push_back(body);
   }
   return left;
 }
@@ -382,17 +387,18 @@ PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray,
   return Path(world, settings, samples).follow(ray);
 }
 
-Media mediaAt(const World& world, glm::vec3 point) {
+formula::Media mediaAt(const World& world, glm::vec3 point) {
   // Directions in which edges of models seldom lie, and not on one side of the point.
   constexpr std::array<glm::vec3, 3> kDirections{
       {{0.3713f, 0.8017f, 0.4686f}, {-0.8351f, -0.2689f, 0.4798f}, {0.4638f, -0.5328f, -0.7078f}}};
-  std::vector<std::uint32_t> candidates;  // the innermost first
+  std::vector<int> candidates;  // the innermost first
   for (const glm::vec3 direction : kDirections)
-    for (const std::uint32_t body : bodiesLeft(world, point, glm::normalize(direction))) candidates.push_back(body);
+    for (const int body : bodiesLeft(world, point, glm::normalize(direction))) candidates.push_back(body);
   // An open mesh has a back on one side alone.
-  Media around;
+  formula::Media around;
   for (auto body = candidates.rbegin(); body != candidates.rend(); ++body)
-    if (!around.contains(*body) && std::ranges::count(candidates, *body) >= 2) around.enter(*body);
+    if (formula::timesEntered(around, *body) == 0 && std::ranges::count(candidates, *body) >= 2)
+      around = formula::entered(around, *body, materialOf(world.scene, std::size_t(*body)).priority);
   return around;
 }
 

@@ -1,76 +1,58 @@
-#include "mirrorball/trace/media.h"
+// formula/bodies/media.glsl: which body fills a place, and which surfaces are there.
 
 #include <gtest/gtest.h>
 
-namespace mirrorball {
+#include "formula/bodies.h"
+
+namespace mirrorball::formula {
 namespace {
 
-/// Bodies of these priorities, instance by instance.
-Scene bodiesOf(std::initializer_list<int> priorities) {
-  Scene scene;
-  for (const int priority : priorities) {
-    const int index = static_cast<int>(scene.meshes.size());
-    scene.materials.emplace_back().priority = priority;
-    scene.meshes.emplace_back().material = index;
-    scene.instances.push_back({.mesh = index});
-  }
-  return scene;
-}
-
 TEST(Media, AmongEqualsTheOneEnteredLastFillsThePlace) {
-  const Scene scene = bodiesOf({0, 0});
   Media media;
-  EXPECT_FALSE(media.filling(scene));
-  media.enter(0);
-  EXPECT_TRUE(media.hasSurface(scene, 1, true)) << "a bubble";
-  media.enter(1);
-  EXPECT_EQ(media.filling(scene), 1u);
-  EXPECT_EQ(media.fillingWithout(scene, 1), 0u);
-  EXPECT_FALSE(media.hasSurface(scene, 0, false)) << "the glass ends inside of what lies in it";
-  media.leave(1);
-  EXPECT_EQ(media.filling(scene), 0u);
-  media.leave(0);
-  EXPECT_FALSE(media.filling(scene));
+  EXPECT_EQ(fillingBody(media), -1);
+  media = entered(media, 0, 0);
+  EXPECT_TRUE(hasSurface(media, 1, 0, true)) << "a bubble";
+  media = entered(media, 1, 0);
+  EXPECT_EQ(fillingBody(media), 1);
+  EXPECT_EQ(fillingBody(left(media, 1)), 0);
+  EXPECT_FALSE(hasSurface(media, 0, 0, false)) << "the glass ends inside of what lies in it";
+  media = left(media, 1);
+  EXPECT_EQ(fillingBody(media), 0);
+  EXPECT_EQ(fillingBody(left(media, 0)), -1);
 }
 
 // Water that reaches into the wall of its glass ends where the glass begins.
 TEST(Media, ThePriorityDecides) {
-  const Scene scene = bodiesOf({1, 0});  // glass, water
-  Media media;
-  media.enter(1);
-  EXPECT_TRUE(media.hasSurface(scene, 0, true));
-  media.enter(0);
-  EXPECT_EQ(media.filling(scene), 0u);
-  EXPECT_FALSE(media.hasSurface(scene, 1, false)) << "inside of the wall, the water's surface is not there";
-  media.leave(1);
-  EXPECT_TRUE(media.hasSurface(scene, 0, false));
-  EXPECT_FALSE(media.hasSurface(scene, 1, true));
+  const int glass = 0, of_glass = 1, water = 1, of_water = 0;
+  Media media = entered(Media(), water, of_water);
+  EXPECT_TRUE(hasSurface(media, glass, of_glass, true));
+  media = entered(media, glass, of_glass);
+  EXPECT_EQ(fillingBody(media), glass);
+  EXPECT_FALSE(hasSurface(media, water, of_water, false)) << "inside of the wall, the water's surface is not there";
+  media = left(media, water);
+  EXPECT_TRUE(hasSurface(media, glass, of_glass, false));
+  EXPECT_FALSE(hasSurface(media, water, of_water, true));
 }
 
 // Two closed parts of one mesh that overlap: only the outer surface is there.
 TEST(Media, ABodyThatOverlapsItselfIsOne) {
-  const Scene scene = bodiesOf({0});
-  Media media;
-  media.enter(0);
-  EXPECT_FALSE(media.hasSurface(scene, 0, true));
-  media.enter(0);
-  EXPECT_FALSE(media.hasSurface(scene, 0, false));
-  media.leave(0);
-  EXPECT_TRUE(media.hasSurface(scene, 0, false));
+  Media media = entered(Media(), 0, 0);
+  EXPECT_FALSE(hasSurface(media, 0, 0, true));
+  media = entered(media, 0, 0);
+  EXPECT_EQ(timesEntered(media, 0), 2);
+  EXPECT_FALSE(hasSurface(media, 0, 0, false));
+  EXPECT_TRUE(hasSurface(left(media, 0), 0, 0, false));
 }
 
 TEST(Media, WhatWasNotEnteredIsLeftWithoutAChange) {
-  const Scene scene = bodiesOf({0, 5});
-  Media media;
-  media.enter(0);
-  media.leave(1);
-  EXPECT_TRUE(media.contains(0));
-  EXPECT_EQ(media.filling(scene), 0u);
-  EXPECT_TRUE(media.hasSurface(scene, 1, false)) << "the back of an open mesh";
-  for (std::uint32_t i = 0; i < 2 * Media::kMax; ++i) media.enter(0);
-  for (std::uint32_t i = 0; i < Media::kMax; ++i) media.leave(0);
-  EXPECT_FALSE(media.filling(scene)) << "no more than kMax are known";
+  Media media = left(entered(Media(), 0, 0), 1);
+  EXPECT_EQ(timesEntered(media, 0), 1);
+  EXPECT_EQ(fillingBody(media), 0);
+  EXPECT_TRUE(hasSurface(media, 1, 5, false)) << "the back of an open mesh";
+  for (int i = 0; i < 2 * kMaxMedia; ++i) media = entered(media, 0, 0);
+  for (int i = 0; i < kMaxMedia; ++i) media = left(media, 0);
+  EXPECT_EQ(fillingBody(media), -1) << "no more than kMaxMedia are known";
 }
 
 }  // namespace
-}  // namespace mirrorball
+}  // namespace mirrorball::formula

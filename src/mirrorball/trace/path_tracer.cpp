@@ -157,7 +157,7 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
 
 Result<TracedPicture> PathTracer::render(const Camera& camera, const TraceSettings& settings,
                                          const TraceObserver& observer) const {
-  const Media media = camera.orthographic ? Media() : mediaAt(*state_, camera.position);
+  const formula::Media media = camera.orthographic ? formula::Media() : mediaAt(*state_, camera.position);
   TracedPicture picture;
   MIRRORBALL_TRY(film, state_->trace(raysOf(camera, settings.size, media), settings, picture, observer));
   picture.radiance = film.radiance();

@@ -4,8 +4,8 @@
 
 #include <glm/glm.hpp>
 
+#include "formula/bodies.h"
 #include "mirrorball/trace/geometry.h"
-#include "mirrorball/trace/media.h"
 
 namespace mirrorball {
 
@@ -19,7 +19,7 @@ struct Ray {
   /// Whether it passes the backs of surfaces that have only a front: as the renderer's eye does, and as light must that
   /// a smooth normal sends below its flat triangle.
   bool passes_backs = true;
-  Media media = {};  ///< that it is in
+  formula::Media media = {};  ///< that it is in
 };
 
 }  // namespace mirrorball

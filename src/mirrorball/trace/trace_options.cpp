@@ -19,7 +19,7 @@ const auto kOptions = std::to_array<Option<TraceSettings>>({
      &TraceSettings::bounces},
     {{.name = "unoccluded",
       .help = "light reaches each surface as if there were nothing else: with --bounces 1, all that an environment map "
-              "can know",
+              "can know; with --refraction traced, glass has its inner surfaces, as many as --inner-bounces says",
       .group = "Reference"},
      &TraceSettings::is_unoccluded},
     {{.name = "strategy",

@@ -29,7 +29,11 @@ struct TraceSettings {
   /// Surfaces that light may meet on its way to the eye. 1: the environment lights each surface, and what blocks it is
   /// dark; with `is_unoccluded`, nothing blocks it, which is all that an environment map can know.
   int bounces = 16;
-  bool is_unoccluded = false;  ///< light reaches each surface as if there were nothing else
+  /// Light reaches each surface as if there were nothing else.
+  bool is_unoccluded = false;
+  /// With is_unoccluded, in place of `bounces`: how many surfaces light still meets inside of bodies, those of other
+  /// bodies in them too. What is inside of them after that is the light from far away along its last direction.
+  int inner_bounces = 0;
   LightStrategy strategy = LightStrategy::both;
   glm::mat3 environment_from_world{1.0f};    ///< turns the environment
   float environment_intensity = 1.0f;        ///< scales its light

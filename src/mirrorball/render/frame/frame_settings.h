@@ -15,6 +15,7 @@ namespace mirrorball {
 enum class Mapping { reflection, normal, sphere };
 enum class ReflectAt { vertex, fragment, triangle };
 enum class BlurKind { exact, gpu, mip, cone };
+enum class RefractionKind { single, traced };
 enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
 
 /// What is averaged over the samples of a pixel.
@@ -40,6 +41,8 @@ struct FrameSettings {
   BlurKind blur = BlurKind::exact;
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;
+  RefractionKind refraction = RefractionKind::single;
+  int inner_bounces = 4;                ///< surfaces that light meets inside of bodies where it is traced, 1 … 32
   std::vector<PointLight> lights = {};  ///< at most kMaxLights, beside the scene's own
   float light_intensity = 1.0f;         ///< scales the scene's own lights
 

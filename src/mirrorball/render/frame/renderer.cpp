@@ -23,6 +23,7 @@
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/sphere_map.h"
 #include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/scene/bodies/body_tree.h"
 #include "mirrorball/scene/camera/framing.h"
 
 namespace mirrorball {
@@ -84,6 +85,7 @@ struct Renderer::State {
   gl::VertexArray screen = {};
   std::optional<GpuPrefilter> gpu_prefilter = {};  ///< made when BlurKind::gpu first asks for it
   std::optional<gl::Texture> sphere_map = {};
+  std::optional<gl::Texture> bodies = {};      ///< bodyTree() of the scene, made when it is first traced
   std::optional<gl::Framebuffer> sample = {};  ///< one sample's picture
   std::optional<gl::Framebuffer> sum = {};     ///< the mean, when there is more than one
   std::optional<gl::Framebuffer> display = {};
@@ -97,6 +99,7 @@ struct Renderer::State {
   Result<void> makeFramebuffers();
   Result<PrefilteredChain> prefilteredChain();
   Result<void> makeSphereMap();
+  Result<void> makeBodies();
   Result<void> drawSample(const Camera& camera);
   void drawBackground(const Camera& camera);
   void drawInstance(int instance);
@@ -132,6 +135,7 @@ Result<void> Renderer::setScene(Scene scene) {
   state.scene = std::move(scene);
   state.buffers = std::move(buffers);
   state.bounds = boundingSphere(state.scene);
+  state.bodies.reset();
   if (state.surfaces) state.surfaces->forgetScene();
   return {};
 }
@@ -157,7 +161,7 @@ LightCost Renderer::lightCost() const {
   const State& state = *state_;
   const EnvironmentLight& light = *state.light;
   const PrefilteredChain& chain = state.frame.prefiltered;
-  const LightReads reads = lightReads(state.scene, blurOf(state.settings, light, chain), state.settings.mapping);
+  const LightReads reads = lightReads(state.scene, blurOf(state.settings, light, chain), state.settings);
   LightCost cost{.reads = reads.sum()};
   if (reads.environment > 0) cost.texture_bytes += light.cube().bytes();
   if (reads.prefiltered > 0) cost.texture_bytes += chain.texture->bytes();
@@ -222,6 +226,8 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
   state.frame.environment_from_world = settings.environmentFromWorld();
   state.frame.sphere_map_matrix = formula::sphereMapTextureMatrix(glm::mat3(camera.view_from_world));
   if (settings.mapping == Mapping::sphere) MIRRORBALL_TRY_VOID(state.makeSphereMap());
+  if (settings.refraction == RefractionKind::traced && !state.bodies) MIRRORBALL_TRY_VOID(state.makeBodies());
+  state.frame.bodies = state.bodies ? &*state.bodies : nullptr;
   return {};
 }
 
@@ -323,6 +329,14 @@ Result<void> Renderer::State::makeSphereMap() {
   made.setSampling({.filter = gl::Sampling::Filter::linear});
   sphere_map = std::move(made);
   sphere_map->bind(TextureUnit::sphere_map);
+  return {};
+}
+
+Result<void> Renderer::State::makeBodies() {
+  MIRRORBALL_TRY(tree, bodyTree(scene));
+  if (!tree) return {};
+  MIRRORBALL_TRY(made, withName("the triangles of glass", gl::Texture::fromWords(tree->words)));
+  bodies = std::move(made);
   return {};
 }
 

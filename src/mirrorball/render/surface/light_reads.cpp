@@ -28,11 +28,19 @@ int blurKindOfFormula(BlurKind blur) {
   }
 }
 
-LightReads readsOf(const Material& material, const formula::Blur& blur, Mapping mapping) {
+/// How many directions transmitted light is read from: those of transmission_single.glsl once for each channel that
+/// goes its own way, and those of transmission_traced.glsl also where it leaves at each surface, and at the last twice.
+int transmittedRays(const Material& material, const FrameSettings& settings) {
+  if (material.transmission == 0.0f) return 0;
+  if (material.thin_walled) return 1;
+  const int channels = material.dispersion == 0.0f ? 1 : 3;
+  return settings.refraction == RefractionKind::traced ? channels * (settings.inner_bounces + 1) : channels;
+}
+
+LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings) {
   LightReads reads{.irradiance = 1};
-  // transmission_single.glsl: one direction, or one a channel.
-  const int refracted = material.transmission == 0.0f ? 0 : material.dispersion == 0.0f ? 1 : 3;
-  const int reflected = mapping == Mapping::sphere ? 0 : 1;
+  const int refracted = transmittedRays(material, settings);
+  const int reflected = settings.mapping == Mapping::sphere ? 0 : 1;
   reads.sphere_map = 1 - reflected;
   const glm::vec3 anywhere(0.0f, 0.0f, 1.0f);
   for (int ray = 0; ray < reflected + refracted; ++ray)
@@ -51,10 +59,10 @@ formula::Blur blurOf(const FrameSettings& settings, const EnvironmentLight& ligh
           .coarser = std::log2(static_cast<float>(light.cube().width()) / static_cast<float>(chain.size()))};
 }
 
-LightReads lightReads(const Scene& scene, const formula::Blur& blur, Mapping mapping) {
+LightReads lightReads(const Scene& scene, const formula::Blur& blur, const FrameSettings& settings) {
   LightReads most;
   for (const Mesh& mesh : scene.meshes) {
-    const LightReads reads = readsOf(scene.materials[std::size_t(mesh.material)], blur, mapping);
+    const LightReads reads = readsOf(scene.materials[std::size_t(mesh.material)], blur, settings);
     most = {.environment = std::max(most.environment, reads.environment),
             .prefiltered = std::max(most.prefiltered, reads.prefiltered),
             .irradiance = std::max(most.irradiance, reads.irradiance),

@@ -26,6 +26,6 @@ struct LightReads {
 ///
 /// scene    of its materials, for each texture the one that reads it most often; where a map makes a surface smoother
 ///          than its material's number, it may read less
-LightReads lightReads(const Scene& scene, const formula::Blur& blur, Mapping mapping);
+LightReads lightReads(const Scene& scene, const formula::Blur& blur, const FrameSettings& settings);
 
 }  // namespace mirrorball

@@ -111,6 +111,7 @@ Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_tab
 void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant) {
   if (!variant.has(Part::material, MaterialPart::unlit)) program.set("brdf_table", TextureUnit::brdf_table);
   program.set("irradiance", TextureUnit::irradiance);
+  if (variant.has(Part::transmission, TransmissionPart::traced)) program.set("bodies", TextureUnit::bodies);
   const bool is_sphere_map = variant.has(Part::look_up, LookUpPart::sphere_map);
   if (is_sphere_map) program.set("sphere_map", TextureUnit::sphere_map);
   program.set("environment", TextureUnit::environment);
@@ -153,6 +154,7 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("texels_per_radian", blur.texels_per_radian);
   block.set("coarser", blur.coarser);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
+  block.set("inner_bounces", settings.inner_bounces);
 }
 
 gl::UniformBlock& SurfacePrograms::instanceBlock(const Scene& scene, int instance) {
@@ -161,6 +163,7 @@ gl::UniformBlock& SurfacePrograms::instanceBlock(const Scene& scene, int instanc
     const glm::mat4& world_from_object = scene.instances[std::size_t(instance)].world_from_object;
     found->second.set("world_from_object", world_from_object);
     found->second.set("normal_matrix", glm::transpose(glm::inverse(glm::mat3(world_from_object))));
+    found->second.set("instance", instance);
   }
   return found->second;
 }
@@ -188,6 +191,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   frame.prefiltered.texture->bind(TextureUnit::prefiltered);
   light.irradiance().bind(TextureUnit::irradiance);
   brdf_table_.bind(TextureUnit::brdf_table);
+  if (frame.bodies) frame.bodies->bind(TextureUnit::bodies);
   return {};
 }
 

@@ -26,7 +26,8 @@ struct TextureUnit {
   static constexpr int environment = 0;
   static constexpr int sphere_map = 1;
   static constexpr int picture = 2;
-  static constexpr int background = 2;  ///< no shader reads both
+  static constexpr int background = 2;  ///< no shader reads two of these
+  static constexpr int bodies = 2;
   static constexpr int brdf_table = 3;
   static constexpr int prefiltered = 4;
   static constexpr int irradiance = 5;
@@ -51,6 +52,7 @@ struct FrameUniforms {
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
   glm::mat4 sphere_map_matrix{1.0f};
+  const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf

@@ -18,8 +18,8 @@ constexpr auto kArrivingLight = std::to_array<Names>({"arriving_light_distant.gl
 constexpr auto kLookUp =
     std::to_array<Names>({"look_up_reflection.glsl", "look_up_vertex_reflection.glsl",
                           "look_up_triangle_reflection.glsl", "look_up_normal.glsl", "look_up_sphere_map.glsl"});
-constexpr auto kTransmission =
-    std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl"});
+constexpr auto kTransmission = std::to_array<Names>(
+    {"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl", "transmission_traced.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
 
@@ -49,6 +49,12 @@ LookUpPart lookUpPart(const FrameSettings& settings) {
       break;
   }
   return LookUpPart::reflection;
+}
+
+TransmissionPart transmissionPart(const Material& material, const FrameSettings& settings) {
+  if (material.transmission <= 0.0f) return TransmissionPart::none;
+  if (material.thin_walled) return TransmissionPart::thin;
+  return settings.refraction == RefractionKind::traced ? TransmissionPart::traced : TransmissionPart::single;
 }
 
 constexpr std::array<Names, 3> kWraps{"kWrapRepeat", "kWrapMirroredRepeat", "kWrapClampToEdge"};  // by Wrap
@@ -125,9 +131,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::normal, material.bump == BumpHeight::orange ? NormalPart::bump : NormalPart::vertex);
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
   variant.choose(Part::look_up, lookUpPart(settings));
-  variant.choose(Part::transmission, material.transmission <= 0.0f ? TransmissionPart::none
-                                     : material.thin_walled        ? TransmissionPart::thin
-                                                                   : TransmissionPart::single);
+  variant.choose(Part::transmission, transmissionPart(material, settings));
   variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
   variant.lamp_count = static_cast<std::uint8_t>(lamps);
   return variant;

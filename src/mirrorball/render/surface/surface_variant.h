@@ -34,7 +34,7 @@ enum class NormalPart : std::uint8_t { vertex, bump };
 enum class DetailPart : std::uint8_t { none, normal_map };
 enum class MaterialPart : std::uint8_t { core, unlit };
 enum class LookUpPart : std::uint8_t { reflection, vertex_reflection, triangle_reflection, normal, sphere_map };
-enum class TransmissionPart : std::uint8_t { none, single, thin };
+enum class TransmissionPart : std::uint8_t { none, single, thin, traced };
 enum class LampsPart : std::uint8_t { none, listed };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };
 

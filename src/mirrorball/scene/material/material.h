@@ -49,6 +49,9 @@ struct Material : formula::Material {
   TextureSlot transmission_map;  ///< in R
 };
 
+/// Whether a material fills what its triangles enclose, as glass does; else the triangles are all that there is.
+inline bool isBody(const Material& material) { return material.transmission > 0.0f && !material.thin_walled; }
+
 /// A parameter of materials: one row of a table from which come --set, the documentation, the uniform block of the
 /// shaders and the reading of glTF.
 struct MaterialParameter : Option<Material> {

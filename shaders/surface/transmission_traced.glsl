@@ -1,0 +1,192 @@
+// Part "transmission" (transmission_none.glsl). Here: a ray is followed through the bodies of the scene, which
+// scene/bodies/body_tree.cpp has put into a texture. At each surface that it meets, light is reflected and refracted by
+// Fresnel's equations; what leaves the bodies is the arriving light of that direction. Where both ways stay inside, the
+// stronger one is followed, and the other takes the light from far away along its direction, so that none is lost; so
+// does all that is still inside after `inner_bounces` surfaces.
+// Compilers copy each function to where it is called: what is large is called in one place.
+#include "beam.glsl"
+#include "media.glsl"
+#include "octahedral.glsl"
+#include "triangle_tree.glsl"
+
+uniform usampler2D bodies;
+
+// A ray in a body.
+struct InnerRay {
+  vec3 origin;
+  vec3 direction;
+  vec3 throughput;
+  Beam beam;
+  int leaves;  // the triangle from which it comes; −1: not known
+  Media media;
+};
+
+// Past this many surfaces that are not there for a ray, the next one is.
+const int kMostPassed = 16;
+
+// The index of what is inside of the bodies, for red, green or blue.
+float iorInside(Media media, int channel) {
+  int filling = fillingBody(media);
+  if (filling < 0) return 1.0;
+  Body body = bodyAt(bodies, filling);
+  return iorOfChannels(body.ior, body.dispersion)[channel];
+}
+
+// What the body that a ray is in leaves of light over a distance (Lambert & Beer).
+vec3 transmittanceOver(Media media, float distance) {
+  int filling = fillingBody(media);
+  if (filling < 0) return vec3(1.0);
+  Body body = bodyAt(bodies, filling);
+  if (body.attenuation_distance <= 0.0) return vec3(1.0);
+  return pow(body.attenuation_color, vec3(distance / body.attenuation_distance));
+}
+
+// The first surface that is there for a ray, whose throughput and media are then those before it.
+TriangleHit firstSurface(inout InnerRay ray) {
+  float nearest = 0.0;
+  float absorbed_to = 0.0;
+  TriangleHit hit;
+  for (int passed = 0; passed <= kMostPassed; ++passed) {
+    hit = nearestTriangle(bodies, ray.origin, ray.direction, nearest, ray.leaves);
+    if (hit.triangle < 0) return hit;
+    ray.throughput *= transmittanceOver(ray.media, hit.distance - absorbed_to);
+    absorbed_to = hit.distance;
+    BodySurface surface = bodySurfaceAt(bodies, hit);
+    bool is_entering = dot(ray.direction, surface.geometric_normal) < 0.0;
+    int priority = bodyAt(bodies, surface.body).priority;
+    if (hasSurface(ray.media, surface.body, priority, is_entering)) return hit;
+    if (is_entering)
+      ray.media = entered(ray.media, surface.body, priority);
+    else
+      ray.media = left(ray.media, surface.body);
+    nearest = hit.distance * (1.0 + 1e-6);
+  }
+  return hit;
+}
+
+// A point of a surface so far on one side of it as rounding may have put it on the other.
+//
+// distance_to  from where the ray came that met it
+vec3 besideSurface(vec3 place, float distance_to, vec3 towards) {
+  vec3 magnitude = abs(place);
+  return place + towards * (4e-6 * max(max(magnitude.x, magnitude.y), max(magnitude.z, distance_to)));
+}
+
+// One of the two ways on from a surface.
+struct Way {
+  vec3 direction;
+  vec3 throughput;
+  Beam beam;
+  bool crosses;  // it goes to the other side of the triangle
+  bool stays;    // in some body
+};
+
+Way wayOn(vec3 direction, vec3 throughput, Beam beam, bool crosses, Media here, Media beyond) {
+  bool has_light = throughput != vec3(0.0);
+  return Way(direction, throughput, beam, crosses, has_light && fillingBody(crosses ? beyond : here) >= 0);
+}
+
+// Takes a ray over one surface, on the stronger of the ways that stay inside.
+//
+// ended    becomes the other way. Where both go out, which smooth normals do over flat triangles, it is the stronger
+//          with the light of both
+// returns  whether one stays inside
+bool passSurface(inout InnerRay ray, TriangleHit hit, int channel, inout InnerRay ended) {
+  BodySurface surface = bodySurfaceAt(bodies, hit);
+  Body body = bodyAt(bodies, surface.body);
+  bool is_entering = dot(ray.direction, surface.geometric_normal) < 0.0;
+  Media beyond = ray.media;
+  if (is_entering)
+    beyond = entered(beyond, surface.body, body.priority);
+  else
+    beyond = left(beyond, surface.body);
+  float eta = iorInside(beyond, channel) / iorInside(ray.media, channel);
+  vec3 normal = facingNormal(is_entering ? surface.normal : -surface.normal, ray.direction);
+  float cosine = min(-dot(ray.direction, normal), 1.0);
+  float fresnel = fresnelDielectric(cosine, eta);
+  float reflects = fresnel < 1.0 ? body.specular * fresnel : 1.0;
+  float alpha = alphaFromPerceptualRoughness(body.perceptual_roughness);
+  vec3 reflected_to = reflect(ray.direction, normal);
+  vec3 refracted_to = refractedDirection(ray.direction, normal, eta);
+  Beam arriving = beamAfter(ray.beam, hit.distance);
+  float curvature = is_entering ? -surface.curvature : surface.curvature;
+  Way reflected = wayOn(reflected_to, ray.throughput * reflects,
+                        beamBeyond(arriving, reflectionOfBeam(alpha, cosine, curvature)),
+                        (dot(reflected_to, surface.geometric_normal) < 0.0) == is_entering, ray.media, beyond);
+  Way refracted = wayOn(refracted_to, ray.throughput * body.base_color * (1.0 - reflects),
+                        beamBeyond(arriving, refractionOfBeam(alpha, cosine, eta, curvature)),
+                        (dot(refracted_to, surface.geometric_normal) < 0.0) == is_entering, ray.media, beyond);
+
+  bool is_reflected = reflected.stays == refracted.stays ? reflects > 0.5 : reflected.stays;
+  Way followed = is_reflected ? reflected : refracted;
+  Way other = is_reflected ? refracted : reflected;
+  if (!followed.stays)
+    other = Way(followed.direction, followed.throughput + other.throughput, followed.beam, false, false);
+  ended.direction = other.direction;
+  ended.throughput = other.throughput;
+  ended.beam = other.beam;
+  bool goes_out = followed.crosses != is_entering;
+  ray.origin = besideSurface(ray.origin + hit.distance * ray.direction, hit.distance,
+                             goes_out ? surface.geometric_normal : -surface.geometric_normal);
+  ray.direction = followed.direction;
+  ray.throughput = followed.throughput;
+  ray.beam = followed.beam;
+  ray.leaves = hit.triangle;
+  if (followed.crosses) ray.media = beyond;
+  return followed.stays;
+}
+
+// The light that a ray of one channel brings from the bodies which it is in.
+vec3 lightFromInside(InnerRay ray, int channel) {
+  vec3 light = vec3(0.0);
+  for (int surfaces = 0;; ++surfaces) {
+    bool stays = false;
+    TriangleHit hit = TriangleHit(kBeyondAll, -1, vec2(0.0));
+    if (surfaces < inner_bounces) hit = firstSurface(ray);
+    InnerRay ended = ray;
+    if (hit.triangle >= 0) stays = passSurface(ray, hit, channel, ended);
+    if (ended.throughput != vec3(0.0))
+      light += ended.throughput * incomingLight(ended.origin, ended.direction, roughnessOfBeam(ended.beam),
+                                                footprintOfBeam(ended.beam));
+    if (!stays) break;
+  }
+  return light;
+}
+
+// Beam::pixel of a direction that changes from pixel to pixel: its angle is below 0 where the rays come together.
+vec2 pixelOnSurface(vec3 direction, vec3 place) {
+  vec3 across = dFdx(direction);
+  vec3 down = dFdy(direction);
+  float comes_apart = dot(across, dFdx(place)) + dot(down, dFdy(place));
+  float angle = sqrt(sampleFootprint(across, down, samples_per_pixel));
+  float side = sqrt(abs(dot(cross(dFdx(place), dFdy(place)), direction)) / samples_per_pixel);
+  return vec2(comes_apart < 0.0 ? -angle : angle, side);
+}
+
+// The ray into the surface that is drawn.
+InnerRay enteringRay(Surface s, SurfacePoint point, int channel) {
+  float eta = iorOfChannels(s.material.ior, s.material.dispersion)[channel];
+  float cosine = clamp(-dot(point.ray, s.normal), 0.0, 1.0);
+  InnerRay ray;
+  ray.origin = besideSurface(point.position, distance(point.position, camera_position), -s.normal);
+  ray.direction = refractedDirection(point.ray, s.normal, eta);
+  ray.throughput = vec3(1.0);
+  float alpha = alphaFromPerceptualRoughness(s.material.perceptual_roughness);
+  ray.beam = beamBeyond(Beam(vec3(0.0), vec2(0.0)), refractionOfBeam(alpha, cosine, eta, 0.0));
+  ray.beam.pixel = pixelOnSurface(ray.direction, point.position);
+  ray.leaves = -1;
+  ray.media.count = 0;
+  if (gl_FrontFacing) ray.media = entered(ray.media, instance, bodyAt(bodies, instance).priority);
+  return ray;
+}
+
+vec3 transmittedLight(Surface s, SurfacePoint point) {
+  bool disperses = fetchWords(bodies, 0).w != 0u;
+  vec3 light = vec3(0.0);
+  for (int channel = disperses ? 0 : 1; channel <= (disperses ? 2 : 1); ++channel) {
+    vec3 of_channel = lightFromInside(enteringRay(s, point, channel), channel);
+    if (!disperses) return of_channel;
+    light[channel] = of_channel[channel];
+  }
+  return light;
+}

@@ -1,0 +1,242 @@
+// Light that is traced through whole bodies: what must hold of it, whatever their shape.
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include "formula/bsdf.h"
+#include "mirrorball/render/frame/renderer.h"
+#include "mirrorball/render/render_testing.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+Material clearGlass(float ior) {
+  Material glass;
+  glass.base_color = glm::vec3(1.0f);
+  glass.perceptual_roughness = 0.0f;
+  glass.ior = ior;
+  glass.transmission = 1.0f;
+  return glass;
+}
+
+/// Glass that mirrors nothing, so that what is behind it can be told.
+Material withoutReflection(float ior) {
+  Material glass = clearGlass(ior);
+  glass.specular = 0.0f;
+  return glass;
+}
+
+/// A second body in a scene.
+void add(Scene& scene, Mesh mesh, const Material& material, glm::vec3 place = glm::vec3(0.0f), float scale = 1.0f) {
+  mesh.material = static_cast<int>(scene.materials.size());
+  scene.materials.push_back(material);
+  scene.instances.push_back(
+      {static_cast<int>(scene.meshes.size()), glm::scale(glm::translate(glm::mat4(1.0f), place), glm::vec3(scale))});
+  scene.meshes.push_back(std::move(mesh));
+}
+
+/// Light that is another one in each direction, without edges.
+glm::vec3 smoothLight(glm::vec3 d) {
+  return glm::vec3(1.0f) + 0.5f * d +
+         0.25f * glm::vec3(std::sin(5.0f * d.y), std::sin(5.0f * d.z), std::sin(5.0f * d.x));
+}
+
+class TracedBodies : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto made = gl::Context::createHeadless();
+    if (!made) GTEST_SKIP() << made.error().message;
+    context_.emplace(std::move(*made));
+    frame_.size = {64, 64};
+    frame_.samples = 1;
+    frame_.refraction = RefractionKind::traced;
+    frame_.camera.orthographic_height = 2.2f;
+    frame_.camera.target = glm::vec3(0.0f);
+    testing::aim(frame_, 0, 0);
+  }
+
+  Image radiance(Scene scene, const Environment& environment) {
+    const auto draw = [&]() -> Result<Image> {
+      MIRRORBALL_TRY(prepared, testing::prepareOnce(environment));
+      MIRRORBALL_TRY(renderer, testing::rendererOf(std::move(scene), environment, prepared));
+      return renderer.renderRadiance(frame_);
+    };
+    auto image = draw();
+    if (image) return std::move(*image);
+    ADD_FAILURE() << image.error().message;
+    return {};
+  }
+  Image inSmoothLight(Scene scene) { return radiance(std::move(scene), Environment(smoothLight, 128)); }
+
+  FrameSettings frame_;
+
+ private:
+  std::optional<gl::Context> context_;
+};
+
+/// Of the texels that a body covers wholly.
+void expectWhite(const Image& image, const std::string& what) {
+  int covered = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec4 texel = rgbaAt(image, x, y);
+      if (texel.w < 1.0f) continue;
+      ++covered;
+      for (int channel = 0; channel < 3; ++channel)
+        ASSERT_NEAR(texel[channel], 1.0f, 2e-3f) << what << " at (" << x << ", " << y << ")";
+    }
+  EXPECT_GT(covered, 300) << what;
+}
+
+double greatestDifference(const Image& a, const Image& b) {
+  double greatest = 0.0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x)
+      for (int channel = 0; channel < 3; ++channel)
+        greatest = std::max<double>(greatest, std::abs(a.texel(x, y)[channel] - b.texel(x, y)[channel]));
+  return greatest;
+}
+
+TEST_F(TracedBodies, ClearGlassIsWhiteInTheFurnace) {
+  frame_.background = BackgroundKind::transparent;
+  testing::aim(frame_, 25, 20);
+  const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 16);
+  for (const int bounces : {1, 4, 9}) {
+    frame_.inner_bounces = bounces;
+    for (const float ior : {0.75f, 1.0f, 1.5f, 2.4f}) {
+      Material glass = clearGlass(ior);
+      const std::string what = std::to_string(ior) + " after " + std::to_string(bounces);
+      expectWhite(radiance(sceneOf(knotMesh(60, 12), glass), white), "knot " + what);
+      glass.perceptual_roughness = 0.4f;
+      glass.dispersion = 1.0f;
+      Scene nested = sceneOf(sphereMesh(24, 48), glass);
+      add(nested, cubeMesh(), clearGlass(1.0f), glm::vec3(0.2f, 0.0f, 0.0f), 0.5f);           // a bubble
+      add(nested, sphereMesh(24, 48), clearGlass(1.33f), glm::vec3(0.0f, 0.9f, 0.0f), 0.5f);  // reaches out of it
+      expectWhite(radiance(nested, white), "nested " + what);
+    }
+  }
+}
+
+TEST_F(TracedBodies, AnIndexOfOneIsInvisibleAtAnyRoughness) {
+  const Image nothing = inSmoothLight({});
+  for (const RefractionKind kind : {RefractionKind::single, RefractionKind::traced})
+    for (const float roughness : {0.0f, 0.3f, 1.0f}) {
+      frame_.refraction = kind;
+      Material air = roughness > 0.0f ? withoutReflection(1.0f) : clearGlass(1.0f);
+      air.perceptual_roughness = roughness;
+      EXPECT_LT(greatestDifference(inSmoothLight(sceneOf(torusMesh(48, 24), air)), nothing), 1.0 / 255.0) << roughness;
+    }
+}
+
+// What is far away does not show that a slab shifts it.
+TEST_F(TracedBodies, ASlabDoesNotTurnLight) {
+  Scene slab = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  slab.instances[0].world_from_object = glm::scale(glm::mat4(1.0f), glm::vec3(30.0f, 30.0f, 0.3f));
+  frame_.camera.orthographic_height.reset();
+  frame_.camera.fov_deg = 60.0f;
+  frame_.camera.distance = 0.2f;
+  testing::aim(frame_, 20, 10);
+  EXPECT_LT(greatestDifference(inSmoothLight(slab), inSmoothLight({})), 4e-3);
+  frame_.refraction = RefractionKind::single;
+  EXPECT_GT(greatestDifference(inSmoothLight(slab), inSmoothLight({})), 0.1);
+}
+
+// Each of its rays is bent twice by the same angle: in from the axis and out again, by Snell's law.
+TEST_F(TracedBodies, ABallBendsLightTwiceAndInverts) {
+  const float ior = 1.5f;
+  const Image image = inSmoothLight(sceneOf(sphereMesh(256, 512), withoutReflection(ior)));
+  for (const int x : {8, 20, 31, 40, 55}) {
+    const float offset = (static_cast<float>(x) + 0.5f - 32.0f) / 64.0f * 2.2f;
+    const float y = 0.5f / 64.0f * 2.2f;
+    const float from_axis = std::hypot(offset, y);
+    const float turn = 2.0f * (std::asin(from_axis) - std::asin(from_axis / ior));
+    const glm::vec3 towards_axis(-offset / from_axis, -y / from_axis, 0.0f);
+    const glm::vec3 d = std::cos(turn) * glm::vec3(0, 0, -1) + std::sin(turn) * towards_axis;
+    for (int channel = 0; channel < 3; ++channel)
+      EXPECT_NEAR(rgbAt(image, x, 31)[channel], smoothLight(d)[channel], 0.01f) << x;
+  }
+}
+
+// A cube whose edge points at the eye: a ray enters by one side and meets the one beside it, of which it leaves through
+// neither if sin² θ₁ + sin² θ₂ = 1 of the inner angles are both past the critical one, as in glass of more than √2.
+TEST_F(TracedBodies, LightIsReflectedTotallyPastTheCriticalAngle) {
+  Scene scene = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  const glm::mat4 edge_first = glm::rotate(glm::mat4(1.0f), glm::radians(45.0f), glm::vec3(0.0f, 1.0f, 0.0f));
+  scene.instances[0].world_from_object = edge_first;
+  const glm::vec3 eye(0, 0, -1), right = glm::normalize(glm::vec3(1, 0, 1)),
+                                 far_right = glm::normalize(glm::vec3(1, 0, -1));
+  const glm::vec3 inside = formula::refractedDirection(eye, right, 1.5f);
+  ASSERT_EQ(glm::refract(inside, -far_right, 1.5f), glm::vec3(0.0f));
+  // Reflected at the right, it leaves by the side across from where it came in.
+  const glm::vec3 reflected = glm::reflect(inside, far_right);
+  const glm::vec3 out = glm::refract(reflected, right, 1.5f);
+  const Image image = inSmoothLight(scene);
+  const float half_diagonal = std::sqrt(2.0f / 3.0f);
+  const int near_corner = static_cast<int>(32.0f + 64.0f / 2.2f * 0.9f * half_diagonal);
+  EXPECT_LT(glm::distance(rgbAt(image, near_corner, 31), smoothLight(out)), 0.02f);
+}
+
+TEST_F(TracedBodies, LightIsAbsorbedByTheLengthOfItsWay) {
+  Material wine = withoutReflection(1.2f);
+  wine.attenuation_color = {0.9f, 0.5f, 0.25f};
+  wine.attenuation_distance = 0.4f;
+  const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 16);
+  const Image image = radiance(sceneOf(cubeMesh(), wine), white);
+  const glm::vec3 expected = glm::pow(wine.attenuation_color, glm::vec3(2.0f / std::sqrt(3.0f) / 0.4f));
+  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(rgbAt(image, 32, 32)[channel], expected[channel], 2e-3f);
+}
+
+TEST_F(TracedBodies, WhatHasTheIndexOfItsSurroundingsIsNotSeenInThem) {
+  const Material glass = clearGlass(1.5f);
+  const Scene whole = sceneOf(sphereMesh(64, 128), glass);
+  Scene nested = whole;
+  add(nested, torusMesh(48, 24), glass, glm::vec3(0.1f, 0.1f, 0.0f), 0.5f);
+  frame_.inner_bounces = 8;
+  const Image expected = inSmoothLight(whole), image = inSmoothLight(nested);
+  // Rays that use the two more surfaces up end elsewhere: the last of their light is a hundredth.
+  EXPECT_LT(greatestDifference(image, expected), 0.02);
+  nested.materials[1].ior = 1.0f;
+  EXPECT_GT(greatestDifference(inSmoothLight(nested), expected), 0.2) << "a bubble is seen";
+}
+
+// Water that reaches into the wall of its glass is what the glass leaves of it.
+TEST_F(TracedBodies, ThePriorityOfBodiesDecides) {
+  const Scene alone = sceneOf(sphereMesh(64, 128), clearGlass(1.5f));
+  Scene both = alone;
+  add(both, cubeMesh(), clearGlass(1.2f), glm::vec3(0.0f), 0.6f);
+  both.materials[0].priority = 1;
+  EXPECT_LT(greatestDifference(inSmoothLight(both), inSmoothLight(alone)), 1e-3) << "the ball fills it all";
+  both.materials[0].priority = -1;
+  EXPECT_GT(greatestDifference(inSmoothLight(both), inSmoothLight(alone)), 0.1);
+}
+
+// An open mesh, one whose triangles are turned inside out, one of no area: all is finite.
+TEST_F(TracedBodies, MeshesThatAreNotBodiesGiveSanePictures) {
+  Mesh open = sphereMesh(24, 48);
+  open.indices.resize(open.indices.size() / 2 / 3 * 3);
+  Mesh inside_out = torusMesh(24, 12);
+  for (std::size_t i = 0; i + 2 < inside_out.indices.size(); i += 3)
+    std::swap(inside_out.indices[i], inside_out.indices[i + 1]);
+  Mesh point = sphereMesh(8, 16);
+  for (Vertex& vertex : point.vertices) vertex.position = glm::vec3(0.0f);
+  for (const Mesh& mesh : {open, inside_out, point, planeMesh()}) {
+    Material glass = clearGlass(1.5f);
+    glass.double_sided = true;
+    const Image image = inSmoothLight(sceneOf(mesh, glass));
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        for (int channel = 0; channel < 3; ++channel) {
+          ASSERT_GE(image.texel(x, y)[channel], 0.0f);
+          ASSERT_LE(image.texel(x, y)[channel], 2.5f);
+        }
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball

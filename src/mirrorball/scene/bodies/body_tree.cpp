@@ -1,0 +1,155 @@
+#include "mirrorball/scene/bodies/body_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "formula/bodies.h"
+#include "formula/projection.h"
+#include "mirrorball/base/memory.h"
+#include "mirrorball/scene/bodies/box_tree.h"
+
+namespace mirrorball {
+namespace {
+
+/// Fewer than kTrianglesOfLeaf: a test costs about as much as a visit of a node.
+constexpr std::uint32_t kTrianglesKept = 4;
+/// While the tree is built: a triangle, its box, its place in the tree and its share of the nodes and words.
+constexpr std::uint64_t kBytesPerTriangle = 260;
+
+using Texel = glm::uvec4;
+
+/// Without a 0 to divide by.
+glm::vec3 sizeOf(const Box& all) {
+  const glm::vec3 size = all.high - all.low;
+  return glm::mix(size, glm::vec3(1.0f), glm::lessThanEqual(size, glm::vec3(0.0f)));
+}
+
+std::uint32_t wordOf(float number) { return std::bit_cast<std::uint32_t>(number); }
+Texel texelOf(glm::vec3 numbers, std::uint32_t last) {
+  return {wordOf(numbers.x), wordOf(numbers.y), wordOf(numbers.z), last};
+}
+
+/// A triangle of a body in the world.
+struct PlacedTriangle {
+  std::array<glm::vec3, 3> corners;
+  std::array<glm::vec2, 3> normals;  ///< octahedral
+  std::uint32_t instance;
+
+  Box box() const {
+    Box all;
+    for (const glm::vec3& corner : corners) all.include({corner, corner});
+    return all;
+  }
+};
+
+bool isFinite(glm::vec3 p) { return !glm::any(glm::isnan(p)) && !glm::any(glm::isinf(p)); }
+
+/// Adds the triangles of one instance.
+void addTriangles(const Scene& scene, std::uint32_t number, std::vector<PlacedTriangle>& triangles) {
+  const Instance& instance = scene.instances[number];
+  const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+  const glm::mat4& world_from_object = instance.world_from_object;
+  const glm::mat3 world_from_normal = glm::transpose(glm::inverse(glm::mat3(world_from_object)));
+  for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
+    PlacedTriangle triangle{.corners = {}, .normals = {}, .instance = number};
+    bool is_finite = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::vec3& position = mesh.vertices[mesh.indices[first + i]].position;
+      triangle.corners[i] = glm::vec3(world_from_object * glm::vec4(position, 1.0f));
+      is_finite = is_finite && isFinite(triangle.corners[i]);
+    }
+    const glm::vec3 facing =
+        glm::cross(triangle.corners[1] - triangle.corners[0], triangle.corners[2] - triangle.corners[0]);
+    if (!is_finite || !isFinite(glm::normalize(facing))) continue;  // or without an area
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::vec3 normal = glm::normalize(world_from_normal * mesh.vertices[mesh.indices[first + i]].normal);
+      triangle.normals[i] = formula::octahedralPosition(isFinite(normal) ? normal : glm::normalize(facing));
+    }
+    triangles.push_back(triangle);
+  }
+}
+
+/// The number by which a node knows one of its children.
+std::uint32_t childWord(const BoxTree::Child& child) {
+  if (child.count == 0) return formula::kTexelsOfHead + child.first * formula::kTexelsOfNode;
+  return static_cast<std::uint32_t>(formula::leafOf(static_cast<int>(child.first), static_cast<int>(child.count)));
+}
+
+/// A place in the box around all, as 16 bits, so far outside of it that rounding does not bring it in again.
+std::uint32_t stepOf(float place, float outwards) {
+  constexpr float kMargin = 0.25f;
+  const float steps = place * 65535.0f + outwards * kMargin;
+  return static_cast<std::uint32_t>(std::clamp(outwards < 0.0f ? std::floor(steps) : std::ceil(steps), 0.0f, 65535.0f));
+}
+
+Texel childTexel(const BoxTree::Child& child, const Box& all) {
+  const glm::vec3 size = sizeOf(all);
+  std::array<std::uint32_t, 6> steps;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto place = [&](float value) { return (value - all.low[axis]) / size[axis]; };
+    steps[std::size_t(axis)] = stepOf(place(child.box.low[axis]), -1.0f);
+    steps[std::size_t(axis) + 3] = stepOf(place(child.box.high[axis]), 1.0f);
+  }
+  return {steps[0] | steps[1] << 16, steps[2] | steps[3] << 16, steps[4] | steps[5] << 16, childWord(child)};
+}
+
+void writeTriangle(const PlacedTriangle& triangle, std::vector<Texel>& words) {
+  const auto& [a, b, c] = triangle.normals;
+  words.push_back(texelOf(triangle.corners[0], triangle.instance));
+  words.push_back(texelOf(triangle.corners[1], wordOf(a.x)));
+  words.push_back(texelOf(triangle.corners[2], wordOf(a.y)));
+  words.push_back({wordOf(b.x), wordOf(b.y), wordOf(c.x), wordOf(c.y)});
+}
+
+void writeBody(const Material& material, std::vector<Texel>& words) {
+  words.push_back(texelOf(material.base_color, wordOf(material.ior)));
+  words.push_back(texelOf(material.attenuation_color, wordOf(material.attenuation_distance)));
+  words.push_back(texelOf({material.perceptual_roughness, material.dispersion, material.specular},
+                          static_cast<std::uint32_t>(material.priority)));
+}
+
+}  // namespace
+
+Result<std::optional<BodyTree>> bodyTree(const Scene& scene) {
+  std::uint64_t count = 0;
+  bool disperses = false;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Material& material = materialOf(scene, i);
+    if (!isBody(material)) continue;
+    count += scene.meshes[std::size_t(scene.instances[i].mesh)].indices.size() / 3;
+    disperses = disperses || material.dispersion > 0.0f;
+  }
+  if (count > std::uint64_t{1} << 27)
+    return fail(ErrorCode::too_large, "the triangles of glass are more than the 134 million that can be traced");
+  MIRRORBALL_TRY_VOID(withName("the triangles of glass", checkMemory(count * kBytesPerTriangle)));
+
+  std::vector<PlacedTriangle> triangles;
+  triangles.reserve(count);
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+    if (isBody(materialOf(scene, i))) addTriangles(scene, i, triangles);
+  if (triangles.empty()) return std::optional<BodyTree>();
+
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (const PlacedTriangle& triangle : triangles) boxes.push_back(triangle.box());
+  const BoxTree tree = boxTree(boxes, kTrianglesKept, formula::kDeepestNode);
+
+  BodyTree bodies;
+  const std::size_t first_triangle = formula::kTexelsOfHead + tree.nodes.size() * formula::kTexelsOfNode;
+  const std::size_t first_body = first_triangle + triangles.size() * formula::kTexelsOfTriangle;
+  bodies.words.reserve(first_body + scene.instances.size() * formula::kTexelsOfBody);
+  bodies.words.emplace_back(childWord(tree.root), first_triangle, first_body, disperses ? 1 : 0);
+  bodies.words.push_back(texelOf(tree.root.box.low, 0));
+  bodies.words.push_back(texelOf(sizeOf(tree.root.box), 0));
+  for (const BoxTree::Node& node : tree.nodes)
+    for (const BoxTree::Child& child : node.children) bodies.words.push_back(childTexel(child, tree.root.box));
+  for (const std::uint32_t item : tree.items) writeTriangle(triangles[item], bodies.words);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) writeBody(materialOf(scene, i), bodies.words);
+  return std::optional<BodyTree>(std::move(bodies));
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,117 @@
+#include "mirrorball/scene/bodies/body_tree.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include "formula/bodies.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+/// A tree as formulas read it.
+struct Words {
+  const std::vector<glm::uvec4>& texels;
+};
+glm::uvec4 fetchWords(const Words& words, int texel) { return words.texels.at(static_cast<std::size_t>(texel)); }
+
+Scene glassOf(Mesh mesh) {
+  Material glass;
+  glass.transmission = 1.0f;
+  return sceneOf(std::move(mesh), glass);
+}
+
+/// The same by trying each triangle.
+formula::TriangleHit nearestOfAll(const BodyTree& tree, glm::vec3 origin, glm::vec3 direction) {
+  const Words words{tree.words};
+  const auto first = static_cast<int>(tree.words[0].y);
+  const int count = (static_cast<int>(tree.words[0].z) - first) / formula::kTexelsOfTriangle;
+  formula::TriangleHit best{formula::kBeyondAll, -1, {}};
+  for (int i = 0; i < count; ++i)
+    best = formula::nearestOfLeaf(words, first, formula::leafOf(i, 1), origin, direction, 0.0f, -1, best);
+  return best;
+}
+
+TEST(BodyTree, FindsTheNearestTriangle) {
+  const auto tree = bodyTree(glassOf(knotMesh(60, 12)));
+  ASSERT_TRUE(tree && *tree);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  int met = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const glm::vec3 origin(unit(random), unit(random), unit(random));
+    const glm::vec3 direction = glm::normalize(glm::vec3(unit(random), unit(random), unit(random)));
+    const auto found = formula::nearestTriangle(Words{(*tree)->words}, origin, direction, 0.0f, -1);
+    const auto expected = nearestOfAll(**tree, origin, direction);
+    EXPECT_EQ(found.triangle, expected.triangle);
+    EXPECT_EQ(found.distance, expected.distance);
+    met += found.triangle >= 0;
+  }
+  EXPECT_GT(met, 300);
+  EXPECT_LT(met, 1900);
+}
+
+// No ray slips through between two triangles, also along axes and through vertices, where boxes have no width.
+TEST(BodyTree, ASphereLetsNoRayOut) {
+  const Mesh sphere = sphereMesh(16, 32);
+  const auto tree = bodyTree(glassOf(sphere));
+  ASSERT_TRUE(tree && *tree);
+  const auto meets = [&](glm::vec3 direction) {
+    return formula::nearestTriangle(Words{(*tree)->words}, glm::vec3(0.0f), glm::normalize(direction), 0.0f, -1)
+               .triangle >= 0;
+  };
+  for (const Vertex& vertex : sphere.vertices) EXPECT_TRUE(meets(vertex.position));
+  for (std::size_t i = 0; i < sphere.indices.size(); i += 3) {
+    const glm::vec3 a = sphere.vertices[sphere.indices[i]].position;
+    const glm::vec3 b = sphere.vertices[sphere.indices[i + 1]].position;
+    for (float part = 0.05f; part < 1.0f; part += 0.1f) EXPECT_TRUE(meets(glm::mix(a, b, part)));
+  }
+}
+
+TEST(BodyTree, TellsNormalAndBodyWhereTheInstanceIs) {
+  Scene scene = glassOf(sphereMesh(64, 128));
+  scene.materials[0].ior = 1.7f;
+  scene.materials[0].priority = -3;
+  scene.instances.push_back(
+      {.mesh = 0, .world_from_object = glm::scale(glm::translate(glm::mat4(1.0f), {4, 0, 0}), glm::vec3(1, 2, 1))});
+  const auto tree = bodyTree(scene);
+  ASSERT_TRUE(tree && *tree);
+  const Words words{(*tree)->words};
+  const glm::vec3 towards = glm::normalize(glm::vec3(0.0f, -2.0f, 1.0f));
+  const auto hit = formula::nearestTriangle(words, glm::vec3(4.0f, 0.0f, 0.0f) - 5.0f * towards, towards, 0.0f, -1);
+  ASSERT_GE(hit.triangle, 0);
+  const formula::BodySurface surface = formula::bodySurfaceAt(words, hit);
+  EXPECT_EQ(surface.body, 1);
+  // Of the ellipsoid x² + y²/4 + z² = 1.
+  const glm::vec3 place = (hit.distance - 5.0f) * towards;
+  const glm::vec3 expected = glm::normalize(place / glm::vec3(1, 4, 1));
+  EXPECT_LT(glm::distance(surface.normal, expected), 2e-3f);
+  EXPECT_LT(glm::distance(surface.geometric_normal, expected), 0.06f);
+  EXPECT_EQ(formula::bodyAt(words, 1).ior, 1.7f);
+  EXPECT_EQ(formula::bodyAt(words, 1).priority, -3);
+}
+
+TEST(BodyTree, HasBodiesAloneAndWhatIsFinite) {
+  Scene scene = glassOf(sphereMesh(8, 16));
+  scene.materials[0].thin_walled = true;
+  const auto sheets = bodyTree(scene);
+  ASSERT_TRUE(sheets);
+  EXPECT_FALSE(*sheets) << "a sheet has no inside";
+  ASSERT_TRUE(bodyTree(Scene()));
+
+  scene.materials[0].thin_walled = false;
+  for (Vertex& vertex : scene.meshes[0].vertices)
+    if (vertex.position.y > 0.5f) vertex.position.x = std::numeric_limits<float>::quiet_NaN();
+  const auto damaged = bodyTree(scene);
+  ASSERT_TRUE(damaged && *damaged);
+  const Words words{(*damaged)->words};
+  EXPECT_GE(formula::nearestTriangle(words, glm::vec3(0.0f), {0, -1, 0}, 0.0f, -1).triangle, 0);
+  EXPECT_LT(formula::nearestTriangle(words, glm::vec3(0.0f), {0, 1, 0}, 0.0f, -1).triangle, 0);
+}
+
+}  // namespace
+}  // namespace mirrorball

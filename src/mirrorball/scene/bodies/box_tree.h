@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace mirrorball {
+
+/// A box along the axes. As it begins, it holds nothing.
+struct Box {
+  glm::vec3 low{INFINITY};
+  glm::vec3 high{-INFINITY};
+
+  void include(const Box& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+  glm::vec3 center() const { return (low + high) / 2.0f; }
+  /// Half its area; 0 if it holds nothing.
+  float halfArea() const {
+    const glm::vec3 side = glm::max(high - low, glm::vec3(0.0f));
+    return side.x * side.y + side.y * side.z + side.z * side.x;
+  }
+};
+
+/// A tree of boxes around items that are found by rays.
+struct BoxTree {
+  /// What a node has on each side: another node, or some of the items.
+  struct Child {
+    Box box;
+    std::uint32_t first = 0;  ///< a node; of a leaf, a place in `items`
+    std::uint32_t count = 0;  ///< of a leaf's items; 0: it is a node
+  };
+  struct Node {
+    Child children[2];
+  };
+
+  Child root;
+  std::vector<Node> nodes;           ///< a node stands before its children
+  std::vector<std::uint32_t> items;  ///< by their numbers, those of a leaf side by side
+};
+
+/// Sorts boxes into a tree in which rays visit few: each node is cut in two where Goldsmith & Salmon's surface area
+/// heuristic finds the least, tried at 16 places along each axis (Wald 2007, "On fast construction of SAH-based
+/// bounding volume hierarchies").
+///
+/// boxes            finite, fewer than 2³¹, at least one
+/// items_of_leaf    at most
+/// depth            at most so many nodes from the root to a leaf, which is one; at least log₂(boxes) + 3
+/// cost             O(n log n) time, 36 bytes an item beside the tree; the same for any number of threads
+BoxTree boxTree(std::span<const Box> boxes, std::uint32_t items_of_leaf, int depth);
+
+}  // namespace mirrorball

@@ -9,6 +9,7 @@
 #include "formula/bsdf.h"
 #include "formula/color.h"
 #include "formula/constants.h"
+#include "formula/lamp.h"
 #include "formula/material.h"
 #include "formula/prefilter.h"
 #include "formula/projection.h"

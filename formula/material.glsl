@@ -13,6 +13,7 @@ struct Material {
   float metallic INITIALLY(0.0f);
   float perceptual_roughness INITIALLY(0.5f);
   float specular INITIALLY(1.0f);               // strength of a dielectric's reflection
+  vec3 specular_color INITIALLY(vec3(1.0f));    // factor on it at normal incidence
   float ior INITIALLY(1.5f);                    // index of the inside over the outside, at 588 nm
   float dispersion INITIALLY(0.0f);             // 20 / Abbe number
   float transmission INITIALLY(0.0f);           // share of the light which is not reflected that is refracted

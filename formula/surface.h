@@ -6,6 +6,7 @@
 #include "formula/bsdf.h"
 #include "formula/color.h"
 #include "formula/grid_random.h"
+#include "formula/lamp.h"
 #include "formula/material.h"
 #include "formula/prefilter.h"
 #include "formula/projection.h"
@@ -21,6 +22,8 @@ namespace mirrorball::formula {
 //
 #include "formula/prefilter/blur.glsl"
 #include "formula/surface/shading.glsl"
+//
+#include "formula/surface/lamp_shading.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

@@ -14,6 +14,7 @@
 #include <ImfTiledRgbaFile.h>
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
+#include <meshoptimizer.h>
 #include <zlib.h>
 
 #include "mirrorball/codec/color/icc_testing.h"
@@ -363,6 +364,51 @@ void addDracoModels(Corpus& corpus) {
   }
 }
 
+/// Two triangles as meshoptimizer compresses them: vertices, and indices in the coding of triangles.
+void addMeshoptModel(Corpus& corpus) {
+  const std::vector<float> positions{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 1};
+  const std::vector<std::uint32_t> indices{0, 1, 2, 2, 1, 3};
+  Bytes vertices(meshopt_encodeVertexBufferBound(4, 12));
+  vertices.resize(meshopt_encodeVertexBuffer(vertices.data(), vertices.size(), positions.data(), 4, 12));
+  Bytes corners(meshopt_encodeIndexBufferBound(6, 4));
+  corners.resize(meshopt_encodeIndexBuffer(corners.data(), corners.size(), indices.data(), 6));
+  const auto view = [](std::size_t length, std::size_t offset, std::size_t size, const std::string& how) {
+    return R"({"buffer":1,"byteLength":)" + std::to_string(length) +
+           R"(,"extensions":{"EXT_meshopt_compression":{"buffer":0,"byteOffset":)" + std::to_string(offset) +
+           R"(,"byteLength":)" + std::to_string(size) + "," + how + "}}}";
+  };
+  Bytes buffer = vertices;
+  buffer.insert(buffer.end(), corners.begin(), corners.end());
+  corpus.add(
+      "gltf", "meshopt",
+      bytesOf(R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
+              R"({"POSITION":0},"indices":1}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,)"
+              R"("type":"VEC3"},{"bufferView":1,"componentType":5125,"count":6,"type":"SCALAR"}],"bufferViews":[)" +
+              view(48, 0, vertices.size(), R"("byteStride":12,"count":4,"mode":"ATTRIBUTES","filter":"NONE")") + "," +
+              view(24, vertices.size(), corners.size(), R"("byteStride":4,"count":6,"mode":"TRIANGLES")") +
+              R"(],"buffers":[{"byteLength":)" + std::to_string(buffer.size()) + R"(,"uri":"data:;base64,)" +
+              testing::GltfMaker::base64(buffer) + R"("},{"byteLength":72}]})"));
+}
+
+/// Cameras, lights, variants, and a material of each extension.
+void addScene(Corpus& corpus) {
+  testing::GltfMaker maker;
+  maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+  corpus.add(
+      "gltf", "scene",
+      bytesOf(maker.gltf(
+          R"({"attributes":{"POSITION":0},"material":0,"extensions":{"KHR_materials_variants":{"mappings":)"
+          R"([{"material":1,"variants":[0]}]}}})",
+          R"("nodes":[{"mesh":0,"camera":0},{"camera":1,"extensions":{"KHR_lights_punctual":{"light":0}}}],)"
+          R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":1}},)"
+          R"({"type":"orthographic","orthographic":{"xmag":1,"ymag":1,"znear":0,"zfar":1}}],)"
+          R"("extensions":{"KHR_materials_variants":{"variants":[{"name":"a"}]},"KHR_lights_punctual":{"lights":)"
+          R"([{"type":"spot","color":[1,1,1],"range":1,"spot":{"innerConeAngle":0.1,"outerConeAngle":1}}]}},)"
+          R"("materials":[{"extensions":{"KHR_materials_unlit":{}}},{"extensions":{"KHR_materials_specular":)"
+          R"({"specularColorFactor":[1,1,1]},"KHR_materials_ior":{"ior":0},)"
+          R"("KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[1,1,1,1],"glossinessFactor":1}}}])")));
+}
+
 }  // namespace
 }  // namespace mirrorball
 
@@ -380,5 +426,7 @@ int main(int count, char** arguments) {
   mirrorball::addPlainPictures(corpus);
   mirrorball::addModels(corpus);
   mirrorball::addDracoModels(corpus);
+  mirrorball::addMeshoptModel(corpus);
+  mirrorball::addScene(corpus);
   return corpus.failed ? 1 : 0;
 }

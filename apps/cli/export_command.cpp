@@ -24,6 +24,7 @@ struct ExportRequest {
   std::string output;
   FrameSettings frame;
   MaterialChanges materials;
+  GivenOptions given;
 };
 
 const auto kExportOptions = std::to_array<Option<ExportRequest>>({
@@ -47,8 +48,9 @@ Result<void> checkExport(const std::string& output) {
 Result<void> exportScene(const ExportRequest& request) {
   const std::string& output = request.output;
   MIRRORBALL_TRY_VOID(checkExport(output));
+  MIRRORBALL_TRY_VOID(checkCamera(request.frame.camera, request.given));
   MIRRORBALL_TRY(scene, loadModelFor(request.scene, request.materials, {&output, 1}));
-  const Camera camera = framedCamera(scene, boundingSphere(scene), request.frame.camera, request.frame.size);
+  MIRRORBALL_TRY(camera, framedCamera(scene, boundingSphere(scene), request.frame.camera, request.frame.size));
   MIRRORBALL_TRY(encoded, encodeGlb(scene, camera));
   MIRRORBALL_TRY_VOID(writeFile(output, encoded.bytes));
   announce(output);
@@ -76,7 +78,7 @@ Command exportCommand() {
   addModel(command, "MODEL", request->scene);
   addOptions(command, scene_options, request->scene);
   addOptions(command, kExportOptions, *request);
-  addOptions(command, frame_options, request->frame);
+  addOptions(command, frame_options, request->frame, &request->given);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {
     return withStandardStreams({&request->scene.model}, request->output, [&] { return exportScene(*request); });

@@ -22,6 +22,7 @@
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/scene/load_model.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -94,6 +95,10 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
                          std::optional<glm::vec3> direction, bool json) {
   MIRRORBALL_TRY(table, brdfTableIn(input));
   if (table) return InputInfo{shown(input), std::move(*table)};
+  if (const auto format = modelFormatOf(input); format && !direction) {
+    MIRRORBALL_TRY(scene, loadModel(input));
+    return InputInfo{shown(input), ModelInfo{std::string(*format).substr(format->find(' ') + 1), std::move(scene)}};
+  }
   MIRRORBALL_TRY(loaded, loadMap(input, how));
   MapInfo map{.loaded = std::move(loaded)};
   if (auto& recognition = map.loaded.recognition) {
@@ -143,6 +148,7 @@ Result<void> info(const std::vector<std::string>& inputs, const InfoOptions& opt
     // A map may be large: of what is printed already only the name is kept.
     if (options.json) {
       if (auto* map = std::get_if<MapInfo>(&found->what)) map->loaded.environment = Environment({}, 1);
+      if (auto* model = std::get_if<ModelInfo>(&found->what)) model->scene.textures.clear();
       known.push_back(std::move(*found));
     }
   }
@@ -160,10 +166,11 @@ Command infoCommand() {
   auto request = std::make_shared<Request>();
   Command command{
       .name = "info",
-      .help = "Describes environment maps, or tells where a direction is in them",
-      .about = "FILE is a map, a BRDF table of `bake`, a built-in environment, or - for standard input.",
+      .help = "Describes environment maps and models, or tells where a direction is in a map",
+      .about = "FILE is a map, a BRDF table of `bake`, a built-in environment, a model (" + modelExtensions() +
+               "), or - for standard input.",
       .examples = {{"info room.hdr", "format, size, projection and what told it, range and mean of the light"},
-                   {"info room.hdr --direction 0,1,0 --json", "where the zenith is, for a program to read"}}};
+                   {"info shoe.glb", "its variants, cameras and lights by their names, and what of it is left out"}}};
   addArgument(command,
               {.name = "FILE",
                .help = "maps (" + std::string(readExtensions()) +

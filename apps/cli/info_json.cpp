@@ -1,4 +1,6 @@
+#include <array>
 #include <string>
+#include <vector>
 
 #include "cli/json_values.h"
 #include "cli/map_info.h"
@@ -47,6 +49,46 @@ void add(const MapInfo& map, Json& json) {
   if (map.harmonics)
     for (const glm::vec3& row : *map.harmonics) json["filament_harmonics"].push_back(arrayOf(row));
   if (map.direction) json["direction"] = jsonOfDirection(*map.direction);
+}
+
+/// An array of what is said of each; empty where there is none.
+template <typename Thing>
+Json arrayOfEach(const std::vector<Thing>& things, Json (*one)(const Thing&)) {
+  Json array = Json::array();
+  for (const Thing& thing : things) array.push_back(one(thing));
+  return array;
+}
+
+Json jsonOfCamera(const ModelCamera& camera) {
+  Json json{{"name", camera.name}, {"type", camera.orthographic ? "orthographic" : "perspective"}};
+  if (camera.orthographic)
+    json["height"] = numberOf(double(camera.height));
+  else
+    json["fov_deg"] = numberOf(double(glm::degrees(camera.fov_rad)));
+  return json;
+}
+
+Json jsonOfLight(const ModelLight& light) {
+  constexpr std::array<const char*, 4> kTypes{"phong", "point", "spot", "directional"};  // by formula::Lamp's kinds
+  return {{"name", light.name},
+          {"type", kTypes[static_cast<std::size_t>(light.kind)]},
+          {light.kind == formula::kLampDirectional ? "lux" : "candela", arrayOf(light.color)}};
+}
+
+void add(const ModelInfo& model, Json& json) {
+  const Scene& scene = model.scene;
+  const BoundingSphere bounds = boundingSphere(scene);
+  json["kind"] = "model";
+  json["format"] = model.format;
+  json["triangles"] = triangleCount(scene);
+  json["center"] = arrayOf(bounds.center);
+  json["radius"] = numberOf(double(bounds.radius));
+  json["materials"] =
+      arrayOfEach<Material>(scene.materials, [](const Material& material) -> Json { return material.name; });
+  json["variants"] = scene.variants;
+  json["cameras"] = arrayOfEach<ModelCamera>(scene.cameras, jsonOfCamera);
+  json["lights"] = arrayOfEach<ModelLight>(scene.lights, jsonOfLight);
+  json["notes"] = scene.warnings;
 }
 
 void add(const FoundBrdfTable& table, Json& json) {

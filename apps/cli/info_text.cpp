@@ -5,6 +5,7 @@
 
 #include "cli/formatted.h"
 #include "cli/map_info.h"
+#include "mirrorball/base/text.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -86,6 +87,46 @@ std::string textOf(const MapInfo& map) {
   return said;
 }
 
+std::string nameOf(const Material& material) { return material.name.empty() ? "(unnamed)" : printable(material.name); }
+
+/// "Key (point, 54 cd)" for each.
+template <typename Thing>
+std::vector<std::string> described(const std::vector<Thing>& things, std::string (*what)(const Thing&)) {
+  std::vector<std::string> texts;
+  for (const Thing& thing : things)
+    texts.push_back((thing.name.empty() ? "unnamed" : thing.name) + " (" + what(thing) + ")");
+  return texts;
+}
+
+std::string cameraText(const ModelCamera& camera) {
+  return camera.orthographic ? "orthographic, height " + shortText(double(camera.height))
+                             : "perspective, " + shortText(glm::degrees(double(camera.fov_rad))) + " degrees";
+}
+
+std::string lightText(const ModelLight& light) {
+  if (light.kind == formula::kLampDirectional) return "directional, " + shortText(light.color) + " lx";
+  return (light.kind == formula::kLampSpot ? "spot, " : "point, ") + shortText(light.color) + " cd";
+}
+
+std::string textOf(const ModelInfo& model) {
+  const Scene& scene = model.scene;
+  const BoundingSphere bounds = boundingSphere(scene);
+  std::vector<std::string> materials;
+  for (const Material& material : scene.materials) materials.push_back(nameOf(material));
+  std::string said =
+      line("format", model.format) + line("triangles", std::to_string(triangleCount(scene))) +
+      line("extent", "a ball about " + shortText(bounds.center) + " of radius " + shortText(double(bounds.radius)));
+  const auto list = [&](const char* name, const std::vector<std::string>& things) {
+    if (!things.empty()) said += line(name, join(things));
+  };
+  list("materials", materials);
+  list("variants", scene.variants);
+  list("cameras", described(scene.cameras, cameraText));
+  list("lights", described(scene.lights, lightText));
+  for (const std::string& warning : scene.warnings) said += line("note", warning);
+  return said;
+}
+
 std::string textOf(const FoundBrdfTable& table) {
   return line("format", table.format) + line("size", sizeText({table.table.width(), table.table.height()})) +
          line("what", std::string("BRDF table of bake, no map of light: scale and bias of f0") +
@@ -97,6 +138,12 @@ std::string textOf(const FoundBrdfTable& table) {
 std::string textOf(const Error& error) { return line("error", error.message); }
 
 }  // namespace
+
+std::size_t triangleCount(const Scene& scene) {
+  std::size_t corners = 0;
+  for (const Instance& instance : scene.instances) corners += scene.meshes[std::size_t(instance.mesh)].indices.size();
+  return corners / 3;
+}
 
 std::string textOf(const InputInfo& info) {
   const auto* const map = std::get_if<MapInfo>(&info.what);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/environment/statistics.h"
 #include "mirrorball/output/baked/brdf_file.h"
+#include "mirrorball/scene/scene.h"
 
 namespace mirrorball::cli {
 
@@ -40,10 +42,19 @@ struct MapInfo {
   std::optional<DirectionInfo> direction = {};      ///< if it was asked for
 };
 
+/// What is known of a model.
+struct ModelInfo {
+  std::string format;  ///< "glTF"
+  Scene scene;
+};
+
+/// How many it shows, each as often as its mesh is placed.
+std::size_t triangleCount(const Scene& scene);
+
 /// What is known of one input.
 struct InputInfo {
   std::string name;
-  std::variant<MapInfo, FoundBrdfTable, Error> what;
+  std::variant<MapInfo, ModelInfo, FoundBrdfTable, Error> what;
 };
 
 /// As text for a reader: each line ends, and the first is the name.

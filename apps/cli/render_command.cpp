@@ -149,6 +149,9 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
   if (request.turntable.frames == 0 && request.turntable.turn != Turn::camera)
     return fail(ErrorCode::usage,
                 "--turn says what goes round in a turntable, and one picture is none; add --frames N");
+  if (request.turntable.frames > 0 && request.turntable.turn != Turn::environment && !settings.camera.name.empty())
+    return fail(ErrorCode::usage, "--frames: the camera '" + settings.camera.name +
+                                      "' stands still; give --camera AZIMUTH,ELEVATION, or --turn environment");
   MIRRORBALL_TRY_VOID(checkFolder(output));
   MIRRORBALL_TRY_VOID(checkWritable(output));
   if (settings.texgen == Texgen::light && settings.lights.empty())
@@ -169,6 +172,7 @@ Result<void> render(const RenderRequest& request) {
   StageClock clock;
   FrameSettings settings = request.frame;
   MIRRORBALL_TRY_VOID(checkReference(request.reference, settings, request.given));
+  MIRRORBALL_TRY_VOID(checkCamera(settings.camera, request.given));
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
   if (request.reference.is_wanted)
     return renderReference(request.scene, request.materials, settings, request.reference, request.given,

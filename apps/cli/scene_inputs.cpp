@@ -95,6 +95,15 @@ Result<Inputs> checkedInputs(Result<Inputs> inputs, const SceneRequest& request,
 
 }  // namespace
 
+Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given) {
+  if (camera.name.empty()) return {};
+  for (const std::string_view name : {"target", "fov", "orthographic"})
+    if (given.contains(name))
+      return fail(ErrorCode::usage, "--" + std::string(name) + ": the camera '" + camera.name +
+                                        "' has its own; leave it out, or give --camera AZIMUTH,ELEVATION");
+  return {};
+}
+
 Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& materials,
                            std::span<const std::string> outputs) {
   MIRRORBALL_TRY(names, namesOf(request, materials));

@@ -30,6 +30,9 @@ std::span<const Option<SceneRequest>> sceneOptions();
 /// Adds the model, which may be left out, as a positional argument of that name.
 void addModel(Command& command, std::string_view name, SceneRequest& request);
 
+/// errors   usage: an option was given that a model's own camera leaves nothing to
+Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given);
+
 /// Loads the model alone, and changes its materials; says what its file has that is left out.
 ///
 /// outputs  the files that will be written, none of which may be one that is read

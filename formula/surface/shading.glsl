@@ -44,9 +44,22 @@ FN float cosineOfFacets(Surface s, float cosine) {
   return s.material.perceptual_roughness > 0.0f ? 1.0f - s.environment_brdf.y : cosine;
 }
 
-// Dispersion gives each channel its own index.
+// A dielectric's reflectance with the strength and the colour of KHR_materials_specular: at normal incidence it is f0
+// times the colour, at most 1, and from there it rises to 1 as it did from f0. With Schlick's form that is the
+// extension's formula. The exact form of a great index falls below f0 before it rises; that part is scaled.
+FN vec3 tintedReflectance(Material m, vec3 reflectance, vec3 f0) {
+  vec3 start = min(f0 * m.specular_color, vec3(1.0f));
+  vec3 fallen = min(reflectance, f0) / max(f0, vec3(1e-6f));
+  vec3 risen = max(reflectance - f0, vec3(0.0f)) / max(vec3(1.0f) - f0, vec3(1e-6f));
+  return m.specular * (start * fallen + (vec3(1.0f) - start) * risen);
+}
+
+// Of a smooth dielectric, per channel: dispersion gives each its own index.
 FN vec3 smoothDielectric(Surface s, float cosine) {
-  return s.material.specular * dielectricReflectance(s, cosine, iorOfChannels(s.material.ior, s.material.dispersion));
+  vec3 ior = iorOfChannels(s.material.ior, s.material.dispersion);
+  vec3 here = dielectricReflectance(s, cosine, ior);
+  if (s.material.specular_color == vec3(1.0f)) return s.material.specular * here;
+  return tintedReflectance(s.material, here, dielectricReflectance(s, 1.0f, ior));
 }
 
 // What a surface reflects whose facets reflect `facets`, as the eye sees them, and `mean` over the hemisphere.
@@ -64,7 +77,8 @@ FN Reflectance roughDielectric(Surface s, float cosine) {
   vec3 mean = meanFresnel(dielectricReflectance(s, kMeanFresnelCosines.x, ior),
                           dielectricReflectance(s, kMeanFresnelCosines.y, ior),
                           dielectricReflectance(s, kMeanFresnelCosines.z, ior));
-  return roughReflectance(s, smoothDielectric(s, cosineOfFacets(s, cosine)), s.material.specular * mean);
+  vec3 tinted = tintedReflectance(s.material, mean, dielectricReflectance(s, 1.0f, ior));
+  return roughReflectance(s, smoothDielectric(s, cosineOfFacets(s, cosine)), tinted);
 }
 
 FN Reflectance roughMetal(Surface s, float cosine) {
@@ -83,12 +97,30 @@ FN Reflectance specularReflectance(Surface s, float cosine) {
   return r;
 }
 
+// A material whose specular colour is grey, as bright as its brightest channel. What it does not reflect is what enters
+// (KHR_materials_specular): a red reflection does not make what is below it cyan.
+FN Material withGreySpecular(Material m) {
+  m.specular_color = vec3(max(max(m.specular_color.x, m.specular_color.y), m.specular_color.z));
+  return m;
+}
+
 // The share of light that enters the surface and may leave it again: what a dielectric of its kind does not reflect.
 FN vec3 diffuseAlbedo(Surface s, float cosine) {
   vec3 albedo = s.material.base_color * (1.0f - s.material.metallic);
   if (s.material.metallic == 1.0f) return albedo;
+  s.material = withGreySpecular(s.material);
   Reflectance dielectric = roughDielectric(s, cosine);
   return albedo * (vec3(1.0f) - dielectric.single_scattering - dielectric.multiple_scattering);
+}
+
+// A material that answers to no light and shows a colour as radiance (KHR_materials_unlit).
+FN Material unlitMaterial(Material m, vec3 color) {
+  m.base_color = vec3(0.0f);
+  m.metallic = 0.0f;
+  m.specular = 0.0f;
+  m.transmission = 0.0f;
+  m.emission = color;
+  return m;
 }
 
 // The radiance towards the viewer: what is not reflected is refracted, scattered or absorbed, so that a white surface

@@ -2,13 +2,10 @@
 //   vec4 colorAt(SurfacePoint point)                                base colour and opacity
 //   Surface surfaceAt(SurfacePoint point, vec3 n, vec3 base_color)  n on the viewer's side
 // Here: glTF's core, and the textures of its extensions specular and transmission.
+#include "base_color.glsl"
 #include "brdf_table.glsl"
 
 uniform sampler2D brdf_table;
-
-vec4 colorAt(SurfacePoint point) {
-  return vec4(material.base_color, material.opacity) * point.color * base_color_map_at(point);
-}
 
 Surface surfaceAt(SurfacePoint point, vec3 n, vec3 base_color) {
   Surface s;
@@ -17,6 +14,7 @@ Surface surfaceAt(SurfacePoint point, vec3 n, vec3 base_color) {
   s.material.perceptual_roughness *= roughness_map_at(point).y;
   s.material.metallic *= metallic_map_at(point).z;
   s.material.specular *= specular_map_at(point).w;
+  s.material.specular_color *= specular_color_map_at(point).xyz;
   s.material.transmission *= transmission_map_at(point).x;
   s.material.emission *= emission_map_at(point).xyz;
   s.normal = n;

@@ -108,7 +108,8 @@ TEST_F(InfoJsonTest, ABrdfTableIsKnown) {
 TEST_F(InfoJsonTest, AModelIsNamedWithTheCommandThatShowsIt) {
   write("duck.glb", std::string("glTF and so on"));
   write("duck.stl", std::string("solid duck"));
-  EXPECT_THAT(refuse(1, "info duck.glb"),
+  EXPECT_THAT(refuse(1, "info duck.glb"), HasSubstr("duck.glb: its header reaches byte 20"));
+  EXPECT_THAT(refuse(1, "convert duck.glb --to cube -o out.exr"),
               HasSubstr("duck.glb: is a glTF model, no map; try `mirrorball render duck.glb`"));
   EXPECT_THAT(refuse(1, "convert duck.stl --to cube -o out.exr"), HasSubstr("is an STL model"));
   EXPECT_THAT(refuse(1, "bake duck.glb -o out"), HasSubstr("is a glTF model"));

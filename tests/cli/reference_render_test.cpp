@@ -72,6 +72,27 @@ TEST_F(ReferenceAgainstRendererTest, PointLightsAreTheSame) {
   EXPECT_GE(psnr(image("drawn.exr"), image("traced.exr")), 45.0);
 }
 
+// What a thin wall does not reflect of one colour it does not let through of any other.
+TEST_F(ReferenceAgainstRendererTest, TintedReflectionsAreTheSame) {
+  succeed("convert studio --to cube --size 256 --format float32 -o room.ktx2");
+  const std::string line =
+      "render sphere -e room.ktx2 --set specular_color=12,5,1 --set perceptual_roughness=0 --set base_color=1 "
+      "--set transmission=1 --set thin_walled=yes --size 96x96 --samples 64 ";
+  succeed(line + "-o drawn.exr");
+  run(line + "--reference --bounces 1 --unoccluded -o traced.exr");
+  EXPECT_GE(psnr(image("drawn.exr"), image("traced.exr")), 40.0);
+}
+
+TEST_F(ReferenceAgainstRendererTest, AnUnlitSurfaceShowsItsColour) {
+  const std::string line =
+      "render sphere --material glass --set unlit=yes --set base_color=0.125,0.5,1 --light 1,1,9,1,1,1 -e studio "
+      "--size 32x32 --samples 4 -o ball.exr";
+  for (const char* how : {"", " --reference"}) {
+    run(line + how);
+    EXPECT_EQ(rgbAt(image("ball.exr"), 16, 16), glm::vec3(0.125f, 0.5f, 1.0f)) << how;
+  }
+}
+
 TEST_F(ReferenceRenderTest, LayersAreForDenoisers) {
   run("render sphere --material gold --reference --layers --size 32x24 --samples 8 -o ball.exr");
   const Bytes file = bytes("ball.exr");

@@ -73,6 +73,38 @@ TEST(Tangent, AFlatNormalMapLeavesTheNormal) {
   EXPECT_NEAR(bent.x, 1.0f, 1e-6f) << "red points along the tangent";
 }
 
+// KHR_materials_specular: mix(min(f0 · color, 1), 1, (1 − cos θ)⁵) · specular.
+TEST(TintedReflectance, IsTheExtensionsFormulaForSchlicksForm) {
+  Surface s;
+  s.material.fresnel = kFresnelSchlick;
+  s.material.specular = 0.7f;
+  s.material.specular_color = {0.5f, 3.0f, 40.0f};
+  for (const float cosine : {0.0f, 0.3f, 0.8f, 1.0f}) {
+    const vec3 f0 = min(0.04f * s.material.specular_color, vec3(1.0f));
+    const vec3 wanted = 0.7f * mix(f0, vec3(1.0f), std::pow(1.0f - cosine, 5.0f));
+    EXPECT_LT(distance(smoothDielectric(s, cosine), wanted), 1e-6f) << cosine;
+  }
+}
+
+TEST(TintedReflectance, TakesNoMoreThanAllLight) {
+  for (const float ior : {1.0f, 1.5f, 10.0f})
+    for (const float factor : {0.0f, 1.0f, 1e6f}) {
+      Surface s;
+      s.material.ior = ior;
+      s.material.specular_color = {factor, 0.0f, 1.0f};
+      Surface grey;
+      grey.material = withGreySpecular(s.material);
+      for (float cosine = 0.0f; cosine <= 1.0f; cosine += 0.05f) {
+        const vec3 reflected = smoothDielectric(s, cosine);
+        const vec3 entering = vec3(1.0f) - smoothDielectric(grey, cosine);
+        for (int channel = 0; channel < 3; ++channel) {
+          EXPECT_GE(reflected[channel], 0.0f);
+          EXPECT_LE(reflected[channel] + entering[channel], 1.0f + 1e-6f) << ior << ", " << factor << ", " << cosine;
+        }
+      }
+    }
+}
+
 TEST(Height, TheGradientIsTheHeightsOwn) {
   constexpr float kStep = 1e-3f;
   int felt = 0;

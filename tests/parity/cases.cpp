@@ -371,6 +371,11 @@ const Case kCases[] = {
     PARITY(dielectricReflectance, direction, kTranscendental,
            vec4(dielectricReflectance(testSurface(p, q, r), p.w, vec3(1.0f + r.x, 1.5f, 2.0f)), 0.0f)),
     PARITY(metalReflectance, direction, kTight, vec4(metalReflectance(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(
+        tintedReflectance, direction, kTranscendental,
+        vec4(tintedReflectance(testSurface(p, q, r).material, vec3(0.25f + 0.5f * abs(p.y)), vec3(0.25f * r.x)), 0.0f)),
+    PARITY(withGreySpecular, direction, kExact,
+           vec4(withGreySpecular(testSurface(p, q, r).material).specular_color, 0.0f)),
     PARITY(smoothDielectric, direction, kTranscendental, vec4(smoothDielectric(testSurface(p, q, r), p.w), 0.0f)),
     PARITY(roughReflectance, direction, kTight,
            vec4(roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).single_scattering,
@@ -386,6 +391,9 @@ const Case kCases[] = {
            vec4(specularReflectance(testSurface(p, q, r), p.w).single_scattering,
                 specularReflectance(testSurface(p, q, r), p.w).multiple_scattering.y)),
     PARITY(diffuseAlbedo, direction, kTranscendental, vec4(diffuseAlbedo(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(unlitMaterial, direction, kExact,
+           vec4(unlitMaterial(testSurface(p, q, r).material, vec3(r)).emission,
+                unlitMaterial(testSurface(p, q, r).material, vec3(r)).specular)),
     PARITY(shadedByEnvironment, direction, kTranscendental,
            vec4(shadedByEnvironment(testSurface(p, q, r), vec3(p), vec3(r), vec3(0.5f, 1.0f, 2.0f),
                                     vec3(1.0f, r.w, 0.25f)),
@@ -393,6 +401,33 @@ const Case kCases[] = {
     PARITY(shadedByPointLight, direction, kTranscendental,
            vec4(shadedByPointLight(testSurface(p, q, r), vec3(p), normalize(vec3(0.5f, 0.75f, 0.25f)),
                                    vec3(1.0f, 2.0f, 3.0f)),
+                0.0f)),
+
+    // lamp: around a place within its range
+    PARITY(towardsLamp, direction, kTight,
+           vec4(towardsLamp(Lamp(int(3.9375f * r.z), vec3(q), vec3(p), vec3(1.0f), 4.0f, 0.9f, 0.3f), 4.0f * vec3(r)),
+                0.0f)),
+    PARITY(shareInRange, unit, kTight,
+           vec4(shareInRange(Lamp(1, vec3(0.0f), vec3(0.0f), vec3(1.0f), r.x < 0.25f ? 0.0f : 2.0f, 1.0f, 0.0f),
+                             6.0f * p.x),
+                0.0f, 0.0f, 0.0f)),
+    PARITY(shareInCone, direction, kTight,
+           vec4(shareInCone(Lamp(2, vec3(0.0f), vec3(p), vec3(1.0f), 0.0f, 0.75f, 0.25f), vec3(q)), 0.0f, 0.0f, 0.0f)),
+    PARITY(
+        lampIlluminance, direction, kTranscendental,
+        vec4(lampIlluminance(Lamp(1 + int(2.9375f * r.z), vec3(q), vec3(p), vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f),
+                             4.0f * vec3(r)),
+             0.0f)),
+
+    // lamp_shading, of surfaces that are not so smooth that rounding moves their highlight
+    PARITY(shadedByPunctualLight, direction, kTranscendental,
+           vec4(shadedByPunctualLight(testSurface(p, q, vec4(0.5f + 0.5f * r.x, r.y, r.z, r.w)), vec3(p),
+                                      normalize(vec3(0.5f, 0.75f, 0.25f)), vec3(1.0f, 2.0f, 3.0f)),
+                0.0f)),
+    PARITY(shadedByLamp, direction, kTranscendental,
+           vec4(shadedByLamp(testSurface(p, q, vec4(0.5f + 0.5f * r.x, r.y, r.z, r.w)), vec3(p), vec3(0.0f),
+                             Lamp(int(3.9375f * r.z), vec3(1.5f, 2.0f, 0.75f), vec3(-0.6f, -0.64f, -0.48f),
+                                  vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f)),
                 0.0f)),
 
     // triangle_tree

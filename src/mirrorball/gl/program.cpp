@@ -129,8 +129,8 @@ void Program::set(std::string_view uniform, const glm::mat4& value) {
   glUniformMatrix4fv(locationOf(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }
 
-void Program::set(std::string_view uniform, std::span<const glm::vec3> values) {
-  glUniform3fv(locationOf(uniform), static_cast<GLsizei>(values.size()), reinterpret_cast<const float*>(values.data()));
+void Program::set(std::string_view uniform, std::span<const glm::vec4> values) {
+  glUniform4fv(locationOf(uniform), static_cast<GLsizei>(values.size()), reinterpret_cast<const float*>(values.data()));
 }
 
 }  // namespace mirrorball::gl

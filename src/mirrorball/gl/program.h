@@ -52,8 +52,8 @@ class Program {
   void set(std::string_view uniform, glm::vec4 value);
   void set(std::string_view uniform, const glm::mat3& value);
   void set(std::string_view uniform, const glm::mat4& value);
-  /// An array: `uniform vec3 harmonics[9]` is set as "harmonics".
-  void set(std::string_view uniform, std::span<const glm::vec3> values);
+  /// An array: `uniform vec4 rows[9]` is set as "rows".
+  void set(std::string_view uniform, std::span<const glm::vec4> values);
 
  private:
   static void destroy(unsigned name);

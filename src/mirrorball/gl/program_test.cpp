@@ -33,7 +33,7 @@ std::optional<std::string_view> findInTest(std::string_view name) {
        "uniform vec4 four;\n"
        "uniform mat3 small;\n"
        "uniform mat4 large;\n"
-       "uniform vec3 list[3];\n"
+       "uniform vec4 list[3];\n"
        "uniform float unused;\n"
        "out vec4 color;\n"
        "void main() {\n"
@@ -78,8 +78,8 @@ TEST_P(ProgramTest, TakesUniformsOfEveryType) {
   glm::mat4 large(0.0f);
   large[3].y = 64.0f;
   program->set("large", large);
-  const std::array<glm::vec3, 3> kList = {glm::vec3(128.0f, 9.0f, 9.0f), glm::vec3(9.0f),
-                                          glm::vec3(9.0f, 9.0f, 256.0f)};
+  const std::array<glm::vec4, 3> kList = {glm::vec4(128.0f, 9.0f, 9.0f, 9.0f), glm::vec4(9.0f),
+                                          glm::vec4(9.0f, 9.0f, 256.0f, 9.0f)};
   program->set("list", kList);
   program->set("unused", 1.0f);
 

@@ -23,6 +23,8 @@ struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;  ///< three a triangle, each below vertices.size()
   int material = 0;                    ///< index into Scene::materials
+  /// For each of Scene::variants the material that it gives the mesh; empty: none gives it another.
+  std::vector<int> material_of_variant = {};
 };
 
 /// Sets smooth normals: the mean of the triangles' normals at each vertex, weighted by angle (Thürmer & Wüthrich 1998).

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/mesh_file/positions.h"
 
 namespace mirrorball {
@@ -22,10 +24,26 @@ Scene sceneOf(Mesh mesh, Material material) {
   return scene;
 }
 
+Result<void> chooseVariant(Scene& scene, const std::string& name) {
+  if (scene.variants.empty())
+    return fail(ErrorCode::usage, "the model has no variants of its materials, so none is named '" + name + "'");
+  const std::vector<std::string_view> names(scene.variants.begin(), scene.variants.end());
+  const auto index = indexOfName(name, names);
+  if (!index) return tl::unexpected<Error>(unknownName("variant", name, names));
+  for (Mesh& mesh : scene.meshes)
+    if (!mesh.material_of_variant.empty()) mesh.material = mesh.material_of_variant[*index];
+  return {};
+}
+
 void standUpright(Scene& scene, UpAxis up) {
   if (up == UpAxis::y) return;
   const glm::mat4 y_from_z(glm::vec4(1, 0, 0, 0), glm::vec4(0, 0, -1, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 0, 1));
   for (Instance& instance : scene.instances) instance.world_from_object = y_from_z * instance.world_from_object;
+  for (ModelCamera& camera : scene.cameras) camera.world_from_view = y_from_z * camera.world_from_view;
+  for (ModelLight& light : scene.lights) {
+    light.position = glm::vec3(y_from_z * glm::vec4(light.position, 1.0f));
+    light.direction = glm::vec3(y_from_z * glm::vec4(light.direction, 0.0f));
+  }
 }
 
 BoundingSphere boundingSphere(const Scene& scene) {

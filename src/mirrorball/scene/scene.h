@@ -6,9 +6,12 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/base/result.h"
 #include "mirrorball/image/image.h"
+#include "mirrorball/scene/camera/model_camera.h"
 #include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/mesh.h"
+#include "mirrorball/scene/model_light.h"
 
 namespace mirrorball {
 
@@ -36,12 +39,17 @@ struct BoundingSphere {
   float radius = 1.0f;
 };
 
-/// The objects that are seen, with their materials and textures.
+/// The objects that are seen, with their materials and textures, and what else a model's file has.
 struct Scene {
+  static constexpr std::size_t kMaxLights = 32;
+
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Material> materials;  ///< at least one if there is a mesh
   std::vector<Texture> textures;
+  std::vector<ModelCamera> cameras;
+  std::vector<ModelLight> lights;     ///< at most kMaxLights
+  std::vector<std::string> variants;  ///< names of other choices of materials: chooseVariant()
   std::vector<std::string> warnings;  ///< what was left out of a file, one line each
   std::vector<std::string> files;     ///< that were read beside the model's own
 
@@ -53,6 +61,11 @@ const Material& materialOf(const Scene& scene, std::size_t instance);
 
 /// A scene of one mesh where it is, with one material.
 Scene sceneOf(Mesh mesh, Material material = {});
+
+/// Gives every mesh the material that it has in one of the scene's variants.
+///
+/// errors   usage: there is none of that name; lists those there are
+Result<void> chooseVariant(Scene& scene, const std::string& name);
 
 /// Which of a file's axes points upwards.
 enum class UpAxis { y, z };

@@ -28,6 +28,7 @@ Environment environmentOfDirections() {
 
 Result<Image> cosinesOf(Renderer& renderer, Scene scene, const FrameSettings& frame) {
   MIRRORBALL_TRY_VOID(changeMaterials(scene, {.material = "mirror"}));
+  scene.lights.clear();
   MIRRORBALL_TRY_VOID(renderer.setScene(std::move(scene)));
   const FrameSettings of_normals{.size = frame.size,
                                  .camera = frame.camera,
@@ -35,7 +36,7 @@ Result<Image> cosinesOf(Renderer& renderer, Scene scene, const FrameSettings& fr
                                  .samples = 16,
                                  .mapping = Mapping::normal};
   MIRRORBALL_TRY(normals, renderer.renderRadiance(of_normals));
-  const Camera camera = framedCamera(renderer.scene(), renderer.bounds(), frame.camera, frame.size);
+  MIRRORBALL_TRY(camera, framedCamera(renderer.scene(), renderer.bounds(), frame.camera, frame.size));
   const glm::mat4 world_from_clip = glm::inverse(camera.clip_from_view * camera.view_from_world);
   Image cosines(frame.size.x, frame.size.y, 1, -1.0f);
   for (int y = 0; y < frame.size.y; ++y)

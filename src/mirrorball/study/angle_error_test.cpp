@@ -30,7 +30,7 @@ TEST(AngleError, TheCosinesOfASphereAreThoseOfItsRays) {
   const auto cosines = cosinesOf(*renderer, scene, frame);
   ASSERT_TRUE(cosines) << cosines.error().message;
 
-  const Camera camera = framedCamera(scene, boundingSphere(scene), frame.camera, frame.size);
+  const Camera camera = *framedCamera(scene, boundingSphere(scene), frame.camera, frame.size);
   const float slope = 1.0f / camera.clip_from_view[1][1];  // of the picture's upper edge
   int inside = 0;
   for (int y = 0; y < 48; ++y)

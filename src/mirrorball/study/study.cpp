@@ -197,7 +197,7 @@ Result<const Traced*> Workshop::trace(Stage& stage, const PlannedShot& shot, std
   trace.noise = settings_.noise;
   trace = tracedFrame(stage.frame, trace);
   if (settings_.paths) trace.samples = *settings_.paths;
-  const Camera camera = framedCamera(stage.scene, boundingSphere(stage.scene), stage.frame.camera, trace.size);
+  MIRRORBALL_TRY(camera, framedCamera(stage.scene, boundingSphere(stage.scene), stage.frame.camera, trace.size));
   const auto start = Clock::now();
   MIRRORBALL_TRY(picture, stage.tracer->render(camera, trace, {.progress = steps_.next(kStepsOfTraced)}));
   if (picture.is_interrupted) return fail(ErrorCode::interrupted, "interrupted; nothing was written");

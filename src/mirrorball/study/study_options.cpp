@@ -34,8 +34,9 @@ std::span<const Option<StudySettings>> studyOptions() { return kOptions; }
 
 std::span<const Option<FrameSettings>> studyFrameOptions() {
   static const std::vector<Option<FrameSettings>> options = [] {
-    constexpr std::array<std::string_view, 9> kNames{"size", "exposure",     "tone-map",     "camera",       "target",
-                                                     "fov",  "orthographic", "env-rotation", "env-intensity"};
+    constexpr auto kNames =
+        std::to_array<std::string_view>({"size", "exposure", "tone-map", "camera", "target", "fov", "orthographic",
+                                         "env-rotation", "env-intensity", "light-intensity"});
     std::vector<Option<FrameSettings>> chosen;
     std::ranges::copy_if(frameOptions(), std::back_inserter(chosen), [&](const Option<FrameSettings>& option) {
       return std::ranges::find(kNames, option.text.name) != kNames.end();

@@ -86,7 +86,7 @@ TEST_F(StudyTest, TheNumbersAreThoseOfTheComparison) {
   frame.mapping = Mapping::sphere;
   auto drawn = renderer->renderRadiance(frame);
   ASSERT_TRUE(drawn);
-  const Camera camera = framedCamera(renderer->scene(), renderer->bounds(), frame.camera, frame.size);
+  const Camera camera = *framedCamera(renderer->scene(), renderer->bounds(), frame.camera, frame.size);
   auto tracer = PathTracer::make(mirrorSphere(), smallStudio());
   ASSERT_TRUE(tracer);
   auto traced = tracer->render(camera, {.size = frame.size,

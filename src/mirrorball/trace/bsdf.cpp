@@ -99,10 +99,12 @@ struct Bsdf::Facet {
   glm::vec3 normal;
   float cosine;
   glm::vec3 reflectance;
+  glm::vec3 entering;  // the share that it does not reflect
 };
 
 Bsdf::Bsdf(const formula::Material& material, const Refraction& refraction) : refraction_(refraction) {
   surface_.material = material;
+  entered_.material = formula::withGreySpecular(material);
   const float alpha = formula::alphaFromPerceptualRoughness(material.perceptual_roughness);
   alpha_ = alpha < kSmoothAlpha ? 0.0f : alpha;
 }
@@ -116,27 +118,38 @@ bool Bsdf::chooseMetal(SampleSequence& samples) const {
 bool Bsdf::isInMatter(const Walk& walk) const { return !walk.is_outside && !refraction_.is_thin; }
 
 /// What a dielectric's facet reflects by the one index that refracted light has.
-glm::vec3 Bsdf::reflectanceOfIndex(const Walk& walk, float cosine) const {
-  const bool refracts = material().transmission > 0.0f && !refraction_.is_thin;
-  if (refracts) {
-    const float exact = formula::fresnelDielectric(cosine, etaFrom(walk.is_outside, refraction_.ior));
-    if (exact >= 1.0f) return glm::vec3(1.0f);  // nothing passes beyond the critical angle
-    if (!walk.is_outside) return glm::vec3(material().specular * exact);
-  }
-  return material().specular * formula::dielectricReflectance(surface_, cosine, glm::vec3(refraction_.ior));
+glm::vec3 Bsdf::reflectanceOfIndex(const formula::Surface& surface, const Walk& walk, float cosine) const {
+  const formula::Material& m = surface.material;
+  const bool refracts = m.transmission > 0.0f && !refraction_.is_thin;
+  const float exact = refracts ? formula::fresnelDielectric(cosine, etaFrom(walk.is_outside, refraction_.ior)) : 0.0f;
+  if (exact >= 1.0f) return glm::vec3(1.0f);  // nothing passes beyond the critical angle
+  const bool is_inside = refracts && !walk.is_outside;
+  const glm::vec3 ior(refraction_.ior);
+  const glm::vec3 here = is_inside ? glm::vec3(exact) : formula::dielectricReflectance(surface, cosine, ior);
+  if (m.specular_color == glm::vec3(1.0f)) return m.specular * here;
+  const glm::vec3 f0 = is_inside ? glm::vec3(formula::fresnelDielectric(1.0f, refraction_.ior))
+                                 : formula::dielectricReflectance(surface, 1.0f, ior);
+  return formula::tintedReflectance(m, here, f0);
 }
 
-glm::vec3 Bsdf::facetReflectance(const Walk& walk, float cosine) const {
+glm::vec3 Bsdf::facetReflectance(const formula::Surface& surface, const Walk& walk, float cosine) const {
   const float bounded = std::clamp(cosine, 0.0f, 1.0f);
-  if (walk.is_metal) return formula::metalReflectance(surface_, bounded);
-  if (material().dispersion > 0.0f && !walk.is_refracted) return formula::smoothDielectric(surface_, bounded);
-  return reflectanceOfIndex(walk, bounded);
+  if (walk.is_metal) return formula::metalReflectance(surface, bounded);
+  if (material().dispersion > 0.0f && !walk.is_refracted) return formula::smoothDielectric(surface, bounded);
+  return reflectanceOfIndex(surface, walk, bounded);
 }
 
-/// What it lets through: all that it does not reflect, weighed for its wavelength when that is new.
-glm::vec3 Bsdf::facetTransmittance(const Walk& walk, float cosine) const {
-  const glm::vec3 passes = glm::vec3(1.0f) - facetReflectance(walk, cosine);
-  return material().base_color * passes * (walk.is_refracted ? glm::vec3(1.0f) : refraction_.weight);
+Bsdf::Facet Bsdf::facetAt(const Walk& walk, glm::vec3 normal) const {
+  const float cosine = glm::dot(walk.back(), normal);
+  const glm::vec3 reflectance = facetReflectance(surface_, walk, cosine);
+  const bool is_tinted = !walk.is_metal && material().specular_color != entered_.material.specular_color;
+  const glm::vec3 kept_out = is_tinted ? facetReflectance(entered_, walk, cosine) : reflectance;
+  return {normal, cosine, reflectance, glm::vec3(1.0f) - kept_out};
+}
+
+/// What it lets through: all that enters, weighed for its wavelength when that is new.
+glm::vec3 Bsdf::facetTransmittance(const Walk& walk, const Facet& facet) const {
+  return material().base_color * facet.entering * (walk.is_refracted ? glm::vec3(1.0f) : refraction_.weight);
 }
 
 /// What the facets that may be met here send straight into the light's direction, if no other facet catches it there.
@@ -149,7 +162,7 @@ glm::vec3 Bsdf::directFromFacets(const Walk& walk, const LightSample& light, flo
   if (l.z <= 0.0f) return directThroughFacets(walk, light);
   const float density = walk.meeting * densityOfReflection(alpha_, w, l) * shareOfFacets(walk);
   if (density <= 0.0f) return glm::vec3(0.0f);
-  const glm::vec3 reflectance = facetReflectance(walk, glm::dot(w, glm::normalize(w + l)));
+  const glm::vec3 reflectance = facetReflectance(surface_, walk, glm::dot(w, glm::normalize(w + l)));
   const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance)) * part;
   return walk.weight * reflectance *
          (density * escapeProbability(alpha_, l, walk.height) * misWeight(light, own) / light.pdf);
@@ -166,7 +179,7 @@ glm::vec3 Bsdf::directFromTwoFacets(const Walk& walk, const LightSample& light, 
   const float by_light = densityFromLight(alpha_, between, l);
   const float first = walk.meeting * shareOfFacets(walk) * densityOfReflection(alpha_, w, between);
   if (by_light <= 0.0f || first <= 0.0f) return glm::vec3(0.0f);
-  const glm::vec3 reflectance = facetReflectance(walk, glm::dot(w, glm::normalize(w + between)));
+  const glm::vec3 reflectance = facetReflectance(surface_, walk, glm::dot(w, glm::normalize(w + between)));
   const float by_first = first * (walk.is_metal ? 1.0f : maxComponent(reflectance));
   Walk second = walk;
   second.ray = walk.side() * between;
@@ -188,21 +201,21 @@ glm::vec3 Bsdf::directThroughFacets(const Walk& walk, const LightSample& light) 
       refraction_.is_thin ? densityOfReflection(alpha_, w, mirrored(l)) : densityOfRefraction(alpha_, w, l, eta);
   const float density = walk.meeting * through * material().transmission;
   if (density <= 0.0f) return glm::vec3(0.0f);
-  const float cosine = glm::dot(w, h);
-  const float own = density * (1.0f - maxComponent(facetReflectance(walk, cosine)));
+  const Facet facet = facetAt(walk, h);
+  const float own = density * (1.0f - maxComponent(facet.reflectance));
   const float height = refraction_.is_thin ? walk.height : -walk.height;
-  return walk.weight * facetTransmittance(walk, cosine) *
+  return walk.weight * facetTransmittance(walk, facet) *
          (density * escapeProbability(alpha_, -l, height) * misWeight(light, own) / light.pdf);
 }
 
 /// What the matter below a facet, or from inside before it, scatters back into the light's direction.
-glm::vec3 Bsdf::directFromMatter(const Walk& walk, const LightSample& light, glm::vec3 reflectance) const {
+glm::vec3 Bsdf::directFromMatter(const Walk& walk, const LightSample& light, const Facet& facet) const {
   const float scattered = 1.0f - material().transmission;
   if (walk.is_metal || scattered <= 0.0f) return glm::vec3(0.0f);
   const bool is_inside = isInMatter(walk);
-  const glm::vec3 entered = is_inside ? glm::vec3(1.0f) : glm::vec3(1.0f) - reflectance;
+  const glm::vec3 entered = is_inside ? glm::vec3(1.0f) : facet.entering;
   const float density = walk.meeting * scattered * formula::pdfDiffuse(walk.side() * light.direction);
-  const float own = density * (is_inside ? 1.0f : 1.0f - maxComponent(reflectance));
+  const float own = density * (is_inside ? 1.0f : 1.0f - maxComponent(facet.reflectance));
   return walk.weight * material().base_color * entered * (density * misWeight(light, own) / light.pdf);
 }
 
@@ -232,7 +245,7 @@ void Bsdf::chooseNext(Walk& walk, const Facet& facet, glm::vec2 u, SampleSequenc
   walk.from_facet = 0.0f;
   if (u.y < material().transmission) return transmit(walk, facet);
   const bool is_inside = isInMatter(walk);
-  const glm::vec3 entered = (glm::vec3(1.0f) - facet.reflectance) / std::max(1.0f - share, 1e-30f);
+  const glm::vec3 entered = facet.entering / std::max(1.0f - share, 1e-30f);
   const glm::vec3 l = formula::sampleDiffuse(samples.next());
   walk.weight *= material().base_color * (is_inside ? glm::vec3(1.0f) : entered);
   walk.pdf =
@@ -255,7 +268,7 @@ void Bsdf::transmit(Walk& walk, const Facet& facet) const {
   } else {
     walk.pdf = 0.0f;
   }
-  walk.weight *= facetTransmittance(walk, facet.cosine) / passes;
+  walk.weight *= facetTransmittance(walk, facet) / passes;
   walk.ray = walk.side() * l;
   walk.is_outside = !walk.is_outside;
   walk.is_refracted = true;
@@ -282,14 +295,13 @@ Scattering Bsdf::scatter(glm::vec3 v, const LightSample& light, SampleSequence& 
     const glm::vec3 w = walk.back();
     if (!isSmooth()) walk.height = heightOfNextFacet(alpha_, -w, walk.height, samples.nextIndependent());
     const glm::vec3 normal = isSmooth() ? kUp : formula::sampleVisibleNormal(alpha_, w, for_facet);
-    const float cosine = glm::dot(w, normal);
-    const Facet facet{normal, cosine, facetReflectance(walk, cosine)};
+    const Facet facet = facetAt(walk, normal);
     if (light.pdf > 0.0f) {
       if (!isSmooth()) {
         const float part = walk.partOfWalk(alpha_, walk.side() * light.direction);
         result.direct += part * directFromFacets(walk, light, part) + directFromTwoFacets(walk, light, samples);
       }
-      result.direct += directFromMatter(walk, light, facet.reflectance);
+      result.direct += directFromMatter(walk, light, facet);
     }
     if (result.next) return result;
     chooseNext(walk, facet, for_choice, samples);

@@ -79,17 +79,19 @@ class Bsdf {
   bool goesStraightOn() const { return !refraction_.is_thin && std::abs(refraction_.ior - 1.0f) < 1e-4f; }
   bool isInMatter(const Walk& walk) const;
   float shareOfFacets(const Walk& walk) const;
-  glm::vec3 reflectanceOfIndex(const Walk& walk, float cosine) const;
-  glm::vec3 facetReflectance(const Walk& walk, float cosine) const;
-  glm::vec3 facetTransmittance(const Walk& walk, float cosine) const;
+  glm::vec3 reflectanceOfIndex(const formula::Surface& surface, const Walk& walk, float cosine) const;
+  glm::vec3 facetReflectance(const formula::Surface& surface, const Walk& walk, float cosine) const;
+  Facet facetAt(const Walk& walk, glm::vec3 normal) const;
+  glm::vec3 facetTransmittance(const Walk& walk, const Facet& facet) const;
   glm::vec3 directFromTwoFacets(const Walk& walk, const LightSample& light, SampleSequence& samples) const;
   glm::vec3 directFromFacets(const Walk& walk, const LightSample& light, float part) const;
   glm::vec3 directThroughFacets(const Walk& walk, const LightSample& light) const;
-  glm::vec3 directFromMatter(const Walk& walk, const LightSample& light, glm::vec3 reflectance) const;
+  glm::vec3 directFromMatter(const Walk& walk, const LightSample& light, const Facet& facet) const;
   void chooseNext(Walk& walk, const Facet& facet, glm::vec2 u, SampleSequence& samples) const;
   void transmit(Walk& walk, const Facet& facet) const;
 
   formula::Surface surface_;  // its material alone
+  formula::Surface entered_;  // what it does not reflect enters: formula::withGreySpecular
   Refraction refraction_;
   float alpha_;  // 0: smooth
 };

@@ -24,9 +24,12 @@ CameraRays raysOf(const Camera& camera, glm::ivec2 size, const formula::Media& m
   // Points of the far plane follow each other evenly.
   const glm::vec3 middle = farPoint({0.0f, 0.0f});
   const glm::vec3 right = farPoint({1.0f, 0.0f}) - middle, up = farPoint({0.0f, 1.0f}) - middle;
-  return [=, position = camera.position](glm::vec2 pixel) -> std::optional<Ray> {
+  return [=, position = camera.position, nearest = camera.nearest,
+          forward = camera.forward](glm::vec2 pixel) -> std::optional<Ray> {
     const glm::vec2 ndc = ndcOf(pixel);
-    return Ray{.origin = position, .direction = glm::normalize(middle + ndc.x * right + ndc.y * up), .media = media};
+    const glm::vec3 direction = glm::normalize(middle + ndc.x * right + ndc.y * up);
+    return Ray{
+        .origin = position, .direction = direction, .nearest = nearest / glm::dot(direction, forward), .media = media};
   };
 }
 

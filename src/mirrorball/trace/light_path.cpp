@@ -231,9 +231,11 @@ LightSample Path::sampleLight() {
   return sample;
 }
 
-/// Phong's point lights, as far as nothing is in their way. They light the outside of bodies.
+/// Phong's point lights and the model's own, as far as nothing is in their way. They light the outside of bodies.
 glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& material, glm::vec3 normal) {
-  if (settings_.lights.empty() || (vertex.is_body && !vertex.is_outside)) return glm::vec3(0.0f);
+  const std::vector<ModelLight>& of_model = world_.scene.lights;
+  const bool is_inside = vertex.is_body && !vertex.is_outside;
+  if ((settings_.lights.empty() && of_model.empty()) || is_inside) return glm::vec3(0.0f);
   const Ray& arriving = vertex.arriving;
   const float cosine = std::clamp(-glm::dot(arriving.direction, normal), 0.0f, 1.0f);
   const DirectionalAlbedo albedo = directionalAlbedo(Distribution::ggx, material.perceptual_roughness, cosine);
@@ -243,13 +245,15 @@ glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& mate
   surface.environment_brdf = {1.0f - albedo.total(), albedo.grazing()};
   const glm::vec3 place = arriving.origin + vertex.hit.distance * arriving.direction;
   glm::vec3 light(0.0f);
-  for (const PointLight& lamp : settings_.lights) {
-    const float distance = glm::distance(lamp.position, place);
-    if (distance == 0.0f) continue;
-    const glm::vec3 towards = (lamp.position - place) / distance;
-    const glm::vec3 shaded = formula::shadedByPointLight(surface, arriving.direction, towards, lamp.color);
-    if (shaded != glm::vec3(0.0f)) light += shaded * shareThatArrives(leaving(vertex, towards), distance);
-  }
+  const auto add = [&](const formula::Lamp& lamp, float factor) {
+    const glm::vec3 shaded = factor * formula::shadedByLamp(surface, arriving.direction, place, lamp);
+    if (shaded == glm::vec3(0.0f)) return;
+    const bool is_far = lamp.kind == formula::kLampDirectional;
+    const float distance = is_far ? INFINITY : glm::distance(lamp.position, place);
+    light += shaded * shareThatArrives(leaving(vertex, formula::towardsLamp(lamp, place)), distance);
+  };
+  for (const PointLight& lamp : settings_.lights) add(lampOf(lamp), 1.0f);
+  for (const ModelLight& lamp : of_model) add(lamp, settings_.light_intensity);
   return light;
 }
 
@@ -347,6 +351,7 @@ PathLight Path::follow(Ray ray) {
       result.normal = facing * normal;
     }
     sum_ += throughput_ * vertex.point.material.emission;
+    if (vertex.surface.unlit) return ended();
     const auto next = scatter(vertex, normal);
     if (!next || (surfaces >= kFirstRoulette && !survivesRoulette())) return ended();
     ray = *next;

@@ -36,10 +36,15 @@ TEST(PathTracer, TheFurnaceIsWhite) {
     plastic.perceptual_roughness = roughness;
     Material glass = plastic;
     glass.transmission = 1.0f;
+    Material enamel = plastic;
+    enamel.specular_color = glm::vec3(12.0f);
     Material milk_glass = plastic;
     milk_glass.transmission = 0.5f;
-    for (const auto& [name, material] :
-         {std::pair("metal", metal), {"plastic", plastic}, {"glass", glass}, {"milk glass", milk_glass}}) {
+    for (const auto& [name, material] : {std::pair("metal", metal),
+                                         {"plastic", plastic},
+                                         {"enamel", enamel},
+                                         {"glass", glass},
+                                         {"milk glass", milk_glass}}) {
       TraceSettings settings = small(64);
       settings.bounces = 64;
       EXPECT_NEAR(meanOf(traced(shapeOf("sphere", material), lightOf(1.0f), settings)), 1.0f, 4e-3f)

@@ -106,8 +106,10 @@ SurfacePoint surfacePointAt(const Scene& scene, const glm::mat3& world_from_norm
   point.material.perceptual_roughness *= sampleSlot(scene, material.roughness_map, corners).y;
   point.material.metallic *= sampleSlot(scene, material.metallic_map, corners).z;
   point.material.specular *= sampleSlot(scene, material.specular_map, corners).w;
+  point.material.specular_color *= glm::vec3(sampleSlot(scene, material.specular_color_map, corners));
   point.material.transmission *= sampleSlot(scene, material.transmission_map, corners).x;
   point.material.emission *= glm::vec3(sampleSlot(scene, material.emission_map, corners));
+  if (material.unlit) point.material = formula::unlitMaterial(point.material, point.material.base_color);
   return point;
 }
 

@@ -40,6 +40,7 @@ struct TraceSettings {
   bool shows_environment = true;             ///< behind the scene
   std::optional<glm::vec3> background = {};  ///< radiance there if the environment is not shown; nothing: transparent
   std::vector<PointLight> lights = {};       ///< by Phong's model, as the renderer has them, but with shadows
+  float light_intensity = 1.0f;              ///< scales the scene's own lights
   bool wants_layers = false;                 ///< also what denoisers ask for (TraceLayers)
 };
 

@@ -92,7 +92,14 @@ std::string writtenBackground(const FrameSettings& settings) {
 
 constexpr Field kBackground{writtenBackground, parseBackground};
 
+/// Whether a text cannot be meant as numbers.
+bool isName(std::string_view text) { return text.find_first_not_of("0123456789+-.,eE ") != std::string_view::npos; }
+
 Result<void> parseOrbit(const OptionText& text, std::string_view written, FrameSettings& settings) {
+  if (isName(written)) {
+    settings.camera.name = written;
+    return {};
+  }
   MIRRORBALL_TRY(numbers, parseNumbers(text, written));
   if (std::abs(numbers[1]) > 90.0f) return misused({.name = text.name}, "an elevation from -90 to 90 degrees", written);
   if (numbers.size() > 2 && numbers[2] <= 0.0f)
@@ -104,6 +111,7 @@ Result<void> parseOrbit(const OptionText& text, std::string_view written, FrameS
 }
 
 std::string writtenOrbit(const FrameSettings& settings) {
+  if (!settings.camera.name.empty()) return settings.camera.name;
   std::vector<float> numbers{settings.camera.azimuth_deg, settings.camera.elevation_deg};
   if (settings.camera.distance) numbers.push_back(*settings.camera.distance);
   return writeNumbers(numbers);
@@ -192,12 +200,13 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      kBackground},
 
     {{.name = "camera",
-      .value = "AZIMUTH,ELEVATION[,DISTANCE]",
+      .value = "AZIMUTH,ELEVATION[,DISTANCE]|NAME",
       .unit = "degrees and model radii",
       .min_count = 2,
       .max_count = 3,
       .help = "where the camera stands around the model: azimuth 0 is on +Z and looks along -Z, azimuth 90 is on +X, "
-              "elevation 90 is on +Y; without DISTANCE the model fills the picture and is centred in it",
+              "elevation 90 is on +Y; without DISTANCE the model fills the picture and is centred in it; or the name "
+              "of one of the model's own cameras, which `mirrorball info` lists",
       .group = "Camera"},
      kOrbit},
     {{.name = "target",
@@ -304,6 +313,13 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "add a point light (Phong's model) by its position and its colour; may be repeated",
       .group = "Environment"},
      kLight},
+    {{.name = "light-intensity",
+      .value = "FACTOR",
+      .minimum = 0,
+      .maximum = 1e6,
+      .help = "factor on the model's own lights (KHR_lights_punctual), whose cd and lx make radiance in cd/m²",
+      .group = "Environment"},
+     &FrameSettings::light_intensity},
 
 });
 

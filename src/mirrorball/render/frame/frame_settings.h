@@ -54,11 +54,12 @@ struct FrameSettings {
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;
   RefractionKind refraction = RefractionKind::single;
-  int inner_bounces = 4;                ///< surfaces that light meets inside of bodies where it is traced, 1 … 32
+  int inner_bounces = 4;  ///< surfaces that light meets inside of bodies where it is traced, 1 … 32
   LightLookUp look_up = LightLookUp::cube;
   Texgen texgen = Texgen::none;         ///< for base_color_map where the scene has one, else for the environment
   glm::mat4 texture_matrix{1.0f};       ///< of these coordinates, or of those that there are without them
-  std::vector<PointLight> lights = {};  ///< at most kMaxLights
+  std::vector<PointLight> lights = {};  ///< at most kMaxLights, beside the scene's own
+  float light_intensity = 1.0f;         ///< scales the scene's own lights
 
   /// Directions of the environment from those of the world.
   glm::mat3 environmentFromWorld() const;

@@ -40,10 +40,12 @@ Result<PreparedLight> prepareLight(const RenderInputNames& names, const Observer
   return PreparedLight{std::move(loaded), std::move(prepared)};
 }
 
-/// A wrong name among the materials is told before anything is loaded.
+/// A wrong name among the materials is told before anything is loaded; but for a variant's, which the model knows.
 Result<void> checkMaterials(const RenderInputNames& names) {
   Scene no_scene;
-  return changeMaterials(no_scene, names.materials);
+  MaterialChanges known = names.materials;
+  known.variant.clear();
+  return changeMaterials(no_scene, known);
 }
 
 std::future<Result<Scene>> sceneLater(const RenderInputNames& names, const Observer& observer) {

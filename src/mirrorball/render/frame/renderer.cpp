@@ -190,7 +190,8 @@ Result<Image> Renderer::renderRadiance(const FrameSettings& settings, const Prog
 }
 
 Result<void> Renderer::draw(const FrameSettings& settings, const ProgressFunction& progress) {
-  return draw(cameraFor(settings), settings, progress);
+  MIRRORBALL_TRY(camera, cameraFor(settings));
+  return draw(camera, settings, progress);
 }
 
 Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress) {
@@ -207,11 +208,14 @@ Result<void> Renderer::draw(const Camera& camera, const FrameSettings& settings,
   return {};
 }
 
-Camera Renderer::cameraFor(const FrameSettings& settings) const {
+Result<Camera> Renderer::cameraFor(const FrameSettings& settings) const {
   return framedCamera(state_->scene, state_->bounds, settings.camera, settings.size);
 }
 
-Result<void> Renderer::begin(const FrameSettings& settings) { return begin(cameraFor(settings), settings); }
+Result<void> Renderer::begin(const FrameSettings& settings) {
+  MIRRORBALL_TRY(camera, cameraFor(settings));
+  return begin(camera, settings);
+}
 
 Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings) {
   State& state = *state_;

@@ -114,7 +114,7 @@ class Renderer {
 
  private:
   struct State;
-  Camera cameraFor(const FrameSettings& settings) const;
+  Result<Camera> cameraFor(const FrameSettings& settings) const;
   explicit Renderer(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -52,16 +52,18 @@ void setExtents(gl::Program& program, const Scene& scene, const Material& materi
   }
 }
 
-void setLamps(gl::Program& program, const std::vector<PointLight>& lights) {
-  if (lights.empty()) return;
-  std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> colors;
-  for (const PointLight& light : lights) {
-    positions.push_back(light.position);
-    colors.push_back(light.color);
-  }
-  program.set("lamp_position", std::span<const glm::vec3>(positions));
-  program.set("lamp_color", std::span<const glm::vec3>(colors));
+/// As shaders/surface/lamps_listed.glsl reads them.
+std::vector<glm::vec4> lampRows(const Scene& scene, const FrameSettings& settings) {
+  std::vector<glm::vec4> rows;
+  const auto add = [&](const formula::Lamp& lamp, float factor) {
+    rows.emplace_back(lamp.position, static_cast<float>(lamp.kind));
+    rows.emplace_back(lamp.direction, lamp.range);
+    rows.emplace_back(lamp.color * factor, 0.0f);
+    rows.emplace_back(lamp.cosine_inner, lamp.cosine_outer, 0.0f, 0.0f);
+  };
+  for (const PointLight& light : settings.lights) add(lampOf(light), 1.0f);
+  for (const ModelLight& light : scene.lights) add(light, settings.light_intensity);
+  return rows;
 }
 
 /// The index of an instance's material.
@@ -71,7 +73,8 @@ int materialOf(const Scene& scene, int instance) {
 
 SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers, const FrameSettings& settings,
                          const CoordinateChoice& coordinates) {
-  return surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings, coordinates);
+  return surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings,
+                        settings.lights.size() + scene.lights.size(), coordinates);
 }
 
 /// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light
@@ -108,7 +111,7 @@ Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_tab
 
 /// Says which unit and which binding point each sampler and block reads; they are the same in all programs.
 void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant) {
-  program.set("brdf_table", TextureUnit::brdf_table);
+  if (!variant.has(Part::material, MaterialPart::unlit)) program.set("brdf_table", TextureUnit::brdf_table);
   const std::string form = variant.has(Part::arriving_light, ArrivingLightPart::distant) ? "" : "_faces";
   program.set("environment" + form, TextureUnit::environment);
   program.set("prefiltered" + form, TextureUnit::prefiltered);
@@ -183,9 +186,11 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
                                     const FrameUniforms& frame, const FrameSettings& settings) {
   if (scene.instances.empty()) return {};
   coordinates_ = coordinateChoice(scene, settings);
+  const std::vector<glm::vec4> lamps = lampRows(scene, settings);
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    MIRRORBALL_TRY(program, programFor(variantOf(scene, materialOf(scene, instance), buffers, settings, coordinates_)));
-    if (!settings.lights.empty()) setLamps(*program, settings.lights);
+    const SurfaceVariant variant = variantOf(scene, materialOf(scene, instance), buffers, settings, coordinates_);
+    MIRRORBALL_TRY(program, programFor(variant));
+    if (variant.lamp_count > 0) program->set("lamp_rows", std::span<const glm::vec4>(lamps));
   }
   setFrame(light, frame, settings);
   (frame.flat ? frame.flat->environment : light.cube()).bind(TextureUnit::environment);

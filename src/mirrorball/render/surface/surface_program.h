@@ -53,7 +53,7 @@ struct FrameUniforms {
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
   CoordinateMatrices coordinates;
-  const FlatLight* flat = nullptr;  ///< where FrameSettings::look_up reads it
+  const FlatLight* flat = nullptr;      ///< where FrameSettings::look_up reads it
   const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
 };
 

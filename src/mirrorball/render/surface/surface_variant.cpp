@@ -15,13 +15,13 @@ constexpr auto kCoordinates = std::to_array<Names>(
     {"coordinates_at_fragment.glsl", "coordinates_at_vertex.glsl", "coordinates_at_triangle.glsl"});
 constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl"});
 constexpr auto kDetail = std::to_array<Names>({"detail_none.glsl", "detail_normal_map.glsl"});
-constexpr auto kMaterial = std::to_array<Names>({"material_core.glsl"});
+constexpr auto kMaterial = std::to_array<Names>({"material_core.glsl", "material_unlit.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp = std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl"});
 constexpr auto kTransmission = std::to_array<Names>(
     {"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl", "transmission_traced.glsl"});
-constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_point.glsl"});
+constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
 
 constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
@@ -137,9 +137,15 @@ std::string answeredText(const SurfaceVariant& variant) {
 std::span<const SurfaceQuestion, kParts> surfaceQuestions() { return kQuestions; }
 
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
-                              const CoordinateChoice& coordinates) {
+                              std::size_t lamps, const CoordinateChoice& coordinates) {
   SurfaceVariant variant;
   variant.maps = std::move(maps);
+  if (material.alpha_mode == AlphaMode::mask) variant.choose(Part::alpha, AlphaPart::mask);
+  if (material.alpha_mode == AlphaMode::blend) variant.choose(Part::alpha, AlphaPart::blend);
+  if (material.unlit) {
+    variant.choose(Part::material, MaterialPart::unlit);
+    return variant;
+  }
   variant.choose(Part::normal, material.bump == BumpHeight::orange ? NormalPart::bump : NormalPart::vertex);
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
   variant.coordinates = coordinates;
@@ -147,10 +153,8 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, coordinates.is_sphere_map ? LookUpPart::sphere_map : LookUpPart::environment);
   variant.choose(Part::transmission, transmissionPart(material, settings));
-  variant.choose(Part::lamps, settings.lights.empty() ? LampsPart::none : LampsPart::point);
-  variant.lamp_count = static_cast<std::uint8_t>(settings.lights.size());
-  if (material.alpha_mode == AlphaMode::mask) variant.choose(Part::alpha, AlphaPart::mask);
-  if (material.alpha_mode == AlphaMode::blend) variant.choose(Part::alpha, AlphaPart::blend);
+  variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
+  variant.lamp_count = static_cast<std::uint8_t>(lamps);
   return variant;
 }
 

@@ -34,17 +34,18 @@ std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 enum class CoordinatesPart : std::uint8_t { at_fragment, at_vertex, at_triangle };
 enum class NormalPart : std::uint8_t { vertex, bump };
 enum class DetailPart : std::uint8_t { none, normal_map };
+enum class MaterialPart : std::uint8_t { core, unlit };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
 enum class LookUpPart : std::uint8_t { environment, sphere_map };
 enum class TransmissionPart : std::uint8_t { none, single, thin, traced };
-enum class LampsPart : std::uint8_t { none, point };
+enum class LampsPart : std::uint8_t { none, listed };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };
 
 /// Which shader draws a surface: an answer for each question, and where its material's maps are.
 struct SurfaceVariant {
   std::array<std::uint8_t, kParts> answers{};
   std::vector<MapSource> maps = std::vector<MapSource>(materialMaps().size());  ///< of each row of that table
-  std::uint8_t lamp_count = 0;                                                  ///< of LampsPart::point
+  std::uint8_t lamp_count = 0;                                                  ///< of LampsPart::listed
   CoordinateChoice coordinates = {};
 
   template <typename Answer>
@@ -59,9 +60,10 @@ struct SurfaceVariant {
 };
 
 /// maps          mapSources() of the material
+/// lamps         how many there are
 /// coordinates   of the frame
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
-                              const CoordinateChoice& coordinates = {});
+                              std::size_t lamps, const CoordinateChoice& coordinates = {});
 
 /// The two shaders of a variant.
 struct SurfaceShaders {

@@ -46,16 +46,15 @@ TEST(SurfaceVariant, FollowsMaterialAndSettings) {
   material.roughness_map.texture = 0;
   FrameSettings settings;
   settings.reflect_at = ReflectAt::triangle;
-  settings.lights.resize(2);
   std::vector<MapSource> maps(materialMaps().size());
   maps[2] = {.unit = 0};
-  const SurfaceVariant variant = surfaceVariant(material, maps, settings);
+  const SurfaceVariant variant = surfaceVariant(material, maps, settings, 2);
   EXPECT_TRUE(variant.has(Part::normal, NormalPart::bump));
   EXPECT_TRUE(variant.has(Part::detail, DetailPart::none));
   EXPECT_TRUE(variant.has(Part::coordinates, CoordinatesPart::at_triangle));
   EXPECT_TRUE(variant.has(Part::look_up, LookUpPart::environment));
   EXPECT_TRUE(variant.has(Part::transmission, TransmissionPart::single));
-  EXPECT_TRUE(variant.has(Part::lamps, LampsPart::point));
+  EXPECT_TRUE(variant.has(Part::lamps, LampsPart::listed));
   EXPECT_EQ(variant.lamp_count, 2);
   EXPECT_EQ(variant.maps, maps);
 }

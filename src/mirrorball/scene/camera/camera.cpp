@@ -67,6 +67,31 @@ Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, fl
   return camera;
 }
 
+Camera cameraOf(const ModelCamera& of_model, const BoundingSphere& bounds, float aspect) {
+  Camera camera;
+  camera.orthographic = of_model.orthographic;
+  camera.nearest = of_model.nearest;
+  camera.position = glm::vec3(of_model.world_from_view[3]);
+  camera.forward = -glm::vec3(of_model.world_from_view[2]);
+  camera.view_from_world = glm::inverse(of_model.world_from_view);
+
+  const float wider = std::max(of_model.aspect / aspect, 1.0f);
+  const float center_depth = glm::dot(bounds.center - camera.position, camera.forward);
+  const float margin = bounds.radius * 1.01f;
+  const float far_depth = std::max({center_depth + margin, of_model.nearest * 1.01f, bounds.radius * 0.01f});
+  const float first_depth = std::max(center_depth - margin, of_model.nearest);
+  if (camera.orthographic) {
+    const float half_height = of_model.height / 2.0f * wider;
+    camera.clip_from_view = glm::ortho(-half_height * aspect, half_height * aspect, -half_height, half_height,
+                                       std::max(first_depth, 0.0f), far_depth);
+  } else {
+    const float fov = 2.0f * std::atan(std::tan(of_model.fov_rad / 2.0f) * wider);
+    camera.clip_from_view =
+        glm::perspective(fov, aspect, std::max(first_depth, far_depth * kMinNearOverFar), far_depth);
+  }
+  return camera;
+}
+
 DepthRange depthsAround(glm::vec3 position, const BoundingSphere& bounds, std::optional<float> nearest) {
   const float distance = glm::distance(position, bounds.center);
   const float margin = bounds.radius * 1.01f;

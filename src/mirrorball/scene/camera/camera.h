@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <glm/glm.hpp>
 
@@ -10,6 +11,7 @@ namespace mirrorball {
 
 /// Position and view of a camera, in the user's terms.
 struct CameraOptions {
+  std::string name = {};                 ///< of one of Scene::cameras, which all else here is then left to; empty: none
   float azimuth_deg = 30.0f;             ///< 0 stands on +Z and looks along −Z, 90 stands on +X
   float elevation_deg = 15.0f;           ///< 90 stands on +Y
   std::optional<float> distance = {};    ///< from the target, in model radii; without it a ball around the model does
@@ -26,6 +28,7 @@ struct Camera {
   glm::vec3 position{0.0f};              ///< world
   glm::vec3 forward{0.0f, 0.0f, -1.0f};  ///< world, unit
   bool orthographic = false;
+  float nearest = 0.0f;  ///< depth before which it sees nothing on purpose: not where depths merely begin
 };
 
 /// Puts a camera in front of a model. framed() (framing.h) chooses target and distance by the model's own outline.
@@ -33,6 +36,12 @@ struct Camera {
 /// bounds   the model's bounding sphere
 /// aspect   width over height of the picture
 Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, float aspect);
+
+/// The camera of a model in a picture: all that it is made for is seen, and above and below, or right and left, as much
+/// more as the picture is higher or wider. Where it sees to is the model's end.
+///
+/// aspect   width over height of the picture
+Camera cameraOf(const ModelCamera& camera, const BoundingSphere& bounds, float aspect);
 
 /// The range of depths that a camera sees, in world units; both are above 0.
 struct DepthRange {

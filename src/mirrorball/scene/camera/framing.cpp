@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/mesh_file/positions.h"
 
 namespace mirrorball {
@@ -120,6 +124,16 @@ double centered(const View& view, int axis, double depth) {
   return (sides.plus.value - sides.minus.value) / 2.0;
 }
 
+Result<const ModelCamera*> cameraNamed(const Scene& scene, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const ModelCamera& camera : scene.cameras) names.emplace_back(camera.name);
+  if (names.empty())
+    return fail(ErrorCode::usage, "the model has no cameras of its own, so none is named '" + name + "'");
+  const auto index = indexOfName(name, names);
+  if (!index) return tl::unexpected<Error>(unknownName("camera", name, names));
+  return &scene.cameras[*index];
+}
+
 /// Slopes of the borders to the right and upwards.
 glm::dvec2 borderSlopes(const CameraOptions& options, double aspect) {
   const double up = std::tan(glm::radians(double(options.fov_deg)) / 2.0) * kFilled;
@@ -164,8 +178,13 @@ CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const Cam
   return chosen;
 }
 
-Camera framedCamera(const Scene& scene, const BoundingSphere& bounds, const CameraOptions& options, glm::ivec2 size) {
+Result<Camera> framedCamera(const Scene& scene, const BoundingSphere& bounds, const CameraOptions& options,
+                            glm::ivec2 size) {
   const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+  if (!options.name.empty()) {
+    MIRRORBALL_TRY(own, cameraNamed(scene, options.name));
+    return cameraOf(*own, bounds, aspect);
+  }
   return makeCamera(framed(scene, bounds, options, aspect), bounds, aspect);
 }
 

@@ -25,7 +25,10 @@ enum class FramingOf { still, whole_turn };
 CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const CameraOptions& options, float aspect,
                      FramingOf what = FramingOf::still);
 
-/// The camera of a picture of that size, framed.
-Camera framedCamera(const Scene& scene, const BoundingSphere& bounds, const CameraOptions& options, glm::ivec2 size);
+/// The camera of a picture of that size: framed, or the scene's own of that name.
+///
+/// errors   usage: the scene has no camera of the options' name
+Result<Camera> framedCamera(const Scene& scene, const BoundingSphere& bounds, const CameraOptions& options,
+                            glm::ivec2 size);
 
 }  // namespace mirrorball

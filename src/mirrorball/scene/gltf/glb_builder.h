@@ -25,6 +25,12 @@ class GlbBuilder {
   OutputJson json;
   std::set<std::string> extensions;  ///< that it uses
 
+  /// What an extension says at the root. It is then one that the file uses.
+  OutputJson& extension(const char* name) {
+    extensions.insert(name);
+    return json["extensions"][name];
+  }
+
   /// Appends an object to one of the arrays at the root.
   ///
   /// returns  its index

@@ -10,6 +10,8 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
+#include "mirrorball/scene/gltf/gltf_camera.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 #include "mirrorball/scene/gltf/gltf_material.h"
 #include "mirrorball/scene/gltf/gltf_mesh.h"
@@ -20,6 +22,12 @@ namespace {
 
 // 2²⁶ vertices of 72 bytes each: a small file that names the same accessor again and again must not fill the memory.
 constexpr std::size_t kMaxVertices = std::size_t{1} << 26;
+
+// Likewise: each primitive has a material in each of a file's variants.
+constexpr std::size_t kMaxVariantMaterials = std::size_t{1} << 24;
+
+// More than anybody chooses from; each name is compared with all others.
+constexpr std::size_t kMaxCameras = 1000;
 
 bool isFinite(const glm::dmat4& matrix) {
   for (int column = 0; column < 4; ++column)
@@ -56,9 +64,13 @@ class SceneBuilder {
   Result<Scene> build() {
     for (const std::string& what : document_.left_out)
       scene_.warnings.push_back(file_.name + ": its " + what + " are left out");
+    if (const std::vector<std::string>& unread = document_.unread_extensions; !unread.empty())
+      scene_.warnings.push_back(file_.name + ": what it says by " + join(unread, ", ", " and ") + " is left out");
     MIRRORBALL_TRY(roots, rootNodes());
     MIRRORBALL_TRY(placements, walk(roots));
+    if (has_more_lights_) leaveOut("all of its light but " + std::to_string(Scene::kMaxLights) + " lamps");
     MIRRORBALL_TRY(jobs, planPrimitives(placements));
+    scene_.variants = document_.variants;
     MIRRORBALL_TRY_VOID(readPrimitives(jobs));
     addInstances(placements);
     if (scene_.instances.empty()) return fail(ErrorCode::bad_file, "its scene shows no triangles");
@@ -80,6 +92,7 @@ class SceneBuilder {
     int mesh;  // of the file
     const Primitive* primitive;
     int material;  // of the scene
+    std::vector<int> material_of_variant;
     int normal_uv_set;
     std::string key;
   };
@@ -103,9 +116,10 @@ class SceneBuilder {
   }
 
   /// Walks the tree with a stack of its own, so that a deep one cannot overflow the program's.
-  Result<std::vector<Placement>> walk(std::vector<Visit> pending) const {
+  Result<std::vector<Placement>> walk(std::vector<Visit> pending) {
     std::vector<Placement> placements;
     std::vector<bool> visited(document_.nodes.size(), false);
+    std::ranges::reverse(pending);  // the last is the next
     while (!pending.empty()) {
       const Visit visit = std::move(pending.back());
       pending.pop_back();
@@ -124,10 +138,56 @@ class SceneBuilder {
         // What is scaled to nothing is a file's way to hide it.
         if (determinantOf(world_from_node) != 0.0) placements.push_back({node.mesh, world_from_node});
       }
-      for (const int child : node.children) pending.push_back({child, world_from_node, key + ".children"});
+      MIRRORBALL_TRY_VOID(addCamera(node, world_from_node, key));
+      MIRRORBALL_TRY_VOID(addLight(node, world_from_node, key));
+      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+        pending.push_back({*child, world_from_node, key + ".children"});
     }
     return placements;
   }
+
+  /// Puts a node's camera into the scene, under the node's name, else its own.
+  Result<void> addCamera(const Node& node, const glm::dmat4& world_from_node, const std::string& key) {
+    if (node.camera == -1) return {};
+    MIRRORBALL_TRY_VOID(checkIndex(node.camera, document_.cameras.size(), key + ".camera", "cameras"));
+    const std::optional<ModelCamera>& camera = document_.cameras[std::size_t(node.camera)];
+    const std::optional<glm::mat4> place = rigidPart(world_from_node);
+    if (!camera || !place) {
+      leaveOut("the camera of " + key + ", which shows nothing,");
+      return {};
+    }
+    if (scene_.cameras.size() == kMaxCameras) return {};
+    ModelCamera& added = scene_.cameras.emplace_back(*camera);
+    added.world_from_view = *place;
+    if (!node.name.empty()) added.name = node.name;
+    if (added.name.empty()) added.name = "camera";
+    const std::string wanted = added.name;
+    const auto is_taken = [&](const ModelCamera& other) { return &other != &added && other.name == added.name; };
+    for (int number = 2; std::ranges::any_of(scene_.cameras, is_taken); ++number)
+      added.name = wanted + " " + std::to_string(number);
+    return {};
+  }
+
+  Result<void> addLight(const Node& node, const glm::dmat4& world_from_node, const std::string& key) {
+    if (node.light == -1) return {};
+    const std::string light_key = key + ".extensions.KHR_lights_punctual.light";
+    MIRRORBALL_TRY_VOID(checkIndex(node.light, document_.lights.size(), light_key, "lights"));
+    const std::optional<ModelLight>& light = document_.lights[std::size_t(node.light)];
+    const std::optional<glm::mat4> place = rigidPart(world_from_node);
+    if (!light || !place) {
+      leaveOut("the light of " + key + ", which has no kind or no direction,");
+    } else if (scene_.lights.size() == Scene::kMaxLights) {
+      has_more_lights_ = true;
+    } else {
+      ModelLight& added = scene_.lights.emplace_back(*light);
+      added.position = glm::vec3((*place)[3]);
+      added.direction = -glm::vec3((*place)[2]);
+      if (added.name.empty()) added.name = node.name;
+    }
+    return {};
+  }
+
+  void leaveOut(const std::string& what) { scene_.warnings.push_back(file_.name + ": " + what + " is left out"); }
 
   static double determinantOf(const glm::dmat4& matrix) { return glm::determinant(glm::dmat3(matrix)); }
 
@@ -155,11 +215,33 @@ class SceneBuilder {
                       key + " brings the model above " + std::to_string(kMaxVertices) + " vertices");
         left -= size;
         MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
+        MIRRORBALL_TRY(of_variants, materialsOfVariants(primitive, material, key));
         const int normal_uv_set = scene_.materials[std::size_t(material)].normal_map.uv_set;
-        jobs.push_back({mesh, &primitive, material, normal_uv_set, key});
+        jobs.push_back({mesh, &primitive, material, std::move(of_variants), normal_uv_set, key});
       }
     }
     return jobs;
+  }
+
+  /// Mesh::material_of_variant of a primitive with that material.
+  Result<std::vector<int>> materialsOfVariants(const Primitive& primitive, int material, const std::string& key) {
+    if (primitive.variant_mappings.empty()) return std::vector<int>();
+    if (document_.variants.size() > left_of_variants_)
+      return fail(ErrorCode::too_large, key + " brings the model above " + std::to_string(kMaxVariantMaterials) +
+                                            " materials of primitives in variants");
+    left_of_variants_ -= document_.variants.size();
+    std::vector<int> materials(document_.variants.size(), material);
+    const std::string extension = key + ".extensions.KHR_materials_variants.";
+    for (std::size_t i = 0; i < primitive.variant_mappings.size(); ++i) {
+      const VariantMapping& mapping = primitive.variant_mappings[i];
+      const std::string mapping_key = extension + quoted("mappings", i);
+      MIRRORBALL_TRY(mapped, materials_.sceneMaterial(mapping.material, mapping_key + ".material"));
+      for (const int variant : mapping.variants) {
+        MIRRORBALL_TRY_VOID(checkIndex(variant, materials.size(), mapping_key + ".variants", "variants"));
+        materials[std::size_t(variant)] = mapped;
+      }
+    }
+    return materials;
   }
 
   Result<void> readPrimitives(const std::vector<Job>& jobs) {
@@ -172,6 +254,7 @@ class SceneBuilder {
       if (!meshes[i]) return fail(std::move(meshes[i]));
       if (meshes[i]->indices.empty()) continue;
       meshes[i]->material = jobs[i].material;
+      meshes[i]->material_of_variant = jobs[i].material_of_variant;
       scene_meshes_[jobs[i].mesh].push_back(addMesh(std::move(*meshes[i])));
     }
     return {};
@@ -201,6 +284,8 @@ class SceneBuilder {
   const Document& document_;
   Scene scene_;
   Materials materials_;
+  bool has_more_lights_ = false;
+  std::size_t left_of_variants_ = kMaxVariantMaterials;
   std::map<int, std::vector<int>> scene_meshes_;  // mesh of the file → its primitives in the scene
   std::map<int, int> mirrored_;                   // scene mesh → its mirrored copy
 };

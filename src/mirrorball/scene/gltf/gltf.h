@@ -12,10 +12,9 @@ namespace mirrorball {
 /// Decodes a glTF 2.0 file, .gltf or .glb: the default scene, or every node that has no parent where the file names
 /// none.
 ///
-/// Read are the core's metallic-roughness materials with all their textures, KHR_texture_transform, the factors of
-/// KHR_materials_ior, _specular, _transmission, _dispersion and _emissive_strength, KHR_mesh_quantization,
-/// KHR_draco_mesh_compression and EXT_texture_webp. Pictures may have any format that codec.h's decodeTexture takes.
-/// Animations, skins, morph targets, points and lines are left out, with a warning in the scene.
+/// Read are the core's metallic-roughness materials with all their textures, cameras, and the extensions of
+/// docs/gltf.md. Pictures may have any format that codec.h's decodeTexture takes. Animations, skins, morph targets,
+/// points, lines, and what other extensions say are left out, with a warning in the scene.
 ///
 /// returns  one mesh a primitive; an instance whose node mirrors gets a copy of its mesh with turned triangles, so that
 ///          counter-clockwise is outside everywhere

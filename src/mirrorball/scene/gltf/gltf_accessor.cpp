@@ -173,18 +173,22 @@ void forEachElement(const Layout& layout, Take&& take) {
 
 }  // namespace
 
+Result<std::span<const std::uint8_t>> bufferBytes(const File& file, int buffer, std::size_t offset, std::size_t length,
+                                                  const std::string& key) {
+  MIRRORBALL_TRY_VOID(checkIndex(buffer, file.buffers.size(), key + ".buffer", "buffers"));
+  const std::span<const std::uint8_t> data = file.buffers[std::size_t(buffer)];
+  if (offset > data.size() || length > data.size() - offset)
+    return fail(ErrorCode::bad_file, key + " takes " + std::to_string(length) + " bytes from byte " +
+                                         std::to_string(offset) + " of " + quoted("buffers", std::size_t(buffer)) +
+                                         ", which has " + std::to_string(data.size()));
+  return data.subspan(offset, length);
+}
+
 Result<std::span<const std::uint8_t>> viewBytes(const File& file, int view_index, const std::string& key) {
   MIRRORBALL_TRY_VOID(checkIndex(view_index, file.document.buffer_views.size(), key, "bufferViews"));
   const BufferView& view = file.document.buffer_views[std::size_t(view_index)];
   const std::string view_key = quoted("bufferViews", std::size_t(view_index));
-  MIRRORBALL_TRY_VOID(checkIndex(view.buffer, file.buffers.size(), view_key + ".buffer", "buffers"));
-  const std::span<const std::uint8_t> data = file.buffers[std::size_t(view.buffer)];
-  if (view.byte_offset > data.size() || view.byte_length > data.size() - view.byte_offset)
-    return fail(ErrorCode::bad_file, view_key + " takes " + std::to_string(view.byte_length) + " bytes from byte " +
-                                         std::to_string(view.byte_offset) + " of " +
-                                         quoted("buffers", std::size_t(view.buffer)) + ", which has " +
-                                         std::to_string(data.size()));
-  return data.subspan(view.byte_offset, view.byte_length);
+  return bufferBytes(file, view.buffer, view.byte_offset, view.byte_length, view_key);
 }
 
 Result<Numbers> readNumbers(const File& file, int index, const std::string& key) {

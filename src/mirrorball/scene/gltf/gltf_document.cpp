@@ -1,29 +1,22 @@
 #include "mirrorball/scene/gltf/gltf_document.h"
 
 #include <algorithm>
-#include <array>
+#include <set>
 #include <utility>
-#include <variant>
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "mirrorball/base/text.h"
+#include "mirrorball/scene/gltf/gltf_camera.h"
+#include "mirrorball/scene/gltf/gltf_document_material.h"
+#include "mirrorball/scene/gltf/gltf_extensions.h"
+#include "mirrorball/scene/gltf/gltf_light.h"
 #include "mirrorball/scene/gltf/json_reader.h"
 
 // Khronos, "glTF 2.0 Specification" (ISO/IEC 12113:2022).
 
 namespace mirrorball::gltf {
 namespace {
-
-constexpr std::array<std::string_view, 10> kKnownExtensions = {
-    "KHR_draco_mesh_compression", "KHR_mesh_quantization",           "KHR_texture_transform",
-    "KHR_materials_ior",          "KHR_materials_specular",          "KHR_materials_transmission",
-    "KHR_materials_dispersion",   "KHR_materials_emissive_strength", "KHR_materials_volume",
-    "EXT_texture_webp",
-};
-
-float notNegative(const JsonReader& value, float otherwise) {
-  return static_cast<float>(std::max(value.number(otherwise), 0.0));
-}
 
 /// The accessors of a primitive by attribute, or the ids of a compressed mesh.
 std::map<std::string, int> indicesByName(const JsonReader& object) {
@@ -61,8 +54,30 @@ Accessor parseAccessor(const JsonReader& json) {
 }
 
 BufferView parseBufferView(const JsonReader& json) {
-  return {json["buffer"].required().index(), json["byteOffset"].size(0), json["byteLength"].required().size(0),
-          json["byteStride"].size(0)};
+  BufferView view{json["buffer"].required().index(), json["byteOffset"].size(0), json["byteLength"].required().size(0),
+                  json["byteStride"].size(0)};
+  if (const JsonReader how = json["extensions"]["EXT_meshopt_compression"]; how.exists())
+    view.compression = Compression{.buffer = how["buffer"].required().index(),
+                                   .byte_offset = how["byteOffset"].size(0),
+                                   .byte_length = how["byteLength"].required().size(0),
+                                   .byte_stride = how["byteStride"].required().size(0),
+                                   .count = how["count"].required().size(0),
+                                   .mode = how["mode"].required().text(""),
+                                   .filter = how["filter"].text("NONE")};
+  return view;
+}
+
+/// Marks the buffers that nothing is read of: they stand for what compressed views hold.
+void markFallbacks(Document& document) {
+  std::set<int> read, replaced;
+  for (const BufferView& view : document.buffer_views) {
+    if (view.compression) replaced.insert(view.buffer);
+    read.insert(view.compression ? view.compression->buffer : view.buffer);
+  }
+  for (std::size_t i = 0; i < document.buffers.size(); ++i) {
+    const int index = static_cast<int>(i);
+    document.buffers[i].is_fallback = replaced.contains(index) && !read.contains(index);
+  }
 }
 
 std::optional<std::string> parseUri(const JsonReader& json) {
@@ -70,7 +85,9 @@ std::optional<std::string> parseUri(const JsonReader& json) {
   return json.text("");
 }
 
-Buffer parseBuffer(const JsonReader& json) { return {parseUri(json["uri"]), json["byteLength"].required().size(0)}; }
+Buffer parseBuffer(const JsonReader& json) {
+  return {.uri = parseUri(json["uri"]), .byte_length = json["byteLength"].required().size(0)};
+}
 
 Image parseImage(const JsonReader& json) {
   Image image{json["bufferView"].index(), parseUri(json["uri"])};
@@ -96,62 +113,6 @@ Texture parseTexture(const JsonReader& json) {
   return {webp >= 0 ? webp : json["source"].index(), json["sampler"].index()};
 }
 
-TextureSlot parseSlot(const JsonReader& json) {
-  TextureSlot slot;
-  if (!json.exists()) return slot;
-  slot.texture = json["index"].required().index();
-  slot.uv_set = static_cast<int>(json["texCoord"].size(0));
-  if (const JsonReader transform = json["extensions"]["KHR_texture_transform"]; transform.exists()) {
-    const std::vector<double> offset = transform["offset"].numbers({0, 0});
-    const std::vector<double> scale = transform["scale"].numbers({1, 1});
-    slot.offset = glm::vec2(offset[0], offset[1]);
-    slot.scale = glm::vec2(scale[0], scale[1]);
-    slot.rotation_rad = static_cast<float>(transform["rotation"].number(0));
-    if (transform["texCoord"].exists()) slot.uv_set = transform["texCoord"].index();  // overrides the one outside
-  }
-  if (slot.uv_set > 1) json["texCoord"].refuse("is above 1; only the sets 0 and 1 are read");
-  return slot;
-}
-
-/// A parameter as glTF has it, cut to its range; what the file does not say stays as it is.
-void readParameter(const MaterialParameter& parameter, const JsonReader& json, Material& material) {
-  const JsonReader value = json.at(parameter.gltf);
-  const auto inRange = [&](double number) {
-    return static_cast<float>(std::clamp(number, parameter.text.minimum, parameter.text.maximum));
-  };
-  if (const auto* number = std::get_if<float Material::*>(&parameter.field)) {
-    material.** number = inRange(value.number(material.**number));
-  } else if (const auto* flag = std::get_if<bool Material::*>(&parameter.field)) {
-    material.** flag = value.flag(material.**flag);
-  } else if (const auto* color = std::get_if<glm::vec3 Material::*>(&parameter.field)) {
-    const glm::vec3 before = material.**color;
-    std::vector<double> numbers{before.x, before.y, before.z};
-    if (*color == &Material::base_color) numbers.push_back(material.opacity);
-    numbers = value.numbers(numbers);
-    material.** color = {inRange(numbers[0]), inRange(numbers[1]), inRange(numbers[2])};
-    if (numbers.size() == 4) material.opacity = static_cast<float>(std::clamp(numbers[3], 0.0, 1.0));
-  }
-}
-
-Material parseMaterial(const JsonReader& json) {
-  Material material = defaultMaterial();
-  material.name = json["name"].text("");
-  for (const MaterialParameter& parameter : materialParameters())
-    if (!parameter.gltf.empty()) readParameter(parameter, json, material);
-  // An index of 0 asks for the specular-glossiness model's mirror; it is read as the default.
-  if (material.ior < 1.0f) material.ior = defaultMaterial().ior;
-  material.emission *= notNegative(json["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"], 1.0f);
-  // KHR_materials_volume: what has no thickness is an infinitely thin sheet.
-  const JsonReader volume = json["extensions"]["KHR_materials_volume"];
-  material.thin_walled = material.transmission > 0.0f && notNegative(volume["thicknessFactor"], 0.0f) == 0.0f;
-  const std::string alpha_mode = json["alphaMode"].text("OPAQUE");
-  if (alpha_mode == "MASK") material.alpha_mode = AlphaMode::mask;
-  if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;
-  if (material.alpha_mode == AlphaMode::opaque) material.opacity = 1.0f;
-  for (const MaterialMap& map : materialMaps()) material.*map.slot = parseSlot(json.at(map.gltf));
-  return material;
-}
-
 Primitive parsePrimitive(const JsonReader& json) {
   Primitive primitive;
   primitive.attributes = indicesByName(json["attributes"].required());
@@ -164,6 +125,8 @@ Primitive parsePrimitive(const JsonReader& json) {
     primitive.draco_view = draco["bufferView"].required().index();
     primitive.draco_attributes = indicesByName(draco["attributes"].required());
   }
+  for (const JsonReader& mapping : json["extensions"]["KHR_materials_variants"]["mappings"].elements())
+    primitive.variant_mappings.push_back({mapping["material"].required().index(), indicesOf(mapping["variants"])});
   return primitive;
 }
 
@@ -198,8 +161,12 @@ glm::dmat4 parseTransform(const JsonReader& json) {
 }
 
 Node parseNode(const JsonReader& json) {
-  return {parseTransform(json), json["mesh"].index(), indicesOf(json["children"])};
+  return {parseTransform(json),        json["mesh"].index(),
+          indicesOf(json["children"]), printable(json["name"].text("")),
+          json["camera"].index(),      json["extensions"]["KHR_lights_punctual"]["light"].index()};
 }
+
+std::string parseVariant(const JsonReader& json) { return printable(json["name"].required().text("")); }
 
 std::vector<int> parseScene(const JsonReader& json) { return indicesOf(json["nodes"]); }
 
@@ -208,28 +175,14 @@ void parseAll(const JsonReader& array, Part (*parse)(const JsonReader&), std::ve
   for (const JsonReader& element : array.elements()) parts.push_back(parse(element));
 }
 
-Result<void> checkSupported(const JsonReader& root) {
+Result<void> checkVersion(const JsonReader& root) {
   const std::string version = root["asset"].required()["version"].required().text("");
   if (!version.empty() && (!version.starts_with("2.") || root["asset"]["minVersion"].text("2.0") > "2.0"))
     return fail(ErrorCode::unsupported, "asset.version is '" + version + "'; only glTF 2.0 is read");
-  for (const JsonReader& extension : root["extensionsRequired"].elements()) {
-    const std::string required = extension.text("");
-    if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), required) == kKnownExtensions.end())
-      return fail(ErrorCode::unsupported, "extensionsRequired names '" + required +
-                                              "', which this program cannot read; export the model without it");
-  }
   return {};
 }
 
 }  // namespace
-
-Material defaultMaterial() {
-  Material material;
-  material.base_color = glm::vec3(1.0f);
-  material.metallic = 1.0f;
-  material.perceptual_roughness = 1.0f;
-  return material;
-}
 
 Result<Document> parseDocument(std::string_view text) {
   nlohmann::json parsed;
@@ -243,17 +196,23 @@ Result<Document> parseDocument(std::string_view text) {
   }
   JsonProblem problem;
   const JsonReader root(&parsed, "", problem);
-  MIRRORBALL_TRY_VOID(checkSupported(root));
+  MIRRORBALL_TRY_VOID(checkVersion(root));
+  MIRRORBALL_TRY(unread, unreadExtensions(root));
 
   Document document;
+  document.unread_extensions = std::move(unread);
   parseAll(root["accessors"], parseAccessor, document.accessors);
   parseAll(root["bufferViews"], parseBufferView, document.buffer_views);
   parseAll(root["buffers"], parseBuffer, document.buffers);
+  markFallbacks(document);
   parseAll(root["images"], parseImage, document.images);
   parseAll(root["samplers"], parseSampler, document.samplers);
   parseAll(root["textures"], parseTexture, document.textures);
   parseAll(root["materials"], parseMaterial, document.materials);
   parseAll(root["meshes"], parseMesh, document.meshes);
+  parseAll(root["cameras"], parseCamera, document.cameras);
+  parseAll(root["extensions"]["KHR_lights_punctual"]["lights"], parseLight, document.lights);
+  parseAll(root["extensions"]["KHR_materials_variants"]["variants"], parseVariant, document.variants);
   parseAll(root["nodes"], parseNode, document.nodes);
   parseAll(root["scenes"], parseScene, document.scenes);
   document.scene = root["scene"].index();

@@ -11,7 +11,9 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/camera/model_camera.h"
 #include "mirrorball/scene/material/material.h"
+#include "mirrorball/scene/model_light.h"
 #include "mirrorball/scene/scene.h"
 
 /// The JSON of a glTF 2.0 file as plain data. Types and required keys are checked; indices are −1 where there is none,
@@ -41,16 +43,29 @@ struct Accessor {
   std::optional<Sparse> sparse;
 };
 
+/// Where and how EXT_meshopt_compression holds a buffer view's bytes.
+struct Compression {
+  int buffer = -1;
+  std::size_t byte_offset = 0;
+  std::size_t byte_length = 0;
+  std::size_t byte_stride = 0;  ///< of the elements
+  std::size_t count = 0;
+  std::string mode;
+  std::string filter;
+};
+
 struct BufferView {
   int buffer = -1;
   std::size_t byte_offset = 0;
   std::size_t byte_length = 0;
   std::size_t byte_stride = 0;  ///< 0: elements follow each other
+  std::optional<Compression> compression = {};
 };
 
 struct Buffer {
   std::optional<std::string> uri;  ///< none: the .glb's binary chunk
   std::size_t byte_length = 0;
+  bool is_fallback = false;  ///< only for readers that do not know EXT_meshopt_compression
 };
 
 struct Image {
@@ -69,6 +84,12 @@ struct Texture {
   int sampler = -1;
 };
 
+/// What a primitive is made of in some variants of KHR_materials_variants.
+struct VariantMapping {
+  int material = -1;
+  std::vector<int> variants;
+};
+
 struct Primitive {
   std::map<std::string, int> attributes;  ///< name → accessor
   int indices = -1;
@@ -77,12 +98,24 @@ struct Primitive {
   bool has_targets = false;
   int draco_view = -1;                          ///< of KHR_draco_mesh_compression
   std::map<std::string, int> draco_attributes;  ///< name → the attribute's unique id in the compressed mesh
+  std::vector<VariantMapping> variant_mappings;
 };
 
 struct Node {
   glm::dmat4 parent_from_node{1.0};
   int mesh = -1;
   std::vector<int> children;
+  std::string name;
+  int camera = -1;
+  int light = -1;  ///< of KHR_lights_punctual
+};
+
+/// A material of the file.
+struct FileMaterial {
+  Material material;  ///< whose slots hold indices into Document::textures
+  /// Of KHR_materials_pbrSpecularGlossiness, where a texture has it too: the roughness is 1 − this · the alpha of
+  /// roughness_map.
+  std::optional<float> glossiness = {};
 };
 
 struct Document {
@@ -92,16 +125,17 @@ struct Document {
   std::vector<Image> images;
   std::vector<Sampler> samplers;
   std::vector<Texture> textures;
-  std::vector<Material> materials;  ///< whose slots hold indices into `textures` here
+  std::vector<FileMaterial> materials;
   std::vector<std::vector<Primitive>> meshes;
+  std::vector<std::optional<ModelCamera>> cameras;  ///< parseCamera()
+  std::vector<std::optional<ModelLight>> lights;    ///< parseLight()
+  std::vector<std::string> variants;                ///< names, of KHR_materials_variants
   std::vector<Node> nodes;
   std::vector<std::vector<int>> scenes;  ///< root nodes
   int scene = -1;
+  std::vector<std::string> unread_extensions;  ///< unreadExtensions()
   std::vector<std::string> left_out;  ///< "animations", "skins": what the file holds and this program does not read
 };
-
-/// glTF's default material (section 3.9.6): white, and the factors' defaults.
-Material defaultMaterial();
 
 /// Reads a file's JSON.
 ///

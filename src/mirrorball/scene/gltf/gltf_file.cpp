@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "mirrorball/scene/gltf/gltf_meshopt.h"
+
 namespace mirrorball::gltf {
 namespace {
 
@@ -122,6 +124,10 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
   for (std::size_t i = 0; i < file.document.buffers.size(); ++i) {
     const Buffer& buffer = file.document.buffers[i];
     const std::string key = quoted("buffers", i);
+    if (buffer.is_fallback) {
+      file.buffers.emplace_back();
+      continue;
+    }
     std::span<const std::uint8_t> bytes = binary;
     if (buffer.uri) {
       MIRRORBALL_TRY(read, readUri(file, *buffer.uri, key + ".uri"));
@@ -191,6 +197,7 @@ Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem
   file.document = std::move(document);
   file.storage.reserve(file.document.buffers.size());
   MIRRORBALL_TRY_VOID(readBuffers(file, container.binary));
+  MIRRORBALL_TRY_VOID(decodeMeshopt(file));
   return file;
 }
 

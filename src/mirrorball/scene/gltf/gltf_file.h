@@ -59,6 +59,13 @@ Result<void> checkFinite(const Numbers& numbers, const std::string& key);
 /// Reads an accessor of unsigned integers, such as vertex indices.
 Result<std::vector<std::uint32_t>> readIntegers(const File& file, int accessor, const std::string& key);
 
+/// A part of a buffer.
+///
+/// key      what asks for it, for messages
+/// errors   bad_file (the buffer does not have it)
+Result<std::span<const std::uint8_t>> bufferBytes(const File& file, int buffer, std::size_t offset, std::size_t length,
+                                                  const std::string& key);
+
 /// The bytes of a buffer view, such as those of an embedded picture.
 Result<std::span<const std::uint8_t>> viewBytes(const File& file, int view, const std::string& key);
 

@@ -1,7 +1,10 @@
 #include "mirrorball/scene/gltf/gltf_material.h"
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 
+#include "mirrorball/scene/gltf/gltf_document_material.h"
 #include "mirrorball/scene/picture_decoding.h"
 
 namespace mirrorball::gltf {
@@ -11,33 +14,38 @@ Result<int> Materials::sceneMaterial(int index, const std::string& key) {
   Material material = defaultMaterial();
   if (index >= 0) {
     MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.materials.size(), key, "materials"));
-    material = file_.document.materials[std::size_t(index)];
+    const FileMaterial& source = file_.document.materials[std::size_t(index)];
+    material = source.material;
     const std::string own = quoted("materials", std::size_t(index)) + ".";
-    for (const MaterialMap& map : materialMaps())
-      MIRRORBALL_TRY_VOID(bindTexture(material.*map.slot, map.srgb, own + std::string(map.gltf)));
+    for (const MaterialMap& map : materialMaps()) {
+      const std::optional<float> glossiness = map.slot == &Material::roughness_map ? source.glossiness : std::nullopt;
+      MIRRORBALL_TRY_VOID(bindTexture(material.*map.slot, map.srgb, glossiness, own + std::string(map.gltf)));
+    }
   }
   scene_.materials.push_back(std::move(material));
   return materials_[index] = static_cast<int>(scene_.materials.size()) - 1;
 }
 
 /// Turns the slot's index into glTF's textures into one into the scene's.
-Result<void> Materials::bindTexture(TextureSlot& slot, bool srgb, const std::string& key) {
+Result<void> Materials::bindTexture(TextureSlot& slot, bool srgb, std::optional<float> glossiness,
+                                    const std::string& key) {
   if (slot.texture == -1) return {};
-  MIRRORBALL_TRY(texture, sceneTexture(slot.texture, srgb, key + ".index"));
+  MIRRORBALL_TRY(texture, sceneTexture(slot.texture, srgb, glossiness, key + ".index"));
   slot.texture = texture;
   return {};
 }
 
-Result<int> Materials::sceneTexture(int index, bool srgb, const std::string& key) {
+Result<int> Materials::sceneTexture(int index, bool srgb, std::optional<float> glossiness, const std::string& key) {
   MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.textures.size(), key, "textures"));
-  if (const auto found = textures_.find({index, srgb}); found != textures_.end()) return found->second;
+  const TextureUse use{index, srgb, glossiness};
+  if (const auto found = textures_.find(use); found != textures_.end()) return found->second;
 
   const Texture& source = file_.document.textures[std::size_t(index)];
   const std::string texture_key = quoted("textures", std::size_t(index));
   if (source.image == -1) {
     scene_.warnings.push_back(file_.name + ": " + texture_key +
                               " has its picture only in an extension that is not read; it is left out");
-    return textures_[{index, srgb}] = -1;
+    return textures_[use] = -1;
   }
   MIRRORBALL_TRY_VOID(checkIndex(source.image, file_.document.images.size(), texture_key + ".source", "images"));
   mirrorball::Texture texture;
@@ -51,8 +59,8 @@ Result<int> Materials::sceneTexture(int index, bool srgb, const std::string& key
     texture.nearest = sampler.nearest;
   }
   scene_.textures.push_back(std::move(texture));
-  images_.push_back(source.image);
-  return textures_[{index, srgb}] = static_cast<int>(scene_.textures.size()) - 1;
+  planned_.push_back({source.image, glossiness});
+  return textures_[use] = static_cast<int>(scene_.textures.size()) - 1;
 }
 
 Result<std::span<const std::uint8_t>> Materials::encoded(int index) {
@@ -64,25 +72,41 @@ Result<std::span<const std::uint8_t>> Materials::encoded(int index) {
   return std::span<const std::uint8_t>(storage_[index] = std::move(bytes));
 }
 
+namespace {
+
+/// Puts 1 − glossiness · alpha where a roughness map has it.
+void makeRoughness(Image8& image, float glossiness) {
+  const std::span<std::uint8_t> samples = image.samples();
+  for (std::size_t i = 0; i + 3 < samples.size(); i += 4) {
+    const float gloss = glossiness * static_cast<float>(samples[i + 3]);
+    samples[i] = samples[i + 2] = samples[i + 3] = 255;
+    samples[i + 1] = static_cast<std::uint8_t>(std::lround(255.0f - gloss));
+  }
+}
+
+}  // namespace
+
 Result<void> Materials::decodeTextures() {
   std::map<int, std::size_t> place;  // glTF image → which of `pictures`
   std::vector<EncodedPicture> pictures;
-  for (const int image : images_) {
-    if (!place.emplace(image, pictures.size()).second) continue;
-    MIRRORBALL_TRY(bytes, encoded(image));
+  for (const Planned& planned : planned_) {
+    if (!place.emplace(planned.image, pictures.size()).second) continue;
+    MIRRORBALL_TRY(bytes, encoded(planned.image));
     pictures.push_back(bytes);
   }
 
   std::vector<Result<Image8>> decoded = decodePictures(pictures);
-  for (const int image : images_)
-    if (Result<Image8>& picture = decoded[place[image]]; !picture)
-      return fail(withName(quoted("images", std::size_t(image)), std::move(picture)));
+  for (const Planned& planned : planned_)
+    if (Result<Image8>& picture = decoded[place[planned.image]]; !picture)
+      return fail(withName(quoted("images", std::size_t(planned.image)), std::move(picture)));
   std::vector<std::size_t> users(pictures.size(), 0);
-  for (const int image : images_) ++users[place[image]];
-  for (std::size_t i = 0; i < images_.size(); ++i) {
-    const std::size_t picture = place[images_[i]];
+  for (const Planned& planned : planned_) ++users[place[planned.image]];
+  for (std::size_t i = 0; i < planned_.size(); ++i) {
+    const std::size_t picture = place[planned_[i].image];
     // The last texture that shows a picture takes it; those before it need a copy.
-    scene_.textures[i].image = --users[picture] == 0 ? std::move(*decoded[picture]) : *decoded[picture];
+    Image8& image = scene_.textures[i].image;
+    image = --users[picture] == 0 ? std::move(*decoded[picture]) : *decoded[picture];
+    if (planned_[i].glossiness) makeRoughness(image, *planned_[i].glossiness);
   }
   storage_.clear();
   return {};

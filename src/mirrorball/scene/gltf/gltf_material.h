@@ -1,9 +1,10 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "mirrorball/base/file.h"
@@ -31,16 +32,24 @@ class Materials {
   Result<void> decodeTextures();
 
  private:
-  Result<void> bindTexture(TextureSlot& slot, bool srgb, const std::string& key);
-  Result<int> sceneTexture(int texture, bool srgb, const std::string& key);
+  /// A scene's texture that is still to be decoded.
+  struct Planned {
+    int image;  // of the file
+    /// FileMaterial::glossiness, for a texture that is to hold roughness instead.
+    std::optional<float> glossiness;
+  };
+
+  Result<void> bindTexture(TextureSlot& slot, bool srgb, std::optional<float> glossiness, const std::string& key);
+  Result<int> sceneTexture(int texture, bool srgb, std::optional<float> glossiness, const std::string& key);
   Result<std::span<const std::uint8_t>> encoded(int image);
 
   const File& file_;
   Scene& scene_;
-  std::map<int, int> materials_;                  // glTF index → scene index
-  std::map<std::pair<int, bool>, int> textures_;  // glTF index, sRGB → scene index
-  std::vector<int> images_;                       // scene texture → glTF image
-  std::map<int, Bytes> storage_;                  // of the images that do not lie in a buffer
+  using TextureUse = std::tuple<int, bool, std::optional<float>>;  // glTF index, sRGB, glossiness
+  std::map<int, int> materials_;                                   // glTF index → scene index
+  std::map<TextureUse, int> textures_;                             // → scene index
+  std::vector<Planned> planned_;                                   // by scene index
+  std::map<int, Bytes> storage_;                                   // of the images that do not lie in a buffer
 };
 
 }  // namespace mirrorball::gltf

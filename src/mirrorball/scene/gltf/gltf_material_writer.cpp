@@ -14,7 +14,7 @@
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/ldr/png.h"
-#include "mirrorball/scene/gltf/gltf_document.h"
+#include "mirrorball/scene/gltf/gltf_document_material.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 
 namespace mirrorball::gltf {
@@ -74,6 +74,7 @@ std::vector<std::string> approximate(Material& material) {
     lost.emplace_back("ior below 1");
   }
   if (material.alpha_mode == AlphaMode::opaque) material.opacity = 1.0f;
+  if (material.unlit) material = unlitOf(material);
   return lost;
 }
 
@@ -104,8 +105,9 @@ class MaterialWriter {
     OutputJson json = OutputJson::object();
     if (!material.name.empty()) json["name"] = printable(material.name);
     for (const MaterialParameter& parameter : materialParameters()) {
-      // The base colour's alpha, and a body without a thickness.
-      const bool is_no_member = parameter.text.name == "opacity" || parameter.text.name == "thin_walled";
+      // The base colour's alpha, a body without a thickness, an extension without members.
+      const std::string_view name = parameter.text.name;
+      const bool is_no_member = name == "opacity" || name == "thin_walled" || name == "unlit";
       if (is_no_member || isDefault(parameter, material)) continue;
       if (parameter.gltf.empty())
         lost.emplace_back(parameter.text.name);
@@ -134,6 +136,7 @@ class MaterialWriter {
 
   /// What our tables have no row for, or another form.
   void writeWhatIsNoRow(const Material& material, OutputJson& json) {
+    if (material.unlit) placeAt(json, "extensions.KHR_materials_unlit") = OutputJson::object();
     if (material.alpha_mode == AlphaMode::mask) json["alphaMode"] = "MASK";
     if (material.alpha_mode == AlphaMode::blend) json["alphaMode"] = "BLEND";
     if (material.opacity < 1.0f || material.base_color != defaultMaterial().base_color) {

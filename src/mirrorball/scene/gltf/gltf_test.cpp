@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "formula/surface.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/ldr/webp_testing.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
@@ -97,6 +98,22 @@ TEST(Gltf, LeavesOutPointsAndLinesWithAWarning) {
   EXPECT_THAT(scene.warnings, Contains(HasSubstr("its animations are left out")));
 }
 
+TEST(Gltf, NamesEachExtensionThatItDoesNotReadOnce) {
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  const std::string materials = R"("materials":[{"extensions":{"KHR_materials_sheen":{},"KHR_materials_ior":{}}},)"
+                                R"({"extensions":{"KHR_materials_sheen":{}}}])";
+  EXPECT_THAT(
+      decoded(maker.gltf(primitive(), R"("extensionsUsed":["MSFT_lod","KHR_materials_ior"],)" + materials)).warnings,
+      ElementsAre(HasSubstr("model.gltf: what it says by KHR_materials_sheen and MSFT_lod is left out")));
+  std::string many = "\"extensionsUsed\":[\"A\\nB\",\"" + std::string(5000, 'C') + "\"";
+  for (int i = 0; i < 100; ++i) many += ",\"D" + std::to_string(i) + "\"";
+  const std::vector<std::string> warnings = decoded(maker.gltf(primitive(), many + "]")).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], HasSubstr("A?B"));
+  EXPECT_LT(warnings[0].size(), 400u);
+}
+
 TEST(Gltf, PutsSparseValuesIn) {
   GltfMaker maker;
   const int dense = maker.view(kTriangle);
@@ -148,6 +165,24 @@ TEST(Gltf, ReadsQuantizedPositions) {
   const Scene scene = decoded(maker.gltf(primitive(), "\"extensionsRequired\":[\"KHR_mesh_quantization\"]"));
   EXPECT_EQ(scene.meshes.at(0).vertices[1].position, glm::vec3(1, 0, 0));
   EXPECT_EQ(scene.meshes[0].vertices[2].position, glm::vec3(0, -1, 0));
+}
+
+// Positions and texture coordinates as whole numbers, which the node and the texture's transform scale back.
+TEST(Gltf, ReadsEveryQuantizedAttribute) {
+  GltfMaker maker;
+  maker.accessor(std::vector<std::uint16_t>{0, 0, 0, 1000, 0, 0, 0, 500, 0}, "VEC3");
+  maker.accessor(std::vector<std::int8_t>{0, 0, 127, 0, 0, 127, 0, 127, 0}, "VEC3", ",\"normalized\":true");
+  maker.accessor(std::vector<std::int16_t>{32767, 0, 0, -32767, 32767, 0, 0, 32767, 32767, 0, 0, 32767}, "VEC4",
+                 ",\"normalized\":true");
+  maker.accessor(std::vector<std::int16_t>{0, 0, 4096, 0, 0, -2048}, "VEC2");
+  const Scene scene = decoded(maker.gltf(primitive(",\"NORMAL\":1,\"TANGENT\":2,\"TEXCOORD_0\":3"),
+                                         R"("extensionsRequired":["KHR_mesh_quantization"])"));
+  const std::vector<Vertex>& vertices = scene.meshes.at(0).vertices;
+  EXPECT_EQ(vertices[1].position, glm::vec3(1000, 0, 0));
+  EXPECT_EQ(vertices[2].normal, glm::vec3(0, 1, 0));
+  EXPECT_EQ(vertices[0].tangent, glm::vec4(1, 0, 0, -1));
+  EXPECT_EQ(vertices[1].uv[0], glm::vec2(4096, 0));
+  EXPECT_EQ(vertices[2].uv[0], glm::vec2(0, -2048));
 }
 
 TEST(Gltf, MultipliesTheNodesTransforms) {
@@ -280,6 +315,84 @@ TEST(Gltf, ReadsEveryFieldOfAMaterial) {
     ASSERT_EQ(each.image.width(), 2);
     EXPECT_EQ(each.image.texel(1, 0)[0], 200);
   }
+}
+
+/// The material of a triangle, by its JSON.
+Material materialOf(const std::string& json, const std::string& rest = "") {
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  return decoded(maker.gltf(primitive("", ",\"material\":0"), "\"materials\":[" + json + "]" + rest)).materials.at(0);
+}
+
+TEST(Gltf, ReadsTheColourOfReflections) {
+  const std::string path = ::testing::TempDir() + "gltf_specular.png";
+  ASSERT_TRUE(savePicture(path, Image8(1, 1, 3, 9)));
+  const Material material = materialOf(R"({"extensions":{"KHR_materials_specular":{"specularColorFactor":[2,0.5,-1],)"
+                                       R"("specularColorTexture":{"index":0}}}})",
+                                       R"(,"images":[{"uri":"gltf_specular.png"}],"textures":[{"source":0}])");
+  EXPECT_EQ(material.specular_color, glm::vec3(2.0f, 0.5f, 0.0f));
+  EXPECT_EQ(material.specular_color_map.texture, 0);
+}
+
+// An infinite index: the specular colour is all that is left of the reflectance along the normal.
+TEST(Gltf, AnIndexOf0LeavesTheSpecularColour) {
+  formula::Surface surface;
+  surface.material = materialOf(
+      R"({"extensions":{"KHR_materials_ior":{"ior":0},"KHR_materials_specular":{"specularColorFactor":[1,0.8,0.3]}}})");
+  EXPECT_LT(glm::distance(formula::smoothDielectric(surface, 1.0f), glm::vec3(1.0f, 0.8f, 0.3f)), 1e-6f);
+  EXPECT_LT(glm::distance(formula::smoothDielectric(surface, 0.0f), glm::vec3(1.0f)), 1e-6f);
+  EXPECT_EQ(materialOf(R"({"extensions":{"KHR_materials_ior":{"ior":0.5}}})").ior, 1.5f) << "which is not allowed";
+}
+
+// c_diff = diffuse · (1 − max(specular)) and f0 = specular, as the extension has it; its textures too.
+TEST(Gltf, ReadsSpecularAndGlossinessWithoutLoss) {
+  formula::Surface surface;
+  const std::string numbers =
+      R"("diffuseFactor":[0.2,0.4,0.6,0.5],"specularFactor":[0.1,0.7,0.3],"glossinessFactor":0.75)";
+  Material material = materialOf(R"({"alphaMode":"BLEND","pbrMetallicRoughness":{"metallicFactor":1},)"
+                                 R"("extensions":{"KHR_materials_pbrSpecularGlossiness":{)" +
+                                 numbers + "}}}");
+  EXPECT_EQ(material.perceptual_roughness, 0.25f);
+  EXPECT_EQ(material.opacity, 0.5f);
+  surface.material = material;
+  surface.environment_brdf = glm::vec2(0.0f);
+  EXPECT_LT(glm::distance(formula::smoothDielectric(surface, 1.0f), glm::vec3(0.1f, 0.7f, 0.3f)), 1e-6f);
+  surface.material.perceptual_roughness = 0.0f;
+  EXPECT_LT(glm::distance(formula::diffuseAlbedo(surface, 1.0f), glm::vec3(0.2f, 0.4f, 0.6f) * 0.3f), 1e-6f);
+
+  Image8 picture(1, 1, 4, 100);
+  picture.texel(0, 0)[3] = 204;  // glossiness 0.8
+  ASSERT_TRUE(savePicture(::testing::TempDir() + "gltf_gloss.png", picture));
+  GltfMaker maker;
+  maker.accessor(kTriangle, "VEC3");
+  const Scene scene =
+      decoded(maker.gltf(primitive("", ",\"material\":0"),
+                         R"("images":[{"uri":"gltf_gloss.png"}],"textures":[{"source":0}],"materials":[{"extensions":)"
+                         R"({"KHR_materials_pbrSpecularGlossiness":{)" +
+                             numbers + R"(,"diffuseTexture":{"index":0},"specularGlossinessTexture":{"index":0}}}}])"));
+  material = scene.materials.at(0);
+  const auto texture = [&](const TextureSlot& slot) { return scene.textures.at(std::size_t(slot.texture)); };
+  EXPECT_TRUE(texture(material.specular_color_map).srgb);
+  EXPECT_TRUE(texture(material.base_color_map).srgb);
+  EXPECT_EQ(texture(material.specular_color_map).image.texel(0, 0)[0], 100);
+  EXPECT_FALSE(texture(material.roughness_map).srgb);
+  EXPECT_EQ(material.perceptual_roughness, 1.0f);
+  EXPECT_EQ(texture(material.roughness_map).image.texel(0, 0)[1], 102) << "1 − 0.75 · 0.8";
+  EXPECT_EQ(material.metallic_map.texture, -1);
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(Gltf, OfAnUnlitMaterialOnlyItsColourCounts) {
+  const Material material = materialOf(
+      R"({"pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,0.4],"metallicFactor":1},"emissiveFactor":[1,1,1],)"
+      R"("alphaMode":"BLEND","doubleSided":true,"extensions":{"KHR_materials_unlit":{},)"
+      R"("KHR_materials_transmission":{"transmissionFactor":1}}})");
+  EXPECT_TRUE(material.unlit);
+  EXPECT_EQ(material.base_color, glm::vec3(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(material.opacity, 0.4f);
+  EXPECT_TRUE(material.double_sided);
+  EXPECT_EQ(material.transmission, 0.0f);
+  EXPECT_EQ(material.emission, glm::vec3(0.0f));
 }
 
 TEST(Gltf, ReadsOnePictureForBothKindsOfColour) {

@@ -4,14 +4,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/scene/gltf/glb_builder.h"
+#include "mirrorball/scene/gltf/gltf_camera.h"
 #include "mirrorball/scene/gltf/gltf_document.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
+#include "mirrorball/scene/gltf/gltf_light.h"
 #include "mirrorball/scene/gltf/gltf_material_writer.h"
 
 namespace mirrorball {
@@ -41,7 +44,10 @@ class SceneWriter {
     EncodedScene encoded;
     for (const Mesh& mesh : scene_.meshes) writeMesh(mesh);
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) writeInstance(i, encoded.left_out);
-    if (camera) writeCamera(*camera);
+    writeLights();
+    writeVariants();
+    writeCameras();
+    if (camera) writePicturesCamera(*camera);
     OutputJson roots = OutputJson::array();
     for (std::size_t i = 0; i < file_.json["nodes"].size(); ++i) roots.push_back(i);
     file_.append("scenes", {{"nodes", std::move(roots)}});
@@ -108,6 +114,8 @@ class SceneWriter {
         mesh, "COLOR_0", Vertex{}.color, [](const Vertex& vertex) { return vertex.color; }, attributes);
     const std::size_t indices = writeIndices(mesh);
     OutputJson primitive{{"attributes", std::move(attributes)}, {"indices", indices}, {"material", mesh.material}};
+    if (!mesh.material_of_variant.empty())
+      primitive["extensions"]["KHR_materials_variants"]["mappings"] = mappingsOf(mesh);
     file_.append("meshes", {{"primitives", OutputJson::array({std::move(primitive)})}});
   }
 
@@ -132,30 +140,69 @@ class SceneWriter {
     return std::max({std::abs(cosine(0, 1)), std::abs(cosine(1, 2)), std::abs(cosine(2, 0))}) > kRightAngle;
   }
 
-  void writeCamera(const Camera& camera) {
-    // m[0][0] and m[1][1] of a projection are 1 / tan of half the angle, or 1 over half the width and height.
+  /// The camera of the picture, as a model's: m[0][0] and m[1][1] of a projection are 1 / tan of half the angle, or 1
+  /// over half the width and height.
+  void writePicturesCamera(const Camera& camera) {
     const glm::mat4& clip = camera.clip_from_view;
-    glm::mat4 world_from_view = glm::inverse(camera.view_from_world);
-    OutputJson lens;
+    ModelCamera written{.name = "Camera",
+                        .world_from_view = glm::inverse(camera.view_from_world),
+                        .orthographic = camera.orthographic,
+                        .aspect = clip[1][1] / clip[0][0]};
     if (camera.orthographic) {
       const float depth = -2.0f / clip[2][2];
       const float nearest = (clip[3][2] + 1.0f) / clip[2][2];
       // glTF's depths begin at 0 or behind; where a camera stands along its axis makes no difference to this one.
-      if (nearest < 0.0f) world_from_view[3] += world_from_view[2] * -nearest;
-      const float begin = std::max(nearest, 0.0f);
-      lens = {{"type", "orthographic"},
-              {"orthographic",
-               {{"xmag", 1.0f / clip[0][0]}, {"ymag", 1.0f / clip[1][1]}, {"znear", begin}, {"zfar", begin + depth}}}};
+      if (nearest < 0.0f) written.world_from_view[3] += written.world_from_view[2] * -nearest;
+      written.nearest = std::max(nearest, 0.0f);
+      written.height = 2.0f / clip[1][1];
+      writeCamera(written, written.nearest + depth);
     } else {
-      lens = {{"type", "perspective"},
-              {"perspective",
-               {{"aspectRatio", clip[1][1] / clip[0][0]},
-                {"yfov", 2.0f * std::atan(1.0f / clip[1][1])},
-                {"znear", clip[3][2] / (clip[2][2] - 1.0f)},
-                {"zfar", clip[3][2] / (clip[2][2] + 1.0f)}}}};
+      written.nearest = clip[3][2] / (clip[2][2] - 1.0f);
+      written.fov_rad = 2.0f * std::atan(1.0f / clip[1][1]);
+      writeCamera(written, clip[3][2] / (clip[2][2] + 1.0f));
     }
-    const std::size_t index = file_.append("cameras", std::move(lens));
-    file_.append("nodes", {{"name", "Camera"}, {"camera", index}, {"matrix", matrixOf(world_from_view)}});
+  }
+
+  void writeCamera(const ModelCamera& camera, std::optional<float> farthest) {
+    const std::size_t index = file_.append("cameras", jsonOf(camera, farthest));
+    file_.append("nodes", {{"name", camera.name}, {"camera", index}, {"matrix", matrixOf(camera.world_from_view)}});
+  }
+
+  void writeCameras() {
+    const BoundingSphere bounds = boundingSphere(scene_);
+    for (const ModelCamera& camera : scene_.cameras) {
+      const float depth =
+          glm::dot(glm::vec3(camera.world_from_view[3]) - bounds.center, glm::vec3(camera.world_from_view[2]));
+      writeCamera(camera, camera.orthographic ? std::optional(depth + 1.01f * bounds.radius) : std::nullopt);
+    }
+  }
+
+  void writeLights() {
+    if (scene_.lights.empty()) return;
+    OutputJson& lights = file_.extension("KHR_lights_punctual")["lights"];
+    for (const ModelLight& light : scene_.lights) {
+      const OutputJson index{{"light", lights.size()}};
+      lights.push_back(jsonOf(light));
+      file_.append("nodes",
+                   {{"extensions", {{"KHR_lights_punctual", index}}}, {"matrix", matrixOf(worldFromNode(light))}});
+    }
+  }
+
+  void writeVariants() {
+    if (scene_.variants.empty()) return;
+    OutputJson& variants = file_.extension("KHR_materials_variants")["variants"];
+    for (const std::string& name : scene_.variants) variants.push_back({{"name", name}});
+  }
+
+  /// A mapping for each material that some variants give a mesh.
+  static OutputJson mappingsOf(const Mesh& mesh) {
+    std::map<int, std::vector<std::size_t>> variants_of;
+    for (std::size_t variant = 0; variant < mesh.material_of_variant.size(); ++variant)
+      variants_of[mesh.material_of_variant[variant]].push_back(variant);
+    OutputJson mappings = OutputJson::array();
+    for (const auto& [material, variants] : variants_of)
+      mappings.push_back({{"material", material}, {"variants", variants}});
+    return mappings;
   }
 
   const Scene& scene_;

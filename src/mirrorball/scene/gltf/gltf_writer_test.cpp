@@ -123,6 +123,16 @@ TEST(GltfWriter, AThinWallComesBack) {
   }
 }
 
+TEST(GltfWriter, AnUnlitMaterialComesBackAndLooksMattElsewhere) {
+  Material material = *materialNamed("gold");
+  material.unlit = true;
+  const EncodedScene file = encoded(sceneOf(sphereMesh(), material));
+  EXPECT_THAT(jsonOf(file), AllOf(HasSubstr("\"KHR_materials_unlit\":{}"), HasSubstr("\"metallicFactor\":0.0")));
+  const Material found = decoded(file).materials.at(0);
+  EXPECT_TRUE(found.unlit);
+  EXPECT_EQ(found.base_color, material.base_color);
+}
+
 TEST(GltfWriter, DefaultsAreNotWritten) {
   Material material;
   material.base_color = glm::vec3(1.0f);

@@ -34,6 +34,7 @@ struct Material : formula::Material {
   BumpHeight bump = BumpHeight::none;
   AlphaMode alpha_mode = AlphaMode::opaque;
   bool double_sided = false;
+  bool unlit = false;        ///< shows its base colour as radiance, and answers to no light
   bool thin_walled = false;  ///< transmits like a sheet, without a body that refracts
   int priority = 0;          ///< of bodies that overlap, the one with the greatest fills the place
 
@@ -43,7 +44,8 @@ struct Material : formula::Material {
   TextureSlot normal_map;
   TextureSlot occlusion_map;  ///< in R
   TextureSlot emission_map;
-  TextureSlot specular_map;      ///< in A
+  TextureSlot specular_map;  ///< in A
+  TextureSlot specular_color_map;
   TextureSlot transmission_map;  ///< in R
 };
 

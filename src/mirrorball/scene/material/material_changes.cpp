@@ -12,6 +12,12 @@ namespace {
 const std::string kMaterialHelp = "use this material for every surface: " + join(materialNames(), " ");
 
 const auto kMaterialOptions = std::to_array<Option<MaterialChanges>>({
+    {{.name = "variant",
+      .value = "NAME",
+      .help = "show this one of the model's own variants (KHR_materials_variants); a wrong name lists them, and so "
+              "does `mirrorball info`",
+      .group = "Material"},
+     &MaterialChanges::variant},
     {{.name = "material", .value = "NAME", .help = kMaterialHelp, .group = "Material", .names = materialNames},
      &MaterialChanges::material},
     {{.name = "set",
@@ -30,8 +36,10 @@ const auto kMaterialOptions = std::to_array<Option<MaterialChanges>>({
 /// One material for every surface.
 void replaceMaterials(Scene& scene, const Material& material) {
   scene.materials = {material};
+  scene.variants.clear();
   for (Mesh& mesh : scene.meshes) {
     mesh.material = 0;
+    mesh.material_of_variant.clear();
     for (Vertex& vertex : mesh.vertices) vertex.color = glm::vec4(1.0f);
   }
 }
@@ -41,6 +49,7 @@ void replaceMaterials(Scene& scene, const Material& material) {
 std::span<const Option<MaterialChanges>> materialOptions() { return kMaterialOptions; }
 
 Result<void> changeMaterials(Scene& scene, const MaterialChanges& changes) {
+  if (!changes.variant.empty()) MIRRORBALL_TRY_VOID(chooseVariant(scene, changes.variant));
   if (!changes.material.empty()) {
     MIRRORBALL_TRY(material, materialNamed(changes.material));
     replaceMaterials(scene, material);

@@ -14,7 +14,8 @@ enum class FresnelOverride { material, exact, schlick, empirical, f82 };
 
 /// Changes to the materials of a scene.
 struct MaterialChanges {
-  std::string material = {};  ///< gives every surface this material of materialNames(); empty: each keeps its own
+  std::string variant = {};   ///< first gives every mesh its material in this one of Scene::variants; empty: none
+  std::string material = {};  ///< then gives every surface this material of materialNames(); empty: each keeps its own
   std::vector<std::string> set = {};  ///< then sets these parameters of all: "key=value" (set_parameter.h)
   FresnelOverride fresnel = FresnelOverride::material;
 };

@@ -1,0 +1,22 @@
+// Part "lamps" (lamps_none.glsl). Here: those of a list, Phong's point lights and a model's own. Nothing blocks them.
+#include "lamp.glsl"
+#include "ggx.glsl"
+#include "tangent.glsl"
+#include "lamp_shading.glsl"
+
+const int kRowsOfLamp = 4;
+
+// Of each: its place and kind; the way of its light and its range; its colour; the cosines of its cone.
+uniform vec4 lamp_rows[kRowsOfLamp * LAMP_COUNT];
+
+Lamp lampAt(int index) {
+  int row = kRowsOfLamp * index;
+  return Lamp(int(lamp_rows[row].w), lamp_rows[row].xyz, lamp_rows[row + 1].xyz, lamp_rows[row + 2].xyz,
+              lamp_rows[row + 1].w, lamp_rows[row + 3].x, lamp_rows[row + 3].y);
+}
+
+vec3 lightOfLamps(Surface s, SurfacePoint point) {
+  vec3 light = vec3(0.0);
+  for (int i = 0; i < LAMP_COUNT; ++i) light += shadedByLamp(s, point.ray, point.position, lampAt(i));
+  return light;
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/scene/camera/model_camera.h"
+#include "mirrorball/scene/gltf/glb_builder.h"
+#include "mirrorball/scene/gltf/json_reader.h"
+
+namespace mirrorball::gltf {
+
+/// A camera of a file, still without a place; its name may be empty.
+///
+/// returns  nothing where its numbers show nothing, such as a field of view of 0
+std::optional<ModelCamera> parseCamera(const JsonReader& json);
+
+/// The place and the axes of a node without its scale: a rotation, though the node may mirror.
+///
+/// returns  nothing where it has no axes, as scaled to nothing
+std::optional<glm::mat4> rigidPart(const glm::dmat4& world_from_node);
+
+/// A camera's JSON, without its place.
+///
+/// farthest   depth up to which it sees; without it a perspective one has no end
+OutputJson jsonOf(const ModelCamera& camera, std::optional<float> farthest);
+
+}  // namespace mirrorball::gltf

@@ -1,0 +1,144 @@
+#include "mirrorball/scene/gltf/gltf_document_material.h"
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "formula/bsdf.h"
+
+namespace mirrorball::gltf {
+namespace {
+
+constexpr float kBrightest = 1e6f;  // as far as the table of parameters goes
+
+float notNegative(const JsonReader& value, float otherwise) {
+  return static_cast<float>(std::max(value.number(otherwise), 0.0));
+}
+
+TextureSlot parseSlot(const JsonReader& json) {
+  TextureSlot slot;
+  if (!json.exists()) return slot;
+  slot.texture = json["index"].required().index();
+  slot.uv_set = static_cast<int>(json["texCoord"].size(0));
+  if (const JsonReader transform = json["extensions"]["KHR_texture_transform"]; transform.exists()) {
+    const std::vector<double> offset = transform["offset"].numbers({0, 0});
+    const std::vector<double> scale = transform["scale"].numbers({1, 1});
+    slot.offset = glm::vec2(offset[0], offset[1]);
+    slot.scale = glm::vec2(scale[0], scale[1]);
+    slot.rotation_rad = static_cast<float>(transform["rotation"].number(0));
+    if (transform["texCoord"].exists()) slot.uv_set = transform["texCoord"].index();  // overrides the one outside
+  }
+  if (slot.uv_set > 1) json["texCoord"].refuse("is above 1; only the sets 0 and 1 are read");
+  return slot;
+}
+
+/// A parameter as glTF has it, cut to its range; what the file does not say stays as it is.
+void readParameter(const MaterialParameter& parameter, const JsonReader& json, Material& material) {
+  const JsonReader value = json.at(parameter.gltf);
+  const auto inRange = [&](double number) {
+    return static_cast<float>(std::clamp(number, parameter.text.minimum, parameter.text.maximum));
+  };
+  if (const auto* number = std::get_if<float Material::*>(&parameter.field)) {
+    material.** number = inRange(value.number(material.**number));
+  } else if (const auto* flag = std::get_if<bool Material::*>(&parameter.field)) {
+    material.** flag = value.flag(material.**flag);
+  } else if (const auto* color = std::get_if<glm::vec3 Material::*>(&parameter.field)) {
+    const glm::vec3 before = material.**color;
+    std::vector<double> numbers{before.x, before.y, before.z};
+    if (*color == &Material::base_color) numbers.push_back(material.opacity);
+    numbers = value.numbers(numbers);
+    material.** color = {inRange(numbers[0]), inRange(numbers[1]), inRange(numbers[2])};
+    if (numbers.size() == 4) material.opacity = static_cast<float>(std::clamp(numbers[3], 0.0, 1.0));
+  }
+}
+
+/// An infinite index reflects all light along the normal, so that the specular colour alone is the reflectance there,
+/// and it grows by Schlick's form: as one of the usual index does whose colour is divided by that index's reflectance.
+void setInfiniteIndex(Material& material) {
+  material.ior = defaultMaterial().ior;
+  material.specular_color /= formula::fresnelDielectric(1.0f, material.ior);
+  material.fresnel = formula::kFresnelSchlick;
+}
+
+/// KHR_materials_ior, where 0 stands for an infinite index.
+void readIndex(const JsonReader& json, Material& material) {
+  if (material.ior >= 1.0f) return;
+  material.ior = defaultMaterial().ior;
+  if (json["extensions"]["KHR_materials_ior"]["ior"].number(1.0) == 0.0) setInfiniteIndex(material);
+}
+
+/// KHR_materials_pbrSpecularGlossiness, as KHR_materials_specular says that it is converted: a dielectric of infinite
+/// index, whose specular colour is the model's, and whose base is weighed by what that leaves. Nothing is lost, nor do
+/// the two textures need to be alike, as where the share of metal is solved for.
+void readSpecularGlossiness(const JsonReader& json, FileMaterial& read) {
+  const auto share = [](double number) { return static_cast<float>(std::clamp(number, 0.0, 1.0)); };
+  const std::vector<double> diffuse = json["diffuseFactor"].numbers({1, 1, 1, 1});
+  const std::vector<double> specular = json["specularFactor"].numbers({1, 1, 1});
+  const float glossiness = share(json["glossinessFactor"].number(1.0));
+  Material& material = read.material;
+  material.metallic = 0.0f;
+  material.base_color = {share(diffuse[0]), share(diffuse[1]), share(diffuse[2])};
+  material.opacity = share(diffuse[3]);
+  material.specular = 1.0f;
+  material.specular_color = {share(specular[0]), share(specular[1]), share(specular[2])};
+  setInfiniteIndex(material);
+  material.base_color_map = parseSlot(json["diffuseTexture"]);
+  material.specular_color_map = parseSlot(json["specularGlossinessTexture"]);
+  material.metallic_map = material.specular_map = {};
+  material.roughness_map = material.specular_color_map;
+  const bool is_textured = material.roughness_map.texture >= 0;
+  material.perceptual_roughness = is_textured ? 1.0f : 1.0f - glossiness;
+  if (is_textured) read.glossiness = glossiness;
+}
+
+}  // namespace
+
+Material defaultMaterial() {
+  Material material;
+  material.base_color = glm::vec3(1.0f);
+  material.metallic = 1.0f;
+  material.perceptual_roughness = 1.0f;
+  return material;
+}
+
+Material unlitOf(const Material& material) {
+  Material unlit = defaultMaterial();
+  unlit.unlit = true;
+  unlit.metallic = 0.0f;
+  unlit.perceptual_roughness = 0.9f;
+  unlit.name = material.name;
+  unlit.base_color = material.base_color;
+  unlit.base_color_map = material.base_color_map;
+  unlit.opacity = material.opacity;
+  unlit.alpha_mode = material.alpha_mode;
+  unlit.alpha_cutoff = material.alpha_cutoff;
+  unlit.double_sided = material.double_sided;
+  return unlit;
+}
+
+FileMaterial parseMaterial(const JsonReader& json) {
+  FileMaterial read{.material = defaultMaterial()};
+  Material& material = read.material;
+  material.name = json["name"].text("");
+  for (const MaterialParameter& parameter : materialParameters())
+    if (!parameter.gltf.empty()) readParameter(parameter, json, material);
+  for (const MaterialMap& map : materialMaps()) material.*map.slot = parseSlot(json.at(map.gltf));
+  readIndex(json, material);
+  const JsonReader extensions = json["extensions"];
+  const float strength = notNegative(extensions["KHR_materials_emissive_strength"]["emissiveStrength"], 1.0f);
+  material.emission = glm::min(material.emission * strength, kBrightest);
+  // KHR_materials_volume: what has no thickness is an infinitely thin sheet.
+  const JsonReader thickness = extensions["KHR_materials_volume"]["thicknessFactor"];
+  material.thin_walled = material.transmission > 0.0f && notNegative(thickness, 0.0f) == 0.0f;
+  if (const JsonReader older = extensions["KHR_materials_pbrSpecularGlossiness"]; older.exists())
+    readSpecularGlossiness(older, read);
+  const std::string alpha_mode = json["alphaMode"].text("OPAQUE");
+  if (alpha_mode == "MASK") material.alpha_mode = AlphaMode::mask;
+  if (alpha_mode == "BLEND") material.alpha_mode = AlphaMode::blend;
+  if (material.alpha_mode == AlphaMode::opaque) material.opacity = 1.0f;
+  if (extensions["KHR_materials_unlit"].exists()) return {.material = unlitOf(material)};
+  return read;
+}
+
+}  // namespace mirrorball::gltf

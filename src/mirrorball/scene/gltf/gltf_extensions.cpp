@@ -1,0 +1,60 @@
+#include "mirrorball/scene/gltf/gltf_extensions.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+#include "mirrorball/base/text.h"
+
+namespace mirrorball::gltf {
+namespace {
+
+constexpr auto kRead = std::to_array<std::string_view>({
+    "EXT_meshopt_compression",
+    "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_dispersion",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_variants",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+});
+
+bool isRead(std::string_view extension) { return std::ranges::find(kRead, extension) != kRead.end(); }
+
+/// A name as a message can show it.
+std::string shown(const std::string& name) {
+  constexpr std::size_t kLongest = 60;
+  return name.size() > kLongest ? printable(name.substr(0, kLongest)) + "…" : printable(name);
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> unreadExtensions(const JsonReader& root) {
+  for (const JsonReader& required : root["extensionsRequired"].elements())
+    if (const std::string name = required.text(""); !isRead(name))
+      return fail(ErrorCode::unsupported, "extensionsRequired names '" + shown(name) +
+                                              "', which this program cannot read; export the model without it");
+  std::set<std::string> used;
+  for (const JsonReader& declared : root["extensionsUsed"].elements()) used.insert(declared.text(""));
+  for (const JsonReader& material : root["materials"].elements())
+    for (const auto& [name, extension] : material["extensions"].members()) used.insert(name);
+  constexpr std::size_t kMostNamed = 8;
+  std::vector<std::string> unread;
+  for (const std::string& name : used) {
+    if (isRead(name)) continue;
+    unread.push_back(unread.size() < kMostNamed ? shown(name) : "…");
+    if (unread.size() > kMostNamed) break;
+  }
+  return unread;
+}
+
+}  // namespace mirrorball::gltf

@@ -76,8 +76,8 @@ vec3 underAllDirections(const Surface& s, vec3 ray) {
   return sum * (kTwoPi / (kRings * kSpokes));
 }
 
-/// Surface::environment_brdf of facets with Schlick's form: what is missing to 1, and the bias, which is all that those
-/// of f0 = 0 send at once.
+/// Surface::environment_brdf of facets with Schlick's form: what is missing to 1, and 1 − c where (1 − c)⁵ is the share
+/// that those of f0 = 0 send of what white ones do.
 vec2 environmentBrdfOf(float perceptual_roughness, vec3 v) {
   const auto sent = [&](float f0) {
     Surface metal;
@@ -88,7 +88,7 @@ vec2 environmentBrdfOf(float perceptual_roughness, vec3 v) {
     metal.environment_brdf = vec2(0.0f);  // nothing is taken for missing
     return underAllDirections(metal, -v).x;
   };
-  return {1.0f - sent(1.0f), sent(0.0f)};
+  return {1.0f - sent(1.0f), std::pow(sent(0.0f) / sent(1.0f), 0.2f)};
 }
 
 // What a surface sends of light from all sides is what it sends of an environment: a white one stays white.

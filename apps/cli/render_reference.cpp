@@ -114,6 +114,10 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
                   "--" + std::string(name) + " is for the renderer; leave it out, or leave --reference out");
   if (options.trace.is_unoccluded && options.trace.bounces != 1 && frame.refraction != RefractionKind::traced)
     return fail(ErrorCode::usage, "--unoccluded knows no second surface; add --bounces 1");
+  if (given.contains("inner-bounces") && !(options.trace.is_unoccluded && frame.refraction == RefractionKind::traced))
+    return fail(ErrorCode::usage,
+                "--inner-bounces ends the reference's paths only with --unoccluded --refraction traced; else --bounces "
+                "does");
   if (frame.background == BackgroundKind::blur)
     return fail(ErrorCode::usage, "--background blur: the reference shows the environment as it is; leave it out");
   return {};

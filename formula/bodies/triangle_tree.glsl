@@ -51,7 +51,8 @@ FN float entryOfBox(uvec4 child, vec3 origin, vec3 inverse, float nearest, float
 }
 
 // Möller & Trumbore 1997, "Fast, minimum storage ray/triangle intersection": from both sides. A triangle reaches a
-// little over its edges, so that no ray slips through between two.
+// little over its edges, so that few rays slip through between two: of triangles as small as 1/1000 of the way, it
+// is rounding that is wrong by more. If they reached farther, two triangles would count for one.
 //
 // returns  distance, and the barycentric coordinates; kBeyondAll: it is not met
 FN vec3 meetingOfTriangle(vec3 p0, vec3 p1, vec3 p2, vec3 origin, vec3 direction) {
@@ -143,8 +144,10 @@ FN BodySurface bodySurfaceAt(WORD_SAMPLER tree, TriangleHit hit) {
   vec3 e2 = floatsOf(corner_2) - floatsOf(corner_0);
   float curvature =
       (curvatureAlong(e1, n1 - n0) + curvatureAlong(e2, n2 - n0) + curvatureAlong(e2 - e1, n2 - n1)) / 3.0f;
-  return BodySurface(normalize(n0 * (1.0f - b.x - b.y) + n1 * b.x + n2 * b.y), normalize(cross(e1, e2)), curvature,
-                     int(corner_0.w));
+  vec3 geometric_normal = normalize(cross(e1, e2));
+  vec3 n = n0 * (1.0f - b.x - b.y) + n1 * b.x + n2 * b.y;
+  vec3 normal = dot(n, n) > 0.0f ? normalize(n) : geometric_normal;  // none where the corners' cancel out
+  return BodySurface(normal, geometric_normal, curvature, int(corner_0.w));
 }
 
 // What fills the inside of closed triangles: the numbers of its material that light needs which passes through.

@@ -38,7 +38,7 @@ vec3 transmittanceOver(Media media, float distance) {
   if (filling < 0) return vec3(1.0);
   Body body = bodyAt(bodies, filling);
   if (body.attenuation_distance <= 0.0) return vec3(1.0);
-  return pow(body.attenuation_color, vec3(distance / body.attenuation_distance));
+  return pow(body.attenuation_color, vec3(min(distance / body.attenuation_distance, 1e6)));
 }
 
 // The first surface that is there for a ray, whose throughput and media are then those before it.
@@ -54,7 +54,7 @@ TriangleHit firstSurface(inout InnerRay ray) {
     BodySurface surface = bodySurfaceAt(bodies, hit);
     bool is_entering = dot(ray.direction, surface.geometric_normal) < 0.0;
     int priority = bodyAt(bodies, surface.body).priority;
-    if (hasSurface(ray.media, surface.body, priority, is_entering)) return hit;
+    if (passed == kMostPassed || hasSurface(ray.media, surface.body, priority, is_entering)) return hit;
     if (is_entering)
       ray.media = entered(ray.media, surface.body, priority);
     else
@@ -122,11 +122,13 @@ bool passSurface(inout InnerRay ray, TriangleHit hit, int channel, inout InnerRa
   Way other = is_reflected ? refracted : reflected;
   if (!followed.stays)
     other = Way(followed.direction, followed.throughput + other.throughput, followed.beam, false, false);
+  vec3 place = ray.origin + hit.distance * ray.direction;
+  ended.origin = place;
   ended.direction = other.direction;
   ended.throughput = other.throughput;
   ended.beam = other.beam;
   bool goes_out = followed.crosses != is_entering;
-  ray.origin = besideSurface(ray.origin + hit.distance * ray.direction, hit.distance,
+  ray.origin = besideSurface(place, hit.distance,
                              goes_out ? surface.geometric_normal : -surface.geometric_normal);
   ray.direction = followed.direction;
   ray.throughput = followed.throughput;

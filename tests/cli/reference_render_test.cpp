@@ -111,6 +111,7 @@ TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refuse(2, line + "--time 0"), HasSubstr("time"));
   EXPECT_THAT(refuse(2, line + "--bounces 0"), HasSubstr("bounces"));
   EXPECT_THAT(refuse(2, line + "--unoccluded"), HasSubstr("add --bounces 1"));
+  EXPECT_THAT(refuse(2, line + "--inner-bounces 2"), HasSubstr("--unoccluded --refraction traced"));
   EXPECT_THAT(files(), ElementsAre());
 }
 

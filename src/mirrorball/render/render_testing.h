@@ -40,6 +40,20 @@ inline Result<Renderer> rendererOf(Scene scene, Environment environment, const P
   return renderer;
 }
 
+/// Every texel that the object covers wholly is 1, within 0.1 % if nothing else is said.
+inline void expectFurnaceWhite(const Image& image, const std::string& what, float tolerance = 1e-3f) {
+  int covered = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const glm::vec4 texel = rgbaAt(image, x, y);
+      if (texel.w < 1.0f) continue;
+      ++covered;
+      for (int channel = 0; channel < 3; ++channel)
+        ASSERT_NEAR(texel[channel], 1.0f, tolerance) << what << " at (" << x << ", " << y << ")";
+    }
+  EXPECT_GT(covered, image.width() * image.height() / 20) << what << " covers too little to tell";
+}
+
 /// Sets a frame's option from what a user writes.
 inline void set(FrameSettings& settings, std::string_view name, std::string_view written) {
   const auto option = std::ranges::find(frameOptions(), name, [](const auto& row) { return row.text.name; });

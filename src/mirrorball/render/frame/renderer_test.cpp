@@ -89,35 +89,21 @@ class RendererTest : public ::testing::Test {
   std::optional<gl::Context> context_;
 };
 
-/// Every texel that the object covers wholly is 1 within 0.1 %.
-void expectFurnaceWhite(const Image& image, const std::string& what) {
-  int covered = 0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const glm::vec4 texel = rgbaAt(image, x, y);
-      if (texel.w < 1.0f) continue;
-      ++covered;
-      for (int channel = 0; channel < 3; ++channel)
-        ASSERT_NEAR(texel[channel], 1.0f, 1e-3f) << what << " at (" << x << ", " << y << ")";
-    }
-  EXPECT_GT(covered, image.width() * image.height() / 20) << what << " covers too little to tell";
-}
-
 TEST_F(RendererTest, InAWhiteEnvironmentMirrorAndWhiteDiffuseVanish) {
   Studio white = studio("white");
   for (const char* model : {"sphere", "torus", "knot", "teapot", "cube"}) {
     Shot mirror = smallShot(model, "mirror");
     mirror.frame.background = BackgroundKind::transparent;
-    expectFurnaceWhite(white.radiance(mirror), std::string(model) + " mirror");
+    testing::expectFurnaceWhite(white.radiance(mirror), std::string(model) + " mirror");
     Shot diffuse = smallShot(model, "");
     diffuse.frame.background = BackgroundKind::transparent;
     diffuse.materials.set = {"base_color=1"};
-    expectFurnaceWhite(white.radiance(diffuse), std::string(model) + " white dielectric");
+    testing::expectFurnaceWhite(white.radiance(diffuse), std::string(model) + " white dielectric");
     diffuse.materials.set = {"base_color=1", "specular=0"};
-    expectFurnaceWhite(white.radiance(diffuse), std::string(model) + " white diffuse");
+    testing::expectFurnaceWhite(white.radiance(diffuse), std::string(model) + " white diffuse");
     Shot glass = smallShot(model, "glass");
     glass.frame.background = BackgroundKind::transparent;
-    expectFurnaceWhite(white.radiance(glass), std::string(model) + " glass");
+    testing::expectFurnaceWhite(white.radiance(glass), std::string(model) + " glass");
   }
 }
 
@@ -128,9 +114,9 @@ TEST_F(RendererTest, AWhiteMetalVanishesHoweverRoughItIs) {
     shot.frame.background = BackgroundKind::transparent;
     const std::string roughness = "perceptual_roughness=" + std::to_string(static_cast<float>(tenths) / 10.0f);
     shot.materials.set = {"base_color=1", "metallic=1", roughness};
-    expectFurnaceWhite(white.radiance(shot), "white metal of " + roughness);
+    testing::expectFurnaceWhite(white.radiance(shot), "white metal of " + roughness);
     shot.materials.set = {"base_color=1", roughness};
-    expectFurnaceWhite(white.radiance(shot), "white dielectric of " + roughness);
+    testing::expectFurnaceWhite(white.radiance(shot), "white dielectric of " + roughness);
   }
 }
 
@@ -167,7 +153,7 @@ TEST_F(RendererTest, EveryMappingIsWhiteInTheFurnace) {
       shot.frame.background = BackgroundKind::transparent;
       shot.frame.mapping = mapping;
       shot.frame.reflect_at = reflect_at;
-      expectFurnaceWhite(white.radiance(shot), "mapping " + std::to_string(static_cast<int>(mapping)));
+      testing::expectFurnaceWhite(white.radiance(shot), "mapping " + std::to_string(static_cast<int>(mapping)));
     }
   for (const Texgen texgen :
        {Texgen::object_linear, Texgen::eye_linear, Texgen::sphere, Texgen::reflection, Texgen::normal, Texgen::light}) {
@@ -175,7 +161,7 @@ TEST_F(RendererTest, EveryMappingIsWhiteInTheFurnace) {
     shot.frame.background = BackgroundKind::transparent;
     shot.frame.texgen = texgen;
     shot.frame.lights = {{glm::vec3(2.0f), glm::vec3(0.0f)}};
-    expectFurnaceWhite(white.radiance(shot), "texgen " + std::to_string(static_cast<int>(texgen)));
+    testing::expectFurnaceWhite(white.radiance(shot), "texgen " + std::to_string(static_cast<int>(texgen)));
   }
 }
 

@@ -29,18 +29,20 @@ int blurKindOfFormula(BlurKind blur) {
 }
 
 /// How many directions transmitted light is read from: those of transmission_single.glsl once for each channel that
-/// goes its own way, and those of transmission_traced.glsl also where it leaves at each surface, and at the last twice.
-int transmittedRays(const Material& material, const FrameSettings& settings) {
+/// goes its own way, and those of transmission_traced.glsl also where it leaves at each surface.
+///
+/// some_disperse  of the scene's bodies, through which light of all others may go
+int transmittedRays(const Material& material, const FrameSettings& settings, bool some_disperse) {
   if (material.transmission == 0.0f) return 0;
-  if (material.thin_walled) return 1;
-  const int channels = material.dispersion == 0.0f ? 1 : 3;
-  return settings.refraction == RefractionKind::traced ? channels * (settings.inner_bounces + 1) : channels;
+  if (!isBody(material)) return 1;
+  if (settings.refraction == RefractionKind::traced) return (some_disperse ? 3 : 1) * (settings.inner_bounces + 1);
+  return material.dispersion == 0.0f ? 1 : 3;
 }
 
 LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings,
-                   bool is_sphere_map) {
+                   bool is_sphere_map, bool some_disperse) {
   LightReads reads{.irradiance = 1};
-  const int refracted = transmittedRays(material, settings);
+  const int refracted = transmittedRays(material, settings, some_disperse);
   const int reflected = is_sphere_map ? 0 : 1;
   reads.sphere_map = 1 - reflected;
   const glm::vec3 anywhere(0.0f, 0.0f, 1.0f);
@@ -62,9 +64,12 @@ formula::Blur blurOf(const FrameSettings& settings, const EnvironmentLight& ligh
 
 LightReads lightReads(const Scene& scene, const formula::Blur& blur, const FrameSettings& settings) {
   const bool is_sphere_map = coordinateChoice(scene, settings).is_sphere_map;
+  const bool some_disperse = std::ranges::any_of(
+      scene.materials, [](const Material& material) { return isBody(material) && material.dispersion > 0.0f; });
   LightReads most;
   for (const Mesh& mesh : scene.meshes) {
-    const LightReads reads = readsOf(scene.materials[std::size_t(mesh.material)], blur, settings, is_sphere_map);
+    const LightReads reads =
+        readsOf(scene.materials[std::size_t(mesh.material)], blur, settings, is_sphere_map, some_disperse);
     most = {.environment = std::max(most.environment, reads.environment),
             .prefiltered = std::max(most.prefiltered, reads.prefiltered),
             .irradiance = std::max(most.irradiance, reads.irradiance),

@@ -16,11 +16,12 @@ struct BodyTree {
 };
 
 /// Sorts the triangles of all bodies (isBody), where their instances put them, into a tree. A body's number is that of
-/// its instance. Triangles that are not finite are left out.
+/// its instance. Triangles that are not finite or have
+/// no area are left out.
 ///
 /// returns  nothing if the scene has no such triangle
 /// errors   too_large
-/// cost     O(n log n) time; 130 bytes a triangle while it is built, about 90 kept; the same for any number of threads
+/// cost     O(n log n) time; 260 bytes a triangle while it is built, about 90 kept; the same for any number of threads
 Result<std::optional<BodyTree>> bodyTree(const Scene& scene);
 
 }  // namespace mirrorball

@@ -50,7 +50,9 @@ struct Material : formula::Material {
 };
 
 /// Whether a material fills what its triangles enclose, as glass does; else the triangles are all that there is.
-inline bool isBody(const Material& material) { return material.transmission > 0.0f && !material.thin_walled; }
+inline bool isBody(const Material& material) {
+  return material.transmission > 0.0f && !material.thin_walled && !material.unlit;
+}
 
 /// A parameter of materials: one row of a table from which come --set, the documentation, the uniform block of the
 /// shaders and the reading of glTF.

@@ -62,7 +62,7 @@ const auto kParameters = std::to_array<MaterialParameter>({
        .unit = "linear light",
        .minimum = 0,
        .maximum = 1,
-       .help = "what a transmitting body leaves of white light over attenuation_distance; only the reference absorbs"},
+       .help = "what a transmitting body leaves of white light over attenuation_distance; where light is traced"},
       &Material::attenuation_color},
      "extensions.KHR_materials_volume.attenuationColor"},
     {{{.name = "attenuation_distance",
@@ -80,7 +80,7 @@ const auto kParameters = std::to_array<MaterialParameter>({
        .minimum = -1000,
        .maximum = 1000,
        .help = "where transmitting bodies overlap, that of the greatest priority fills the place, and among equals the "
-               "one that light entered last; only in the reference"},
+               "one that light entered last; where light is traced"},
       &Material::priority}},
     {{{.name = "conductor_n",
        .value = "R,G,B",

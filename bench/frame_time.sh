@@ -1,0 +1,71 @@
+#!/bin/sh
+# usage: bench/frame_time.sh PROGRAM RUNS [SIZE [ENVIRONMENT [TECHNIQUE…]]]
+#
+# Times a frame of each technique: one sample a pixel of a SIZE (1280x720) picture in ENVIRONMENT (the built-in studio),
+# without what comes before the first frame (start, reading, compiling shaders). For that each technique is rendered with
+# 1 sample and with 1 + SAMPLES, RUNS times, one after the other, so that a busy moment hits all alike; a frame's time is
+# the difference of the two medians divided by SAMPLES. Prints it, the processors' time (user + system, which waiting for
+# other programs does not lengthen), and both as multiples of the first technique's. Needs GNU time (Debian's package
+# `time`).
+set -eu
+# shellcheck source=bench/rounds.sh
+. "$(dirname -- "$0")/rounds.sh"
+program=$(realpath -- "$1")
+runs=$2
+size=${3-1280x720}
+environment=$(realpath -- "${4-studio}" 2>/dev/null || echo studio)
+[ -e "$environment" ] || environment=${4-studio}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+# What is rendered for a technique; all cover about a third of the picture.
+argumentsOf() {
+  clear="--material glass --set dispersion=0"
+  case $1 in
+    mirror) echo "sphere --material mirror" ;;
+    rough_metal) echo "sphere --material rough-metal" ;;
+    flat_look_up) echo "sphere --material mirror --lookup flat" ;;
+    thin_wall) echo "sphere $clear --set thin_walled=yes" ;;
+    single) echo "sphere $clear" ;;
+    single_dispersion) echo "sphere --material glass" ;;
+    traced_flat_sides) echo "brilliant $clear --refraction traced" ;;
+    traced_curved) echo "sphere $clear --refraction traced" ;;
+    traced_dispersion) echo "brilliant --material diamond --refraction traced" ;;
+    *) echo "frame_time.sh: there is no technique '$1'" >&2 && exit 1 ;;
+  esac
+}
+
+shift "$(($# < 4 ? $# : 4))"
+techniques=${*:-mirror rough_metal flat_look_up thin_wall single single_dispersion traced_flat_sides traced_curved \
+  traced_dispersion}
+
+# A software driver needs seconds for what is traced.
+samplesOf() { case $1 in traced*) echo 2 ;; *) echo 16 ;; esac; }
+
+tasks=
+for technique in $techniques; do tasks="$tasks $technique.one $technique.more"; done
+
+runTask() {
+  technique=${1%.*}
+  samples=1
+  [ "${1##*.}" = one ] || samples=$((1 + $(samplesOf "$technique")))
+  # shellcheck disable=SC2046 # a command line of words without spaces
+  command time -q -f '%U %S' -o spent "$program" render $(argumentsOf "$technique") -e "$environment" --size "$size" \
+    --samples "$samples" --resolve radiance -o frame.exr
+}
+# shellcheck disable=SC2086 # tasks are words
+timeInRounds "$runs" $tasks
+
+median() { sort -n | awk '{ t[NR] = $1 } END { print t[int((NR + 1) / 2)] }'; }
+wallOf() { awk '{ print $1 / 10 }' "$1.times" | median; }
+processorsOf() { awk '{ print ($2 + $3) * 1000 }' "$1.times" | median; }
+
+for technique in $techniques; do
+  echo "$technique $(wallOf "$technique.one") $(wallOf "$technique.more") $(processorsOf "$technique.one") \
+    $(processorsOf "$technique.more") $(samplesOf "$technique")"
+done | awk '{
+  wall = ($3 - $2) / $6; processors = ($5 - $4) / $6
+  if (NR == 1) { first_wall = wall; first_processors = processors }
+  printf "%-18s frame %9.1f ms (%7.2f x)   processors %9.0f ms (%7.2f x)\n", $1, wall, wall / first_wall, processors,
+    processors / first_processors }'

@@ -16,8 +16,7 @@ struct BodyTree {
 };
 
 /// Sorts the triangles of all bodies (isBody), where their instances put them, into a tree. A body's number is that of
-/// its instance. Triangles that are not finite or have
-/// no area are left out.
+/// its instance. Triangles that are not finite or have no area are left out.
 ///
 /// returns  nothing if the scene has no such triangle
 /// errors   too_large

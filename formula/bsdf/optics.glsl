@@ -8,6 +8,22 @@ FN vec3 facingNormal(vec3 normal, vec3 ray) {
   return cosine < kLeastCosine ? normalize(normal - ray * (kLeastCosine - cosine)) : normal;
 }
 
+// A point of a surface so far on one side of it as rounding may have put it on the other.
+//
+// distance_to  from where the ray came that met it
+// towards      unit, away from the surface
+FN vec3 besideSurface(vec3 place, float distance_to, vec3 towards) {
+  vec3 magnitude = abs(place);
+  return place + towards * (4e-6f * max(max(magnitude.x, magnitude.y), max(magnitude.z, distance_to)));
+}
+
+// What a body leaves of light over a distance (Lambert & Beer).
+//
+// color, over  what is left of white light after that distance; 0: nothing is absorbed
+FN vec3 bodyTransmittance(vec3 color, float over, float distance) {
+  return over > 0.0f ? pow(color, vec3(min(distance / over, 1e6f))) : vec3(1.0f);
+}
+
 // The direction of the ray beyond the surface (Snell: n1 sin θ1 = n2 sin θ2). Past the critical angle nothing passes
 // and the ray reflects: GLSL's refract then gives 0, which is no direction.
 FN vec3 refractedDirection(vec3 ray, vec3 n, float eta) {

@@ -32,13 +32,12 @@ float iorInside(Media media, int channel) {
   return iorOfChannels(body.ior, body.dispersion)[channel];
 }
 
-// What the body that a ray is in leaves of light over a distance (Lambert & Beer).
+// What the body that a ray is in leaves of light over a distance.
 vec3 transmittanceOver(Media media, float distance) {
   int filling = fillingBody(media);
   if (filling < 0) return vec3(1.0);
   Body body = bodyAt(bodies, filling);
-  if (body.attenuation_distance <= 0.0) return vec3(1.0);
-  return pow(body.attenuation_color, vec3(min(distance / body.attenuation_distance, 1e6)));
+  return bodyTransmittance(body.attenuation_color, body.attenuation_distance, distance);
 }
 
 // The first surface that is there for a ray, whose throughput and media are then those before it.
@@ -62,14 +61,6 @@ TriangleHit firstSurface(inout InnerRay ray) {
     nearest = hit.distance * (1.0 + 1e-6);
   }
   return hit;
-}
-
-// A point of a surface so far on one side of it as rounding may have put it on the other.
-//
-// distance_to  from where the ray came that met it
-vec3 besideSurface(vec3 place, float distance_to, vec3 towards) {
-  vec3 magnitude = abs(place);
-  return place + towards * (4e-6 * max(max(magnitude.x, magnitude.y), max(magnitude.z, distance_to)));
 }
 
 // One of the two ways on from a surface.

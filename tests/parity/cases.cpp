@@ -201,6 +201,9 @@ const Case kCases[] = {
     PARITY(equalAreaDirection, unit, kTranscendental, vec4(equalAreaDirection(vec2(p)), 0.0f)),
 
     // optics
+    PARITY(besideSurface, direction, kTight, vec4(besideSurface(1000.0f * vec3(p), 2000.0f * r.x, vec3(q)), 0.0f)),
+    PARITY(bodyTransmittance, unit, kTranscendental,
+           vec4(bodyTransmittance(vec3(p) + vec3(0.0625f), q.x - 0.25f, 2.0f * q.y), 0.0f)),
     PARITY(facingNormal, direction, kTight, vec4(facingNormal(vec3(p), vec3(q)), 0.0f)),
     PARITY(
         refractedDirection, direction, kTight,

@@ -156,13 +156,12 @@ glm::vec3 Path::shareThatArrives(Ray ray, float distance) {
   return share;
 }
 
-/// What the body that fills a place leaves of light over a distance (Lambert & Beer).
+/// What the body that fills a place leaves of light over a distance.
 glm::vec3 Path::transmittance(const formula::Media& media, float distance) const {
   const int filling = formula::fillingBody(media);
   if (filling < 0) return glm::vec3(1.0f);
   const Material& material = materialOf(world_.scene, std::size_t(filling));
-  if (material.attenuation_distance <= 0.0f) return glm::vec3(1.0f);
-  return glm::pow(material.attenuation_color, glm::vec3(distance / material.attenuation_distance));
+  return formula::bodyTransmittance(material.attenuation_color, material.attenuation_distance, distance);
 }
 
 glm::vec3 Path::environmentAlong(glm::vec3 direction) const {
@@ -262,15 +261,14 @@ Ray Path::leaving(const Vertex& vertex, glm::vec3 direction) const {
   const Ray& arriving = vertex.arriving;
   const Hit& hit = vertex.hit;
   const glm::vec3 place = arriving.origin + hit.distance * arriving.direction;
-  const glm::vec3 magnitude = glm::abs(place);
-  const float step = 4e-6f * std::max({magnitude.x, magnitude.y, magnitude.z, hit.distance});
   const bool goes_out = glm::dot(direction, hit.geometric_normal) >= 0.0f;
   const bool crosses = goes_out != vertex.is_outside;
-  Ray ray{.origin = place + hit.geometric_normal * (goes_out ? step : -step),
-          .direction = direction,
-          .from = hit,
-          .passes_backs = crosses && vertex.surface.transmission <= 0.0f,
-          .media = arriving.media};
+  Ray ray{
+      .origin = formula::besideSurface(place, hit.distance, goes_out ? hit.geometric_normal : -hit.geometric_normal),
+      .direction = direction,
+      .from = hit,
+      .passes_backs = crosses && vertex.surface.transmission <= 0.0f,
+      .media = arriving.media};
   const int body = static_cast<int>(hit.instance);
   if (crosses && vertex.is_body)
     ray.media = goes_out ? formula::left(ray.media, body) : formula::entered(ray.media, body, vertex.surface.priority);

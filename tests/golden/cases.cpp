@@ -49,6 +49,8 @@ constexpr const char* kChannels = "three wavelengths stand for all; the rest is 
 
 constexpr const char* kLobes = "prefiltered light knows only the lobe that is seen along the normal; the rest is noise";
 
+constexpr const char* kCloth = "light on cloth is gathered from twelve directions; the rest is noise";
+
 constexpr const char* kFacets = "one facet's reflectance stands for all: it is Schlick's power of 5 that chooses which";
 
 constexpr const char* kByNormal = "wrong by construction: where the eye is does not count; the background is blurred";
@@ -84,6 +86,16 @@ constexpr auto kCases = std::to_array<Case>({
      "--set base_color=0.68,0.03,0.03", Truth{30.3, kLobes, "", 16, 32}},
     {"orange", "render sphere --material orange --size 96x96", &kBumpy, "--set bump_height=0.0065",
      Truth{28.4, kLobes, "", 16, 32}},
+
+    // What glTF's extensions lay on a surface.
+    {"car_paint", "render sphere --material car-paint --size 96x96", &kOutlined, "--set clearcoat=0.7",
+     Truth{29.4, kLobes, "--set clearcoat=0.5", 16, 32}},
+    {"velvet", "render sphere --material velvet --size 96x96", &kOutlined, "--set sheen_roughness=0.45",
+     Truth{31.1, kCloth, "--set sheen_color=0.4,0.1,0.2", 16, 32}},
+    {"brushed_metal", "render sphere --material brushed-metal --size 96x96", &kOutlined, "--set anisotropy=0.68",
+     Truth{24.4, kLobes, "--set anisotropy_rotation=1.57", 16, 32}},
+    {"soap_bubble", "render sphere --material soap-bubble --size 96x96", &kOutlined, "--set iridescence_thickness=396",
+     Truth{40, kExact, "--set iridescence_thickness=380", 16, 64}},
 
     // Which way round the environment is, looking at its faces from inside.
     {"uv_along_minus_z", "render none -e uv --camera 0,0 --fov 100 --size 96x72", &kFiltered, "--fov 100.1",

@@ -109,6 +109,7 @@ constexpr auto kCases = std::to_array<Case>({
      "render cube -e uv --material mirror --reflect-at vertex --background 0.2,0.2,0.2 "
      "--camera 130,25,3.1 --size 96x72",
      &kFinelyLined, "--reflect-at fragment", Truth{22.4, kAtVertices, "", 16, 16}},
+    // Not for softpipe, 220 / 4.1: it fetches texels of one mip level for four pixels, also where their levels differ.
     {"lookup_flat",
      "render sphere -e uv --material mirror --set perceptual_roughness=0.5 --blur mip --lookup flat --size 96x96",
      &kOutlined, "--lookup cube", Truth{22.9, kMipLevel, "", 16, 32}},

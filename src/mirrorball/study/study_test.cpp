@@ -90,8 +90,8 @@ decltype(StudiedPicture::values) comparedAnew(const Scene& scene, const FrameSet
       ->values;
 }
 
-// What is told of a technique is what `compare` tells of its picture and the reference, though one path tracer makes the
-// pictures of all materials.
+// What is told of a technique is what `compare` tells of its picture and the reference, though one path tracer makes
+// the pictures of all materials.
 TEST_F(StudyTest, TheNumbersAreThoseOfTheComparison) {
   FrameSettings frame = small().frame;
   frame.resolve = Resolve::radiance;

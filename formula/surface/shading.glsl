@@ -17,6 +17,19 @@ struct Reflectance {
   vec3 multiple_scattering;  // of the light from all sides, after several bounces between the facets of a rough surface
 };
 
+FN RefractiveIndex refractiveIndexOf(Material m) {
+  return RefractiveIndex(m.ior, m.dispersion, m.sellmeier_b, m.sellmeier_c);
+}
+
+// A material as light of one wavelength [µm] meets it, for which it has one index; 0: as light of all does.
+FN Material atWavelength(Material m, float wavelength) {
+  if (wavelength <= 0.0f) return m;
+  m.ior = iorAtWavelength(refractiveIndexOf(m), wavelength);
+  m.dispersion = 0.0f;
+  m.sellmeier_b = vec4(0.0f);
+  return m;
+}
+
 // Of a smooth dielectric, whose index may differ between the channels.
 FN vec3 dielectricReflectance(Surface s, float cosine, vec3 ior) {
   Material m = s.material;

@@ -19,6 +19,7 @@
 #include "part: material"
 #include "part: arriving light"
 #include "part: look-up"
+#include "part: dispersion"
 #include "part: transmission"
 #include "part: lamps"
 #include "part: alpha"

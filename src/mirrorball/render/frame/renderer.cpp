@@ -361,6 +361,7 @@ Result<void> Renderer::State::makeBodies() {
 Result<void> Renderer::State::drawSample(const Camera& camera) {
   FrameUniforms of_sample = frame;
   of_sample.camera = camera;
+  of_sample.sample = samples_drawn;
   MIRRORBALL_TRY_VOID(surfaces->begin(scene, buffers, *light, of_sample, settings));
   sample->bind();
   const bool has_color = settings.background == BackgroundKind::radiance;

@@ -55,6 +55,7 @@ struct FrameUniforms {
   CoordinateMatrices coordinates;
   const FlatLight* flat = nullptr;      ///< where FrameSettings::look_up reads it
   const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  int sample = 0;                       ///< number of the sample of the frame
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf

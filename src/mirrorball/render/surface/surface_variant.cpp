@@ -19,6 +19,7 @@ constexpr auto kMaterial = std::to_array<Names>({"material_core.glsl", "material
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp = std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl"});
+constexpr auto kDispersion = std::to_array<Names>({"dispersion_channels.glsl", "dispersion_spectral.glsl"});
 constexpr auto kTransmission = std::to_array<Names>(
     {"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl", "transmission_traced.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
@@ -32,6 +33,7 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
     {"material", kMaterial},
     {"arriving light", kArrivingLight},
     {"look-up", kLookUp},
+    {"dispersion", kDispersion},
     {"transmission", kTransmission},
     {"lamps", kLamps},
     {"alpha", kAlpha},
@@ -55,6 +57,11 @@ TransmissionPart transmissionPart(const Material& material, const FrameSettings&
   if (material.transmission <= 0.0f) return TransmissionPart::none;
   if (material.thin_walled) return TransmissionPart::thin;
   return settings.refraction == RefractionKind::traced ? TransmissionPart::traced : TransmissionPart::single;
+}
+
+DispersionPart dispersionPart(const Material& material, const FrameSettings& settings) {
+  const bool is_spectral = settings.dispersion == DispersionKind::spectral || settings.wavelength_nm > 0.0f;
+  return isBody(material) && is_spectral ? DispersionPart::spectral : DispersionPart::channels;
 }
 
 constexpr std::array<Names, 3> kWraps{"kWrapRepeat", "kWrapMirroredRepeat", "kWrapClampToEdge"};  // by Wrap
@@ -152,6 +159,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, coordinates.is_sphere_map ? LookUpPart::sphere_map : LookUpPart::environment);
+  variant.choose(Part::dispersion, dispersionPart(material, settings));
   variant.choose(Part::transmission, transmissionPart(material, settings));
   variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
   variant.lamp_count = static_cast<std::uint8_t>(lamps);

@@ -26,8 +26,20 @@ struct SurfaceQuestion {
 };
 
 /// The questions, in the order of their numbers.
-enum class Part { point, coordinates, normal, detail, material, arriving_light, look_up, transmission, lamps, alpha };
-constexpr std::size_t kParts = 10;
+enum class Part {
+  point,
+  coordinates,
+  normal,
+  detail,
+  material,
+  arriving_light,
+  look_up,
+  dispersion,
+  transmission,
+  lamps,
+  alpha
+};
+constexpr std::size_t kParts = 11;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 
 // The answers, in the order of the table.
@@ -37,6 +49,7 @@ enum class DetailPart : std::uint8_t { none, normal_map };
 enum class MaterialPart : std::uint8_t { core, unlit };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
 enum class LookUpPart : std::uint8_t { environment, sphere_map };
+enum class DispersionPart : std::uint8_t { channels, spectral };
 enum class TransmissionPart : std::uint8_t { none, single, thin, traced };
 enum class LampsPart : std::uint8_t { none, listed };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };

@@ -1,6 +1,6 @@
-// The numbers of a material. Each field but Sellmeier's is also a row of the table in scene/material/material_table.cpp,
-// which says its unit, range, meaning and glTF's name for it; this struct is what C++, the uniform block and the shaders
-// hold of it.
+// The numbers of a material. Each field but Sellmeier's terms is also a row of the table in
+// scene/material/material_table.cpp, which says its unit, range, meaning and glTF's name for it; this struct is what
+// C++, the uniform block and the shaders hold of it.
 // INITIALLY(x) is the field's default in C++, and nothing in GLSL, which has none.
 
 const int kFresnelExact = 0;

@@ -112,6 +112,9 @@ TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refuse(2, line + "--bounces 0"), HasSubstr("bounces"));
   EXPECT_THAT(refuse(2, line + "--unoccluded"), HasSubstr("add --bounces 1"));
   EXPECT_THAT(refuse(2, line + "--inner-bounces 2"), HasSubstr("--unoccluded --refraction traced"));
+  EXPECT_THAT(refuse(2, line + "--refraction traced"), HasSubstr("--refraction ends the reference's paths only with"));
+  EXPECT_THAT(refuse(2, line + "--dispersion spectral"), HasSubstr("--dispersion is for the renderer"));
+  EXPECT_THAT(refuse(2, line + "--wavelength 900"), HasSubstr("380 … 780"));
   EXPECT_THAT(files(), ElementsAre());
 }
 

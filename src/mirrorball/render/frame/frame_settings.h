@@ -64,7 +64,7 @@ struct FrameSettings {
   int inner_bounces = 4;  ///< surfaces that light meets inside of bodies where it is traced, 1 … 32
   DispersionKind dispersion = DispersionKind::channels;
   int wavelengths = 12;        ///< that a sample of a pixel is drawn of where dispersion is spectral, 8 … 16
-  float wavelength_nm = 0.0f;  ///< for which each body has its index, 380 … 780: TraceSettings::wavelength_nm; 0: none
+  float wavelength_nm = 0.0f;  ///< TraceSettings::wavelength_nm, 380 … 780; 0: none
   LightLookUp look_up = LightLookUp::cube;
   Texgen texgen = Texgen::none;         ///< for base_color_map where the scene has one, else for the environment
   glm::mat4 texture_matrix{1.0f};       ///< of these coordinates, or of those that there are without them

@@ -30,8 +30,8 @@ int blurKindOfFormula(BlurKind blur) {
   }
 }
 
-/// How many directions transmitted light is read from: those of transmission_single.glsl once for each kind of light that
-/// goes its own way, and those of transmission_traced.glsl also where it leaves at each surface.
+/// How many directions transmitted light is read from: those of transmission_single.glsl once for each kind of light
+/// that goes its own way, and those of transmission_traced.glsl also where it leaves at each surface.
 ///
 /// some_disperse  of the scene's bodies, through which light of all others may go
 int transmittedRays(const Material& material, const FrameSettings& settings, bool some_disperse) {

@@ -165,7 +165,8 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("inner_bounces", settings.inner_bounces);
   block.set("only_wavelength", settings.wavelength_nm / 1000.0f);
   block.set("wavelength_count", lightKindsOf(settings));
-  block.set("wavelengths", std::span<const glm::vec4>(wavelengthSets(settings, frame.sample)));
+  if (isSpectral(settings))
+    block.set("wavelengths", std::span<const glm::vec4>(wavelengthSets(settings, frame.sample)));
 }
 
 gl::UniformBlock& SurfacePrograms::instanceBlock(const Scene& scene, int instance) {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/render/surface/wavelength_sets.h"
 #include "shaders/embedded_text.h"
 
 namespace mirrorball {
@@ -60,8 +61,7 @@ TransmissionPart transmissionPart(const Material& material, const FrameSettings&
 }
 
 DispersionPart dispersionPart(const Material& material, const FrameSettings& settings) {
-  const bool is_spectral = settings.dispersion == DispersionKind::spectral || settings.wavelength_nm > 0.0f;
-  return isBody(material) && is_spectral ? DispersionPart::spectral : DispersionPart::channels;
+  return isBody(material) && isSpectral(settings) ? DispersionPart::spectral : DispersionPart::channels;
 }
 
 constexpr std::array<Names, 3> kWraps{"kWrapRepeat", "kWrapMirroredRepeat", "kWrapClampToEdge"};  // by Wrap

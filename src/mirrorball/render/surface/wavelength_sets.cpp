@@ -40,9 +40,13 @@ std::vector<glm::vec4> wavelengthSets(const FrameSettings& settings, int sample)
   return sets;
 }
 
+bool isSpectral(const FrameSettings& settings) {
+  return settings.dispersion == DispersionKind::spectral || settings.wavelength_nm > 0.0f;
+}
+
 int lightKindsOf(const FrameSettings& settings) {
-  if (settings.wavelength_nm > 0.0f) return 1;
-  return settings.dispersion == DispersionKind::spectral ? settings.wavelengths : 3;
+  if (!isSpectral(settings)) return 3;
+  return settings.wavelength_nm > 0.0f ? 1 : settings.wavelengths;
 }
 
 }  // namespace mirrorball

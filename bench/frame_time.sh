@@ -29,16 +29,18 @@ argumentsOf() {
     thin_wall) echo "sphere $clear --set thin_walled=yes" ;;
     single) echo "sphere $clear" ;;
     single_dispersion) echo "sphere --material glass" ;;
+    single_spectral) echo "sphere --material glass --dispersion spectral" ;;
     traced_flat_sides) echo "brilliant $clear --refraction traced" ;;
     traced_curved) echo "sphere $clear --refraction traced" ;;
     traced_dispersion) echo "brilliant --material diamond --refraction traced" ;;
+    traced_spectral) echo "brilliant --material diamond --refraction traced --dispersion spectral" ;;
     *) echo "frame_time.sh: there is no technique '$1'" >&2 && exit 1 ;;
   esac
 }
 
 shift "$(($# < 4 ? $# : 4))"
-techniques=${*:-mirror rough_metal flat_look_up thin_wall single single_dispersion traced_flat_sides traced_curved \
-  traced_dispersion}
+techniques=${*:-mirror rough_metal flat_look_up thin_wall single single_dispersion single_spectral \
+  traced_flat_sides traced_curved traced_dispersion traced_spectral}
 
 # A software driver needs seconds for what is traced.
 samplesOf() { case $1 in traced*) echo 2 ;; *) echo 16 ;; esac; }

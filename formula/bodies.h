@@ -4,6 +4,7 @@
 /// becomes. How these files are read: formula/formula.h. A sampler of words is any type with `uvec4 fetchWords(const
 /// Type&, int texel)` beside it.
 
+#include "formula/bsdf.h"
 #include "formula/constants.h"
 #include "formula/projection.h"
 //

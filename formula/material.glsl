@@ -1,5 +1,6 @@
-// The numbers of a material. Each field is also a row of the table in scene/material/material_table.cpp, which says its
-// unit, range, meaning and glTF's name for it; this struct is what C++, the uniform block and the shaders hold of it.
+// The numbers of a material. Each field but Sellmeier's terms is also a row of the table in
+// scene/material/material_table.cpp, which says its unit, range, meaning and glTF's name for it; this struct is what
+// C++, the uniform block and the shaders hold of it.
 // INITIALLY(x) is the field's default in C++, and nothing in GLSL, which has none.
 
 const int kFresnelExact = 0;
@@ -16,6 +17,8 @@ struct Material {
   vec3 specular_color INITIALLY(vec3(1.0f));    // factor on it at normal incidence
   float ior INITIALLY(1.5f);                    // index of the inside over the outside, at 588 nm
   float dispersion INITIALLY(0.0f);             // 20 / Abbe number
+  vec4 sellmeier_b INITIALLY(vec4(0.0f));       // a measured substance's, whose dispersion is above 0: RefractiveIndex
+  vec4 sellmeier_c INITIALLY(vec4(0.0f));
   float transmission INITIALLY(0.0f);           // share of the light which is not reflected that is refracted
   vec3 attenuation_color INITIALLY(vec3(1.0f)); // what is left of white light after attenuation_distance in the body
   float attenuation_distance INITIALLY(0.0f);   // in world units; 0: nothing is absorbed

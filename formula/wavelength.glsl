@@ -36,3 +36,19 @@ FN float pdfWavelength(float wavelength) {
   float c = cosh(7.2f * (wavelength - 0.538f));
   return 7.2f / 1.82750197f / (c * c);
 }
+
+// What light of a wavelength counts for that has been chosen so: 1 in the mean over all choices.
+FN vec3 shareOfWavelength(float wavelength) {
+  return wavelengthWeight(wavelength) / ((kLongestWavelength - kShortestWavelength) * pdfWavelength(wavelength));
+}
+
+// The most wavelengths that a pixel is drawn of at a time, and how many sets of them its neighbours have.
+const int kMostWavelengths = 16;
+const int kWavelengthSets = 16;
+
+// Which set a pixel has: Bayer's matrix of 4 × 4 (Bayer 1973, "An optimum method for two-level rendition of
+// continuous-tone pictures"), by which pixels side by side are as different as they can be.
+FN int wavelengthSetOfPixel(int x, int y) {
+  int differs = x ^ y;
+  return ((differs & 1) << 3) | ((y & 1) << 2) | (differs & 2) | ((y >> 1) & 1);
+}

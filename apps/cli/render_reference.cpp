@@ -106,14 +106,19 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
         return fail(ErrorCode::usage, "--" + std::string(option.text.name) + " is for the reference; add --reference");
     return {};
   }
-  constexpr std::array<std::string_view, 9> kOfRenderer{"resolve", "blur",   "mapping", "reflect-at",    "turn",
-                                                        "frames",  "texgen", "lookup",  "texture-matrix"};
+  constexpr std::array<std::string_view, 11> kOfRenderer{"resolve",        "blur",       "mapping",    "reflect-at",
+                                                         "turn",           "frames",     "texgen",     "lookup",
+                                                         "texture-matrix", "dispersion", "wavelengths"};
   for (const std::string_view name : kOfRenderer)
     if (given.contains(name))
       return fail(ErrorCode::usage,
                   "--" + std::string(name) + " is for the renderer; leave it out, or leave --reference out");
   if (options.trace.is_unoccluded && options.trace.bounces != 1 && frame.refraction != RefractionKind::traced)
     return fail(ErrorCode::usage, "--unoccluded knows no second surface; add --bounces 1");
+  if (given.contains("refraction") && !options.trace.is_unoccluded)
+    return fail(ErrorCode::usage,
+                "--refraction ends the reference's paths only with --unoccluded; else they go through whole bodies; "
+                "leave it out");
   if (given.contains("inner-bounces") && !(options.trace.is_unoccluded && frame.refraction == RefractionKind::traced))
     return fail(ErrorCode::usage,
                 "--inner-bounces ends the reference's paths only with --unoccluded --refraction traced; else --bounces "

@@ -4,16 +4,16 @@
 //   1, 2           the lower corner of the box around all, and its size
 //   of a node      two texels, one a child: the corners of its box, in 16 bits of the box around all; the child
 //   of a triangle  four texels: its corners; the body; the octahedral normals of its corners
-//   of a body      three texels, as struct Body
+//   of a body      five texels, as struct Body
 // A child is the texel of a node or, below 0, the triangles of a leaf.
-// Needs: constants, octahedral.
+// Needs: constants, octahedral, optics.
 
 const int kDeepestNode = 40;         // the tree is no deeper
 const int kTrianglesOfLeaf = 8;      // at most
 const int kTexelsOfHead = 3;
 const int kTexelsOfNode = 2;
 const int kTexelsOfTriangle = 4;
-const int kTexelsOfBody = 3;
+const int kTexelsOfBody = 5;
 const float kBeyondAll = 3e38f;      // a distance at which nothing is
 
 struct TriangleHit {
@@ -153,11 +153,10 @@ FN BodySurface bodySurfaceAt(WORD_SAMPLER tree, TriangleHit hit) {
 // What fills the inside of closed triangles: the numbers of its material that light needs which passes through.
 struct Body {
   vec3 base_color;
-  float ior;
+  RefractiveIndex index;
   vec3 attenuation_color;
   float attenuation_distance;
   float perceptual_roughness;
-  float dispersion;
   float specular;
   int priority;
 };
@@ -168,5 +167,7 @@ FN Body bodyAt(WORD_SAMPLER tree, int body) {
   vec4 attenuation = uintBitsToFloat(fetchWords(tree, texel + 1));
   uvec4 rest = fetchWords(tree, texel + 2);
   vec3 numbers = floatsOf(rest);
-  return Body(vec3(color), color.w, vec3(attenuation), attenuation.w, numbers.x, numbers.y, numbers.z, int(rest.w));
+  RefractiveIndex index = RefractiveIndex(color.w, numbers.y, uintBitsToFloat(fetchWords(tree, texel + 3)),
+                                          uintBitsToFloat(fetchWords(tree, texel + 4)));
+  return Body(vec3(color), index, vec3(attenuation), attenuation.w, numbers.x, numbers.z, int(rest.w));
 }

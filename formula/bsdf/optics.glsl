@@ -91,6 +91,14 @@ FN float fresnelEmpirical(float cosine, float offset, float scale, float power) 
   return clamp(offset + scale * pow(max(1.0f - cosine, 0.0f), power), 0.0f, 1.0f);
 }
 
+// How the index of a substance depends on the wavelength.
+struct RefractiveIndex {
+  float ior;         // at the line d, 588 nm
+  float dispersion;  // 20 / Abbe number
+  vec4 sellmeier_b;  // terms of iorOfSellmeier; all 0: only the two numbers above are known
+  vec4 sellmeier_c;
+};
+
 // The index for the red, green and blue channel of a glass whose index is `ior` at 588 nm. KHR_materials_dispersion:
 // dispersion = 20 / V with Abbe's number V = (n_d − 1) / (n_F − n_C), red and blue standing for the lines C and F.
 FN vec3 iorOfChannels(float ior, float dispersion) {
@@ -100,7 +108,7 @@ FN vec3 iorOfChannels(float ior, float dispersion) {
 
 // The same for one wavelength [µm]: Cauchy's n = A + B / λ² through `ior` at the line d. From the line C (0.6563 µm) to
 // F (0.4861 µm) the index grows by (n_d − 1) / V, and so B = (n_d − 1) dispersion / 20 / (1 / F² − 1 / C²).
-FN float iorAtWavelength(float ior, float dispersion, float wavelength) {
+FN float iorOfCauchy(float ior, float dispersion, float wavelength) {
   const float cauchy = 0.026183f;  // µm²: 1 / 20 / (1 / F² − 1 / C²)
   const float line_d = 0.58756f;
   float spread = (ior - 1.0f) * dispersion * cauchy * (1.0f / (wavelength * wavelength) - 1.0f / (line_d * line_d));
@@ -113,4 +121,10 @@ FN float iorAtWavelength(float ior, float dispersion, float wavelength) {
 FN float iorOfSellmeier(vec4 b, vec4 c, float wavelength) {
   vec4 squared = vec4(wavelength * wavelength);
   return sqrt(1.0f + dot(b, squared / (squared - c)));
+}
+
+// The index for light of one wavelength [µm], as it was measured, where it was.
+FN float iorAtWavelength(RefractiveIndex index, float wavelength) {
+  if (index.sellmeier_b == vec4(0.0f)) return iorOfCauchy(index.ior, index.dispersion, wavelength);
+  return iorOfSellmeier(index.sellmeier_b, index.sellmeier_c, wavelength);
 }

@@ -12,6 +12,7 @@ FN Material coatMaterial(Material m) {
   m.specular_color = vec3(1.0f);
   m.ior = kCoatIor;
   m.dispersion = 0.0f;
+  m.sellmeier_b = vec4(0.0f);
   m.transmission = 0.0f;
   m.emission = vec3(0.0f);
   m.fresnel = kFresnelExact;

@@ -25,6 +25,19 @@ struct Surface {
 
 FN bool hasConductorIndex(Material m) { return m.conductor_k.x + m.conductor_k.y + m.conductor_k.z > 0.0f; }
 
+FN RefractiveIndex refractiveIndexOf(Material m) {
+  return RefractiveIndex(m.ior, m.dispersion, m.sellmeier_b, m.sellmeier_c);
+}
+
+// A material as light of one wavelength [µm] meets it, for which it has one index; 0: as light of all does.
+FN Material atWavelength(Material m, float wavelength) {
+  if (wavelength <= 0.0f) return m;
+  m.ior = iorAtWavelength(refractiveIndexOf(m), wavelength);
+  m.dispersion = 0.0f;
+  m.sellmeier_b = vec4(0.0f);
+  return m;
+}
+
 FN vec3 bareDielectricReflectance(Material m, float cosine, vec3 ior) {
   if (m.fresnel == kFresnelExact) return fresnelDielectricOfChannels(cosine, ior);
   if (m.fresnel == kFresnelEmpirical)

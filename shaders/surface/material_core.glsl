@@ -7,7 +7,7 @@
 
 Surface surfaceAt(SurfacePoint point, vec3 n, vec3 base_color) {
   Surface s;
-  s.material = material;
+  s.material = atWavelength(material, only_wavelength);
   s.material.base_color = base_color;
   s.material.perceptual_roughness *= roughness_map_at(point).y;
   s.material.metallic *= metallic_map_at(point).z;

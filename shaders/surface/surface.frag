@@ -24,6 +24,7 @@
 #include "part: sheen"
 #include "part: material"
 #include "part: look-up"
+#include "part: dispersion"
 #include "part: transmission"
 #include "part: lamps"
 #include "part: coat"

@@ -1,5 +1,5 @@
 // Part "transmission" (transmission_none.glsl). Here: the light from where the ray goes after this one surface, for
-// each channel its own where the glass disperses.
+// each kind of light its own where the glass disperses.
 #include "beam.glsl"
 
 vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
@@ -12,8 +12,10 @@ vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
 }
 
 vec3 transmittedLight(Surface s, SurfacePoint point) {
-  vec3 ior = iorOfChannels(s.material.ior, s.material.dispersion);
-  vec3 green = lightThrough(s, point, ior.y);
-  if (s.material.dispersion == 0.0) return green;
-  return vec3(lightThrough(s, point, ior.x).x, green.y, lightThrough(s, point, ior.z).z);
+  RefractiveIndex index = refractiveIndexOf(s.material);
+  bool disperses = s.material.dispersion != 0.0;
+  vec3 light = vec3(0.0);
+  for (int kind = 0; kind < lightKinds(disperses); ++kind)
+    light += shareOfKind(kind, disperses) * lightThrough(s, point, iorOfKind(index, kind));
+  return light;
 }

@@ -24,12 +24,11 @@ struct InnerRay {
 // Past this many surfaces that are not there for a ray, the next one is.
 const int kMostPassed = 16;
 
-// The index of what is inside of the bodies, for red, green or blue.
-float iorInside(Media media, int channel) {
+// The index of what is inside of the bodies, for one kind of light.
+float iorInside(Media media, int kind) {
   int filling = fillingBody(media);
   if (filling < 0) return 1.0;
-  Body body = bodyAt(bodies, filling);
-  return iorOfChannels(body.ior, body.dispersion)[channel];
+  return iorOfKind(bodyAt(bodies, filling).index, kind);
 }
 
 // What the body that a ray is in leaves of light over a distance.
@@ -82,7 +81,7 @@ Way wayOn(vec3 direction, vec3 throughput, Beam beam, bool crosses, Media here, 
 // ended    becomes the other way. Where both go out, which smooth normals do over flat triangles, it is the stronger
 //          with the light of both
 // returns  whether one stays inside
-bool passSurface(inout InnerRay ray, TriangleHit hit, int channel, inout InnerRay ended) {
+bool passSurface(inout InnerRay ray, TriangleHit hit, int kind, inout InnerRay ended) {
   BodySurface surface = bodySurfaceAt(bodies, hit);
   Body body = bodyAt(bodies, surface.body);
   bool is_entering = dot(ray.direction, surface.geometric_normal) < 0.0;
@@ -91,7 +90,7 @@ bool passSurface(inout InnerRay ray, TriangleHit hit, int channel, inout InnerRa
     beyond = entered(beyond, surface.body, body.priority);
   else
     beyond = left(beyond, surface.body);
-  float eta = iorInside(beyond, channel) / iorInside(ray.media, channel);
+  float eta = iorInside(beyond, kind) / iorInside(ray.media, kind);
   vec3 normal = facingNormal(is_entering ? surface.normal : -surface.normal, ray.direction);
   float cosine = min(-dot(ray.direction, normal), 1.0);
   float fresnel = fresnelDielectric(cosine, eta);
@@ -129,15 +128,15 @@ bool passSurface(inout InnerRay ray, TriangleHit hit, int channel, inout InnerRa
   return followed.stays;
 }
 
-// The light that a ray of one channel brings from the bodies which it is in.
-vec3 lightFromInside(InnerRay ray, int channel) {
+// The light that a ray of one kind of light brings from the bodies which it is in.
+vec3 lightFromInside(InnerRay ray, int kind) {
   vec3 light = vec3(0.0);
   for (int surfaces = 0;; ++surfaces) {
     bool stays = false;
     TriangleHit hit = TriangleHit(kBeyondAll, -1, vec2(0.0));
     if (surfaces < inner_bounces) hit = firstSurface(ray);
     InnerRay ended = ray;
-    if (hit.triangle >= 0) stays = passSurface(ray, hit, channel, ended);
+    if (hit.triangle >= 0) stays = passSurface(ray, hit, kind, ended);
     if (ended.throughput != vec3(0.0))
       light += ended.throughput * incomingLight(ended.origin, ended.direction, roughnessOfBeam(ended.beam),
                                                 footprintOfBeam(ended.beam));
@@ -157,8 +156,8 @@ vec2 pixelOnSurface(vec3 direction, vec3 place) {
 }
 
 // The ray into the surface that is drawn.
-InnerRay enteringRay(Surface s, SurfacePoint point, int channel) {
-  float eta = iorOfChannels(s.material.ior, s.material.dispersion)[channel];
+InnerRay enteringRay(Surface s, SurfacePoint point, int kind) {
+  float eta = iorOfKind(refractiveIndexOf(s.material), kind);
   float cosine = clamp(-dot(point.ray, s.normal), 0.0, 1.0);
   InnerRay ray;
   ray.origin = besideSurface(point.position, distance(point.position, camera_position), -s.normal);
@@ -176,10 +175,7 @@ InnerRay enteringRay(Surface s, SurfacePoint point, int channel) {
 vec3 transmittedLight(Surface s, SurfacePoint point) {
   bool disperses = fetchWords(bodies, 0).w != 0u;
   vec3 light = vec3(0.0);
-  for (int channel = disperses ? 0 : 1; channel <= (disperses ? 2 : 1); ++channel) {
-    vec3 of_channel = lightFromInside(enteringRay(s, point, channel), channel);
-    if (!disperses) return of_channel;
-    light[channel] = of_channel[channel];
-  }
+  for (int kind = 0; kind < lightKinds(disperses); ++kind)
+    light += shareOfKind(kind, disperses) * lightFromInside(enteringRay(s, point, kind), kind);
   return light;
 }

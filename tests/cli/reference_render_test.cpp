@@ -101,6 +101,19 @@ TEST_F(ReferenceRenderTest, LayersAreForDenoisers) {
   EXPECT_EQ(image("ball.exr").channels(), 4);
 }
 
+// A prism that mirrors nothing sends each ray one way, which depends on the wavelength and not on the renderer.
+TEST_F(ReferenceAgainstRendererTest, AgreesOnTheIndexOfAWavelength) {
+  const std::string prism = "render prism --material sf11 --set specular=0 --camera 70,-30 --size 48x36 --samples 16 ";
+  const auto drawn = [&](const std::string& wavelength) {
+    succeed(prism + "--refraction traced --resolve radiance --wavelength " + wavelength + " -o drawn.exr");
+    return image("drawn.exr");
+  };
+  succeed(prism + "--reference --wavelength 400 -o traced.exr");
+  const Image traced = image("traced.exr");
+  const double violet = psnr(drawn("400"), traced), red = psnr(drawn("700"), traced);
+  EXPECT_GT(violet, red + 10.0) << violet << " dB, " << red << " dB";
+}
+
 TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refuse(2, "render sphere --bounces 2"), HasSubstr("--bounces is for the reference; add --reference"));
   const std::string line = "render sphere --reference -o ball.png ";
@@ -112,6 +125,9 @@ TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refuse(2, line + "--bounces 0"), HasSubstr("bounces"));
   EXPECT_THAT(refuse(2, line + "--unoccluded"), HasSubstr("add --bounces 1"));
   EXPECT_THAT(refuse(2, line + "--inner-bounces 2"), HasSubstr("--unoccluded --refraction traced"));
+  EXPECT_THAT(refuse(2, line + "--refraction traced"), HasSubstr("--refraction ends the reference's paths only with"));
+  EXPECT_THAT(refuse(2, line + "--dispersion spectral"), HasSubstr("--dispersion is for the renderer"));
+  EXPECT_THAT(refuse(2, line + "--wavelength 900"), HasSubstr("380 … 780"));
   EXPECT_THAT(files(), ElementsAre());
 }
 

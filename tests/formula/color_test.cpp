@@ -26,10 +26,9 @@ TEST(Color, WhiteOfXyzIsWhite) {
 TEST(Color, AllWavelengthsTogetherAreWhite) {
   vec3 sum(0.0f);
   constexpr int kSteps = 4096;
-  const float range = kLongestWavelength - kShortestWavelength;
   for (int i = 0; i < kSteps; ++i) {
     const float wavelength = sampleWavelength((float(i) + 0.5f) / kSteps);
-    sum += wavelengthWeight(wavelength) / (range * pdfWavelength(wavelength) * float(kSteps));
+    sum += shareOfWavelength(wavelength) / float(kSteps);
   }
   for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(sum[channel], 1.0f, 1e-4f) << channel;
 }

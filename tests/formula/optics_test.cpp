@@ -143,13 +143,22 @@ TEST(Optics, DispersionHasAbbesNumber) {
 // Schott BK7: n_d 1.5168, V 64.17; n_F 1.52238, n_C 1.51432, and at the line g (435.8 nm) 1.52668.
 TEST(Optics, TheIndexOfAGlassFollowsTheWavelength) {
   const float dispersion = 20.0f / 64.17f;
-  EXPECT_NEAR(iorAtWavelength(1.5168f, dispersion, 0.58756f), 1.5168f, 1e-6f);
-  EXPECT_NEAR(iorAtWavelength(1.5168f, dispersion, 0.48613f), 1.52238f, 2e-4f);
-  EXPECT_NEAR(iorAtWavelength(1.5168f, dispersion, 0.65627f), 1.51432f, 2e-4f);
-  EXPECT_NEAR(iorAtWavelength(1.5168f, dispersion, 0.4358f), 1.52668f, 1e-3f) << "Cauchy's two terms end here";
+  EXPECT_NEAR(iorOfCauchy(1.5168f, dispersion, 0.58756f), 1.5168f, 1e-6f);
+  EXPECT_NEAR(iorOfCauchy(1.5168f, dispersion, 0.48613f), 1.52238f, 2e-4f);
+  EXPECT_NEAR(iorOfCauchy(1.5168f, dispersion, 0.65627f), 1.51432f, 2e-4f);
+  EXPECT_NEAR(iorOfCauchy(1.5168f, dispersion, 0.4358f), 1.52668f, 1e-3f) << "Cauchy's two terms end here";
   const vec3 channels = iorOfChannels(1.5168f, dispersion);
   EXPECT_NEAR(channels.z - channels.x,
-              iorAtWavelength(1.5168f, dispersion, 0.48613f) - iorAtWavelength(1.5168f, dispersion, 0.65627f), 1e-5f);
+              iorOfCauchy(1.5168f, dispersion, 0.48613f) - iorOfCauchy(1.5168f, dispersion, 0.65627f), 1e-5f);
+}
+
+// What was measured goes before the two numbers.
+TEST(Optics, AMeasuredIndexIsThatOfItsTerms) {
+  RefractiveIndex index(1.5168f, 20.0f / 64.17f, vec4(0.0f), vec4(0.0f));
+  EXPECT_EQ(iorAtWavelength(index, 0.4358f), iorOfCauchy(1.5168f, 20.0f / 64.17f, 0.4358f));
+  index.sellmeier_b = vec4(1.03961212f, 0.231792344f, 1.01046945f, 0.0f);  // Schott, N-BK7
+  index.sellmeier_c = vec4(0.00600069867f, 0.0200179144f, 103.560653f, 0.0f);
+  EXPECT_NEAR(iorAtWavelength(index, 0.4358f), 1.52668f, 1e-5f);
 }
 
 }  // namespace

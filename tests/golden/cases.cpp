@@ -47,6 +47,8 @@ constexpr const char* kSplits = "of two ways that stay inside, one is followed; 
 
 constexpr const char* kChannels = "three wavelengths stand for all; the rest is noise of paths";
 
+constexpr const char* kSpectrum = "paths of single wavelengths have noise of colours";
+
 constexpr const char* kLobes = "prefiltered light knows only the lobe that is seen along the normal; the rest is noise";
 
 constexpr const char* kCloth = "light on cloth is gathered from twelve directions; the rest is noise";
@@ -84,6 +86,9 @@ constexpr auto kCases = std::to_array<Case>({
      &kOutlined, "--inner-bounces 2", Truth{31.4, kSplits, "--refraction single", 16, 64}},
     {"traced_diamond", "render brilliant --material diamond --refraction traced --camera 20,35 --size 72x72",
      &kFinelyOutlined, "--set dispersion=0", Truth{19, kChannels, "--refraction single", 16, 64}},
+    {"spectral_prism",
+     "render prism --material sf11 --refraction traced --dispersion spectral --camera 70,-30 --size 72x54",
+     &kFinelyOutlined, "--dispersion channels", Truth{32.8, kSpectrum, "--dispersion channels", 16, 512}},
     {"rough_metal", "render knot --material rough-metal --size 96x96", &kOutlined, "--set perceptual_roughness=0.47",
      Truth{27.5, kLobes, "--set perceptual_roughness=0.3", 16, 32}},
     {"plastic", "render teapot --material plastic --camera 30,20,2.3 --size 144x96", &kOutlined,
@@ -201,7 +206,7 @@ std::string drawnCommandOf(const Case& golden_case, const std::string& changed) 
 
 std::string tracedCommandOf(const Case& golden_case) {
   std::string command = golden_case.command;
-  for (const std::string_view option : {"--mapping", "--reflect-at", "--texgen", "--blur", "--lookup"})
+  for (const std::string_view option : {"--mapping", "--reflect-at", "--texgen", "--blur", "--lookup", "--dispersion"})
     command = withoutOption(command, option);
   if (command.find("--background blur") != std::string::npos) command = withoutOption(command, "--background");
   return command + " --samples " + std::to_string(golden_case.truth->paths) + " --reference --bounces 1 --unoccluded";

@@ -273,10 +273,12 @@ const Case kCases[] = {
     PARITY(fresnelEmpirical, unit, kTranscendental,
            vec4(fresnelEmpirical(p.x, p.y, p.z, 1.0f + 5.0f * p.w), 0.0f, 0.0f, 0.0f)),
     PARITY(iorOfChannels, unit, kTight, vec4(iorOfChannels(1.0f + 1.5f * p.x, p.y), 0.0f)),
-    PARITY(iorAtWavelength, unit, kTight,
-           vec4(iorAtWavelength(1.0f + 1.5f * p.x, p.y, 0.4f + 0.3f * p.z), 0.0f, 0.0f, 0.0f)),
+    PARITY(iorOfCauchy, unit, kTight, vec4(iorOfCauchy(1.0f + 1.5f * p.x, p.y, 0.4f + 0.3f * p.z), 0.0f, 0.0f, 0.0f)),
     PARITY(iorOfSellmeier, unit, kTight,
            vec4(iorOfSellmeier(p, q * 0.03125f, 0.375f + 0.375f * r.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(iorAtWavelength, unit, kTight,
+           vec4(iorAtWavelength(RefractiveIndex(1.5f, p.y, vec4(0.0f), vec4(0.0f)), 0.375f + 0.375f * r.x),
+                iorAtWavelength(RefractiveIndex(1.5f, p.y, p, q * 0.03125f), 0.375f + 0.375f * r.x), 0.0f, 0.0f)),
 
     // paraboloid
     PARITY(paraboloidFace, direction, kExact, vec4(float(paraboloidFace(vec3(p))), 0.0f, 0.0f, 0.0f)),
@@ -465,6 +467,15 @@ const Case kCases[] = {
         vec4(tintedReflectance(testSurface(p, q, r).material, vec3(0.25f + 0.5f * abs(p.y)), vec3(0.25f * r.x)), 0.0f)),
     PARITY(withGreySpecular, direction, kExact,
            vec4(withGreySpecular(testSurface(p, q, r).material).specular_color, 0.0f)),
+    PARITY(refractiveIndexOf, unit, kTight,
+           vec4(refractiveIndexOf(testSurface(p, q, r).material).ior,
+                refractiveIndexOf(testSurface(p, q, r).material).dispersion,
+                refractiveIndexOf(testSurface(p, q, r).material).sellmeier_b.x,
+                refractiveIndexOf(testSurface(p, q, r).material).sellmeier_c.w)),
+    PARITY(atWavelength, unit, kTight,
+           vec4(atWavelength(testSurface(p, q, r).material, p.x < 0.25f ? 0.0f : 0.375f + 0.375f * p.y).ior,
+                atWavelength(testSurface(p, q, r).material, p.x < 0.25f ? 0.0f : 0.375f + 0.375f * p.y).dispersion,
+                0.0f, 0.0f)),
     PARITY(smoothDielectric, direction, kTranscendental,
            vec4(smoothDielectric(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w), 0.0f)),
     PARITY(roughReflectance, direction, kTight,
@@ -561,8 +572,10 @@ const Case kCases[] = {
            vec4(bodySurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).normal,
                 bodySurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).curvature)),
     PARITY(bodyAt, unit, kExact,
-           vec4(bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).ior, bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).dispersion,
-                float(bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).priority), 0.0f)),
+           vec4(bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).index.ior,
+                bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).index.dispersion,
+                float(bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).priority),
+                bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).index.sellmeier_c.y)),
 
     // wavelength
     PARITY(unevenBell, unit, kTranscendental, vec4(unevenBell(p.x, 0.5f, 0.125f, 0.25f + p.y), 0.0f, 0.0f, 0.0f)),
@@ -570,6 +583,9 @@ const Case kCases[] = {
     PARITY(wavelengthWeight, unit, kTranscendental, vec4(0.25f * wavelengthWeight(0.36f + 0.47f * p.x), 0.0f)),
     PARITY(sampleWavelength, unit, kTranscendental, vec4(sampleWavelength(p.x))),
     PARITY(pdfWavelength, unit, kTranscendental, vec4(0.25f * pdfWavelength(0.36f + 0.47f * p.x))),
+    PARITY(shareOfWavelength, unit, kTranscendental, vec4(0.25f * shareOfWavelength(0.36f + 0.47f * p.x), 0.0f)),
+    PARITY(wavelengthSetOfPixel, unit, kExact,
+           vec4(float(wavelengthSetOfPixel(int(63.0f * p.x), int(63.0f * p.y))), 0.0f, 0.0f, 0.0f)),
 };
 
 }  // namespace

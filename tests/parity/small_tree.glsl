@@ -23,5 +23,5 @@ FN uvec4 fetchWords(SmallTree tree, int texel) {
   if (texel < 5) return uvec4(0u, 0xffff0000u, 0xffffffffu, uint(-1 - 8 * (texel - 3)));  // a leaf of one triangle
   if (texel < 9) return fetchTriangle(texel - 5, 0, 0.0f);
   if (texel < 13) return fetchTriangle(texel - 9, 1, tree.shift);
-  return wordsOf(vec3(0.5f, 0.25f, 0.125f) * float(texel - 12), texel % 3 == 0 ? 5u : floatBitsToUint(1.5f));
+  return wordsOf(vec3(0.5f, 0.25f, 0.125f) * float(texel - 12), texel % 5 == 0 ? 5u : floatBitsToUint(1.5f));
 }

@@ -11,6 +11,8 @@ FN Surface testSurface(vec4 p, vec4 q, vec4 r) {
   s.material.specular_color = vec3(1.0f, 30.0f * r.w, 0.25f);
   s.material.ior = 1.0f + 1.5f * r.z;
   s.material.dispersion = r.w;
+  s.material.sellmeier_b = r.w < 0.5f ? vec4(0.0f) : r;
+  s.material.sellmeier_c = vec4(0.0f, 0.015625f, 0.03125f, 64.0f);
   s.material.transmission = r.y;
   s.material.attenuation_color = vec3(1.0f, 1.0f, 1.0f);
   s.material.attenuation_distance = 0.0f;

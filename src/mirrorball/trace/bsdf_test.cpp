@@ -7,9 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "formula/bsdf.h"
+#include "mirrorball/trace/bsdf_testing.h"
 
 namespace mirrorball {
 namespace {
+
+using testing::directionOf;
+using testing::Estimate;
+using testing::onSphere;
 
 formula::Material whiteMetal(float roughness) {
   formula::Material material;
@@ -39,14 +44,6 @@ formula::Material halfGlass(float roughness) {
 
 Bsdf bsdfOf(const formula::Material& material) { return {material, {.ior = material.ior}}; }
 
-glm::vec3 directionOf(float cosine) { return {std::sqrt(1.0f - cosine * cosine), 0.0f, cosine}; }
-
-/// A direction of equal density over the whole sphere.
-glm::vec3 onSphere(glm::vec2 u) {
-  const float z = 1.0f - 2.0f * u.x, radius = std::sqrt(std::max(1.0f - z * z, 0.0f));
-  return {radius * std::cos(formula::kTwoPi * u.y), radius * std::sin(formula::kTwoPi * u.y), z};
-}
-
 std::optional<BsdfSample> sampled(const Bsdf& bsdf, glm::vec3 v, SampleSequence& samples) {
   return bsdf.scatter(v, {}, samples).next;
 }
@@ -56,20 +53,6 @@ float evaluated(const Bsdf& bsdf, glm::vec3 v, glm::vec3 l, SampleSequence& samp
   constexpr float kCertain = 1e9f;
   return bsdf.scatter(v, {l, kCertain}, samples).direct.y * kCertain;
 }
-
-/// A mean and its standard error.
-struct Estimate {
-  double sum = 0.0, squares = 0.0;
-  int count = 0;
-
-  void add(double value) {
-    sum += value;
-    squares += value * value;
-    ++count;
-  }
-  double mean() const { return sum / count; }
-  double error() const { return std::sqrt(std::max(squares / count - mean() * mean(), 0.0) / count); }
-};
 
 struct Case {
   const char* name;

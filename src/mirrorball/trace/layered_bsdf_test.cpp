@@ -7,10 +7,15 @@
 
 #include "formula/bsdf.h"
 #include "mirrorball/bake/brdf/sheen_albedo.h"
+#include "mirrorball/trace/bsdf_testing.h"
 #include "mirrorball/trace/light_sampler.h"
 
 namespace mirrorball {
 namespace {
+
+using testing::directionOf;
+using testing::Estimate;
+using testing::onSphere;
 
 formula::Material white(float metallic, float roughness) {
   formula::Material material;
@@ -53,27 +58,6 @@ LayeredBsdf layersOf(const formula::Material& material) {
   bsdf.addCoat(material, kCoatFrame);
   return bsdf;
 }
-
-glm::vec3 directionOf(float cosine) { return {std::sqrt(1.0f - cosine * cosine), 0.0f, cosine}; }
-
-glm::vec3 onSphere(glm::vec2 u) {
-  const float z = 1.0f - 2.0f * u.x, radius = std::sqrt(std::max(1.0f - z * z, 0.0f));
-  return {radius * std::cos(formula::kTwoPi * u.y), radius * std::sin(formula::kTwoPi * u.y), z};
-}
-
-/// A mean and its standard error.
-struct Estimate {
-  double sum = 0.0, squares = 0.0;
-  int count = 0;
-
-  void add(double value) {
-    sum += value;
-    squares += value * value;
-    ++count;
-  }
-  double mean() const { return sum / count; }
-  double error() const { return std::sqrt(std::max(squares / count - mean() * mean(), 0.0) / count); }
-};
 
 struct Case {
   const char* name;

@@ -28,12 +28,6 @@ constexpr int kFirstRoulette = 4;
 /// The distance from which on a ray has passed what it met.
 float justBehind(float distance) { return std::nextafter(distance * (1.0f + 1e-6f), INFINITY); }
 
-/// What light of a wavelength counts for that has been chosen by formula::sampleWavelength.
-glm::vec3 shareOfWavelength(float wavelength) {
-  const float all = formula::kLongestWavelength - formula::kShortestWavelength;
-  return formula::wavelengthWeight(wavelength) / (all * formula::pdfWavelength(wavelength));
-}
-
 /// The colour of a surface: its base colour, or a metal's reflectance at normal incidence.
 glm::vec3 albedoOf(const formula::Material& material) {
   return glm::mix(material.base_color, formula::metalReflectance(material, 1.0f), material.metallic);
@@ -43,7 +37,7 @@ glm::vec3 albedoOf(const formula::Material& material) {
 class Path {
  public:
   Path(const World& world, const TraceSettings& settings, SampleSequence& samples)
-      : world_(world), settings_(settings), samples_(samples) {}
+      : world_(world), settings_(settings), samples_(samples), wavelength_(settings.wavelength_nm / 1000.0f) {}
 
   PathLight follow(Ray ray);
 
@@ -84,9 +78,9 @@ class Path {
   SampleSequence& samples_;
   glm::vec3 sum_{0.0f};
   glm::vec3 throughput_{1.0f};
-  float pdf_ = 0.0f;         // of the ray's direction; 0: nothing else could have chosen it
-  float wavelength_ = 0.0f;  // µm, once light is dispersed; 0: all are there
-  int inner_surfaces_ = 0;   // that were met from within bodies
+  float pdf_ = 0.0f;        // of the ray's direction; 0: nothing else could have chosen it
+  float wavelength_;        // µm, that of the settings, or once light is dispersed; 0: all are there
+  int inner_surfaces_ = 0;  // that were met from within bodies
 };
 
 /// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
@@ -160,9 +154,7 @@ glm::vec3 Path::environmentAlong(glm::vec3 direction) const {
   return settings_.environment_intensity * world_.environment.radiance(direction);
 }
 
-float Path::iorOf(const formula::Material& material) const {
-  return wavelength_ > 0.0f ? formula::iorAtWavelength(material.ior, material.dispersion, wavelength_) : material.ior;
-}
+float Path::iorOf(const formula::Material& material) const { return formula::atWavelength(material, wavelength_).ior; }
 
 Path::Vertex Path::vertexAt(const Hit& hit, const Ray& ray) const {
   const Scene& scene = world_.scene;
@@ -193,12 +185,12 @@ bool Path::needsWavelength(const Vertex& vertex) const {
 
 /// The material's numbers, its indices relative to what is on the other side.
 formula::Material Path::materialAt(const Vertex& vertex) const {
-  formula::Material material = vertex.point.material;
+  formula::Material material = formula::atWavelength(vertex.point.material, wavelength_);
   const float beyond = iorBeyond(vertex);
-  material.ior = iorOf(material) / beyond;
+  material.ior /= beyond;
   material.conductor_n /= beyond;
   material.conductor_k /= beyond;
-  if (wavelength_ > 0.0f || vertex.beyond) material.dispersion = 0.0f;
+  if (vertex.beyond) material.dispersion = 0.0f;
   return material;
 }
 
@@ -207,8 +199,8 @@ Refraction Path::refractionAt(const Vertex& vertex, float new_wavelength) const 
   const formula::Material& material = vertex.point.material;
   Refraction refraction{.ior = iorOf(material) / iorBeyond(vertex), .is_thin = vertex.surface.thin_walled};
   if (new_wavelength > 0.0f) {  // which waits for light out of the air alone
-    refraction.ior = formula::iorAtWavelength(material.ior, material.dispersion, new_wavelength);
-    refraction.weight = shareOfWavelength(new_wavelength);
+    refraction.ior = formula::atWavelength(material, new_wavelength).ior;
+    refraction.weight = formula::shareOfWavelength(new_wavelength);
   }
   return refraction;
 }
@@ -304,7 +296,7 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   float new_wavelength = disperses ? formula::sampleWavelength(samples_.next().x) : 0.0f;
   if (needsWavelength(vertex)) {
     wavelength_ = disperses ? new_wavelength : formula::sampleWavelength(samples_.next().x);
-    throughput_ *= shareOfWavelength(wavelength_);
+    throughput_ *= formula::shareOfWavelength(wavelength_);
     new_wavelength = 0.0f;
   }
   const formula::Material material = materialAt(vertex);

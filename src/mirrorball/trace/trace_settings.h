@@ -34,6 +34,9 @@ struct TraceSettings {
   /// With is_unoccluded, in place of `bounces`: how many surfaces light still meets inside of bodies, those of other
   /// bodies in them too. What is inside of them after that is the light from far away along its last direction.
   int inner_bounces = 0;
+  /// Each material has its index at this wavelength [nm], and light keeps its three channels; 0: light is of all
+  /// wavelengths.
+  float wavelength_nm = 0.0f;
   LightStrategy strategy = LightStrategy::both;
   glm::mat3 environment_from_world{1.0f};    ///< turns the environment
   float environment_intensity = 1.0f;        ///< scales its light

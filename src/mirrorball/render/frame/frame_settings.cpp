@@ -161,6 +161,14 @@ constexpr Field kTextureMatrix{[](const FrameSettings& s) {
                                  return {};
                                }};
 
+constexpr Field kWavelength{
+    [](const FrameSettings& s) { return s.wavelength_nm > 0.0f ? formatNumber(s.wavelength_nm) : std::string(); },
+    [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+      MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+      s.wavelength_nm = numbers[0];
+      return {};
+    }};
+
 constexpr Field kLight{[](const FrameSettings&) { return std::string(); },
                        [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
                          MIRRORBALL_TRY(n, parseNumbers(text, written));
@@ -283,6 +291,29 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "light from far away",
       .group = "Look"},
      &FrameSettings::inner_bounces},
+    {{.name = "dispersion",
+      .choices = "channels|spectral",
+      .help = "which kinds of light go their own ways through glass that disperses: red, green and blue, which show "
+              "three images, or --wavelengths of the spectrum, which run into each other",
+      .group = "Look"},
+     choiceField<&FrameSettings::dispersion>},
+    {{.name = "wavelengths",
+      .value = "N",
+      .minimum = 8,
+      .maximum = formula::kMostWavelengths,
+      .help = "with --dispersion spectral, number of wavelengths that each sample of a pixel is drawn of; they differ "
+              "from sample to sample and from pixel to pixel",
+      .group = "Look"},
+     &FrameSettings::wavelengths},
+    {{.name = "wavelength",
+      .value = "NM",
+      .unit = "nanometres",
+      .minimum = 380,
+      .maximum = 780,
+      .help = "refract all light as this one wavelength, by each material's index there: the directions in which a "
+              "prism bends it can be measured; the light keeps the environment's colours, and metals their own",
+      .group = "Look"},
+     kWavelength},
     {{.name = "lookup",
       .choices = "cube|flat|flat-nearest",
       .help = "how surfaces find the light of a direction: by a cube sampler, or by face and texels computed in the "

@@ -28,6 +28,13 @@ enum class LightLookUp {
 
 enum class BlurKind { exact, gpu, mip, cone };
 enum class RefractionKind { single, traced };
+
+/// Which kinds of light go their own ways through glass that disperses.
+enum class DispersionKind {
+  channels,  ///< red, green and blue, each with one index
+  spectral,  ///< FrameSettings::wavelengths, each with its own index
+};
+
 enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
 
 /// What is averaged over the samples of a pixel.
@@ -55,6 +62,9 @@ struct FrameSettings {
   ReflectAt reflect_at = ReflectAt::fragment;
   RefractionKind refraction = RefractionKind::single;
   int inner_bounces = 4;  ///< surfaces that light meets inside of bodies where it is traced, 1 … 32
+  DispersionKind dispersion = DispersionKind::channels;
+  int wavelengths = 12;        ///< that a sample of a pixel is drawn of where dispersion is spectral, 8 … 16
+  float wavelength_nm = 0.0f;  ///< TraceSettings::wavelength_nm, 380 … 780; 0: none
   LightLookUp look_up = LightLookUp::cube;
   Texgen texgen = Texgen::none;         ///< for base_color_map where the scene has one, else for the environment
   glm::mat4 texture_matrix{1.0f};       ///< of these coordinates, or of those that there are without them

@@ -24,7 +24,7 @@ TEST(FrameOptions, DefaultsAreWhatTheProjectPromises) {
   std::string defaults;
   for (const auto& option : frameOptions()) defaults += written(option, settings) + " ";
   EXPECT_EQ(defaults,
-            "1280x720 4 display 0 neutral env 30,15  35  0 1 exact reflection fragment single 4 cube "
+            "1280x720 4 display 0 neutral env 30,15  35  0 1 exact reflection fragment single 4 channels 12  cube "
             "none 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1  1 ");
   EXPECT_EQ(settings.display.exposure(), 1.0f);
 }
@@ -55,6 +55,9 @@ TEST(FrameOptions, AreWrittenAsTheyAreRead) {
       {"blur", "cone"},
       {"background", "0.5,2,0"},
       {"lookup", "flat-nearest"},
+      {"dispersion", "spectral"},
+      {"wavelengths", "16"},
+      {"wavelength", "486.13"},
       {"texgen", "eye-linear"},
       {"texture-matrix", "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16"}};
   for (const auto& [name, value] : values) {
@@ -63,6 +66,15 @@ TEST(FrameOptions, AreWrittenAsTheyAreRead) {
     const auto option = std::ranges::find(frameOptions(), name, [](const auto& row) { return row.text.name; });
     EXPECT_EQ(written(*option, settings), value) << name;
   }
+}
+
+TEST(FrameOptions, WavelengthsAreThoseOfVisibleLight) {
+  FrameSettings settings;
+  for (const char* wrong : {"379", "781", "0.55", "green"})
+    EXPECT_THAT(set(settings, "wavelength", wrong), HasSubstr("nanometres (380 … 780)")) << wrong;
+  EXPECT_EQ(settings.wavelength_nm, 0.0f);
+  EXPECT_THAT(set(settings, "wavelengths", "7"), HasSubstr("8 … 16"));
+  EXPECT_THAT(set(settings, "wavelengths", "17"), HasSubstr("8 … 16"));
 }
 
 TEST(FrameOptions, SizesAreChecked) {

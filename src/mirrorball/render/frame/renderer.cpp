@@ -362,7 +362,7 @@ Result<void> Renderer::State::makeBodies() {
 Result<void> Renderer::State::drawSample(const Camera& camera) {
   FrameUniforms of_sample = frame;
   of_sample.camera = camera;
-  of_sample.sample_phase = (static_cast<float>(samples_drawn) + 0.5f) / static_cast<float>(settings.samples);
+  of_sample.sample = samples_drawn;
   MIRRORBALL_TRY_VOID(surfaces->begin(scene, buffers, *light, of_sample, settings));
   sample->bind();
   const bool has_color = settings.background == BackgroundKind::radiance;

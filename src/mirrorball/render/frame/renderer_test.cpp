@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -568,16 +569,23 @@ TEST_F(RendererTest, TheSameFrameTwiceIsTheSame) {
 
 // The shaders are the same text; only the drivers' arithmetic may differ.
 TEST(RendererApis, Es30DrawsTheSamePictureAsDesktop) {
-  Image8 pictures[2];
+  std::vector<Image8> pictures[2];
   for (const gl::Api api : {gl::Api::desktop43, gl::Api::es30}) {
     MIRRORBALL_NEEDS_GL(context, api);
     Studio room(*builtinEnvironment("studio"));
-    pictures[api == gl::Api::es30] = room.picture(smallShot("showcase", ""));
+    for (const DispersionKind dispersion : {DispersionKind::channels, DispersionKind::spectral}) {
+      Shot shot = smallShot("showcase", "");
+      shot.frame.dispersion = dispersion;
+      pictures[api == gl::Api::es30].push_back(room.picture(shot));
+    }
   }
-  ASSERT_EQ(pictures[0].samples().size(), pictures[1].samples().size());
-  ASSERT_FALSE(pictures[0].empty());
-  for (std::size_t i = 0; i < pictures[0].samples().size(); ++i)
-    EXPECT_NEAR(pictures[0].samples()[i], pictures[1].samples()[i], 2);
+  for (std::size_t shot = 0; shot < pictures[0].size(); ++shot) {
+    const Image8 &desktop = pictures[0][shot], &embedded = pictures[1][shot];
+    ASSERT_EQ(desktop.samples().size(), embedded.samples().size());
+    ASSERT_FALSE(desktop.empty());
+    for (std::size_t i = 0; i < desktop.samples().size(); ++i)
+      EXPECT_NEAR(desktop.samples()[i], embedded.samples()[i], 2);
+  }
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mirrorball/render/surface/wavelength_sets.h"
+
 namespace mirrorball {
 namespace {
 
@@ -28,15 +30,16 @@ int blurKindOfFormula(BlurKind blur) {
   }
 }
 
-/// How many directions transmitted light is read from: those of transmission_single.glsl once for each channel that
-/// goes its own way, and those of transmission_traced.glsl also where it leaves at each surface.
+/// How many directions transmitted light is read from: those of transmission_single.glsl once for each kind of light
+/// that goes its own way, and those of transmission_traced.glsl also where it leaves at each surface.
 ///
 /// some_disperse  of the scene's bodies, through which light of all others may go
 int transmittedRays(const Material& material, const FrameSettings& settings, bool some_disperse) {
   if (material.transmission == 0.0f) return 0;
   if (!isBody(material)) return 1;
-  if (settings.refraction == RefractionKind::traced) return (some_disperse ? 3 : 1) * (settings.inner_bounces + 1);
-  return material.dispersion == 0.0f ? 1 : 3;
+  const int kinds = lightKindsOf(settings);
+  if (settings.refraction == RefractionKind::traced) return (some_disperse ? kinds : 1) * (settings.inner_bounces + 1);
+  return material.dispersion == 0.0f ? 1 : kinds;
 }
 
 LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings,

@@ -11,6 +11,7 @@
 #include "mirrorball/bake/brdf/sheen_albedo.h"
 #include "mirrorball/image/image_set.h"
 #include "mirrorball/render/surface/light_reads.h"
+#include "mirrorball/render/surface/wavelength_sets.h"
 
 namespace mirrorball {
 namespace {
@@ -24,6 +25,8 @@ void setParameters(gl::UniformBlock& block, const Material& material) {
     if (const auto* number = std::get_if<float Material::*>(&parameter.field)) block.set(name, material.**number);
     if (const auto* color = std::get_if<glm::vec3 Material::*>(&parameter.field)) block.set(name, material.**color);
   }
+  block.set("material.sellmeier_b", material.sellmeier_b);
+  block.set("material.sellmeier_c", material.sellmeier_c);
   block.set("material.fresnel", material.fresnel);
 }
 
@@ -162,8 +165,12 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("texels_per_radian", blur.texels_per_radian);
   block.set("coarser", blur.coarser);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
-  block.set("sample_phase", frame.sample_phase);
+  block.set("sample_phase", (static_cast<float>(frame.sample) + 0.5f) / static_cast<float>(settings.samples));
   block.set("inner_bounces", settings.inner_bounces);
+  block.set("only_wavelength", settings.wavelength_nm / 1000.0f);
+  block.set("wavelength_count", lightKindsOf(settings));
+  if (isSpectral(settings))
+    block.set("wavelengths", std::span<const glm::vec4>(wavelengthSets(settings, frame.sample)));
 }
 
 gl::UniformBlock& SurfacePrograms::instanceBlock(const Scene& scene, int instance) {

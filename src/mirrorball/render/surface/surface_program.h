@@ -51,11 +51,11 @@ struct PrefilteredChain {
 struct FrameUniforms {
   PrefilteredChain prefiltered;
   Camera camera;
-  float sample_phase = 0.5f;  ///< of the sample that is drawn: (its number + ½) / their count
   glm::mat3 environment_from_world{1.0f};
   CoordinateMatrices coordinates;
   const FlatLight* flat = nullptr;      ///< where FrameSettings::look_up reads it
   const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  int sample = 0;                       ///< number of the sample of the frame
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/render/surface/wavelength_sets.h"
 #include "shaders/embedded_text.h"
 
 namespace mirrorball {
@@ -23,6 +24,7 @@ constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp =
     std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl"});
+constexpr auto kDispersion = std::to_array<Names>({"dispersion_channels.glsl", "dispersion_spectral.glsl"});
 constexpr auto kTransmission = std::to_array<Names>(
     {"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl", "transmission_traced.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
@@ -40,6 +42,7 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
     {"material", kMaterial},
     {"arriving light", kArrivingLight},
     {"look-up", kLookUp},
+    {"dispersion", kDispersion},
     {"transmission", kTransmission},
     {"lamps", kLamps},
     {"coat", kCoat},
@@ -64,6 +67,10 @@ TransmissionPart transmissionPart(const Material& material, const FrameSettings&
   if (material.transmission <= 0.0f) return TransmissionPart::none;
   if (material.thin_walled) return TransmissionPart::thin;
   return settings.refraction == RefractionKind::traced ? TransmissionPart::traced : TransmissionPart::single;
+}
+
+DispersionPart dispersionPart(const Material& material, const FrameSettings& settings) {
+  return isBody(material) && isSpectral(settings) ? DispersionPart::spectral : DispersionPart::channels;
 }
 
 CoatPart coatPart(const Material& material) {
@@ -189,6 +196,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
   chooseLayers(variant, material);
+  variant.choose(Part::dispersion, dispersionPart(material, settings));
   variant.choose(Part::transmission, transmissionPart(material, settings));
   variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
   variant.lamp_count = static_cast<std::uint8_t>(lamps);

@@ -37,12 +37,13 @@ enum class Part {
   material,
   arriving_light,
   look_up,
+  dispersion,
   transmission,
   lamps,
   coat,
   alpha
 };
-constexpr std::size_t kParts = 14;
+constexpr std::size_t kParts = 15;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 
 // The answers, in the order of the table.
@@ -55,6 +56,7 @@ enum class SheenPart : std::uint8_t { none, cloth };
 enum class MaterialPart : std::uint8_t { core, unlit };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
 enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched };
+enum class DispersionPart : std::uint8_t { channels, spectral };
 enum class TransmissionPart : std::uint8_t { none, single, thin, traced };
 enum class LampsPart : std::uint8_t { none, listed };
 enum class CoatPart : std::uint8_t { none, clear, clear_mapped };

@@ -110,6 +110,8 @@ void writeBody(const Material& material, std::vector<Texel>& words) {
   words.push_back(texelOf(material.attenuation_color, wordOf(material.attenuation_distance)));
   words.push_back(texelOf({material.perceptual_roughness, material.dispersion, material.specular},
                           static_cast<std::uint32_t>(material.priority)));
+  words.push_back(glm::floatBitsToUint(material.sellmeier_b));
+  words.push_back(glm::floatBitsToUint(material.sellmeier_c));
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST(BodyTree, ASphereLetsNoRayOut) {
 
 TEST(BodyTree, TellsNormalAndBodyWhereTheInstanceIs) {
   Scene scene = glassOf(sphereMesh(64, 128));
-  scene.materials[0].ior = 1.7f;
+  scene.materials[0] = *materialNamed("sf11");
   scene.materials[0].priority = -3;
   scene.instances.push_back(
       {.mesh = 0, .world_from_object = glm::scale(glm::translate(glm::mat4(1.0f), {4, 0, 0}), glm::vec3(1, 2, 1))});
@@ -91,7 +91,11 @@ TEST(BodyTree, TellsNormalAndBodyWhereTheInstanceIs) {
   const glm::vec3 expected = glm::normalize(place / glm::vec3(1, 4, 1));
   EXPECT_LT(glm::distance(surface.normal, expected), 2e-3f);
   EXPECT_LT(glm::distance(surface.geometric_normal, expected), 0.06f);
-  EXPECT_EQ(formula::bodyAt(words, 1).ior, 1.7f);
+  const formula::RefractiveIndex index = formula::bodyAt(words, 1).index;
+  EXPECT_EQ(index.ior, scene.materials[0].ior);
+  EXPECT_EQ(index.dispersion, scene.materials[0].dispersion);
+  EXPECT_EQ(index.sellmeier_b, scene.materials[0].sellmeier_b);
+  EXPECT_EQ(index.sellmeier_c, scene.materials[0].sellmeier_c);
   EXPECT_EQ(formula::bodyAt(words, 1).priority, -3);
 }
 

@@ -34,6 +34,8 @@ Material clear(const MeasuredGlass& glass) {
   material.perceptual_roughness = 0.0f;
   material.ior = iorOf(glass);
   material.dispersion = 20.0f / abbeNumberOf(glass);
+  material.sellmeier_b = glass.b;
+  material.sellmeier_c = glass.c;
   material.transmission = 1.0f;
   return material;
 }

@@ -285,6 +285,8 @@ Result<void> setParameter(Material& material, std::string_view assignment) {
     return fail(ErrorCode::usage,
                 "the material parameter " + name + " needs a value: " + name + "=" + written(parameter, material));
   MIRRORBALL_TRY_VOID(assign(parameter, material, assignment.substr(equals + 1)));
+  // A measured substance of another index or dispersion is another substance, of which only these numbers are known.
+  if (name == "ior" || name == "dispersion") material.sellmeier_b = material.sellmeier_c = glm::vec4(0.0f);
   // Who asks for an opacity wants to look through.
   if (material.opacity < 1.0f && material.alpha_mode == AlphaMode::opaque) material.alpha_mode = AlphaMode::blend;
   return {};

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "formula/surface.h"
+
 namespace mirrorball {
 namespace {
 
@@ -34,6 +36,30 @@ TEST(Material, EveryParameterTakesItsOwnDefaultBack) {
     EXPECT_EQ(written(parameter, material), value);
     EXPECT_FALSE(parameter.text.help.empty());
   }
+}
+
+// Schott's data sheet of SF11: n_C, n_F and n_g.
+TEST(Material, AGlassHasItsMeasuredIndexUntilAnotherOneIsSet) {
+  const auto iorAt = [](const Material& material, float wavelength) {
+    return formula::atWavelength(material, wavelength).ior;
+  };
+  const Material sf11 = *materialNamed("sf11");
+  EXPECT_NEAR(iorAt(sf11, 0.65627f), 1.77599f, 1e-5f);
+  EXPECT_NEAR(iorAt(sf11, 0.48613f), 1.80645f, 1e-5f);
+  EXPECT_NEAR(iorAt(sf11, 0.43583f), 1.82518f, 1e-5f);
+  EXPECT_EQ(iorAt(sf11, 0.0f), sf11.ior) << "of no wavelength";
+
+  Material clear = sf11;
+  ASSERT_TRUE(setParameter(clear, "dispersion=0"));
+  EXPECT_EQ(iorAt(clear, 0.43583f), sf11.ior);
+  Material denser = sf11;
+  ASSERT_TRUE(setParameter(denser, "ior=1.9"));
+  EXPECT_NEAR(iorAt(denser, 0.58756f), 1.9f, 1e-5f);
+  // With the same Abbe number.
+  EXPECT_NEAR((1.9f - 1.0f) / (iorAt(denser, 0.48613f) - iorAt(denser, 0.65627f)), 25.76f, 0.05f);
+  Material smooth = sf11;
+  ASSERT_TRUE(setParameter(smooth, "specular=0.5"));
+  EXPECT_EQ(iorAt(smooth, 0.43583f), iorAt(sf11, 0.43583f)) << "other parameters leave it";
 }
 
 TEST(Material, ParametersAreNamedOnce) {

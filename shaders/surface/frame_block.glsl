@@ -15,6 +15,7 @@ layout(std140) uniform FrameBlock {
   float texels_per_radian;
   float coarser;
   float samples_per_pixel;
+  float sample_phase;      // of the sample that is drawn: (its number + ½) / samples_per_pixel
   int inner_bounces;       // surfaces that light meets inside of bodies
   float only_wavelength;   // µm, for which each material has one index; 0: light is of all wavelengths
   int wavelength_count;    // of a set, where light is dispersed into wavelengths

@@ -167,9 +167,10 @@ LightCost Renderer::lightCost() const {
   const PrefilteredChain& chain = state.frame.prefiltered;
   const LightReads reads = lightReads(state.scene, blurOf(state.settings, light, chain), state.settings);
   LightCost cost{.reads = reads.sum()};
-  if (reads.environment > 0) cost.texture_bytes += light.cube().bytes();
-  if (reads.prefiltered > 0) cost.texture_bytes += chain.texture->bytes();
-  if (reads.irradiance > 0) cost.texture_bytes += light.irradiance().bytes();
+  const FlatLight* flat = state.frame.flat;
+  if (reads.environment > 0) cost.texture_bytes += (flat ? flat->environment : light.cube()).bytes();
+  if (reads.prefiltered > 0) cost.texture_bytes += (flat ? flat->prefiltered : *chain.texture).bytes();
+  if (reads.irradiance > 0) cost.texture_bytes += (flat ? flat->irradiance : light.irradiance()).bytes();
   if (reads.sphere_map > 0) cost.texture_bytes += state.sphere_map->bytes();
   return cost;
 }
@@ -362,6 +363,7 @@ Result<void> Renderer::State::drawSample(const Camera& camera) {
   FrameUniforms of_sample = frame;
   of_sample.camera = camera;
   of_sample.sample = samples_drawn;
+  of_sample.sample_phase = (static_cast<float>(samples_drawn) + 0.5f) / static_cast<float>(settings.samples);
   MIRRORBALL_TRY_VOID(surfaces->begin(scene, buffers, *light, of_sample, settings));
   sample->bind();
   const bool has_color = settings.background == BackgroundKind::radiance;

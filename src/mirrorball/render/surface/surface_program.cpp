@@ -8,6 +8,7 @@
 
 #include "mirrorball/bake/brdf/brdf_table.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
+#include "mirrorball/bake/brdf/sheen_albedo.h"
 #include "mirrorball/image/image_set.h"
 #include "mirrorball/render/surface/light_reads.h"
 #include "mirrorball/render/surface/wavelength_sets.h"
@@ -80,12 +81,13 @@ SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& b
                         settings.lights.size() + scene.lights.size(), coordinates);
 }
 
-/// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light
-/// around it, and from rounded shares it would come out as some 2e-4 of that where it is nothing: of a sun more than of
-/// a room.
+/// The BRDF table in the form of Surface::environment_brdf, and the sheen's albedo on the same axes. What is missing
+/// to 1 lights a surface with all the light around it, and from rounded shares it would come out as some 2e-4 of that
+/// where it is nothing: of a sun more than of a room.
 Result<Image> missingAndGrazing() {
   MIRRORBALL_TRY(table, brdfTable({.axes = BrdfAxes::warped}));
-  Image shares(table.width(), table.height(), 3);  // textures have one, three or four channels
+  Image shares(table.width(), table.height(), 3);
+  const auto place = [&](int index) { return static_cast<float>(index) / static_cast<float>(table.width() - 1); };
   for (int y = 0; y < table.height(); ++y)
     for (int x = 0; x < table.width(); ++x) {
       const DirectionalAlbedo albedo{.scale = table.texel(x, y)[0], .bias = table.texel(x, y)[1]};
@@ -93,6 +95,7 @@ Result<Image> missingAndGrazing() {
       // A mirror, row 0, has no facets that light could go to and fro between.
       share[0] = y == 0 ? 0.0f : std::max(1.0f - albedo.total(), 0.0f);
       share[1] = albedo.grazing();
+      share[2] = sheenAlbedo(place(y), cosineOfWarpedColumn(place(x), place(y)));
     }
   return shares;
 }
@@ -162,6 +165,7 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("texels_per_radian", blur.texels_per_radian);
   block.set("coarser", blur.coarser);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
+  block.set("sample_phase", frame.sample_phase);
   block.set("inner_bounces", settings.inner_bounces);
   block.set("only_wavelength", settings.wavelength_nm / 1000.0f);
   block.set("wavelength_count", lightKindsOf(settings));

@@ -31,27 +31,35 @@ enum class Part {
   coordinates,
   normal,
   detail,
+  film,
+  anisotropy,
+  sheen,
   material,
   arriving_light,
   look_up,
   dispersion,
   transmission,
   lamps,
+  coat,
   alpha
 };
-constexpr std::size_t kParts = 11;
+constexpr std::size_t kParts = 15;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 
 // The answers, in the order of the table.
 enum class CoordinatesPart : std::uint8_t { at_fragment, at_vertex, at_triangle };
 enum class NormalPart : std::uint8_t { vertex, bump };
 enum class DetailPart : std::uint8_t { none, normal_map };
+enum class FilmPart : std::uint8_t { none, thin };
+enum class AnisotropyPart : std::uint8_t { none, stretched };
+enum class SheenPart : std::uint8_t { none, cloth };
 enum class MaterialPart : std::uint8_t { core, unlit };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
-enum class LookUpPart : std::uint8_t { environment, sphere_map };
+enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched };
 enum class DispersionPart : std::uint8_t { channels, spectral };
 enum class TransmissionPart : std::uint8_t { none, single, thin, traced };
 enum class LampsPart : std::uint8_t { none, listed };
+enum class CoatPart : std::uint8_t { none, clear, clear_mapped };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };
 
 /// Which shader draws a surface: an answer for each question, and where its material's maps are.

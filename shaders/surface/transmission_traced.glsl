@@ -4,7 +4,7 @@
 // stronger one is followed, and the other takes the light from far away along its direction, so that none is lost; so
 // does all that is still inside after `inner_bounces` surfaces.
 // Compilers copy each function to where it is called: what is large is called in one place.
-#include "beam.glsl"
+#include "entering_beam.glsl"
 #include "media.glsl"
 #include "octahedral.glsl"
 #include "triangle_tree.glsl"
@@ -146,27 +146,14 @@ vec3 lightFromInside(InnerRay ray, int channel) {
   return light;
 }
 
-// Beam::pixel of a direction that changes from pixel to pixel: its angle is below 0 where the rays come together.
-vec2 pixelOnSurface(vec3 direction, vec3 place) {
-  vec3 across = dFdx(direction);
-  vec3 down = dFdy(direction);
-  float comes_apart = dot(across, dFdx(place)) + dot(down, dFdy(place));
-  float angle = sqrt(sampleFootprint(across, down, samples_per_pixel));
-  float side = sqrt(abs(dot(cross(dFdx(place), dFdy(place)), direction)) / samples_per_pixel);
-  return vec2(comes_apart < 0.0 ? -angle : angle, side);
-}
-
 // The ray into the surface that is drawn.
 InnerRay enteringRay(Surface s, SurfacePoint point, int channel) {
   float eta = iorOfChannels(s.material.ior, s.material.dispersion)[channel];
-  float cosine = clamp(-dot(point.ray, s.normal), 0.0, 1.0);
   InnerRay ray;
   ray.origin = besideSurface(point.position, distance(point.position, camera_position), -s.normal);
   ray.direction = refractedDirection(point.ray, s.normal, eta);
   ray.throughput = vec3(1.0);
-  float alpha = alphaFromPerceptualRoughness(s.material.perceptual_roughness);
-  ray.beam = beamBeyond(Beam(vec3(0.0), vec2(0.0)), refractionOfBeam(alpha, cosine, eta, 0.0));
-  ray.beam.pixel = pixelOnSurface(ray.direction, point.position);
+  ray.beam = enteringBeam(s, point, ray.direction, eta);
   ray.leaves = -1;
   ray.media.count = 0;
   if (gl_FrontFacing) ray.media = entered(ray.media, instance, bodyAt(bodies, instance).priority);

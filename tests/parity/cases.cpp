@@ -39,6 +39,15 @@ constexpr float kTight = 1e-5f;
 constexpr float kTranscendental = 5e-5f;
 
 const Case kCases[] = {
+    // back_face
+    PARITY(curvatureOfPixels, direction, kTight,
+           vec4(curvatureOfPixels(vec3(p) + vec3(2.0f), vec3(q), vec3(q) - vec3(2.0f), vec3(r)))),
+    PARITY(wayToBackFace, direction, kTight,
+           vec4(wayToBackFace(BackFace(2.0f * vec3(p), vec3(p), 0.0f), vec3(0.5f * q.x, 0.0f, 0.0f),
+                              normalize(vec3(p) + 0.5f * vec3(q))))),
+    PARITY(normalBesideBackFace, direction, kTight,
+           vec4(normalBesideBackFace(BackFace(vec3(p), vec3(p), 0.5f * q.w), vec3(p) + 0.25f * vec3(q)), 0.0f)),
+
     // beam
     PARITY(refractionOfBeam, unit, kTight, vec4(refractionOfBeam(p.x, p.y, 0.5f + q.x, 4.0f * q.y - 2.0f), 0.0f)),
     PARITY(reflectionOfBeam, unit, kTight, vec4(reflectionOfBeam(p.x, p.y, 4.0f * q.y - 2.0f), 0.0f)),

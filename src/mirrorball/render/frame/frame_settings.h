@@ -27,7 +27,7 @@ enum class LightLookUp {
 };
 
 enum class BlurKind { exact, gpu, mip, cone };
-enum class RefractionKind { single, traced };
+enum class RefractionKind { single, image_space, traced };
 enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
 
 /// What is averaged over the samples of a pixel.

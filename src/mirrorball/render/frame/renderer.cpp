@@ -19,6 +19,7 @@
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/render/light/gpu_prefilter.h"
+#include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/light_reads.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/sphere_map.h"
@@ -88,6 +89,7 @@ struct Renderer::State {
   const gl::Texture* flattened_chain = nullptr;    ///< that it was made from
   std::optional<gl::Texture> sphere_map = {};
   std::optional<gl::Texture> bodies = {};      ///< bodyTree() of the scene, made when it is first traced
+  std::optional<BackFaces> back_faces = {};    ///< made when a frame first needs them
   std::optional<gl::Framebuffer> sample = {};  ///< one sample's picture
   std::optional<gl::Framebuffer> sum = {};     ///< the mean, when there is more than one
   std::optional<gl::Framebuffer> display = {};
@@ -103,6 +105,7 @@ struct Renderer::State {
   Result<void> makeFlatLight();
   Result<void> makeSphereMap();
   Result<void> makeBodies();
+  Result<void> drawBackFaces(const Camera& camera);
   Result<void> drawSample(const Camera& camera);
   void drawBackground(const Camera& camera);
   void drawInstance(int instance);
@@ -358,9 +361,21 @@ Result<void> Renderer::State::makeBodies() {
   return {};
 }
 
+Result<void> Renderer::State::drawBackFaces(const Camera& camera) {
+  if (!back_faces) {
+    MIRRORBALL_TRY(made, BackFaces::make(context.api()));
+    back_faces = std::move(made);
+  }
+  return back_faces->draw(scene, buffers, camera, settings.size);
+}
+
 Result<void> Renderer::State::drawSample(const Camera& camera) {
   FrameUniforms of_sample = frame;
   of_sample.camera = camera;
+  if (settings.refraction == RefractionKind::image_space) {
+    MIRRORBALL_TRY_VOID(drawBackFaces(camera));
+    of_sample.back_faces = &*back_faces;
+  }
   MIRRORBALL_TRY_VOID(surfaces->begin(scene, buffers, *light, of_sample, settings));
   sample->bind();
   const bool has_color = settings.background == BackgroundKind::radiance;

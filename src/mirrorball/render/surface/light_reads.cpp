@@ -29,14 +29,16 @@ int blurKindOfFormula(BlurKind blur) {
 }
 
 /// How many directions transmitted light is read from: those of transmission_single.glsl once for each channel that
-/// goes its own way, and those of transmission_traced.glsl also where it leaves at each surface.
+/// goes its own way, those of transmission_image_space.glsl twice, and those of transmission_traced.glsl where it leaves
+/// at each surface.
 ///
 /// some_disperse  of the scene's bodies, through which light of all others may go
 int transmittedRays(const Material& material, const FrameSettings& settings, bool some_disperse) {
   if (material.transmission == 0.0f) return 0;
   if (!isBody(material)) return 1;
   if (settings.refraction == RefractionKind::traced) return (some_disperse ? 3 : 1) * (settings.inner_bounces + 1);
-  return material.dispersion == 0.0f ? 1 : 3;
+  const int channels = material.dispersion == 0.0f ? 1 : 3;
+  return settings.refraction == RefractionKind::image_space ? 2 * channels : channels;
 }
 
 LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings,

@@ -117,6 +117,8 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
   program.set("prefiltered" + form, TextureUnit::prefiltered);
   program.set("irradiance" + form, TextureUnit::irradiance);
   if (variant.has(Part::transmission, TransmissionPart::traced)) program.set("bodies", TextureUnit::bodies);
+  if (variant.has(Part::transmission, TransmissionPart::image_space))
+    program.set("back_faces", TextureUnit::back_faces);
   const bool is_sphere_map = variant.has(Part::look_up, LookUpPart::sphere_map);
   if (is_sphere_map) program.set("sphere_map", TextureUnit::sphere_map);
   for (std::size_t row = 0; row < variant.maps.size(); ++row)
@@ -146,6 +148,10 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("clip_from_world", frame.camera.clip_from_view * frame.camera.view_from_world);
   block.set("look_up_matrix", frame.coordinates.look_up);
   block.set("picture_matrix", frame.coordinates.picture);
+  if (frame.back_faces) {
+    block.set("back_faces_from_world", frame.back_faces->texelsFromWorld());
+    block.set("eye_from_back_faces", frame.back_faces->eyeFromTexels());
+  }
   block.set("eye_from_world", glm::mat3(frame.camera.view_from_world));
   block.set("environment_from_world", frame.environment_from_world);
   block.set("camera_position", frame.camera.position);
@@ -198,6 +204,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   (frame.flat ? frame.flat->irradiance : light.irradiance()).bind(TextureUnit::irradiance);
   brdf_table_.bind(TextureUnit::brdf_table);
   if (frame.bodies) frame.bodies->bind(TextureUnit::bodies);
+  if (frame.back_faces) frame.back_faces->picture().bind(TextureUnit::back_faces);
   return {};
 }
 

@@ -15,6 +15,7 @@
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/light/flat_light.h"
+#include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_variant.h"
 #include "mirrorball/scene/camera/camera.h"
@@ -29,6 +30,7 @@ struct TextureUnit {
   static constexpr int picture = 2;
   static constexpr int background = 2;  ///< no shader reads two of these
   static constexpr int bodies = 2;
+  static constexpr int back_faces = 2;
   static constexpr int brdf_table = 3;
   static constexpr int prefiltered = 4;
   static constexpr int irradiance = 5;
@@ -55,6 +57,7 @@ struct FrameUniforms {
   CoordinateMatrices coordinates;
   const FlatLight* flat = nullptr;      ///< where FrameSettings::look_up reads it
   const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  const BackFaces* back_faces = nullptr;  ///< drawn with this camera; null: the frame's refraction does without
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf

@@ -20,7 +20,8 @@ constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp = std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl"});
 constexpr auto kTransmission = std::to_array<Names>(
-    {"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl", "transmission_traced.glsl"});
+    {"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl", "transmission_image_space.glsl",
+     "transmission_traced.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
 
@@ -54,7 +55,15 @@ CoordinatesPart coordinatesPart(ReflectAt reflect_at) {
 TransmissionPart transmissionPart(const Material& material, const FrameSettings& settings) {
   if (material.transmission <= 0.0f) return TransmissionPart::none;
   if (material.thin_walled) return TransmissionPart::thin;
-  return settings.refraction == RefractionKind::traced ? TransmissionPart::traced : TransmissionPart::single;
+  switch (settings.refraction) {
+    case RefractionKind::traced:
+      return TransmissionPart::traced;
+    case RefractionKind::image_space:
+      return TransmissionPart::image_space;
+    case RefractionKind::single:
+      break;
+  }
+  return TransmissionPart::single;
 }
 
 constexpr std::array<Names, 3> kWraps{"kWrapRepeat", "kWrapMirroredRepeat", "kWrapClampToEdge"};  // by Wrap

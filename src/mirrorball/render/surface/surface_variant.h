@@ -37,7 +37,7 @@ enum class DetailPart : std::uint8_t { none, normal_map };
 enum class MaterialPart : std::uint8_t { core, unlit };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
 enum class LookUpPart : std::uint8_t { environment, sphere_map };
-enum class TransmissionPart : std::uint8_t { none, single, thin, traced };
+enum class TransmissionPart : std::uint8_t { none, single, thin, image_space, traced };
 enum class LampsPart : std::uint8_t { none, listed };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };
 

@@ -13,12 +13,6 @@
 namespace mirrorball {
 namespace {
 
-/// A tree as formulas read it.
-struct Words {
-  const std::vector<glm::uvec4>& texels;
-};
-glm::uvec4 fetchWords(const Words& words, int texel) { return words.texels.at(static_cast<std::size_t>(texel)); }
-
 Scene glassOf(Mesh mesh) {
   Material glass;
   glass.transmission = 1.0f;
@@ -27,12 +21,11 @@ Scene glassOf(Mesh mesh) {
 
 /// The same by trying each triangle.
 formula::TriangleHit nearestOfAll(const BodyTree& tree, glm::vec3 origin, glm::vec3 direction) {
-  const Words words{tree.words};
   const auto first = static_cast<int>(tree.words[0].y);
   const int count = (static_cast<int>(tree.words[0].z) - first) / formula::kTexelsOfTriangle;
   formula::TriangleHit best{formula::kBeyondAll, -1, {}};
   for (int i = 0; i < count; ++i)
-    best = formula::nearestOfLeaf(words, first, formula::leafOf(i, 1), origin, direction, 0.0f, -1, best);
+    best = formula::nearestOfLeaf(tree, first, formula::leafOf(i, 1), origin, direction, 0.0f, -1, best);
   return best;
 }
 
@@ -45,7 +38,7 @@ TEST(BodyTree, FindsTheNearestTriangle) {
   for (int i = 0; i < 2000; ++i) {
     const glm::vec3 origin(unit(random), unit(random), unit(random));
     const glm::vec3 direction = glm::normalize(glm::vec3(unit(random), unit(random), unit(random)));
-    const auto found = formula::nearestTriangle(Words{(*tree)->words}, origin, direction, 0.0f, -1);
+    const auto found = formula::nearestTriangle(**tree, origin, direction, 0.0f, -1);
     const auto expected = nearestOfAll(**tree, origin, direction);
     EXPECT_EQ(found.triangle, expected.triangle);
     EXPECT_EQ(found.distance, expected.distance);
@@ -61,7 +54,7 @@ TEST(BodyTree, ASphereLetsNoRayOut) {
   const auto tree = bodyTree(glassOf(sphere));
   ASSERT_TRUE(tree && *tree);
   const auto meets = [&](glm::vec3 direction) {
-    return formula::nearestTriangle(Words{(*tree)->words}, glm::vec3(0.0f), glm::normalize(direction), 0.0f, -1)
+    return formula::nearestTriangle(**tree, glm::vec3(0.0f), glm::normalize(direction), 0.0f, -1)
                .triangle >= 0;
   };
   for (std::size_t i = 0; i < sphere.vertices.size(); i += 7) EXPECT_TRUE(meets(sphere.vertices[i].position));
@@ -80,7 +73,7 @@ TEST(BodyTree, TellsNormalAndBodyWhereTheInstanceIs) {
       {.mesh = 0, .world_from_object = glm::scale(glm::translate(glm::mat4(1.0f), {4, 0, 0}), glm::vec3(1, 2, 1))});
   const auto tree = bodyTree(scene);
   ASSERT_TRUE(tree && *tree);
-  const Words words{(*tree)->words};
+  const BodyTree& words = **tree;
   const glm::vec3 towards = glm::normalize(glm::vec3(0.0f, -2.0f, 1.0f));
   const auto hit = formula::nearestTriangle(words, glm::vec3(4.0f, 0.0f, 0.0f) - 5.0f * towards, towards, 0.0f, -1);
   ASSERT_GE(hit.triangle, 0);
@@ -108,7 +101,7 @@ TEST(BodyTree, HasBodiesAloneAndWhatIsFinite) {
     if (vertex.position.y > 0.5f) vertex.position.x = std::numeric_limits<float>::quiet_NaN();
   const auto damaged = bodyTree(scene);
   ASSERT_TRUE(damaged && *damaged);
-  const Words words{(*damaged)->words};
+  const BodyTree& words = **damaged;
   EXPECT_GE(formula::nearestTriangle(words, glm::vec3(0.0f), {0, -1, 0}, 0.0f, -1).triangle, 0);
   EXPECT_LT(formula::nearestTriangle(words, glm::vec3(0.0f), {0, 1, 0}, 0.0f, -1).triangle, 0);
 }

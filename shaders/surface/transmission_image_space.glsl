@@ -10,15 +10,19 @@ uniform sampler2D back_faces;
 const int kSearchSteps = 12;
 const float kNearEnough = 2e-3;  // of the way; the last step brings it nearer by far
 
-// The back face that the eye sees where it sees a place; beside the picture the last one.
+// Where the picture of back faces shows a place, in texels; beside it on its border. What is behind the eye is nowhere.
+vec2 shownAt(vec3 place) {
+  vec4 seen = back_faces_from_world * vec4(place, 1.0);
+  return seen.w > 0.0 ? clamp(seen.xy / seen.w, vec2(0.0), vec2(textureSize(back_faces, 0))) : vec2(-1.0);
+}
+
+// The back face in the texel that a position in the picture lies in.
 //
 // returns  whether there is one
-bool backFaceAt(vec3 place, out BackFace face) {
-  face = BackFace(place, vec3(0.0), 0.0);
-  vec4 seen = back_faces_from_world * vec4(place, 1.0);
-  if (seen.w <= 0.0) return false;
-  vec2 last = vec2(textureSize(back_faces, 0) - 1);
-  vec2 texel = floor(clamp(seen.xy / seen.w, vec2(0.0), last));
+bool backFaceAt(vec2 position, out BackFace face) {
+  face = BackFace(vec3(0.0), vec3(0.0), 0.0);
+  if (position.x < 0.0) return false;
+  vec2 texel = min(floor(position), vec2(textureSize(back_faces, 0) - 1));
   vec4 found = texelFetch(back_faces, ivec2(texel), 0);
   if (found.z >= kNoBackFace) return false;
   vec4 far = eye_from_back_faces * vec4(texel + 0.5, 1.0, 1.0);
@@ -36,7 +40,7 @@ bool backFaceAt(vec3 place, out BackFace face) {
 // returns  the distance
 float wayOut(vec3 origin, vec3 direction, out BackFace face) {
   BackFace seen;
-  bool is_seen = backFaceAt(origin, seen);
+  bool is_seen = backFaceAt(shownAt(origin), seen);
   // How far to go where no face is in front: as far as the body is thick along the eye's ray, or some pixels.
   float stride = max(is_seen ? distance(seen.place, origin) : 0.0, 4.0 * length(dFdx(origin)));
   face = BackFace(origin, direction, 0.0);
@@ -61,9 +65,28 @@ float wayOut(vec3 origin, vec3 direction, out BackFace face) {
       stride *= 2.0;
     }
     at = next;
-    is_seen = backFaceAt(origin + at * direction, seen);
+    is_seen = backFaceAt(shownAt(origin + at * direction), seen);
   }
   return inside;
+}
+
+// The normal of a back face at a place, between those of the texels around it that are of the same smooth surface: a
+// texel's one curvature leaves out that a surface may bend more one way than the other.
+vec3 normalAt(BackFace face, vec3 place) {
+  const float kSame = 0.999;  // 2.6°: less than any edge that is meant to be one
+  vec3 normal = normalBesideBackFace(face, place);
+  vec2 middle = shownAt(place) - 0.5;
+  vec2 share = fract(middle);
+  vec3 sum = vec3(0.0);
+  for (int corner = 0; corner < 4; ++corner) {
+    vec2 step = vec2(corner & 1, corner >> 1);
+    BackFace other;
+    if (!backFaceAt(floor(middle) + step, other)) continue;
+    vec3 found = normalBesideBackFace(other, place);
+    vec2 weights = mix(1.0 - share, share, step);
+    if (dot(found, normal) > kSame) sum += weights.x * weights.y * found;
+  }
+  return sum == vec3(0.0) ? normal : normalize(sum);
 }
 
 vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
@@ -71,7 +94,7 @@ vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
   BackFace face;
   float way = wayOut(point.position, d, face);
   vec3 place = point.position + way * d;
-  vec3 normal = facingNormal(-normalBesideBackFace(face, place), d);
+  vec3 normal = facingNormal(-normalAt(face, place), d);
   float cosine = min(-dot(d, normal), 1.0);
   float eta = 1.0 / ior;
   float fresnel = fresnelDielectric(cosine, eta);

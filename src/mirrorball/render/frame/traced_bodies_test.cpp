@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "formula/bsdf.h"
+#include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/render_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
@@ -289,6 +290,26 @@ TEST_F(TracedBodies, MeshesThatAreNotBodiesGiveSanePictures) {
             ASSERT_LE(image.texel(x, y)[channel], 2.5f) << nameOf(kind);
           }
     }
+}
+
+TEST(BodiesInBothApis, AreTheSamePicture) {
+  for (const RefractionKind kind : kWholeBodies) {
+    Image pictures[2];
+    for (const gl::Api api : {gl::Api::desktop43, gl::Api::es30}) {
+      MIRRORBALL_NEEDS_GL(context, api);
+      const Environment environment(smoothLight, 128);
+      auto renderer = testing::rendererOf(sceneOf(torusMesh(96, 48), clearGlass(1.5f)), environment,
+                                          *testing::prepareOnce(environment));
+      ASSERT_TRUE(renderer) << renderer.error().message;
+      FrameSettings frame;
+      frame.size = {64, 48};
+      frame.samples = 1;
+      frame.refraction = kind;
+      pictures[api == gl::Api::es30] = *renderer->renderRadiance(frame);
+    }
+    ASSERT_FALSE(pictures[0].empty());
+    EXPECT_LT(meanDifference(pictures[0], pictures[1]), 1e-3) << nameOf(kind);
+  }
 }
 
 }  // namespace

@@ -123,6 +123,14 @@ FN Material unlitMaterial(Material m, vec3 color) {
   return m;
 }
 
+// A material that shows what is seen through it, and nothing else.
+FN Material openMaterial(Material m) {
+  m = unlitMaterial(m, vec3(0.0f));
+  m.base_color = vec3(1.0f);
+  m.transmission = 1.0f;
+  return m;
+}
+
 // The radiance towards the viewer: what is not reflected is refracted, scattered or absorbed, so that a white surface
 // in a white environment is exactly white.
 //   ray          unit, from the eye to the surface

@@ -10,6 +10,7 @@
 #include "triangle_tree.glsl"
 
 uniform usampler2D bodies;
+uniform vec4 eye_media[kMaxMedia];  // those that the eye is inside of: number, priority, and 1 where there is one
 
 // A ray in a body.
 struct InnerRay {
@@ -130,12 +131,14 @@ bool passSurface(inout InnerRay ray, TriangleHit hit, int channel, inout InnerRa
 }
 
 // The light that a ray of one channel brings from the bodies which it is in.
-vec3 lightFromInside(InnerRay ray, int channel) {
+//
+// most  surfaces that it meets
+vec3 lightFromInside(InnerRay ray, int most, int channel) {
   vec3 light = vec3(0.0);
   for (int surfaces = 0;; ++surfaces) {
     bool stays = false;
     TriangleHit hit = TriangleHit(kBeyondAll, -1, vec2(0.0));
-    if (surfaces < inner_bounces) hit = firstSurface(ray);
+    if (surfaces < most) hit = firstSurface(ray);
     InnerRay ended = ray;
     if (hit.triangle >= 0) stays = passSurface(ray, hit, channel, ended);
     if (ended.throughput != vec3(0.0))
@@ -144,6 +147,21 @@ vec3 lightFromInside(InnerRay ray, int channel) {
     if (!stays) break;
   }
   return light;
+}
+
+// The ray from an eye that is inside of bodies: what is drawn there only tells the direction.
+InnerRay rayOfEye(SurfacePoint point) {
+  InnerRay ray;
+  ray.origin = camera_position;
+  ray.direction = point.ray;
+  ray.throughput = vec3(1.0);
+  float angle = sqrt(sampleFootprint(dFdx(point.ray), dFdy(point.ray), samples_per_pixel));
+  ray.beam = Beam(vec3(0.0), vec2(angle, 0.0));
+  ray.leaves = -1;
+  ray.media.count = 0;
+  for (int i = 0; i < kMaxMedia && eye_media[i].z > 0.0; ++i)
+    ray.media = entered(ray.media, int(eye_media[i].x), int(eye_media[i].y));
+  return ray;
 }
 
 // The ray into the surface that is drawn.
@@ -162,9 +180,15 @@ InnerRay enteringRay(Surface s, SurfacePoint point, int channel) {
 
 vec3 transmittedLight(Surface s, SurfacePoint point) {
   bool disperses = fetchWords(bodies, 0).w != 0u;
+  bool is_eye_inside = eye_media[0].z > 0.0;
   vec3 light = vec3(0.0);
   for (int channel = disperses ? 0 : 1; channel <= (disperses ? 2 : 1); ++channel) {
-    vec3 of_channel = lightFromInside(enteringRay(s, point, channel), channel);
+    InnerRay ray;
+    if (is_eye_inside)
+      ray = rayOfEye(point);
+    else
+      ray = enteringRay(s, point, channel);
+    vec3 of_channel = lightFromInside(ray, is_eye_inside ? inner_bounces + 1 : inner_bounces, channel);
     if (!disperses) return of_channel;
     light[channel] = of_channel[channel];
   }

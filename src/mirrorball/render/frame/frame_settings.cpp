@@ -271,9 +271,10 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      choiceField<&FrameSettings::reflect_at>},
     {{.name = "refraction",
       .choices = "single|image-space|traced",
-      .help = "how light passes through glass: bent by the one surface that is seen; by this and the back face behind it, "
-              "which is found in a picture of them; or traced through the whole body with its inner reflections, "
-              "absorption and what is in it",
+      .help =
+          "how light passes through glass: bent by the one surface that is seen; by this and the back face behind it, "
+          "which is found in a picture of them; or traced through the whole body with its inner reflections, "
+          "absorption and what is in it",
       .group = "Look"},
      choiceField<&FrameSettings::refraction>},
     {{.name = "inner-bounces",

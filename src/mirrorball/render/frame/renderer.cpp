@@ -25,6 +25,7 @@
 #include "mirrorball/render/surface/sphere_map.h"
 #include "mirrorball/render/surface/surface_program.h"
 #include "mirrorball/scene/bodies/body_tree.h"
+#include "mirrorball/scene/bodies/surrounding_media.h"
 #include "mirrorball/scene/camera/framing.h"
 
 namespace mirrorball {
@@ -88,7 +89,8 @@ struct Renderer::State {
   std::optional<FlatLight> flat_light = {};        ///< made when LightLookUp::flat first asks for it
   const gl::Texture* flattened_chain = nullptr;    ///< that it was made from
   std::optional<gl::Texture> sphere_map = {};
-  std::optional<gl::Texture> bodies = {};      ///< bodyTree() of the scene, made when it is first traced
+  std::optional<BodyTree> body_tree = {};      ///< of the scene, made when it is first traced
+  std::optional<gl::Texture> bodies = {};      ///< its words
   std::optional<BackFaces> back_faces = {};    ///< made when a frame first needs them
   std::optional<gl::Framebuffer> sample = {};  ///< one sample's picture
   std::optional<gl::Framebuffer> sum = {};     ///< the mean, when there is more than one
@@ -141,6 +143,7 @@ Result<void> Renderer::setScene(Scene scene) {
   state.scene = std::move(scene);
   state.buffers = std::move(buffers);
   state.bounds = boundingSphere(state.scene);
+  state.body_tree.reset();
   state.bodies.reset();
   if (state.surfaces) state.surfaces->forgetScene();
   return {};
@@ -231,8 +234,7 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
   state.frame.prefiltered = chain;
   state.frame.camera = camera;
   state.frame.environment_from_world = settings.environmentFromWorld();
-  if (settings.refraction == RefractionKind::traced && !state.bodies) MIRRORBALL_TRY_VOID(state.makeBodies());
-  state.frame.bodies = state.bodies ? &*state.bodies : nullptr;
+  MIRRORBALL_TRY_VOID(state.makeBodies());
   MIRRORBALL_TRY_VOID(state.makeFlatLight());
   MIRRORBALL_TRY(coordinates, coordinateMatrices(state.scene, state.bounds, camera, settings));
   state.frame.coordinates = coordinates;
@@ -353,11 +355,21 @@ Result<void> Renderer::State::makeSphereMap() {
   return {};
 }
 
+/// The bodies for a frame that traces them, and those that its camera is in.
 Result<void> Renderer::State::makeBodies() {
-  MIRRORBALL_TRY(tree, bodyTree(scene));
-  if (!tree) return {};
-  MIRRORBALL_TRY(made, withName("the triangles of glass", gl::Texture::fromWords(tree->words)));
-  bodies = std::move(made);
+  frame.bodies = nullptr;
+  frame.eye_media = {};
+  if (settings.refraction != RefractionKind::traced) return {};
+  if (!body_tree) {
+    MIRRORBALL_TRY(tree, bodyTree(scene));
+    if (!tree) return {};
+    MIRRORBALL_TRY(made, withName("the triangles of glass", gl::Texture::fromWords(tree->words)));
+    body_tree = std::move(tree);
+    bodies = std::move(made);
+  }
+  frame.bodies = &*bodies;
+  // The rays of an orthographic camera begin far away.
+  if (!frame.camera.orthographic) frame.eye_media = surroundingMedia(scene, frame.camera.position, *body_tree);
   return {};
 }
 
@@ -420,7 +432,9 @@ void Renderer::State::drawBackground(const Camera& camera) {
 }
 
 void Renderer::State::drawInstance(int instance) {
-  if (materialOf(scene, std::size_t(instance)).double_sided)
+  const Material& material = materialOf(scene, std::size_t(instance));
+  const bool shows_inside = frame.eye_media.count > 0 && isBody(material);
+  if (material.double_sided || shows_inside)
     glDisable(GL_CULL_FACE);
   else
     glEnable(GL_CULL_FACE);

@@ -71,10 +71,11 @@ int materialOf(const Scene& scene, int instance) {
   return scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)].material;
 }
 
-SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers, const FrameSettings& settings,
-                         const CoordinateChoice& coordinates) {
-  return surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings,
-                        settings.lights.size() + scene.lights.size(), coordinates);
+/// As shaders/surface/transmission_traced.glsl reads them.
+std::array<glm::vec4, formula::kMaxMedia> mediaRows(const formula::Media& media) {
+  std::array<glm::vec4, formula::kMaxMedia> rows{};
+  for (std::size_t i = 0; i < std::size_t(media.count); ++i) rows[i] = {media.bodies[i], media.priorities[i], 1, 0};
+  return rows;
 }
 
 /// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light
@@ -111,7 +112,7 @@ Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_tab
 
 /// Says which unit and which binding point each sampler and block reads; they are the same in all programs.
 void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant) {
-  if (!variant.has(Part::material, MaterialPart::unlit)) program.set("brdf_table", TextureUnit::brdf_table);
+  if (variant.has(Part::material, MaterialPart::core)) program.set("brdf_table", TextureUnit::brdf_table);
   const std::string form = variant.has(Part::arriving_light, ArrivingLightPart::distant) ? "" : "_faces";
   program.set("environment" + form, TextureUnit::environment);
   program.set("prefiltered" + form, TextureUnit::prefiltered);
@@ -128,6 +129,15 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
     const auto layout = program.connect(kBlocks[point], point);
     if (layout && !layouts_[point]) layouts_[point] = std::make_shared<gl::BlockLayout>(*layout);
   }
+}
+
+SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
+                                          const FrameSettings& settings) const {
+  SurfaceVariant variant = surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings,
+                                          settings.lights.size() + scene.lights.size(), coordinates_);
+  if (eye_is_inside_ && variant.has(Part::transmission, TransmissionPart::traced))
+    variant.choose(Part::material, MaterialPart::from_inside);
+  return variant;
 }
 
 Result<gl::Program*> SurfacePrograms::programFor(const SurfaceVariant& variant) {
@@ -192,11 +202,15 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
                                     const FrameUniforms& frame, const FrameSettings& settings) {
   if (scene.instances.empty()) return {};
   coordinates_ = coordinateChoice(scene, settings);
+  eye_is_inside_ = frame.eye_media.count > 0;
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
+  const auto eye_media = mediaRows(frame.eye_media);
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    const SurfaceVariant variant = variantOf(scene, materialOf(scene, instance), buffers, settings, coordinates_);
+    const SurfaceVariant variant = variantOf(scene, materialOf(scene, instance), buffers, settings);
     MIRRORBALL_TRY(program, programFor(variant));
     if (variant.lamp_count > 0) program->set("lamp_rows", std::span<const glm::vec4>(lamps));
+    if (variant.has(Part::transmission, TransmissionPart::traced))
+      program->set("eye_media", std::span<const glm::vec4>(eye_media));
   }
   setFrame(light, frame, settings);
   (frame.flat ? frame.flat->environment : light.cube()).bind(TextureUnit::environment);
@@ -216,7 +230,7 @@ void SurfacePrograms::forgetScene() {
 void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) {
   const int material = materialOf(scene, instance);
-  gl::Program& program = programs_.find(variantOf(scene, material, buffers, settings, coordinates_))->second;
+  gl::Program& program = programs_.find(variantOf(scene, material, buffers, settings))->second;
   buffers.bindMaps(scene, material, TextureUnit::first_of_material);
   setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
   frame_->bind(frame_point);

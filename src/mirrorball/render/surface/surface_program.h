@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include "formula/bodies.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/program.h"
 #include "mirrorball/gl/texture.h"
@@ -55,8 +56,9 @@ struct FrameUniforms {
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
   CoordinateMatrices coordinates;
-  const FlatLight* flat = nullptr;      ///< where FrameSettings::look_up reads it
-  const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  const FlatLight* flat = nullptr;        ///< where FrameSettings::look_up reads it
+  const gl::Texture* bodies = nullptr;    ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  formula::Media eye_media;               ///< of traced bodies, those that the camera is inside of
   const BackFaces* back_faces = nullptr;  ///< drawn with this camera; null: the frame's refraction does without
 };
 
@@ -102,7 +104,11 @@ class SurfacePrograms {
   gl::Api api_;
   gl::Texture brdf_table_;
   std::map<SurfaceVariant, gl::Program> programs_;
+  SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
+                           const FrameSettings& settings) const;
+
   CoordinateChoice coordinates_;  ///< of the frame
+  bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
   std::optional<gl::UniformBlock> frame_;
   std::map<int, gl::UniformBlock> instances_;

@@ -15,13 +15,14 @@ constexpr auto kCoordinates = std::to_array<Names>(
     {"coordinates_at_fragment.glsl", "coordinates_at_vertex.glsl", "coordinates_at_triangle.glsl"});
 constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl"});
 constexpr auto kDetail = std::to_array<Names>({"detail_none.glsl", "detail_normal_map.glsl"});
-constexpr auto kMaterial = std::to_array<Names>({"material_core.glsl", "material_unlit.glsl"});
+constexpr auto kMaterial =
+    std::to_array<Names>({"material_core.glsl", "material_unlit.glsl", "material_from_inside.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp = std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl"});
-constexpr auto kTransmission = std::to_array<Names>(
-    {"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl", "transmission_image_space.glsl",
-     "transmission_traced.glsl"});
+constexpr auto kTransmission =
+    std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl",
+                          "transmission_image_space.glsl", "transmission_traced.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
 

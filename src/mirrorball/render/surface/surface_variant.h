@@ -34,7 +34,7 @@ std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 enum class CoordinatesPart : std::uint8_t { at_fragment, at_vertex, at_triangle };
 enum class NormalPart : std::uint8_t { vertex, bump };
 enum class DetailPart : std::uint8_t { none, normal_map };
-enum class MaterialPart : std::uint8_t { core, unlit };
+enum class MaterialPart : std::uint8_t { core, unlit, from_inside };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
 enum class LookUpPart : std::uint8_t { environment, sphere_map };
 enum class TransmissionPart : std::uint8_t { none, single, thin, image_space, traced };

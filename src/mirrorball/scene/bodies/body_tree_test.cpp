@@ -54,8 +54,7 @@ TEST(BodyTree, ASphereLetsNoRayOut) {
   const auto tree = bodyTree(glassOf(sphere));
   ASSERT_TRUE(tree && *tree);
   const auto meets = [&](glm::vec3 direction) {
-    return formula::nearestTriangle(**tree, glm::vec3(0.0f), glm::normalize(direction), 0.0f, -1)
-               .triangle >= 0;
+    return formula::nearestTriangle(**tree, glm::vec3(0.0f), glm::normalize(direction), 0.0f, -1).triangle >= 0;
   };
   for (std::size_t i = 0; i < sphere.vertices.size(); i += 7) EXPECT_TRUE(meets(sphere.vertices[i].position));
   for (std::size_t i = 0; i < sphere.indices.size(); i += 30) {

@@ -29,8 +29,8 @@ TEST(SurroundingMedia, AreThoseBodiesThatAPointLiesIn) {
     Mesh ball = sphereMesh(24, 48);
     ball.material = 1;
     const glm::vec3 place = scale < 1.0f ? glm::vec3(0.7f, 0.0f, 0.0f) : glm::vec3(0.0f);
-    scene.instances.push_back({static_cast<int>(scene.meshes.size()),
-                               glm::scale(glm::translate(glm::mat4(1.0f), place), glm::vec3(scale))});
+    scene.instances.push_back(
+        {static_cast<int>(scene.meshes.size()), glm::scale(glm::translate(glm::mat4(1.0f), place), glm::vec3(scale))});
     scene.meshes.push_back(std::move(ball));
   }
   const glm::vec3 in_small_ball(scene.instances[1].world_from_object[3]);

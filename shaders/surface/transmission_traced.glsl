@@ -47,7 +47,12 @@ TriangleHit firstSurface(inout InnerRay ray) {
   float absorbed_to = 0.0;
   TriangleHit hit;
   for (int passed = 0; passed <= kMostPassed; ++passed) {
-    hit = nearestTriangle(bodies, ray.origin, ray.direction, nearest, ray.leaves);
+    // Inside of a body there is a surface ahead: who finds none has slipped through between two triangles.
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      hit = nearestTriangle(bodies, ray.origin, ray.direction, nearest, ray.leaves,
+                            attempt == 0 ? kNarrowMargin : kWideMargin);
+      if (hit.triangle >= 0 || ray.media.count == 0) break;
+    }
     if (hit.triangle < 0) return hit;
     ray.throughput *= transmittanceOver(ray.media, hit.distance - absorbed_to);
     absorbed_to = hit.distance;

@@ -18,8 +18,8 @@ Beam throughBall(Beam beam, float alpha) {
   return beamBeyond(beamAfter(beam, 2.0f), refractionOfBeam(alpha, 1.0f, 1.0f / kIor, 1.0f));
 }
 
-/// The direction in which a ray leaves that comes down the axis at a distance from it, by Snell's law on the ball, whose
-/// facets are tilted where it enters and leaves: its angle to the axis.
+/// The angle to the axis at which a ray leaves that comes down the axis at a distance from it, by Snell's law on the
+/// ball, whose facets are tilted where it enters and leaves.
 float tracedAngle(float height, float tilt_in, float tilt_out) {
   const auto turned = [](glm::vec3 n, float angle) {
     return glm::vec3(std::cos(angle) * n.x - std::sin(angle) * n.y, std::sin(angle) * n.x + std::cos(angle) * n.y, 0);

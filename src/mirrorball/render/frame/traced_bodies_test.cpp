@@ -1,5 +1,5 @@
-// Light that goes through whole bodies, traced or by the back faces that a picture shows: what must hold of it, whatever
-// their shape.
+// Light that goes through whole bodies, traced or by the back faces that a picture shows: what must hold of it,
+// whatever their shape.
 
 #include <array>
 #include <cmath>

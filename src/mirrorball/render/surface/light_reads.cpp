@@ -29,8 +29,8 @@ int blurKindOfFormula(BlurKind blur) {
 }
 
 /// How many directions transmitted light is read from: those of transmission_single.glsl once for each channel that
-/// goes its own way, those of transmission_image_space.glsl twice, and those of transmission_traced.glsl where it leaves
-/// at each surface.
+/// goes its own way, those of transmission_image_space.glsl twice, and those of transmission_traced.glsl where it
+/// leaves at each surface.
 ///
 /// some_disperse  of the scene's bodies, through which light of all others may go
 int transmittedRays(const Material& material, const FrameSettings& settings, bool some_disperse) {

@@ -50,14 +50,15 @@ formula::Media surroundingMedia(const Scene& scene, glm::vec3 point, const FindC
 }
 
 formula::Media surroundingMedia(const Scene& scene, glm::vec3 point, const BodyTree& tree) {
-  return surroundingMedia(
-      scene, point, [&](glm::vec3 origin, glm::vec3 direction, float nearest) -> std::optional<Crossing> {
-        const formula::TriangleHit hit = formula::nearestTriangle(tree, origin, direction, nearest, -1);
-        if (hit.triangle < 0) return std::nullopt;
-        const formula::BodySurface surface = formula::bodySurfaceAt(tree, hit);
-        return Crossing{hit.distance, static_cast<std::size_t>(surface.body),
-                        glm::dot(direction, surface.geometric_normal) < 0.0f};
-      });
+  return surroundingMedia(scene, point,
+                          [&](glm::vec3 origin, glm::vec3 direction, float nearest) -> std::optional<Crossing> {
+                            const formula::TriangleHit hit =
+                                formula::nearestTriangle(tree, origin, direction, nearest, -1, formula::kNarrowMargin);
+                            if (hit.triangle < 0) return std::nullopt;
+                            const formula::BodySurface surface = formula::bodySurfaceAt(tree, hit);
+                            return Crossing{hit.distance, static_cast<std::size_t>(surface.body),
+                                            glm::dot(direction, surface.geometric_normal) < 0.0f};
+                          });
 }
 
 }  // namespace mirrorball

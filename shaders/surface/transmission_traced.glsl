@@ -173,7 +173,9 @@ InnerRay rayOfEye(SurfacePoint point) {
 InnerRay enteringRay(Surface s, SurfacePoint point, int channel) {
   float eta = iorOfChannels(s.material.ior, s.material.dispersion)[channel];
   InnerRay ray;
-  ray.origin = besideSurface(point.position, distance(point.position, camera_position), -s.normal);
+  // A place that the rasteriser interpolates is as exact as the corners around it, however far away the eye is.
+  vec3 size = floatsOf(fetchWords(bodies, 2));
+  ray.origin = besideSurface(point.position, max(max(size.x, size.y), size.z), -s.normal);
   ray.direction = refractedDirection(point.ray, s.normal, eta);
   ray.throughput = vec3(1.0);
   ray.beam = enteringBeam(s, point, ray.direction, eta);

@@ -94,6 +94,18 @@ TEST_F(TracedBodies, ASlabDoesNotTurnLight) {
   EXPECT_GT(greatestDifference(inSmoothLight(slab), inSmoothLight({})), 0.1);
 }
 
+// Nor does one that is thin, wherever the eye stands: a ray that began behind it would not leave it again.
+TEST_F(TracedBodies, AThinSlabIsOneFromFarAwayToo) {
+  Scene slab = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  slab.instances[0].world_from_object = glm::scale(glm::mat4(1.0f), glm::vec3(3.0f, 3.0f, 0.004f));
+  frame_.camera.orthographic_height = 0.5f;
+  testing::aim(frame_, 40, 20);
+  for (const float distance : {2.0f, 2000.0f}) {
+    frame_.camera.distance = distance;
+    EXPECT_LT(greatestDifference(inSmoothLight(slab), inSmoothLight({})), 4e-3) << distance;
+  }
+}
+
 // Each of its rays is bent twice by the same angle: in from the axis and out again, by Snell's law.
 TEST_F(TracedBodies, ABallBendsLightTwiceAndInverts) {
   const float ior = 1.5f;

@@ -8,16 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "formula/bodies.h"
+#include "mirrorball/scene/mesh_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
 namespace {
 
-Scene glassOf(Mesh mesh) {
-  Material glass;
-  glass.transmission = 1.0f;
-  return sceneOf(std::move(mesh), glass);
-}
+using testing::glassOf;
 
 /// The same by trying each triangle.
 formula::TriangleHit nearestOfAll(const BodyTree& tree, glm::vec3 origin, glm::vec3 direction) {

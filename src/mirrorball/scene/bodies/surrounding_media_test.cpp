@@ -3,16 +3,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include "mirrorball/scene/mesh_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
 namespace {
 
-Scene glassOf(Mesh mesh) {
-  Material glass;
-  glass.transmission = 1.0f;
-  return sceneOf(std::move(mesh), glass);
-}
+using testing::glassOf;
 
 formula::Media mediaIn(const Scene& scene, glm::vec3 point) {
   const auto tree = bodyTree(scene);

@@ -2,6 +2,7 @@
 
 /// Fresnel, Snell, microfacets, BSDFs, lobes and their table. How these files are read: formula/formula.h.
 
+#include "formula/color.h"
 #include "formula/constants.h"
 #include "formula/tangent.h"
 //
@@ -16,6 +17,9 @@ namespace mirrorball::formula {
 #include "formula/bsdf/reflection_lobe.glsl"
 //
 #include "formula/bsdf/brdf_table.glsl"
+#include "formula/bsdf/charlie.glsl"
+#include "formula/bsdf/stretched_lobe.glsl"
+#include "formula/bsdf/thin_film.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

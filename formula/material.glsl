@@ -29,6 +29,17 @@ struct Material {
   vec3 f82_tint INITIALLY(vec3(1.0f));          // of the form F82: what is left of Schlick's at 82 degrees
   float bump_height INITIALLY(0.01f);           // in model units
   float bump_frequency INITIALLY(12.0f);        // dimples a model unit
+  float clearcoat INITIALLY(0.0f);              // share of the surface that a clear coat of index 1.5 covers
+  float clearcoat_roughness INITIALLY(0.0f);    // perceptual
+  float clearcoat_normal_scale INITIALLY(1.0f); // strength of its normal map
+  vec3 sheen_color INITIALLY(vec3(0.0f));       // reflectance of the fibres of cloth that lie on the surface
+  float sheen_roughness INITIALLY(0.0f);        // perceptual
+  float anisotropy INITIALLY(0.0f);             // how much rougher it is along its tangent than across it
+  float anisotropy_rotation INITIALLY(0.0f);    // rad, from the tangent towards the bitangent
+  float iridescence INITIALLY(0.0f);            // share of the surface that a thin film covers
+  float iridescence_ior INITIALLY(1.3f);        // of the film
+  float iridescence_thickness_minimum INITIALLY(100.0f);  // nm, where its map is 0
+  float iridescence_thickness INITIALLY(400.0f);          // nm, where its map is 1, or without one
   float alpha_cutoff INITIALLY(0.5f);
   float normal_scale INITIALLY(1.0f);           // strength of the normal map
   float occlusion_strength INITIALLY(1.0f);     // of the occlusion map

@@ -23,6 +23,7 @@ namespace mirrorball::formula {
 #include "formula/prefilter/blur.glsl"
 #include "formula/surface/shading.glsl"
 //
+#include "formula/surface/clear_coat.glsl"
 #include "formula/surface/lamp_shading.glsl"
 }  // namespace mirrorball::formula
 

@@ -23,3 +23,9 @@ FN vec2 environmentBrdf(MAP_SAMPLER table, float perceptual_roughness, float cos
   vec4 texel = sampleMap(table, brdfTableCoordinates(perceptual_roughness, cosine, size));
   return vec2(texel.x, texel.y);
 }
+
+// And in its third: the albedo of white cloth (formula/bsdf/charlie.glsl).
+FN float sheenAlbedo(MAP_SAMPLER table, float sheen_roughness, float cosine) {
+  float size = float(mapSize(table, 0).x);
+  return sampleMap(table, brdfTableCoordinates(sheen_roughness, cosine, size)).z;
+}

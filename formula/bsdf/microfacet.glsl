@@ -21,6 +21,4 @@ FN vec3 multipleScattering(vec3 single_scattering, vec3 mean_fresnel, float miss
 // exact for polynomials up to μ⁵, of which Schlick's form is one. For Fresnel's equations it is within 0.002, but where
 // part of the light is totally reflected.
 const vec3 kMeanFresnelCosines = vec3(0.21234054f, 0.59053314f, 0.91141204f);
-FN vec3 meanFresnel(vec3 at_first, vec3 at_second, vec3 at_third) {
-  return 0.13965396f * at_first + 0.45848221f * at_second + 0.40186383f * at_third;
-}
+const vec3 kMeanFresnelWeights = vec3(0.13965396f, 0.45848221f, 0.40186383f);

@@ -1,11 +1,12 @@
 // How a surface answers to lamps. They have no width: what a mirror shows of them is widened to kLeastLampAlpha.
-// Needs: constants, ggx, lamp, material, microfacet, shading, tangent.
+// Needs: charlie, constants, ggx, lamp, material, microfacet, shading.
 
 const float kLeastLampAlpha = 0.01f;
 
 // The radiance towards the viewer of a surface that a punctual light shines on (KHR_lights_punctual). What one facet
 // sends is glTF's D V with Fresnel's factor at the facet; what several facets send and what enters is spread evenly, in
 // the shares that it has under the environment (shadedByEnvironment). Light from behind passes no surface.
+//   s            seenAlong the ray
 //   ray          unit, from the eye to the surface
 //   light        unit, from the surface to the light
 //   illuminance  of a surface that faces the light
@@ -13,16 +14,19 @@ FN vec3 shadedByPunctualLight(Surface s, vec3 ray, vec3 light, vec3 illuminance)
   float facing = dot(s.normal, light);
   if (facing <= 0.0f) return vec3(0.0f);
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
-  vec3 t = anyTangent(s.normal);
+  vec3 t = s.tangent;
   vec3 b = cross(s.normal, t);
   vec3 v = vec3(-dot(ray, t), -dot(ray, b), max(cosine, 1e-4f));
   vec3 l = vec3(dot(light, t), dot(light, b), facing);
   float at_facet = clamp(dot(v, normalize(v + l)), 0.0f, 1.0f);
-  vec3 fresnel = mix(smoothDielectric(s, at_facet), metalReflectance(s, at_facet), s.material.metallic);
-  float alpha = max(alphaFromPerceptualRoughness(s.material.perceptual_roughness), kLeastLampAlpha);
-  vec3 matt = diffuseAlbedo(s, cosine) * (1.0f - s.material.transmission) +
-              specularReflectance(s, cosine).multiple_scattering;
-  return illuminance * facing * (matt / kPi + fresnel * evalGgx(alpha, v, l));
+  vec3 fresnel =
+      mix(smoothDielectric(s.material, at_facet), metalReflectance(s.material, at_facet), s.material.metallic);
+  vec2 alpha = max(stretchedAlpha(s.material.perceptual_roughness, s.material.anisotropy), vec2(kLeastLampAlpha));
+  vec3 matt = s.diffuse_albedo * (1.0f - s.material.transmission) + s.reflectance.multiple_scattering;
+  vec3 shown = matt / kPi + fresnel * evalGgx(alpha, v, l);
+  if (s.sheen_albedo > 0.0f)
+    shown = underSheen(s, shown, vec3(evalCharlie(alphaOfSheen(s.material.sheen_roughness), v, l)));
+  return illuminance * facing * shown;
 }
 
 // The same of any lamp.

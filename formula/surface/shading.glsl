@@ -1,15 +1,6 @@
 // How a surface answers to the light of its environment.
-// Needs: color, constants, material, microfacet, optics, reflection_lobe.
+// Needs: color, constants, material, microfacet, optics, reflection_lobe, thin_film.
 // Other objects neither block light nor send it: each point sees the whole environment.
-
-struct Surface {
-  Material material;      // its numbers here: times what its textures hold
-  vec3 normal;            // unit, on the viewer's side
-  float occlusion;
-  // For its roughness and n·v: what white facets do not send away at the first bounce, and 1 − the cosine at which
-  // Schlick's term is its mean over the facets: the fifth root of the BRDF table's bias / (scale + bias).
-  vec2 environment_brdf;
-};
 
 // Shares of a white environment's light.
 struct Reflectance {
@@ -17,9 +8,24 @@ struct Reflectance {
   vec3 multiple_scattering;  // of the light from all sides, after several bounces between the facets of a rough surface
 };
 
-// Of a smooth dielectric, whose index may differ between the channels.
-FN vec3 dielectricReflectance(Surface s, float cosine, vec3 ior) {
-  Material m = s.material;
+struct Surface {
+  Material material;      // its numbers here: times what its textures hold
+  vec3 normal;            // unit, on the viewer's side
+  vec3 tangent INITIALLY(vec3(1.0f, 0.0f, 0.0f));  // unit, across the normal: anisotropy stretches along it
+  float occlusion;
+  // For its roughness and n·v: what white facets do not send away at the first bounce, and 1 − the cosine at which
+  // Schlick's term is its mean over the facets: the fifth root of the BRDF table's bias / (scale + bias).
+  vec2 environment_brdf;
+  // What white cloth of its sheen_roughness reflects of a white environment; 0: no sheen.
+  float sheen_albedo INITIALLY(0.0f);
+  // What it does with the light around it on the way to the eye, set by seenAlong():
+  Reflectance reflectance;
+  vec3 diffuse_albedo;    // the share of light that enters and may leave again: what a dielectric does not reflect
+};
+
+FN bool hasConductorIndex(Material m) { return m.conductor_k.x + m.conductor_k.y + m.conductor_k.z > 0.0f; }
+
+FN vec3 bareDielectricReflectance(Material m, float cosine, vec3 ior) {
   if (m.fresnel == kFresnelExact) return fresnelDielectricOfChannels(cosine, ior);
   if (m.fresnel == kFresnelEmpirical)
     return vec3(fresnelEmpirical(cosine, m.fresnel_offset, m.fresnel_scale, m.fresnel_power));
@@ -28,26 +34,45 @@ FN vec3 dielectricReflectance(Surface s, float cosine, vec3 ior) {
   return fresnelSchlick(cosine, f0);
 }
 
-FN vec3 metalReflectance(Surface s, float cosine) {
-  Material m = s.material;
-  bool has_index = m.conductor_k.x + m.conductor_k.y + m.conductor_k.z > 0.0f;
-  if (m.fresnel == kFresnelExact && has_index) return fresnelConductor(cosine, m.conductor_n, m.conductor_k);
+FN vec3 bareMetalReflectance(Material m, float cosine) {
+  if (m.fresnel == kFresnelExact && hasConductorIndex(m)) return fresnelConductor(cosine, m.conductor_n, m.conductor_k);
   if (m.fresnel == kFresnelF82) return fresnelF82(cosine, m.base_color, m.f82_tint);
   return fresnelSchlick(cosine, m.base_color);
 }
+
+// Of a smooth metal or dielectric, where a thin film covers its share of it. HAS_FILM is always false in the shaders of
+// surfaces without one.
+//   ior          of a dielectric, which may differ between the channels
+FN vec3 smoothReflectance(Material m, float cosine, vec3 ior, bool is_metal) {
+  vec3 bare = is_metal ? bareMetalReflectance(m, cosine) : bareDielectricReflectance(m, cosine, ior);
+  if (!HAS_FILM(m)) return bare;
+  vec3 n = is_metal ? iorOfReflectance(m.base_color) : ior;
+  vec3 k = vec3(0.0f);
+  if (is_metal && hasConductorIndex(m)) {
+    n = m.conductor_n;
+    k = m.conductor_k;
+  }
+  return mix(bare, filmReflectance(cosine, m.iridescence_ior, 0.001f * m.iridescence_thickness, n, k), m.iridescence);
+}
+
+FN vec3 dielectricReflectance(Material m, float cosine, vec3 ior) { return smoothReflectance(m, cosine, ior, false); }
+
+FN vec3 metalReflectance(Material m, float cosine) { return smoothReflectance(m, cosine, vec3(1.0f), true); }
 
 // The cosine at which a facet stands for all that the eye sees: where Schlick's (1 − cosine)⁵ is its mean over them,
 // which is known from the BRDF table. So Schlick's form is exact on average. Any other form is taken at that cosine
 // too: it is nearly a line over Schlick's term, and what is the same at all angles stays so.
 //   cosine   −dot(ray, n); a mirror has no facets
 FN float cosineOfFacets(Surface s, float cosine) {
-  return s.material.perceptual_roughness > 0.0f ? 1.0f - s.environment_brdf.y : cosine;
+  bool has_facets = s.material.perceptual_roughness > 0.0f || s.material.anisotropy > 0.0f;
+  return has_facets ? 1.0f - s.environment_brdf.y : cosine;
 }
 
 // A dielectric's reflectance with the strength and the colour of KHR_materials_specular: at normal incidence it is f0
 // times the colour, at most 1, and from there it rises to 1 as it did from f0. With Schlick's form that is the
 // extension's formula. The exact form of a great index falls below f0 before it rises; that part is scaled.
 FN vec3 tintedReflectance(Material m, vec3 reflectance, vec3 f0) {
+  if (m.specular_color == vec3(1.0f)) return m.specular * reflectance;
   vec3 start = min(f0 * m.specular_color, vec3(1.0f));
   vec3 fallen = min(reflectance, f0) / max(f0, vec3(1e-6f));
   vec3 risen = max(reflectance - f0, vec3(0.0f)) / max(vec3(1.0f) - f0, vec3(1e-6f));
@@ -55,11 +80,9 @@ FN vec3 tintedReflectance(Material m, vec3 reflectance, vec3 f0) {
 }
 
 // Of a smooth dielectric, per channel: dispersion gives each its own index.
-FN vec3 smoothDielectric(Surface s, float cosine) {
-  vec3 ior = iorOfChannels(s.material.ior, s.material.dispersion);
-  vec3 here = dielectricReflectance(s, cosine, ior);
-  if (s.material.specular_color == vec3(1.0f)) return s.material.specular * here;
-  return tintedReflectance(s.material, here, dielectricReflectance(s, 1.0f, ior));
+FN vec3 smoothDielectric(Material m, float cosine) {
+  vec3 ior = iorOfChannels(m.ior, m.dispersion);
+  return tintedReflectance(m, dielectricReflectance(m, cosine, ior), dielectricReflectance(m, 1.0f, ior));
 }
 
 // What a surface reflects whose facets reflect `facets`, as the eye sees them, and `mean` over the hemisphere.
@@ -71,30 +94,26 @@ FN Reflectance roughReflectance(Surface s, vec3 facets, vec3 mean) {
   return r;
 }
 
-// The mean over the hemisphere is of the one index: what dispersion adds to it is not seen.
-FN Reflectance roughDielectric(Surface s, float cosine) {
-  vec3 ior = vec3(s.material.ior);
-  vec3 mean = meanFresnel(dielectricReflectance(s, kMeanFresnelCosines.x, ior),
-                          dielectricReflectance(s, kMeanFresnelCosines.y, ior),
-                          dielectricReflectance(s, kMeanFresnelCosines.z, ior));
-  vec3 tinted = tintedReflectance(s.material, mean, dielectricReflectance(s, 1.0f, ior));
-  return roughReflectance(s, smoothDielectric(s, cosineOfFacets(s, cosine)), tinted);
-}
+// The reflectance of the facets of a rough metal or dielectric.
+struct FacetShares {
+  vec3 seen;    // by the eye
+  vec3 normal;  // at normal incidence
+  vec3 mean;    // over the hemisphere, for multiple scattering
+};
 
-FN Reflectance roughMetal(Surface s, float cosine) {
-  vec3 mean = meanFresnel(metalReflectance(s, kMeanFresnelCosines.x), metalReflectance(s, kMeanFresnelCosines.y),
-                          metalReflectance(s, kMeanFresnelCosines.z));
-  return roughReflectance(s, metalReflectance(s, cosineOfFacets(s, cosine)), mean);
-}
-
-// glTF mixes the two materials, not their parts (appendix B.3.5).
-FN Reflectance specularReflectance(Surface s, float cosine) {
-  Reflectance dielectric = roughDielectric(s, cosine);
-  Reflectance metal = roughMetal(s, cosine);
-  Reflectance r;
-  r.single_scattering = mix(dielectric.single_scattering, metal.single_scattering, s.material.metallic);
-  r.multiple_scattering = mix(dielectric.multiple_scattering, metal.multiple_scattering, s.material.metallic);
-  return r;
+// In a loop, so that what a film reflects stands in the shader once.
+FN FacetShares facetShares(Surface s, float cosine, bool is_metal) {
+  FacetShares shares = FacetShares(vec3(0.0f), vec3(0.0f), vec3(0.0f));
+  vec3 ior = iorOfChannels(s.material.ior, s.material.dispersion);
+  for (int i = 0; i < 5; ++i) {
+    float at = i == 0 ? cosineOfFacets(s, cosine) : 1.0f;
+    if (i >= 2) at = kMeanFresnelCosines[i - 2];
+    vec3 reflectance = smoothReflectance(s.material, at, ior, is_metal);
+    if (i == 0) shares.seen = reflectance;
+    if (i == 1) shares.normal = reflectance;
+    if (i >= 2) shares.mean += kMeanFresnelWeights[i - 2] * reflectance;
+  }
+  return shares;
 }
 
 // A material whose specular colour is grey, as bright as its brightest channel. What it does not reflect is what enters
@@ -104,13 +123,27 @@ FN Material withGreySpecular(Material m) {
   return m;
 }
 
-// The share of light that enters the surface and may leave it again: what a dielectric of its kind does not reflect.
-FN vec3 diffuseAlbedo(Surface s, float cosine) {
-  vec3 albedo = s.material.base_color * (1.0f - s.material.metallic);
-  if (s.material.metallic == 1.0f) return albedo;
-  s.material = withGreySpecular(s.material);
-  Reflectance dielectric = roughDielectric(s, cosine);
-  return albedo * (vec3(1.0f) - dielectric.single_scattering - dielectric.multiple_scattering);
+FN Reflectance dielectricOf(Surface s, Material tint, FacetShares facets) {
+  return roughReflectance(s, tintedReflectance(tint, facets.seen, facets.normal),
+                          tintedReflectance(tint, facets.mean, facets.normal));
+}
+
+// A surface with what it does with the light around it. glTF mixes its metal and its dielectric, not their parts
+// (appendix B.3.5).
+//   ray          unit, from the eye to the surface
+FN Surface seenAlong(Surface s, vec3 ray) {
+  Material m = s.material;
+  float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
+  FacetShares facets = facetShares(s, cosine, false);
+  FacetShares of_metal = facetShares(s, cosine, true);
+  Reflectance dielectric = dielectricOf(s, m, facets);
+  Reflectance kept_out = dielectricOf(s, withGreySpecular(m), facets);
+  Reflectance metal = roughReflectance(s, of_metal.seen, of_metal.mean);
+  s.reflectance.single_scattering = mix(dielectric.single_scattering, metal.single_scattering, m.metallic);
+  s.reflectance.multiple_scattering = mix(dielectric.multiple_scattering, metal.multiple_scattering, m.metallic);
+  vec3 enters = vec3(1.0f) - kept_out.single_scattering - kept_out.multiple_scattering;
+  s.diffuse_albedo = m.base_color * (1.0f - m.metallic) * enters;
+  return s;
 }
 
 // A material that answers to no light and shows a colour as radiance (KHR_materials_unlit).
@@ -119,6 +152,8 @@ FN Material unlitMaterial(Material m, vec3 color) {
   m.metallic = 0.0f;
   m.specular = 0.0f;
   m.transmission = 0.0f;
+  m.clearcoat = 0.0f;
+  m.sheen_color = vec3(0.0f);
   m.emission = color;
   return m;
 }
@@ -126,26 +161,38 @@ FN Material unlitMaterial(Material m, vec3 color) {
 // A material that shows what is seen through it, and nothing else.
 FN Material openMaterial(Material m) {
   m = unlitMaterial(m, vec3(0.0f));
+  m.anisotropy = 0.0f;
+  m.iridescence = 0.0f;
   m.base_color = vec3(1.0f);
   m.transmission = 1.0f;
   return m;
 }
 
+// Light under cloth, and what the cloth adds: it lets through what its brightest channel does not reflect, so that
+// white stays white and no colour comes up that is in neither (KHR_materials_sheen).
+//   light        of the surface without cloth
+//   on_cloth     what white cloth shows of the light around it
+FN vec3 underSheen(Surface s, vec3 light, vec3 on_cloth) {
+  vec3 color = s.material.sheen_color;
+  float strongest = max(color.x, max(color.y, color.z));
+  return light * (1.0f - strongest * s.sheen_albedo) + color * on_cloth;
+}
+
 // The radiance towards the viewer: what is not reflected is refracted, scattered or absorbed, so that a white surface
 // in a white environment is exactly white.
-//   ray          unit, from the eye to the surface
+//   s            seenAlong the ray from the eye
 //   reflected    the environment's radiance in the mirror direction, blurred for the roughness
 //   refracted    the radiance that is seen through it; read only where transmission > 0
 //   irradiance   on the surface, divided by π
-FN vec3 shadedByEnvironment(Surface s, vec3 ray, vec3 reflected, vec3 refracted, vec3 irradiance) {
-  float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
-  Reflectance reflectance = specularReflectance(s, cosine);
+//   on_cloth     the mean radiance that cloth reflects; read only where there is sheen
+FN vec3 shadedByEnvironment(Surface s, vec3 reflected, vec3 refracted, vec3 irradiance, vec3 on_cloth) {
   vec3 inner = mix(irradiance * s.occlusion, refracted, s.material.transmission);
   // Occlusion is known for diffuse light only. It takes more of the reflected light the rougher the lobe is.
   float reflected_occlusion = mix(1.0f, s.occlusion, s.material.perceptual_roughness);
-  vec3 specular = reflected * reflectance.single_scattering * reflected_occlusion +
-                  irradiance * s.occlusion * reflectance.multiple_scattering;
-  return specular + inner * diffuseAlbedo(s, cosine) + s.material.emission;
+  vec3 specular = reflected * s.reflectance.single_scattering * reflected_occlusion +
+                  irradiance * s.occlusion * s.reflectance.multiple_scattering;
+  vec3 light = specular + inner * s.diffuse_albedo + s.material.emission;
+  return underSheen(s, light, on_cloth * (s.occlusion * s.sheen_albedo));
 }
 
 // Phong's point light: diffuse by Lambert, specular by the reflected ray, its lobe scaled to keep its energy.
@@ -157,9 +204,7 @@ FN vec3 shadedByPointLight(Surface s, vec3 ray, vec3 light, vec3 color) {
   // A point light has no width: on a perfect mirror it could not be seen.
   float exponent = phongExponent(max(alphaFromPerceptualRoughness(s.material.perceptual_roughness), 0.01f));
   float mirrored = max(dot(reflect(ray, s.normal), light), 0.0f);
-  float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
-  Reflectance reflectance = specularReflectance(s, cosine);
-  vec3 diffuse = diffuseAlbedo(s, cosine) * (1.0f - s.material.transmission) + reflectance.multiple_scattering;
-  vec3 lobe = reflectance.single_scattering * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
-  return color * facing * (diffuse + lobe);
+  vec3 diffuse = s.diffuse_albedo * (1.0f - s.material.transmission) + s.reflectance.multiple_scattering;
+  vec3 lobe = s.reflectance.single_scattering * ((exponent + 2.0f) / 2.0f * pow(mirrored, exponent));
+  return color * facing * underSheen(s, diffuse + lobe, vec3(s.sheen_albedo));
 }

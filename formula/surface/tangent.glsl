@@ -19,6 +19,24 @@ FN vec3 perturbedNormal(vec3 p_u, vec3 p_v, vec3 n, float d_u, float d_v) {
   return normalize(cross(p_u, p_v) + d_u * cross(n, p_v) - d_v * cross(n, p_u));
 }
 
+// A vertex's tangent brought into the surface, turned from there towards the bitangent.
+//   tangent     the direction of growing u; w is the bitangent's sign. 0: any direction will do
+//   turn        cosine and sine
+FN vec3 turnedTangent(vec4 tangent, vec3 n, vec2 turn) {
+  vec3 along = vec3(tangent) - n * dot(n, vec3(tangent));
+  vec3 t = dot(along, along) > 1e-12f ? normalize(along) : anyTangent(n);
+  return t * turn.x + cross(n, t) * (tangent.w * turn.y);
+}
+
+// Cosine and sine of the way that roughness is stretched: a direction in the frame of the tangent, from a texture,
+// turned by an angle counter-clockwise (KHR_materials_anisotropy). Without a direction it is the angle alone.
+FN vec2 anisotropyTurn(vec2 direction, float rotation) {
+  vec2 from = dot(direction, direction) > 1e-6f ? normalize(direction) : vec2(1.0f, 0.0f);
+  float c = cos(rotation);
+  float s = sin(rotation);
+  return vec2(c * from.x - s * from.y, s * from.x + c * from.y);
+}
+
 // The normal of a tangent-space normal map's sample in [0, 1]³: glTF's convention, +Y up along the bitangent.
 FN vec3 normalFromMap(vec3 tangent, vec3 bitangent, vec3 n, vec3 encoded, float scale) {
   vec3 bent = encoded * 2.0f - 1.0f;

@@ -17,5 +17,6 @@ layout(std140) uniform FrameBlock {
   float texels_per_radian;
   float coarser;
   float samples_per_pixel;
+  float sample_phase;      // of the sample that is drawn: (its number + ½) / samples_per_pixel
   int inner_bounces;       // surfaces that light meets inside of bodies
 };

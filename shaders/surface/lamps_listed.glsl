@@ -1,7 +1,7 @@
 // Part "lamps" (lamps_none.glsl). Here: those of a list, Phong's point lights and a model's own. Nothing blocks them.
+#include "charlie.glsl"
 #include "lamp.glsl"
 #include "ggx.glsl"
-#include "tangent.glsl"
 #include "lamp_shading.glsl"
 
 const int kRowsOfLamp = 4;

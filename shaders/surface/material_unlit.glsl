@@ -7,5 +7,7 @@ Surface surfaceAt(SurfacePoint point, vec3 n, vec3 base_color) {
   s.normal = n;
   s.occlusion = 1.0;
   s.environment_brdf = vec2(0.0);
+  stretchRoughness(s, point);
+  layCloth(s, point);
   return s;
 }

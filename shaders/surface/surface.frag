@@ -5,10 +5,13 @@
 #include "instance_block.glsl"
 #include "material_block.glsl"
 
+#include "color.glsl"
 #include "constants.glsl"
 #include "microfacet.glsl"
 #include "optics.glsl"
 #include "reflection_lobe.glsl"
+#include "thin_film.glsl"
+#include "part: film"
 #include "shading.glsl"
 
 #include "part: point"
@@ -16,11 +19,14 @@
 #include "part: maps"
 #include "part: normal"
 #include "part: detail"
-#include "part: material"
 #include "part: arriving light"
+#include "part: anisotropy"
+#include "part: sheen"
+#include "part: material"
 #include "part: look-up"
 #include "part: transmission"
 #include "part: lamps"
+#include "part: coat"
 #include "part: alpha"
 
 out vec4 fragment;
@@ -30,8 +36,9 @@ void main() {
   vec4 color = colorAt(point);
   if (isCutAway(color.w)) discard;
   vec3 normal = detailedNormal(point, smoothNormal(point));
-  Surface s = surfaceAt(point, facingNormal(gl_FrontFacing ? normal : -normal, point.ray), color.xyz);
-  vec3 light = shadedByEnvironment(s, point.ray, reflectedLight(s, point), transmittedLight(s, point),
-                                   arrivingIrradiance(point.position, s.normal));
-  fragment = shownAs(light + lightOfLamps(s, point), color.w);
+  normal = facingNormal(gl_FrontFacing ? normal : -normal, point.ray);
+  Surface s = seenAlong(surfaceAt(point, normal, color.xyz), point.ray);
+  vec3 light = shadedByEnvironment(s, reflectedLight(s, point), transmittedLight(s, point),
+                                   arrivingIrradiance(point.position, s.normal), lightOnCloth(s, point));
+  fragment = shownAs(coated(s, point, light + lightOfLamps(s, point)), color.w);
 }

@@ -75,15 +75,16 @@ TEST(Bsdf, DiffuseIsDrawnByItsDensity) {
 TEST(Bsdf, VisibleNormalsAreDrawnByTheirDensity) {
   for (const float alpha : {0.2f, 0.5f, 1.0f})
     for (const vec3 v : kEyes)
-      expectDrawn([&](vec2 u) { return sampleVisibleNormal(alpha, v, u); },
-                  [&](vec3 h) { return pdfVisibleNormal(alpha, v, h); },
+      expectDrawn([&](vec2 u) { return sampleVisibleNormal(vec2(alpha), v, u); },
+                  [&](vec3 h) { return pdfVisibleNormal(vec2(alpha), v, h); },
                   "alpha " + std::to_string(alpha) + ", v.z " + std::to_string(v.z));
 }
 
 TEST(Bsdf, GgxIsDrawnByItsDensityBelowTheHorizonToo) {
   for (const float alpha : {0.3f, 1.0f})
     for (const vec3 v : kEyes)
-      expectDrawn([&](vec2 u) { return sampleGgx(alpha, v, u); }, [&](vec3 l) { return pdfGgx(alpha, v, l); },
+      expectDrawn([&](vec2 u) { return sampleGgx(vec2(alpha), v, u); },
+                  [&](vec3 l) { return pdfGgx(vec2(alpha), v, l); },
                   "alpha " + std::to_string(alpha) + ", v.z " + std::to_string(v.z));
 }
 
@@ -98,11 +99,11 @@ TEST(Bsdf, LightGoesBothWaysAlike) {
   for (const float alpha : {0.05f, 0.4f, 1.0f})
     for (const vec3 v : kEyes)
       for (const vec3 l : {directionAt(0.9, 1.0), directionAt(0.3, 3.0), directionAt(0.05, 5.0)}) {
-        const float there = evalGgx(alpha, v, l);
-        EXPECT_NEAR(evalGgx(alpha, l, v), there, 1e-5f * std::max(there, 1.0f)) << alpha;
+        const float there = evalGgx(vec2(alpha), v, l);
+        EXPECT_NEAR(evalGgx(vec2(alpha), l, v), there, 1e-5f * std::max(there, 1.0f)) << alpha;
         EXPECT_NEAR(evalPhong(20.0f, l, v), evalPhong(20.0f, v, l), 1e-5f);
       }
-  EXPECT_EQ(evalGgx(0.5f, kEyes[1], directionAt(-0.2, 0.0)), 0.0f) << "below the horizon";
+  EXPECT_EQ(evalGgx(vec2(0.5f), kEyes[1], directionAt(-0.2, 0.0)), 0.0f) << "below the horizon";
 }
 
 // The facets' areas, projected, are the surface's (Walter et al. 2007, eq. 4); those seen from v are v's share of it.
@@ -112,7 +113,7 @@ TEST(Bsdf, FacetsCoverTheSurface) {
     double area = 0.0;
     for (int i = 0; i < kSteps; ++i) {
       const double sine2 = (i + 0.5) / kSteps;  // d(sin²) = 2 cos sin dθ
-      area += double(ggxDistribution(alpha, directionAt(std::sqrt(1.0 - sine2), 0.0))) * kTwoPi / 2.0 / kSteps;
+      area += double(ggxDistribution(vec2(alpha), directionAt(std::sqrt(1.0 - sine2), 0.0))) * kTwoPi / 2.0 / kSteps;
     }
     EXPECT_NEAR(area, 1.0, 2e-3) << alpha;
   }

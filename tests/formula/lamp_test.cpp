@@ -63,7 +63,8 @@ TEST(Lamp, DirectionalLightIsTheSameEverywhere) {
 }
 
 /// The sum of what a surface sends towards the eye of light that is 1 in each direction.
-vec3 underAllDirections(const Surface& s, vec3 ray) {
+vec3 underAllDirections(const Surface& surface, vec3 ray) {
+  const Surface s = seenAlong(surface, ray);
   constexpr int kRings = 400, kSpokes = 200;
   vec3 sum(0.0f);
   for (int ring = 0; ring < kRings; ++ring)
@@ -116,7 +117,7 @@ TEST(ShadedByPunctualLight, OfAMattSurfaceIsLamberts) {
   s.material.specular = 0.0f;
   s.environment_brdf = vec2(0.0f);
   const vec3 light = normalize(vec3(1, 0, 1));
-  const vec3 shaded = shadedByPunctualLight(s, vec3(0, 0, -1), light, vec3(2.0f));
+  const vec3 shaded = shadedByPunctualLight(seenAlong(s, vec3(0, 0, -1)), vec3(0, 0, -1), light, vec3(2.0f));
   EXPECT_LT(distance(shaded, s.material.base_color * (2.0f / kPi * light.z)), 1e-6f);
   EXPECT_EQ(shadedByPunctualLight(s, vec3(0, 0, -1), -light, vec3(2.0f)), vec3(0.0f)) << "from behind";
 }
@@ -131,7 +132,7 @@ TEST(ShadedByPunctualLight, IsFiniteAtGrazingAnglesAndOnMirrors) {
         s.material.base_color = vec3(1.0f);
         s.material.perceptual_roughness = roughness;
         s.environment_brdf = vec2(0.1f, 0.1f);
-        EXPECT_TRUE(std::isfinite(shadedByPunctualLight(s, ray, light, vec3(1.0f)).x)) << roughness;
+        EXPECT_TRUE(std::isfinite(shadedByPunctualLight(seenAlong(s, ray), ray, light, vec3(1.0f)).x)) << roughness;
       }
 }
 

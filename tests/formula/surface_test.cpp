@@ -82,7 +82,7 @@ TEST(TintedReflectance, IsTheExtensionsFormulaForSchlicksForm) {
   for (const float cosine : {0.0f, 0.3f, 0.8f, 1.0f}) {
     const vec3 f0 = min(0.04f * s.material.specular_color, vec3(1.0f));
     const vec3 wanted = 0.7f * mix(f0, vec3(1.0f), std::pow(1.0f - cosine, 5.0f));
-    EXPECT_LT(distance(smoothDielectric(s, cosine), wanted), 1e-6f) << cosine;
+    EXPECT_LT(distance(smoothDielectric(s.material, cosine), wanted), 1e-6f) << cosine;
   }
 }
 
@@ -95,8 +95,8 @@ TEST(TintedReflectance, TakesNoMoreThanAllLight) {
       Surface grey;
       grey.material = withGreySpecular(s.material);
       for (float cosine = 0.0f; cosine <= 1.0f; cosine += 0.05f) {
-        const vec3 reflected = smoothDielectric(s, cosine);
-        const vec3 entering = vec3(1.0f) - smoothDielectric(grey, cosine);
+        const vec3 reflected = smoothDielectric(s.material, cosine);
+        const vec3 entering = vec3(1.0f) - smoothDielectric(grey.material, cosine);
         for (int channel = 0; channel < 3; ++channel) {
           EXPECT_GE(reflected[channel], 0.0f);
           EXPECT_LE(reflected[channel] + entering[channel], 1.0f + 1e-6f) << ior << ", " << factor << ", " << cosine;

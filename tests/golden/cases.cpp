@@ -51,11 +51,17 @@ constexpr const char* kChannels = "three wavelengths stand for all; the rest is 
 
 constexpr const char* kLobes = "prefiltered light knows only the lobe that is seen along the normal; the rest is noise";
 
+constexpr const char* kCloth = "light on cloth is gathered from twelve directions; the rest is noise";
+
 constexpr const char* kFacets = "one facet's reflectance stands for all: it is Schlick's power of 5 that chooses which";
 
 constexpr const char* kByNormal = "wrong by construction: where the eye is does not count; the background is blurred";
 
 constexpr const char* kFarAway = "wrong by construction: the rays of a sphere map are parallel";
+
+constexpr const char* kPainted = "no reflection at all: the environment is painted on the object";
+
+constexpr const char* kMipLevel = "a mip level for a lobe: too sharp or too blurred, with seams between the faces";
 
 constexpr const char* kAtVertices = "wrong by construction: what the corners reflect is mixed between them";
 
@@ -94,6 +100,16 @@ constexpr auto kCases = std::to_array<Case>({
     {"orange", "render sphere --material orange --size 96x96", &kBumpy, "--set bump_height=0.0065",
      Truth{28.4, kLobes, "", 16, 32}},
 
+    // What glTF's extensions lay on a surface.
+    {"car_paint", "render sphere --material car-paint --size 96x96", &kOutlined, "--set clearcoat=0.7",
+     Truth{29.4, kLobes, "--set clearcoat=0.5", 16, 32}},
+    {"velvet", "render sphere --material velvet --size 96x96", &kOutlined, "--set sheen_roughness=0.45",
+     Truth{31.1, kCloth, "--set sheen_color=0.4,0.1,0.2", 16, 32}},
+    {"brushed_metal", "render sphere --material brushed-metal --size 96x96", &kOutlined, "--set anisotropy=0.68",
+     Truth{24.4, kLobes, "--set anisotropy_rotation=1.57", 16, 32}},
+    {"soap_bubble", "render sphere --material soap-bubble --size 96x96", &kOutlined, "--set iridescence_thickness=396",
+     Truth{40, kExact, "--set iridescence_thickness=380", 16, 64}},
+
     // Which way round the environment is, looking at its faces from inside.
     {"uv_along_minus_z", "render none -e uv --camera 0,0 --fov 100 --size 96x72", &kFiltered, "--fov 100.1",
      Truth{40.8, kTexels, "--env-rotation 2", 16, 16}},
@@ -114,6 +130,27 @@ constexpr auto kCases = std::to_array<Case>({
      "render cube -e uv --material mirror --reflect-at vertex --background 0.2,0.2,0.2 "
      "--camera 130,25,3.1 --size 96x72",
      &kFinelyLined, "--reflect-at fragment", Truth{22.4, kAtVertices, "", 16, 16}},
+    // Not for softpipe, 220 / 4.1: it fetches texels of one mip level for four pixels, also where their levels differ.
+    {"lookup_flat",
+     "render sphere -e uv --material mirror --set perceptual_roughness=0.5 --blur mip --lookup flat --size 96x96",
+     &kOutlined, "--lookup cube", Truth{22.9, kMipLevel, "", 16, 32}},
+
+    // Coordinates generated: of the environment, and of a picture, which is nothing that light does.
+    {"texgen_object_linear",
+     "render teapot -e uv --material mirror --texgen object-linear --camera 30,20,2.3 --size 144x96", &kFinelyLined,
+     "--env-rotation 0.2", Truth{12.3, kPainted, "", 16, 16}},
+    {"texgen_eye_linear",
+     "render teapot --set base_color_map=pictures/convert_cross.png --texgen eye-linear --camera 30,20,2.3 "
+     "--texture-matrix 0.5,0,0,0.5,0,0.5,0,0.5,0,0,1,0,0,0,0,1 --size 144x96",
+     &kFinelyLined, "--texture-matrix 0.5,0,0,0.505,0,0.5,0,0.5,0,0,1,0,0,0,0,1"},
+    {"texgen_normal",
+     "render teapot --set base_color_map=pictures/convert_sphere.png --texgen normal --camera 30,20,2.3 "
+     "--texture-matrix 0.5,0,0,0.5,0,0.5,0,0.5,0,0,1,0,0,0,0,1 --size 144x96",
+     &kFinelyLined, "--texture-matrix 0.5,0,0,0.505,0,0.5,0,0.5,0,0,1,0,0,0,0,1"},
+    {"texgen_light",
+     "render teapot --set base_color_map=pictures/convert_cross.png --texgen light --light 2,2,3,0,0,0 "
+     "--camera 30,20,2.3 --size 144x96",
+     &kFinelyLined, "--texture-matrix 1,0,0,0.005,0,1,0,0,0,0,1,0,0,0,0,1"},
 
     // The rest of what has a code of its own.
     {"fresnel_empirical",
@@ -173,9 +210,14 @@ std::string drawnCommandOf(const Case& golden_case, const std::string& changed) 
 
 std::string tracedCommandOf(const Case& golden_case) {
   std::string command = golden_case.command;
-  for (const std::string_view option : {"--mapping", "--reflect-at"}) command = withoutOption(command, option);
+  for (const std::string_view option : {"--mapping", "--reflect-at", "--texgen", "--blur", "--lookup"})
+    command = withoutOption(command, option);
   if (command.find("--background blur") != std::string::npos) command = withoutOption(command, "--background");
   return command + " --samples " + std::to_string(golden_case.truth->paths) + " --reference --bounces 1 --unoccluded";
+}
+
+bool wrapsPicture(const Case& golden_case) {
+  return std::string_view(golden_case.command).find(" --set base_color_map=") != std::string_view::npos;
 }
 
 bool needsGl(const Case& golden_case) { return std::string_view(golden_case.command).starts_with("render"); }

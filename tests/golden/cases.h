@@ -28,14 +28,15 @@ struct Truth {
 
 /// A picture that the program must make again.
 struct Case {
-  const char* name;            ///< of pictures/NAME.png and of the test
-  const char* command;         ///< what follows `mirrorball`, without -o; single spaces between the words
+  const char* name;     ///< of pictures/NAME.png and of the test
+  const char* command;  ///< what follows `mirrorball`, without -o; single spaces between the words. It runs where
+                        ///< pictures/ has the golden pictures, which it may read
   const Tolerance* tolerance;  ///< one of a few, each with its reason, in cases.cpp
   const char* min_error;       ///< an option of the command, changed to the smallest mistake that the case must find
-  std::optional<Truth> truth = {};  ///< nothing: a conversion, which has no picture to trace
+  std::optional<Truth> truth = {};  ///< nothing: a conversion, or a picture wrapped around a model
 };
 
-/// The table of them, each with built-in inputs only, so that it runs everywhere.
+/// The table of them, each with inputs that are built in or golden themselves, so that it runs everywhere.
 std::span<const Case> cases();
 
 /// The case of that name, which must be in the table.
@@ -55,6 +56,9 @@ std::string drawnCommandOf(const Case& golden_case, const std::string& changed =
 
 /// The command that traces the truth of a case: without what only the renderer has.
 std::string tracedCommandOf(const Case& golden_case);
+
+/// Whether the command wraps a picture around a model by generated coordinates, which light does not.
+bool wrapsPicture(const Case& golden_case);
 
 /// Whether the command draws with OpenGL. A conversion does not.
 bool needsGl(const Case& golden_case);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
+#include "golden/golden_picture.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball::golden {
@@ -35,6 +36,7 @@ class FreshFolder {
 
 Result<Bytes> pictureMadeBy(const std::string& command) {
   const FreshFolder folder;
+  fs::create_directory_symlink(fs::path(goldenPath("any")).parent_path(), folder.path() / "pictures");
   const testing::Outcome outcome =
       testing::Program({.arguments = split(command + " -o picture.png", ' '), .folder = folder.path()}).wait();
   if (outcome.exit_code != 0)

@@ -7,7 +7,7 @@
 
 namespace mirrorball::golden {
 
-/// Runs the real program, `mirrorball COMMAND -o picture.png`, in a fresh folder.
+/// Runs the real program, `mirrorball COMMAND -o picture.png`, in a fresh folder where pictures/ has the golden ones.
 ///
 /// command  words with single spaces between them
 /// returns  the picture's file as it was written

@@ -75,6 +75,7 @@ const Case kCases[] = {
     PARITY(brdfTableColumn, unit, kTight, vec4(brdfTableColumn(p.x, p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(brdfTableCoordinates, unit, kTight, vec4(brdfTableCoordinates(p.x, p.y, 128.0f), 0.0f, 0.0f)),
 
+    PARITY(sheenAlbedo, unit, kTight, vec4(sheenAlbedo(SmoothMap(16.0f), p.x, p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(environmentBrdf, unit, kTight, vec4(environmentBrdf(SmoothMap(32.0f), p.x, p.y), 0.0f, 0.0f)),
 
     // bright_light
@@ -134,22 +135,76 @@ const Case kCases[] = {
            vec4(equiangularCubeDirection(int(5.9375f * r.x), vec2(p)), 0.0f)),
 
     // ggx, from alpha = 1/16
-    PARITY(ggxDistribution, direction, kTight, vec4(ggxDistribution(0.0625f + r.x, vec3(p)))),
-    PARITY(ggxLambda, direction, kTight, vec4(1.0f / (1.0f + ggxLambda(0.0625f + r.x, vec3(p))))),
-    PARITY(ggxMasking, direction, kTight, vec4(ggxMasking(0.0625f + r.x, vec3(p)))),
-    PARITY(ggxMaskingShadowing, direction, kTight, vec4(ggxMaskingShadowing(0.0625f + r.x, vec3(p), vec3(q)))),
+    PARITY(ggxDistribution, direction, kTight, vec4(ggxDistribution(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p)))),
+    PARITY(ggxLambda, direction, kTight, vec4(1.0f / (1.0f + ggxLambda(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p))))),
+    PARITY(ggxMasking, direction, kTight, vec4(ggxMasking(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p)))),
+    PARITY(ggxMaskingShadowing, direction, kTight,
+           vec4(ggxMaskingShadowing(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p), vec3(q)))),
     PARITY(pdfVisibleNormal, direction, kTight,
-           vec4(pdfVisibleNormal(0.0625f + r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)), vec3(q)))),
+           vec4(pdfVisibleNormal(vec2(0.0625f + r.x, 0.0625f + r.w), normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
+                                 vec3(q)))),
     PARITY(sampleVisibleNormal, direction, kTranscendental,
-           vec4(sampleVisibleNormal(0.0625f + r.x, vec3(p.x, p.y, abs(p.z)), vec2(r.y, r.z) * 0.96875f), 0.0f)),
+           vec4(sampleVisibleNormal(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z)),
+                                    vec2(r.y, r.z) * 0.96875f),
+                0.0f)),
     PARITY(evalGgx, direction, kTranscendental,
-           vec4(evalGgx(0.0625f + r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
+           vec4(evalGgx(vec2(0.0625f + r.x, 0.0625f + r.w), normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
                         normalize(vec3(q.x, q.y, abs(q.z) + 0.0625f))))),
-    PARITY(sampleGgx, direction, kTranscendental,
-           vec4(sampleGgx(0.0625f + r.x, vec3(p.x, p.y, abs(p.z)), vec2(r.y, r.z) * 0.96875f), 0.0f)),
+    PARITY(
+        sampleGgx, direction, kTranscendental,
+        vec4(sampleGgx(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z)), vec2(r.y, r.z) * 0.96875f), 0.0f)),
     PARITY(pdfGgx, direction, kTranscendental,
-           vec4(pdfGgx(0.0625f + r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
+           vec4(pdfGgx(vec2(0.0625f + r.x, 0.0625f + r.w), normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
                        normalize(vec3(q.x, q.y, abs(q.z) + 0.0625f))))),
+
+    PARITY(stretchedAlpha, unit, kTight, vec4(stretchedAlpha(p.x, q.x), 0.0f, 0.0f)),
+
+    // stretched_lobe
+    PARITY(tapOfStretchedLobe, direction, kTranscendental,
+           vec4(tapOfStretchedLobe(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z) + 0.0625f),
+                                   0.0625f + 0.875f * r.y, 0.0625f)
+                    .normal,
+                tapOfStretchedLobe(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z) + 0.0625f),
+                                   0.0625f + 0.875f * r.y, 0.0625f)
+                    .weight)),
+    PARITY(roundAlpha, unit, kTight, vec4(roundAlpha(vec2(p)), 0.0f, 0.0f, 0.0f)),
+
+    // charlie, of all but the smoothest cloth, where rounding is raised to a high power
+    PARITY(alphaOfSheen, unit, kTight, vec4(alphaOfSheen(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(charlieDistribution, direction, kTranscendental,
+           vec4(charlieDistribution(0.125f + 0.875f * r.x, vec3(p)), 0.0f, 0.0f, 0.0f)),
+    PARITY(charlieLambdaFit, unit, kTranscendental, vec4(charlieLambdaFit(r.x, 0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(charlieLambda, unit, kTranscendental, vec4(charlieLambda(r.x, 0.0625f + 0.875f * p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(evalCharlie, direction, kTranscendental,
+           vec4(evalCharlie(0.125f + 0.875f * r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
+                            normalize(vec3(q.x, q.y, abs(q.z) + 0.0625f))),
+                0.0f, 0.0f, 0.0f)),
+
+    PARITY(sheenTap, direction, kTranscendental,
+           vec4(sheenTap(0.125f + 0.875f * r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)), int(1.9375f * r.y),
+                         int(5.9375f * r.z))
+                    .light,
+                sheenTap(0.125f + 0.875f * r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)), int(1.9375f * r.y),
+                         int(5.9375f * r.z))
+                    .weight)),
+
+    // thin_film
+    PARITY(meanOverSpectrum, unit, kTranscendental,
+           vec4(meanOverSpectrum(2.0f * p.x).cosine, meanOverSpectrum(2.0f * p.x).sine.y)),
+    PARITY(higherOrders, unit, kTranscendental, vec4(higherOrders(0.875f * vec3(q), 4.0f * vec3(r), 0.5f * p.y), 0.0f)),
+    PARITY(sumWithoutSpectrum, unit, kTranscendental,
+           vec4(sumWithoutSpectrum(FilmSides(1.5f * p.x - 0.75f, 0.875f * vec3(q), 4.0f * vec3(r)), 0.5f * p.y), 0.0f)),
+    PARITY(spectralOrder, unit, kTranscendental,
+           vec4(spectralOrder(FilmSides(1.5f * p.x - 0.75f, 0.875f * vec3(q), 4.0f * vec3(r)), 1 + int(2.9375f * p.y),
+                              SpectrumMean(vec3(0.5f), vec3(0.25f, 0.75f, 0.5f))),
+                0.0f)),
+    PARITY(reflectanceOfSum, unit, kTight,
+           vec4(reflectanceOfSum(FilmSides(1.5f * p.x - 0.75f, 0.875f * vec3(q), vec3(0.0f)), vec3(r)), 0.0f)),
+    PARITY(filmReflectance, unit, kTranscendental,
+           vec4(filmReflectance(0.0625f + 0.9375f * p.x, 1.0625f + p.y, 0.75f * p.z, vec3(0.25f) + 2.0f * vec3(q),
+                                r.w < 0.5f ? vec3(0.0f) : vec3(0.125f) + 3.0f * vec3(r)),
+                0.0f)),
+    PARITY(iorOfReflectance, unit, kTranscendental, vec4(iorOfReflectance(0.75f * vec3(p)), 0.0f)),
 
     // harmonics
     PARITY(harmonicOfBand3, direction, kTight,
@@ -181,7 +236,6 @@ const Case kCases[] = {
     // microfacet
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
-    PARITY(meanFresnel, unit, kTight, vec4(meanFresnel(vec3(p), vec3(q), vec3(r)), 0.0f)),
 
     // mip_mapping
     PARITY(lodOfRoughness, unit, kTight, vec4(lodOfRoughness(p.x, 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
@@ -330,6 +384,9 @@ const Case kCases[] = {
     PARITY(sphereMapDirection, unit, kTight, vec4(sphereMapDirection(vec2(p)), 0.0f)),
 
     // tangent
+    PARITY(turnedTangent, direction, kTight,
+           vec4(turnedTangent(vec4(vec3(p), p.w < 0.5f ? -1.0f : 1.0f), vec3(q), vec2(0.75f, 0.5f)), 0.0f)),
+    PARITY(anisotropyTurn, unit, kTranscendental, vec4(anisotropyTurn(vec2(p) * 2.0f - 1.0f, 6.0f * q.x), 0.0f, 0.0f)),
     PARITY(anyTangent, direction, kTight, vec4(anyTangent(vec3(p)), 0.0f)),
     PARITY(
         perturbedNormal, direction, kTight,
@@ -379,43 +436,79 @@ const Case kCases[] = {
            filteredMap(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), max(4.0f * r.x - 1.0f, 0.0f),
                        MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), r.w < 0.5f))),
 
+    // clear_coat
+    PARITY(coatMaterial, direction, kExact,
+           vec4(coatMaterial(testSurface(p, q, r).material).perceptual_roughness,
+                coatMaterial(testSurface(p, q, r).material).ior, coatMaterial(testSurface(p, q, r).material).metallic,
+                coatMaterial(testSurface(p, q, r).material).base_color.x)),
+    PARITY(coatOf, direction, kTranscendental,
+           vec4(coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q), vec2(0.25f, 0.5f * r.x))
+                    .reflectance.single_scattering,
+                coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q), vec2(0.25f, 0.5f * r.x))
+                    .environment_brdf.y)),
+    PARITY(underCoat, direction, kTranscendental,
+           vec4(underCoat(coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q),
+                                 vec2(0.25f, 0.5f * r.x)),
+                          r.y, vec3(1.0f, 2.0f, 3.0f), vec3(r)),
+                0.0f)),
+
     // shading
+    PARITY(hasConductorIndex, direction, kExact,
+           vec4(hasConductorIndex(testSurface(p, q, r).material) ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f)),
+    PARITY(bareDielectricReflectance, direction, kTranscendental,
+           vec4(bareDielectricReflectance(testSurface(p, q, r).material, p.w, vec3(1.0f + r.x, 1.5f, 2.0f)), 0.0f)),
+    PARITY(bareMetalReflectance, direction, kTight,
+           vec4(bareMetalReflectance(testSurface(p, q, r).material, p.w), 0.0f)),
+    PARITY(smoothReflectance, direction, kTranscendental,
+           vec4(smoothReflectance(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w, vec3(1.0f + r.x, 1.5f, 2.0f),
+                                  q.w < 0.5f),
+                0.0f)),
     PARITY(dielectricReflectance, direction, kTranscendental,
-           vec4(dielectricReflectance(testSurface(p, q, r), p.w, vec3(1.0f + r.x, 1.5f, 2.0f)), 0.0f)),
-    PARITY(metalReflectance, direction, kTight, vec4(metalReflectance(testSurface(p, q, r), p.w), 0.0f)),
+           vec4(dielectricReflectance(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w,
+                                      vec3(1.0f + r.x, 1.5f, 2.0f)),
+                0.0f)),
+    PARITY(metalReflectance, direction, kTranscendental,
+           vec4(metalReflectance(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w), 0.0f)),
     PARITY(
         tintedReflectance, direction, kTranscendental,
         vec4(tintedReflectance(testSurface(p, q, r).material, vec3(0.25f + 0.5f * abs(p.y)), vec3(0.25f * r.x)), 0.0f)),
     PARITY(withGreySpecular, direction, kExact,
            vec4(withGreySpecular(testSurface(p, q, r).material).specular_color, 0.0f)),
-    PARITY(smoothDielectric, direction, kTranscendental, vec4(smoothDielectric(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(smoothDielectric, direction, kTranscendental,
+           vec4(smoothDielectric(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w), 0.0f)),
     PARITY(roughReflectance, direction, kTight,
            vec4(roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).single_scattering,
                 roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).multiple_scattering.x)),
-    PARITY(roughDielectric, direction, kTranscendental,
-           vec4(roughDielectric(testSurface(p, q, r), p.w).single_scattering,
-                roughDielectric(testSurface(p, q, r), p.w).multiple_scattering.y)),
     PARITY(cosineOfFacets, direction, kExact, vec4(cosineOfFacets(testSurface(p, q, r), p.w), 0.0f, 0.0f, 0.0f)),
-    PARITY(roughMetal, direction, kTranscendental,
-           vec4(roughMetal(testSurface(p, q, r), p.w).single_scattering,
-                roughMetal(testSurface(p, q, r), p.w).multiple_scattering.y)),
-    PARITY(specularReflectance, direction, kTranscendental,
-           vec4(specularReflectance(testSurface(p, q, r), p.w).single_scattering,
-                specularReflectance(testSurface(p, q, r), p.w).multiple_scattering.y)),
-    PARITY(diffuseAlbedo, direction, kTranscendental, vec4(diffuseAlbedo(testSurface(p, q, r), p.w), 0.0f)),
+    PARITY(facetShares, direction, kTranscendental,
+           vec4(facetShares(testSurface(p, q, r), 0.0625f + 0.9375f * p.w, q.w < 0.5f).seen,
+                facetShares(testSurface(p, q, r), 0.0625f + 0.9375f * p.w, q.w < 0.5f).mean.x)),
+    PARITY(dielectricOf, direction, kTranscendental,
+           vec4(dielectricOf(testSurface(p, q, r), testSurface(p, q, r).material,
+                             FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.y)))
+                    .single_scattering,
+                dielectricOf(testSurface(p, q, r), testSurface(p, q, r).material,
+                             FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.y)))
+                    .multiple_scattering.x)),
+    PARITY(seenAlong, direction, kTranscendental,
+           vec4(seenAlong(testSurface(p, q, r), vec3(p)).reflectance.single_scattering.x,
+                seenAlong(testSurface(p, q, r), vec3(p)).reflectance.multiple_scattering.y,
+                seenAlong(testSurface(p, q, r), vec3(p)).diffuse_albedo.x,
+                seenAlong(testSurface(p, q, r), vec3(p)).diffuse_albedo.z)),
+    PARITY(underSheen, unit, kTight, vec4(underSheen(testSurface(p, q, r), vec3(r), vec3(q)), 0.0f)),
     PARITY(unlitMaterial, direction, kExact,
            vec4(unlitMaterial(testSurface(p, q, r).material, vec3(r)).emission,
                 unlitMaterial(testSurface(p, q, r).material, vec3(r)).specular)),
     PARITY(shadedByEnvironment, direction, kTranscendental,
-           vec4(shadedByEnvironment(testSurface(p, q, r), vec3(p), vec3(r), vec3(0.5f, 1.0f, 2.0f),
-                                    vec3(1.0f, r.w, 0.25f)),
+           vec4(shadedByEnvironment(seenAlong(testSurface(p, q, r), vec3(p)), vec3(r), vec3(0.5f, 1.0f, 2.0f),
+                                    vec3(1.0f, r.w, 0.25f), vec3(q)),
                 0.0f)),
     PARITY(openMaterial, direction, kExact,
            vec4(openMaterial(testSurface(p, q, r).material).base_color,
                 openMaterial(testSurface(p, q, r).material).transmission)),
     PARITY(shadedByPointLight, direction, kTranscendental,
-           vec4(shadedByPointLight(testSurface(p, q, r), vec3(p), normalize(vec3(0.5f, 0.75f, 0.25f)),
-                                   vec3(1.0f, 2.0f, 3.0f)),
+           vec4(shadedByPointLight(seenAlong(testSurface(p, q, r), vec3(p)), vec3(p),
+                                   normalize(vec3(0.5f, 0.75f, 0.25f)), vec3(1.0f, 2.0f, 3.0f)),
                 0.0f)),
 
     // lamp: around a place within its range
@@ -436,11 +529,12 @@ const Case kCases[] = {
 
     // lamp_shading, of surfaces that are not so smooth that rounding moves their highlight
     PARITY(shadedByPunctualLight, direction, kTranscendental,
-           vec4(shadedByPunctualLight(testSurface(p, q, vec4(0.5f + 0.5f * r.x, r.y, r.z, r.w)), vec3(p),
-                                      normalize(vec3(0.5f, 0.75f, 0.25f)), vec3(1.0f, 2.0f, 3.0f)),
+           vec4(shadedByPunctualLight(seenAlong(testSurface(p, q, vec4(0.5f + 0.5f * r.x, r.y, r.z, r.w)), vec3(p)),
+                                      vec3(p), normalize(vec3(0.5f, 0.75f, 0.25f)), vec3(1.0f, 2.0f, 3.0f)),
                 0.0f)),
     PARITY(shadedByLamp, direction, kTranscendental,
-           vec4(shadedByLamp(testSurface(p, q, vec4(0.5f + 0.5f * r.x, r.y, r.z, r.w)), vec3(p), vec3(0.0f),
+           vec4(shadedByLamp(seenAlong(testSurface(p, q, vec4(0.5f + 0.5f * r.x, r.y, r.z, r.w)), vec3(p)), vec3(p),
+                             vec3(0.0f),
                              Lamp(int(3.9375f * r.z), vec3(1.5f, 2.0f, 0.75f), vec3(-0.6f, -0.64f, -0.48f),
                                   vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f)),
                 0.0f)),

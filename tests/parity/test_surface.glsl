@@ -23,6 +23,16 @@ FN Surface testSurface(vec4 p, vec4 q, vec4 r) {
   s.material.fresnel_scale = 0.9f;
   s.material.fresnel_power = 4.0f;
   s.material.f82_tint = vec3(0.25f, 0.75f, r.x);
+  s.tangent = normalize(cross(s.normal, vec3(0.6f, 0.48f, 0.64f)));
+  s.sheen_albedo = 0.5f * r.y;
+  s.material.clearcoat = r.x;
+  s.material.clearcoat_roughness = 0.5f * r.y;
+  s.material.sheen_color = vec3(0.25f, r.y, 0.75f);
+  s.material.sheen_roughness = 0.5f + 0.5f * r.z;
+  s.material.anisotropy = 0.5f * r.w;
+  s.material.iridescence = r.y < 0.5f ? 0.0f : r.z;
+  s.material.iridescence_ior = 1.25f + r.x;
+  s.material.iridescence_thickness = 800.0f * r.w;
   s.environment_brdf = vec2(0.25f + 0.5f * r.w, 0.25f * r.x);
   return s;
 }

@@ -33,6 +33,7 @@ struct PlannedShot {
   std::optional<double> value = {};
   std::string_view model = {};  ///< built-in; empty: the scene that was given
   std::string key;              ///< what it shows: those of one key are the same
+  std::string shapes;           ///< its meshes and where they are: likewise
 };
 
 std::string keyOf(std::string_view model, std::string_view material, const std::string& change) {
@@ -43,7 +44,9 @@ void planSeries(std::vector<PlannedShot>& shots, const Subject& subject, std::st
                 std::string_view material) {
   for (const double value : subject.series->values) {
     const std::string label = formatNumber(value);
-    shots.push_back({label, value, model, keyOf(model, material, std::string(subject.series->axis) + "=" + label)});
+    const std::string change = std::string(subject.series->axis) + "=" + label;
+    shots.push_back({label, value, model, keyOf(model, material, change),
+                     keyOf(model, "", subject.series->changes_shapes ? change : "")});
   }
 }
 
@@ -54,11 +57,15 @@ std::vector<PlannedShot> plannedShots(const Subject& subject, bool is_built_in) 
       if (subject.series)
         planSeries(shots, subject, model, subject.material);
       else
-        shots.push_back({std::string(model), {}, model, keyOf(model, subject.material, std::string(subject.view))});
+        shots.push_back({std::string(model),
+                         {},
+                         model,
+                         keyOf(model, subject.material, std::string(subject.view)),
+                         keyOf(model, "", "")});
     }
     return shots;
   }
-  shots.push_back({.label = "as it is", .key = keyOf("", "", "")});
+  shots.push_back({.label = "as it is", .key = keyOf("", "", ""), .shapes = keyOf("", "", "")});
   if (subject.series && subject.series->is_of_any_scene) planSeries(shots, subject, "", "");
   return shots;
 }
@@ -116,14 +123,15 @@ class Workshop {
   struct Stage {
     Scene scene;
     FrameSettings frame;
-    std::optional<PathTracer> tracer = {};  ///< made when it is first needed
   };
 
   Result<Stage> staged(const Subject& subject, const PlannedShot& shot) const;
   Result<Image> cosines(const Stage& stage);
-  Result<StudiedShot> studied(const Subject& subject, const PlannedShot& shot, Stage stage, const Image& cosines);
+  Result<StudiedShot> studied(const Subject& subject, const PlannedShot& shot, const Stage& stage,
+                              const Image& cosines);
   Result<Drawn> draw(const Stage& stage, const Technique& technique);
-  Result<const Traced*> trace(Stage& stage, const PlannedShot& shot, std::string_view settings);
+  Result<const Traced*> trace(const Stage& stage, const PlannedShot& shot, std::string_view settings);
+  Result<void> prepareTracer(const Stage& stage, const PlannedShot& shot);
 
   Renderer renderer_;
   Scene scene_;
@@ -132,6 +140,8 @@ class Workshop {
   StudySettings settings_;
   Steps steps_;
   std::map<std::string, Traced> traced_;
+  std::optional<PathTracer> tracer_ = {};  ///< made when it is first needed
+  std::string tracer_shapes_ = {};         ///< PlannedShot::shapes of the scene that it has
   std::optional<PreparedEnvironment> directions_ = {};
 };
 
@@ -185,13 +195,24 @@ Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
   return Drawn{std::move(radiance), cost};
 }
 
-Result<const Traced*> Workshop::trace(Stage& stage, const PlannedShot& shot, std::string_view settings) {
+/// Sorts triangles anew only where they are others: for millions of them it takes longer than small pictures.
+Result<void> Workshop::prepareTracer(const Stage& stage, const PlannedShot& shot) {
+  if (!tracer_) {
+    MIRRORBALL_TRY(made, PathTracer::make(stage.scene, environment_));
+    tracer_ = std::move(made);
+  } else if (shot.shapes == tracer_shapes_) {
+    tracer_->setMaterials(stage.scene.materials);
+  } else {
+    MIRRORBALL_TRY_VOID(tracer_->setScene(stage.scene));
+  }
+  tracer_shapes_ = shot.shapes;
+  return {};
+}
+
+Result<const Traced*> Workshop::trace(const Stage& stage, const PlannedShot& shot, std::string_view settings) {
   const std::string key = tracedKey(shot, settings);
   if (const auto found = traced_.find(key); found != traced_.end()) return &found->second;
-  if (!stage.tracer) {
-    MIRRORBALL_TRY(made, PathTracer::make(stage.scene, environment_));
-    stage.tracer = std::move(made);
-  }
+  MIRRORBALL_TRY_VOID(prepareTracer(stage, shot));
   TraceSettings trace;
   MIRRORBALL_TRY_VOID(applySettings(settings, trace));
   trace.noise = settings_.noise;
@@ -199,14 +220,14 @@ Result<const Traced*> Workshop::trace(Stage& stage, const PlannedShot& shot, std
   if (settings_.paths) trace.samples = *settings_.paths;
   MIRRORBALL_TRY(camera, framedCamera(stage.scene, boundingSphere(stage.scene), stage.frame.camera, trace.size));
   const auto start = Clock::now();
-  MIRRORBALL_TRY(picture, stage.tracer->render(camera, trace, {.progress = steps_.next(kStepsOfTraced)}));
+  MIRRORBALL_TRY(picture, tracer_->render(camera, trace, {.progress = steps_.next(kStepsOfTraced)}));
   if (picture.is_interrupted) return fail(ErrorCode::interrupted, "interrupted; nothing was written");
   return &traced_
               .emplace(key, Traced{std::move(picture.radiance), {picture.samples, picture.noise, secondsSince(start)}})
               .first->second;
 }
 
-Result<StudiedShot> Workshop::studied(const Subject& subject, const PlannedShot& shot, Stage stage,
+Result<StudiedShot> Workshop::studied(const Subject& subject, const PlannedShot& shot, const Stage& stage,
                                       const Image& cosines) {
   MIRRORBALL_TRY(reference, trace(stage, shot, subject.reference));
   const ComparisonSettings display{.exposure = stage.frame.display.exposure(),
@@ -257,7 +278,7 @@ Result<StudiedSection> Workshop::section(const Subject& subject, const std::vect
       MIRRORBALL_TRY(found, cosines(stage));
       angles = std::move(found);
     }
-    MIRRORBALL_TRY(done, studied(subject, shot, std::move(stage), angles));
+    MIRRORBALL_TRY(done, studied(subject, shot, stage, angles));
     section.shots.push_back(std::move(done));
   }
   return section;

@@ -26,7 +26,12 @@ constexpr auto kInterreflecting = std::to_array<std::string_view>({"spheres", "b
 
 constexpr auto kLookUps = std::to_array<Technique>({{"cube, reflected ray", "mapping=reflection"},
                                                     {"sphere map", "mapping=sphere"},
-                                                    {"cube, normal", "mapping=normal"}});
+                                                    {"cube, normal", "mapping=normal"},
+                                                    {"sphere map for this camera", "texgen=sphere"}});
+
+constexpr auto kTexels = std::to_array<Technique>({{"cube sampler", "blur=mip lookup=cube"},
+                                                   {"flat picture, weighed", "blur=mip lookup=flat"},
+                                                   {"flat picture, nearest", "blur=mip lookup=flat-nearest"}});
 
 constexpr auto kReflectAt = std::to_array<Technique>({{"each fragment", "reflect-at=fragment"},
                                                       {"each vertex", "reflect-at=vertex"},
@@ -49,6 +54,7 @@ constexpr auto kOcclusion = std::to_array<Technique>(
 constexpr auto kDistantMap = std::to_array<Technique>({{"distant map, drawn"}});
 
 constexpr auto kRoughnesses = std::to_array({0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1.0});
+constexpr auto kMipRoughnesses = std::to_array({0.0, 0.1, 0.2, 0.3, 0.45, 0.6});
 constexpr auto kFields_deg = std::to_array({2.0, 10.0, 20.0, 35.0, 60.0, 90.0});
 constexpr auto kRings = std::to_array({8.0, 16.0, 32.0, 64.0, 128.0});
 constexpr auto kGaps = std::to_array({0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0});
@@ -94,13 +100,26 @@ constexpr std::array kSubjects{
             .title = "What addresses the map",
             .teaches = "The reflected ray finds the light that a mirror shows. A sphere map is addressed by the normal "
                        "instead, as if all rays from the eye were parallel: the wider the field of view, the wronger. "
-                       "The normal in a cube map only looks like something shiny.",
+                       "The normal in a cube map only looks like something shiny. A sphere map that is made for the "
+                       "camera and addressed by the reflected ray is right again.",
             .models = kSphere,
             .material = "mirror",
             .reference = kKnownToMap,
             .held_to = kHeldToMap,
             .techniques = kLookUps,
             .series = Series{"field of view in degrees", kFields_deg, setFieldOfView, false},
+            .applies = always},
+    Subject{.id = "texels",
+            .title = "From a direction to texels",
+            .teaches = "A cube sampler weighs the texels around a direction, also beyond the edge of a face. A shader "
+                       "that finds face and texels by itself in one flat picture does the same but for the edges, "
+                       "where it has no neighbours: seams, the wider the fewer texels a mip level has.",
+            .models = kSphere,
+            .material = "mirror",
+            .reference = kKnownToMap,
+            .held_to = kHeldToMap,
+            .techniques = kTexels,
+            .series = Series{"perceptual roughness", kMipRoughnesses, setRoughness, true},
             .applies = always},
     Subject{.id = "reflect-at",
             .title = "Where the ray is reflected",
@@ -111,7 +130,7 @@ constexpr std::array kSubjects{
             .reference = kKnownToMap,
             .held_to = kHeldToMap,
             .techniques = kReflectAt,
-            .series = Series{"rings of the sphere", kRings, setRings, false},
+            .series = Series{"rings of the sphere", kRings, setRings, false, true},
             .applies = always},
     Subject{.id = "blur",
             .title = "Rough reflections and the split sum",
@@ -156,7 +175,7 @@ constexpr std::array kSubjects{
             .material = "mirror",
             .held_to = "up to 16 bounces",
             .techniques = kDistantMap,
-            .series = Series{"gap between the spheres, in radii", kGaps, setGap, false},
+            .series = Series{"gap between the spheres, in radii", kGaps, setGap, false, true},
             .applies = never},
 };
 

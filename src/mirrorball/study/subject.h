@@ -27,7 +27,8 @@ struct Series {
   std::string_view axis;  ///< "perceptual roughness"
   std::span<const double> values;
   void (*change)(double value, Scene& scene, FrameSettings& frame);
-  bool is_of_any_scene;  ///< else of the built-in one alone
+  bool is_of_any_scene;         ///< else of the built-in one alone
+  bool changes_shapes = false;  ///< the meshes or where they are, not only materials and the camera
 };
 
 /// A question that is put to a scene: each technique's picture against the right one.

@@ -32,7 +32,7 @@ glm::vec3 mirrored(glm::vec3 l) { return {l.x, l.y, -l.z}; }
 
 /// The density [1/sr] of refraction into l at the facets that are met along w: without Fresnel's share (Walter et al.
 /// 2007, eq. 17).
-float densityOfRefraction(float alpha, glm::vec3 w, glm::vec3 l, float eta) {
+float densityOfRefraction(glm::vec2 alpha, glm::vec3 w, glm::vec3 l, float eta) {
   const glm::vec3 h = refractingNormal(w, l, eta);
   const float cosine = glm::dot(w, h);
   const float beyond = glm::dot(l, h);
@@ -42,7 +42,7 @@ float densityOfRefraction(float alpha, glm::vec3 w, glm::vec3 l, float eta) {
 }
 
 /// The density of reflection into l at the facets that are met along w, without Fresnel's share.
-float densityOfReflection(float alpha, glm::vec3 w, glm::vec3 l) {
+float densityOfReflection(glm::vec2 alpha, glm::vec3 w, glm::vec3 l) {
   const glm::vec3 h = glm::normalize(w + l);
   const float cosine = glm::dot(w, h);
   const bool is_met = h.z > 0.0f && cosine > 0.0f;
@@ -51,22 +51,21 @@ float densityOfReflection(float alpha, glm::vec3 w, glm::vec3 l) {
 
 /// The density [1/sr] of the rays that a facet reflects into l, if facets are chosen by D(h) h.z, as they are seen
 /// along the surface's normal: D(h) h.z / (4 l·h). It is great for facets that l grazes, where the walk finds too few.
-float densityFromLight(float alpha, glm::vec3 ray, glm::vec3 l) {
+float densityFromLight(glm::vec2 alpha, glm::vec3 ray, glm::vec3 l) {
   const glm::vec3 h = glm::normalize(l - ray);
   const float cosine = glm::dot(l, h);
   const bool is_met = h.z > 0.0f && cosine > 0.0f;  // not where the ray already goes there
   return is_met ? densityOfMetFacets(alpha, kUp, h) / (4.0f * cosine) : 0.0f;
 }
 
-/// The weight of a light sample against a surface's own choice.
-float misWeight(const LightSample& light, float own_pdf) {
-  return light.is_weighed ? balanceHeuristic(light.pdf, own_pdf) : 1.0f;
-}
-
 }  // namespace
 
 float balanceHeuristic(float chosen_pdf, float other_pdf) {
   return chosen_pdf / std::max(chosen_pdf + other_pdf, 1e-30f);
+}
+
+float lightWeight(const LightSample& light, float own_pdf) {
+  return light.is_weighed ? balanceHeuristic(light.pdf, own_pdf) : 1.0f;
 }
 
 /// A ray between the facets. Inside of the body everything is as outside, turned upside down.
@@ -81,6 +80,7 @@ struct Bsdf::Walk {
   float from_facet = 0.0f;    // density with which a facet has reflected it to where it is; 0: none has
   bool has_left = false;      // for good: no facet is met any more
   bool is_refracted = false;  // once at least
+  bool has_entered = false;   // what lies below a coat
 
   float side() const { return is_outside ? 1.0f : -1.0f; }
   /// Towards where the ray comes from, as seen from its side.
@@ -88,7 +88,7 @@ struct Bsdf::Walk {
 
   /// Of choosing this ray and then a facet that reflects it into l, against choosing that facet first
   /// (directFromTwoFacets): the part that the former has, by their densities.
-  float partOfWalk(float alpha, glm::vec3 l) const {
+  float partOfWalk(glm::vec2 alpha, glm::vec3 l) const {
     const bool has_other_way = from_facet > 0.0f && l.z > 0.0f;
     return has_other_way ? balanceHeuristic(from_facet, densityFromLight(alpha, -back(), l)) : 1.0f;
   }
@@ -105,8 +105,9 @@ struct Bsdf::Facet {
 Bsdf::Bsdf(const formula::Material& material, const Refraction& refraction) : refraction_(refraction) {
   surface_.material = material;
   entered_.material = formula::withGreySpecular(material);
-  const float alpha = formula::alphaFromPerceptualRoughness(material.perceptual_roughness);
-  alpha_ = alpha < kSmoothAlpha ? 0.0f : alpha;
+  const glm::vec2 alpha = formula::stretchedAlpha(material.perceptual_roughness, material.anisotropy);
+  is_smooth_ = std::max(alpha.x, alpha.y) < kSmoothAlpha;
+  alpha_ = glm::max(alpha, kSmoothAlpha);
 }
 
 bool Bsdf::chooseMetal(SampleSequence& samples) const {
@@ -125,17 +126,21 @@ glm::vec3 Bsdf::reflectanceOfIndex(const formula::Surface& surface, const Walk& 
   if (exact >= 1.0f) return glm::vec3(1.0f);  // nothing passes beyond the critical angle
   const bool is_inside = refracts && !walk.is_outside;
   const glm::vec3 ior(refraction_.ior);
-  const glm::vec3 here = is_inside ? glm::vec3(exact) : formula::dielectricReflectance(surface, cosine, ior);
+  // With a film, light that comes out is reflected as light that goes in by the same way.
+  const float sine2 = refraction_.ior * refraction_.ior * (1.0f - cosine * cosine);
+  const float outside = is_inside ? std::sqrt(std::max(1.0f - sine2, 0.0f)) : cosine;
+  const glm::vec3 here =
+      is_inside && m.iridescence <= 0.0f ? glm::vec3(exact) : formula::dielectricReflectance(m, outside, ior);
   if (m.specular_color == glm::vec3(1.0f)) return m.specular * here;
   const glm::vec3 f0 = is_inside ? glm::vec3(formula::fresnelDielectric(1.0f, refraction_.ior))
-                                 : formula::dielectricReflectance(surface, 1.0f, ior);
+                                 : formula::dielectricReflectance(m, 1.0f, ior);
   return formula::tintedReflectance(m, here, f0);
 }
 
 glm::vec3 Bsdf::facetReflectance(const formula::Surface& surface, const Walk& walk, float cosine) const {
   const float bounded = std::clamp(cosine, 0.0f, 1.0f);
-  if (walk.is_metal) return formula::metalReflectance(surface, bounded);
-  if (material().dispersion > 0.0f && !walk.is_refracted) return formula::smoothDielectric(surface, bounded);
+  if (walk.is_metal) return formula::metalReflectance(surface.material, bounded);
+  if (material().dispersion > 0.0f && !walk.is_refracted) return formula::smoothDielectric(surface.material, bounded);
   return reflectanceOfIndex(surface, walk, bounded);
 }
 
@@ -165,7 +170,7 @@ glm::vec3 Bsdf::directFromFacets(const Walk& walk, const LightSample& light, flo
   const glm::vec3 reflectance = facetReflectance(surface_, walk, glm::dot(w, glm::normalize(w + l)));
   const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance)) * part;
   return walk.weight * reflectance *
-         (density * escapeProbability(alpha_, l, walk.height) * misWeight(light, own) / light.pdf);
+         (density * escapeProbability(alpha_, l, walk.height) * lightWeight(light, own) / light.pdf);
 }
 
 /// What two facets send there, the second one chosen before the ray to it: the first one seldom reflects a ray that a
@@ -205,7 +210,7 @@ glm::vec3 Bsdf::directThroughFacets(const Walk& walk, const LightSample& light) 
   const float own = density * (1.0f - maxComponent(facet.reflectance));
   const float height = refraction_.is_thin ? walk.height : -walk.height;
   return walk.weight * facetTransmittance(walk, facet) *
-         (density * escapeProbability(alpha_, -l, height) * misWeight(light, own) / light.pdf);
+         (density * escapeProbability(alpha_, -l, height) * lightWeight(light, own) / light.pdf);
 }
 
 /// What the matter below a facet, or from inside before it, scatters back into the light's direction.
@@ -216,7 +221,7 @@ glm::vec3 Bsdf::directFromMatter(const Walk& walk, const LightSample& light, con
   const glm::vec3 entered = is_inside ? glm::vec3(1.0f) : facet.entering;
   const float density = walk.meeting * scattered * formula::pdfDiffuse(walk.side() * light.direction);
   const float own = density * (is_inside ? 1.0f : 1.0f - maxComponent(facet.reflectance));
-  return walk.weight * material().base_color * entered * (density * misWeight(light, own) / light.pdf);
+  return walk.weight * material().base_color * entered * (density * lightWeight(light, own) / light.pdf);
 }
 
 /// The share of a ray that facets reflect or refract: from inside, matter scatters its share before they are met, so
@@ -246,6 +251,11 @@ void Bsdf::chooseNext(Walk& walk, const Facet& facet, glm::vec2 u, SampleSequenc
   if (u.y < material().transmission) return transmit(walk, facet);
   const bool is_inside = isInMatter(walk);
   const glm::vec3 entered = facet.entering / std::max(1.0f - share, 1e-30f);
+  if (refraction_.is_coat) {
+    walk.weight *= entered;
+    walk.has_entered = true;
+    return;
+  }
   const glm::vec3 l = formula::sampleDiffuse(samples.next());
   walk.weight *= material().base_color * (is_inside ? glm::vec3(1.0f) : entered);
   walk.pdf =
@@ -305,6 +315,10 @@ Scattering Bsdf::scatter(glm::vec3 v, const LightSample& light, SampleSequence& 
     }
     if (result.next) return result;
     chooseNext(walk, facet, for_choice, samples);
+    if (walk.has_entered) {
+      result.enters = walk.weight;
+      return result;
+    }
   }
   return result;
 }

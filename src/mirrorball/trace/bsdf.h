@@ -24,6 +24,7 @@ struct Refraction {
   float ior = 1.0f;        ///< of the inside over the outside; at the wavelength that light has once it is refracted
   glm::vec3 weight{1.0f};  ///< of what is refracted: that wavelength's in red, green and blue
   bool is_thin = false;    ///< it is a sheet, which has no inside and does not refract
+  bool is_coat = false;    ///< what it does not reflect enters what lies below it, and ends the walk
 };
 
 /// What becomes of light at a surface.
@@ -33,11 +34,16 @@ struct Scattering {
   /// Where the path goes on; nothing where the walk had no end. Light that is found there counts by its weight against
   /// the density of a light sample there (balanceHeuristic).
   std::optional<BsdfSample> next = {};
+  /// Where the path has entered what lies below a coat: the share that it still carries.
+  std::optional<glm::vec3> enters = {};
 };
 
 /// The weight of a choice against another one that could have chosen the same (the balance heuristic: Veach & Guibas
 /// 1995).
 float balanceHeuristic(float chosen_pdf, float other_pdf);
+
+/// The weight of a light sample against a surface's own choice.
+float lightWeight(const LightSample& light, float own_pdf);
 
 /// How a point of a surface scatters light: glTF's metallic-roughness material as a random walk between the facets of a
 /// rough surface (microsurface.h). What a dielectric's facets do not reflect is scattered by the matter below them
@@ -74,7 +80,7 @@ class Bsdf {
   struct Facet;
   bool chooseMetal(SampleSequence& samples) const;
   const formula::Material& material() const { return surface_.material; }
-  bool isSmooth() const { return alpha_ == 0.0f; }
+  bool isSmooth() const { return is_smooth_; }
   /// Whether both sides have one index.
   bool goesStraightOn() const { return !refraction_.is_thin && std::abs(refraction_.ior - 1.0f) < 1e-4f; }
   bool isInMatter(const Walk& walk) const;
@@ -93,7 +99,8 @@ class Bsdf {
   formula::Surface surface_;  // its material alone
   formula::Surface entered_;  // what it does not reflect enters: formula::withGreySpecular
   Refraction refraction_;
-  float alpha_;  // 0: smooth
+  glm::vec2 alpha_;
+  bool is_smooth_;
 };
 
 }  // namespace mirrorball

@@ -170,7 +170,7 @@ TEST(Bsdf, SingleScatteringIsTheFormulas) {
       SampleSequence samples(6, i);
       value.add(double(evaluated(bsdf, v, l, samples)));
     }
-    const double expected = double(formula::evalGgx(alpha, v, l) * l.z * kReflectance);
+    const double expected = double(formula::evalGgx(glm::vec2(alpha), v, l) * l.z * kReflectance);
     EXPECT_NEAR(value.mean(), expected, 2e-3 * expected + 4.0 * value.error());
   }
 }
@@ -186,7 +186,7 @@ TEST(Bsdf, LightSamplesAndFoundLightAreBalanced) {
       for (std::uint32_t i = 0; i < 20000; ++i) {
         SampleSequence samples(8, i);
         const glm::vec3 l = onSphere(samples.next());
-        const auto [direct, next] = bsdfOf(one).scatter(directionOf(cosine), {l, uniform}, samples);
+        const auto [direct, next, enters] = bsdfOf(one).scatter(directionOf(cosine), {l, uniform}, samples);
         const float found =
             !next ? 0.0f : next->weight.y * (next->pdf > 0.0f ? balanceHeuristic(next->pdf, uniform) : 1.0f);
         light.add(double(direct.y + found));
@@ -229,7 +229,7 @@ TEST(Bsdf, ALampBetweenTheFacetsIsFoundEvenly) {
       const float z = 1.0f - u.x * (1.0f - kCosine), radius = std::sqrt(1.0f - z * z);
       const glm::vec3 l =
           z * lamp + radius * (std::cos(formula::kTwoPi * u.y) * x + std::sin(formula::kTwoPi * u.y) * y);
-      const auto [direct, next] = bsdf.scatter(directionOf(0.6f), {l, pdf}, samples);
+      const auto [direct, next, enters] = bsdf.scatter(directionOf(0.6f), {l, pdf}, samples);
       const bool finds = next && glm::dot(next->direction, lamp) > kCosine;
       light.add(double(direct.y + (finds ? next->weight.y * balanceHeuristic(next->pdf, pdf) : 0.0f)));
     }

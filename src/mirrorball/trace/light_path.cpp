@@ -11,8 +11,10 @@
 #include "formula/surface.h"
 #include "formula/tangent.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
+#include "mirrorball/bake/brdf/sheen_albedo.h"
 #include "mirrorball/scene/bodies/surrounding_media.h"
 #include "mirrorball/trace/bsdf.h"
+#include "mirrorball/trace/layered_bsdf.h"
 #include "mirrorball/trace/surface_point.h"
 
 namespace mirrorball {
@@ -23,15 +25,6 @@ constexpr int kMaxPassed = 512;
 /// From this surface on, dark paths are ended at random (Russian roulette).
 constexpr int kFirstRoulette = 4;
 
-/// The frame of a surface: +Z is its normal.
-struct Frame {
-  explicit Frame(glm::vec3 normal) : n(normal), t(formula::anyTangent(normal)), b(glm::cross(normal, t)) {}
-  glm::vec3 toLocal(glm::vec3 w) const { return {glm::dot(w, t), glm::dot(w, b), glm::dot(w, n)}; }
-  glm::vec3 toWorld(glm::vec3 w) const { return w.x * t + w.y * b + w.z * n; }
-
-  glm::vec3 n, t, b;
-};
-
 /// What light of a wavelength counts for that has been chosen by formula::sampleWavelength.
 glm::vec3 shareOfWavelength(float wavelength) {
   const float all = formula::kLongestWavelength - formula::kShortestWavelength;
@@ -40,9 +33,7 @@ glm::vec3 shareOfWavelength(float wavelength) {
 
 /// The colour of a surface: its base colour, or a metal's reflectance at normal incidence.
 glm::vec3 albedoOf(const formula::Material& material) {
-  formula::Surface surface;
-  surface.material = material;
-  return glm::mix(material.base_color, formula::metalReflectance(surface, 1.0f), material.metallic);
+  return glm::mix(material.base_color, formula::metalReflectance(material, 1.0f), material.metallic);
 }
 
 /// A path on its way from the eye.
@@ -79,7 +70,8 @@ class Path {
   float iorBeyond(const Vertex& vertex) const;
   formula::Material materialAt(const Vertex& vertex) const;
   LightSample sampleLight();
-  glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, glm::vec3 normal);
+  glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, const Frame& frame);
+  glm::vec3 coatNormal(const Vertex& vertex) const;
   Ray leaving(const Vertex& vertex, glm::vec3 direction) const;
   bool survivesRoulette();
   std::optional<Ray> scatter(const Vertex& vertex, glm::vec3 normal);
@@ -227,22 +219,42 @@ LightSample Path::sampleLight() {
   return sample;
 }
 
+/// The normal of a clear coat, on the side that the ray comes from.
+glm::vec3 Path::coatNormal(const Vertex& vertex) const {
+  const glm::vec3 outwards = vertex.point.coat_normal;
+  return formula::facingNormal(vertex.is_outside ? outwards : -outwards, vertex.arriving.direction);
+}
+
 /// Phong's point lights and the model's own, as far as nothing is in their way. They light the outside of bodies.
-glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& material, glm::vec3 normal) {
+glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& material, const Frame& frame) {
   const std::vector<ModelLight>& of_model = world_.scene.lights;
   const bool is_inside = vertex.is_body && !vertex.is_outside;
   if ((settings_.lights.empty() && of_model.empty()) || is_inside) return glm::vec3(0.0f);
   const Ray& arriving = vertex.arriving;
-  const float cosine = std::clamp(-glm::dot(arriving.direction, normal), 0.0f, 1.0f);
-  const DirectionalAlbedo albedo = directionalAlbedo(Distribution::ggx, material.perceptual_roughness, cosine);
+  const auto cosineTo = [&](glm::vec3 normal) { return std::clamp(-glm::dot(arriving.direction, normal), 0.0f, 1.0f); };
+  const auto environmentBrdf = [&](float perceptual_roughness, glm::vec3 normal) -> glm::vec2 {
+    const DirectionalAlbedo albedo = directionalAlbedo(Distribution::ggx, perceptual_roughness, cosineTo(normal));
+    return {1.0f - albedo.total(), albedo.grazing()};
+  };
+  const glm::vec2 alpha = formula::stretchedAlpha(material.perceptual_roughness, material.anisotropy);
   formula::Surface surface;
   surface.material = material;
-  surface.normal = normal;
-  surface.environment_brdf = {1.0f - albedo.total(), albedo.grazing()};
+  surface.normal = frame.n;
+  surface.tangent = frame.t;
+  surface.environment_brdf = environmentBrdf(std::sqrt(formula::roundAlpha(alpha)), frame.n);
+  const bool has_sheen = material.sheen_color != glm::vec3(0.0f);
+  surface.sheen_albedo = has_sheen ? sheenAlbedo(material.sheen_roughness, cosineTo(frame.n)) : 0.0f;
+  surface = formula::seenAlong(surface, arriving.direction);
+  const Frame coat_frame(material.clearcoat > 0.0f ? coatNormal(vertex) : frame.n);
+  const formula::Surface coat = formula::coatOf(surface, arriving.direction, coat_frame.n, coat_frame.t,
+                                                environmentBrdf(material.clearcoat_roughness, coat_frame.n));
   const glm::vec3 place = arriving.origin + vertex.hit.distance * arriving.direction;
   glm::vec3 light(0.0f);
   const auto add = [&](const formula::Lamp& lamp, float factor) {
-    const glm::vec3 shaded = factor * formula::shadedByLamp(surface, arriving.direction, place, lamp);
+    glm::vec3 shaded = factor * formula::shadedByLamp(surface, arriving.direction, place, lamp);
+    if (material.clearcoat > 0.0f)
+      shaded = formula::underCoat(coat, material.clearcoat, shaded,
+                                  factor * formula::shadedByLamp(coat, arriving.direction, place, lamp));
     if (shaded == glm::vec3(0.0f)) return;
     const bool is_far = lamp.kind == formula::kLampDirectional;
     const float distance = is_far ? INFINITY : glm::distance(lamp.position, place);
@@ -293,22 +305,26 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
     new_wavelength = 0.0f;
   }
   const formula::Material material = materialAt(vertex);
-  const Frame frame(normal);
-  const Bsdf bsdf(material, refractionAt(vertex, new_wavelength));
+  const Frame frame(normal, formula::turnedTangent(vertex.point.tangent, normal, vertex.point.stretched));
+  LayeredBsdf bsdf(Bsdf(material, refractionAt(vertex, new_wavelength)), frame);
+  if (vertex.is_outside || !vertex.is_body) {
+    bsdf.addSheen(material);
+    if (material.clearcoat > 0.0f) bsdf.addCoat(material, Frame(coatNormal(vertex)));
+  }
   const LightSample light = bsdf.takesLightSamples() ? sampleLight() : LightSample();
   const glm::vec3 towards = glm::transpose(settings_.environment_from_world) * light.direction;
-  const LightSample local{frame.toLocal(towards), light.pdf, light.is_weighed};
-  const glm::vec3 v = frame.toLocal(-vertex.arriving.direction);
-  const auto [direct, next] = bsdf.scatter(v, local, samples_);
+  const LayeredScattering scattered =
+      bsdf.scatter(-vertex.arriving.direction, {towards, light.pdf, light.is_weighed}, samples_);
+  const auto& [direct, next, enters] = scattered.scattering;
   if (direct != glm::vec3(0.0f))
     sum_ +=
         throughput_ * direct * shareThatArrives(leaving(vertex, towards), INFINITY) * environmentAlong(light.direction);
-  sum_ += throughput_ * lightOfLamps(vertex, material, normal);
+  sum_ += throughput_ * (lightOfLamps(vertex, material, frame) + scattered.share_below * material.emission);
   if (!next) return std::nullopt;
   if (next->is_refracted && new_wavelength > 0.0f) wavelength_ = new_wavelength;
   throughput_ *= next->weight;
   pdf_ = next->pdf;
-  return leaving(vertex, glm::normalize(frame.toWorld(next->direction)));
+  return leaving(vertex, glm::normalize(next->direction));
 }
 
 PathLight Path::follow(Ray ray) {
@@ -345,8 +361,10 @@ PathLight Path::follow(Ray ray) {
       result.albedo = albedoOf(vertex.point.material);
       result.normal = facing * normal;
     }
-    sum_ += throughput_ * vertex.point.material.emission;
-    if (vertex.surface.unlit) return ended();
+    if (vertex.surface.unlit) {
+      sum_ += throughput_ * vertex.point.material.emission;
+      return ended();
+    }
     const auto next = scatter(vertex, normal);
     if (!next || (surfaces >= kFirstRoulette && !survivesRoulette())) return ended();
     ray = *next;

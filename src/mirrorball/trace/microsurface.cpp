@@ -9,7 +9,7 @@ namespace mirrorball {
 namespace {
 
 /// Smith's Λ for all directions: downwards Λ(w) = −1 − Λ(−w), which is −1 straight down.
-float smithLambda(float alpha, glm::vec3 w) {
+float smithLambda(glm::vec2 alpha, glm::vec3 w) {
   const float upwards = formula::ggxLambda(alpha, w);
   return w.z >= 0.0f ? upwards : -1.0f - upwards;
 }
@@ -20,12 +20,12 @@ float heightOfShare(float share) { return std::clamp(2.0f * share - 1.0f, -1.0f,
 
 }  // namespace
 
-float escapeProbability(float alpha, glm::vec3 w, float height) {
+float escapeProbability(glm::vec2 alpha, glm::vec3 w, float height) {
   if (w.z <= 0.0f) return 0.0f;
   return std::pow(shareBelow(height), formula::ggxLambda(alpha, w));
 }
 
-float heightOfNextFacet(float alpha, glm::vec3 w, float height, float u) {
+float heightOfNextFacet(glm::vec2 alpha, glm::vec3 w, float height, float u) {
   constexpr float kStraight = 0.9999f;
   constexpr float kLevel = 1e-4f;
   if (w.z < -kStraight) return heightOfShare(u * shareBelow(height));
@@ -36,7 +36,7 @@ float heightOfNextFacet(float alpha, glm::vec3 w, float height, float u) {
   return heightOfShare(shareBelow(height) / std::pow(gets_there, 1.0f / smithLambda(alpha, w)));
 }
 
-float densityOfMetFacets(float alpha, glm::vec3 w, glm::vec3 h) {
+float densityOfMetFacets(glm::vec2 alpha, glm::vec3 w, glm::vec3 h) {
   // The area of facets that is seen along w: the cosine for what the surface shows, and Λ for what facets hide.
   const float seen = w.z >= 0.0f ? w.z * (1.0f + formula::ggxLambda(alpha, w)) : -w.z * formula::ggxLambda(alpha, w);
   const float cosine = glm::dot(w, h);

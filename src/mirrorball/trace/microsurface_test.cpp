@@ -10,23 +10,23 @@ namespace {
 TEST(Microsurface, ARayFindsAWayOutOfTheDeepestPit) {
   const glm::vec3 up = glm::normalize(glm::vec3(0.7f, 0.0f, 0.7f));
   for (const float u : {0.0f, 0.1f, 0.5f, 0.9f, 0.999999f}) {
-    const float height = heightOfNextFacet(0.1f, up, -1.0f, u);
+    const float height = heightOfNextFacet(glm::vec2(0.1f), up, -1.0f, u);
     EXPECT_FALSE(std::isnan(height)) << u;
     EXPECT_GE(height, -1.0f) << u;
   }
-  EXPECT_GT(escapeProbability(0.1f, up, -1.0f), 0.0f);
+  EXPECT_GT(escapeProbability(glm::vec2(0.1f), up, -1.0f), 0.0f);
 }
 
 // Of the rays from a height, as many get above another one as there are fewer that escape from below it.
 TEST(Microsurface, HeightsAreMetAsOftenAsRaysDoNotGetHigher) {
   const glm::vec3 w = glm::normalize(glm::vec3(0.9f, 0.0f, 0.2f));
   constexpr float kAlpha = 0.7f, kBegin = -0.6f, kLimit = 0.1f;
-  const float escapes = escapeProbability(kAlpha, w, kBegin);
+  const float escapes = escapeProbability(glm::vec2(kAlpha), w, kBegin);
   int lower = 0;
   constexpr int kRays = 10000;
   for (int i = 0; i < kRays; ++i)
-    lower += heightOfNextFacet(kAlpha, w, kBegin, (float(i) + 0.5f) / kRays) < kLimit ? 1 : 0;
-  const float gets_past_limit = escapes / escapeProbability(kAlpha, w, kLimit);
+    lower += heightOfNextFacet(glm::vec2(kAlpha), w, kBegin, (float(i) + 0.5f) / kRays) < kLimit ? 1 : 0;
+  const float gets_past_limit = escapes / escapeProbability(glm::vec2(kAlpha), w, kLimit);
   EXPECT_NEAR(float(lower) / kRays, (1.0f - gets_past_limit) / (1.0f - escapes), 1e-3f);
 }
 
@@ -34,9 +34,9 @@ TEST(Microsurface, HeightsAreMetAsOftenAsRaysDoNotGetHigher) {
 TEST(Microsurface, ARayFromAboveMeetsAFacet) {
   for (const float z : {-1.0f, -0.5f, -0.01f}) {
     const glm::vec3 w(std::sqrt(1.0f - z * z), 0.0f, z);
-    EXPECT_EQ(escapeProbability(0.3f, w, kAboveAllFacets), 0.0f);
+    EXPECT_EQ(escapeProbability(glm::vec2(0.3f), w, kAboveAllFacets), 0.0f);
     for (const float u : {0.0f, 0.5f, 0.999f}) {
-      const float height = heightOfNextFacet(0.3f, w, kAboveAllFacets, u);
+      const float height = heightOfNextFacet(glm::vec2(0.3f), w, kAboveAllFacets, u);
       EXPECT_GE(height, -1.0f);
       EXPECT_LE(height, 1.0f);
     }
@@ -61,7 +61,8 @@ TEST(Microsurface, DensitiesIntegrateToOne) {
           const glm::vec3 h(sine * std::cos(phi), sine * std::sin(phi), cosine);
           // dω = ½ cos³ d(tan²) dφ, and d(tan²) = alpha² / (1 − u)² du.
           const double area = 0.5 * cosine * cosine2 * double(alpha) * double(alpha) / ((1.0 - u) * (1.0 - u));
-          sum += double(densityOfMetFacets(alpha, w, h)) * area * 2.0 * left * 6.283185307179586 / kSteps / kSteps;
+          sum += double(densityOfMetFacets(glm::vec2(alpha), w, h)) * area * 2.0 * left * 6.283185307179586 / kSteps /
+                 kSteps;
         }
       EXPECT_NEAR(sum, 1.0, 2e-3) << alpha << ", " << z;
     }

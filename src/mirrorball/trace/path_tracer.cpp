@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 
@@ -87,6 +88,19 @@ Result<PathTracer> PathTracer::make(Scene scene, Environment environment, const 
   std::vector<glm::mat3> world_from_normal = normalMatrices(scene);
   return PathTracer(std::unique_ptr<State>(new State{{std::move(scene), std::move(environment), std::move(lights),
                                                       std::move(geometry), std::move(world_from_normal)}}));
+}
+
+Result<void> PathTracer::setScene(Scene scene) {
+  MIRRORBALL_TRY(geometry, Geometry::make(scene));
+  state_->geometry = std::move(geometry);
+  state_->world_from_normal = normalMatrices(scene);
+  state_->scene = std::move(scene);
+  return {};
+}
+
+void PathTracer::setMaterials(std::vector<Material> materials) {
+  assert(materials.size() == state_->scene.materials.size());
+  state_->scene.materials = std::move(materials);
 }
 
 /// returns  whether the pass is whole

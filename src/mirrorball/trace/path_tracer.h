@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -71,6 +72,17 @@ class PathTracer {
   ~PathTracer();
 
   const Scene& scene() const;
+
+  /// Replaces the scene; the environment's table stays.
+  ///
+  /// errors   as make's; the scene is then the one before
+  /// cost     the tree of triangles
+  Result<void> setScene(Scene scene);
+
+  /// Replaces the scene's materials; the tree of triangles stays.
+  ///
+  /// materials   for each of those before one
+  void setMaterials(std::vector<Material> materials);
 
   /// Draws passes over the whole picture, each with as many paths as all before it, up to 128.
   ///

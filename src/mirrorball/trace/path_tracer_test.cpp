@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -101,6 +102,26 @@ TEST(PathTracer, GivesTheSameBitsForAnyNumberOfThreads) {
 
 // A sun of 10⁵ over half a degree: no pixel is an outlier, on plastic or, by way of several facets, on rough metal.
 // Chosen by the cosine alone, one path in 10⁵ would find it.
+// The tree of triangles and the environment's table stay, and nothing of what was before is seen.
+TEST(PathTracer, WhatIsReplacedIsAsMadeAnew) {
+  Environment light = *builtinEnvironment("studio");
+  const TraceSettings settings = small(4);
+  const Camera camera = makeCamera({}, boundingSphere(shapeOf("cube", matt(0.5f))), 1.0f);
+  const auto pictureOf = [&](const PathTracer& tracer) { return tracer.render(camera, settings)->radiance; };
+  const auto anew = [&](const Scene& scene) { return pictureOf(*PathTracer::make(scene, light)); };
+  auto tracer = PathTracer::make(shapeOf("cube", matt(0.5f)), light);
+  ASSERT_TRUE(tracer);
+
+  Material metal = matt(0.9f);
+  metal.metallic = 1.0f;
+  tracer->setMaterials({metal});
+  EXPECT_TRUE(std::ranges::equal(pictureOf(*tracer).samples(), anew(shapeOf("cube", metal)).samples()));
+  Scene turned = shapeOf("torus", matt(0.2f));
+  turned.instances[0].world_from_object = glm::rotate(glm::mat4(1.0f), 1.0f, glm::vec3(1.0f, 0.0f, 0.0f));
+  ASSERT_TRUE(tracer->setScene(turned));
+  EXPECT_TRUE(std::ranges::equal(pictureOf(*tracer).samples(), anew(turned).samples()));
+}
+
 TEST(PathTracer, ASmallSunGivesNoFireflies) {
   const glm::vec3 sun = glm::normalize(glm::vec3(0.3f, 0.5f, 1.0f));
   const Environment environment(

@@ -43,9 +43,12 @@ glm::vec4 fetchMap(const TextureMap& map, glm::ivec2 texel, int) {
   return map.texture.srgb ? glm::vec4(formula::linearFromSrgb(glm::vec3(light)), light.w) : light;
 }
 
-/// What a slot's texture holds there; 1 where there is none.
-glm::vec4 sampleSlot(const Scene& scene, const TextureSlot& slot, const Corners& corners) {
-  if (slot.texture < 0) return glm::vec4(1.0f);
+/// What a slot's texture holds there.
+///
+/// absent   where there is none
+glm::vec4 sampleSlot(const Scene& scene, const TextureSlot& slot, const Corners& corners,
+                     glm::vec4 absent = glm::vec4(1.0f)) {
+  if (slot.texture < 0) return absent;
   const glm::vec2 moved = uvMatrix(slot) * corners.uv(slot.uv_set) + slot.offset;
   const Texture& texture = scene.textures[std::size_t(slot.texture)];
   return formula::filteredMap(TextureMap{texture}, moved, 0.0f,
@@ -64,18 +67,38 @@ float opacityOf(const Material& material, float alpha) {
   return std::clamp(alpha, 0.0f, 1.0f);
 }
 
-/// The world's normal of smooth surface, bumps and normal map.
-glm::vec3 normalAt(const Scene& scene, const Material& material, const Corners& corners, const glm::mat3& linear,
-                   const glm::mat3& world_from_normal) {
-  glm::vec3 object = corners.at(&Vertex::normal);
+/// The world's normals: of the surface with bumps and normal map, and of a clear coat, which has its own map.
+void setNormals(const Scene& scene, const Material& material, const Corners& corners,
+                const glm::mat3& world_from_normal, SurfacePoint& point) {
+  const glm::vec3 vertex = corners.at(&Vertex::normal);
+  glm::vec3 object = vertex;
   if (material.bump == BumpHeight::orange)
     object = formula::orangeNormal(corners.at(&Vertex::position), glm::normalize(object), material.bump_height,
                                    material.bump_frequency);
-  const glm::vec3 n = glm::normalize(world_from_normal * object);
-  if (material.normal_map.texture < 0) return n;
-  const glm::vec4 tangent(linear * glm::vec3(corners.at(&Vertex::tangent)), corners.vertices[0]->tangent.w);
-  return formula::mappedNormal(tangent, n, glm::vec3(sampleSlot(scene, material.normal_map, corners)),
-                               material.normal_scale);
+  const auto mapped = [&](glm::vec3 n, const TextureSlot& slot, float scale) {
+    if (slot.texture < 0) return n;
+    return formula::mappedNormal(point.tangent, n, glm::vec3(sampleSlot(scene, slot, corners)), scale);
+  };
+  point.normal = mapped(glm::normalize(world_from_normal * object), material.normal_map, material.normal_scale);
+  point.coat_normal = mapped(glm::normalize(world_from_normal * vertex), material.clearcoat_normal_map,
+                             material.clearcoat_normal_scale);
+}
+
+/// What glTF's extensions lay on the surface.
+void setLayers(const Scene& scene, const Material& material, const Corners& corners, SurfacePoint& point) {
+  const auto sample = [&](const TextureSlot& slot) { return sampleSlot(scene, slot, corners); };
+  formula::Material& m = point.material;
+  m.clearcoat *= sample(material.clearcoat_map).x;
+  m.clearcoat_roughness *= sample(material.clearcoat_roughness_map).y;
+  m.sheen_color *= glm::vec3(sample(material.sheen_color_map));
+  m.sheen_roughness *= sample(material.sheen_roughness_map).w;
+  m.iridescence *= sample(material.iridescence_map).x;
+  m.iridescence_thickness =
+      glm::mix(m.iridescence_thickness_minimum, m.iridescence_thickness, sample(material.iridescence_thickness_map).y);
+  if (m.anisotropy <= 0.0f) return;
+  const glm::vec4 stretched = sampleSlot(scene, material.anisotropy_map, corners, {1.0f, 0.5f, 1.0f, 1.0f});
+  m.anisotropy *= stretched.z;
+  point.stretched = formula::anisotropyTurn(glm::vec2(stretched) * 2.0f - 1.0f, m.anisotropy_rotation);
 }
 
 }  // namespace
@@ -97,10 +120,12 @@ SurfacePoint surfacePointAt(const Scene& scene, const glm::mat3& world_from_norm
   const Material& material = materialOf(scene, hit.instance);
   const Corners corners = cornersOf(scene, hit);
   SurfacePoint point;
-  point.normal =
-      normalAt(scene, material, corners, glm::mat3(scene.instances[hit.instance].world_from_object), world_from_normal);
+  const glm::mat3 linear(scene.instances[hit.instance].world_from_object);
+  point.tangent = glm::vec4(linear * glm::vec3(corners.at(&Vertex::tangent)), corners.vertices[0]->tangent.w);
+  setNormals(scene, material, corners, world_from_normal, point);
   // Degenerate vertices and maps have no normal.
-  if (glm::any(glm::isnan(point.normal))) point.normal = hit.geometric_normal;
+  for (glm::vec3* normal : {&point.normal, &point.coat_normal})
+    if (glm::any(glm::isnan(*normal))) *normal = hit.geometric_normal;
   point.material = material;
   point.material.base_color = glm::vec3(colorAt(scene, material, corners));
   point.material.perceptual_roughness *= sampleSlot(scene, material.roughness_map, corners).y;
@@ -109,6 +134,7 @@ SurfacePoint surfacePointAt(const Scene& scene, const glm::mat3& world_from_norm
   point.material.specular_color *= glm::vec3(sampleSlot(scene, material.specular_color_map, corners));
   point.material.transmission *= sampleSlot(scene, material.transmission_map, corners).x;
   point.material.emission *= glm::vec3(sampleSlot(scene, material.emission_map, corners));
+  setLayers(scene, material, corners, point);
   if (material.unlit) point.material = formula::unlitMaterial(point.material, point.material.base_color);
   return point;
 }

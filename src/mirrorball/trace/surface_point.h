@@ -13,8 +13,11 @@ namespace mirrorball {
 /// A point of a surface with all that its material and its textures say of it: what shaders/surface/ makes of a
 /// fragment.
 struct SurfacePoint {
-  glm::vec3 normal{0.0f};      ///< of the surface with bumps and normal map, unit, outwards
-  formula::Material material;  ///< times what the textures hold here
+  glm::vec3 normal{0.0f};           ///< of the surface with bumps and normal map, unit, outwards
+  glm::vec4 tangent{0.0f};          ///< of growing u; the sign of the bitangent
+  glm::vec2 stretched{1.0f, 0.0f};  ///< cosine and sine of the angle from there to the way that roughness is stretched
+  glm::vec3 coat_normal{0.0f};      ///< of a clear coat, unit, outwards
+  formula::Material material;       ///< times what the textures hold here
 };
 
 /// What turns the normals of each instance's mesh into the world's: not their lengths.

@@ -16,20 +16,6 @@ namespace {
 /// sharp a lobe as any picture can tell from a mirror, with grazing angles of 10⁻⁸ rad still resolved.
 constexpr float kMinRoughness = 1e-4f;
 
-/// The n·v of a place along warped axes: formula::brdfTableColumn turned round, by bisection.
-float cosineOfColumn(float column, float perceptual_roughness) {
-  if (column <= 0.0f) return 0.0f;
-  if (column >= 1.0f) return 1.0f;
-  // Halving the logarithm: small angles have as many digits as large ones.
-  float low = -60.0f;
-  float high = 0.0f;
-  for (int step = 0; step < 40; ++step) {
-    const float middle = (low + high) / 2.0f;
-    (formula::brdfTableColumn(perceptual_roughness, std::exp2(middle)) < column ? low : high) = middle;
-  }
-  return std::min(std::exp2((low + high) / 2.0f), 1.0f);
-}
-
 void fillRow(const BrdfTableOptions& options, int y, Image& table) {
   const bool is_warped = options.axes == BrdfAxes::warped;
   const auto place = [&](int index) {
@@ -39,7 +25,7 @@ void fillRow(const BrdfTableOptions& options, int y, Image& table) {
   const float perceptual_roughness = is_warped ? std::max(place(y), kMinRoughness) : place(y);
   const float mean = options.channels == 3 ? averageAlbedo(options.distribution, perceptual_roughness) : 0.0f;
   for (int x = 0; x < options.size; ++x) {
-    const float cosine = is_warped ? cosineOfColumn(place(x), perceptual_roughness) : place(x);
+    const float cosine = is_warped ? cosineOfWarpedColumn(place(x), perceptual_roughness) : place(x);
     const DirectionalAlbedo share = directionalAlbedo(options.distribution, perceptual_roughness, cosine);
     float* texel = table.texel(x, y);
     texel[0] = share.scale;
@@ -49,6 +35,21 @@ void fillRow(const BrdfTableOptions& options, int y, Image& table) {
 }
 
 }  // namespace
+
+// By bisection.
+float cosineOfWarpedColumn(float column, float perceptual_roughness) {
+  const float row = std::max(perceptual_roughness, kMinRoughness);
+  if (column <= 0.0f) return 0.0f;
+  if (column >= 1.0f) return 1.0f;
+  // Halving the logarithm: small angles have as many digits as large ones.
+  float low = -60.0f;
+  float high = 0.0f;
+  for (int step = 0; step < 40; ++step) {
+    const float middle = (low + high) / 2.0f;
+    (formula::brdfTableColumn(row, std::exp2(middle)) < column ? low : high) = middle;
+  }
+  return std::min(std::exp2((low + high) / 2.0f), 1.0f);
+}
 
 Result<Image> brdfTable(const BrdfTableOptions& options, const ProgressFunction& progress) {
   assert(options.channels == 2 || options.channels == 3);

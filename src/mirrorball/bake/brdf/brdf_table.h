@@ -32,4 +32,10 @@ inline constexpr int kLargestBrdfTable = 4096;
 /// from     Karis 2013, "Real shading in Unreal Engine 4"
 Result<Image> brdfTable(const BrdfTableOptions& options, const ProgressFunction& progress = {});
 
+/// The n·v of a column of warped axes: formula::brdfTableColumn turned round.
+///
+/// column                0, the first, to 1, the last
+/// perceptual_roughness  of the row; that of row 0 counts as 10⁻⁴
+float cosineOfWarpedColumn(float column, float perceptual_roughness);
+
 }  // namespace mirrorball

@@ -142,9 +142,9 @@ void forEachFacet(float perceptual_roughness, float cosine, glm::ivec2 count,
   const glm::vec3 v(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
   for (int i = 0; i < count.x * count.y; ++i) {
     const glm::vec2 u = (glm::vec2(i / count.y, i % count.y) + 0.5f) / glm::vec2(count);
-    const glm::vec3 l = formula::sampleGgx(alpha, v, u);
+    const glm::vec3 l = formula::sampleGgx(glm::vec2(alpha), v, u);
     if (l.z <= 0.0f) continue;
-    const double weight = formula::evalGgx(alpha, v, l) * l.z / formula::pdfGgx(alpha, v, l);
+    const double weight = formula::evalGgx(glm::vec2(alpha), v, l) * l.z / formula::pdfGgx(glm::vec2(alpha), v, l);
     visit(weight / (count.x * count.y), dot(v, normalize(v + l)));
   }
 }

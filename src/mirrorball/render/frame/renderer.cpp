@@ -173,9 +173,10 @@ LightCost Renderer::lightCost() const {
   const PrefilteredChain& chain = state.frame.prefiltered;
   const LightReads reads = lightReads(state.scene, blurOf(state.settings, light, chain), state.settings);
   LightCost cost{.reads = reads.sum()};
-  if (reads.environment > 0) cost.texture_bytes += light.cube().bytes();
-  if (reads.prefiltered > 0) cost.texture_bytes += chain.texture->bytes();
-  if (reads.irradiance > 0) cost.texture_bytes += light.irradiance().bytes();
+  const FlatLight* flat = state.frame.flat;
+  if (reads.environment > 0) cost.texture_bytes += (flat ? flat->environment : light.cube()).bytes();
+  if (reads.prefiltered > 0) cost.texture_bytes += (flat ? flat->prefiltered : *chain.texture).bytes();
+  if (reads.irradiance > 0) cost.texture_bytes += (flat ? flat->irradiance : light.irradiance()).bytes();
   if (reads.sphere_map > 0) cost.texture_bytes += state.sphere_map->bytes();
   return cost;
 }
@@ -384,6 +385,7 @@ Result<void> Renderer::State::drawBackFaces(const Camera& camera) {
 Result<void> Renderer::State::drawSample(const Camera& camera) {
   FrameUniforms of_sample = frame;
   of_sample.camera = camera;
+  of_sample.sample_phase = (static_cast<float>(samples_drawn) + 0.5f) / static_cast<float>(settings.samples);
   if (settings.refraction == RefractionKind::image_space) {
     MIRRORBALL_TRY_VOID(drawBackFaces(camera));
     of_sample.back_faces = &*back_faces;

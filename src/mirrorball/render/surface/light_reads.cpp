@@ -45,12 +45,21 @@ LightReads readsOf(const Material& material, const formula::Blur& blur, const Fr
                    bool is_sphere_map, bool some_disperse) {
   LightReads reads{.irradiance = 1};
   const int refracted = transmittedRays(material, settings, some_disperse);
-  const int reflected = is_sphere_map ? 0 : 1;
-  reads.sphere_map = 1 - reflected;
-  const glm::vec3 anywhere(0.0f, 0.0f, 1.0f);
-  for (int ray = 0; ray < reflected + refracted; ++ray)
-    formula::blurredLight(blur, CountingCube{reads.environment}, CountingCube{reads.prefiltered}, anywhere,
-                          material.perceptual_roughness, 0.0f);
+  const int coats = material.clearcoat > 0.0f ? 1 : 0;
+  const int lobes = material.anisotropy > 0.0f ? formula::kTapsOfStretchedLobe : 1;
+  const bool has_sheen = material.sheen_color != glm::vec3(0.0f);
+  const int on_cloth = has_sheen ? formula::kSheenRings * formula::kSheenSpokes : 0;
+  const int reflected = is_sphere_map ? 0 : lobes + coats;
+  reads.sphere_map = is_sphere_map ? 1 + coats : 0;
+  reads.irradiance += coats;
+  const auto read = [&](int times, float perceptual_roughness) {
+    const glm::vec3 anywhere(0.0f, 0.0f, 1.0f);
+    for (int i = 0; i < times; ++i)
+      formula::blurredLight(blur, CountingCube{reads.environment}, CountingCube{reads.prefiltered}, anywhere,
+                            perceptual_roughness, 0.0f);
+  };
+  read(reflected + refracted, material.perceptual_roughness);
+  read(on_cloth, formula::kSheenTapRoughness);
   return reads;
 }
 

@@ -8,6 +8,7 @@
 
 #include "mirrorball/bake/brdf/brdf_table.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
+#include "mirrorball/bake/brdf/sheen_albedo.h"
 #include "mirrorball/image/image_set.h"
 #include "mirrorball/render/surface/light_reads.h"
 
@@ -78,12 +79,13 @@ std::array<glm::vec4, formula::kMaxMedia> mediaRows(const formula::Media& media)
   return rows;
 }
 
-/// The BRDF table in the form of Surface::environment_brdf. What is missing to 1 lights a surface with all the light
-/// around it, and from rounded shares it would come out as some 2e-4 of that where it is nothing: of a sun more than of
-/// a room.
+/// The BRDF table in the form of Surface::environment_brdf, and the sheen's albedo on the same axes. What is missing
+/// to 1 lights a surface with all the light around it, and from rounded shares it would come out as some 2e-4 of that
+/// where it is nothing: of a sun more than of a room.
 Result<Image> missingAndGrazing() {
   MIRRORBALL_TRY(table, brdfTable({.axes = BrdfAxes::warped}));
-  Image shares(table.width(), table.height(), 3);  // textures have one, three or four channels
+  Image shares(table.width(), table.height(), 3);
+  const auto place = [&](int index) { return static_cast<float>(index) / static_cast<float>(table.width() - 1); };
   for (int y = 0; y < table.height(); ++y)
     for (int x = 0; x < table.width(); ++x) {
       const DirectionalAlbedo albedo{.scale = table.texel(x, y)[0], .bias = table.texel(x, y)[1]};
@@ -91,6 +93,7 @@ Result<Image> missingAndGrazing() {
       // A mirror, row 0, has no facets that light could go to and fro between.
       share[0] = y == 0 ? 0.0f : std::max(1.0f - albedo.total(), 0.0f);
       share[1] = albedo.grazing();
+      share[2] = sheenAlbedo(place(y), cosineOfWarpedColumn(place(x), place(y)));
     }
   return shares;
 }
@@ -133,10 +136,12 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
 
 SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
                                           const FrameSettings& settings) const {
-  SurfaceVariant variant = surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings,
+  Material seen = scene.materials[std::size_t(material)];
+  const bool is_from_inside = eye_is_inside_ && isBody(seen);
+  if (is_from_inside) static_cast<formula::Material&>(seen) = formula::openMaterial(seen);  // without its layers
+  SurfaceVariant variant = surfaceVariant(seen, buffers.mapsOf(material), settings,
                                           settings.lights.size() + scene.lights.size(), coordinates_);
-  if (eye_is_inside_ && variant.has(Part::transmission, TransmissionPart::traced))
-    variant.choose(Part::material, MaterialPart::from_inside);
+  if (is_from_inside) variant.choose(Part::material, MaterialPart::from_inside);
   return variant;
 }
 
@@ -175,6 +180,7 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("texels_per_radian", blur.texels_per_radian);
   block.set("coarser", blur.coarser);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
+  block.set("sample_phase", frame.sample_phase);
   block.set("inner_bounces", settings.inner_bounces);
 }
 

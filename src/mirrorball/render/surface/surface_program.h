@@ -54,6 +54,7 @@ struct PrefilteredChain {
 struct FrameUniforms {
   PrefilteredChain prefiltered;
   Camera camera;
+  float sample_phase = 0.5f;  ///< of the sample that is drawn: (its number + ½) / their count
   glm::mat3 environment_from_world{1.0f};
   CoordinateMatrices coordinates;
   const FlatLight* flat = nullptr;        ///< where FrameSettings::look_up reads it
@@ -63,7 +64,7 @@ struct FrameUniforms {
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
-/// of formula/surface/shading.glsl. Needs no GL context.
+/// of formula/surface/shading.glsl, in its third the albedo of white cloth. Needs no GL context.
 ///
 /// cost     about 10 ms on 2 cores
 Result<Image> surfaceBrdfTable();

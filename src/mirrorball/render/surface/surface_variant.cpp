@@ -15,15 +15,20 @@ constexpr auto kCoordinates = std::to_array<Names>(
     {"coordinates_at_fragment.glsl", "coordinates_at_vertex.glsl", "coordinates_at_triangle.glsl"});
 constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl"});
 constexpr auto kDetail = std::to_array<Names>({"detail_none.glsl", "detail_normal_map.glsl"});
+constexpr auto kFilm = std::to_array<Names>({"film_none.glsl", "film_thin.glsl"});
+constexpr auto kAnisotropy = std::to_array<Names>({"anisotropy_none.glsl", "anisotropy_stretched.glsl"});
+constexpr auto kSheen = std::to_array<Names>({"sheen_none.glsl", "sheen_cloth.glsl"});
 constexpr auto kMaterial =
     std::to_array<Names>({"material_core.glsl", "material_unlit.glsl", "material_from_inside.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
-constexpr auto kLookUp = std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl"});
+constexpr auto kLookUp =
+    std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl"});
 constexpr auto kTransmission =
     std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl",
                           "transmission_image_space.glsl", "transmission_traced.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
+constexpr auto kCoat = std::to_array<Names>({"coat_none.glsl", "coat_clear.glsl", "coat_clear_mapped.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
 
 constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
@@ -31,11 +36,15 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
     {"coordinates", kCoordinates},
     {"normal", kNormal},
     {"detail", kDetail},
+    {"film", kFilm},
+    {"anisotropy", kAnisotropy},
+    {"sheen", kSheen},
     {"material", kMaterial},
     {"arriving light", kArrivingLight},
     {"look-up", kLookUp},
     {"transmission", kTransmission},
     {"lamps", kLamps},
+    {"coat", kCoat},
     {"alpha", kAlpha},
 }};
 
@@ -67,6 +76,26 @@ TransmissionPart transmissionPart(const Material& material, const FrameSettings&
   return TransmissionPart::single;
 }
 
+CoatPart coatPart(const Material& material) {
+  if (material.clearcoat <= 0.0f) return CoatPart::none;
+  return material.clearcoat_normal_map.texture >= 0 ? CoatPart::clear_mapped : CoatPart::clear;
+}
+
+/// A stretched lobe is about the reflected ray of each fragment: where other coordinates are asked for, it is round.
+LookUpPart lookUpPart(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
+  if (coordinates.is_sphere_map) return LookUpPart::sphere_map;
+  const bool is_reflection = coordinates.look_up == Generated::reflection && settings.reflect_at == ReflectAt::fragment;
+  return material.anisotropy > 0.0f && is_reflection ? LookUpPart::stretched : LookUpPart::environment;
+}
+
+/// What glTF's extensions lay on the surface.
+void chooseLayers(SurfaceVariant& variant, const Material& material) {
+  if (material.iridescence > 0.0f) variant.choose(Part::film, FilmPart::thin);
+  if (material.anisotropy > 0.0f) variant.choose(Part::anisotropy, AnisotropyPart::stretched);
+  if (material.sheen_color != glm::vec3(0.0f)) variant.choose(Part::sheen, SheenPart::cloth);
+  variant.choose(Part::coat, coatPart(material));
+}
+
 constexpr std::array<Names, 3> kWraps{"kWrapRepeat", "kWrapMirroredRepeat", "kWrapClampToEdge"};  // by Wrap
 
 /// What a row's function returns that has a texture, and the uniforms for it.
@@ -95,6 +124,13 @@ MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const
 /// The row of the map whose coordinates may be generated.
 bool isPicture(std::size_t row) { return materialMaps()[row].slot == &Material::base_color_map; }
 
+/// What a row's function returns where the material has no texture.
+std::string absentValue(std::size_t row) {
+  const glm::vec4 absent = materialMaps()[row].absent;
+  return "vec4(" + std::to_string(absent.x) + ", " + std::to_string(absent.y) + ", " + std::to_string(absent.z) + ", " +
+         std::to_string(absent.w) + ")";
+}
+
 /// What a row's function returns that has a texture, with the coordinates that the frame chooses.
 MapReading chosenReading(const SurfaceVariant& variant, std::size_t row) {
   const std::string of_mesh = "mapCoordinates(point, " + std::to_string(row) + ")";
@@ -110,7 +146,7 @@ MapReading chosenReading(const SurfaceVariant& variant, std::size_t row) {
 }
 
 /// For each row of materialMaps() its function `vec4 base_color_map_at(SurfacePoint point)`: the texture where the
-/// material has one, and else 1, which multiplies nothing.
+/// material has one, and else what changes nothing.
 std::string mapsText(const SurfaceVariant& variant) {
   std::string text =
       "vec2 mapCoordinates(SurfacePoint point, int map) {\n"
@@ -121,7 +157,7 @@ std::string mapsText(const SurfaceVariant& variant) {
     text += "#include \"map_layers.glsl\"\n";
   for (std::size_t row = 0; row < variant.maps.size(); ++row) {
     const bool has_texture = variant.maps[row].unit >= 0;
-    const MapReading reading = has_texture ? chosenReading(variant, row) : MapReading{"", "vec4(1.0)"};
+    const MapReading reading = has_texture ? chosenReading(variant, row) : MapReading{"", absentValue(row)};
     text += reading.uniforms + "vec4 " + std::string(materialMaps()[row].name) + "_at(SurfacePoint point) { return " +
             reading.expression + "; }\n";
   }
@@ -161,7 +197,8 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.coordinates = coordinates;
   variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
-  variant.choose(Part::look_up, coordinates.is_sphere_map ? LookUpPart::sphere_map : LookUpPart::environment);
+  variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
+  chooseLayers(variant, material);
   variant.choose(Part::transmission, transmissionPart(material, settings));
   variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
   variant.lamp_count = static_cast<std::uint8_t>(lamps);

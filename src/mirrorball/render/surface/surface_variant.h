@@ -26,19 +26,38 @@ struct SurfaceQuestion {
 };
 
 /// The questions, in the order of their numbers.
-enum class Part { point, coordinates, normal, detail, material, arriving_light, look_up, transmission, lamps, alpha };
-constexpr std::size_t kParts = 10;
+enum class Part {
+  point,
+  coordinates,
+  normal,
+  detail,
+  film,
+  anisotropy,
+  sheen,
+  material,
+  arriving_light,
+  look_up,
+  transmission,
+  lamps,
+  coat,
+  alpha
+};
+constexpr std::size_t kParts = 14;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 
 // The answers, in the order of the table.
 enum class CoordinatesPart : std::uint8_t { at_fragment, at_vertex, at_triangle };
 enum class NormalPart : std::uint8_t { vertex, bump };
 enum class DetailPart : std::uint8_t { none, normal_map };
+enum class FilmPart : std::uint8_t { none, thin };
+enum class AnisotropyPart : std::uint8_t { none, stretched };
+enum class SheenPart : std::uint8_t { none, cloth };
 enum class MaterialPart : std::uint8_t { core, unlit, from_inside };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
-enum class LookUpPart : std::uint8_t { environment, sphere_map };
+enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched };
 enum class TransmissionPart : std::uint8_t { none, single, thin, image_space, traced };
 enum class LampsPart : std::uint8_t { none, listed };
+enum class CoatPart : std::uint8_t { none, clear, clear_mapped };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };
 
 /// Which shader draws a surface: an answer for each question, and where its material's maps are.

@@ -63,9 +63,7 @@ bool haveSameShape(const mirrorball::Texture& a, const mirrorball::Texture& b) {
 std::vector<std::string> approximate(Material& material) {
   std::vector<std::string> lost;
   if (material.conductor_k != glm::vec3(0.0f)) {
-    formula::Surface surface{};
-    surface.material = material;
-    material.base_color = formula::metalReflectance(surface, 1.0f);
+    material.base_color = formula::bareMetalReflectance(material, 1.0f);
     material.conductor_n = material.conductor_k = glm::vec3(0.0f);
     lost.emplace_back("the metal's complex index, but for its reflectance at normal incidence,");
   }

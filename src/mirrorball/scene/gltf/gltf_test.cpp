@@ -101,11 +101,13 @@ TEST(Gltf, LeavesOutPointsAndLinesWithAWarning) {
 TEST(Gltf, NamesEachExtensionThatItDoesNotReadOnce) {
   GltfMaker maker;
   maker.accessor(kTriangle, "VEC3");
-  const std::string materials = R"("materials":[{"extensions":{"KHR_materials_sheen":{},"KHR_materials_ior":{}}},)"
-                                R"({"extensions":{"KHR_materials_sheen":{}}}])";
+  const std::string materials =
+      R"("materials":[{"extensions":{"KHR_materials_diffuse_transmission":{},"KHR_materials_ior":{}}},)"
+      R"({"extensions":{"KHR_materials_diffuse_transmission":{}}}])";
   EXPECT_THAT(
       decoded(maker.gltf(primitive(), R"("extensionsUsed":["MSFT_lod","KHR_materials_ior"],)" + materials)).warnings,
-      ElementsAre(HasSubstr("model.gltf: what it says by KHR_materials_sheen and MSFT_lod is left out")));
+      ElementsAre(
+          HasSubstr("model.gltf: what it says by KHR_materials_diffuse_transmission and MSFT_lod is left out")));
   std::string many = "\"extensionsUsed\":[\"A\\nB\",\"" + std::string(5000, 'C') + "\"";
   for (int i = 0; i < 100; ++i) many += ",\"D" + std::to_string(i) + "\"";
   const std::vector<std::string> warnings = decoded(maker.gltf(primitive(), many + "]")).warnings;
@@ -339,8 +341,8 @@ TEST(Gltf, AnIndexOf0LeavesTheSpecularColour) {
   formula::Surface surface;
   surface.material = materialOf(
       R"({"extensions":{"KHR_materials_ior":{"ior":0},"KHR_materials_specular":{"specularColorFactor":[1,0.8,0.3]}}})");
-  EXPECT_LT(glm::distance(formula::smoothDielectric(surface, 1.0f), glm::vec3(1.0f, 0.8f, 0.3f)), 1e-6f);
-  EXPECT_LT(glm::distance(formula::smoothDielectric(surface, 0.0f), glm::vec3(1.0f)), 1e-6f);
+  EXPECT_LT(glm::distance(formula::smoothDielectric(surface.material, 1.0f), glm::vec3(1.0f, 0.8f, 0.3f)), 1e-6f);
+  EXPECT_LT(glm::distance(formula::smoothDielectric(surface.material, 0.0f), glm::vec3(1.0f)), 1e-6f);
   EXPECT_EQ(materialOf(R"({"extensions":{"KHR_materials_ior":{"ior":0.5}}})").ior, 1.5f) << "which is not allowed";
 }
 
@@ -355,10 +357,13 @@ TEST(Gltf, ReadsSpecularAndGlossinessWithoutLoss) {
   EXPECT_EQ(material.perceptual_roughness, 0.25f);
   EXPECT_EQ(material.opacity, 0.5f);
   surface.material = material;
+  surface.normal = {0.0f, 0.0f, 1.0f};
   surface.environment_brdf = glm::vec2(0.0f);
-  EXPECT_LT(glm::distance(formula::smoothDielectric(surface, 1.0f), glm::vec3(0.1f, 0.7f, 0.3f)), 1e-6f);
+  EXPECT_LT(glm::distance(formula::smoothDielectric(surface.material, 1.0f), glm::vec3(0.1f, 0.7f, 0.3f)), 1e-6f);
   surface.material.perceptual_roughness = 0.0f;
-  EXPECT_LT(glm::distance(formula::diffuseAlbedo(surface, 1.0f), glm::vec3(0.2f, 0.4f, 0.6f) * 0.3f), 1e-6f);
+  EXPECT_LT(glm::distance(formula::seenAlong(surface, {0.0f, 0.0f, -1.0f}).diffuse_albedo,
+                          glm::vec3(0.2f, 0.4f, 0.6f) * 0.3f),
+            1e-6f);
 
   Image8 picture(1, 1, 4, 100);
   picture.texel(0, 0)[3] = 204;  // glossiness 0.8

@@ -107,7 +107,8 @@ TEST(GltfWriter, EveryParameterOfTheTableComesBack) {
     material.alpha_mode = name == "alpha_cutoff" ? AlphaMode::mask : AlphaMode::opaque;
     Scene scene = sceneOf(planeMesh(), material);
     scene.textures.push_back({.image = picture(2, 2, 0)});
-    scene.materials[0].normal_map.texture = scene.materials[0].occlusion_map.texture = 0;
+    Material& own = scene.materials[0];
+    own.normal_map.texture = own.occlusion_map.texture = own.clearcoat_normal_map.texture = 0;
     const EncodedScene file = encoded(scene);
     EXPECT_THAT(file.left_out, IsEmpty()) << name;
     EXPECT_EQ(parametersOf(decoded(file).materials.at(0)), parametersOf(material)) << name;

@@ -53,23 +53,58 @@ Material orange() {
   return material;
 }
 
+Material brushedMetal() {
+  Material material = metal({0.56f, 0.57f, 0.58f}, 0.2f);
+  material.anisotropy = 0.7f;
+  return material;
+}
+
+Material carPaint() {
+  Material material = metal({0.45f, 0.02f, 0.02f}, 0.45f);
+  material.metallic = 0.6f;
+  material.clearcoat = 1.0f;
+  return material;
+}
+
+Material velvet() {
+  Material material = coloured({0.10f, 0.01f, 0.03f}, 1.0f);
+  material.sheen_color = {0.80f, 0.15f, 0.30f};
+  material.sheen_roughness = 0.4f;
+  return material;
+}
+
+/// A film of water with air on both sides.
+Material soapBubble() {
+  Material material = coloured(glm::vec3(1.0f), 0.0f);
+  material.ior = 1.0f;
+  material.transmission = 1.0f;
+  material.thin_walled = true;
+  material.iridescence = 1.0f;
+  material.iridescence_ior = 1.333f;
+  return material;
+}
+
 /// A material of our own, made when it is asked for.
 struct MadeMaterial {
   std::string_view name;
   Material (*make)();
 };
 
-constexpr std::array<MadeMaterial, 4> kMade{{
+constexpr std::array<MadeMaterial, 8> kMade{{
     {"mirror", [] { return metal(glm::vec3(1.0f), 0.0f); }},
     {"rough-metal",
      [] {
        return metal({0.56f, 0.57f, 0.58f}, 0.45f);
      }},
+    {"brushed-metal", brushedMetal},
     {"plastic",
      [] {
        return coloured({0.70f, 0.03f, 0.03f}, 0.15f);
      }},
     {"orange", orange},
+    {"car-paint", carPaint},
+    {"velvet", velvet},
+    {"soap-bubble", soapBubble},
 }};
 
 /// Names of the list that mean a measured substance of another name.

@@ -46,7 +46,15 @@ struct Material : formula::Material {
   TextureSlot emission_map;
   TextureSlot specular_map;  ///< in A
   TextureSlot specular_color_map;
-  TextureSlot transmission_map;  ///< in R
+  TextureSlot transmission_map;         ///< in R
+  TextureSlot clearcoat_map;            ///< in R
+  TextureSlot clearcoat_roughness_map;  ///< in G
+  TextureSlot clearcoat_normal_map;
+  TextureSlot sheen_color_map;
+  TextureSlot sheen_roughness_map;        ///< in A
+  TextureSlot anisotropy_map;             ///< direction in RG, strength in B
+  TextureSlot iridescence_map;            ///< in R
+  TextureSlot iridescence_thickness_map;  ///< in G
 };
 
 /// Whether a material fills what its triangles enclose, as glass does; else the triangles are all that there is.
@@ -70,12 +78,14 @@ struct MaterialMap {
   bool srgb;              ///< its colour channels are sRGB-encoded
   std::string_view gltf;  ///< "pbrMetallicRoughness.baseColorTexture"
   std::string_view help;
+  glm::vec4 absent{1.0f};  ///< what a material without this texture has everywhere
 };
 
 /// The table of these textures, in the order in which the shaders number them.
 std::span<const MaterialMap> materialMaps();
 
-/// "mirror", "rough-metal", "plastic", "orange", "chrome", "glass", and the metals and glasses of optical_constants.h.
+/// "mirror", "rough-metal", "brushed-metal", "plastic", "orange", "car-paint", "velvet", "soap-bubble", "chrome",
+/// "glass", and the metals and glasses of optical_constants.h.
 std::span<const std::string_view> materialNames();
 
 /// A material of that list.

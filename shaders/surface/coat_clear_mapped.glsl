@@ -1,0 +1,6 @@
+// Part "coat" (coat_none.glsl). Here: one with a normal map of its own.
+#include "tangent.glsl"
+vec3 coatNormal(SurfacePoint point) {
+  return mappedNormal(point.tangent, point.normal, clearcoat_normal_map_at(point).xyz, material.clearcoat_normal_scale);
+}
+#include "coat.glsl"

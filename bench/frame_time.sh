@@ -30,6 +30,8 @@ argumentsOf() {
     single) echo "sphere $clear" ;;
     single_dispersion) echo "sphere --material glass" ;;
     single_spectral) echo "sphere --material glass --dispersion spectral" ;;
+    image_space) echo "sphere $clear --refraction image-space" ;;
+    image_space_dispersion) echo "sphere --material glass --refraction image-space" ;;
     traced_flat_sides) echo "brilliant $clear --refraction traced" ;;
     traced_curved) echo "sphere $clear --refraction traced" ;;
     traced_dispersion) echo "brilliant --material diamond --refraction traced" ;;
@@ -39,8 +41,8 @@ argumentsOf() {
 }
 
 shift "$(($# < 4 ? $# : 4))"
-techniques=${*:-mirror rough_metal flat_look_up thin_wall single single_dispersion single_spectral \
-  traced_flat_sides traced_curved traced_dispersion traced_spectral}
+techniques=${*:-mirror rough_metal flat_look_up thin_wall single single_dispersion single_spectral image_space \
+  image_space_dispersion traced_flat_sides traced_curved traced_dispersion traced_spectral}
 
 # A software driver needs seconds for what is traced.
 samplesOf() { case $1 in traced*) echo 2 ;; *) echo 16 ;; esac; }

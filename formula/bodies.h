@@ -11,6 +11,7 @@
 #include "formula/glsl_begin.inc"
 
 namespace mirrorball::formula {
+#include "formula/bodies/back_face.glsl"
 #include "formula/bodies/beam.glsl"
 #include "formula/bodies/media.glsl"
 #include "formula/bodies/triangle_tree.glsl"

@@ -15,6 +15,11 @@ const int kTexelsOfNode = 2;
 const int kTexelsOfTriangle = 4;
 const int kTexelsOfBody = 5;
 const float kBeyondAll = 3e38f;      // a distance at which nothing is
+// How far triangles reach over their edges, in barycentric coordinates, so that few rays slip through between two: of
+// triangles as small as 1/1000 of the way, rounding is wrong by more. If they reached farther, two triangles would
+// often count for one; so that is for a ray that cannot have met nothing.
+const float kNarrowMargin = 1e-6f;
+const float kWideMargin = 1e-2f;
 
 struct TriangleHit {
   float distance;
@@ -50,13 +55,11 @@ FN float entryOfBox(uvec4 child, vec3 origin, vec3 inverse, float nearest, float
   return first <= last ? first : kBeyondAll;
 }
 
-// Möller & Trumbore 1997, "Fast, minimum storage ray/triangle intersection": from both sides. A triangle reaches a
-// little over its edges, so that few rays slip through between two: of triangles as small as 1/1000 of the way, it
-// is rounding that is wrong by more. If they reached farther, two triangles would count for one.
+// Möller & Trumbore 1997, "Fast, minimum storage ray/triangle intersection": from both sides.
 //
+// margin   kNarrowMargin or kWideMargin
 // returns  distance, and the barycentric coordinates; kBeyondAll: it is not met
-FN vec3 meetingOfTriangle(vec3 p0, vec3 p1, vec3 p2, vec3 origin, vec3 direction) {
-  const float kOver = 1e-6f;
+FN vec3 meetingOfTriangle(vec3 p0, vec3 p1, vec3 p2, vec3 origin, vec3 direction, float margin) {
   vec3 e1 = p1 - p0;
   vec3 e2 = p2 - p0;
   vec3 across = cross(direction, e2);
@@ -66,13 +69,13 @@ FN vec3 meetingOfTriangle(vec3 p0, vec3 p1, vec3 p2, vec3 origin, vec3 direction
   float u = dot(from, across) / determinant;
   vec3 turned = cross(from, e1);
   float v = dot(direction, turned) / determinant;
-  bool is_met = u >= -kOver && v >= -kOver && u + v <= 1.0f + kOver;
+  bool is_met = u >= -margin && v >= -margin && u + v <= 1.0f + margin;
   return vec3(is_met ? dot(e2, turned) / determinant : kBeyondAll, u, v);
 }
 
 // The nearest of a leaf's triangles, if it is nearer than `best`.
 FN TriangleHit nearestOfLeaf(WORD_SAMPLER tree, int triangles, int leaf, vec3 origin, vec3 direction, float nearest,
-                             int excluded, TriangleHit best) {
+                             int excluded, float margin, TriangleHit best) {
   TriangleHit found = best;
   int first = firstOfLeaf(leaf);
   int end = first + countOfLeaf(leaf);
@@ -80,7 +83,7 @@ FN TriangleHit nearestOfLeaf(WORD_SAMPLER tree, int triangles, int leaf, vec3 or
     if (triangle == excluded) continue;
     int texel = triangles + triangle * kTexelsOfTriangle;
     vec3 met = meetingOfTriangle(floatsOf(fetchWords(tree, texel)), floatsOf(fetchWords(tree, texel + 1)),
-                                 floatsOf(fetchWords(tree, texel + 2)), origin, direction);
+                                 floatsOf(fetchWords(tree, texel + 2)), origin, direction, margin);
     if (met.x > nearest && met.x < found.distance) found = TriangleHit(met.x, triangle, vec2(met.y, met.z));
   }
   return found;
@@ -90,7 +93,8 @@ FN TriangleHit nearestOfLeaf(WORD_SAMPLER tree, int triangles, int leaf, vec3 or
 //
 // direction  unit
 // excluded   a triangle that is not met: the one that the ray leaves; −1: none
-FN TriangleHit nearestTriangle(WORD_SAMPLER tree, vec3 origin, vec3 direction, float nearest, int excluded) {
+FN TriangleHit nearestTriangle(WORD_SAMPLER tree, vec3 origin, vec3 direction, float nearest, int excluded,
+                               float margin) {
   uvec4 head = fetchWords(tree, 0);
   vec3 size = floatsOf(fetchWords(tree, 2));
   vec3 inverse = inverseDirection(direction) * size;
@@ -102,7 +106,7 @@ FN TriangleHit nearestTriangle(WORD_SAMPLER tree, vec3 origin, vec3 direction, f
   while (true) {
     bool goes_down = false;
     if (node < 0) {
-      best = nearestOfLeaf(tree, int(head.y), node, origin, direction, nearest, excluded, best);
+      best = nearestOfLeaf(tree, int(head.y), node, origin, direction, nearest, excluded, margin, best);
     } else {
       uvec4 child_a = fetchWords(tree, node);
       uvec4 child_b = fetchWords(tree, node + 1);

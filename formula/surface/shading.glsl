@@ -171,6 +171,16 @@ FN Material unlitMaterial(Material m, vec3 color) {
   return m;
 }
 
+// A material that shows what is seen through it, and nothing else.
+FN Material openMaterial(Material m) {
+  m = unlitMaterial(m, vec3(0.0f));
+  m.anisotropy = 0.0f;
+  m.iridescence = 0.0f;
+  m.base_color = vec3(1.0f);
+  m.transmission = 1.0f;
+  return m;
+}
+
 // Light under cloth, and what the cloth adds: it lets through what its brightest channel does not reflect, so that
 // white stays white and no colour comes up that is in neither (KHR_materials_sheen).
 //   light        of the surface without cloth

@@ -3,6 +3,8 @@ layout(std140) uniform FrameBlock {
   mat4 clip_from_world;
   mat4 look_up_matrix;     // of the coordinates of reflected light: to a direction of the world, or to (s, t, r, q)
   mat4 picture_matrix;     // of those of base_color_map: to (s, t, r, q)
+  mat4 back_faces_from_world;  // to texels of the picture of back faces, and clip space's depth
+  mat4 eye_from_back_faces;    // back, to places as seen from the camera's, in the world's axes
   mat3 eye_from_world;
   mat3 environment_from_world;
   vec3 camera_position;

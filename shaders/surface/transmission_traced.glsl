@@ -4,12 +4,13 @@
 // stronger one is followed, and the other takes the light from far away along its direction, so that none is lost; so
 // does all that is still inside after `inner_bounces` surfaces.
 // Compilers copy each function to where it is called: what is large is called in one place.
-#include "beam.glsl"
+#include "entering_beam.glsl"
 #include "media.glsl"
 #include "octahedral.glsl"
 #include "triangle_tree.glsl"
 
 uniform usampler2D bodies;
+uniform vec4 eye_media[kMaxMedia];  // those that the eye is inside of: number, priority, and 1 where there is one
 
 // A ray in a body.
 struct InnerRay {
@@ -45,7 +46,12 @@ TriangleHit firstSurface(inout InnerRay ray) {
   float absorbed_to = 0.0;
   TriangleHit hit;
   for (int passed = 0; passed <= kMostPassed; ++passed) {
-    hit = nearestTriangle(bodies, ray.origin, ray.direction, nearest, ray.leaves);
+    // Inside of a body there is a surface ahead: who finds none has slipped through between two triangles.
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      hit = nearestTriangle(bodies, ray.origin, ray.direction, nearest, ray.leaves,
+                            attempt == 0 ? kNarrowMargin : kWideMargin);
+      if (hit.triangle >= 0 || ray.media.count == 0) break;
+    }
     if (hit.triangle < 0) return hit;
     ray.throughput *= transmittanceOver(ray.media, hit.distance - absorbed_to);
     absorbed_to = hit.distance;
@@ -129,12 +135,14 @@ bool passSurface(inout InnerRay ray, TriangleHit hit, int kind, inout InnerRay e
 }
 
 // The light that a ray of one kind of light brings from the bodies which it is in.
-vec3 lightFromInside(InnerRay ray, int kind) {
+//
+// most  surfaces that it meets
+vec3 lightFromInside(InnerRay ray, int most, int kind) {
   vec3 light = vec3(0.0);
   for (int surfaces = 0;; ++surfaces) {
     bool stays = false;
     TriangleHit hit = TriangleHit(kBeyondAll, -1, vec2(0.0));
-    if (surfaces < inner_bounces) hit = firstSurface(ray);
+    if (surfaces < most) hit = firstSurface(ray);
     InnerRay ended = ray;
     if (hit.triangle >= 0) stays = passSurface(ray, hit, kind, ended);
     if (ended.throughput != vec3(0.0))
@@ -145,27 +153,31 @@ vec3 lightFromInside(InnerRay ray, int kind) {
   return light;
 }
 
-// Beam::pixel of a direction that changes from pixel to pixel: its angle is below 0 where the rays come together.
-vec2 pixelOnSurface(vec3 direction, vec3 place) {
-  vec3 across = dFdx(direction);
-  vec3 down = dFdy(direction);
-  float comes_apart = dot(across, dFdx(place)) + dot(down, dFdy(place));
-  float angle = sqrt(sampleFootprint(across, down, samples_per_pixel));
-  float side = sqrt(abs(dot(cross(dFdx(place), dFdy(place)), direction)) / samples_per_pixel);
-  return vec2(comes_apart < 0.0 ? -angle : angle, side);
+// The ray from an eye that is inside of bodies: what is drawn there only tells the direction.
+InnerRay rayOfEye(SurfacePoint point) {
+  InnerRay ray;
+  ray.origin = camera_position;
+  ray.direction = point.ray;
+  ray.throughput = vec3(1.0);
+  float angle = sqrt(sampleFootprint(dFdx(point.ray), dFdy(point.ray), samples_per_pixel));
+  ray.beam = Beam(vec3(0.0), vec2(angle, 0.0));
+  ray.leaves = -1;
+  ray.media.count = 0;
+  for (int i = 0; i < kMaxMedia && eye_media[i].z > 0.0; ++i)
+    ray.media = entered(ray.media, int(eye_media[i].x), int(eye_media[i].y));
+  return ray;
 }
 
 // The ray into the surface that is drawn.
 InnerRay enteringRay(Surface s, SurfacePoint point, int kind) {
   float eta = iorOfKind(refractiveIndexOf(s.material), kind);
-  float cosine = clamp(-dot(point.ray, s.normal), 0.0, 1.0);
   InnerRay ray;
-  ray.origin = besideSurface(point.position, distance(point.position, camera_position), -s.normal);
+  // A place that the rasteriser interpolates is as exact as the corners around it, however far away the eye is.
+  vec3 size = floatsOf(fetchWords(bodies, 2));
+  ray.origin = besideSurface(point.position, max(max(size.x, size.y), size.z), -s.normal);
   ray.direction = refractedDirection(point.ray, s.normal, eta);
   ray.throughput = vec3(1.0);
-  float alpha = alphaFromPerceptualRoughness(s.material.perceptual_roughness);
-  ray.beam = beamBeyond(Beam(vec3(0.0), vec2(0.0)), refractionOfBeam(alpha, cosine, eta, 0.0));
-  ray.beam.pixel = pixelOnSurface(ray.direction, point.position);
+  ray.beam = enteringBeam(s, point, ray.direction, eta);
   ray.leaves = -1;
   ray.media.count = 0;
   if (gl_FrontFacing) ray.media = entered(ray.media, instance, bodyAt(bodies, instance).priority);
@@ -174,8 +186,16 @@ InnerRay enteringRay(Surface s, SurfacePoint point, int kind) {
 
 vec3 transmittedLight(Surface s, SurfacePoint point) {
   bool disperses = fetchWords(bodies, 0).w != 0u;
+  bool is_eye_inside = eye_media[0].z > 0.0;
   vec3 light = vec3(0.0);
-  for (int kind = 0; kind < lightKinds(disperses); ++kind)
-    light += shareOfKind(kind, disperses) * lightFromInside(enteringRay(s, point, kind), kind);
+  for (int kind = 0; kind < lightKinds(disperses); ++kind) {
+    InnerRay ray;
+    if (is_eye_inside)
+      ray = rayOfEye(point);
+    else
+      ray = enteringRay(s, point, kind);
+    int most = is_eye_inside ? inner_bounces + 1 : inner_bounces;
+    light += shareOfKind(kind, disperses) * lightFromInside(ray, most, kind);
+  }
   return light;
 }

@@ -45,6 +45,8 @@ constexpr const char* kRefracts = "exact but for the noise of paths that are eit
 
 constexpr const char* kSplits = "of two ways that stay inside, one is followed; the rest is noise of paths";
 
+constexpr const char* kOneSurface = "faces that the eye does not see are not found; the rest is noise of paths";
+
 constexpr const char* kChannels = "three wavelengths stand for all; the rest is noise of paths";
 
 constexpr const char* kSpectrum = "paths of single wavelengths have noise of colours";
@@ -89,6 +91,13 @@ constexpr auto kCases = std::to_array<Case>({
     {"spectral_prism",
      "render prism --material sf11 --refraction traced --dispersion spectral --camera 70,-30 --size 72x54",
      &kFinelyOutlined, "--dispersion channels", Truth{32.8, kSpectrum, "--dispersion channels", 16, 512}},
+    {"image_space_glass",
+     "render torus --material glass --set dispersion=0 --refraction image-space --camera 30,40,3 --size 80x60",
+     &kFinelyOutlined, "--set ior=1.53", Truth{29.8, kOneSurface, "--refraction single", 16, 64}},
+    {"eye_in_water",
+     "render tumbler-water --set dispersion=0 --refraction traced --camera 30,-30,0.3 --target 0,0,0 --fov 100 "
+     "--size 64x48",
+     &kOutlined, "--inner-bounces 1", Truth{32.9, kSplits, "--refraction single", 16, 64}},
     {"rough_metal", "render knot --material rough-metal --size 96x96", &kOutlined, "--set perceptual_roughness=0.47",
      Truth{27.5, kLobes, "--set perceptual_roughness=0.3", 16, 32}},
     {"plastic", "render teapot --material plastic --camera 30,20,2.3 --size 144x96", &kOutlined,

@@ -39,6 +39,15 @@ constexpr float kTight = 1e-5f;
 constexpr float kTranscendental = 5e-5f;
 
 const Case kCases[] = {
+    // back_face
+    PARITY(curvatureOfPixels, direction, kTight,
+           vec4(curvatureOfPixels(vec3(p) + vec3(2.0f), vec3(q), vec3(q) - vec3(2.0f), vec3(r)))),
+    PARITY(wayToBackFace, direction, kTight,
+           vec4(wayToBackFace(BackFace(2.0f * vec3(p), vec3(p), 0.0f), vec3(0.5f * q.x, 0.0f, 0.0f),
+                              normalize(vec3(p) + 0.5f * vec3(q))))),
+    PARITY(normalBesideBackFace, direction, kTight,
+           vec4(normalBesideBackFace(BackFace(vec3(p), vec3(p), 0.5f * q.w), vec3(p) + 0.25f * vec3(q)), 0.0f)),
+
     // beam
     PARITY(refractionOfBeam, unit, kTight, vec4(refractionOfBeam(p.x, p.y, 0.5f + q.x, 4.0f * q.y - 2.0f), 0.0f)),
     PARITY(reflectionOfBeam, unit, kTight, vec4(reflectionOfBeam(p.x, p.y, 4.0f * q.y - 2.0f), 0.0f)),
@@ -505,6 +514,9 @@ const Case kCases[] = {
            vec4(shadedByEnvironment(seenAlong(testSurface(p, q, r), vec3(p)), vec3(r), vec3(0.5f, 1.0f, 2.0f),
                                     vec3(1.0f, r.w, 0.25f), vec3(q)),
                 0.0f)),
+    PARITY(openMaterial, direction, kExact,
+           vec4(openMaterial(testSurface(p, q, r).material).base_color,
+                openMaterial(testSurface(p, q, r).material).transmission)),
     PARITY(shadedByPointLight, direction, kTranscendental,
            vec4(shadedByPointLight(seenAlong(testSurface(p, q, r), vec3(p)), vec3(p),
                                    normalize(vec3(0.5f, 0.75f, 0.25f)), vec3(1.0f, 2.0f, 3.0f)),
@@ -552,21 +564,22 @@ const Case kCases[] = {
     // Through triangles that are wide enough for rounding not to decide whether they are met.
     PARITY(meetingOfTriangle, direction, kTranscendental,
            vec4(meetingOfTriangle(vec3(-9.0f, -9.0f, 1.0f), vec3(9.0f, -9.0f, 1.5f), vec3(0.0f, 9.0f, 1.0f), vec3(0.0f),
-                                  normalize(vec3(p.x, p.y, 2.0f))),
+                                  normalize(vec3(p.x, p.y, 2.0f)), kNarrowMargin),
                 0.0f)),
+    PARITY(nearestOfLeaf, direction, kTranscendental,
+           vec4(nearestOfLeaf(SmallTree(p.w), 5, leafOf(0, 2), vec3(0.0f, 0.0f, -3.0f),
+                              normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, -1, kNarrowMargin,
+                              TriangleHit(9.0f, -1, vec2(0.0f)))
+                    .distance)),
     PARITY(
-        nearestOfLeaf, direction, kTranscendental,
-        vec4(nearestOfLeaf(SmallTree(p.w), 5, leafOf(0, 2), vec3(0.0f, 0.0f, -3.0f),
-                           normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, -1, TriangleHit(9.0f, -1, vec2(0.0f)))
-                 .distance)),
-    PARITY(nearestTriangle, direction, kTranscendental,
-           vec4(nearestTriangle(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
-                                normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0)
-                    .distance,
-                nearestTriangle(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
-                                normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0)
-                    .barycentric,
-                0.0f)),
+        nearestTriangle, direction, kTranscendental,
+        vec4(nearestTriangle(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
+                             normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0, kNarrowMargin)
+                 .distance,
+             nearestTriangle(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
+                             normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0, kNarrowMargin)
+                 .barycentric,
+             0.0f)),
     PARITY(curvatureAlong, direction, kTight, vec4(curvatureAlong(vec3(p) + vec3(2.0f), vec3(q)), 0.0f, 0.0f, 0.0f)),
     PARITY(bodySurfaceAt, unit, kTight,
            vec4(bodySurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).normal,

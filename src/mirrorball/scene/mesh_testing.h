@@ -14,6 +14,13 @@
 
 namespace mirrorball::testing {
 
+/// A body of glass.
+inline Scene glassOf(Mesh mesh) {
+  Material glass;
+  glass.transmission = 1.0f;
+  return sceneOf(std::move(mesh), glass);
+}
+
 /// The volume inside a closed mesh, negative where it is turned inside out.
 inline double signedVolume(const Mesh& mesh) {
   double volume = 0.0;

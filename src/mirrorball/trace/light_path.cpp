@@ -1,7 +1,6 @@
 #include "mirrorball/trace/light_path.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "formula/tangent.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
 #include "mirrorball/bake/brdf/sheen_albedo.h"
+#include "mirrorball/scene/bodies/surrounding_media.h"
 #include "mirrorball/trace/bsdf.h"
 #include "mirrorball/trace/layered_bsdf.h"
 #include "mirrorball/trace/surface_point.h"
@@ -24,9 +24,6 @@ namespace {
 constexpr int kMaxPassed = 512;
 /// From this surface on, dark paths are ended at random (Russian roulette).
 constexpr int kFirstRoulette = 4;
-
-/// The distance from which on a ray has passed what it met.
-float justBehind(float distance) { return std::nextafter(distance * (1.0f + 1e-6f), INFINITY); }
 
 /// The colour of a surface: its base colour, or a metal's reflectance at normal incidence.
 glm::vec3 albedoOf(const formula::Material& material) {
@@ -366,29 +363,6 @@ PathLight Path::follow(Ray ray) {
   }
 }
 
-/// The bodies that a ray leaves without having entered them, the innermost first.
-std::vector<int> bodiesLeft(const World& world, glm::vec3 point, glm::vec3 direction) {
-  formula::Media inside;
-  std::vector<int> left;
-  float nearest = 0.0f;
-  for (int passed = 0; passed < kMaxPassed; ++passed) {
-    const auto hit = world.geometry.hit(point, direction, nearest);
-    if (!hit) break;
-    nearest = justBehind(hit->distance);
-    const Material& material = materialOf(world.scene, hit->instance);
-    if (!isBody(material)) continue;
-    const int body = static_cast<int>(hit->instance);
-    const bool is_entering = glm::dot(direction, hit->geometric_normal) < 0.0f;
-    if (is_entering)
-      inside = formula::entered(inside, body, material.priority);
-    else if (formula::timesEntered(inside, body) > 0)
-      inside = formula::left(inside, body);
-    else
-      left.push_back(body);
-  }
-  return left;
-}
-
 }  // namespace
 
 PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray, SampleSequence& samples) {
@@ -396,18 +370,12 @@ PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray,
 }
 
 formula::Media mediaAt(const World& world, glm::vec3 point) {
-  // Directions in which edges of models seldom lie, and not on one side of the point.
-  constexpr std::array<glm::vec3, 3> kDirections{
-      {{0.3713f, 0.8017f, 0.4686f}, {-0.8351f, -0.2689f, 0.4798f}, {0.4638f, -0.5328f, -0.7078f}}};
-  std::vector<int> candidates;  // the innermost first
-  for (const glm::vec3 direction : kDirections)
-    for (const int body : bodiesLeft(world, point, glm::normalize(direction))) candidates.push_back(body);
-  // An open mesh has a back on one side alone.
-  formula::Media around;
-  for (auto body = candidates.rbegin(); body != candidates.rend(); ++body)
-    if (formula::timesEntered(around, *body) == 0 && std::ranges::count(candidates, *body) >= 2)
-      around = formula::entered(around, *body, materialOf(world.scene, std::size_t(*body)).priority);
-  return around;
+  return surroundingMedia(
+      world.scene, point, [&](glm::vec3 origin, glm::vec3 direction, float nearest) -> std::optional<Crossing> {
+        const auto hit = world.geometry.hit(origin, direction, nearest);
+        if (!hit) return std::nullopt;
+        return Crossing{hit->distance, hit->instance, glm::dot(direction, hit->geometric_normal) < 0.0f};
+      });
 }
 
 }  // namespace mirrorball

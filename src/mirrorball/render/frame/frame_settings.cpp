@@ -278,9 +278,11 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .group = "Environment"},
      choiceField<&FrameSettings::reflect_at>},
     {{.name = "refraction",
-      .choices = "single|traced",
-      .help = "how light passes through glass: bent by the one surface that is seen, or traced through the whole body "
-              "with its inner reflections, absorption and what is in it",
+      .choices = "single|image-space|traced",
+      .help =
+          "how light passes through glass: bent by the one surface that is seen; by this and the back face behind it, "
+          "which is found in a picture of them; or traced through the whole body with its inner reflections, "
+          "absorption and what is in it",
       .group = "Look"},
      choiceField<&FrameSettings::refraction>},
     {{.name = "inner-bounces",

@@ -27,7 +27,7 @@ enum class LightLookUp {
 };
 
 enum class BlurKind { exact, gpu, mip, cone };
-enum class RefractionKind { single, traced };
+enum class RefractionKind { single, image_space, traced };
 
 /// Which kinds of light go their own ways through glass that disperses.
 enum class DispersionKind {

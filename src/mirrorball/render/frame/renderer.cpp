@@ -19,11 +19,13 @@
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/render/light/gpu_prefilter.h"
+#include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/light_reads.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/sphere_map.h"
 #include "mirrorball/render/surface/surface_program.h"
 #include "mirrorball/scene/bodies/body_tree.h"
+#include "mirrorball/scene/bodies/surrounding_media.h"
 #include "mirrorball/scene/camera/framing.h"
 
 namespace mirrorball {
@@ -87,7 +89,9 @@ struct Renderer::State {
   std::optional<FlatLight> flat_light = {};        ///< made when LightLookUp::flat first asks for it
   const gl::Texture* flattened_chain = nullptr;    ///< that it was made from
   std::optional<gl::Texture> sphere_map = {};
-  std::optional<gl::Texture> bodies = {};      ///< bodyTree() of the scene, made when it is first traced
+  std::optional<BodyTree> body_tree = {};      ///< of the scene, made when it is first traced
+  std::optional<gl::Texture> bodies = {};      ///< its words
+  std::optional<BackFaces> back_faces = {};    ///< made when a frame first needs them
   std::optional<gl::Framebuffer> sample = {};  ///< one sample's picture
   std::optional<gl::Framebuffer> sum = {};     ///< the mean, when there is more than one
   std::optional<gl::Framebuffer> display = {};
@@ -103,6 +107,7 @@ struct Renderer::State {
   Result<void> makeFlatLight();
   Result<void> makeSphereMap();
   Result<void> makeBodies();
+  Result<void> drawBackFaces(const Camera& camera);
   Result<void> drawSample(const Camera& camera);
   void drawBackground(const Camera& camera);
   void drawInstance(int instance);
@@ -138,6 +143,7 @@ Result<void> Renderer::setScene(Scene scene) {
   state.scene = std::move(scene);
   state.buffers = std::move(buffers);
   state.bounds = boundingSphere(state.scene);
+  state.body_tree.reset();
   state.bodies.reset();
   if (state.surfaces) state.surfaces->forgetScene();
   return {};
@@ -229,8 +235,7 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
   state.frame.prefiltered = chain;
   state.frame.camera = camera;
   state.frame.environment_from_world = settings.environmentFromWorld();
-  if (settings.refraction == RefractionKind::traced && !state.bodies) MIRRORBALL_TRY_VOID(state.makeBodies());
-  state.frame.bodies = state.bodies ? &*state.bodies : nullptr;
+  MIRRORBALL_TRY_VOID(state.makeBodies());
   MIRRORBALL_TRY_VOID(state.makeFlatLight());
   MIRRORBALL_TRY(coordinates, coordinateMatrices(state.scene, state.bounds, camera, settings));
   state.frame.coordinates = coordinates;
@@ -351,18 +356,40 @@ Result<void> Renderer::State::makeSphereMap() {
   return {};
 }
 
+/// The bodies for a frame that traces them, and those that its camera is in.
 Result<void> Renderer::State::makeBodies() {
-  MIRRORBALL_TRY(tree, bodyTree(scene));
-  if (!tree) return {};
-  MIRRORBALL_TRY(made, withName("the triangles of glass", gl::Texture::fromWords(tree->words)));
-  bodies = std::move(made);
+  frame.bodies = nullptr;
+  frame.eye_media = {};
+  if (settings.refraction != RefractionKind::traced) return {};
+  if (!body_tree) {
+    MIRRORBALL_TRY(tree, bodyTree(scene));
+    if (!tree) return {};
+    MIRRORBALL_TRY(made, withName("the triangles of glass", gl::Texture::fromWords(tree->words)));
+    body_tree = std::move(tree);
+    bodies = std::move(made);
+  }
+  frame.bodies = &*bodies;
+  // The rays of an orthographic camera begin far away.
+  if (!frame.camera.orthographic) frame.eye_media = surroundingMedia(scene, frame.camera.position, *body_tree);
   return {};
+}
+
+Result<void> Renderer::State::drawBackFaces(const Camera& camera) {
+  if (!back_faces) {
+    MIRRORBALL_TRY(made, BackFaces::make(context.api()));
+    back_faces = std::move(made);
+  }
+  return back_faces->draw(scene, buffers, camera, settings.size);
 }
 
 Result<void> Renderer::State::drawSample(const Camera& camera) {
   FrameUniforms of_sample = frame;
   of_sample.camera = camera;
   of_sample.sample = samples_drawn;
+  if (settings.refraction == RefractionKind::image_space) {
+    MIRRORBALL_TRY_VOID(drawBackFaces(camera));
+    of_sample.back_faces = &*back_faces;
+  }
   MIRRORBALL_TRY_VOID(surfaces->begin(scene, buffers, *light, of_sample, settings));
   sample->bind();
   const bool has_color = settings.background == BackgroundKind::radiance;
@@ -407,7 +434,9 @@ void Renderer::State::drawBackground(const Camera& camera) {
 }
 
 void Renderer::State::drawInstance(int instance) {
-  if (materialOf(scene, std::size_t(instance)).double_sided)
+  const Material& material = materialOf(scene, std::size_t(instance));
+  const bool shows_inside = frame.eye_media.count > 0 && isBody(material);
+  if (material.double_sided || shows_inside)
     glDisable(GL_CULL_FACE);
   else
     glEnable(GL_CULL_FACE);

@@ -164,6 +164,10 @@ TEST_F(RendererTest, EveryMappingIsWhiteInTheFurnace) {
     shot.frame.lights = {{glm::vec3(2.0f), glm::vec3(0.0f)}};
     testing::expectFurnaceWhite(white.radiance(shot), "texgen " + std::to_string(static_cast<int>(texgen)));
   }
+  Shot shot = smallShot("torus", "glass");
+  shot.frame.background = BackgroundKind::transparent;
+  shot.frame.refraction = RefractionKind::image_space;
+  testing::expectFurnaceWhite(white.radiance(shot), "image-space refraction", 2e-3f);
 }
 
 // Looking along +Z with +Y up, +X is on the left (docs/conventions.md).

@@ -1,5 +1,7 @@
-// Light that is traced through whole bodies: what must hold of it, whatever their shape.
+// Light that goes through whole bodies, traced or by the back faces that a picture shows: what must hold of it,
+// whatever their shape.
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -9,85 +11,24 @@
 #include <gtest/gtest.h>
 
 #include "formula/bsdf.h"
-#include "mirrorball/render/frame/renderer.h"
-#include "mirrorball/render/render_testing.h"
+#include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/frame/glass_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
 namespace {
 
-Material clearGlass(float ior) {
-  Material glass;
-  glass.base_color = glm::vec3(1.0f);
-  glass.perceptual_roughness = 0.0f;
-  glass.ior = ior;
-  glass.transmission = 1.0f;
-  return glass;
-}
+using testing::add;
+using testing::clearGlass;
+using testing::greatestDifference;
+using testing::meanDifference;
+using testing::smoothLight;
+using testing::withoutReflection;
 
-/// Glass that mirrors nothing, so that what is behind it can be told.
-Material withoutReflection(float ior) {
-  Material glass = clearGlass(ior);
-  glass.specular = 0.0f;
-  return glass;
-}
+constexpr std::array<RefractionKind, 2> kWholeBodies{RefractionKind::image_space, RefractionKind::traced};
+std::string nameOf(RefractionKind kind) { return kind == RefractionKind::traced ? "traced" : "image-space"; }
 
-/// A second body in a scene.
-void add(Scene& scene, Mesh mesh, const Material& material, glm::vec3 place = glm::vec3(0.0f), float scale = 1.0f) {
-  mesh.material = static_cast<int>(scene.materials.size());
-  scene.materials.push_back(material);
-  scene.instances.push_back(
-      {static_cast<int>(scene.meshes.size()), glm::scale(glm::translate(glm::mat4(1.0f), place), glm::vec3(scale))});
-  scene.meshes.push_back(std::move(mesh));
-}
-
-/// Light that is another one in each direction, without edges.
-glm::vec3 smoothLight(glm::vec3 d) {
-  return glm::vec3(1.0f) + 0.5f * d +
-         0.25f * glm::vec3(std::sin(5.0f * d.y), std::sin(5.0f * d.z), std::sin(5.0f * d.x));
-}
-
-class TracedBodies : public ::testing::Test {
- protected:
-  void SetUp() override {
-    auto made = gl::Context::createHeadless();
-    if (!made) GTEST_SKIP() << made.error().message;
-    context_.emplace(std::move(*made));
-    frame_.size = {64, 64};
-    frame_.samples = 1;
-    frame_.refraction = RefractionKind::traced;
-    frame_.camera.orthographic_height = 2.2f;
-    frame_.camera.target = glm::vec3(0.0f);
-    testing::aim(frame_, 0, 0);
-  }
-
-  Image radiance(Scene scene, const Environment& environment) {
-    const auto draw = [&]() -> Result<Image> {
-      MIRRORBALL_TRY(prepared, testing::prepareOnce(environment));
-      MIRRORBALL_TRY(renderer, testing::rendererOf(std::move(scene), environment, prepared));
-      return renderer.renderRadiance(frame_);
-    };
-    auto image = draw();
-    if (image) return std::move(*image);
-    ADD_FAILURE() << image.error().message;
-    return {};
-  }
-  Image inSmoothLight(Scene scene) { return radiance(std::move(scene), Environment(smoothLight, 128)); }
-
-  FrameSettings frame_;
-
- private:
-  std::optional<gl::Context> context_;
-};
-
-double greatestDifference(const Image& a, const Image& b) {
-  double greatest = 0.0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x)
-      for (int channel = 0; channel < 3; ++channel)
-        greatest = std::max<double>(greatest, std::abs(a.texel(x, y)[channel] - b.texel(x, y)[channel]));
-  return greatest;
-}
+class TracedBodies : public testing::GlassTest {};
 
 TEST_F(TracedBodies, ClearGlassIsWhiteInTheFurnace) {
   frame_.background = BackgroundKind::transparent;
@@ -109,9 +50,26 @@ TEST_F(TracedBodies, ClearGlassIsWhiteInTheFurnace) {
   }
 }
 
+// Also where no back face is found, or one of another part of the body: a torus and a knot hide some of theirs.
+TEST_F(TracedBodies, BackFacesOfClearGlassAreWhiteInTheFurnace) {
+  frame_.refraction = RefractionKind::image_space;
+  frame_.background = BackgroundKind::transparent;
+  testing::aim(frame_, 25, 20);
+  const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 16);
+  for (const float ior : {0.75f, 1.0f, 1.5f, 2.4f})
+    for (const float roughness : {0.0f, 0.4f}) {
+      Material glass = clearGlass(ior);
+      glass.perceptual_roughness = roughness;
+      glass.dispersion = roughness;
+      const std::string what = std::to_string(ior) + ", roughness " + std::to_string(roughness);
+      testing::expectFurnaceWhite(radiance(sceneOf(knotMesh(60, 12), glass), white), "knot " + what, 2e-3f);
+      testing::expectFurnaceWhite(radiance(sceneOf(cubeMesh(), glass), white), "cube " + what, 2e-3f);
+    }
+}
+
 TEST_F(TracedBodies, AnIndexOfOneIsInvisibleAtAnyRoughness) {
   const Image nothing = inSmoothLight({});
-  for (const RefractionKind kind : {RefractionKind::single, RefractionKind::traced})
+  for (const RefractionKind kind : {RefractionKind::single, RefractionKind::image_space, RefractionKind::traced})
     for (const float roughness : {0.0f, 0.3f, 1.0f}) {
       frame_.refraction = kind;
       Material air = roughness > 0.0f ? withoutReflection(1.0f) : clearGlass(1.0f);
@@ -128,24 +86,65 @@ TEST_F(TracedBodies, ASlabDoesNotTurnLight) {
   frame_.camera.fov_deg = 60.0f;
   frame_.camera.distance = 0.2f;
   testing::aim(frame_, 20, 10);
-  EXPECT_LT(greatestDifference(inSmoothLight(slab), inSmoothLight({})), 4e-3);
+  for (const RefractionKind kind : kWholeBodies) {
+    frame_.refraction = kind;
+    EXPECT_LT(greatestDifference(inSmoothLight(slab), inSmoothLight({})), 4e-3) << nameOf(kind);
+  }
   frame_.refraction = RefractionKind::single;
   EXPECT_GT(greatestDifference(inSmoothLight(slab), inSmoothLight({})), 0.1);
+}
+
+// Nor does one that is thin, wherever the eye stands: a ray that began behind it would not leave it again.
+TEST_F(TracedBodies, AThinSlabIsOneFromFarAwayToo) {
+  Scene slab = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  slab.instances[0].world_from_object = glm::scale(glm::mat4(1.0f), glm::vec3(3.0f, 3.0f, 0.004f));
+  frame_.camera.orthographic_height = 0.5f;
+  testing::aim(frame_, 40, 20);
+  for (const float distance : {2.0f, 2000.0f}) {
+    frame_.camera.distance = distance;
+    EXPECT_LT(greatestDifference(inSmoothLight(slab), inSmoothLight({})), 4e-3) << distance;
+  }
 }
 
 // Each of its rays is bent twice by the same angle: in from the axis and out again, by Snell's law.
 TEST_F(TracedBodies, ABallBendsLightTwiceAndInverts) {
   const float ior = 1.5f;
-  const Image image = inSmoothLight(sceneOf(sphereMesh(256, 512), withoutReflection(ior)));
-  for (const int x : {8, 20, 31, 40, 55}) {
-    const float offset = (static_cast<float>(x) + 0.5f - 32.0f) / 64.0f * 2.2f;
-    const float y = 0.5f / 64.0f * 2.2f;
-    const float from_axis = std::hypot(offset, y);
-    const float turn = 2.0f * (std::asin(from_axis) - std::asin(from_axis / ior));
-    const glm::vec3 towards_axis(-offset / from_axis, -y / from_axis, 0.0f);
-    const glm::vec3 d = std::cos(turn) * glm::vec3(0, 0, -1) + std::sin(turn) * towards_axis;
-    for (int channel = 0; channel < 3; ++channel)
-      EXPECT_NEAR(rgbAt(image, x, 31)[channel], smoothLight(d)[channel], 0.01f) << x;
+  for (const RefractionKind kind : kWholeBodies) {
+    frame_.refraction = kind;
+    const Image image = inSmoothLight(sceneOf(sphereMesh(256, 512), withoutReflection(ior)));
+    for (const int x : {8, 20, 31, 40, 55}) {
+      const float offset = (static_cast<float>(x) + 0.5f - 32.0f) / 64.0f * 2.2f;
+      const float y = 0.5f / 64.0f * 2.2f;
+      const float from_axis = std::hypot(offset, y);
+      const float turn = 2.0f * (std::asin(from_axis) - std::asin(from_axis / ior));
+      const glm::vec3 towards_axis(-offset / from_axis, -y / from_axis, 0.0f);
+      const glm::vec3 d = std::cos(turn) * glm::vec3(0, 0, -1) + std::sin(turn) * towards_axis;
+      for (int channel = 0; channel < 3; ++channel)
+        EXPECT_NEAR(rgbAt(image, x, 31)[channel], smoothLight(d)[channel], 0.01f) << nameOf(kind) << " at " << x;
+    }
+  }
+}
+
+// Of a body without hollows the back faces are all that tracing to one surface finds, where the eye sees them: all that
+// light from a ball's front meets. A part of the picture is the same as in the whole, although light leaves beside it.
+TEST_F(TracedBodies, TheBackFacesOfABallAreWhatTracingToOneSurfaceFinds) {
+  Material wine = clearGlass(1.5f);
+  wine.attenuation_color = {0.9f, 0.5f, 0.25f};
+  wine.attenuation_distance = 1.0f;
+  wine.dispersion = 1.0f;
+  const Scene ball = sceneOf(sphereMesh(128, 256), wine);
+  frame_.camera.orthographic_height.reset();
+  frame_.camera.distance = 3.0f;
+  frame_.inner_bounces = 1;
+  for (const float fov_deg : {40.0f, 15.0f}) {
+    frame_.camera.fov_deg = fov_deg;
+    frame_.refraction = RefractionKind::traced;
+    const Image traced = inSmoothLight(ball);
+    frame_.refraction = RefractionKind::image_space;
+    const Image seen = inSmoothLight(ball);
+    // At the rim texels of the picture are farther apart on the surface than beams are wide.
+    EXPECT_LT(meanDifference(seen, traced), 5e-4) << fov_deg;
+    EXPECT_LT(greatestDifference(seen, traced), 0.05) << fov_deg;
   }
 }
 
@@ -173,9 +172,13 @@ TEST_F(TracedBodies, LightIsAbsorbedByTheLengthOfItsWay) {
   wine.attenuation_color = {0.9f, 0.5f, 0.25f};
   wine.attenuation_distance = 0.4f;
   const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 16);
-  const Image image = radiance(sceneOf(cubeMesh(), wine), white);
   const glm::vec3 expected = glm::pow(wine.attenuation_color, glm::vec3(2.0f / std::sqrt(3.0f) / 0.4f));
-  for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(rgbAt(image, 32, 32)[channel], expected[channel], 2e-3f);
+  for (const RefractionKind kind : kWholeBodies) {
+    frame_.refraction = kind;
+    const Image image = radiance(sceneOf(cubeMesh(), wine), white);
+    for (int channel = 0; channel < 3; ++channel)
+      EXPECT_NEAR(rgbAt(image, 32, 32)[channel], expected[channel], 2e-3f) << nameOf(kind);
+  }
 }
 
 TEST_F(TracedBodies, WhatHasTheIndexOfItsSurroundingsIsNotSeenInThem) {
@@ -212,16 +215,38 @@ TEST_F(TracedBodies, MeshesThatAreNotBodiesGiveSanePictures) {
   Mesh point = sphereMesh(8, 16);
   for (Vertex& vertex : point.vertices) vertex.position = glm::vec3(0.0f);
   testing::aim(frame_, 20, 35);
-  for (const Mesh& mesh : {open, inside_out, point, planeMesh()}) {
-    Material glass = clearGlass(1.5f);
-    glass.double_sided = true;
-    const Image image = inSmoothLight(sceneOf(mesh, glass));
-    for (int y = 0; y < image.height(); ++y)
-      for (int x = 0; x < image.width(); ++x)
-        for (int channel = 0; channel < 3; ++channel) {
-          ASSERT_GE(image.texel(x, y)[channel], 0.0f);
-          ASSERT_LE(image.texel(x, y)[channel], 2.5f);
-        }
+  for (const RefractionKind kind : kWholeBodies)
+    for (const Mesh& mesh : {open, inside_out, point, planeMesh()}) {
+      frame_.refraction = kind;
+      Material glass = clearGlass(1.5f);
+      glass.double_sided = true;
+      const Image image = inSmoothLight(sceneOf(mesh, glass));
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+          for (int channel = 0; channel < 3; ++channel) {
+            ASSERT_GE(image.texel(x, y)[channel], 0.0f) << nameOf(kind);
+            ASSERT_LE(image.texel(x, y)[channel], 2.5f) << nameOf(kind);
+          }
+    }
+}
+
+TEST(BodiesInBothApis, AreTheSamePicture) {
+  for (const RefractionKind kind : kWholeBodies) {
+    Image pictures[2];
+    for (const gl::Api api : {gl::Api::desktop43, gl::Api::es30}) {
+      MIRRORBALL_NEEDS_GL(context, api);
+      const Environment environment(smoothLight, 128);
+      auto renderer = testing::rendererOf(sceneOf(torusMesh(96, 48), clearGlass(1.5f)), environment,
+                                          *testing::prepareOnce(environment));
+      ASSERT_TRUE(renderer) << renderer.error().message;
+      FrameSettings frame;
+      frame.size = {64, 48};
+      frame.samples = 1;
+      frame.refraction = kind;
+      pictures[api == gl::Api::es30] = *renderer->renderRadiance(frame);
+    }
+    ASSERT_FALSE(pictures[0].empty());
+    EXPECT_LT(meanDifference(pictures[0], pictures[1]), 1e-3) << nameOf(kind);
   }
 }
 

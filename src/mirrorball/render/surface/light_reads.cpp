@@ -31,7 +31,8 @@ int blurKindOfFormula(BlurKind blur) {
 }
 
 /// How many directions transmitted light is read from: those of transmission_single.glsl once for each kind of light
-/// that goes its own way, and those of transmission_traced.glsl also where it leaves at each surface.
+/// that goes its own way, those of transmission_image_space.glsl twice, and those of transmission_traced.glsl where it
+/// leaves at each surface.
 ///
 /// some_disperse  of the scene's bodies, through which light of all others may go
 int transmittedRays(const Material& material, const FrameSettings& settings, bool some_disperse) {
@@ -39,7 +40,8 @@ int transmittedRays(const Material& material, const FrameSettings& settings, boo
   if (!isBody(material)) return 1;
   const int kinds = lightKindsOf(settings);
   if (settings.refraction == RefractionKind::traced) return (some_disperse ? kinds : 1) * (settings.inner_bounces + 1);
-  return material.dispersion == 0.0f ? 1 : kinds;
+  const int ways = settings.refraction == RefractionKind::image_space ? 2 : 1;
+  return ways * (material.dispersion == 0.0f ? 1 : kinds);
 }
 
 LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings,

@@ -75,10 +75,11 @@ int materialOf(const Scene& scene, int instance) {
   return scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)].material;
 }
 
-SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers, const FrameSettings& settings,
-                         const CoordinateChoice& coordinates) {
-  return surfaceVariant(scene.materials[std::size_t(material)], buffers.mapsOf(material), settings,
-                        settings.lights.size() + scene.lights.size(), coordinates);
+/// As shaders/surface/transmission_traced.glsl reads them.
+std::array<glm::vec4, formula::kMaxMedia> mediaRows(const formula::Media& media) {
+  std::array<glm::vec4, formula::kMaxMedia> rows{};
+  for (std::size_t i = 0; i < std::size_t(media.count); ++i) rows[i] = {media.bodies[i], media.priorities[i], 1, 0};
+  return rows;
 }
 
 /// The BRDF table in the form of Surface::environment_brdf, and the sheen's albedo on the same axes. What is missing
@@ -117,12 +118,14 @@ Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_tab
 
 /// Says which unit and which binding point each sampler and block reads; they are the same in all programs.
 void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant) {
-  if (!variant.has(Part::material, MaterialPart::unlit)) program.set("brdf_table", TextureUnit::brdf_table);
+  if (variant.has(Part::material, MaterialPart::core)) program.set("brdf_table", TextureUnit::brdf_table);
   const std::string form = variant.has(Part::arriving_light, ArrivingLightPart::distant) ? "" : "_faces";
   program.set("environment" + form, TextureUnit::environment);
   program.set("prefiltered" + form, TextureUnit::prefiltered);
   program.set("irradiance" + form, TextureUnit::irradiance);
   if (variant.has(Part::transmission, TransmissionPart::traced)) program.set("bodies", TextureUnit::bodies);
+  if (variant.has(Part::transmission, TransmissionPart::image_space))
+    program.set("back_faces", TextureUnit::back_faces);
   const bool is_sphere_map = variant.has(Part::look_up, LookUpPart::sphere_map);
   if (is_sphere_map) program.set("sphere_map", TextureUnit::sphere_map);
   for (std::size_t row = 0; row < variant.maps.size(); ++row)
@@ -132,6 +135,17 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
     const auto layout = program.connect(kBlocks[point], point);
     if (layout && !layouts_[point]) layouts_[point] = std::make_shared<gl::BlockLayout>(*layout);
   }
+}
+
+SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
+                                          const FrameSettings& settings) const {
+  Material seen = scene.materials[std::size_t(material)];
+  const bool is_from_inside = eye_is_inside_ && isBody(seen);
+  if (is_from_inside) static_cast<formula::Material&>(seen) = formula::openMaterial(seen);  // without its layers
+  SurfaceVariant variant = surfaceVariant(seen, buffers.mapsOf(material), settings,
+                                          settings.lights.size() + scene.lights.size(), coordinates_);
+  if (is_from_inside) variant.choose(Part::material, MaterialPart::from_inside);
+  return variant;
 }
 
 Result<gl::Program*> SurfacePrograms::programFor(const SurfaceVariant& variant) {
@@ -152,6 +166,10 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("clip_from_world", frame.camera.clip_from_view * frame.camera.view_from_world);
   block.set("look_up_matrix", frame.coordinates.look_up);
   block.set("picture_matrix", frame.coordinates.picture);
+  if (frame.back_faces) {
+    block.set("back_faces_from_world", frame.back_faces->texelsFromWorld());
+    block.set("eye_from_back_faces", frame.back_faces->eyeFromTexels());
+  }
   block.set("eye_from_world", glm::mat3(frame.camera.view_from_world));
   block.set("environment_from_world", frame.environment_from_world);
   block.set("camera_position", frame.camera.position);
@@ -197,11 +215,15 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
                                     const FrameUniforms& frame, const FrameSettings& settings) {
   if (scene.instances.empty()) return {};
   coordinates_ = coordinateChoice(scene, settings);
+  eye_is_inside_ = frame.eye_media.count > 0;
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
+  const auto eye_media = mediaRows(frame.eye_media);
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    const SurfaceVariant variant = variantOf(scene, materialOf(scene, instance), buffers, settings, coordinates_);
+    const SurfaceVariant variant = variantOf(scene, materialOf(scene, instance), buffers, settings);
     MIRRORBALL_TRY(program, programFor(variant));
     if (variant.lamp_count > 0) program->set("lamp_rows", std::span<const glm::vec4>(lamps));
+    if (variant.has(Part::transmission, TransmissionPart::traced))
+      program->set("eye_media", std::span<const glm::vec4>(eye_media));
   }
   setFrame(light, frame, settings);
   (frame.flat ? frame.flat->environment : light.cube()).bind(TextureUnit::environment);
@@ -209,6 +231,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   (frame.flat ? frame.flat->irradiance : light.irradiance()).bind(TextureUnit::irradiance);
   brdf_table_.bind(TextureUnit::brdf_table);
   if (frame.bodies) frame.bodies->bind(TextureUnit::bodies);
+  if (frame.back_faces) frame.back_faces->picture().bind(TextureUnit::back_faces);
   return {};
 }
 
@@ -220,7 +243,7 @@ void SurfacePrograms::forgetScene() {
 void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) {
   const int material = materialOf(scene, instance);
-  gl::Program& program = programs_.find(variantOf(scene, material, buffers, settings, coordinates_))->second;
+  gl::Program& program = programs_.find(variantOf(scene, material, buffers, settings))->second;
   buffers.bindMaps(scene, material, TextureUnit::first_of_material);
   setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
   frame_->bind(frame_point);

@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include "formula/bodies.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/program.h"
 #include "mirrorball/gl/texture.h"
@@ -15,6 +16,7 @@
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/light/flat_light.h"
+#include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_variant.h"
 #include "mirrorball/scene/camera/camera.h"
@@ -29,6 +31,7 @@ struct TextureUnit {
   static constexpr int picture = 2;
   static constexpr int background = 2;  ///< no shader reads two of these
   static constexpr int bodies = 2;
+  static constexpr int back_faces = 2;
   static constexpr int brdf_table = 3;
   static constexpr int prefiltered = 4;
   static constexpr int irradiance = 5;
@@ -53,9 +56,11 @@ struct FrameUniforms {
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
   CoordinateMatrices coordinates;
-  const FlatLight* flat = nullptr;      ///< where FrameSettings::look_up reads it
-  const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
-  int sample = 0;                       ///< number of the sample of the frame
+  const FlatLight* flat = nullptr;        ///< where FrameSettings::look_up reads it
+  const gl::Texture* bodies = nullptr;    ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  formula::Media eye_media;               ///< of traced bodies, those that the camera is inside of
+  const BackFaces* back_faces = nullptr;  ///< drawn with this camera; null: the frame's refraction does without
+  int sample = 0;                         ///< number of the sample of the frame
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
@@ -100,7 +105,11 @@ class SurfacePrograms {
   gl::Api api_;
   gl::Texture brdf_table_;
   std::map<SurfaceVariant, gl::Program> programs_;
+  SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
+                           const FrameSettings& settings) const;
+
   CoordinateChoice coordinates_;  ///< of the frame
+  bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
   std::optional<gl::UniformBlock> frame_;
   std::map<int, gl::UniformBlock> instances_;

@@ -19,14 +19,16 @@ constexpr auto kDetail = std::to_array<Names>({"detail_none.glsl", "detail_norma
 constexpr auto kFilm = std::to_array<Names>({"film_none.glsl", "film_thin.glsl"});
 constexpr auto kAnisotropy = std::to_array<Names>({"anisotropy_none.glsl", "anisotropy_stretched.glsl"});
 constexpr auto kSheen = std::to_array<Names>({"sheen_none.glsl", "sheen_cloth.glsl"});
-constexpr auto kMaterial = std::to_array<Names>({"material_core.glsl", "material_unlit.glsl"});
+constexpr auto kMaterial =
+    std::to_array<Names>({"material_core.glsl", "material_unlit.glsl", "material_from_inside.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp =
     std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl"});
 constexpr auto kDispersion = std::to_array<Names>({"dispersion_channels.glsl", "dispersion_spectral.glsl"});
-constexpr auto kTransmission = std::to_array<Names>(
-    {"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl", "transmission_traced.glsl"});
+constexpr auto kTransmission =
+    std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl",
+                          "transmission_image_space.glsl", "transmission_traced.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
 constexpr auto kCoat = std::to_array<Names>({"coat_none.glsl", "coat_clear.glsl", "coat_clear_mapped.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
@@ -66,7 +68,15 @@ CoordinatesPart coordinatesPart(ReflectAt reflect_at) {
 TransmissionPart transmissionPart(const Material& material, const FrameSettings& settings) {
   if (material.transmission <= 0.0f) return TransmissionPart::none;
   if (material.thin_walled) return TransmissionPart::thin;
-  return settings.refraction == RefractionKind::traced ? TransmissionPart::traced : TransmissionPart::single;
+  switch (settings.refraction) {
+    case RefractionKind::traced:
+      return TransmissionPart::traced;
+    case RefractionKind::image_space:
+      return TransmissionPart::image_space;
+    case RefractionKind::single:
+      break;
+  }
+  return TransmissionPart::single;
 }
 
 DispersionPart dispersionPart(const Material& material, const FrameSettings& settings) {

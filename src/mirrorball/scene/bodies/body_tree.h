@@ -15,6 +15,9 @@ struct BodyTree {
   std::vector<glm::uvec4> words;  ///< texels, as formula/bodies/triangle_tree.glsl reads them
 };
 
+/// As formulas read it.
+inline glm::uvec4 fetchWords(const BodyTree& tree, int texel) { return tree.words[static_cast<std::size_t>(texel)]; }
+
 /// Sorts the triangles of all bodies (isBody), where their instances put them, into a tree. A body's number is that of
 /// its instance. Triangles that are not finite or have no area are left out.
 ///

@@ -8,31 +8,22 @@
 #include <gtest/gtest.h>
 
 #include "formula/bodies.h"
+#include "mirrorball/scene/mesh_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
 namespace {
 
-/// A tree as formulas read it.
-struct Words {
-  const std::vector<glm::uvec4>& texels;
-};
-glm::uvec4 fetchWords(const Words& words, int texel) { return words.texels.at(static_cast<std::size_t>(texel)); }
-
-Scene glassOf(Mesh mesh) {
-  Material glass;
-  glass.transmission = 1.0f;
-  return sceneOf(std::move(mesh), glass);
-}
+using testing::glassOf;
 
 /// The same by trying each triangle.
 formula::TriangleHit nearestOfAll(const BodyTree& tree, glm::vec3 origin, glm::vec3 direction) {
-  const Words words{tree.words};
   const auto first = static_cast<int>(tree.words[0].y);
   const int count = (static_cast<int>(tree.words[0].z) - first) / formula::kTexelsOfTriangle;
   formula::TriangleHit best{formula::kBeyondAll, -1, {}};
   for (int i = 0; i < count; ++i)
-    best = formula::nearestOfLeaf(words, first, formula::leafOf(i, 1), origin, direction, 0.0f, -1, best);
+    best = formula::nearestOfLeaf(tree, first, formula::leafOf(i, 1), origin, direction, 0.0f, -1,
+                                  formula::kNarrowMargin, best);
   return best;
 }
 
@@ -45,7 +36,7 @@ TEST(BodyTree, FindsTheNearestTriangle) {
   for (int i = 0; i < 2000; ++i) {
     const glm::vec3 origin(unit(random), unit(random), unit(random));
     const glm::vec3 direction = glm::normalize(glm::vec3(unit(random), unit(random), unit(random)));
-    const auto found = formula::nearestTriangle(Words{(*tree)->words}, origin, direction, 0.0f, -1);
+    const auto found = formula::nearestTriangle(**tree, origin, direction, 0.0f, -1, formula::kNarrowMargin);
     const auto expected = nearestOfAll(**tree, origin, direction);
     EXPECT_EQ(found.triangle, expected.triangle);
     EXPECT_EQ(found.distance, expected.distance);
@@ -55,13 +46,36 @@ TEST(BodyTree, FindsTheNearestTriangle) {
   EXPECT_LT(met, 1900);
 }
 
+// Of rays towards the edges of a fine mesh some find no triangle within the narrow margin; with the wide one all do.
+TEST(BodyTree, RaysThatSlipThroughAFineMeshAreCaughtByTheWideMargin) {
+  const Mesh sphere = sphereMesh(256, 512);
+  const auto tree = bodyTree(glassOf(sphere));
+  ASSERT_TRUE(tree && *tree);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  int slipped = 0;
+  for (std::size_t i = 0; i + 1 < sphere.indices.size(); i += 30) {
+    const glm::vec3 origin = 0.55f * glm::vec3(unit(random), unit(random), unit(random));
+    const glm::vec3 on_edge = glm::mix(sphere.vertices[sphere.indices[i]].position,
+                                       sphere.vertices[sphere.indices[i + 1]].position, 0.5f + 0.4f * unit(random));
+    const glm::vec3 direction = glm::normalize(on_edge - origin);
+    if (formula::nearestTriangle(**tree, origin, direction, 0.0f, -1, formula::kNarrowMargin).triangle >= 0) continue;
+    ++slipped;
+    const auto hit = formula::nearestTriangle(**tree, origin, direction, 0.0f, -1, formula::kWideMargin);
+    ASSERT_GE(hit.triangle, 0);
+    EXPECT_NEAR(hit.distance, glm::distance(origin, on_edge), 1e-4f);
+  }
+  EXPECT_GT(slipped, 0) << "nothing was tried";
+}
+
 // No ray slips through between two triangles, also along axes and through vertices, where boxes have no width.
 TEST(BodyTree, ASphereLetsNoRayOut) {
   const Mesh sphere = sphereMesh(16, 32);
   const auto tree = bodyTree(glassOf(sphere));
   ASSERT_TRUE(tree && *tree);
   const auto meets = [&](glm::vec3 direction) {
-    return formula::nearestTriangle(Words{(*tree)->words}, glm::vec3(0.0f), glm::normalize(direction), 0.0f, -1)
+    return formula::nearestTriangle(**tree, glm::vec3(0.0f), glm::normalize(direction), 0.0f, -1,
+                                    formula::kNarrowMargin)
                .triangle >= 0;
   };
   for (std::size_t i = 0; i < sphere.vertices.size(); i += 7) EXPECT_TRUE(meets(sphere.vertices[i].position));
@@ -80,9 +94,10 @@ TEST(BodyTree, TellsNormalAndBodyWhereTheInstanceIs) {
       {.mesh = 0, .world_from_object = glm::scale(glm::translate(glm::mat4(1.0f), {4, 0, 0}), glm::vec3(1, 2, 1))});
   const auto tree = bodyTree(scene);
   ASSERT_TRUE(tree && *tree);
-  const Words words{(*tree)->words};
+  const BodyTree& words = **tree;
   const glm::vec3 towards = glm::normalize(glm::vec3(0.0f, -2.0f, 1.0f));
-  const auto hit = formula::nearestTriangle(words, glm::vec3(4.0f, 0.0f, 0.0f) - 5.0f * towards, towards, 0.0f, -1);
+  const auto hit = formula::nearestTriangle(words, glm::vec3(4.0f, 0.0f, 0.0f) - 5.0f * towards, towards, 0.0f, -1,
+                                            formula::kNarrowMargin);
   ASSERT_GE(hit.triangle, 0);
   const formula::BodySurface surface = formula::bodySurfaceAt(words, hit);
   EXPECT_EQ(surface.body, 1);
@@ -112,9 +127,9 @@ TEST(BodyTree, HasBodiesAloneAndWhatIsFinite) {
     if (vertex.position.y > 0.5f) vertex.position.x = std::numeric_limits<float>::quiet_NaN();
   const auto damaged = bodyTree(scene);
   ASSERT_TRUE(damaged && *damaged);
-  const Words words{(*damaged)->words};
-  EXPECT_GE(formula::nearestTriangle(words, glm::vec3(0.0f), {0, -1, 0}, 0.0f, -1).triangle, 0);
-  EXPECT_LT(formula::nearestTriangle(words, glm::vec3(0.0f), {0, 1, 0}, 0.0f, -1).triangle, 0);
+  const BodyTree& words = **damaged;
+  EXPECT_GE(formula::nearestTriangle(words, glm::vec3(0.0f), {0, -1, 0}, 0.0f, -1, formula::kNarrowMargin).triangle, 0);
+  EXPECT_LT(formula::nearestTriangle(words, glm::vec3(0.0f), {0, 1, 0}, 0.0f, -1, formula::kNarrowMargin).triangle, 0);
 }
 
 }  // namespace

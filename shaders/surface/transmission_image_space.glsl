@@ -1,0 +1,124 @@
+// Part "transmission" (transmission_none.glsl). Here: the ray that the drawn front face refracts leaves by a back face,
+// which is looked for in a picture of them (back_face.glsl). What that face reflects takes the light from far away
+// along its direction, so that none is lost.
+#include "back_face.glsl"
+#include "entering_beam.glsl"
+#include "octahedral.glsl"
+
+uniform sampler2D back_faces;
+
+const int kSearchSteps = 12;
+const float kNearEnough = 2e-3;  // of the way; the last step brings it nearer by far
+
+// Where the picture of back faces shows a place, in texels; beside it on its border. What is behind the eye is nowhere.
+vec2 shownAt(vec3 place) {
+  vec4 seen = back_faces_from_world * vec4(place, 1.0);
+  return seen.w > 0.0 ? clamp(seen.xy / seen.w, vec2(0.0), vec2(textureSize(back_faces, 0))) : vec2(-1.0);
+}
+
+// The back face in the texel that a position in the picture lies in.
+//
+// returns  whether there is one
+bool backFaceAt(vec2 position, out BackFace face) {
+  face = BackFace(vec3(0.0), vec3(0.0), 0.0);
+  if (position.x < 0.0) return false;
+  vec2 texel = min(floor(position), vec2(textureSize(back_faces, 0) - 1));
+  vec4 found = texelFetch(back_faces, ivec2(texel), 0);
+  if (found.z >= kNoBackFace) return false;
+  vec4 far = eye_from_back_faces * vec4(texel + 0.5, 1.0, 1.0);
+  vec3 from_eye = far.xyz / far.w;
+  float depth = dot(from_eye, camera_forward);
+  from_eye = orthographic > 0.5 ? from_eye + (found.z - depth) * camera_forward : from_eye * (found.z / depth);
+  face = BackFace(camera_position + from_eye, octahedralDirection(found.xy), found.w);
+  return true;
+}
+
+// Where a ray leaves the body: Newton's method, kept between a place that is inside and one that is outside.
+//
+// face     becomes the back face there. Where the ray leaves by a face that is not in the picture, it is the last that
+//          is behind the ray; if there is none, its normal is the ray's direction
+// returns  the distance
+float wayOut(vec3 origin, vec3 direction, out BackFace face) {
+  BackFace seen;
+  bool is_seen = backFaceAt(shownAt(origin), seen);
+  // How far to go where no face is in front: as far as the body is thick along the eye's ray, or some pixels.
+  float stride = max(is_seen ? distance(seen.place, origin) : 0.0, 4.0 * length(dFdx(origin)));
+  face = BackFace(origin, direction, 0.0);
+  float inside = 0.0;
+  float outside = kNoBackFace;
+  float at = 0.0;
+  for (int i = 0; i < kSearchSteps; ++i) {
+    bool is_out = !is_seen || dot(origin + at * direction - seen.place, seen.normal) > 0.0;
+    float next = is_seen ? wayToBackFace(seen, origin, direction) : kNoBackFace;
+    if (is_out) {
+      outside = min(at, outside);
+    } else {
+      inside = max(at, inside);
+      if (next < kNoBackFace) face = seen;
+    }
+    if (abs(next - at) <= kNearEnough * at) {
+      face = seen;
+      return next;
+    }
+    if (next < inside || next > outside || next == kNoBackFace) {
+      next = outside < kNoBackFace ? 0.5 * (inside + outside) : at + stride;
+      stride *= 2.0;
+    }
+    at = next;
+    is_seen = backFaceAt(shownAt(origin + at * direction), seen);
+  }
+  return inside;
+}
+
+// The normal of a back face at a place, between those of the texels around it that are of the same smooth surface: a
+// texel's one curvature leaves out that a surface may bend more one way than the other.
+vec3 normalAt(BackFace face, vec3 place) {
+  const float kSame = 0.999;  // 2.6°: less than any edge that is meant to be one
+  vec3 normal = normalBesideBackFace(face, place);
+  vec2 middle = shownAt(place) - 0.5;
+  vec2 share = fract(middle);
+  vec3 sum = vec3(0.0);
+  for (int corner = 0; corner < 4; ++corner) {
+    vec2 step = vec2(corner & 1, corner >> 1);
+    BackFace other;
+    if (!backFaceAt(floor(middle) + step, other)) continue;
+    vec3 found = normalBesideBackFace(other, place);
+    vec2 weights = mix(1.0 - share, share, step);
+    if (dot(found, normal) > kSame) sum += weights.x * weights.y * found;
+  }
+  return sum == vec3(0.0) ? normal : normalize(sum);
+}
+
+vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
+  vec3 d = refractedDirection(point.ray, s.normal, ior);
+  BackFace face;
+  float way = wayOut(point.position, d, face);
+  vec3 place = point.position + way * d;
+  vec3 normal = facingNormal(-normalAt(face, place), d);
+  float cosine = min(-dot(d, normal), 1.0);
+  float eta = 1.0 / ior;
+  float fresnel = fresnelDielectric(cosine, eta);
+  float reflects = fresnel < 1.0 ? s.material.specular * fresnel : 1.0;
+  float alpha = alphaFromPerceptualRoughness(s.material.perceptual_roughness);
+  Beam arriving = beamAfter(enteringBeam(s, point, d, ior), way);
+  vec3 light = vec3(0.0);
+  for (int side = 0; side < 2; ++side) {
+    bool is_reflected = side == 1;
+    vec3 share = is_reflected ? vec3(reflects) : s.material.base_color * (1.0 - reflects);
+    if (share == vec3(0.0)) continue;
+    vec3 to = is_reflected ? reflect(d, normal) : refractedDirection(d, normal, eta);
+    Beam beam = beamBeyond(arriving, is_reflected ? reflectionOfBeam(alpha, cosine, face.curvature)
+                                                  : refractionOfBeam(alpha, cosine, eta, face.curvature));
+    light += share * incomingLight(place, to, roughnessOfBeam(beam), footprintOfBeam(beam));
+  }
+  return light * bodyTransmittance(s.material.attenuation_color, s.material.attenuation_distance, way);
+}
+
+vec3 transmittedLight(Surface s, SurfacePoint point) {
+  RefractiveIndex index = refractiveIndexOf(s.material);
+  bool disperses = s.material.dispersion != 0.0;
+  vec3 light = vec3(0.0);
+  for (int kind = 0; kind < lightKinds(disperses); ++kind)
+    light += shareOfKind(kind, disperses) * lightThrough(s, point, iorOfKind(index, kind));
+  return light;
+}

@@ -1,0 +1,54 @@
+#include "mirrorball/scene/bodies/surrounding_media.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include "mirrorball/scene/mesh_testing.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::glassOf;
+
+formula::Media mediaIn(const Scene& scene, glm::vec3 point) {
+  const auto tree = bodyTree(scene);
+  EXPECT_TRUE(tree && *tree);
+  return surroundingMedia(scene, point, **tree);
+}
+
+TEST(SurroundingMedia, AreThoseBodiesThatAPointLiesIn) {
+  Scene scene = glassOf(torusMesh(48, 24));
+  // A ball in the tube of the torus, and one around all.
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].priority = 3;
+  for (const float scale : {0.1f, 4.0f}) {
+    Mesh ball = sphereMesh(24, 48);
+    ball.material = 1;
+    const glm::vec3 place = scale < 1.0f ? glm::vec3(0.7f, 0.0f, 0.0f) : glm::vec3(0.0f);
+    scene.instances.push_back(
+        {static_cast<int>(scene.meshes.size()), glm::scale(glm::translate(glm::mat4(1.0f), place), glm::vec3(scale))});
+    scene.meshes.push_back(std::move(ball));
+  }
+  const glm::vec3 in_small_ball(scene.instances[1].world_from_object[3]);
+  const formula::Media innermost = mediaIn(scene, in_small_ball);
+  EXPECT_EQ(innermost.count, 3);
+  for (const int body : {0, 1, 2}) EXPECT_EQ(formula::timesEntered(innermost, body), 1) << body;
+  EXPECT_EQ(innermost.priorities[0], 3);
+  const formula::Media in_hole = mediaIn(scene, glm::vec3(0.0f));
+  EXPECT_EQ(in_hole.count, 1);
+  EXPECT_EQ(formula::fillingBody(in_hole), 2);
+  EXPECT_EQ(mediaIn(scene, glm::vec3(0.0f, 5.0f, 0.0f)).count, 0);
+}
+
+// What an open mesh would enclose is not told by its triangles.
+TEST(SurroundingMedia, AnOpenSheetSurroundsNothing) {
+  const Scene sheet = glassOf(planeMesh());
+  for (const float side : {-0.1f, 0.1f}) {
+    EXPECT_EQ(mediaIn(sheet, {0.0f, side, 0.0f}).count, 0);
+    EXPECT_EQ(mediaIn(sheet, {0.0f, 0.0f, side}).count, 0);
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball

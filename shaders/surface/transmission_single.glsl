@@ -11,11 +11,4 @@ vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
   return incomingLight(point.position, d, roughnessOfBeam(beam), footprint);
 }
 
-vec3 transmittedLight(Surface s, SurfacePoint point) {
-  RefractiveIndex index = refractiveIndexOf(s.material);
-  bool disperses = s.material.dispersion != 0.0;
-  vec3 light = vec3(0.0);
-  for (int kind = 0; kind < lightKinds(disperses); ++kind)
-    light += shareOfKind(kind, disperses) * lightThrough(s, point, iorOfKind(index, kind));
-  return light;
-}
+#include "each_kind_of_light.glsl"

@@ -64,17 +64,33 @@ TEST_F(MaterialCliTest, EveryParameterThatASphereHasChangesThePicture) {
     const char* assignment;
   };
   std::map<std::string, Image> bases;
-  for (const Change& change :
-       {Change{"", "base_color=0.1,0.5,0.9"}, Change{"", "metallic=1"}, Change{"", "perceptual_roughness=0"},
-        Change{"", "specular=0"}, Change{"", "ior=2.4"}, Change{"--material glass", "dispersion=3"},
-        Change{"", "transmission=1"}, Change{"--material gold", "conductor_n=2"},
-        Change{"--material gold", "conductor_k=1,2,3"}, Change{"", "emission=0.5,0.25,0"},
-        Change{"--material water", "fresnel=empirical"},
-        Change{"--material water --fresnel empirical", "fresnel_offset=0.3"},
-        Change{"--material water --fresnel empirical", "fresnel_scale=0.5"},
-        Change{"--material water --fresnel empirical", "fresnel_power=2"},
-        Change{"--material gold --fresnel f82", "f82_tint=0.5"}, Change{"", "bump=orange"},
-        Change{"--material orange", "bump_height=0.02"}, Change{"--material orange", "bump_frequency=8"}}) {
+  for (const Change& change : {Change{"", "base_color=0.1,0.5,0.9"},
+                               Change{"", "metallic=1"},
+                               Change{"", "perceptual_roughness=0"},
+                               Change{"", "specular=0"},
+                               Change{"", "ior=2.4"},
+                               Change{"--material glass", "dispersion=3"},
+                               Change{"", "transmission=1"},
+                               Change{"--material gold", "conductor_n=2"},
+                               Change{"--material gold", "conductor_k=1,2,3"},
+                               Change{"", "emission=0.5,0.25,0"},
+                               Change{"--material water", "fresnel=empirical"},
+                               Change{"--material water --fresnel empirical", "fresnel_offset=0.3"},
+                               Change{"--material water --fresnel empirical", "fresnel_scale=0.5"},
+                               Change{"--material water --fresnel empirical", "fresnel_power=2"},
+                               Change{"--material gold --fresnel f82", "f82_tint=0.5"},
+                               Change{"", "bump=orange"},
+                               Change{"--material orange", "bump_height=0.02"},
+                               Change{"--material orange", "bump_frequency=8"},
+                               Change{"", "clearcoat=1"},
+                               Change{"--material car-paint", "clearcoat_roughness=0.5"},
+                               Change{"", "sheen_color=0.5,0.2,0.1"},
+                               Change{"--material velvet", "sheen_roughness=1"},
+                               Change{"--material rough-metal", "anisotropy=0.8"},
+                               Change{"--material brushed-metal", "anisotropy_rotation=1"},
+                               Change{"", "iridescence=1"},
+                               Change{"--material soap-bubble", "iridescence_ior=1.6"},
+                               Change{"--material soap-bubble", "iridescence_thickness=300"}}) {
     const std::string base = std::string("sphere ") + change.base;
     if (!bases.contains(base)) bases[base] = draw(base);
     EXPECT_GT(meanDifference(draw(base + " --set " + change.assignment), bases[base]), 3e-4)
@@ -87,7 +103,10 @@ TEST_F(MaterialCliTest, EveryMapThatIsSetChangesThePicture) {
   for (std::size_t i = 0; i < pattern.samples().size(); ++i)
     pattern.samples()[i] = static_cast<std::uint8_t>(40 + 13 * i);
   ASSERT_TRUE(savePicture(path("pattern.png"), pattern));
-  const std::string base = "sphere --set metallic=0.5 --set emission=0.5 --set transmission=0.5";
+  const std::string base =
+      "sphere --set metallic=0.5 --set emission=0.5 --set transmission=0.5 --set clearcoat=1 --set "
+      "clearcoat_roughness=0.5 "
+      "--set sheen_color=0.5 --set sheen_roughness=0.7 --set anisotropy=0.8 --set iridescence=1";
   const Image plain = draw(base);
   std::string all = base;
   for (const MaterialMap& map : materialMaps()) {

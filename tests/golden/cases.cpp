@@ -115,6 +115,24 @@ constexpr auto kCases = std::to_array<Case>({
     {"soap_bubble", "render sphere --material soap-bubble --size 96x96", &kOutlined, "--set iridescence_thickness=396",
      Truth{40, kExact, "--set iridescence_thickness=380", 16, 64}},
 
+    // One material with two of its parameters in steps.
+    {"roughness_grid", "render roughness-grid --camera 30,0 --size 160x100", &kOutlined, "--set specular=0.5",
+     Truth{29.3, kLobes, "", 16, 32}},
+    {"transmission_grid", "render transmission-grid --camera 30,0 --size 160x70", &kOutlined, "--set ior=1.53",
+     Truth{26.6, kLobes, "", 16, 32}},
+    {"index_grid", "render index-grid --camera 30,0 --size 160x70", &kOutlined, "--set base_color=0.97",
+     Truth{28.9, kRefracts, "", 16, 32}},
+    {"attenuation_grid", "render attenuation-grid --refraction traced --camera 30,0 --size 160x100", &kOutlined,
+     "--set attenuation_distance=3", Truth{28.2, kSplits, "", 16, 32}},
+    {"clearcoat_grid", "render clearcoat-grid --camera 30,0 --size 160x100", &kOutlined, "--set clearcoat=0.9",
+     Truth{30.4, kLobes, "", 16, 32}},
+    {"sheen_grid", "render sheen-grid --camera 30,0 --size 160x100", &kOutlined, "--set sheen_roughness=0.5",
+     Truth{29.1, kCloth, "", 16, 32}},
+    {"anisotropy_grid", "render anisotropy-grid --camera 30,0 --size 160x100", &kOutlined, "--set anisotropy=0.5",
+     Truth{24.5, kLobes, "", 16, 32}},
+    {"iridescence_grid", "render iridescence-grid --camera 30,0 --size 160x70", &kOutlined,
+     "--set iridescence_ior=1.33", Truth{21.5, kLobes, "", 16, 32}},
+
     // Which way round the environment is, looking at its faces from inside.
     {"uv_along_minus_z", "render none -e uv --camera 0,0 --fov 100 --size 96x72", &kFiltered, "--fov 100.1",
      Truth{40.8, kTexels, "--env-rotation 2", 16, 16}},

@@ -56,7 +56,7 @@ TEST(GoldenPictures, BelongToACaseAndAreSmall) {
     EXPECT_TRUE(wanted.contains(entry.path().filename().string())) << entry.path() << " belongs to no case";
     bytes += entry.file_size();
   }
-  EXPECT_LE(bytes, 500'000u) << "every clone carries these pictures, and every version of them";
+  EXPECT_LE(bytes, 750'000u) << "every clone carries these pictures, and every version of them";
 }
 
 }  // namespace

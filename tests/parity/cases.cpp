@@ -1,65 +1,13 @@
-#include <iterator>
+// Of light: projections, prefiltering, colour, sky.
 
-#include "formula/formula.h"
-#include "parity/parity_case.h"
+#include <vector>
 
-namespace mirrorball::formula {
-
-#define FN inline
-#include "parity/smooth_cube.glsl"
-#include "parity/smooth_map.glsl"
-//
-#include "parity/small_tree.glsl"
-#include "parity/test_media.glsl"
-#include "parity/test_surface.glsl"
-#undef FN
-
-}  // namespace mirrorball::formula
-
-// One row a formula: its name, the domain, the tolerance, and an expression that C++ compiles here
-// and a shader compiles as text.
-#define PARITY(function, domain, tolerance, ...)                                                                      \
-  Case {                                                                                                              \
-#function, Domain::domain, tolerance, #__VA_ARGS__,                                                               \
-        []([[maybe_unused]] vec4 p, [[maybe_unused]] vec4 q, [[maybe_unused]] vec4 r) -> vec4 { return __VA_ARGS__; } \
-  }
+#include "parity/case_rows.h"
 
 namespace mirrorball::parity {
 namespace {
 
-using namespace formula;
-
-// Whole numbers, choices, and sums and products that a power of two scales.
-constexpr float kExact = 0.0f;
-// Some additions, multiplications, divisions and square roots: a few units in the last place, since
-// a shader may fuse or reorder them and divide by way of the reciprocal.
-constexpr float kTight = 1e-5f;
-// exp2, log2, pow, atan, sin: OpenGL promises little for these, and drivers take polynomials;
-// Mesa's atan is off by 2e-6.
-constexpr float kTranscendental = 5e-5f;
-
 const Case kCases[] = {
-    // back_face
-    PARITY(curvatureOfPixels, direction, kTight,
-           vec4(curvatureOfPixels(vec3(p) + vec3(2.0f), vec3(q), vec3(q) - vec3(2.0f), vec3(r)))),
-    PARITY(wayToBackFace, direction, kTight,
-           vec4(wayToBackFace(BackFace(2.0f * vec3(p), vec3(p), 0.0f), vec3(0.5f * q.x, 0.0f, 0.0f),
-                              normalize(vec3(p) + 0.5f * vec3(q))))),
-    PARITY(normalBesideBackFace, direction, kTight,
-           vec4(normalBesideBackFace(BackFace(vec3(p), vec3(p), 0.5f * q.w), vec3(p) + 0.25f * vec3(q)), 0.0f)),
-
-    // beam
-    PARITY(refractionOfBeam, unit, kTight, vec4(refractionOfBeam(p.x, p.y, 0.5f + q.x, 4.0f * q.y - 2.0f), 0.0f)),
-    PARITY(reflectionOfBeam, unit, kTight, vec4(reflectionOfBeam(p.x, p.y, 4.0f * q.y - 2.0f), 0.0f)),
-    PARITY(beamBeyond, unit, kTight,
-           vec4(beamBeyond(Beam(vec3(p), vec2(r.x, r.y)), vec3(q)).lobe,
-                beamBeyond(Beam(vec3(p), vec2(r.x, r.y)), vec3(q)).pixel.x)),
-    PARITY(beamAfter, unit, kTight,
-           vec4(beamAfter(Beam(vec3(p), vec2(r.x, r.y)), 4.0f * q.x).lobe,
-                beamAfter(Beam(vec3(p), vec2(r.x, r.y)), 4.0f * q.x).pixel.y)),
-    PARITY(roughnessOfBeam, unit, kTight, vec4(roughnessOfBeam(Beam(vec3(p), vec2(0.0f))), 0.0f, 0.0f, 0.0f)),
-    PARITY(footprintOfBeam, unit, kTight, vec4(footprintOfBeam(Beam(vec3(p), vec2(4.0f * q.x))), 0.0f, 0.0f, 0.0f)),
-
     // blur
     PARITY(prefilteredLight, direction, kTight,
            prefilteredLight(Blur(0, 1.0f, 6.0f, 32.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x,
@@ -70,13 +18,6 @@ const Case kCases[] = {
     PARITY(blurredLight, direction, kTranscendental,
            blurredLight(Blur(int(1.9375f * r.w), 1.0f, 6.0f, 32.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p),
                         r.x, 4.0f * r.y)),
-
-    // brdf_table
-    PARITY(brdfTableColumn, unit, kTight, vec4(brdfTableColumn(p.x, p.y), 0.0f, 0.0f, 0.0f)),
-    PARITY(brdfTableCoordinates, unit, kTight, vec4(brdfTableCoordinates(p.x, p.y, 128.0f), 0.0f, 0.0f)),
-
-    PARITY(sheenAlbedo, unit, kTight, vec4(sheenAlbedo(SmoothMap(16.0f), p.x, p.y), 0.0f, 0.0f, 0.0f)),
-    PARITY(environmentBrdf, unit, kTight, vec4(environmentBrdf(SmoothMap(32.0f), p.x, p.y), 0.0f, 0.0f)),
 
     // bright_light
     PARITY(brightness, light, kExact, vec4(brightness(vec3(p)), 0.0f, 0.0f, 0.0f)),
@@ -121,11 +62,6 @@ const Case kCases[] = {
            vec4(cubeTexelSolidAngle(vec2(p), 4.0f + 1024.0f * r.x), 0.0f, 0.0f, 0.0f)),
     PARITY(cubeTangent, direction, kTight, vec4(cubeTangent(cubeFace(vec3(p)), vec3(p)), 0.0f)),
 
-    // diffuse
-    PARITY(evalDiffuse, unit, kTight, vec4(evalDiffuse())),
-    PARITY(sampleDiffuse, unit, kTranscendental, vec4(sampleDiffuse(vec2(p)), 0.0f)),
-    PARITY(pdfDiffuse, direction, kTight, vec4(pdfDiffuse(vec3(p)))),
-
     // equiangular_cube
     PARITY(equiangular, unit, kTranscendental, vec4(equiangular(2.0f * p.x - 1.0f), 0.0f, 0.0f, 0.0f)),
     PARITY(equiangularCubeCoordinates, direction, kTranscendental,
@@ -133,78 +69,6 @@ const Case kCases[] = {
     PARITY(equiangularCubePoint, unit, kTranscendental, vec4(equiangularCubePoint(int(5.9375f * r.x), vec2(p)), 0.0f)),
     PARITY(equiangularCubeDirection, unit, kTranscendental,
            vec4(equiangularCubeDirection(int(5.9375f * r.x), vec2(p)), 0.0f)),
-
-    // ggx, from alpha = 1/16
-    PARITY(ggxDistribution, direction, kTight, vec4(ggxDistribution(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p)))),
-    PARITY(ggxLambda, direction, kTight, vec4(1.0f / (1.0f + ggxLambda(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p))))),
-    PARITY(ggxMasking, direction, kTight, vec4(ggxMasking(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p)))),
-    PARITY(ggxMaskingShadowing, direction, kTight,
-           vec4(ggxMaskingShadowing(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p), vec3(q)))),
-    PARITY(pdfVisibleNormal, direction, kTight,
-           vec4(pdfVisibleNormal(vec2(0.0625f + r.x, 0.0625f + r.w), normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
-                                 vec3(q)))),
-    PARITY(sampleVisibleNormal, direction, kTranscendental,
-           vec4(sampleVisibleNormal(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z)),
-                                    vec2(r.y, r.z) * 0.96875f),
-                0.0f)),
-    PARITY(evalGgx, direction, kTranscendental,
-           vec4(evalGgx(vec2(0.0625f + r.x, 0.0625f + r.w), normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
-                        normalize(vec3(q.x, q.y, abs(q.z) + 0.0625f))))),
-    PARITY(
-        sampleGgx, direction, kTranscendental,
-        vec4(sampleGgx(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z)), vec2(r.y, r.z) * 0.96875f), 0.0f)),
-    PARITY(pdfGgx, direction, kTranscendental,
-           vec4(pdfGgx(vec2(0.0625f + r.x, 0.0625f + r.w), normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
-                       normalize(vec3(q.x, q.y, abs(q.z) + 0.0625f))))),
-
-    PARITY(stretchedAlpha, unit, kTight, vec4(stretchedAlpha(p.x, q.x), 0.0f, 0.0f)),
-
-    // stretched_lobe
-    PARITY(tapOfStretchedLobe, direction, kTranscendental,
-           vec4(tapOfStretchedLobe(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z) + 0.0625f),
-                                   0.0625f + 0.875f * r.y, 0.0625f)
-                    .normal,
-                tapOfStretchedLobe(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z) + 0.0625f),
-                                   0.0625f + 0.875f * r.y, 0.0625f)
-                    .weight)),
-    PARITY(roundAlpha, unit, kTight, vec4(roundAlpha(vec2(p)), 0.0f, 0.0f, 0.0f)),
-
-    // charlie, of all but the smoothest cloth, where rounding is raised to a high power
-    PARITY(alphaOfSheen, unit, kTight, vec4(alphaOfSheen(p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(charlieDistribution, direction, kTranscendental,
-           vec4(charlieDistribution(0.125f + 0.875f * r.x, vec3(p)), 0.0f, 0.0f, 0.0f)),
-    PARITY(charlieLambdaFit, unit, kTranscendental, vec4(charlieLambdaFit(r.x, 0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(charlieLambda, unit, kTranscendental, vec4(charlieLambda(r.x, 0.0625f + 0.875f * p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(evalCharlie, direction, kTranscendental,
-           vec4(evalCharlie(0.125f + 0.875f * r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)),
-                            normalize(vec3(q.x, q.y, abs(q.z) + 0.0625f))),
-                0.0f, 0.0f, 0.0f)),
-
-    PARITY(sheenTap, direction, kTranscendental,
-           vec4(sheenTap(0.125f + 0.875f * r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)), int(1.9375f * r.y),
-                         int(5.9375f * r.z))
-                    .light,
-                sheenTap(0.125f + 0.875f * r.x, normalize(vec3(p.x, p.y, abs(p.z) + 0.0625f)), int(1.9375f * r.y),
-                         int(5.9375f * r.z))
-                    .weight)),
-
-    // thin_film
-    PARITY(meanOverSpectrum, unit, kTranscendental,
-           vec4(meanOverSpectrum(2.0f * p.x).cosine, meanOverSpectrum(2.0f * p.x).sine.y)),
-    PARITY(higherOrders, unit, kTranscendental, vec4(higherOrders(0.875f * vec3(q), 4.0f * vec3(r), 0.5f * p.y), 0.0f)),
-    PARITY(sumWithoutSpectrum, unit, kTranscendental,
-           vec4(sumWithoutSpectrum(FilmSides(1.5f * p.x - 0.75f, 0.875f * vec3(q), 4.0f * vec3(r)), 0.5f * p.y), 0.0f)),
-    PARITY(spectralOrder, unit, kTranscendental,
-           vec4(spectralOrder(FilmSides(1.5f * p.x - 0.75f, 0.875f * vec3(q), 4.0f * vec3(r)), 1 + int(2.9375f * p.y),
-                              SpectrumMean(vec3(0.5f), vec3(0.25f, 0.75f, 0.5f))),
-                0.0f)),
-    PARITY(reflectanceOfSum, unit, kTight,
-           vec4(reflectanceOfSum(FilmSides(1.5f * p.x - 0.75f, 0.875f * vec3(q), vec3(0.0f)), vec3(r)), 0.0f)),
-    PARITY(filmReflectance, unit, kTranscendental,
-           vec4(filmReflectance(0.0625f + 0.9375f * p.x, 1.0625f + p.y, 0.75f * p.z, vec3(0.25f) + 2.0f * vec3(q),
-                                r.w < 0.5f ? vec3(0.0f) : vec3(0.125f) + 3.0f * vec3(r)),
-                0.0f)),
-    PARITY(iorOfReflectance, unit, kTranscendental, vec4(iorOfReflectance(0.75f * vec3(p)), 0.0f)),
 
     // harmonics
     PARITY(harmonicOfBand3, direction, kTight,
@@ -217,25 +81,6 @@ const Case kCases[] = {
 
     // grid_random
     PARITY(gridRandom, unit, kExact, vec4(gridRandom(ivec3(vec3(p) * 2048.0f - 1024.0f)), 0.0f)),
-
-    // height
-    PARITY(orangeHeight, unit, kTight, orangeHeight(vec3(p) * 16.0f - 8.0f)),
-    PARITY(orangeNormal, direction, kTight, vec4(orangeNormal(vec3(q), vec3(p), 0.01f, 12.0f), 0.0f)),
-
-    // media
-    PARITY(entered, unit, kExact, shownMedia(entered(testMedia(p), int(2.9375f * q.x), int(2.9375f * q.y)))),
-    PARITY(left, unit, kExact, shownMedia(left(testMedia(p), int(2.9375f * q.x)))),
-    PARITY(timesEntered, unit, kExact,
-           vec4(float(timesEntered(entered(testMedia(p), 1, 0), int(2.9375f * q.x))), 0.0f, 0.0f, 0.0f)),
-    PARITY(fillingPlace, unit, kExact, vec4(float(fillingPlace(testMedia(p))), 0.0f, 0.0f, 0.0f)),
-    PARITY(fillingBody, unit, kExact, vec4(float(fillingBody(testMedia(p))), 0.0f, 0.0f, 0.0f)),
-    PARITY(hasSurface, unit, kExact,
-           vec4(hasSurface(testMedia(p), int(2.9375f * q.x), int(2.9375f * q.y), q.z < 0.5f) ? 1.0f : 0.0f, 0.0f, 0.0f,
-                0.0f)),
-
-    // microfacet
-    PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
 
     // mip_mapping
     PARITY(lodOfRoughness, unit, kTight, vec4(lodOfRoughness(p.x, 8.0f * p.y), 0.0f, 0.0f, 0.0f)),
@@ -263,44 +108,11 @@ const Case kCases[] = {
     PARITY(equalAreaPosition, direction, kTranscendental, vec4(equalAreaPosition(vec3(p)), 0.0f, 0.0f)),
     PARITY(equalAreaDirection, unit, kTranscendental, vec4(equalAreaDirection(vec2(p)), 0.0f)),
 
-    // optics
-    PARITY(besideSurface, direction, kTight, vec4(besideSurface(1000.0f * vec3(p), 2000.0f * r.x, vec3(q)), 0.0f)),
-    PARITY(bodyTransmittance, unit, kTranscendental,
-           vec4(bodyTransmittance(vec3(p) + vec3(0.0625f), q.x - 0.25f, 2.0f * q.y), 0.0f)),
-    PARITY(facingNormal, direction, kTight, vec4(facingNormal(vec3(p), vec3(q)), 0.0f)),
-    PARITY(
-        refractedDirection, direction, kTight,
-        vec4(refractedDirection(vec3(p), dot(vec3(p), vec3(q)) > 0.0f ? -vec3(q) : vec3(q), 0.4f + 2.0f * r.x), 0.0f)),
-    PARITY(fresnelDielectric, unit, kTight, vec4(fresnelDielectric(p.x, 0.4f + 2.0f * p.y), 0.0f, 0.0f, 0.0f)),
-    PARITY(fresnelDielectricOfChannels, unit, kTight,
-           vec4(fresnelDielectricOfChannels(p.x, 0.4f + 2.0f * vec3(q)), 0.0f)),
-    PARITY(fresnelConductor1, unit, kTight,
-           vec4(fresnelConductor1(p.x, 0.1f + 3.0f * p.y, 0.5f + 6.0f * p.z), 0.0f, 0.0f, 0.0f)),
-    PARITY(fresnelConductor, unit, kTight, vec4(fresnelConductor(p.x, vec3(q) + 0.1f, vec3(r) * 6.0f + 0.5f), 0.0f)),
-    PARITY(fresnelSchlick, unit, kTight, vec4(fresnelSchlick(p.x, vec3(q)), 0.0f)),
-    PARITY(fresnelF82, unit, kTight, vec4(fresnelF82(p.x, vec3(q), vec3(r)), 0.0f)),
-    PARITY(fresnelEmpirical, unit, kTranscendental,
-           vec4(fresnelEmpirical(p.x, p.y, p.z, 1.0f + 5.0f * p.w), 0.0f, 0.0f, 0.0f)),
-    PARITY(iorOfChannels, unit, kTight, vec4(iorOfChannels(1.0f + 1.5f * p.x, p.y), 0.0f)),
-    PARITY(iorOfCauchy, unit, kTight, vec4(iorOfCauchy(1.0f + 1.5f * p.x, p.y, 0.4f + 0.3f * p.z), 0.0f, 0.0f, 0.0f)),
-    PARITY(iorOfSellmeier, unit, kTight,
-           vec4(iorOfSellmeier(p, q * 0.03125f, 0.375f + 0.375f * r.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(iorAtWavelength, unit, kTight,
-           vec4(iorAtWavelength(RefractiveIndex(1.5f, p.y, vec4(0.0f), vec4(0.0f)), 0.375f + 0.375f * r.x),
-                iorAtWavelength(RefractiveIndex(1.5f, p.y, p, q * 0.03125f), 0.375f + 0.375f * r.x), 0.0f, 0.0f)),
-
     // paraboloid
     PARITY(paraboloidFace, direction, kExact, vec4(float(paraboloidFace(vec3(p))), 0.0f, 0.0f, 0.0f)),
     PARITY(paraboloidPosition, direction, kTight,
            vec4(paraboloidPosition(paraboloidFace(vec3(p)), vec3(p)), 0.0f, 0.0f)),
     PARITY(paraboloidDirection, unit, kTight, vec4(paraboloidDirection(int(1.9375f * r.x), vec2(p)), 0.0f)),
-
-    // phong
-    PARITY(phongMirror, direction, kExact, vec4(phongMirror(vec3(p)), 0.0f)),
-    PARITY(evalPhong, direction, kTranscendental, vec4(evalPhong(1.0f + 8.0f * r.x, vec3(p), vec3(q)))),
-    PARITY(samplePhong, direction, kTranscendental,
-           vec4(samplePhong(1.0f + 8.0f * r.x, vec3(p.x, p.y, abs(p.z)), vec2(r.y, r.z) * 0.96875f), 0.0f)),
-    PARITY(pdfPhong, direction, kTranscendental, vec4(pdfPhong(1.0f + 8.0f * r.x, vec3(p), vec3(q)))),
 
     // projection
     // u as a point of the circle: next to u = 0 the last bit decides between 0 and 1.
@@ -313,21 +125,6 @@ const Case kCases[] = {
     PARITY(angularPosition, direction, kTranscendental, vec4(angularPosition(vec3(p)), 0.0f, 0.0f)),
     PARITY(angularDirection, unit, kTranscendental, vec4(angularDirection(vec2(p)), 0.0f)),
     PARITY(insideDisc, unit, kExact, vec4(float(insideDisc(vec2(p))), 0.0f, 0.0f, 0.0f)),
-
-    // reflection_lobe
-    PARITY(cosineOfLobe, unit, kTight, vec4(cosineOfLobe(p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(ggxLobe, unit, kTight, vec4(ggxLobe(0.0625f + p.y, p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(logOfOneMinus, unit, kTranscendental, vec4(logOfOneMinus(0.9375f * p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(blinnLobe, unit, kTranscendental, vec4(blinnLobe(32.0f * p.y, 0.9375f * p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(phongLobe, unit, kTranscendental, vec4(phongLobe(1.0f + 32.0f * p.y, p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(charlieLobe, unit, kTranscendental, vec4(charlieLobe(0.0625f + p.y, p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(blinnExponent, unit, kTight, vec4(blinnExponent(0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(phongExponent, unit, kTight, vec4(phongExponent(0.0625f + p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(ggxHalfAngle, unit, kTranscendental, vec4(ggxHalfAngle(p.x), 0.0f, 0.0f, 0.0f)),
-    PARITY(mipTexelWidth, unit, kTight,
-           vec4(mipTexelWidth(8 + int(1016.0f * p.x), int(10.0f * p.y)), 0.0f, 0.0f, 0.0f)),
-    PARITY(lodOfLobe, direction, kTranscendental,
-           vec4(lodOfLobe(r.x, 64.0f + 256.0f * r.y, vec3(p)), 0.0f, 0.0f, 0.0f)),
 
     // sampling
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),
@@ -384,225 +181,18 @@ const Case kCases[] = {
     PARITY(sphereMapTextureMatrix, direction, kTight, sphereMapTextureMatrix(mat3(vec3(p), vec3(q), vec3(r))) * r),
     PARITY(sphereMapNormal, unit, kTight, vec4(sphereMapNormal(vec2(p)), 0.0f)),
     PARITY(sphereMapDirection, unit, kTight, vec4(sphereMapDirection(vec2(p)), 0.0f)),
-
-    // tangent
-    PARITY(turnedTangent, direction, kTight,
-           vec4(turnedTangent(vec4(vec3(p), p.w < 0.5f ? -1.0f : 1.0f), vec3(q), vec2(0.75f, 0.5f)), 0.0f)),
-    PARITY(anisotropyTurn, unit, kTranscendental, vec4(anisotropyTurn(vec2(p) * 2.0f - 1.0f, 6.0f * q.x), 0.0f, 0.0f)),
-    PARITY(anyTangent, direction, kTight, vec4(anyTangent(vec3(p)), 0.0f)),
-    PARITY(
-        perturbedNormal, direction, kTight,
-        vec4(perturbedNormal(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p), r.x - 0.5f, r.y - 0.5f),
-             0.0f)),
-    PARITY(mappedNormal, direction, kTight,
-           vec4(mappedNormal(vec4(anyTangent(vec3(p)) + 0.2f * vec3(p), -1.0f), vec3(p),
-                             vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),
-                0.0f)),
-    PARITY(normalFromMap, direction, kTight,
-           vec4(normalFromMap(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p),
-                              vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),
-                0.0f)),
-
-    // texgen
-    PARITY(objectCoordinates, direction, kExact,
-           objectCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
-    PARITY(placeCoordinates, direction, kExact,
-           placeCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
-    PARITY(normalCoordinates, direction, kExact,
-           normalCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
-    PARITY(reflectionCoordinates, direction, kTight,
-           reflectionCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
-    PARITY(sphereCoordinates, direction, kTight,
-           sphereCoordinates(TexgenPoint(vec3(r), vec3(q), vec3(p), vec3(q), mat3(vec3(q), vec3(r), vec3(p))))),
-    PARITY(coordinatesOfUv, unit, kExact, coordinatesOfUv(vec2(p))),
-    PARITY(uvOfCoordinates, unit, kTight, vec4(uvOfCoordinates(p + vec4(0.0f, 0.0f, 0.0f, 0.5f)), 0.0f, 0.0f)),
-    PARITY(projectedShare, direction, kExact, vec4(projectedShare(p), 0.0f, 0.0f, 0.0f)),
-    PARITY(projectorMatrix, direction, kTight,
-           projectorMatrix(vec3(r), vec3(p), vec3(r), 0.5f + q.w) * vec4(vec3(q), 1.0f)),
-
-    // texture_filter, where texels lie up to two maps away from one of 16 x 8
-    PARITY(wrappedTexel, unit, kExact,
-           vec4(wrappedTexel(floor(64.0f * p.x) - 32.0f, 1.0f + floor(15.0f * p.y), int(2.9375f * r.x)), 0.0f, 0.0f,
-                0.0f)),
-    PARITY(wrappedFetch, unit, kExact,
-           wrappedFetch(SmoothMap(16.0f), floor(64.0f * vec2(p)) - vec2(32.0f), int(3.9375f * r.x),
-                        MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), false))),
-    PARITY(nearestTexel, unit, kExact,
-           nearestTexel(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), 1,
-                        MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), true))),
-    PARITY(bilinearTexels, unit, kTight,
-           bilinearTexels(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), int(3.9375f * r.x),
-                          MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), false))),
-    PARITY(lodOfTexels, unit, kTranscendental, vec4(lodOfTexels(4.0f * vec2(p), 4.0f * vec2(q)), 0.0f, 0.0f, 0.0f)),
-    PARITY(filteredMap, unit, kTight,
-           filteredMap(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), max(4.0f * r.x - 1.0f, 0.0f),
-                       MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), r.w < 0.5f))),
-
-    // clear_coat
-    PARITY(coatMaterial, direction, kExact,
-           vec4(coatMaterial(testSurface(p, q, r).material).perceptual_roughness,
-                coatMaterial(testSurface(p, q, r).material).ior, coatMaterial(testSurface(p, q, r).material).metallic,
-                coatMaterial(testSurface(p, q, r).material).base_color.x)),
-    PARITY(coatOf, direction, kTranscendental,
-           vec4(coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q), vec2(0.25f, 0.5f * r.x))
-                    .reflectance.single_scattering,
-                coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q), vec2(0.25f, 0.5f * r.x))
-                    .environment_brdf.y)),
-    PARITY(underCoat, direction, kTranscendental,
-           vec4(underCoat(coatOf(testSurface(p, q, r), vec3(p), testSurface(p, q, r).normal, vec3(q),
-                                 vec2(0.25f, 0.5f * r.x)),
-                          r.y, vec3(1.0f, 2.0f, 3.0f), vec3(r)),
-                0.0f)),
-
-    // shading
-    PARITY(hasConductorIndex, direction, kExact,
-           vec4(hasConductorIndex(testSurface(p, q, r).material) ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f)),
-    PARITY(bareDielectricReflectance, direction, kTranscendental,
-           vec4(bareDielectricReflectance(testSurface(p, q, r).material, p.w, vec3(1.0f + r.x, 1.5f, 2.0f)), 0.0f)),
-    PARITY(bareMetalReflectance, direction, kTight,
-           vec4(bareMetalReflectance(testSurface(p, q, r).material, p.w), 0.0f)),
-    PARITY(smoothReflectance, direction, kTranscendental,
-           vec4(smoothReflectance(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w, vec3(1.0f + r.x, 1.5f, 2.0f),
-                                  q.w < 0.5f),
-                0.0f)),
-    PARITY(dielectricReflectance, direction, kTranscendental,
-           vec4(dielectricReflectance(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w,
-                                      vec3(1.0f + r.x, 1.5f, 2.0f)),
-                0.0f)),
-    PARITY(metalReflectance, direction, kTranscendental,
-           vec4(metalReflectance(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w), 0.0f)),
-    PARITY(
-        tintedReflectance, direction, kTranscendental,
-        vec4(tintedReflectance(testSurface(p, q, r).material, vec3(0.25f + 0.5f * abs(p.y)), vec3(0.25f * r.x)), 0.0f)),
-    PARITY(withGreySpecular, direction, kExact,
-           vec4(withGreySpecular(testSurface(p, q, r).material).specular_color, 0.0f)),
-    PARITY(refractiveIndexOf, unit, kTight,
-           vec4(refractiveIndexOf(testSurface(p, q, r).material).ior,
-                refractiveIndexOf(testSurface(p, q, r).material).dispersion,
-                refractiveIndexOf(testSurface(p, q, r).material).sellmeier_b.x,
-                refractiveIndexOf(testSurface(p, q, r).material).sellmeier_c.w)),
-    PARITY(atWavelength, unit, kTight,
-           vec4(atWavelength(testSurface(p, q, r).material, p.x < 0.25f ? 0.0f : 0.375f + 0.375f * p.y).ior,
-                atWavelength(testSurface(p, q, r).material, p.x < 0.25f ? 0.0f : 0.375f + 0.375f * p.y).dispersion,
-                0.0f, 0.0f)),
-    PARITY(smoothDielectric, direction, kTranscendental,
-           vec4(smoothDielectric(testSurface(p, q, r).material, 0.0625f + 0.9375f * p.w), 0.0f)),
-    PARITY(roughReflectance, direction, kTight,
-           vec4(roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).single_scattering,
-                roughReflectance(testSurface(p, q, r), vec3(r), vec3(r.w)).multiple_scattering.x)),
-    PARITY(cosineOfFacets, direction, kExact, vec4(cosineOfFacets(testSurface(p, q, r), p.w), 0.0f, 0.0f, 0.0f)),
-    PARITY(facetShares, direction, kTranscendental,
-           vec4(facetShares(testSurface(p, q, r), 0.0625f + 0.9375f * p.w, q.w < 0.5f).seen,
-                facetShares(testSurface(p, q, r), 0.0625f + 0.9375f * p.w, q.w < 0.5f).mean.x)),
-    PARITY(dielectricOf, direction, kTranscendental,
-           vec4(dielectricOf(testSurface(p, q, r), testSurface(p, q, r).material,
-                             FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.y)))
-                    .single_scattering,
-                dielectricOf(testSurface(p, q, r), testSurface(p, q, r).material,
-                             FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.y)))
-                    .multiple_scattering.x)),
-    PARITY(seenAlong, direction, kTranscendental,
-           vec4(seenAlong(testSurface(p, q, r), vec3(p)).reflectance.single_scattering.x,
-                seenAlong(testSurface(p, q, r), vec3(p)).reflectance.multiple_scattering.y,
-                seenAlong(testSurface(p, q, r), vec3(p)).diffuse_albedo.x,
-                seenAlong(testSurface(p, q, r), vec3(p)).diffuse_albedo.z)),
-    PARITY(underSheen, unit, kTight, vec4(underSheen(testSurface(p, q, r), vec3(r), vec3(q)), 0.0f)),
-    PARITY(unlitMaterial, direction, kExact,
-           vec4(unlitMaterial(testSurface(p, q, r).material, vec3(r)).emission,
-                unlitMaterial(testSurface(p, q, r).material, vec3(r)).specular)),
-    PARITY(shadedByEnvironment, direction, kTranscendental,
-           vec4(shadedByEnvironment(seenAlong(testSurface(p, q, r), vec3(p)), vec3(r), vec3(0.5f, 1.0f, 2.0f),
-                                    vec3(1.0f, r.w, 0.25f), vec3(q)),
-                0.0f)),
-    PARITY(openMaterial, direction, kExact,
-           vec4(openMaterial(testSurface(p, q, r).material).base_color,
-                openMaterial(testSurface(p, q, r).material).transmission)),
-    PARITY(shadedByPointLight, direction, kTranscendental,
-           vec4(shadedByPointLight(seenAlong(testSurface(p, q, r), vec3(p)), vec3(p),
-                                   normalize(vec3(0.5f, 0.75f, 0.25f)), vec3(1.0f, 2.0f, 3.0f)),
-                0.0f)),
-
-    // lamp: around a place within its range
-    PARITY(towardsLamp, direction, kTight,
-           vec4(towardsLamp(Lamp(int(3.9375f * r.z), vec3(q), vec3(p), vec3(1.0f), 4.0f, 0.9f, 0.3f), 4.0f * vec3(r)),
-                0.0f)),
-    PARITY(shareInRange, unit, kTight,
-           vec4(shareInRange(Lamp(1, vec3(0.0f), vec3(0.0f), vec3(1.0f), r.x < 0.25f ? 0.0f : 2.0f, 1.0f, 0.0f),
-                             6.0f * p.x),
-                0.0f, 0.0f, 0.0f)),
-    PARITY(shareInCone, direction, kTight,
-           vec4(shareInCone(Lamp(2, vec3(0.0f), vec3(p), vec3(1.0f), 0.0f, 0.75f, 0.25f), vec3(q)), 0.0f, 0.0f, 0.0f)),
-    PARITY(
-        lampIlluminance, direction, kTranscendental,
-        vec4(lampIlluminance(Lamp(1 + int(2.9375f * r.z), vec3(q), vec3(p), vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f),
-                             4.0f * vec3(r)),
-             0.0f)),
-
-    // lamp_shading, of surfaces that are not so smooth that rounding moves their highlight
-    PARITY(shadedByPunctualLight, direction, kTranscendental,
-           vec4(shadedByPunctualLight(seenAlong(testSurface(p, q, vec4(0.5f + 0.5f * r.x, r.y, r.z, r.w)), vec3(p)),
-                                      vec3(p), normalize(vec3(0.5f, 0.75f, 0.25f)), vec3(1.0f, 2.0f, 3.0f)),
-                0.0f)),
-    PARITY(shadedByLamp, direction, kTranscendental,
-           vec4(shadedByLamp(seenAlong(testSurface(p, q, vec4(0.5f + 0.5f * r.x, r.y, r.z, r.w)), vec3(p)), vec3(p),
-                             vec3(0.0f),
-                             Lamp(int(3.9375f * r.z), vec3(1.5f, 2.0f, 0.75f), vec3(-0.6f, -0.64f, -0.48f),
-                                  vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f)),
-                0.0f)),
-
-    // triangle_tree
-    PARITY(leafOf, unit, kExact, vec4(float(leafOf(int(1000.0f * p.x), 1 + int(7.0f * p.y))), 0.0f, 0.0f, 0.0f)),
-    PARITY(firstOfLeaf, unit, kExact, vec4(float(firstOfLeaf(-1 - int(1000.0f * p.x))), 0.0f, 0.0f, 0.0f)),
-    PARITY(countOfLeaf, unit, kExact, vec4(float(countOfLeaf(-1 - int(1000.0f * p.x))), 0.0f, 0.0f, 0.0f)),
-    PARITY(floatsOf, unit, kExact, vec4(floatsOf(floatBitsToUint(p)), 0.0f)),
-    PARITY(inverseOf, unit, kTight, vec4(inverseOf(p.x - 0.5f), 0.0f, 0.0f, 0.0f)),
-    PARITY(inverseDirection, direction, kTight, vec4(inverseDirection(vec3(p) + vec3(2.0f)), 0.0f)),
-    PARITY(entryOfBox, direction, kTranscendental,
-           vec4(entryOfBox(uvec4(0u, 0xffff0000u, 0xffffffffu, 0u), vec3(0.5f) - 2.0f * vec3(p),
-                           inverseDirection(vec3(p)), 0.0f, 8.0f),
-                0.0f, 0.0f, 0.0f)),
-    // Through triangles that are wide enough for rounding not to decide whether they are met.
-    PARITY(meetingOfTriangle, direction, kTranscendental,
-           vec4(meetingOfTriangle(vec3(-9.0f, -9.0f, 1.0f), vec3(9.0f, -9.0f, 1.5f), vec3(0.0f, 9.0f, 1.0f), vec3(0.0f),
-                                  normalize(vec3(p.x, p.y, 2.0f)), kNarrowMargin),
-                0.0f)),
-    PARITY(nearestOfLeaf, direction, kTranscendental,
-           vec4(nearestOfLeaf(SmallTree(p.w), 5, leafOf(0, 2), vec3(0.0f, 0.0f, -3.0f),
-                              normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, -1, kNarrowMargin,
-                              TriangleHit(9.0f, -1, vec2(0.0f)))
-                    .distance)),
-    PARITY(
-        nearestTriangle, direction, kTranscendental,
-        vec4(nearestTriangle(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
-                             normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0, kNarrowMargin)
-                 .distance,
-             nearestTriangle(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
-                             normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0, kNarrowMargin)
-                 .barycentric,
-             0.0f)),
-    PARITY(curvatureAlong, direction, kTight, vec4(curvatureAlong(vec3(p) + vec3(2.0f), vec3(q)), 0.0f, 0.0f, 0.0f)),
-    PARITY(bodySurfaceAt, unit, kTight,
-           vec4(bodySurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).normal,
-                bodySurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).curvature)),
-    PARITY(bodyAt, unit, kExact,
-           vec4(bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).index.ior,
-                bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).index.dispersion,
-                float(bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).priority),
-                bodyAt(SmallTree(1.0f), int(1.9375f * p.x)).index.sellmeier_c.y)),
-
-    // wavelength
-    PARITY(unevenBell, unit, kTranscendental, vec4(unevenBell(p.x, 0.5f, 0.125f, 0.25f + p.y), 0.0f, 0.0f, 0.0f)),
-    PARITY(xyzOfWavelength, unit, kTranscendental, vec4(xyzOfWavelength(0.375f + 0.375f * p.x), 0.0f)),
-    PARITY(wavelengthWeight, unit, kTranscendental, vec4(0.25f * wavelengthWeight(0.36f + 0.47f * p.x), 0.0f)),
-    PARITY(sampleWavelength, unit, kTranscendental, vec4(sampleWavelength(p.x))),
-    PARITY(pdfWavelength, unit, kTranscendental, vec4(0.25f * pdfWavelength(0.36f + 0.47f * p.x))),
-    PARITY(shareOfWavelength, unit, kTranscendental, vec4(0.25f * shareOfWavelength(0.36f + 0.47f * p.x), 0.0f)),
-    PARITY(wavelengthSetOfPixel, unit, kExact,
-           vec4(float(wavelengthSetOfPixel(int(63.0f * p.x), int(63.0f * p.y))), 0.0f, 0.0f, 0.0f)),
 };
 
 }  // namespace
 
-std::span<const Case> allCases() { return kCases; }
+std::span<const Case> allCases() {
+  static const std::vector<Case> all = [] {
+    std::vector<Case> cases(std::begin(kCases), std::end(kCases));
+    const std::span<const Case> of_surfaces = surfaceCases();
+    cases.insert(cases.end(), of_surfaces.begin(), of_surfaces.end());
+    return cases;
+  }();
+  return all;
+}
 
 }  // namespace mirrorball::parity

@@ -36,4 +36,7 @@ struct Case {
 
 std::span<const Case> allCases();
 
+/// Those of them that are of surfaces and bodies.
+std::span<const Case> surfaceCases();
+
 }  // namespace mirrorball::parity

@@ -20,6 +20,7 @@
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 #include "mirrorball/scene/shapes/faceted.h"
 #include "mirrorball/scene/shapes/interreflection.h"
+#include "mirrorball/scene/shapes/material_grid.h"
 #include "mirrorball/scene/shapes/showcase.h"
 #include "mirrorball/scene/shapes/teapot.h"
 #include "mirrorball/scene/shapes/tumbler.h"
@@ -59,11 +60,22 @@ constexpr std::array kBuiltins = {
     BuiltinModel{"showcase", showcaseScene},
 };
 
-constexpr auto kBuiltinNames = [] {
-  std::array<std::string_view, kBuiltins.size()> names;
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kBuiltins[i].name;
+// The names of those and of the grids of materials.
+
+const std::vector<std::string_view>& builtinNames() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list;
+    for (const BuiltinModel& builtin : kBuiltins) list.push_back(builtin.name);
+    for (const MaterialGrid& grid : materialGrids()) list.push_back(grid.name);
+    return list;
+  }();
   return names;
-}();
+}
+
+Scene builtinScene(std::size_t index) {
+  return index < kBuiltins.size() ? kBuiltins[index].make()
+                                  : materialGridScene(materialGrids()[index - kBuiltins.size()]);
+}
 
 /// A kind of file.
 struct ModelFormat {
@@ -156,10 +168,10 @@ bool hasArea(const Scene& scene) {
 
 }  // namespace
 
-std::span<const std::string_view> builtinModelNames() { return kBuiltinNames; }
+std::span<const std::string_view> builtinModelNames() { return builtinNames(); }
 
 Result<Scene> loadModel(const std::string& name_or_path) {
-  if (const auto index = indexOfName(name_or_path, kBuiltinNames)) return kBuiltins[*index].make();
+  if (const auto index = indexOfName(name_or_path, builtinNames())) return builtinScene(*index);
   if (isUrl(name_or_path)) return tl::unexpected<Error>(downloadsNothing(name_or_path));
 
   std::error_code status;

@@ -5,13 +5,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "mirrorball/scene/shapes/builtin_shapes.h"
+#include "mirrorball/scene/shapes/facing_viewer.h"
 #include "mirrorball/scene/shapes/teapot.h"
 
 namespace mirrorball {
 namespace {
-
-/// From the arrangement's own frame, in which the viewer stands on +Z, to the world, where he stands at azimuth 30°.
-glm::mat4 facingViewer() { return glm::rotate(glm::mat4(1.0f), glm::radians(30.0f), glm::vec3(0, 1, 0)); }
 
 glm::mat4 placed(glm::vec3 position, float size) {
   return glm::scale(glm::translate(glm::mat4(1.0f), position), glm::vec3(size));

@@ -13,8 +13,9 @@ struct FacetTap {
 
 // Slopes x and y of GGX's facets are distributed as (1 + x² / αx² + y² / αy²)⁻² / (π αx αy) (Heitz 2014, eq. 81). So
 // those along x alone have the density (1 + x² / αx²)^(−3/2) / 2αx, a share u of them being below x = αx c / √(1 − c²)
-// with c = 2 u − 1; and round lobes of the width αy spread those along y as they are spread in all. Light is weighed as
-// for facets that are chosen by their area: G (v·h) / (v.z h.z).
+// with c = 2 u − 1; and round lobes of the width αy spread those along y as they are spread in all. They are as wide
+// along x, too: what is left to the steps is √(αx² − αy²). Light is weighed as for facets that are chosen by their area:
+// G (v·h) / (v.z h.z).
 //
 // v               towards the eye, in the frame of the surface
 // share           of the facets, in (0, 1)
@@ -22,11 +23,12 @@ struct FacetTap {
 FN FacetTap tapOfStretchedLobe(vec2 alpha, vec3 v, float share, float step_of_shares) {
   float c = 2.0f * share - 1.0f;
   float rest = sqrt(max(1.0f - c * c, 1e-6f));
-  vec3 h = normalize(vec3(alpha.x * c / rest, 0.0f, 1.0f));
+  float along = sqrt(max(alpha.x * alpha.x - alpha.y * alpha.y, 0.0f));
+  vec3 h = normalize(vec3(along * c / rest, 0.0f, 1.0f));
   vec3 l = reflect(-v, h);
   float towards = dot(v, h);
   bool is_seen = towards > 0.0f && l.z > 0.0f;
-  float spacing = 2.0f * alpha.x * step_of_shares / (rest * rest * rest);
+  float spacing = 2.0f * along * step_of_shares / (rest * rest * rest);
   // The facets' slopes as angles about h.
   float angle = max(alpha.y * h.z, 0.5f * spacing * h.z * h.z);
   float weight = is_seen ? ggxMaskingShadowing(alpha, v, l) * towards / h.z : 0.0f;

@@ -147,8 +147,10 @@ FN Reflectance dielectricOf(Surface s, Material tint, FacetShares facets) {
 FN Surface seenAlong(Surface s, vec3 ray) {
   Material m = s.material;
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
-  FacetShares facets = facetShares(s, cosine, false);
-  FacetShares of_metal = facetShares(s, cosine, true);
+  FacetShares facets = FacetShares(vec3(0.0f), vec3(0.0f), vec3(0.0f));
+  FacetShares of_metal = facets;
+  if (m.metallic < 1.0f) facets = facetShares(s, cosine, false);
+  if (m.metallic > 0.0f) of_metal = facetShares(s, cosine, true);
   Reflectance dielectric = dielectricOf(s, m, facets);
   Reflectance kept_out = dielectricOf(s, withGreySpecular(m), facets);
   Reflectance metal = roughReflectance(s, of_metal.seen, of_metal.mean);

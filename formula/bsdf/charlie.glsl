@@ -29,8 +29,9 @@ FN float charlieLambdaFit(float alpha, float cosine) {
 
 // How much area of fibres hides behind others, seen at an angle, for each area seen.
 FN float charlieLambda(float alpha, float cosine) {
-  if (cosine < 0.5f) return exp(charlieLambdaFit(alpha, cosine));
-  return exp(2.0f * charlieLambdaFit(alpha, 0.5f) - charlieLambdaFit(alpha, 1.0f - cosine));
+  float c = clamp(cosine, 0.0f, 1.0f);  // which rounding may have passed
+  if (c < 0.5f) return exp(charlieLambdaFit(alpha, c));
+  return exp(2.0f * charlieLambdaFit(alpha, 0.5f) - charlieLambdaFit(alpha, 1.0f - c));
 }
 
 // White cloth.

@@ -14,8 +14,8 @@ struct FacetTap {
 // Slopes x and y of GGX's facets are distributed as (1 + x² / αx² + y² / αy²)⁻² / (π αx αy) (Heitz 2014, eq. 81). So
 // those along x alone have the density (1 + x² / αx²)^(−3/2) / 2αx, a share u of them being below x = αx c / √(1 − c²)
 // with c = 2 u − 1; and round lobes of the width αy spread those along y as they are spread in all. They are as wide
-// along x, too: what is left to the steps is √(αx² − αy²). Light is weighed as for facets that are chosen by their area:
-// G (v·h) / (v.z h.z).
+// along x, too: what is left to the steps is √(αx² − αy²). Light is weighed as for facets that are chosen by their
+// area: G (v·h) / (v.z h.z).
 //
 // v               towards the eye, in the frame of the surface
 // share           of the facets, in (0, 1)
@@ -35,5 +35,19 @@ FN FacetTap tapOfStretchedLobe(vec2 alpha, vec3 v, float share, float step_of_sh
   return FacetTap(h, clamp(angle, 0.0f, 1.0f), weight);
 }
 
-// The width of a round lobe that reflects about as much of white light.
-FN float roundAlpha(vec2 alpha) { return sqrt(alpha.x * alpha.y); }
+// How much of white light such facets send away at the first bounce, over what round ones of the narrow width send.
+FN float stretchedShare(vec2 alpha, vec3 v) {
+  float sum = 0.0f;
+  for (int i = 0; i < kTapsOfStretchedLobe; ++i) {
+    float share = (float(i) + 0.5f) / float(kTapsOfStretchedLobe);
+    sum += tapOfStretchedLobe(alpha, v, share, 1.0f / float(kTapsOfStretchedLobe)).weight;
+  }
+  float of_round = tapOfStretchedLobe(vec2(alpha.y), v, 0.5f, 1.0f).weight;
+  return sum / (float(kTapsOfStretchedLobe) * max(of_round, 1e-6f));
+}
+
+// Surface::environment_brdf of such facets, from that of round ones of the narrow width.
+//   grazing   its second number for round facets of the mean width
+FN vec2 stretchedBrdf(vec2 alpha, vec3 v, float missing_of_round, float grazing) {
+  return vec2(clamp(1.0f - (1.0f - missing_of_round) * stretchedShare(alpha, v), 0.0f, 1.0f), grazing);
+}

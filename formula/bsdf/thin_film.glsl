@@ -12,6 +12,7 @@
 // Needs: color, constants.
 
 const int kSpectralOrders = 3;  // that are weighed over all wavelengths
+const float kNoAngle = 1e-20f;  // makes the angle of what is not reflected 0, which GLSL leaves open
 
 // The CIE's matching functions as bells over the wave number 1 / λ: their middles [1/µm] and variances (Belcour & Barla
 // 2017, supplemental material); red has a second one.
@@ -87,6 +88,7 @@ FN vec3 reflectanceOfSum(FilmSides sides, vec3 sum) {
 //   n, k        complex index below the film, per channel; k = 0 for a dielectric
 //   from        Fresnel's amplitudes with cosines n cos θ that may be complex: Born & Wolf, Principles of Optics, 14.2
 FN vec3 filmReflectance(float cosine, float film_ior, float thickness, vec3 n, vec3 k) {
+  cosine = max(cosine, 1e-4f);  // along the surface a film of index 1 would be 0 / 0
   float sine2 = 1.0f - cosine * cosine;
   float inner = sqrt(max(film_ior * film_ior - sine2, 0.0f));  // n cos θ in the film
   float difference = 2.0f * thickness * inner;
@@ -98,8 +100,8 @@ FN vec3 filmReflectance(float cosine, float film_ior, float thickness, vec3 n, v
   vec3 re = sqrt(max(size + z, vec3(0.0f)) / 2.0f);
   vec3 im = sqrt(max(size - z, vec3(0.0f)) / 2.0f);
   // Perpendicular: (inner − below) / (inner + below).
-  vec3 rho2 = ((inner - re) * (inner - re) + im * im) / ((inner + re) * (inner + re) + im * im);
-  vec3 shift = atan(-2.0f * inner * im, inner * inner - re * re - im * im);
+  vec3 rho2 = ((inner - re) * (inner - re) + im * im) / max((inner + re) * (inner + re) + im * im, vec3(1e-12f));
+  vec3 shift = atan(-2.0f * inner * im, inner * inner - re * re - im * im + kNoAngle);
   FilmSides s = FilmSides((cosine - inner) / (cosine + inner), sqrt(rho2), shift);
   // Parallel: (m² inner − n² below) / (m² inner + n² below), n being the film's index.
   float film2 = film_ior * film_ior;
@@ -110,7 +112,7 @@ FN vec3 filmReflectance(float cosine, float film_ior, float thickness, vec3 n, v
   vec3 difference2 = (p_re - q_re) * (p_re - q_re) + (p_im - q_im) * (p_im - q_im);
   vec3 sum2 = (p_re + q_re) * (p_re + q_re) + (p_im + q_im) * (p_im + q_im);
   rho2 = difference2 / max(sum2, vec3(1e-12f));
-  shift = atan(2.0f * (p_im * q_re - p_re * q_im), p_re * p_re + p_im * p_im - q_re * q_re - q_im * q_im);
+  shift = atan(2.0f * (p_im * q_re - p_re * q_im), p_re * p_re + p_im * p_im - q_re * q_re - q_im * q_im + kNoAngle);
   FilmSides p = FilmSides((film2 * cosine - inner) / (film2 * cosine + inner), sqrt(rho2), shift);
 
   vec3 sum_s = sumWithoutSpectrum(s, difference);

@@ -29,9 +29,10 @@ FN vec3 turnedTangent(vec4 tangent, vec3 n, vec2 turn) {
 }
 
 // Cosine and sine of the way that roughness is stretched: a direction in the frame of the tangent, from a texture,
-// turned by an angle counter-clockwise (KHR_materials_anisotropy). Without a direction it is the angle alone.
+// turned by an angle counter-clockwise (KHR_materials_anisotropy). Without a direction, which 8 bits do not
+// hold exactly, it is the angle alone.
 FN vec2 anisotropyTurn(vec2 direction, float rotation) {
-  vec2 from = dot(direction, direction) > 1e-6f ? normalize(direction) : vec2(1.0f, 0.0f);
+  vec2 from = dot(direction, direction) > 1e-4f ? normalize(direction) : vec2(1.0f, 0.0f);
   float c = cos(rotation);
   float s = sin(rotation);
   return vec2(c * from.x - s * from.y, s * from.x + c * from.y);

@@ -8,9 +8,13 @@
 void stretchRoughness(inout Surface s, SurfacePoint point) {
   vec3 map = anisotropy_map_at(point).xyz;
   s.material.anisotropy *= map.z;
-  s.tangent = turnedTangent(point.tangent, s.normal,
-                            anisotropyTurn(map.xy * 2.0 - 1.0, s.material.anisotropy_rotation));
+  vec2 turn = anisotropyTurn(map.xy * 2.0 - 1.0, s.material.anisotropy_rotation);
+  if (!gl_FrontFacing) turn.y = -turn.y;  // from behind, the normal is turned round
+  s.tangent = turnedTangent(point.tangent, s.normal, turn);
   vec2 alpha = stretchedAlpha(s.material.perceptual_roughness, s.material.anisotropy);
-  s.environment_brdf =
-      environmentBrdf(brdf_table, sqrt(roundAlpha(alpha)), clamp(-dot(point.ray, s.normal), 0.0, 1.0));
+  vec3 b = cross(s.normal, s.tangent);
+  vec3 v = vec3(-dot(point.ray, s.tangent), -dot(point.ray, b), clamp(-dot(point.ray, s.normal), 1e-4, 1.0));
+  float mean_roughness = sqrt(0.5 * (alpha.x + alpha.y));
+  float grazing = environmentBrdf(brdf_table, mean_roughness, v.z).y;
+  s.environment_brdf = stretchedBrdf(alpha, v, s.environment_brdf.x, grazing);
 }

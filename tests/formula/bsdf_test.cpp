@@ -106,6 +106,32 @@ TEST(Bsdf, LightGoesBothWaysAlike) {
   EXPECT_EQ(evalGgx(vec2(0.5f), kEyes[1], directionAt(-0.2, 0.0)), 0.0f) << "below the horizon";
 }
 
+/// What white facets send away at the first bounce: those that the eye sees, as far as the light is not hidden.
+float singleScattering(vec2 alpha, vec3 v) {
+  constexpr int kSteps = 200;
+  double sum = 0.0;
+  for (int i = 0; i < kSteps; ++i)
+    for (int j = 0; j < kSteps; ++j) {
+      const vec2 u = (vec2(i, j) + 0.5f) / float(kSteps);
+      const vec3 l = sampleGgx(alpha, v, u);
+      if (l.z > 0.0f) sum += double(ggxMaskingShadowing(alpha, v, l) / ggxMasking(alpha, v));
+    }
+  return static_cast<float>(sum / (kSteps * kSteps));
+}
+
+// Facets that are stretched hide each other as wide ones do: along their grooves as across them.
+TEST(Bsdf, StretchedFacetsSendAwayWhatTheirStepsSay) {
+  for (const vec2 alpha : {vec2(1.0f, 0.04f), vec2(0.5f, 0.04f), vec2(0.25f, 0.25f)})
+    for (const float cosine : {0.95f, 0.6f, 0.25f})
+      for (const float azimuth : {0.0f, 0.8f, 1.57f}) {
+        const float sine = std::sqrt(1.0f - cosine * cosine);
+        const vec3 v(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine);
+        const float round = singleScattering(vec2(alpha.y), v);
+        EXPECT_NEAR(1.0f - stretchedBrdf(alpha, v, 1.0f - round, 0.0f).x, singleScattering(alpha, v), 0.04f)
+            << alpha.x << ", " << alpha.y << ", " << cosine << ", " << azimuth;
+      }
+}
+
 // The facets' areas, projected, are the surface's (Walter et al. 2007, eq. 4); those seen from v are v's share of it.
 TEST(Bsdf, FacetsCoverTheSurface) {
   constexpr int kSteps = 4000;

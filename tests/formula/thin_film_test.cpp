@@ -100,6 +100,14 @@ TEST(ThinFilm, OfGreatThicknessIsColourless) {
   EXPECT_NEAR(reflected.x, 2.0f * one / (1.0f + one), 2e-3f) << "of two equal surfaces";
 }
 
+TEST(ThinFilm, IsANumberAlongTheSurface) {
+  for (const float film : {1.0f, 1.5f})
+    for (const Base& base : kBases) {
+      const vec3 reflected = filmReflectance(0.0f, film, 0.3f, base.n, base.k);
+      EXPECT_TRUE(std::isfinite(reflected.x + reflected.y + reflected.z)) << base.name << ", index " << film;
+    }
+}
+
 // What all light goes through reflects none of it, and a perfect mirror all.
 TEST(ThinFilm, KeepsEnergy) {
   for (const float thickness : {0.05f, 0.3f, 0.9f})

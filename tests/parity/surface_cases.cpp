@@ -72,7 +72,12 @@ const Case kCases[] = {
                 tapOfStretchedLobe(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z) + 0.0625f),
                                    0.0625f + 0.875f * r.y, 0.0625f)
                     .weight)),
-    PARITY(roundAlpha, unit, kTight, vec4(roundAlpha(vec2(p)), 0.0f, 0.0f, 0.0f)),
+    PARITY(
+        stretchedShare, direction, kTranscendental,
+        vec4(stretchedShare(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z) + 0.0625f)), 0.0f, 0.0f, 0.0f)),
+    PARITY(stretchedBrdf, direction, kTranscendental,
+           vec4(stretchedBrdf(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z) + 0.0625f), 0.25f, r.y), 0.0f,
+                0.0f)),
 
     // charlie, of all but the smoothest cloth, where rounding is raised to a high power
     PARITY(alphaOfSheen, unit, kTight, vec4(alphaOfSheen(p.x), 0.0f, 0.0f, 0.0f)),

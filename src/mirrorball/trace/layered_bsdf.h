@@ -17,7 +17,7 @@ struct LayeredScattering {
 
 /// A surface and what lies on it: the fibres of cloth (KHR_materials_sheen), and over all a clear coat
 /// (KHR_materials_clearcoat). A path is reflected by a layer or goes on to the one below, by chance and with its
-/// direction: neither bends it. From inside of a body and from the back the layers are not there.
+/// direction: neither bends it. From inside of a body the layers are not there.
 ///
 /// Directions are unit, in the world's frame; v is towards the eye.
 class LayeredBsdf {

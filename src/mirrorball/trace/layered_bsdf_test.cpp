@@ -153,6 +153,16 @@ TEST(LayeredBsdf, ClothOverBlackReflectsItsAlbedo) {
   }
 }
 
+// The eye straight above, whose cosine rounding has brought above 1: cloth has a number there.
+TEST(LayeredBsdf, ClothHasANumberStraightFromAbove) {
+  const glm::vec3 above(0.0f, 0.0f, 1.0000002f);
+  for (const float roughness : {0.0f, 0.4f, 1.0f}) {
+    const float alpha = formula::alphaOfSheen(roughness);
+    EXPECT_TRUE(std::isfinite(formula::evalCharlie(alpha, above, {0.6f, 0.0f, 0.8f}))) << roughness;
+    EXPECT_TRUE(std::isfinite(formula::evalCharlie(alpha, {0.6f, 0.0f, 0.8f}, above))) << roughness;
+  }
+}
+
 // Facets are rougher along X: light from a light beside the highlight is found there, and not as far along Y.
 TEST(LayeredBsdf, RoughnessIsStretchedAlongTheTangent) {
   const LayeredBsdf bsdf = layersOf(brushed(white(1.0f, 0.2f), 0.6f));

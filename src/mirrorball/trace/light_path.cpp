@@ -228,12 +228,17 @@ glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& mate
     const DirectionalAlbedo albedo = directionalAlbedo(Distribution::ggx, perceptual_roughness, cosineTo(normal));
     return {1.0f - albedo.total(), albedo.grazing()};
   };
-  const glm::vec2 alpha = formula::stretchedAlpha(material.perceptual_roughness, material.anisotropy);
   formula::Surface surface;
   surface.material = material;
   surface.normal = frame.n;
   surface.tangent = frame.t;
-  surface.environment_brdf = environmentBrdf(std::sqrt(formula::roundAlpha(alpha)), frame.n);
+  surface.environment_brdf = environmentBrdf(material.perceptual_roughness, frame.n);
+  if (material.anisotropy > 0.0f) {
+    const glm::vec2 alpha = formula::stretchedAlpha(material.perceptual_roughness, material.anisotropy);
+    const float grazing = environmentBrdf(std::sqrt(0.5f * (alpha.x + alpha.y)), frame.n).y;
+    surface.environment_brdf =
+        formula::stretchedBrdf(alpha, frame.toLocal(-arriving.direction), surface.environment_brdf.x, grazing);
+  }
   const bool has_sheen = material.sheen_color != glm::vec3(0.0f);
   surface.sheen_albedo = has_sheen ? sheenAlbedo(material.sheen_roughness, cosineTo(frame.n)) : 0.0f;
   surface = formula::seenAlong(surface, arriving.direction);
@@ -297,7 +302,9 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
     new_wavelength = 0.0f;
   }
   const formula::Material material = materialAt(vertex);
-  const Frame frame(normal, formula::turnedTangent(vertex.point.tangent, normal, vertex.point.stretched));
+  glm::vec2 stretched = vertex.point.stretched;
+  if (!vertex.is_outside && !vertex.is_body) stretched.y = -stretched.y;  // from behind, the normal is turned round
+  const Frame frame(normal, formula::turnedTangent(vertex.point.tangent, normal, stretched));
   LayeredBsdf bsdf(Bsdf(material, refractionAt(vertex, new_wavelength)), frame);
   if (vertex.is_outside || !vertex.is_body) {
     bsdf.addSheen(material);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mirrorball/render/surface/surface_variant.h"
 #include "mirrorball/render/surface/wavelength_sets.h"
 
 namespace mirrorball {
@@ -45,15 +46,15 @@ int transmittedRays(const Material& material, const FrameSettings& settings, boo
 }
 
 LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings,
-                   bool is_sphere_map, bool some_disperse) {
+                   const CoordinateChoice& coordinates, bool some_disperse) {
   LightReads reads{.irradiance = 1};
   const int refracted = transmittedRays(material, settings, some_disperse);
   const int coats = material.clearcoat > 0.0f ? 1 : 0;
-  const int lobes = material.anisotropy > 0.0f ? formula::kTapsOfStretchedLobe : 1;
+  const int lobes = stretchesLobes(material, settings, coordinates) ? formula::kTapsOfStretchedLobe : 1;
   const bool has_sheen = material.sheen_color != glm::vec3(0.0f);
   const int on_cloth = has_sheen ? formula::kSheenRings * formula::kSheenSpokes : 0;
-  const int reflected = is_sphere_map ? 0 : lobes + coats;
-  reads.sphere_map = is_sphere_map ? 1 + coats : 0;
+  const int reflected = coordinates.is_sphere_map ? 0 : lobes;
+  reads.sphere_map = coordinates.is_sphere_map ? 1 + coats : 0;
   reads.irradiance += coats;
   const auto read = [&](int times, float perceptual_roughness) {
     const glm::vec3 anywhere(0.0f, 0.0f, 1.0f);
@@ -63,6 +64,7 @@ LightReads readsOf(const Material& material, const formula::Blur& blur, const Fr
   };
   read(reflected + refracted, material.perceptual_roughness);
   read(on_cloth, formula::kSheenTapRoughness);
+  read(coordinates.is_sphere_map ? 0 : coats, material.clearcoat_roughness);
   return reads;
 }
 
@@ -77,13 +79,13 @@ formula::Blur blurOf(const FrameSettings& settings, const EnvironmentLight& ligh
 }
 
 LightReads lightReads(const Scene& scene, const formula::Blur& blur, const FrameSettings& settings) {
-  const bool is_sphere_map = coordinateChoice(scene, settings).is_sphere_map;
+  const CoordinateChoice coordinates = coordinateChoice(scene, settings);
   const bool some_disperse = std::ranges::any_of(
       scene.materials, [](const Material& material) { return isBody(material) && material.dispersion > 0.0f; });
   LightReads most;
   for (const Mesh& mesh : scene.meshes) {
     const LightReads reads =
-        readsOf(scene.materials[std::size_t(mesh.material)], blur, settings, is_sphere_map, some_disperse);
+        readsOf(scene.materials[std::size_t(mesh.material)], blur, settings, coordinates, some_disperse);
     most = {.environment = std::max(most.environment, reads.environment),
             .prefiltered = std::max(most.prefiltered, reads.prefiltered),
             .irradiance = std::max(most.irradiance, reads.irradiance),

@@ -88,11 +88,9 @@ CoatPart coatPart(const Material& material) {
   return material.clearcoat_normal_map.texture >= 0 ? CoatPart::clear_mapped : CoatPart::clear;
 }
 
-/// A stretched lobe is about the reflected ray of each fragment: where other coordinates are asked for, it is round.
 LookUpPart lookUpPart(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
   if (coordinates.is_sphere_map) return LookUpPart::sphere_map;
-  const bool is_reflection = coordinates.look_up == Generated::reflection && settings.reflect_at == ReflectAt::fragment;
-  return material.anisotropy > 0.0f && is_reflection ? LookUpPart::stretched : LookUpPart::environment;
+  return stretchesLobes(material, settings, coordinates) ? LookUpPart::stretched : LookUpPart::environment;
 }
 
 /// What glTF's extensions lay on the surface.
@@ -188,6 +186,11 @@ std::string answeredText(const SurfaceVariant& variant) {
 }  // namespace
 
 std::span<const SurfaceQuestion, kParts> surfaceQuestions() { return kQuestions; }
+
+bool stretchesLobes(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
+  const bool is_reflection = coordinates.look_up == Generated::reflection && settings.reflect_at == ReflectAt::fragment;
+  return material.anisotropy > 0.0f && is_reflection && !coordinates.is_sphere_map;
+}
 
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
                               std::size_t lamps, const CoordinateChoice& coordinates) {

@@ -86,6 +86,10 @@ struct SurfaceVariant {
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,
                               std::size_t lamps, const CoordinateChoice& coordinates = {});
 
+/// Whether reflected light comes from a row of lobes along the tangent: about the reflected ray of each fragment, and
+/// not where other coordinates are asked for.
+bool stretchesLobes(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates);
+
 /// The two shaders of a variant.
 struct SurfaceShaders {
   gl::ShaderSource vertex;

@@ -57,6 +57,13 @@ std::size_t declaredSize(const Document& document, const Primitive& primitive) {
   return std::max(vertices, count_of(primitive.indices));
 }
 
+/// The texture coordinates that tangents follow: of the first map that is read in their frame.
+int tangentUvSet(const Material& material) {
+  for (const TextureSlot* slot : {&material.normal_map, &material.anisotropy_map, &material.clearcoat_normal_map})
+    if (slot->texture >= 0) return slot->uv_set;
+  return 0;
+}
+
 class SceneBuilder {
  public:
   explicit SceneBuilder(const File& file) : file_(file), document_(file.document), materials_(file, scene_) {}
@@ -216,7 +223,7 @@ class SceneBuilder {
         left -= size;
         MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
         MIRRORBALL_TRY(of_variants, materialsOfVariants(primitive, material, key));
-        const int normal_uv_set = scene_.materials[std::size_t(material)].normal_map.uv_set;
+        const int normal_uv_set = tangentUvSet(scene_.materials[std::size_t(material)]);
         jobs.push_back({mesh, &primitive, material, std::move(of_variants), normal_uv_set, key});
       }
     }

@@ -43,11 +43,6 @@ FN float stretchedShare(vec2 alpha, vec3 v) {
     sum += tapOfStretchedLobe(alpha, v, share, 1.0f / float(kTapsOfStretchedLobe)).weight;
   }
   float of_round = tapOfStretchedLobe(vec2(alpha.y), v, 0.5f, 1.0f).weight;
-  return sum / (float(kTapsOfStretchedLobe) * max(of_round, 1e-6f));
+  return clamp(sum / (float(kTapsOfStretchedLobe) * max(of_round, 1e-6f)), 0.0f, 1.0f);
 }
 
-// Surface::environment_brdf of such facets, from that of round ones of the narrow width.
-//   grazing   its second number for round facets of the mean width
-FN vec2 stretchedBrdf(vec2 alpha, vec3 v, float missing_of_round, float grazing) {
-  return vec2(clamp(1.0f - (1.0f - missing_of_round) * stretchedShare(alpha, v), 0.0f, 1.0f), grazing);
-}

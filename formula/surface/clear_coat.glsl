@@ -30,6 +30,7 @@ FN Surface coatOf(Surface s, vec3 ray, vec3 normal, vec3 tangent, vec2 environme
   s.normal = normal;
   s.tangent = tangent;
   s.environment_brdf = environment_brdf;
+  s.stretched_share = 1.0f;
   s.sheen_albedo = 0.0f;
   return seenAlong(s, ray);
 }

@@ -16,6 +16,8 @@ struct Surface {
   // For its roughness and n·v: what white facets do not send away at the first bounce, and 1 − the cosine at which
   // Schlick's term is its mean over the facets: the fifth root of the BRDF table's bias / (scale + bias).
   vec2 environment_brdf;
+  // What stretched facets send away at the first bounce, over what round ones of the narrow width do (stretchedShare).
+  float stretched_share INITIALLY(1.0f);
   // What white cloth of its sheen_roughness reflects of a white environment; 0: no sheen.
   float sheen_albedo INITIALLY(0.0f);
   // What it does with the light around it on the way to the eye, set by seenAlong():
@@ -98,11 +100,14 @@ FN vec3 smoothDielectric(Material m, float cosine) {
   return tintedReflectance(m, dielectricReflectance(m, cosine, ior), dielectricReflectance(m, 1.0f, ior));
 }
 
-// What a surface reflects whose facets reflect `facets`, as the eye sees them, and `mean` over the hemisphere.
+// What a surface reflects whose facets reflect `facets`, as the eye sees them, and `mean` over the hemisphere. Light
+// that stretched facets do not send away at once goes to and fro in their grooves and leaves along them with the rest:
+// a series as in multipleScattering.
 FN Reflectance roughReflectance(Surface s, vec3 facets, vec3 mean) {
   float missing = s.environment_brdf.x;
+  float held = 1.0f - s.stretched_share;
   Reflectance r;
-  r.single_scattering = facets * (1.0f - missing);
+  r.single_scattering = facets * (1.0f - missing) * s.stretched_share / (vec3(1.0f) - held * facets);
   r.multiple_scattering = multipleScattering(r.single_scattering, mean, missing);
   return r;
 }

@@ -6,4 +6,5 @@
 void stretchRoughness(inout Surface s, SurfacePoint point) {
   s.material.anisotropy = 0.0;
   s.tangent = anyTangent(s.normal);
+  s.stretched_share = 1.0;
 }

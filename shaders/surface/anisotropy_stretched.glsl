@@ -15,6 +15,6 @@ void stretchRoughness(inout Surface s, SurfacePoint point) {
   vec3 b = cross(s.normal, s.tangent);
   vec3 v = vec3(-dot(point.ray, s.tangent), -dot(point.ray, b), clamp(-dot(point.ray, s.normal), 1e-4, 1.0));
   float mean_roughness = sqrt(0.5 * (alpha.x + alpha.y));
-  float grazing = environmentBrdf(brdf_table, mean_roughness, v.z).y;
-  s.environment_brdf = stretchedBrdf(alpha, v, s.environment_brdf.x, grazing);
+  s.environment_brdf.y = environmentBrdf(brdf_table, mean_roughness, v.z).y;
+  s.stretched_share = stretchedShare(alpha, v);
 }

@@ -75,9 +75,6 @@ const Case kCases[] = {
     PARITY(
         stretchedShare, direction, kTranscendental,
         vec4(stretchedShare(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z) + 0.0625f)), 0.0f, 0.0f, 0.0f)),
-    PARITY(stretchedBrdf, direction, kTranscendental,
-           vec4(stretchedBrdf(vec2(0.0625f + r.x, 0.0625f + r.w), vec3(p.x, p.y, abs(p.z) + 0.0625f), 0.25f, r.y), 0.0f,
-                0.0f)),
 
     // charlie, of all but the smoothest cloth, where rounding is raised to a high power
     PARITY(alphaOfSheen, unit, kTight, vec4(alphaOfSheen(p.x), 0.0f, 0.0f, 0.0f)),

@@ -27,6 +27,7 @@ FN Surface testSurface(vec4 p, vec4 q, vec4 r) {
   s.material.f82_tint = vec3(0.25f, 0.75f, r.x);
   s.tangent = normalize(cross(s.normal, vec3(0.6f, 0.48f, 0.64f)));
   s.sheen_albedo = 0.5f * r.y;
+  s.stretched_share = 1.0f - 0.5f * r.w;
   s.material.clearcoat = r.x;
   s.material.clearcoat_roughness = 0.5f * r.y;
   s.material.sheen_color = vec3(0.25f, r.y, 0.75f);

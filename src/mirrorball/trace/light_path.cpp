@@ -235,9 +235,8 @@ glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& mate
   surface.environment_brdf = environmentBrdf(material.perceptual_roughness, frame.n);
   if (material.anisotropy > 0.0f) {
     const glm::vec2 alpha = formula::stretchedAlpha(material.perceptual_roughness, material.anisotropy);
-    const float grazing = environmentBrdf(std::sqrt(0.5f * (alpha.x + alpha.y)), frame.n).y;
-    surface.environment_brdf =
-        formula::stretchedBrdf(alpha, frame.toLocal(-arriving.direction), surface.environment_brdf.x, grazing);
+    surface.environment_brdf.y = environmentBrdf(std::sqrt(0.5f * (alpha.x + alpha.y)), frame.n).y;
+    surface.stretched_share = formula::stretchedShare(alpha, frame.toLocal(-arriving.direction));
   }
   const bool has_sheen = material.sheen_color != glm::vec3(0.0f);
   surface.sheen_albedo = has_sheen ? sheenAlbedo(material.sheen_roughness, cosineTo(frame.n)) : 0.0f;

@@ -11,13 +11,9 @@ const float kLeastLampAlpha = 0.01f;
 //   light        unit, from the surface to the light
 //   illuminance  of a surface that faces the light
 FN vec3 shadedByPunctualLight(Surface s, vec3 ray, vec3 light, vec3 illuminance) {
-  float facing = dot(s.normal, light);
-  if (facing <= 0.0f) return vec3(0.0f);
-  float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
-  vec3 t = s.tangent;
-  vec3 b = cross(s.normal, t);
-  vec3 v = vec3(-dot(ray, t), -dot(ray, b), max(cosine, 1e-4f));
-  vec3 l = vec3(dot(light, t), dot(light, b), facing);
+  vec3 l = inFrame(s, light);
+  if (l.z <= 0.0f) return vec3(0.0f);
+  vec3 v = eyeInFrame(s, ray);
   float at_facet = clamp(dot(v, normalize(v + l)), 0.0f, 1.0f);
   vec3 fresnel =
       mix(smoothDielectric(s.material, at_facet), metalReflectance(s.material, at_facet), s.material.metallic);
@@ -26,7 +22,7 @@ FN vec3 shadedByPunctualLight(Surface s, vec3 ray, vec3 light, vec3 illuminance)
   vec3 shown = matt / kPi + fresnel * evalGgx(alpha, v, l);
   if (s.sheen_albedo > 0.0f)
     shown = underSheen(s, shown, vec3(evalCharlie(alphaOfSheen(s.material.sheen_roughness), v, l)));
-  return illuminance * facing * shown;
+  return illuminance * l.z * shown;
 }
 
 // The same of any lamp.

@@ -25,6 +25,18 @@ struct Surface {
   vec3 diffuse_albedo;    // the share of light that enters and may leave again: what a dielectric does not reflect
 };
 
+// A direction in the surface's frame of tangent, bitangent and normal.
+FN vec3 inFrame(Surface s, vec3 d) {
+  return vec3(dot(d, s.tangent), dot(d, cross(s.normal, s.tangent)), dot(d, s.normal));
+}
+
+// Towards the eye in that frame, never from below.
+//   ray          unit, from the eye to the surface
+FN vec3 eyeInFrame(Surface s, vec3 ray) {
+  vec3 v = -inFrame(s, ray);
+  return vec3(v.x, v.y, clamp(v.z, 1e-4f, 1.0f));
+}
+
 FN bool hasConductorIndex(Material m) { return m.conductor_k.x + m.conductor_k.y + m.conductor_k.z > 0.0f; }
 
 FN RefractiveIndex refractiveIndexOf(Material m) {

@@ -12,8 +12,7 @@ void stretchRoughness(inout Surface s, SurfacePoint point) {
   if (!gl_FrontFacing) turn.y = -turn.y;  // from behind, the normal is turned round
   s.tangent = turnedTangent(point.tangent, s.normal, turn);
   vec2 alpha = stretchedAlpha(s.material.perceptual_roughness, s.material.anisotropy);
-  vec3 b = cross(s.normal, s.tangent);
-  vec3 v = vec3(-dot(point.ray, s.tangent), -dot(point.ray, b), clamp(-dot(point.ray, s.normal), 1e-4, 1.0));
+  vec3 v = eyeInFrame(s, point.ray);
   float mean_roughness = sqrt(0.5 * (alpha.x + alpha.y));
   s.environment_brdf.y = environmentBrdf(brdf_table, mean_roughness, v.z).y;
   s.stretched_share = stretchedShare(alpha, v);

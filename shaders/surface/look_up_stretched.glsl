@@ -5,8 +5,7 @@
 
 vec3 reflectedLight(Surface s, SurfacePoint point) {
   vec2 alpha = stretchedAlpha(s.material.perceptual_roughness, s.material.anisotropy);
-  vec3 b = cross(s.normal, s.tangent);
-  vec3 v = vec3(-dot(point.ray, s.tangent), -dot(point.ray, b), max(-dot(point.ray, s.normal), 1e-4));
+  vec3 v = eyeInFrame(s, point.ray);
   vec3 mirrored = reflect(point.ray, s.normal);
   float footprint = sampleFootprint(dFdx(mirrored), dFdy(mirrored), samples_per_pixel);
   vec3 light = vec3(0.0);

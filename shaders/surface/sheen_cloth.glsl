@@ -12,7 +12,7 @@ void layCloth(inout Surface s, SurfacePoint point) {
 vec3 lightOnCloth(Surface s, SurfacePoint point) {
   float alpha = alphaOfSheen(s.material.sheen_roughness);
   vec3 b = cross(s.normal, s.tangent);
-  vec3 v = vec3(-dot(point.ray, s.tangent), -dot(point.ray, b), max(-dot(point.ray, s.normal), 1e-3));
+  vec3 v = eyeInFrame(s, point.ray);
   vec3 light = vec3(0.0);
   float weight = 0.0;
   for (int i = 0; i < kSheenRings * kSheenSpokes; ++i) {

@@ -296,6 +296,8 @@ const Case kCases[] = {
                 dielectricOf(testSurface(p, q, r), testSurface(p, q, r).material,
                              FacetShares(vec3(r), vec3(0.5f * r.x), vec3(r.y)))
                     .multiple_scattering.x)),
+    PARITY(inFrame, direction, kTight, vec4(inFrame(testSurface(p, q, r), vec3(p)), 0.0f)),
+    PARITY(eyeInFrame, direction, kTight, vec4(eyeInFrame(testSurface(p, q, r), vec3(p)), 0.0f)),
     PARITY(seenAlong, direction, kTranscendental,
            vec4(seenAlong(testSurface(p, q, r), vec3(p)).reflectance.single_scattering.x,
                 seenAlong(testSurface(p, q, r), vec3(p)).reflectance.multiple_scattering.y,

@@ -17,12 +17,14 @@ constexpr int kSide = 64;
 /// Light along the surface has no place in the formula.
 constexpr float kLeastCosine = 1e-3f;
 
-/// ∫ D G / (4 n·v) dl over the hemisphere. n·l goes by squares, since the light that counts is near the horizon.
+/// ∫ D V / (4 n·v) dl over the hemisphere: evalCharlie, of which only D changes around the normal. n·l goes by squares,
+/// since the light that counts is near the horizon.
 float integrated(float sheen_roughness, float cosine) {
   static const QuadratureRule kAlong = gaussLegendre(24);
   static const QuadratureRule kAround = gaussLegendre(32);
   const float alpha = formula::alphaOfSheen(sheen_roughness);
   const glm::vec3 v(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
+  const float hidden_from_eye = formula::charlieLambda(alpha, cosine);
   double sum = 0.0;
   for (std::size_t i = 0; i < kAlong.places.size(); ++i) {
     const double t = (1.0 + kAlong.places[i]) / 2.0;
@@ -32,10 +34,11 @@ float integrated(float sheen_roughness, float cosine) {
     for (std::size_t j = 0; j < kAround.places.size(); ++j) {
       const float around = formula::kPi * static_cast<float>((1.0 + kAround.places[j]) / 2.0);
       const glm::vec3 l(sine * std::cos(around), sine * std::sin(around), light);
-      ring += kAround.weights[j] * double(formula::evalCharlie(alpha, v, l) * light);
+      ring += kAround.weights[j] * double(formula::charlieDistribution(alpha, glm::normalize(v + l)));
     }
+    const float masking = 1.0f / (1.0f + hidden_from_eye + formula::charlieLambda(alpha, light));
     // Both halves of the circle; dμ = 2 t dt.
-    sum += kAlong.weights[i] / 2.0 * 2.0 * t * ring * double(formula::kPi);
+    sum += kAlong.weights[i] / 2.0 * 2.0 * t * ring * double(formula::kPi * masking / (4.0f * cosine));
   }
   return static_cast<float>(std::clamp(sum, 0.0, 1.0));
 }

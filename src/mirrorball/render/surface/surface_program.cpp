@@ -82,13 +82,12 @@ std::array<glm::vec4, formula::kMaxMedia> mediaRows(const formula::Media& media)
   return rows;
 }
 
-/// The BRDF table in the form of Surface::environment_brdf, and the sheen's albedo on the same axes. What is missing
-/// to 1 lights a surface with all the light around it, and from rounded shares it would come out as some 2e-4 of that
-/// where it is nothing: of a sun more than of a room.
+/// The BRDF table in the form of Surface::environment_brdf, and a channel of zeros. What is missing to 1 lights a
+/// surface with all the light around it, and from rounded shares it would come out as some 2e-4 of that where it is
+/// nothing: of a sun more than of a room.
 Result<Image> missingAndGrazing() {
   MIRRORBALL_TRY(table, brdfTable({.axes = BrdfAxes::warped}));
   Image shares(table.width(), table.height(), 3);
-  const auto place = [&](int index) { return static_cast<float>(index) / static_cast<float>(table.width() - 1); };
   for (int y = 0; y < table.height(); ++y)
     for (int x = 0; x < table.width(); ++x) {
       const DirectionalAlbedo albedo{.scale = table.texel(x, y)[0], .bias = table.texel(x, y)[1]};
@@ -96,24 +95,53 @@ Result<Image> missingAndGrazing() {
       // A mirror, row 0, has no facets that light could go to and fro between.
       share[0] = y == 0 ? 0.0f : std::max(1.0f - albedo.total(), 0.0f);
       share[1] = albedo.grazing();
-      share[2] = sheenAlbedo(place(y), cosineOfWarpedColumn(place(x), place(y)));
     }
   return shares;
 }
 
+/// The same with the sheen's albedo in its third channel, on the same axes.
+Result<Image> withCloth(const Result<Image>& table) {
+  if (!table) return table;
+  Image shares = *table;
+  const auto place = [&](int index) { return static_cast<float>(index) / static_cast<float>(shares.width() - 1); };
+  for (int y = 0; y < shares.height(); ++y)
+    for (int x = 0; x < shares.width(); ++x)
+      shares.texel(x, y)[2] = sheenAlbedo(place(y), cosineOfWarpedColumn(place(x), place(y)));
+  return shares;
+}
+
+/// OpenGL ES filters no more than half floats, which keep each share to 5e-4 of itself.
+Result<gl::Texture> brdfTexture(const Image& table) {
+  MIRRORBALL_TRY(texture, gl::Texture::fromImages(gl::Format::rgba16f, ImageSet(table)));
+  texture.setSampling({.filter = gl::Sampling::Filter::linear});
+  return texture;
+}
+
 }  // namespace
 
+// Both are made once, since they are the same for every renderer and all their inputs stand here.
 Result<Image> surfaceBrdfTable() {
-  // Made once, since it is the same for every renderer and all its inputs stand here.
   static const Result<Image> table = missingAndGrazing();
   return table;
 }
 
+Result<Image> surfaceBrdfTableWithCloth() {
+  static const Result<Image> table = withCloth(surfaceBrdfTable());
+  return table;
+}
+
 Result<SurfacePrograms> SurfacePrograms::make(gl::Api api, const Image& brdf_table) {
-  // OpenGL ES filters no more than half floats, which keep each share to 5e-4 of itself.
-  MIRRORBALL_TRY(texture, gl::Texture::fromImages(gl::Format::rgba16f, ImageSet(brdf_table)));
-  texture.setSampling({.filter = gl::Sampling::Filter::linear});
+  MIRRORBALL_TRY(texture, brdfTexture(brdf_table));
   return SurfacePrograms(api, std::move(texture));
+}
+
+Result<void> SurfacePrograms::addClothToBrdfTable() {
+  if (brdf_table_has_cloth_) return {};
+  MIRRORBALL_TRY(table, surfaceBrdfTableWithCloth());
+  MIRRORBALL_TRY(texture, brdfTexture(table));
+  brdf_table_ = std::move(texture);
+  brdf_table_has_cloth_ = true;
+  return {};
 }
 
 /// Says which unit and which binding point each sampler and block reads; they are the same in all programs.
@@ -139,13 +167,17 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
 
 SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
                                           const FrameSettings& settings) const {
-  Material seen = scene.materials[std::size_t(material)];
-  const bool is_from_inside = eye_is_inside_ && isBody(seen);
-  if (is_from_inside) static_cast<formula::Material&>(seen) = formula::openMaterial(seen);  // without its layers
-  SurfaceVariant variant = surfaceVariant(seen, buffers.mapsOf(material), settings,
-                                          settings.lights.size() + scene.lights.size(), coordinates_);
-  if (is_from_inside) variant.choose(Part::material, MaterialPart::from_inside);
-  return variant;
+  const Material& from_outside = scene.materials[std::size_t(material)];
+  const auto variant = [&](const Material& seen) {
+    return surfaceVariant(seen, buffers.mapsOf(material), settings, settings.lights.size() + scene.lights.size(),
+                          coordinates_);
+  };
+  if (!eye_is_inside_ || !isBody(from_outside)) return variant(from_outside);
+  Material seen = from_outside;
+  static_cast<formula::Material&>(seen) = formula::openMaterial(seen);  // without its layers
+  SurfaceVariant from_inside = variant(seen);
+  from_inside.choose(Part::material, MaterialPart::from_inside);
+  return from_inside;
 }
 
 Result<gl::Program*> SurfacePrograms::programFor(const SurfaceVariant& variant) {
@@ -221,6 +253,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
     const SurfaceVariant variant = variantOf(scene, materialOf(scene, instance), buffers, settings);
     MIRRORBALL_TRY(program, programFor(variant));
+    if (variant.has(Part::sheen, SheenPart::cloth)) MIRRORBALL_TRY_VOID(addClothToBrdfTable());
     if (variant.lamp_count > 0) program->set("lamp_rows", std::span<const glm::vec4>(lamps));
     if (variant.has(Part::transmission, TransmissionPart::traced))
       program->set("eye_media", std::span<const glm::vec4>(eye_media));

@@ -64,16 +64,21 @@ struct FrameUniforms {
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
-/// of formula/surface/shading.glsl, in its third the albedo of white cloth. Needs no GL context.
+/// of formula/surface/shading.glsl, in its third 0. Needs no GL context.
 ///
-/// cost     about 10 ms on 2 cores
+/// cost     about 20 ms on 2 cores; made once
 Result<Image> surfaceBrdfTable();
+
+/// The same with the albedo of white cloth in its third channel.
+///
+/// cost     about 60 ms more; made once
+Result<Image> surfaceBrdfTableWithCloth();
 
 /// The shader programs for surfaces, one for each variant that some material needs, made when first needed, and the
 /// uniform blocks that they read.
 class SurfacePrograms {
  public:
-  /// brdf_table   surfaceBrdfTable()
+  /// brdf_table   surfaceBrdfTable(): cloth is added where a material needs it
   /// errors       too_large (for this driver)
   static Result<SurfacePrograms> make(gl::Api api, const Image& brdf_table);
 
@@ -96,6 +101,9 @@ class SurfacePrograms {
 
   SurfacePrograms(gl::Api api, gl::Texture brdf_table) : api_(api), brdf_table_(std::move(brdf_table)) {}
 
+  Result<void> addClothToBrdfTable();
+  SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
+                           const FrameSettings& settings) const;
   Result<gl::Program*> programFor(const SurfaceVariant& variant);
   void connect(gl::Program& program, const SurfaceVariant& variant);
   void setFrame(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
@@ -104,10 +112,8 @@ class SurfacePrograms {
 
   gl::Api api_;
   gl::Texture brdf_table_;
+  bool brdf_table_has_cloth_ = false;
   std::map<SurfaceVariant, gl::Program> programs_;
-  SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
-                           const FrameSettings& settings) const;
-
   CoordinateChoice coordinates_;  ///< of the frame
   bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;

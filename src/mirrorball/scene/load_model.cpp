@@ -60,8 +60,7 @@ constexpr std::array kBuiltins = {
     BuiltinModel{"showcase", showcaseScene},
 };
 
-// The names of those and of the grids of materials.
-
+/// The names of those and of the grids of materials.
 const std::vector<std::string_view>& builtinNames() {
   static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> list;

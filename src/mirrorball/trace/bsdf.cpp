@@ -102,25 +102,23 @@ struct Bsdf::Facet {
   glm::vec3 entering;  // the share that it does not reflect
 };
 
-Bsdf::Bsdf(const formula::Material& material, const Refraction& refraction) : refraction_(refraction) {
-  surface_.material = material;
-  entered_.material = formula::withGreySpecular(material);
+Bsdf::Bsdf(const formula::Material& material, const Refraction& refraction)
+    : material_(material), refraction_(refraction) {
   const glm::vec2 alpha = formula::stretchedAlpha(material.perceptual_roughness, material.anisotropy);
   is_smooth_ = std::max(alpha.x, alpha.y) < kSmoothAlpha;
   alpha_ = glm::max(alpha, kSmoothAlpha);
 }
 
 bool Bsdf::chooseMetal(SampleSequence& samples) const {
-  if (material().metallic <= 0.0f) return false;
-  return material().metallic >= 1.0f || samples.nextIndependent() < material().metallic;
+  if (material_.metallic <= 0.0f) return false;
+  return material_.metallic >= 1.0f || samples.nextIndependent() < material_.metallic;
 }
 
 /// Whether the ray is inside of a body that facets enclose.
 bool Bsdf::isInMatter(const Walk& walk) const { return !walk.is_outside && !refraction_.is_thin; }
 
 /// What a dielectric's facet reflects by the one index that refracted light has.
-glm::vec3 Bsdf::reflectanceOfIndex(const formula::Surface& surface, const Walk& walk, float cosine) const {
-  const formula::Material& m = surface.material;
+glm::vec3 Bsdf::reflectanceOfIndex(const formula::Material& m, const Walk& walk, float cosine) const {
   const bool refracts = m.transmission > 0.0f && !refraction_.is_thin;
   const float exact = refracts ? formula::fresnelDielectric(cosine, etaFrom(walk.is_outside, refraction_.ior)) : 0.0f;
   if (exact >= 1.0f) return glm::vec3(1.0f);  // nothing passes beyond the critical angle
@@ -137,24 +135,27 @@ glm::vec3 Bsdf::reflectanceOfIndex(const formula::Surface& surface, const Walk& 
   return formula::tintedReflectance(m, here, f0);
 }
 
-glm::vec3 Bsdf::facetReflectance(const formula::Surface& surface, const Walk& walk, float cosine) const {
+/// material   material_, or that with another specular colour
+glm::vec3 Bsdf::facetReflectance(const formula::Material& material, const Walk& walk, float cosine) const {
   const float bounded = std::clamp(cosine, 0.0f, 1.0f);
-  if (walk.is_metal) return formula::metalReflectance(surface.material, bounded);
-  if (material().dispersion > 0.0f && !walk.is_refracted) return formula::smoothDielectric(surface.material, bounded);
-  return reflectanceOfIndex(surface, walk, bounded);
+  if (walk.is_metal) return formula::metalReflectance(material, bounded);
+  if (material.dispersion > 0.0f && !walk.is_refracted) return formula::smoothDielectric(material, bounded);
+  return reflectanceOfIndex(material, walk, bounded);
 }
 
 Bsdf::Facet Bsdf::facetAt(const Walk& walk, glm::vec3 normal) const {
   const float cosine = glm::dot(walk.back(), normal);
-  const glm::vec3 reflectance = facetReflectance(surface_, walk, cosine);
-  const bool is_tinted = !walk.is_metal && material().specular_color != entered_.material.specular_color;
-  const glm::vec3 kept_out = is_tinted ? facetReflectance(entered_, walk, cosine) : reflectance;
+  const glm::vec3 reflectance = facetReflectance(material_, walk, cosine);
+  const glm::vec3 tint = material_.specular_color;
+  const bool is_tinted = !walk.is_metal && tint != glm::vec3(maxComponent(tint));
+  const glm::vec3 kept_out =
+      is_tinted ? facetReflectance(formula::withGreySpecular(material_), walk, cosine) : reflectance;
   return {normal, cosine, reflectance, glm::vec3(1.0f) - kept_out};
 }
 
 /// What it lets through: all that enters, weighed for its wavelength when that is new.
 glm::vec3 Bsdf::facetTransmittance(const Walk& walk, const Facet& facet) const {
-  return material().base_color * facet.entering * (walk.is_refracted ? glm::vec3(1.0f) : refraction_.weight);
+  return material_.base_color * facet.entering * (walk.is_refracted ? glm::vec3(1.0f) : refraction_.weight);
 }
 
 /// What the facets that may be met here send straight into the light's direction, if no other facet catches it there.
@@ -167,7 +168,7 @@ glm::vec3 Bsdf::directFromFacets(const Walk& walk, const LightSample& light, flo
   if (l.z <= 0.0f) return directThroughFacets(walk, light);
   const float density = walk.meeting * densityOfReflection(alpha_, w, l) * shareOfFacets(walk);
   if (density <= 0.0f) return glm::vec3(0.0f);
-  const glm::vec3 reflectance = facetReflectance(surface_, walk, glm::dot(w, glm::normalize(w + l)));
+  const glm::vec3 reflectance = facetReflectance(material_, walk, glm::dot(w, glm::normalize(w + l)));
   const float own = density * (walk.is_metal ? 1.0f : maxComponent(reflectance)) * part;
   return walk.weight * reflectance *
          (density * escapeProbability(alpha_, l, walk.height) * lightWeight(light, own) / light.pdf);
@@ -184,7 +185,7 @@ glm::vec3 Bsdf::directFromTwoFacets(const Walk& walk, const LightSample& light, 
   const float by_light = densityFromLight(alpha_, between, l);
   const float first = walk.meeting * shareOfFacets(walk) * densityOfReflection(alpha_, w, between);
   if (by_light <= 0.0f || first <= 0.0f) return glm::vec3(0.0f);
-  const glm::vec3 reflectance = facetReflectance(surface_, walk, glm::dot(w, glm::normalize(w + between)));
+  const glm::vec3 reflectance = facetReflectance(material_, walk, glm::dot(w, glm::normalize(w + between)));
   const float by_first = first * (walk.is_metal ? 1.0f : maxComponent(reflectance));
   Walk second = walk;
   second.ray = walk.side() * between;
@@ -197,14 +198,14 @@ glm::vec3 Bsdf::directFromTwoFacets(const Walk& walk, const LightSample& light, 
 
 /// The same through the facets.
 glm::vec3 Bsdf::directThroughFacets(const Walk& walk, const LightSample& light) const {
-  if (walk.is_metal || material().transmission <= 0.0f || goesStraightOn()) return glm::vec3(0.0f);
+  if (walk.is_metal || material_.transmission <= 0.0f || goesStraightOn()) return glm::vec3(0.0f);
   const glm::vec3 w = walk.back();
   const glm::vec3 l = walk.side() * light.direction;
   const float eta = etaFrom(walk.is_outside, refraction_.ior);
   const glm::vec3 h = refraction_.is_thin ? glm::normalize(w + mirrored(l)) : refractingNormal(w, l, eta);
   const float through =
       refraction_.is_thin ? densityOfReflection(alpha_, w, mirrored(l)) : densityOfRefraction(alpha_, w, l, eta);
-  const float density = walk.meeting * through * material().transmission;
+  const float density = walk.meeting * through * material_.transmission;
   if (density <= 0.0f) return glm::vec3(0.0f);
   const Facet facet = facetAt(walk, h);
   const float own = density * (1.0f - maxComponent(facet.reflectance));
@@ -215,19 +216,19 @@ glm::vec3 Bsdf::directThroughFacets(const Walk& walk, const LightSample& light) 
 
 /// What the matter below a facet, or from inside before it, scatters back into the light's direction.
 glm::vec3 Bsdf::directFromMatter(const Walk& walk, const LightSample& light, const Facet& facet) const {
-  const float scattered = 1.0f - material().transmission;
+  const float scattered = 1.0f - material_.transmission;
   if (walk.is_metal || scattered <= 0.0f) return glm::vec3(0.0f);
   const bool is_inside = isInMatter(walk);
   const glm::vec3 entered = is_inside ? glm::vec3(1.0f) : facet.entering;
   const float density = walk.meeting * scattered * formula::pdfDiffuse(walk.side() * light.direction);
   const float own = density * (is_inside ? 1.0f : 1.0f - maxComponent(facet.reflectance));
-  return walk.weight * material().base_color * entered * (density * lightWeight(light, own) / light.pdf);
+  return walk.weight * material_.base_color * entered * (density * lightWeight(light, own) / light.pdf);
 }
 
 /// The share of a ray that facets reflect or refract: from inside, matter scatters its share before they are met, so
 /// that light does not circle in a ball that reflects it totally.
 float Bsdf::shareOfFacets(const Walk& walk) const {
-  return isInMatter(walk) && !walk.is_metal ? material().transmission : 1.0f;
+  return isInMatter(walk) && !walk.is_metal ? material_.transmission : 1.0f;
 }
 
 /// Reflects, refracts or scatters a ray that has met a facet.
@@ -248,7 +249,7 @@ void Bsdf::chooseNext(Walk& walk, const Facet& facet, glm::vec2 u, SampleSequenc
     return;
   }
   walk.from_facet = 0.0f;
-  if (u.y < material().transmission) return transmit(walk, facet);
+  if (u.y < material_.transmission) return transmit(walk, facet);
   const bool is_inside = isInMatter(walk);
   const glm::vec3 entered = facet.entering / std::max(1.0f - share, 1e-30f);
   if (refraction_.is_coat) {
@@ -257,9 +258,9 @@ void Bsdf::chooseNext(Walk& walk, const Facet& facet, glm::vec2 u, SampleSequenc
     return;
   }
   const glm::vec3 l = formula::sampleDiffuse(samples.next());
-  walk.weight *= material().base_color * (is_inside ? glm::vec3(1.0f) : entered);
+  walk.weight *= material_.base_color * (is_inside ? glm::vec3(1.0f) : entered);
   walk.pdf =
-      walk.meeting * (1.0f - material().transmission) * (is_inside ? 1.0f : 1.0f - share) * formula::pdfDiffuse(l);
+      walk.meeting * (1.0f - material_.transmission) * (is_inside ? 1.0f : 1.0f - share) * formula::pdfDiffuse(l);
   walk.ray = walk.side() * l;
   walk.has_left = true;
 }
@@ -274,7 +275,7 @@ void Bsdf::transmit(Walk& walk, const Facet& facet) const {
   if (!isSmooth() && !goesStraightOn()) {
     const float density =
         refraction_.is_thin ? densityOfReflection(alpha_, w, mirrored(l)) : densityOfRefraction(alpha_, w, l, eta);
-    walk.pdf = walk.meeting * passes * material().transmission * density;
+    walk.pdf = walk.meeting * passes * material_.transmission * density;
   } else {
     walk.pdf = 0.0f;
   }

@@ -61,9 +61,7 @@ class Bsdf {
   Bsdf(const formula::Material& material, const Refraction& refraction);
 
   /// Whether a light sample can be of use: a smooth mirror or glass has light from single directions alone.
-  bool takesLightSamples() const {
-    return !isSmooth() || (material().metallic < 1.0f && material().transmission < 1.0f);
-  }
+  bool takesLightSamples() const { return !isSmooth() || (material_.metallic < 1.0f && material_.transmission < 1.0f); }
 
   /// Walks from the eye between the facets until the path leaves. At each facet the light sample has its share, weighed
   /// against the facet's own choice: the densities are exact at each facet, though nobody knows that of the whole walk,
@@ -79,14 +77,13 @@ class Bsdf {
   struct Walk;
   struct Facet;
   bool chooseMetal(SampleSequence& samples) const;
-  const formula::Material& material() const { return surface_.material; }
   bool isSmooth() const { return is_smooth_; }
   /// Whether both sides have one index.
   bool goesStraightOn() const { return !refraction_.is_thin && std::abs(refraction_.ior - 1.0f) < 1e-4f; }
   bool isInMatter(const Walk& walk) const;
   float shareOfFacets(const Walk& walk) const;
-  glm::vec3 reflectanceOfIndex(const formula::Surface& surface, const Walk& walk, float cosine) const;
-  glm::vec3 facetReflectance(const formula::Surface& surface, const Walk& walk, float cosine) const;
+  glm::vec3 reflectanceOfIndex(const formula::Material& material, const Walk& walk, float cosine) const;
+  glm::vec3 facetReflectance(const formula::Material& material, const Walk& walk, float cosine) const;
   Facet facetAt(const Walk& walk, glm::vec3 normal) const;
   glm::vec3 facetTransmittance(const Walk& walk, const Facet& facet) const;
   glm::vec3 directFromTwoFacets(const Walk& walk, const LightSample& light, SampleSequence& samples) const;
@@ -96,8 +93,7 @@ class Bsdf {
   void chooseNext(Walk& walk, const Facet& facet, glm::vec2 u, SampleSequence& samples) const;
   void transmit(Walk& walk, const Facet& facet) const;
 
-  formula::Surface surface_;  // its material alone
-  formula::Surface entered_;  // what it does not reflect enters: formula::withGreySpecular
+  formula::Material material_;
   Refraction refraction_;
   glm::vec2 alpha_;
   bool is_smooth_;

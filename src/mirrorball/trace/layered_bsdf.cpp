@@ -47,8 +47,9 @@ float LayeredBsdf::sheenProbability(glm::vec3 v) const {
 }
 
 /// The light sample's share, weighed against the walk's choice.
-glm::vec3 LayeredBsdf::directFromSheen(glm::vec3 v, const LightSample& light) const {
-  const float probability = sheenProbability(v);
+///
+/// probability   sheenProbability(v)
+glm::vec3 LayeredBsdf::directFromSheen(glm::vec3 v, float probability, const LightSample& light) const {
   if (probability <= 0.0f || light.pdf <= 0.0f || light.direction.z <= 0.0f) return glm::vec3(0.0f);
   const float value =
       formula::evalCharlie(formula::alphaOfSheen(sheen_->roughness), v, light.direction) * light.direction.z;
@@ -56,9 +57,9 @@ glm::vec3 LayeredBsdf::directFromSheen(glm::vec3 v, const LightSample& light) co
   return sheen_->color * (value * lightWeight(light, own) / light.pdf);
 }
 
-BsdfSample LayeredBsdf::sampleSheen(glm::vec3 v, SampleSequence& samples) const {
+BsdfSample LayeredBsdf::sampleSheen(glm::vec3 v, float probability, SampleSequence& samples) const {
   const glm::vec3 l = formula::sampleDiffuse(samples.next());
-  const float pdf = std::max(sheenProbability(v) * formula::pdfDiffuse(l), 1e-30f);
+  const float pdf = std::max(probability * formula::pdfDiffuse(l), 1e-30f);
   const float value = formula::evalCharlie(formula::alphaOfSheen(sheen_->roughness), v, l) * l.z;
   return {l, sheen_->color * (value / pdf), pdf};
 }
@@ -76,9 +77,10 @@ LayeredScattering LayeredBsdf::scatter(glm::vec3 v, const LightSample& light, Sa
   }
   const glm::vec3 w = frame_.toLocal(v);
   const LightSample in_frame = local(light, frame_);
-  of_layers += share * directFromSheen(w, in_frame);
-  if (sheen_ && samples.nextIndependent() < sheenProbability(w)) {
-    result.scattering = inWorld({.next = sampleSheen(w, samples)}, frame_, share);
+  const float of_cloth = sheenProbability(w);
+  of_layers += share * directFromSheen(w, of_cloth, in_frame);
+  if (sheen_ && samples.nextIndependent() < of_cloth) {
+    result.scattering = inWorld({.next = sampleSheen(w, of_cloth, samples)}, frame_, share);
   } else {
     result.scattering = inWorld(surface_.scatter(w, in_frame, samples), frame_, share);
     result.share_below = share;

@@ -22,7 +22,9 @@ struct LayeredScattering {
 /// Directions are unit, in the world's frame; v is towards the eye.
 class LayeredBsdf {
  public:
-  LayeredBsdf(const Bsdf& surface, const Frame& frame) : surface_(surface), frame_(frame) {}
+  /// The surface alone.
+  LayeredBsdf(const formula::Material& material, const Refraction& refraction, const Frame& frame)
+      : surface_(material, refraction), frame_(frame) {}
 
   /// Lays cloth on the surface: sheen_color and sheen_roughness of a material.
   void addSheen(const formula::Material& material);
@@ -47,8 +49,8 @@ class LayeredBsdf {
   };
 
   float sheenProbability(glm::vec3 v) const;
-  glm::vec3 directFromSheen(glm::vec3 v, const LightSample& light) const;
-  BsdfSample sampleSheen(glm::vec3 v, SampleSequence& samples) const;
+  glm::vec3 directFromSheen(glm::vec3 v, float probability, const LightSample& light) const;
+  BsdfSample sampleSheen(glm::vec3 v, float probability, SampleSequence& samples) const;
 
   Bsdf surface_;
   Frame frame_;

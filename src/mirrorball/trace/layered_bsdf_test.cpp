@@ -53,7 +53,7 @@ const Frame kFrame(glm::vec3(0.0f, 0.0f, 1.0f));
 const Frame kCoatFrame(glm::normalize(glm::vec3(0.15f, -0.1f, 1.0f)));
 
 LayeredBsdf layersOf(const formula::Material& material) {
-  LayeredBsdf bsdf(Bsdf(material, {.ior = material.ior}), kFrame);
+  LayeredBsdf bsdf(material, {.ior = material.ior}, kFrame);
   bsdf.addSheen(material);
   bsdf.addCoat(material, kCoatFrame);
   return bsdf;
@@ -115,7 +115,7 @@ TEST(LayeredBsdf, ASmoothCoatReflectsWhatFresnelSays) {
   formula::Material black = coated(white(0.0f, 1.0f), 1.0f, 0.0f);
   black.base_color = glm::vec3(0.0f);
   black.specular = 0.0f;
-  LayeredBsdf bsdf(Bsdf(black, {.ior = black.ior}), kFrame);
+  LayeredBsdf bsdf(black, {.ior = black.ior}, kFrame);
   bsdf.addCoat(black, kFrame);
   for (const float cosine : {0.2f, 0.7f}) {
     Estimate reflected, below;

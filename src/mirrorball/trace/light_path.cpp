@@ -304,7 +304,7 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   glm::vec2 stretched = vertex.point.stretched;
   if (!vertex.is_outside && !vertex.is_body) stretched.y = -stretched.y;  // from behind, the normal is turned round
   const Frame frame(normal, formula::turnedTangent(vertex.point.tangent, normal, stretched));
-  LayeredBsdf bsdf(Bsdf(material, refractionAt(vertex, new_wavelength)), frame);
+  LayeredBsdf bsdf(material, refractionAt(vertex, new_wavelength), frame);
   if (vertex.is_outside || !vertex.is_body) {
     bsdf.addSheen(material);
     if (material.clearcoat > 0.0f) bsdf.addCoat(material, Frame(coatNormal(vertex)));

@@ -80,6 +80,7 @@ void setNormals(const Scene& scene, const Material& material, const Corners& cor
     return formula::mappedNormal(point.tangent, n, glm::vec3(sampleSlot(scene, slot, corners)), scale);
   };
   point.normal = mapped(glm::normalize(world_from_normal * object), material.normal_map, material.normal_scale);
+  if (material.clearcoat <= 0.0f) return;
   point.coat_normal = mapped(glm::normalize(world_from_normal * vertex), material.clearcoat_normal_map,
                              material.clearcoat_normal_scale);
 }
@@ -88,17 +89,24 @@ void setNormals(const Scene& scene, const Material& material, const Corners& cor
 void setLayers(const Scene& scene, const Material& material, const Corners& corners, SurfacePoint& point) {
   const auto sample = [&](const TextureSlot& slot) { return sampleSlot(scene, slot, corners); };
   formula::Material& m = point.material;
-  m.clearcoat *= sample(material.clearcoat_map).x;
-  m.clearcoat_roughness *= sample(material.clearcoat_roughness_map).y;
-  m.sheen_color *= glm::vec3(sample(material.sheen_color_map));
-  m.sheen_roughness *= sample(material.sheen_roughness_map).w;
-  m.iridescence *= sample(material.iridescence_map).x;
-  m.iridescence_thickness =
-      glm::mix(m.iridescence_thickness_minimum, m.iridescence_thickness, sample(material.iridescence_thickness_map).y);
-  if (m.anisotropy <= 0.0f) return;
-  const glm::vec4 stretched = sampleSlot(scene, material.anisotropy_map, corners, {1.0f, 0.5f, 1.0f, 1.0f});
-  m.anisotropy *= stretched.z;
-  point.stretched = formula::anisotropyTurn(glm::vec2(stretched) * 2.0f - 1.0f, m.anisotropy_rotation);
+  if (m.clearcoat > 0.0f) {
+    m.clearcoat *= sample(material.clearcoat_map).x;
+    m.clearcoat_roughness *= sample(material.clearcoat_roughness_map).y;
+  }
+  if (m.sheen_color != glm::vec3(0.0f)) {
+    m.sheen_color *= glm::vec3(sample(material.sheen_color_map));
+    m.sheen_roughness *= sample(material.sheen_roughness_map).w;
+  }
+  if (m.iridescence > 0.0f) {
+    m.iridescence *= sample(material.iridescence_map).x;
+    m.iridescence_thickness = glm::mix(m.iridescence_thickness_minimum, m.iridescence_thickness,
+                                       sample(material.iridescence_thickness_map).y);
+  }
+  if (m.anisotropy > 0.0f) {
+    const glm::vec4 stretched = sampleSlot(scene, material.anisotropy_map, corners, kAbsentAnisotropyMap);
+    m.anisotropy *= stretched.z;
+    point.stretched = formula::anisotropyTurn(glm::vec2(stretched) * 2.0f - 1.0f, m.anisotropy_rotation);
+  }
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct SurfacePoint {
   glm::vec3 normal{0.0f};           ///< of the surface with bumps and normal map, unit, outwards
   glm::vec4 tangent{0.0f};          ///< of growing u; the sign of the bitangent
   glm::vec2 stretched{1.0f, 0.0f};  ///< cosine and sine of the angle from there to the way that roughness is stretched
-  glm::vec3 coat_normal{0.0f};      ///< of a clear coat, unit, outwards
+  glm::vec3 coat_normal{0.0f};      ///< of a clear coat, unit, outwards; 0 where there is none
   formula::Material material;       ///< times what the textures hold here
 };
 

@@ -100,7 +100,7 @@ class SceneBuilder {
     const Primitive* primitive;
     int material;  // of the scene
     std::vector<int> material_of_variant;
-    int normal_uv_set;
+    int tangent_uv_set;
     std::string key;
   };
 
@@ -223,8 +223,8 @@ class SceneBuilder {
         left -= size;
         MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
         MIRRORBALL_TRY(of_variants, materialsOfVariants(primitive, material, key));
-        const int normal_uv_set = tangentUvSet(scene_.materials[std::size_t(material)]);
-        jobs.push_back({mesh, &primitive, material, std::move(of_variants), normal_uv_set, key});
+        const int tangent_uv_set = tangentUvSet(scene_.materials[std::size_t(material)]);
+        jobs.push_back({mesh, &primitive, material, std::move(of_variants), tangent_uv_set, key});
       }
     }
     return jobs;
@@ -255,7 +255,7 @@ class SceneBuilder {
     std::vector<Result<Mesh>> meshes(jobs.size());
     parallelFor(jobs.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        meshes[i] = readPrimitive(file_, *jobs[i].primitive, jobs[i].normal_uv_set, jobs[i].key);
+        meshes[i] = readPrimitive(file_, *jobs[i].primitive, jobs[i].tangent_uv_set, jobs[i].key);
     });
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       if (!meshes[i]) return fail(std::move(meshes[i]));

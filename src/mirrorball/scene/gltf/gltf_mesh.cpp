@@ -123,7 +123,7 @@ bool hasTriangles(const Primitive& primitive) {
   return primitive.mode == kTriangles || primitive.mode == kTriangleStrip || primitive.mode == kTriangleFan;
 }
 
-Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int normal_uv_set, const std::string& key) {
+Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int tangent_uv_set, const std::string& key) {
   DracoMesh draco;
   if (primitive.draco_view >= 0) {
     MIRRORBALL_TRY(decoded, decodeDraco(file, primitive, key));
@@ -162,7 +162,7 @@ Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int nor
   else if (!setNormals(mesh, normals))
     computeNormals(mesh);
   // Tangents without normals are to be ignored (section 3.7.2.1).
-  if (!has_normals || tangents.count() == 0 || !setTangents(mesh, tangents)) computeTangents(mesh, normal_uv_set);
+  if (!has_normals || tangents.count() == 0 || !setTangents(mesh, tangents)) computeTangents(mesh, tangent_uv_set);
   return mesh;
 }
 

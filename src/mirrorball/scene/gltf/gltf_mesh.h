@@ -13,10 +13,10 @@ bool hasTriangles(const Primitive& primitive);
 
 /// Reads one primitive: its attributes and its indices as triangles. Without normals it becomes flat, as glTF demands.
 ///
-/// normal_uv_set  the texture coordinates along which tangents are computed where the file has none
-/// key            "meshes[0].primitives[1]", for messages
-/// returns        a mesh whose material is not set yet
-/// errors         bad_file; too_large (an accessor of zeros)
-Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int normal_uv_set, const std::string& key);
+/// tangent_uv_set  the texture coordinates along which tangents are computed where the file has none
+/// key             "meshes[0].primitives[1]", for messages
+/// returns         a mesh whose material is not set yet
+/// errors          bad_file; too_large (an accessor of zeros)
+Result<Mesh> readPrimitive(const File& file, const Primitive& primitive, int tangent_uv_set, const std::string& key);
 
 }  // namespace mirrorball::gltf

@@ -81,6 +81,9 @@ struct MaterialMap {
   glm::vec4 absent{1.0f};  ///< what a material without this texture has everywhere
 };
 
+/// MaterialMap::absent of `anisotropy_map`: along the tangent, in full.
+inline constexpr glm::vec4 kAbsentAnisotropyMap{1.0f, 0.5f, 1.0f, 1.0f};
+
 /// The table of these textures, in the order in which the shaders number them.
 std::span<const MaterialMap> materialMaps();
 

@@ -256,7 +256,7 @@ constexpr auto kMaps = std::to_array<MaterialMap>({
     {"anisotropy_map", &Material::anisotropy_map, false, "extensions.KHR_materials_anisotropy.anisotropyTexture",
      "picture whose red and green channel are the rougher direction d, stored as ½ + ½ d, and whose blue channel "
      "multiplies anisotropy",
-     glm::vec4(1.0f, 0.5f, 1.0f, 1.0f)},
+     kAbsentAnisotropyMap},
     {"iridescence_map", &Material::iridescence_map, false, "extensions.KHR_materials_iridescence.iridescenceTexture",
      "picture whose red channel multiplies iridescence"},
     {"iridescence_thickness_map", &Material::iridescence_thickness_map, false,

@@ -170,6 +170,11 @@ constexpr auto kCases = std::to_array<Case>({
      "render teapot --set base_color_map=pictures/convert_sphere.png --texgen normal --camera 30,20,2.3 "
      "--texture-matrix 0.5,0,0,0.5,0,0.5,0,0.5,0,0,1,0,0,0,0,1 --size 144x96",
      &kFinelyLined, "--texture-matrix 0.5,0,0,0.505,0,0.5,0,0.5,0,0,1,0,0,0,0,1"},
+    {"texgen_sphere",
+     "render teapot --set base_color_map=pictures/convert_sphere.png --texgen sphere --camera 30,20,2.3 --size 96x64",
+     &kFinelyLined, "--texture-matrix 1,0,0,0.005,0,1,0,0,0,0,1,0,0,0,0,1"},
+    {"texgen_reflection", "render teapot -e uv --material mirror --texgen reflection --camera 30,20,2.3 --size 96x64",
+     &kFinelyLined, "--env-rotation 0.2", Truth{33.1, kTexels, "", 16, 16}},
     {"texgen_light",
      "render teapot --set base_color_map=pictures/convert_cross.png --texgen light --light 2,2,3,0,0,0 "
      "--camera 30,20,2.3 --size 144x96",

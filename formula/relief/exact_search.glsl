@@ -1,0 +1,106 @@
+// Where a straight way through the texture's space meets the surface of a height map, exactly: the maxima of ever
+// larger cells tell what it passes over (Tevs, Ihrke & Seidel 2008, "Maximum mipmaps for fast, accurate, and scalable
+// dynamic height field rendering"), and in a patch it meets a bilinear surface, which is a quadratic equation.
+// Needs: height_map, texture_filter.
+
+const float kNoHit = 2.0f;  // a share of the way that is none
+// A way that begins so little below the surface has come from above it: rounding was in between.
+const float kHeightTolerance = 2e-3f;
+const int kLongestSearch = 2048;
+const float kNudge = 1e-3f;  // texels: into the cell that is entered
+
+// Where a way meets a bilinear patch from above. With the height of the way, h, and that of the patch,
+// c0 + c1 x + c2 y + c3 x y, both over the share s, f(s) = h − patch is f0 + f1 s + f2 s².
+//   corners       patchCorners
+//   entry, leave  in the patch's coordinates, [0, 1]², and height
+//   returns       the share in [0, 1] of the way from entry to leave; 0 where that is below the patch already
+FN float hitOfPatch(vec4 corners, vec3 entry, vec3 leave) {
+  float along_x = corners.y - corners.x;
+  float along_y = corners.z - corners.x;
+  float twist = corners.x - corners.y - corners.z + corners.w;
+  vec3 way = leave - entry;
+  float f0 = entry.z - (corners.x + along_x * entry.x + along_y * entry.y + twist * entry.x * entry.y);
+  if (f0 <= 0.0f) return 0.0f;
+  float f1 = way.z - along_x * way.x - along_y * way.y - twist * (entry.x * way.y + entry.y * way.x);
+  float f2 = -twist * way.x * way.y;
+  float discriminant = f1 * f1 - 4.0f * f2 * f0;
+  if (discriminant < 0.0f) return kNoHit;
+  // The roots are q / f2 and f0 / q without a difference of near numbers. From f0 > 0 the first one leads below.
+  float q = -0.5f * (f1 + (f1 >= 0.0f ? 1.0f : -1.0f) * sqrt(discriminant));
+  float first = q == 0.0f ? kNoHit : f0 / q;
+  float second = f2 == 0.0f ? kNoHit : q / f2;
+  if (first < 0.0f || first > 1.0f) first = kNoHit;
+  if (second < 0.0f || second > 1.0f) second = kNoHit;
+  return min(first, second);
+}
+
+// A cell of a level: what of the map it covers, in texels, and its greatest height.
+struct HeightCell {
+  vec2 low;
+  vec2 high;
+  float top;
+};
+
+// The cell around a place. At level 0 it is a patch, whose top is not asked for.
+FN HeightCell heightCellAt(MAP_SAMPLER heights, HeightMap map, vec2 place, int level) {
+  vec2 size = vec2(mapSize(heights, 0));
+  bool is_tiled = map.wrap == kWrapRepeat;
+  if (level == 0) {
+    vec2 first = floor(place);
+    return HeightCell(first, first + vec2(1.0f), 0.0f);
+  }
+  vec2 origin = is_tiled ? size * floor(place / size) : vec2(0.0f);
+  vec2 cells = vec2(mapSize(heights, level));
+  float side = float(1 << level);
+  vec2 cell = clamp(floor((place - origin) / side), vec2(0.0f), cells - vec2(1.0f));
+  vec2 low = origin + cell * side;
+  vec2 high = low + vec2(side);
+  // The last cell has what is left of the map; beyond edges that are not tiled it goes on as it is there.
+  float beyond = is_tiled ? 0.0f : 1e6f;
+  if (cell.x == cells.x - 1.0f) high.x = origin.x + size.x + beyond;
+  if (cell.y == cells.y - 1.0f) high.y = origin.y + size.y + beyond;
+  if (cell.x == 0.0f) low.x -= beyond;
+  if (cell.y == 0.0f) low.y -= beyond;
+  return HeightCell(low, high, fetchMap(heights, ivec2(cell), level).x);
+}
+
+// The share of a way at which it leaves a cell.
+FN float shareAtEdge(vec2 from, vec2 way, HeightCell cell) {
+  float x = way.x == 0.0f ? kNoHit : ((way.x > 0.0f ? cell.high.x : cell.low.x) - from.x) / way.x;
+  float y = way.y == 0.0f ? kNoHit : ((way.y > 0.0f ? cell.high.y : cell.low.y) - from.y) / way.y;
+  return min(min(x, y), 1.0f);
+}
+
+//   from, to   place in texels, and height
+//   returns    the share of the way from one to the other at which it meets the surface from above; kNoHit: nowhere, or
+//              it begins below
+FN float exactSearch(MAP_SAMPLER heights, HeightMap map, vec3 from, vec3 to) {
+  vec3 way = to - from;
+  vec2 start = vec2(from);
+  vec2 across = vec2(way);
+  if (from.z < heightAt(heights, map, start) - kHeightTolerance) return kNoHit;
+  vec2 nudge = kNudge * sign(across);
+  float share = 0.0f;
+  int level = map.last_level;
+  for (int step = 0; step < kLongestSearch; ++step) {
+    HeightCell cell = heightCellAt(heights, map, start + across * share + nudge, level);
+    float leaving = max(shareAtEdge(start, across, cell), share);
+    vec3 entry = from + way * share;
+    vec3 leave = from + way * leaving;
+    if (level > 0 && min(entry.z, leave.z) <= cell.top) {
+      // Before it is as low as the cell's top nothing can be met.
+      if (entry.z > cell.top) share = max(share, min((cell.top - from.z) / way.z, leaving));
+      --level;
+      continue;
+    }
+    if (level == 0) {
+      vec3 corner = vec3(cell.low.x, cell.low.y, 0.0f);
+      float hit = hitOfPatch(patchCorners(heights, map, cell.low), entry - corner, leave - corner);
+      if (hit <= 1.0f) return mix(share, leaving, hit);
+    }
+    if (leaving >= 1.0f) return kNoHit;
+    share = leaving;
+    level = min(level + 1, map.last_level);
+  }
+  return kNoHit;
+}

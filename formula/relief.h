@@ -1,0 +1,25 @@
+#pragma once
+
+/// The built-in bumpy surfaces: heights with their slopes, of the texture coordinate. How these files are read:
+/// formula/formula.h.
+
+#include "formula/constants.h"
+#include "formula/grid_random.h"
+//
+#include "formula/glsl_begin.inc"
+
+namespace mirrorball::formula {
+#include "formula/relief/dual.glsl"
+#include "formula/relief/relief_noise.glsl"
+//
+#include "formula/relief/brick.glsl"
+#include "formula/relief/cobbles.glsl"
+#include "formula/relief/hammered.glsl"
+#include "formula/relief/orange_skin.glsl"
+#include "formula/relief/waves.glsl"
+#include "formula/relief/weave.glsl"
+//
+#include "formula/relief/builtin_height.glsl"
+}  // namespace mirrorball::formula
+
+#include "formula/glsl_end.inc"

@@ -1,7 +1,7 @@
 // A street of cobbles. Needs: grid_random, dual, relief_noise.
 
-// 64 rounded stones of different heights in a bed of sand. Greatest slope SLOPE_COBBLES, at the stones' feet; mean height
-// MEAN_COBBLES.
+// 64 rounded stones of different heights in a bed of sand. Greatest slope 82, at the stones' feet; mean height
+// 0.42.
 //
 // A stone lies around each of the scattered points, within its Voronoi cell. At the distance d from the edge towards
 // another point, (1 − d / reach)² is taken off a dome of height 1, so that it is at most 0 at every edge and rounds the
@@ -13,7 +13,7 @@ FN vec3 cobblesHeight(vec2 uv) {
   vec3 points[9];
   int nearest = 0;
   for (int i = 0; i < 9; ++i) {
-    points[i] = scatteredPoint(float(kStones) * p, i, 0.5f, kStones, 0);
+    points[i] = scatteredPoint(float(kStones) * p, i, 3, 0.5f, kStones, 0);
     if (dot(vec2(points[i]), vec2(points[i])) < dot(vec2(points[nearest]), vec2(points[nearest]))) nearest = i;
   }
   vec2 own = vec2(points[nearest]);

@@ -1,12 +1,16 @@
 // What is random in reliefs that repeat. Needs: grid_random.
 
 // Three numbers in [0, 1) for a cell of a grid that repeats.
-//   cell     from −period
+//   cell     from −period up to 2 · period
 //   period   after how many cells, to the right and downwards
 //   layer    a number of the use: other layers are independent
 FN vec3 cellRandom(ivec2 cell, ivec2 period, int layer) {
-  ivec2 wrapped = (cell + period) % period;
-  return gridRandom(ivec3(wrapped.x, wrapped.y, layer));
+  ivec3 wrapped = ivec3(cell, layer);  // without a division, which GPUs have none for whole numbers
+  if (cell.x < 0) wrapped.x += period.x;
+  if (cell.y < 0) wrapped.y += period.y;
+  if (cell.x >= period.x) wrapped.x -= period.x;
+  if (cell.y >= period.y) wrapped.y -= period.y;
+  return gridRandom(wrapped);
 }
 
 // The random plane through 0 at a corner of the grid: vec3(its slopes, its value at `way` from the corner).
@@ -16,7 +20,7 @@ FN vec3 cornerPlane(ivec2 corner, vec2 way, int period, int layer) {
 }
 
 // Gradient noise (Perlin 2002, "Improving noise"), which blends the planes of four corners by 6 t⁵ − 15 t⁴ + 10 t³:
-// vec3(∂/∂x, ∂/∂y, value). Its cells are 1 wide. The mean is 0, the values lie within ±1, in practice within ±0.7.
+// vec3(∂/∂x, ∂/∂y, value). Its cells are 1 wide. The mean is 0, the values lie within ±1, in practice within ±0.8.
 //   place    in [0, period]²
 //   period   after so many cells it repeats
 FN vec3 reliefNoise(vec2 place, int period, int layer) {
@@ -37,16 +41,18 @@ FN vec3 reliefNoise(vec2 place, int period, int layer) {
 
 // One of the points around a place that lie scattered, one in each cell of a grid (Worley 1996, "A cellular texture
 // basis function"): vec3(way from the place to it, a random number in [0, 1)). Every second row is shifted by half a
-// cell, so that points have six neighbours rather than eight. All nine together are those of 3 × 3 cells around the
-// place; those of other cells are at least 1.5 − jitter / 2 away.
+// cell, so that points have six neighbours rather than eight. Other points than those of the nearest 2 × 2 cells are
+// at least 1 − jitter / 2 away from the place, other than those of 3 × 3 cells 1.5 − jitter / 2.
 //   place    in [0, period]²; cells are 1 wide
-//   i        0 to 8
+//   i        0 to count² − 1
+//   count    2 or 3 cells in each direction
 //   jitter   0: all in the middle of their cells; 1: anywhere in them
 //   period   even
-FN vec3 scatteredPoint(vec2 place, int i, float jitter, int period, int layer) {
-  float row = floor(place.y) + float(i / 3 - 1);
+FN vec3 scatteredPoint(vec2 place, int i, int count, float jitter, int period, int layer) {
+  vec2 first = place - 0.5f * float(count - 1);
+  float row = floor(first.y) + float(i / count);
   float shift = 0.5f * mod(row, 2.0f);
-  float column = floor(place.x + shift) + float(i % 3 - 1);
+  float column = floor(first.x + shift) + float(i % count);
   vec3 random = cellRandom(ivec2(int(column), int(row)), ivec2(period), layer);
   vec2 point = vec2(column - shift, row) + 0.5f + jitter * (vec2(random) - 0.5f);
   return vec3(point - place, random.z);

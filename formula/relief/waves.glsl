@@ -3,8 +3,8 @@
 const int kWaves = 14;
 
 // The waves that make up the water: vec4(wave vector, amplitude, phase in turns). Wave vectors count the crests along
-// the tile's sides and are whole numbers, so that the tile repeats. They are 3 to 20 long and spread by some 40° about
-// the wind; the amplitudes fall as their length^−1.4, times 0.85 to 1.15. Drawn by lot, then written down.
+// the tile's sides and are whole numbers, so that the tile repeats. They are 2 to 20 long and spread by some 40° about
+// the wind; amplitudes fall as their length^−1.4, times 0.85 to 1.15. Drawn by lot, and written down.
 FN vec4 waveNumber(int i) {
   switch (i) {
     case 0:
@@ -24,7 +24,7 @@ FN vec4 waveNumber(int i) {
     case 7:
       return vec4(6.0f, 6.0f, 0.0272f, 0.64f);
     case 8:
-      return vec4(9.0f, 2.0f, 0.0225f, 1.00f);
+      return vec4(9.0f, 2.0f, 0.0225f, 0.0f);
     case 9:
       return vec4(11.0f, -1.0f, 0.0207f, 0.71f);
     case 10:
@@ -43,7 +43,7 @@ FN vec4 waveNumber(int i) {
 // Real water moves in circles: crests draw together and sharpen, troughs widen (Gerstner 1802; Tessendorf 2001,
 // "Simulating ocean water", 4.5). Water at rest at x is carried to x − D(x), D = Σ a k / |k| sin φ times the choppiness;
 // so the height at a place is that of the water which is at rest about D beside it, and its slope follows by the chain
-// rule with the symmetric matrix of D's slopes. Greatest slope SLOPE_WAVES, mean height MEAN_WAVES.
+// rule with the symmetric matrix of D's slopes. Greatest slope 37, mean height 0.43.
 FN vec3 wavesHeight(vec2 uv) {
   const float kChoppiness = 0.18f;
   vec2 p = fract(uv);

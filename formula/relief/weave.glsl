@@ -8,14 +8,14 @@
 // leads down from there.
 FN vec3 strandHeight(float across, float along, float over) {
   float x = 2.0f * across;
-  float section = sqrt(1.0f - 0.9f * x * x);
-  vec3 strand = vec3(0.58f * -1.8f * x / section, -0.4f * over * kPi * sin(kPi * along),
-                     1.0f + 0.58f * section + 0.4f * over * cos(kPi * along));
-  return dualProduct(strand, dualSmoothstep(0.0f, 0.13f, vec3(-sign(across), 0.0f, 0.5f - abs(across))));
+  float section = sqrt(1.0f - 0.97f * x * x);
+  vec3 strand = vec3(0.65f * -1.94f * x / section, -0.33f * over * kPi * sin(kPi * along),
+                     0.32f + 0.65f * section + 0.33f * over * cos(kPi * along));
+  return dualProduct(strand, dualSmoothstep(0.0f, 0.14f, vec3(-sign(across), 0.0f, 0.5f - abs(across))));
 }
 
-// Plain weave of 8 × 8 strands, round ones like wires or, where it is low, flat ones like bands. Greatest slope
-// SLOPE_WEAVE, at the strands' sides; mean height MEAN_WEAVE.
+// Plain weave of 8 × 8 strands: wires where it is high, bands where it is low. Greatest slope 55, at the strands' sides;
+// mean height 0.77.
 FN vec3 weaveHeight(vec2 uv) {
   vec2 p = 8.0f * fract(uv);
   vec2 strand = floor(p);
@@ -24,5 +24,5 @@ FN vec3 weaveHeight(vec2 uv) {
   vec3 warp = strandHeight(across.x, p.y - 0.5f, over.x);
   vec3 weft = strandHeight(across.y, p.x - 0.5f, -over.y);
   vec3 height = dualMaximum(warp, vec3(weft.y, weft.x, weft.z), 0.03f);
-  return 0.5f * dualOfFiner(height, 8.0f);
+  return 0.75f * dualOfFiner(height, 8.0f);
 }

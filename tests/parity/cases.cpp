@@ -188,8 +188,9 @@ const Case kCases[] = {
 std::span<const Case> allCases() {
   static const std::vector<Case> all = [] {
     std::vector<Case> cases(std::begin(kCases), std::end(kCases));
-    const std::span<const Case> of_surfaces = surfaceCases();
-    cases.insert(cases.end(), of_surfaces.begin(), of_surfaces.end());
+    for (const std::span<const Case> more : {surfaceCases(), reliefCases()}) {
+      cases.insert(cases.end(), more.begin(), more.end());
+    }
     return cases;
   }();
   return all;

@@ -39,4 +39,7 @@ std::span<const Case> allCases();
 /// Those of them that are of surfaces and bodies.
 std::span<const Case> surfaceCases();
 
+/// Those of them that are of built-in heights.
+std::span<const Case> reliefCases();
+
 }  // namespace mirrorball::parity

@@ -7,10 +7,10 @@
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/bake/harmonics/fourier_transform.h"
 #include "mirrorball/bake/harmonics/sphere_grid.h"
 #include "mirrorball/bake/prefilter/bright_lights.h"
 #include "mirrorball/environment/environment_map.h"
+#include "mirrorball/image/fourier_transform.h"
 #include "mirrorball/image/texel_allocator.h"
 
 namespace mirrorball {

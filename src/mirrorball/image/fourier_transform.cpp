@@ -1,4 +1,4 @@
-#include "mirrorball/bake/harmonics/fourier_transform.h"
+#include "mirrorball/image/fourier_transform.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,6 +4,15 @@ FN float alphaFromPerceptualRoughness(float perceptual_roughness) {
   return perceptual_roughness * perceptual_roughness;
 }
 
+// The roughness of a surface whose facets are also spread by bumps that are too small to be seen: GGX's α² is twice the
+// variance of Beckmann's slopes, and variances add (Olano & Baker 2010, "LEAN mapping").
+//   variance   of the bumps' slopes along one direction
+FN float widenedRoughness(float perceptual_roughness, float variance) {
+  if (variance <= 0.0f) return perceptual_roughness;
+  float alpha = alphaFromPerceptualRoughness(perceptual_roughness);
+  return sqrt(min(sqrt(alpha * alpha + 2.0f * variance), 1.0f));
+}
+
 // Multiple scattering: the share of white light that leaves a rough surface after two or more bounces between its
 // facets (Fdez-Agüera 2019, "A multiple-scattering microfacet model for real-time image-based lighting", eqs. 9 to 12).
 // Of the missing share, which does not leave at a bounce, the next facet reflects the mean share F. Of that the part

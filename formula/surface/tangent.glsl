@@ -19,6 +19,17 @@ FN vec3 perturbedNormal(vec3 p_u, vec3 p_v, vec3 n, float d_u, float d_v) {
   return normalize(cross(p_u, p_v) + d_u * cross(n, p_v) - d_v * cross(n, p_u));
 }
 
+// The same for any texture coordinates: what they change of the place is taken across n, and may turn left or right.
+//   d     how much the height grows a unit of u and of v
+FN vec3 displacedNormal(vec3 p_u, vec3 p_v, vec3 n, vec2 d) {
+  vec3 u = p_u - n * dot(n, p_u);
+  vec3 v = p_v - n * dot(n, p_v);
+  float side = dot(cross(u, v), n);
+  if (abs(side) <= 1e-6f * length(u) * length(v)) return n;
+  vec3 bent = perturbedNormal(u, v, n, d.x, d.y);
+  return side < 0.0f ? -bent : bent;
+}
+
 // A vertex's tangent brought into the surface, turned from there towards the bitangent.
 //   tangent     the direction of growing u; w is the bitangent's sign. 0: any direction will do
 //   turn        cosine and sine

@@ -1,4 +1,4 @@
-// Part "lamps" (lamps_none.glsl). Here: those of a list, Phong's point lights and a model's own. Nothing blocks them.
+// Part "lamps" (lamps_none.glsl). Here: those of a list, Phong's point lights and a model's own. Only the relief of the surface blocks them.
 #include "charlie.glsl"
 #include "lamp.glsl"
 #include "ggx.glsl"
@@ -17,6 +17,10 @@ Lamp lampAt(int index) {
 
 vec3 lightOfLamps(Surface s, SurfacePoint point) {
   vec3 light = vec3(0.0);
-  for (int i = 0; i < LAMP_COUNT; ++i) light += shadedByLamp(s, point.ray, point.position, lampAt(i));
+  for (int i = 0; i < LAMP_COUNT; ++i) {
+    Lamp lamp = lampAt(i);
+    light += shadedByLamp(s, point.ray, point.position, lamp) *
+             lightThatArrives(point, towardsLamp(lamp, point.position));
+  }
   return light;
 }

@@ -41,5 +41,6 @@ void main() {
   Surface s = seenAlong(surfaceAt(point, normal, color.xyz), point.ray);
   vec3 light = shadedByEnvironment(s, reflectedLight(s, point), transmittedLight(s, point),
                                    arrivingIrradiance(point.position, s.normal), lightOnCloth(s, point));
+  setDepth(point);
   fragment = shownAs(coated(s, point, light + lightOfLamps(s, point)), color.w);
 }

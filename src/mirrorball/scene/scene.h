@@ -47,6 +47,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<Material> materials;  ///< at least one if there is a mesh
   std::vector<Texture> textures;
+  std::vector<HeightTexture> height_textures;
   std::vector<ModelCamera> cameras;
   std::vector<ModelLight> lights;     ///< at most kMaxLights
   std::vector<std::string> variants;  ///< names of other choices of materials: chooseVariant()

@@ -72,9 +72,9 @@ void setNormals(const Scene& scene, const Material& material, const Corners& cor
                 const glm::mat3& world_from_normal, SurfacePoint& point) {
   const glm::vec3 vertex = corners.at(&Vertex::normal);
   glm::vec3 object = vertex;
-  if (material.bump == BumpHeight::orange)
-    object = formula::orangeNormal(corners.at(&Vertex::position), glm::normalize(object), material.bump_height,
-                                   material.bump_frequency);
+  if (material.height == HeightKind::orange)
+    object = formula::orangeNormal(corners.at(&Vertex::position), glm::normalize(object), material.height_scale,
+                                   material.height_frequency);
   const auto mapped = [&](glm::vec3 n, const TextureSlot& slot, float scale) {
     if (slot.texture < 0) return n;
     return formula::mappedNormal(point.tangent, n, glm::vec3(sampleSlot(scene, slot, corners)), scale);

@@ -9,6 +9,7 @@
 #include "mirrorball/codec/color/display.h"
 #include "mirrorball/scene/camera/camera.h"
 #include "mirrorball/scene/point_light.h"
+#include "mirrorball/scene/relief/relief.h"
 
 namespace mirrorball {
 
@@ -60,6 +61,8 @@ struct FrameSettings {
   BlurKind blur = BlurKind::exact;
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;
+  ReliefKind relief = ReliefKind::bump;
+  int relief_steps = 64;  ///< of those kinds that go in steps, 4 … 1024
   RefractionKind refraction = RefractionKind::single;
   int inner_bounces = 4;  ///< surfaces that light meets inside of bodies where it is traced, 1 … 32
   DispersionKind dispersion = DispersionKind::channels;

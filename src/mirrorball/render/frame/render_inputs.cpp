@@ -13,6 +13,7 @@ Result<Scene> loadScene(const RenderInputNames& names) {
   MIRRORBALL_TRY(scene, loadModel(names.model));
   standUpright(scene, names.up);
   MIRRORBALL_TRY_VOID(changeMaterials(scene, names.materials));
+  MIRRORBALL_TRY_VOID(prepareRelief(scene, names.relief));
   return scene;
 }
 

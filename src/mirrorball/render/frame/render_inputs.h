@@ -8,6 +8,7 @@
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/scene/material/material_changes.h"
+#include "mirrorball/scene/relief/relief.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -17,6 +18,7 @@ struct RenderInputNames {
   std::string model = "showcase";  ///< a file or a built-in: loadModel
   UpAxis up = UpAxis::y;
   MaterialChanges materials = {};
+  ReliefKind relief = ReliefKind::bump;      ///< that will be drawn
   std::string environment = "studio";        ///< a file or a built-in: loadEnvironment
   EnvironmentLoadOptions load = {};          ///< of the environment
   std::optional<PrefilterCache> cache = {};  ///< where prefiltered environments are kept, if they are

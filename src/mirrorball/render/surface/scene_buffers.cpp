@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/height_field/slope_moments.h"
 #include "mirrorball/image/halve.h"
 
 namespace mirrorball {
@@ -92,6 +93,24 @@ Result<std::optional<gl::Texture>> makeLayers(const Scene& scene, const Material
   return std::optional<gl::Texture>(std::move(array));
 }
 
+/// The units that are left to a material's other maps.
+int unitsOfMaps(const Material& material, int units) { return material.height_texture < 0 ? units : units - 2; }
+
+gl::Sampling::Wrap samplingWrap(MapEdges edges) {
+  return edges == MapEdges::tiled ? gl::Sampling::Wrap::repeat : gl::Sampling::Wrap::clamp_to_edge;
+}
+
+Result<SceneBuffers::Heights> makeHeights(const HeightTexture& texture) {
+  MIRRORBALL_TRY(heights, gl::Texture::fromImages(gl::Format::rgba32f, texture.levels));
+  heights.setSampling({.filter = gl::Sampling::Filter::nearest});
+  MIRRORBALL_TRY(moments, slopeMoments(texture.heights(), texture.edges));
+  MIRRORBALL_TRY(slopes, gl::Texture::fromImages(gl::Format::rgba16f, moments.levels));
+  slopes.setSampling({.filter = gl::Sampling::Filter::trilinear,
+                      .wrap_s = samplingWrap(texture.edges),
+                      .wrap_t = samplingWrap(texture.edges)});
+  return SceneBuffers::Heights{std::move(heights), std::move(slopes), moments.unit};
+}
+
 }  // namespace
 
 Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
@@ -103,7 +122,7 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
   const std::vector<MipLevels> levels = makeMipLevels(scene.textures);
   buffers.textures_.resize(scene.textures.size());
   for (const Material& material : scene.materials) {
-    std::vector<MapSource> sources = mapSources(material, scene.textures, units);
+    std::vector<MapSource> sources = mapSources(material, scene.textures, unitsOfMaps(material, units));
     for (std::size_t row = 0; row < sources.size(); ++row) {
       if (sources[row].unit < 0 || sources[row].layer >= 0) continue;
       const auto index = static_cast<std::size_t>((material.*materialMaps()[row].slot).texture);
@@ -114,7 +133,17 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
     MIRRORBALL_TRY(layers, makeLayers(scene, material, sources, levels));
     buffers.materials_.push_back({std::move(sources), std::move(layers)});
   }
+  for (const HeightTexture& texture : scene.height_textures) {
+    MIRRORBALL_TRY(heights, makeHeights(texture));
+    buffers.heights_.push_back(std::move(heights));
+  }
+  buffers.units_ = units;
   return Result<SceneBuffers>(std::move(buffers));
+}
+
+const SceneBuffers::Heights* SceneBuffers::heightsOf(const Scene& scene, int material) const {
+  const int texture = scene.materials[std::size_t(material)].height_texture;
+  return texture < 0 ? nullptr : &heights_[std::size_t(texture)];
 }
 
 void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit) const {
@@ -125,6 +154,10 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit) co
     const TextureSlot& slot = scene.materials[std::size_t(material)].*materialMaps()[row].slot;
     const gl::Texture& texture = source.layer < 0 ? *textures_[std::size_t(slot.texture)] : *maps.layers;
     texture.bind(first_unit + source.unit);
+  }
+  if (const Heights* heights = heightsOf(scene, material)) {
+    heights->heights.bind(first_unit + units_ - 2);
+    heights->slopes.bind(first_unit + units_ - 1);
   }
 }
 

@@ -22,6 +22,14 @@ class SceneBuffers {
 
   /// mapSources() of a material.
   const std::vector<MapSource>& mapsOf(int material) const { return materials_[std::size_t(material)].sources; }
+  /// A material's heights: gives its map to the shader, and its slopes. They lie in the last two of the units.
+  struct Heights {
+    gl::Texture heights;  ///< HeightTexture::levels in red, cones in green
+    gl::Texture slopes;   ///< SlopeMoments::levels
+    float slope_unit;
+  };
+  /// Of a material; null: it has none.
+  const Heights* heightsOf(const Scene& scene, int material) const;
   /// Binds their textures to the units from `first_unit` on.
   void bindMaps(const Scene& scene, int material, int first_unit) const;
 
@@ -37,6 +45,8 @@ class SceneBuffers {
   std::vector<MeshBuffers> meshes_;
   std::vector<std::optional<gl::Texture>> textures_;  // those that have a unit of their own
   std::vector<MaterialMaps> materials_;
+  std::vector<Heights> heights_;  // of Scene::height_textures
+  int units_ = 0;
 };
 
 }  // namespace mirrorball

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "formula/surface.h"
 #include "mirrorball/bake/brdf/brdf_table.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
 #include "mirrorball/bake/brdf/sheen_albedo.h"
@@ -54,6 +55,12 @@ void setExtents(gl::Program& program, const Scene& scene, const Material& materi
     const int last_level = levelCount(std::max(image.width(), image.height())) - 1;
     program.set(std::string(map.name) + "_extent", glm::vec3(image.width(), image.height(), last_level));
   }
+}
+
+/// Tells the program how a material's heights are kept, as shaders/surface/heights.glsl reads it.
+void setHeightForm(gl::Program& program, const HeightTexture& texture, float slope_unit, const FrameSettings& settings) {
+  const int wrap = texture.edges == MapEdges::tiled ? formula::kWrapRepeat : formula::kWrapClampToEdge;
+  program.set("height_form", glm::vec4(wrap, texture.levels.levels() - 1, slope_unit, settings.relief_steps));
 }
 
 /// As shaders/surface/lamps_listed.glsl reads them.
@@ -154,6 +161,10 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
   if (variant.has(Part::transmission, TransmissionPart::traced)) program.set("bodies", TextureUnit::bodies);
   if (variant.has(Part::transmission, TransmissionPart::image_space))
     program.set("back_faces", TextureUnit::back_faces);
+  if (variant.has(Part::normal, NormalPart::heights)) {
+    program.set("heights", TextureUnit::heights);
+    program.set("slopes", TextureUnit::slopes);
+  }
   const bool is_sphere_map = variant.has(Part::look_up, LookUpPart::sphere_map);
   if (is_sphere_map) program.set("sphere_map", TextureUnit::sphere_map);
   for (std::size_t row = 0; row < variant.maps.size(); ++row)
@@ -276,9 +287,15 @@ void SurfacePrograms::forgetScene() {
 void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) {
   const int material = materialOf(scene, instance);
-  gl::Program& program = programs_.find(variantOf(scene, material, buffers, settings))->second;
+  const SurfaceVariant variant = variantOf(scene, material, buffers, settings);
+  gl::Program& program = programs_.find(variant)->second;
   buffers.bindMaps(scene, material, TextureUnit::first_of_material);
   setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
+  const bool shows_heights = variant.has(Part::normal, NormalPart::heights);
+  if (const auto* heights = shows_heights ? buffers.heightsOf(scene, material) : nullptr) {
+    const int texture = scene.materials[std::size_t(material)].height_texture;
+    setHeightForm(program, scene.height_textures[std::size_t(texture)], heights->slope_unit, settings);
+  }
   frame_->bind(frame_point);
   instanceBlock(scene, instance).bind(instance_point);
   materialBlock(scene, material).bind(material_point);

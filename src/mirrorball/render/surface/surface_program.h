@@ -37,6 +37,8 @@ struct TextureUnit {
   static constexpr int irradiance = 5;
   static constexpr int first_of_material = 6;
   static constexpr int of_material = gl::Texture::kUnits - first_of_material;
+  static constexpr int heights = gl::Texture::kUnits - 2;  ///< of a material that has them
+  static constexpr int slopes = gl::Texture::kUnits - 1;
 };
 
 /// A chain of prefiltered cubes, of which a texture holds the levels from `first_level` on.

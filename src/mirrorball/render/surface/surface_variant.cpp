@@ -11,10 +11,11 @@ namespace mirrorball {
 namespace {
 
 using Names = std::string_view;
-constexpr auto kPoint = std::to_array<Names>({"point_raster.glsl"});
+constexpr auto kPoint = std::to_array<Names>({"point_raster.glsl", "point_parallax.glsl", "point_steep.glsl", "point_occlusion.glsl",
+                          "point_linear_binary.glsl", "point_cone.glsl"});
 constexpr auto kCoordinates = std::to_array<Names>(
     {"coordinates_at_fragment.glsl", "coordinates_at_vertex.glsl", "coordinates_at_triangle.glsl"});
-constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl"});
+constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl", "normal_heights.glsl"});
 constexpr auto kDetail = std::to_array<Names>({"detail_none.glsl", "detail_normal_map.glsl"});
 constexpr auto kFilm = std::to_array<Names>({"film_none.glsl", "film_thin.glsl"});
 constexpr auto kAnisotropy = std::to_array<Names>({"anisotropy_none.glsl", "anisotropy_stretched.glsl"});
@@ -52,6 +53,33 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
 }};
 
 constexpr std::string_view kMapsFile = "material_maps.glsl";  // made below
+
+NormalPart normalPart(const Material& material, const FrameSettings& settings) {
+  if (material.height == HeightKind::none || settings.relief == ReliefKind::none) return NormalPart::vertex;
+  return material.height_texture >= 0 ? NormalPart::heights : NormalPart::bump;
+}
+
+PointPart pointPart(const Material& material, const FrameSettings& settings) {
+  if (normalPart(material, settings) != NormalPart::heights) return PointPart::raster;
+  switch (settings.relief) {
+    case ReliefKind::parallax:
+      return PointPart::parallax;
+    case ReliefKind::steep:
+      return PointPart::steep;
+    case ReliefKind::occlusion:
+      return PointPart::occlusion;
+    case ReliefKind::linear_binary:
+      return PointPart::linear_binary;
+    case ReliefKind::cone:
+      return PointPart::cone;
+    case ReliefKind::none:
+    case ReliefKind::bump:
+    case ReliefKind::exact:
+    case ReliefKind::geometry:
+      break;
+  }
+  return PointPart::raster;
+}
 
 CoordinatesPart coordinatesPart(ReflectAt reflect_at) {
   switch (reflect_at) {
@@ -202,7 +230,8 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
     variant.choose(Part::material, MaterialPart::unlit);
     return variant;
   }
-  variant.choose(Part::normal, material.bump == BumpHeight::orange ? NormalPart::bump : NormalPart::vertex);
+  variant.choose(Part::point, pointPart(material, settings));
+  variant.choose(Part::normal, normalPart(material, settings));
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
   variant.coordinates = coordinates;
   variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));

@@ -41,7 +41,7 @@ TEST_P(SurfaceVariantTest, TheMaterialBlockHasTheTablesParameters) {
 
 TEST(SurfaceVariant, FollowsMaterialAndSettings) {
   Material material;
-  material.bump = BumpHeight::orange;
+  material.height = HeightKind::orange;
   material.transmission = 0.5f;
   material.roughness_map.texture = 0;
   FrameSettings settings;

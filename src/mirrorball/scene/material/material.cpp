@@ -49,9 +49,9 @@ Material coloured(glm::vec3 color, float perceptual_roughness) {
 
 Material orange() {
   Material material = coloured({0.90f, 0.33f, 0.02f}, 0.32f);
-  material.bump = BumpHeight::orange;
-  material.bump_height = 0.008f;
-  material.bump_frequency = 20.0f;
+  material.height = HeightKind::orange;
+  material.height_scale = 0.008f;
+  material.height_frequency = 20.0f;
   return material;
 }
 

@@ -9,10 +9,10 @@
 #include "formula/material.h"
 #include "mirrorball/base/option.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/relief/height_texture.h"
 
 namespace mirrorball {
 
-enum class BumpHeight { none, orange };
 enum class AlphaMode { opaque, mask, blend };
 
 /// A texture slot of a material: which texture, which texture coordinates, and glTF's KHR_texture_transform.
@@ -31,7 +31,8 @@ glm::mat2 uvMatrix(const TextureSlot& slot);
 /// settings that are not numbers.
 struct Material : formula::Material {
   std::string name;
-  BumpHeight bump = BumpHeight::none;
+  HeightKind height = HeightKind::none;
+  int height_texture = -1;  ///< index into Scene::height_textures, where relief.h needs one
   AlphaMode alpha_mode = AlphaMode::opaque;
   bool double_sided = false;
   bool unlit = false;        ///< shows its base colour as radiance, and answers to no light

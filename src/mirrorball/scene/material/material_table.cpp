@@ -11,6 +11,20 @@ namespace {
 constexpr ChoiceField<Material> kFresnelField{[](const Material& material) { return material.fresnel; },
                                               [](Material& material, int index) { material.fresnel = index; }};
 
+/// A built-in surface is as deep and as dense as it looks best.
+constexpr ChoiceField<Material> kHeightField{[](const Material& material) { return static_cast<int>(material.height); },
+                                             [](Material& material, int index) {
+                                               material.height = static_cast<HeightKind>(index);
+                                               if (material.height == HeightKind::none) return;
+                                               const HeightSize own = ownSize(material.height);
+                                               material.height_scale = own.scale;
+                                               material.height_frequency = own.frequency;
+                                             }};
+
+/// Parameters that had another name.
+constexpr auto kFormerNames = std::to_array<Alias>(
+    {{"bump", "height"}, {"bump_height", "height_scale"}, {"bump_frequency", "height_frequency"}});
+
 const auto kParameters = std::to_array<MaterialParameter>({
     {{{.name = "base_color",
        .value = "R,G,B",
@@ -194,16 +208,22 @@ const auto kParameters = std::to_array<MaterialParameter>({
        .help = "thickness of the thin film, or where its map is 1"},
       &Material::iridescence_thickness},
      "extensions.KHR_materials_iridescence.iridescenceThicknessMaximum"},
-    {{{.name = "bump", .choices = "none|orange", .help = "height function that perturbs the normals"},
-      choiceField<&Material::bump>}},
-    {{{.name = "bump_height", .unit = "model units", .minimum = -1, .maximum = 1, .help = "height of the bumps"},
-      &Material::bump_height}},
-    {{{.name = "bump_frequency",
-       .unit = "bumps per model unit",
+    {{{.name = "height",
+       .choices = "none|orange|brick|cobbles|weave|hammered|waves",
+       .help = "heights of the surface, below the mesh, as --relief shows them; one that has a name brings its own "
+               "height_scale and height_frequency, so set those after it"},
+      kHeightField}},
+    {{{.name = "height_scale",
+       .unit = "model units",
+       .minimum = -1,
+       .maximum = 1,
+       .help = "height of the bumps, from the deepest to the highest; below 0 they point inwards"},
+      &Material::height_scale}},
+    {{{.name = "height_frequency",
        .minimum = 0.01,
        .maximum = 1000,
-       .help = "density of the bumps"},
-      &Material::bump_frequency}},
+       .help = "density of the bumps: tiles of the surface a unit of texture coordinate; of orange pits a model unit"},
+      &Material::height_frequency}},
     {{{.name = "alpha_cutoff",
        .minimum = 0,
        .maximum = 1,
@@ -276,7 +296,7 @@ Result<void> setParameter(Material& material, std::string_view assignment) {
   std::vector<std::string_view> names;
   for (const auto& parameter : kParameters) names.push_back(parameter.text.name);
   for (const MaterialMap& map : kMaps) names.push_back(map.name);
-  const auto index = indexOfName(key, names);
+  const auto index = indexOfName(key, names, kFormerNames);
   if (!index || *index >= kParameters.size())
     return tl::unexpected<Error>(unknownName("material parameter", key, names));
   const MaterialParameter& parameter = kParameters[*index];

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/height_field/height_field.h"
+#include "mirrorball/image/image.h"
+#include "mirrorball/image/image_set.h"
+
+namespace mirrorball {
+
+/// Heights on a surface, over its texture coordinates.
+struct HeightTexture {
+  /// Level 0 has the heights, 1 channel from 0 (deepest) to 1 (the surface itself); each level from 1 on the maxima of
+  /// its patches: maximumPyramid.
+  ImageSet levels;
+  MapEdges edges = MapEdges::tiled;
+
+  const Image& heights() const { return levels.at(0, 0); }
+};
+
+/// A texture of these heights.
+///
+/// heights   1 channel, [0, 1]
+/// errors    non_finite (the first bad texel is named); too_large
+/// cost      as maximumPyramid
+Result<HeightTexture> heightTexture(Image heights, MapEdges edges);
+
+/// The surfaces that are functions (formula/relief/builtin_height.glsl), in its order; `map` is a picture's.
+enum class HeightKind { none, orange, brick, cobbles, weave, hammered, waves, map };
+
+/// How deep and how dense a surface is by itself.
+struct HeightSize {
+  float scale;      ///< Material::height_scale
+  float frequency;  ///< Material::height_frequency
+};
+HeightSize ownSize(HeightKind kind);
+
+/// A tile of one of them.
+///
+/// kind    not none, not map
+/// side    texels across and down
+/// cost    512² in 20 ms to 60 ms on two cores
+Image builtinHeights(HeightKind kind, int side);
+
+}  // namespace mirrorball

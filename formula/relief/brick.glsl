@@ -2,8 +2,8 @@
 
 // Running bond: 12 rows of 4 bricks, each row shifted by half a brick, which with their joints are three times as long
 // as high. Each brick lies deeper or less deep than its neighbours and is a little tilted; its edges are not quite
-// straight, its faces lumpy and pitted, the mortar sandy. Greatest slope 101, in the bevelled edges; mean height
-// 0.52.
+// straight, its faces lumpy and pitted, the mortar sandy. Greatest slope 101, in the bevelled edges; mean
+// height 0.52.
 FN vec3 brickHeight(vec2 uv) {
   const vec2 kBricks = vec2(4.0f, 12.0f);
   vec2 p = fract(uv);

@@ -1,6 +1,6 @@
 // The built-in bumpy surfaces by number. Each is a function of the texture coordinate, vec3(∂h/∂u, ∂h/∂v, h): h lies in
-// [0, 1], 1 is highest; it repeats after 1 in u and in v, without a seam; the gradient is exact, and no wall is upright.
-// Needs: brick, cobbles, hammered, orange_skin, waves, weave.
+// [0, 1], 1 is highest. It repeats after 1 in u and in v, without a seam. The gradient is exact; it has no jumps, and
+// no wall is upright: the greatest slope is told with each. Needs: brick, cobbles, hammered, orange_skin, waves, weave.
 
 const int kHeightFlat = 0;
 const int kHeightOrange = 1;

@@ -1,7 +1,6 @@
 // A street of cobbles. Needs: grid_random, dual, relief_noise.
 
-// 64 rounded stones of different heights in a bed of sand. Greatest slope 82, at the stones' feet; mean height
-// 0.42.
+// 64 rounded stones of different heights in a bed of sand. Greatest slope 82, at the stones' feet; mean height 0.42.
 //
 // A stone lies around each of the scattered points, within its Voronoi cell. At the distance d from the edge towards
 // another point, (1 − d / reach)² is taken off a dome of height 1, so that it is at most 0 at every edge and rounds the

@@ -1,8 +1,8 @@
 // Hammered gold. Needs: grid_random, dual, relief_noise.
 
-// 64 blows of a round hammer, of different depths: each leaves a paraboloid, the lowest one is seen, and where two meet
-// the ridge is rounded, by −log Σ exp(−k h) / k, whose slope is the mean of theirs with weights exp(−k h). Points of cells
-// farther away would have weights of at most 2 · 10⁻⁴ of all. Greatest slope 14, mean height 0.36.
+// 64 blows of a round hammer, of different depths: each leaves a paraboloid, of which the lowest is seen. Where two
+// meet, the ridge is rounded by −log Σ exp(−k h) / k, whose slope is the mean of theirs with the weights exp(−k h).
+// Dents of cells farther away would have at most 2 · 10⁻⁴ of all weights. Greatest slope 14, mean height 0.36.
 FN vec3 hammeredHeight(vec2 uv) {
   const int kDents = 8;
   const float kSharpness = 12.0f;

@@ -1,4 +1,4 @@
-// Water with waves. Needs: constants, dual.
+// Water with waves. Needs: constants.
 
 const int kWaves = 14;
 
@@ -41,9 +41,9 @@ FN vec4 waveNumber(int i) {
 }
 
 // Real water moves in circles: crests draw together and sharpen, troughs widen (Gerstner 1802; Tessendorf 2001,
-// "Simulating ocean water", 4.5). Water at rest at x is carried to x − D(x), D = Σ a k / |k| sin φ times the choppiness;
-// so the height at a place is that of the water which is at rest about D beside it, and its slope follows by the chain
-// rule with the symmetric matrix of D's slopes. Greatest slope 37, mean height 0.43.
+// "Simulating ocean water", 4.5). Water at rest at x is carried to x − D(x), where D = Σ a k / |k| sin φ times the
+// choppiness. So the height at a place is that of the water which is at rest about D beside it, and its slope follows
+// by the chain rule from D's slopes along u and v. Greatest slope 37, mean height 0.43.
 FN vec3 wavesHeight(vec2 uv) {
   const float kChoppiness = 0.18f;
   vec2 p = fract(uv);

@@ -14,7 +14,7 @@ FN vec3 strandHeight(float across, float along, float over) {
   return dualProduct(strand, dualSmoothstep(0.0f, 0.14f, vec3(-sign(across), 0.0f, 0.5f - abs(across))));
 }
 
-// Plain weave of 8 × 8 strands: wires where it is high, bands where it is low. Greatest slope 55, at the strands' sides;
+// Plain weave of 8 × 8 strands, metal bands or, if the relief is deep, wires. Greatest slope 55, at the strands' sides;
 // mean height 0.77.
 FN vec3 weaveHeight(vec2 uv) {
   vec2 p = 8.0f * fract(uv);

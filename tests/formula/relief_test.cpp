@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <ostream>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ void PrintTo(const BuiltinHeight& height, std::ostream* out) { *out << height.na
 
 class BuiltinHeightTest : public ::testing::TestWithParam<BuiltinHeight> {};
 
-/// A height at places of at most `bits` binary digits, so that whole numbers and small steps are added without rounding.
+/// Place number i of some in [0, 1)², of so few binary digits that whole numbers and steps are added without rounding.
 vec2 place(int i, int bits) {
   return floor(vec2(gridRandom(ivec3(i, 5, 9))) * std::exp2(static_cast<float>(bits))) *
          std::exp2(-static_cast<float>(bits));
@@ -74,7 +75,7 @@ TEST_P(BuiltinHeightTest, FillsTheRangeAndIsNowhereSteeperThanItSays) {
 
 /// The edges of cells, where another stone, strand or brick begins, are among the places.
 TEST_P(BuiltinHeightTest, DoesNotJump) {
-  constexpr int kSize = 504;  // a multiple of 2 · 12, 14, 2 · 8 / 2 and 72 cells
+  constexpr int kSize = 504;  // a multiple of 8, 12, 14, 24 and 72 cells
   constexpr float kStep = 0x1p-18f;
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) {

@@ -230,6 +230,7 @@ Command captureCommand() {
   addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {
+    request->scene.relief = request->look.relief;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->output.output,
                                [&] { return capture(*request); });
   };

@@ -216,6 +216,7 @@ Command renderCommand() {
   addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials, &request->given);
   command.action = [request] {
+    request->scene.relief = request->frame.relief;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });
   };

@@ -74,7 +74,7 @@ Result<RenderInputNames> namesOf(const SceneRequest& request, const MaterialChan
   return RenderInputNames{.model = request.model,
                           .up = request.up,
                           .materials = materials,
-                          .relief = relief,
+                          .relief = request.relief,
                           .environment = request.environment,
                           .load = {.from = hint, .repair = request.repair}};
 }

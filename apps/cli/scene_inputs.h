@@ -18,6 +18,7 @@ struct SceneRequest {
   std::string environment = "studio";
   std::string from = {};
   UpAxis up = UpAxis::y;
+  ReliefKind relief = ReliefKind::bump;  ///< of the frame: the scene is prepared for it
   bool repair = false;
   bool is_uncached = false;
   bool timings = false;

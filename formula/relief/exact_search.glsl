@@ -4,8 +4,6 @@
 // Needs: height_map, texture_filter.
 
 const float kNoHit = 2.0f;  // a share of the way that is none
-// A way that begins so little below the surface has come from above it: rounding was in between.
-const float kHeightTolerance = 2e-3f;
 const int kLongestSearch = 2048;
 const float kNudge = 1e-3f;  // texels: into the cell that is entered
 
@@ -72,13 +70,14 @@ FN float shareAtEdge(vec2 from, vec2 way, HeightCell cell) {
 }
 
 //   from, to   place in texels, and height
+//   goes_on    it is the rest of a way that has not met the surface: where it begins below, rounding was in between
 //   returns    the share of the way from one to the other at which it meets the surface from above; kNoHit: nowhere, or
-//              it begins below
-FN float exactSearch(MAP_SAMPLER heights, HeightMap map, vec3 from, vec3 to) {
+//              it begins below and does not go on
+FN float exactSearch(MAP_SAMPLER heights, HeightMap map, vec3 from, vec3 to, bool goes_on) {
   vec3 way = to - from;
   vec2 start = vec2(from);
   vec2 across = vec2(way);
-  if (from.z < heightAt(heights, map, start) - kHeightTolerance) return kNoHit;
+  if (!goes_on && from.z < heightAt(heights, map, start)) return kNoHit;
   vec2 nudge = kNudge * sign(across);
   float share = 0.0f;
   int level = map.last_level;

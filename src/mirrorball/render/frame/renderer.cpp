@@ -103,6 +103,7 @@ struct Renderer::State {
 
   Result<void> makeSurfaces();
   Result<void> makeFramebuffers();
+  Result<void> makePrisms();
   Result<PrefilteredChain> prefilteredChain();
   Result<void> makeFlatLight();
   Result<void> makeSphereMap();
@@ -231,6 +232,7 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
   state.settings = settings;
   state.samples_drawn = 0;
   MIRRORBALL_TRY_VOID(state.makeFramebuffers());
+  MIRRORBALL_TRY_VOID(state.makePrisms());
   MIRRORBALL_TRY(chain, state.prefilteredChain());
   state.frame.prefiltered = chain;
   state.frame.camera = camera;
@@ -301,6 +303,15 @@ Result<void> Renderer::State::makeSurfaces() {
   MIRRORBALL_TRY(table, brdf_table.get());
   MIRRORBALL_TRY(made, SurfacePrograms::make(context.api(), table));
   surfaces = std::move(made);
+  return {};
+}
+
+/// Of the meshes whose relief is found exactly.
+Result<void> Renderer::State::makePrisms() {
+  if (settings.relief != ReliefKind::exact) return {};
+  for (const Mesh& mesh : scene.meshes)
+    if (scene.materials[std::size_t(mesh.material)].height_texture >= 0)
+      MIRRORBALL_TRY_VOID(buffers.makePrisms(scene, static_cast<int>(&mesh - scene.meshes.data())));
   return {};
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <variant>
 
+#include <epoxy/gl.h>
+
 #include "formula/surface.h"
 #include "mirrorball/bake/brdf/brdf_table.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
@@ -164,6 +166,7 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
   if (variant.has(Part::normal, NormalPart::heights)) {
     program.set("heights", TextureUnit::heights);
     program.set("slopes", TextureUnit::slopes);
+    if (variant.has(Part::point, PointPart::exact)) program.set("prisms", TextureUnit::prisms);
   }
   const bool is_sphere_map = variant.has(Part::look_up, LookUpPart::sphere_map);
   if (is_sphere_map) program.set("sphere_map", TextureUnit::sphere_map);
@@ -300,7 +303,12 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
   instanceBlock(scene, instance).bind(instance_point);
   materialBlock(scene, material).bind(material_point);
   program.use();
-  buffers.drawMesh(scene.instances[std::size_t(instance)].mesh);
+  const int mesh = scene.instances[std::size_t(instance)].mesh;
+  if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(mesh);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);
+  buffers.drawPrisms(mesh, TextureUnit::prisms);
+  glCullFace(GL_BACK);
 }
 
 }  // namespace mirrorball

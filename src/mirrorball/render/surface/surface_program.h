@@ -37,6 +37,7 @@ struct TextureUnit {
   static constexpr int irradiance = 5;
   static constexpr int first_of_material = 6;
   static constexpr int of_material = gl::Texture::kUnits - first_of_material;
+  static constexpr int prisms = gl::Texture::kUnits - 3;
   static constexpr int heights = gl::Texture::kUnits - 2;  ///< of a material that has them
   static constexpr int slopes = gl::Texture::kUnits - 1;
 };

@@ -12,7 +12,7 @@ namespace {
 
 using Names = std::string_view;
 constexpr auto kPoint = std::to_array<Names>({"point_raster.glsl", "point_parallax.glsl", "point_steep.glsl", "point_occlusion.glsl",
-                          "point_linear_binary.glsl", "point_cone.glsl"});
+                          "point_linear_binary.glsl", "point_cone.glsl", "point_exact.glsl"});
 constexpr auto kCoordinates = std::to_array<Names>(
     {"coordinates_at_fragment.glsl", "coordinates_at_vertex.glsl", "coordinates_at_triangle.glsl"});
 constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl", "normal_heights.glsl"});
@@ -72,9 +72,10 @@ PointPart pointPart(const Material& material, const FrameSettings& settings) {
       return PointPart::linear_binary;
     case ReliefKind::cone:
       return PointPart::cone;
+    case ReliefKind::exact:
+      return PointPart::exact;
     case ReliefKind::none:
     case ReliefKind::bump:
-    case ReliefKind::exact:
     case ReliefKind::geometry:
       break;
   }
@@ -234,7 +235,9 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::normal, normalPart(material, settings));
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
   variant.coordinates = coordinates;
-  variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
+  // A prism has no corners that the surface has.
+  if (!variant.has(Part::point, PointPart::exact))
+    variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
   chooseLayers(variant, material);
@@ -259,7 +262,8 @@ Result<SurfaceShaders> surfaceShaders(gl::Api api, const SurfaceVariant& variant
                                    "PICTURE_COORDINATES " + std::string(formulaOf(coordinates.picture))};
   if (variant.lamp_count > 0) defines.push_back("LAMP_COUNT " + std::to_string(variant.lamp_count));
   const std::vector<std::string_view> views(defines.begin(), defines.end());
-  MIRRORBALL_TRY(vertex, gl::shaderSource(api, "surface.vert", views, find));
+  const bool is_of_prisms = variant.has(Part::point, PointPart::exact);
+  MIRRORBALL_TRY(vertex, gl::shaderSource(api, is_of_prisms ? "relief_prisms.vert" : "surface.vert", views, find));
   MIRRORBALL_TRY(fragment, gl::shaderSource(api, "surface.frag", views, find));
   return SurfaceShaders{std::move(vertex), std::move(fragment)};
 }

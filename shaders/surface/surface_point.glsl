@@ -10,6 +10,8 @@ struct SurfacePoint {
   vec2 uv_1;
   vec4 color;            // of the vertices
   vec3 ray;              // world, unit, from the eye
+  vec2 uv_across;        // how uv_0 changes to the next pixels
+  vec2 uv_down;
 };
 
 // How the place changes with texture coordinates: world, a unit of uv_0.

@@ -94,8 +94,8 @@ Result<std::optional<gl::Texture>> makeLayers(const Scene& scene, const Material
   return std::optional<gl::Texture>(std::move(array));
 }
 
-/// The units that are left to a material's other maps: heights take three (TextureUnit).
-int unitsOfMaps(const Material& material, int units) { return material.height_texture < 0 ? units : units - 3; }
+/// The units that are left to a material's other maps: heights take four (TextureUnit).
+int unitsOfMaps(const Material& material, int units) { return material.height_texture < 0 ? units : units - 4; }
 
 gl::Sampling::Wrap samplingWrap(MapEdges edges) {
   return edges == MapEdges::tiled ? gl::Sampling::Wrap::repeat : gl::Sampling::Wrap::clamp_to_edge;
@@ -181,6 +181,10 @@ Result<void> SceneBuffers::makePrisms(const Scene& scene, int mesh) {
   const std::vector<std::uint32_t> corners = boxCorners(buffers.index_count / 3);
   buffers.prisms = Prisms{std::move(words), gl::VertexArray(gl::Buffer(std::span(corners))), corners.size()};
   return {};
+}
+
+void SceneBuffers::bindPrisms(int mesh, int unit) const {
+  if (const auto& prisms = meshes_[std::size_t(mesh)].prisms) prisms->words.bind(unit);
 }
 
 void SceneBuffers::drawPrisms(int mesh, int unit) const {

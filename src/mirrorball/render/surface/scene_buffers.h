@@ -24,7 +24,8 @@ class SceneBuffers {
   ///
   /// errors   too_large: the mesh has too many triangles for this driver's textures
   Result<void> makePrisms(const Scene& scene, int mesh);
-  /// Draws the boxes around the prisms below a mesh's triangles, whose list it binds to that unit.
+  /// Binds the list of a mesh's prisms to a unit, and draws the boxes around them.
+  void bindPrisms(int mesh, int unit) const;
   void drawPrisms(int mesh, int unit) const;
 
   /// mapSources() of a material.

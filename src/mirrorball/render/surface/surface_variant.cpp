@@ -140,13 +140,17 @@ struct MapReading {
 
 ///
 /// coordinates   of the texture, as GLSL's expression
-MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const std::string& coordinates) {
+/// has_changes   the point knows how its coordinates change to the next pixels; else the pixels are compared
+MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const std::string& coordinates,
+                      bool has_changes) {
   const std::string name(materialMaps()[row].name);
   const std::string sampler(samplerName(sources, row));
   const MapSource& source = sources[row];
   if (source.layer < 0)
     return {name == sampler ? "uniform sampler2D " + name + ";\n" : "",
-            "texture(" + sampler + ", " + coordinates + ")"};
+            has_changes ? "textureGrad(" + sampler + ", " + coordinates + ", mapChange(point.uv_across, " +
+                              std::to_string(row) + "), mapChange(point.uv_down, " + std::to_string(row) + "))"
+                        : "texture(" + sampler + ", " + coordinates + ")"};
   const auto flag = [](bool value) { return value ? std::string("true") : std::string("false"); };
   const auto wrap = [](Wrap mode) { return std::string(kWraps[static_cast<std::size_t>(mode)]); };
   const std::string layer = std::to_string(source.layer) + ", " + name + "_extent, " + flag(source.srgb);
@@ -169,11 +173,12 @@ std::string absentValue(std::size_t row) {
 MapReading chosenReading(const SurfaceVariant& variant, std::size_t row) {
   const std::string of_mesh = "mapCoordinates(point, " + std::to_string(row) + ")";
   const PictureFrom from = variant.coordinates.picture_from;
-  if (!isPicture(row) || from == PictureFrom::mesh) return mapReading(variant.maps, row, of_mesh);
+  if (!isPicture(row) || from == PictureFrom::mesh) 
+    return mapReading(variant.maps, row, of_mesh, !variant.has(Part::point, PointPart::raster));
   const std::string generated =
       from == PictureFrom::transformed_mesh ? "coordinatesOfUv(" + of_mesh + ")" : "pictureCoordinates(point)";
   const std::string coordinates = "picture_matrix * " + generated;
-  MapReading reading = mapReading(variant.maps, row, "uvOfCoordinates(" + coordinates + ")");
+  MapReading reading = mapReading(variant.maps, row, "uvOfCoordinates(" + coordinates + ")", false);
   if (from == PictureFrom::projector)
     reading.expression = "mix(vec4(1.0), " + reading.expression + ", projectedShare(" + coordinates + "))";
   return reading;
@@ -186,6 +191,9 @@ std::string mapsText(const SurfaceVariant& variant) {
       "vec2 mapCoordinates(SurfacePoint point, int map) {\n"
       "  vec2 uv = map_offset[map].z > 0.5 ? point.uv_1 : point.uv_0;\n"
       "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * uv + map_offset[map].xy;\n"
+      "}\n"
+      "vec2 mapChange(vec2 uv_change, int map) {\n"
+      "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * uv_change;\n"
       "}\n";
   if (std::ranges::any_of(variant.maps, [](const MapSource& source) { return source.layer >= 0; }))
     text += "#include \"map_layers.glsl\"\n";
@@ -263,7 +271,7 @@ Result<SurfaceShaders> surfaceShaders(gl::Api api, const SurfaceVariant& variant
   if (variant.lamp_count > 0) defines.push_back("LAMP_COUNT " + std::to_string(variant.lamp_count));
   const std::vector<std::string_view> views(defines.begin(), defines.end());
   const bool is_of_prisms = variant.has(Part::point, PointPart::exact);
-  MIRRORBALL_TRY(vertex, gl::shaderSource(api, is_of_prisms ? "relief_prisms.vert" : "surface.vert", views, find));
+  MIRRORBALL_TRY(vertex, gl::shaderSource(api, is_of_prisms ? "screen.vert" : "surface.vert", views, find));
   MIRRORBALL_TRY(fragment, gl::shaderSource(api, "surface.frag", views, find));
   return SurfaceShaders{std::move(vertex), std::move(fragment)};
 }

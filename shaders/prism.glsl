@@ -22,17 +22,19 @@ PrismCorner cornerOfPrism(int prism, int corner) {
   return PrismCorner(a.xyz, b.xyz, vec2(a.w, b.w));
 }
 
-// ReliefPrism::joined.
-vec3 joinedSides(int prism) { return uintBitsToFloat(fetchWords(prisms, prism * kTexelsOfPrism + 15)).xyz; }
-
 // In the world.
-ReliefPrism prismOf(PrismCorner a, PrismCorner b, PrismCorner c, vec2 map_size, vec3 joined) {
+//   depth      of the relief, in the object's space
+//   map_size   texels of the map, of which `tiles` lie on a unit of texture coordinate
+ReliefPrism prismOf(int prism, mat4 world_from_object, float depth, float tiles, vec2 map_size) {
+  PrismCorner a = cornerOfPrism(prism, 0);
+  PrismCorner b = cornerOfPrism(prism, 1);
+  PrismCorner c = cornerOfPrism(prism, 2);
   mat3 turn = mat3(world_from_object);
-  float depth = abs(material.height_scale);
-  vec2 texels = material.height_frequency * map_size;
+  vec2 texels = tiles * map_size;
+  vec3 joined = uintBitsToFloat(fetchWords(prisms, prism * kTexelsOfPrism + 15)).xyz;
   return ReliefPrism((world_from_object * vec4(a.position, 1.0)).xyz, turn * (b.position - a.position),
                      turn * (c.position - a.position), turn * (depth * a.normal),
                      turn * (depth * (b.normal - a.normal)), turn * (depth * (c.normal - a.normal)),
-                     placeOnMap(a.uv_0 * material.height_frequency, map_size), (b.uv_0 - a.uv_0) * texels,
-                     (c.uv_0 - a.uv_0) * texels, joined);
+                     placeOnMap(a.uv_0 * tiles, map_size), (b.uv_0 - a.uv_0) * texels, (c.uv_0 - a.uv_0) * texels,
+                     joined);
 }

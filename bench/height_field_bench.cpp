@@ -1,9 +1,9 @@
 // What maps of heights cost, in memory: run build/dev/bench/height_field_bench.
-#include <benchmark/benchmark.h>
-
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+
+#include <benchmark/benchmark.h>
 
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/height_field/heights_from_normals.h"

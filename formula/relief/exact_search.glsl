@@ -80,7 +80,9 @@ FN float exactSearch(MAP_SAMPLER heights, HeightMap map, vec3 from, vec3 to, boo
   if (!goes_on && from.z < heightAt(heights, map, start)) return kNoHit;
   vec2 nudge = kNudge * sign(across);
   float share = 0.0f;
-  int level = map.last_level;
+  // Cells as large as the way.
+  float texels = max(max(abs(across.x), abs(across.y)), 1.0f);
+  int level = min(int(ceil(log2(min(texels, 1e6f)))), map.last_level);
   for (int step = 0; step < kLongestSearch; ++step) {
     HeightCell cell = heightCellAt(heights, map, start + across * share + nudge, level);
     float leaving = max(shareAtEdge(start, across, cell), share);

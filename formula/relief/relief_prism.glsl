@@ -28,6 +28,7 @@ FN vec3 coordinatesInPrism(ReliefPrism p, vec3 place, vec3 guess) {
   vec3 q = guess;
   for (int i = 0; i < kNewtonSteps; ++i) {
     vec3 off = place - placeInPrism(p, q);
+    if (dot(off, off) <= 1e-12f * dot(p.up, p.up)) return q;
     vec3 to_x = p.along_x + (q.z - 1.0f) * p.up_along_x;
     vec3 to_y = p.along_y + (q.z - 1.0f) * p.up_along_y;
     vec3 to_h = p.up + q.x * p.up_along_x + q.y * p.up_along_y;
@@ -35,9 +36,7 @@ FN vec3 coordinatesInPrism(ReliefPrism p, vec3 place, vec3 guess) {
     float volume = dot(x_y, to_h);
     if (abs(volume) < 1e-30f) return q;
     // Cramer's rule.
-    vec3 step = vec3(dot(cross(off, to_y), to_h), dot(cross(to_x, off), to_h), dot(x_y, off)) / volume;
-    q += step;
-    if (dot(step, step) < 1e-10f) return q;
+    q += vec3(dot(cross(off, to_y), to_h), dot(cross(to_x, off), to_h), dot(x_y, off)) / volume;
   }
   return q;
 }

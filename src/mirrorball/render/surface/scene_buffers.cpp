@@ -114,8 +114,8 @@ Result<SceneBuffers::Heights> makeHeights(const HeightTexture& texture) {
 
 /// The triangles of boxes as numbers of corners, eight a box, whose bits are x, y, z: outwards counter-clockwise.
 std::vector<std::uint32_t> boxCorners(std::size_t boxes) {
-  constexpr auto kOfBox = std::to_array<std::uint32_t>({0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
-                                                        2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6});
+  constexpr auto kOfBox = std::to_array<std::uint32_t>(
+      {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6});
   std::vector<std::uint32_t> corners;
   corners.reserve(boxes * kOfBox.size());
   for (std::uint32_t box = 0; box < boxes; ++box)
@@ -176,8 +176,8 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit) co
 Result<void> SceneBuffers::makePrisms(const Scene& scene, int mesh) {
   MeshBuffers& buffers = meshes_[std::size_t(mesh)];
   if (buffers.prisms || buffers.index_count == 0) return {};
-  MIRRORBALL_TRY(words, withName("the mesh of a relief",
-                                 gl::Texture::fromWords(prismList(scene.meshes[std::size_t(mesh)]))));
+  MIRRORBALL_TRY(words,
+                 withName("the mesh of a relief", gl::Texture::fromWords(prismList(scene.meshes[std::size_t(mesh)]))));
   const std::vector<std::uint32_t> corners = boxCorners(buffers.index_count / 3);
   buffers.prisms = Prisms{std::move(words), gl::VertexArray(gl::Buffer(std::span(corners))), corners.size()};
   return {};

@@ -11,7 +11,8 @@ namespace mirrorball {
 namespace {
 
 using Names = std::string_view;
-constexpr auto kPoint = std::to_array<Names>({"point_raster.glsl", "point_parallax.glsl", "point_steep.glsl", "point_occlusion.glsl",
+constexpr auto kPoint =
+    std::to_array<Names>({"point_raster.glsl", "point_parallax.glsl", "point_steep.glsl", "point_occlusion.glsl",
                           "point_linear_binary.glsl", "point_cone.glsl", "point_exact.glsl"});
 constexpr auto kCoordinates = std::to_array<Names>(
     {"coordinates_at_fragment.glsl", "coordinates_at_vertex.glsl", "coordinates_at_triangle.glsl"});
@@ -173,7 +174,7 @@ std::string absentValue(std::size_t row) {
 MapReading chosenReading(const SurfaceVariant& variant, std::size_t row) {
   const std::string of_mesh = "mapCoordinates(point, " + std::to_string(row) + ")";
   const PictureFrom from = variant.coordinates.picture_from;
-  if (!isPicture(row) || from == PictureFrom::mesh) 
+  if (!isPicture(row) || from == PictureFrom::mesh)
     return mapReading(variant.maps, row, of_mesh, !variant.has(Part::point, PointPart::raster));
   const std::string generated =
       from == PictureFrom::transformed_mesh ? "coordinatesOfUv(" + of_mesh + ")" : "pictureCoordinates(point)";

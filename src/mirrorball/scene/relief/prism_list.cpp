@@ -19,7 +19,8 @@ std::vector<std::uint32_t> sameVertices(const Mesh& mesh) {
   };
   std::vector<std::uint32_t> order(mesh.vertices.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
-  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+  std::ranges::sort(order,
+                    [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
   std::vector<std::uint32_t> same(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     same[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? same[order[i - 1]] : order[i];

@@ -129,6 +129,7 @@ const Case kCases[] = {
                 0.0f)),
 
     // microfacet
+    PARITY(widenedRoughness, unit, kTight, vec4(widenedRoughness(p.x, q.x), 0.0f, 0.0f, 0.0f)),
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
 
@@ -189,6 +190,8 @@ const Case kCases[] = {
         perturbedNormal, direction, kTight,
         vec4(perturbedNormal(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p), r.x - 0.5f, r.y - 0.5f),
              0.0f)),
+    PARITY(displacedNormal, direction, kTight,
+           vec4(displacedNormal(vec3(q), vec3(r), vec3(p), vec2(0.375f * q.w, 0.25f)), 0.0f)),
     PARITY(mappedNormal, direction, kTight,
            vec4(mappedNormal(vec4(anyTangent(vec3(p)) + 0.2f * vec3(p), -1.0f), vec3(p),
                              vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),

@@ -9,6 +9,7 @@
 #include "mirrorball/height_field/cone_map.h"
 #include "mirrorball/height_field/heights_from_normals.h"
 #include "mirrorball/height_field/maximum_pyramid.h"
+#include "mirrorball/height_field/occlusion.h"
 #include "mirrorball/height_field/slopes.h"
 
 namespace mirrorball {
@@ -61,6 +62,12 @@ void heightsToCones(benchmark::State& state) {
   state.SetLabel(kind == ConeKind::conservative ? "conservative" : "relaxed");
 }
 BENCHMARK(heightsToCones)->Args({1024, 0})->Args({1024, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void heightsToOcclusion(benchmark::State& state) {
+  const Image heights = ground(int(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(*occlusionOf(heights, {.scale = 0.05f}));
+}
+BENCHMARK(heightsToOcclusion)->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace mirrorball

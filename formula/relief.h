@@ -5,6 +5,7 @@
 #include "formula/glsl_begin.inc"
 
 namespace mirrorball::formula {
+#include "formula/relief/occlusion.glsl"
 #include "formula/relief/slope.glsl"
 }  // namespace mirrorball::formula
 

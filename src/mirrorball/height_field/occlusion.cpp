@@ -69,18 +69,23 @@ class Sweep {
     return std::size_t(direction_.across) * std::size_t(width_) + std::size_t(beside);
   }
 
+  /// A place that a line visits.
+  struct Place {
+    float along;   ///< steps along the line, from the map's first texel
+    float height;  ///< in texels, over the length of a step
+    int minor;     ///< of the texel whose centre it is, else −1
+  };
   /// What a thread needs.
   struct Work {
-    std::vector<float> line;  ///< heights of the places from `begin` on
-    int begin = 0;            ///< 0 or, of tiled maps, a tile before it; later where a line comes in aside
-    std::vector<int> hull;
+    std::vector<Place> line;
+    std::vector<Place> hull;
   };
 
   void alongLine(std::size_t index, Work& work) const {
-    const int number = firstNumber() + static_cast<int>(index);
-    readLine(number, work);
-    sweep(work, number, 1);
-    sweep(work, number, -1);
+    readLine(firstNumber() + static_cast<int>(index), work.line);
+    work.hull.resize(work.line.size());
+    sweep(work, 1);
+    sweep(work, -1);
   }
 
  private:
@@ -90,60 +95,57 @@ class Sweep {
   float heightAt(int major, int minor) const {
     return direction_.is_down ? heights_.texel(minor, major)[0] : heights_.texel(major, minor)[0];
   }
-  /// Whether a place aside is between the map's first texel and its last.
-  bool isWithin(int shares) const { return shares >= 0 && shares <= direction_.across * (width_ - 1); }
 
-  /// Where a line is aside at a place along it, in shares of `across`.
-  int minorShares(int number, int major) const {
-    const int shares = number + direction_.aside * major;
-    if (edges_ == MapEdges::clamped) return shares;
-    const int round = direction_.across * width_;
-    return (shares % round + round) % round;
-  }
-
-  /// Of a clamped map what lies within it, of a tiled one a tile to each side too.
-  void readLine(int number, Work& work) const {
-    const int beside = edges_ == MapEdges::tiled ? length_ : 0;
-    work.line.clear();
-    for (int place = -beside; place < length_ + beside; ++place) {
-      const int shares = minorShares(number, place);
-      if (edges_ == MapEdges::clamped && !isWithin(shares)) continue;
-      if (work.line.empty()) work.begin = place;
+  /// Of a clamped map what lies within it, of a tiled one a tile to each side too. How far a line is aside is counted in
+  /// shares of `across`; from a place to the next it is not more than a texel.
+  void readLine(int number, std::vector<Place>& line) const {
+    const bool is_tiled = edges_ == MapEdges::tiled;
+    const int across = direction_.across;
+    const int round = across * width_;
+    const int beside = is_tiled ? length_ : 0;
+    int shares = number - direction_.aside * beside;
+    if (is_tiled) shares = (shares % round + round) % round;
+    line.clear();
+    for (int place = -beside; place < length_ + beside; ++place, shares += direction_.aside) {
+      if (is_tiled && (shares < 0 || shares >= round)) shares += shares < 0 ? round : -round;
+      if (!is_tiled && (shares < 0 || shares > round - across)) continue;
       const int major = texelBeyond(place, length_, edges_);
-      const int minor = shares / direction_.across;
-      const float part = static_cast<float>(shares % direction_.across) / static_cast<float>(direction_.across);
-      const float here = heightAt(major, minor);
-      const float next = part == 0.0f ? here : heightAt(major, texelBeyond(minor + 1, width_, edges_));
-      work.line.push_back(rise_ * (here + part * (next - here)));
+      const auto minor = static_cast<int>(static_cast<unsigned>(shares) / static_cast<unsigned>(across));
+      const int part = shares - minor * across;
+      float height = heightAt(major, minor);
+      if (part != 0) {
+        const float next = heightAt(major, texelBeyond(minor + 1, width_, edges_));
+        height += static_cast<float>(part) / static_cast<float>(across) * (next - height);
+      }
+      line.push_back({static_cast<float>(place), rise_ * height, part == 0 ? minor : -1});
     }
   }
 
-  /// Goes along a line, forwards or backwards, with what it has passed in view.
-  void sweep(Work& work, int number, int step) const {
-    const std::vector<float>& line = work.line;
-    std::vector<int>& hull = work.hull;
-    hull.clear();
-    const int count = static_cast<int>(line.size());
+  /// Goes along a line, forwards or backwards, with the upper hull of what it has passed in view.
+  void sweep(Work& work, int step) const {
+    const auto count = static_cast<int>(work.line.size());
+    Place* hull = work.hull.data();
+    int size = 0;
     for (int i = 0; i < count; ++i) {
-      const int place = step > 0 ? i : count - 1 - i;
-      const int major = place + work.begin;
+      const Place here = work.line[std::size_t(step > 0 ? i : count - 1 - i)];
+      const int major = static_cast<int>(here.along);
       if (step > 0 ? major >= length_ : major < 0) return;
-      const float height = line[std::size_t(place)];
-      const auto slopeTo = [&](int other) {
-        return (line[std::size_t(other)] - height) / static_cast<float>(step * (place - other));
+      const auto rise = [&here](const Place& other) { return other.height - here.height; };
+      const auto distance = [&here, step](const Place& other) { return float(step) * (here.along - other.along); };
+      const auto isHidden = [&](const Place& near, const Place& far) {
+        return rise(near) * distance(far) <= rise(far) * distance(near);
       };
-      while (hull.size() > 1 && slopeTo(hull.back()) <= slopeTo(hull[hull.size() - 2])) hull.pop_back();
-      const float horizon = hull.empty() ? 0.0f : std::max(slopeTo(hull.back()), 0.0f);
-      hull.push_back(place);
-      if (major >= 0 && major < length_) add(number, major, horizon, -static_cast<float>(step));
+      while (size > 1 && isHidden(hull[size - 1], hull[size - 2])) --size;
+      if (here.minor >= 0 && major >= 0 && major < length_) {
+        const float horizon = size == 0 ? 0.0f : std::max(rise(hull[size - 1]) / distance(hull[size - 1]), 0.0f);
+        add(major, here.minor, horizon, -static_cast<float>(step));
+      }
+      hull[size++] = here;
     }
   }
 
-  /// Adds what a texel sees above a horizon, where the line goes through its centre.
-  void add(int number, int major, float horizon, float side) const {
-    const int shares = minorShares(number, major);
-    if (shares % direction_.across != 0) return;
-    const int minor = shares / direction_.across;
+  /// Adds what a texel sees above a horizon.
+  void add(int major, int minor, float horizon, float side) const {
     const int x = direction_.is_down ? minor : major;
     const int y = direction_.is_down ? major : minor;
     const float* normal = normals_.texel(x, y);

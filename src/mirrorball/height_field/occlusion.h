@@ -23,7 +23,7 @@ struct Occlusion {
 ///
 /// azimuths  8, 16, 32 or 64: with few, narrow gaps and towers are missed
 /// errors    non_finite (the first bad texel is named); out_of_range; too_large; interrupted
-/// cost      O(azimuths²) steps a texel, whatever the heights: 1024² with 32 azimuths in 2 s on two cores
+/// cost      O(azimuths²) steps a texel, whatever the heights: 1024² with 32 azimuths in 4 s on two cores
 /// from      Timonen and Westerholm 2010, "Scalable height field self-shadowing", for hulls along lines; Landis 2002,
 ///           "Production-ready global illumination", for bent normals
 Result<Occlusion> occlusionOf(const Image& heights, const HeightFieldSettings& settings = {}, int azimuths = 32,

@@ -1,5 +1,5 @@
-// How much of the sky a place on a height field sees, slice by slice: a half-plane through the place's vertical, above a
-// horizon.
+// How much of the sky a place on a height field sees, slice by slice: a half-plane through the place's vertical, above
+// a horizon.
 
 // What one slice sees: its share of the irradiance, and the light's mean direction times that share.
 //

@@ -14,8 +14,8 @@ enum class ConeKind {
                  ///< that a search between two points finds where (Policarpo and Oliveira)
 };
 
-/// For each texel the widest cone that stands on the surface at the texel's centre and opens upwards. The surface is the
-/// one that bilinear filtering shows; rays for relaxed cones begin at the height of its highest texel.
+/// For each texel the widest cone that stands on the surface at the texel's centre and opens upwards. The surface is
+/// the one that bilinear filtering shows; rays for relaxed cones begin at the height of its highest texel.
 ///
 /// returns  1 channel: √ratio, where ratio is the cone's radius in texture widths at a height of 1 above its tip, at
 ///          most 1. With a scale S the radius grows by ratio / S a unit of height, both in texture widths.

@@ -112,8 +112,8 @@ TEST(ConeMap, ConservativeConesAreEmptyAndNearlyAsWideAsCanBe) {
   }
 }
 
-// By brute force tips get lost between the points that are tried: with 12 points a side, noise has 0.99 of its widths and
-// hills have 0.985.
+// By brute force tips get lost between the points that are tried: with 12 points a side, noise has 0.99 of its widths
+// and hills have 0.985.
 TEST(ConeMap, RelaxedConesAreLeftOnce) {
   for (const MapEdges edges : kAllEdges) {
     expectCones(hills(15, 15, 2), ConeKind::relaxed, edges, followedRatio, 3, 0.93);

@@ -138,8 +138,8 @@ bool ConeSearch::mayFaceAway(const float* slopes, glm::vec2 first, glm::vec2 las
 }
 
 /// The square of the steepest way to a piece, or `best` where that is more. Along a ray from the tip the surface is a
-/// parabola. So a piece that has the tip for a corner is steepest there, or at the two edges beyond. Any other lies below
-/// its upper hull, two triangles that meet in the higher diagonal: those are steepest at an edge.
+/// parabola. So a piece that has the tip for a corner is steepest there, or at the two edges beyond. Any other lies
+/// below its upper hull, two triangles that meet in the higher diagonal: those are steepest at an edge.
 float ConeSearch::steepestOf(const Piece& piece, float best) {
   const auto [near, right, below, far] = piece.heights;
   const glm::vec2 p = piece.begin;
@@ -170,8 +170,8 @@ float ConeSearch::steepestOf(const Piece& piece, float best) {
 }
 
 /// The same of what faces away from where rays begin. A tangent plane over the tip is bilinear in the place where it
-/// touches: it is highest, and lowest, at a corner. A piece that faces both ways is halved both ways some times, and then
-/// counts as a whole, so that cones are never too wide.
+/// touches: it is highest, and lowest, at a corner. A piece that faces both ways is halved both ways some times, and
+/// then counts as a whole, so that cones are never too wide.
 float ConeSearch::steepestFacingAway(const Piece& piece, float top, float best, int parts) {
   const auto [near, right, below, far] = piece.heights;
   const glm::vec2 p = piece.begin / piece.side;

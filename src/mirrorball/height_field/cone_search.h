@@ -19,8 +19,8 @@ struct SurfacePatch {
 /// Searches for the steepest way from a cone's tip to a part of the surface that the cone must not contain.
 ///
 /// A node of the pyramid is passed over where even its highest point, as near as any of its points, is not above the
-/// steepest way that is known. For relaxed cones only those parts of the surface count at which a ray from above the tip
-/// leaves it again: a point where the tangent plane lies, above the tip, higher than the ray's beginning.
+/// steepest way that is known. For relaxed cones only those parts of the surface count at which a ray from above the
+/// tip leaves it again: a point where the tangent plane lies, above the tip, higher than the ray's beginning.
 class ConeSearch {
  public:
   /// heights  must outlive it

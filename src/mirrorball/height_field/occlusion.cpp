@@ -96,8 +96,8 @@ class Sweep {
     return direction_.is_down ? heights_.texel(minor, major)[0] : heights_.texel(major, minor)[0];
   }
 
-  /// Of a clamped map what lies within it, of a tiled one a tile to each side too. How far a line is aside is counted in
-  /// shares of `across`; from a place to the next it is not more than a texel.
+  /// Of a clamped map what lies within it, of a tiled one a tile to each side too. How far a line is aside is counted
+  /// in shares of `across`; from a place to the next it is not more than a texel.
   void readLine(int number, std::vector<Place>& line) const {
     const bool is_tiled = edges_ == MapEdges::tiled;
     const int across = direction_.across;
@@ -170,8 +170,8 @@ class Sweep {
   glm::vec2 along_{0.0f};
 };
 
-/// Sums become a share and a direction. Rounding may take a share a little beyond 1; a texel that sees nothing keeps its
-/// normal.
+/// Sums become a share and a direction. Rounding may take a share a little beyond 1; a texel that sees nothing keeps
+/// its normal.
 void finish(const Image& normals, Occlusion& sum) {
   constexpr std::size_t kTexelsPerPiece = 1 << 14;
   parallelFor(sum.visible.texelCount(), kTexelsPerPiece, [&](std::size_t begin, std::size_t end) {

@@ -113,8 +113,8 @@ TEST(Occlusion, KnownPlacesSeeWhatTheyShould) {
     EXPECT_NEAR(flat.visible.samples()[i], 1.0f, 1e-6f);
     EXPECT_NEAR(flat.bent_normals.samples()[3 * i + 2], 1.0f, 1e-6f);
   }
-  // A high and long wall to the right hides half of the sky, but for half of the slices along it, and bends the normal to
-  // the left.
+  // A high and long wall to the right hides half of the sky, but for half of the slices along it, and bends the normal
+  // to the left.
   Image wall(16, 512, 1);
   for (int y = 0; y < 512; ++y) wall.texel(15, y)[0] = 1e4f;
   const Occlusion beside = occlusionOf(wall, {.edges = MapEdges::clamped}, 64).value();

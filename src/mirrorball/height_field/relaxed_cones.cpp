@@ -1,8 +1,7 @@
-#include "mirrorball/height_field/cone_search.h"
+#include "mirrorball/height_field/relaxed_cones.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -42,24 +41,21 @@ void raiseToEdge(float& best, glm::vec2 begin, float h, glm::vec2 end, float h_e
 
 }  // namespace
 
-ConeSearch::ConeSearch(const Image& heights, ImageSet maxima, ConeKind kind, MapEdges edges)
+RelaxedConeSearch::RelaxedConeSearch(const Image& heights, const ImageSet& maxima, MapEdges edges)
     : heights_(heights),
-      maxima_(std::move(maxima)),
-      kind_(kind),
+      maxima_(maxima),
+      slopes_(maxima.levels(), 1),
       edges_(edges),
-      highest_(maxima_.at(maxima_.levels() - 1, 0).samples()[0]) {
-  if (kind == ConeKind::relaxed) boundSlopes();
+      highest_(maxima.at(maxima.levels() - 1, 0).samples()[0]) {
+  boundSlopes();
   for (int level = 0; level < maxima_.levels(); ++level) {
     const Image& cells = maxima_.at(level, 0);
-    levels_.push_back({{cells.width(), cells.height()},
-                       cells.samples().data(),
-                       slopes_.empty() ? nullptr : slopes_.at(level, 0).samples().data()});
+    levels_.push_back({{cells.width(), cells.height()}, cells.samples().data(), slopes_.at(level, 0).samples().data()});
   }
 }
 
 /// Bilinear slopes are means of those along opposite edges.
-void ConeSearch::boundSlopes() {
-  slopes_ = ImageSet(maxima_.levels(), 1);
+void RelaxedConeSearch::boundSlopes() {
   const glm::ivec2 size(heights_.width(), heights_.height());
   Image& finest = slopes_.at(0, 0);
   finest = Image::withoutValues(size.x, size.y, 4);
@@ -92,7 +88,7 @@ void ConeSearch::boundSlopes() {
   }
 }
 
-ConeSearch::Corners ConeSearch::cornersOf(const Search& search, glm::ivec2 place) const {
+RelaxedConeSearch::Corners RelaxedConeSearch::cornersOf(const Search& search, glm::ivec2 place) const {
   const int right = texelBeyond(place.x + 1, heights_.width(), edges_);
   const float* row = heights_.row(place.y).data();
   const float* below = heights_.row(texelBeyond(place.y + 1, heights_.height(), edges_)).data();
@@ -103,7 +99,7 @@ ConeSearch::Corners ConeSearch::cornersOf(const Search& search, glm::ivec2 place
 /// Notes a cell, how high it is and how near. (Number by number: pairs that were just written are slow to read.)
 ///
 /// returns  whether it may change what is known; else nothing is noted
-bool ConeSearch::boundNode(const Search& search, int level, int x, int y, glm::ivec2 shift, Node& node) const {
+bool RelaxedConeSearch::boundNode(const Search& search, int level, int x, int y, glm::ivec2 shift, Node& node) const {
   const Level& cells = levels_[std::size_t(level)];
   const std::size_t index = std::size_t(y) * std::size_t(cells.cells.x) + std::size_t(x);
   const float rise = std::max(cells.maxima[index] - search.height, 0.0f);
@@ -118,8 +114,8 @@ bool ConeSearch::boundNode(const Search& search, int level, int x, int y, glm::i
   const float squared_rise = rise * rise;
   const float squared_distance = nearest_x * nearest_x + nearest_y * nearest_y;
   if (squared_rise <= search.best * squared_distance) return false;
-  if (kind_ == ConeKind::relaxed && !mayFaceAway(cells.slopes + 4 * index, glm::vec2(float(begin_x), float(begin_y)),
-                                                 glm::vec2(float(end_x), float(end_y)), search.top - rise))
+  if (!mayFaceAway(cells.slopes + 4 * index, glm::vec2(float(begin_x), float(begin_y)),
+                   glm::vec2(float(end_x), float(end_y)), search.top - rise))
     return false;
   node = {level, {x, y}, shift, squared_rise, squared_distance};
   return true;
@@ -130,7 +126,7 @@ bool ConeSearch::boundNode(const Search& search, int level, int x, int y, glm::i
 /// slopes        of the cell
 /// first, last   what p is between
 /// lowest_plane  top − h, of its highest point
-bool ConeSearch::mayFaceAway(const float* slopes, glm::vec2 first, glm::vec2 last, float lowest_plane) {
+bool RelaxedConeSearch::mayFaceAway(const float* slopes, glm::vec2 first, glm::vec2 last, float lowest_plane) {
   const auto least = [](float low, float high, float begin, float end) {
     return std::min(std::min(low * begin, low * end), std::min(high * begin, high * end));
   };
@@ -140,7 +136,7 @@ bool ConeSearch::mayFaceAway(const float* slopes, glm::vec2 first, glm::vec2 las
 /// The square of the steepest way to a piece, or `best` where that is more. Along a ray from the tip the surface is a
 /// parabola. So a piece that has the tip for a corner is steepest there, or at the two edges beyond. Any other lies
 /// below its upper hull, two triangles that meet in the higher diagonal: those are steepest at an edge.
-float ConeSearch::steepestOf(const Piece& piece, float best) {
+float RelaxedConeSearch::steepestOf(const Piece& piece, float best) {
   const auto [near, right, below, far] = piece.heights;
   const glm::vec2 p = piece.begin;
   const glm::vec2 p_far = p + piece.side;
@@ -172,7 +168,7 @@ float ConeSearch::steepestOf(const Piece& piece, float best) {
 /// The same of what faces away from where rays begin. A tangent plane over the tip is bilinear in the place where it
 /// touches: it is highest, and lowest, at a corner. A piece that faces both ways is halved both ways some times, and
 /// then counts as a whole, so that cones are never too wide.
-float ConeSearch::steepestFacingAway(const Piece& piece, float top, float best, int parts) {
+float RelaxedConeSearch::steepestFacingAway(const Piece& piece, float top, float best, int parts) {
   const auto [near, right, below, far] = piece.heights;
   const glm::vec2 p = piece.begin / piece.side;
   const std::array<float, 4> planes{near - (right - near) * p.x - (below - near) * p.y,
@@ -200,11 +196,10 @@ float ConeSearch::steepestFacingAway(const Piece& piece, float top, float best, 
   return best;
 }
 
-void ConeSearch::tryPatch(Search& search, const SurfacePatch& patch) const {
+void RelaxedConeSearch::tryPatch(Search& search, const SurfacePatch& patch) const {
   constexpr int kParts = 3;
   const Piece piece{glm::vec2(patch.place + patch.shift - search.tip), 1.0f, cornersOf(search, patch.place)};
-  const float best = kind_ == ConeKind::conservative ? steepestOf(piece, search.best)
-                                                     : steepestFacingAway(piece, search.top, search.best, kParts);
+  const float best = steepestFacingAway(piece, search.top, search.best, kParts);
   if (best > search.best) {
     search.best = best;
     search.where = patch;
@@ -212,7 +207,7 @@ void ConeSearch::tryPatch(Search& search, const SurfacePatch& patch) const {
 }
 
 /// Those that may matter, the ones on the tip's side last, for they are taken up first.
-int ConeSearch::pushChildren(const Search& search, const Node& node, Node* stack) const {
+int RelaxedConeSearch::pushChildren(const Search& search, const Node& node, Node* stack) const {
   const glm::ivec2 cells = levels_[std::size_t(node.level)].cells;
   const glm::ivec2 finer = levels_[std::size_t(node.level - 1)].cells;
   const int across = childrenOf(node.cell.x, cells.x, finer.x);
@@ -230,9 +225,17 @@ int ConeSearch::pushChildren(const Search& search, const Node& node, Node* stack
   return count;
 }
 
-float ConeSearch::squaredSlope(glm::ivec2 tip, float min_squared_slope, SurfacePatch& nearby) const {
+void RelaxedConeSearch::writeSteepestWays(int y, float min_square, float* squares) const {
+  SurfacePatch nearby{{0, y}, {0, 0}};
+  for (int x = 0; x < heights_.width(); ++x) squares[x] = squaredSlope({x, y}, min_square, nearby);
+}
+
+/// The same for one texel.
+///
+/// nearby   where the steepest way of a neighbour ended; becomes where this one's does
+float RelaxedConeSearch::squaredSlope(glm::ivec2 tip, float min_square, SurfacePatch& nearby) const {
   const float height = heights_.texel(tip.x, tip.y)[0];
-  Search search{tip, height, highest_ - height, min_squared_slope, nearby};
+  Search search{tip, height, highest_ - height, min_square, nearby};
   tryPatch(search, nearby);
 
   constexpr std::size_t kMostLevels = 31;

@@ -5,7 +5,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "mirrorball/height_field/cone_map.h"
+#include "mirrorball/height_field/height_field.h"
 #include "mirrorball/image/image_set.h"
 
 namespace mirrorball {
@@ -16,21 +16,23 @@ struct SurfacePatch {
   glm::ivec2 shift{0};  ///< of the copy, in texels
 };
 
-/// Searches for the steepest way from a cone's tip to a part of the surface that the cone must not contain.
+/// Searches for the steepest way from a relaxed cone's tip to a part of the surface that the cone must not contain: one
+/// where a ray from above the tip leaves the surface again, since the tangent plane lies, over the tip, higher than the
+/// ray's beginning.
 ///
 /// A node of the pyramid is passed over where even its highest point, as near as any of its points, is not above the
-/// steepest way that is known. For relaxed cones only those parts of the surface count at which a ray from above the
-/// tip leaves it again: a point where the tangent plane lies, above the tip, higher than the ray's beginning.
-class ConeSearch {
+/// steepest way that is known, and where none of its tangent planes can be so high.
+class RelaxedConeSearch {
  public:
   /// heights  must outlive it
-  /// maxima   of maximumPyramid
-  ConeSearch(const Image& heights, ImageSet maxima, ConeKind kind, MapEdges edges);
+  /// maxima   of maximumPyramid; must outlive it
+  RelaxedConeSearch(const Image& heights, const ImageSet& maxima, MapEdges edges);
 
-  /// The square of the greatest slope [height / texel] of a way up from a texel's centre; at least `min_squared_slope`.
+  /// For each texel of a row the square of the slope [height / texel] of the steepest way.
   ///
-  /// nearby   where such a way ended for a neighbour; becomes where it ends for this one
-  float squaredSlope(glm::ivec2 tip, float min_squared_slope, SurfacePatch& nearby) const;
+  /// min_square  the least answer
+  /// squares     a number for each texel
+  void writeSteepestWays(int y, float min_square, float* squares) const;
 
  private:
   /// The cells of a level; of a node the search asks often.
@@ -66,6 +68,7 @@ class ConeSearch {
   };
 
   void boundSlopes();
+  float squaredSlope(glm::ivec2 tip, float min_square, SurfacePatch& nearby) const;
   Corners cornersOf(const Search& search, glm::ivec2 place) const;
   bool boundNode(const Search& search, int level, int x, int y, glm::ivec2 shift, Node& node) const;
   static bool mayFaceAway(const float* slopes, glm::vec2 first, glm::vec2 last, float lowest_plane);
@@ -75,9 +78,8 @@ class ConeSearch {
   int pushChildren(const Search& search, const Node& node, Node* stack) const;
 
   const Image& heights_;
-  ImageSet maxima_;
-  ImageSet slopes_ = {};  ///< of relaxed cones: the least and greatest ∂h/∂x, and ∂h/∂y, of each cell, per texel
-  ConeKind kind_;
+  const ImageSet& maxima_;
+  ImageSet slopes_;  ///< the least and greatest ∂h/∂x, and ∂h/∂y, of each cell, per texel
   MapEdges edges_;
   float highest_;
   std::vector<Level> levels_ = {};

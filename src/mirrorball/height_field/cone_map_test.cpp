@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -133,6 +133,10 @@ const Case kCases[] = {
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
 
+    // occlusion
+    PARITY(visibleSlice, unit, kTranscendental,
+           vec4(visibleSlice(1.75f * p.x - 0.875f, 0.125f + q.x, 4.0f * r.x - 2.0f), 0.0f)),
+
     // optics
     PARITY(besideSurface, direction, kTight, vec4(besideSurface(1000.0f * vec3(p), 2000.0f * r.x, vec3(q)), 0.0f)),
     PARITY(bodyTransmittance, unit, kTranscendental,
@@ -180,6 +184,15 @@ const Case kCases[] = {
            vec4(mipTexelWidth(8 + int(1016.0f * p.x), int(10.0f * p.y)), 0.0f, 0.0f, 0.0f)),
     PARITY(lodOfLobe, direction, kTranscendental,
            vec4(lodOfLobe(r.x, 64.0f + 256.0f * r.y, vec3(p)), 0.0f, 0.0f, 0.0f)),
+
+    // slope
+    PARITY(heightDifference, unit, kTight,
+           vec4(heightDifference(int(3.9375f * r.x), vec3(p), vec3(q), vec3(r)), 0.0f, 0.0f)),
+    PARITY(slopeOfDifference, light, kTight,
+           vec4(slopeOfDifference(vec2(p.x - p.y, q.x - q.y), 4.0f * r.x), 0.0f, 0.0f)),
+    PARITY(normalFromSlope, unit, kTight, vec4(normalFromSlope(vec2(4.0f * p.x - 2.0f, 4.0f * p.y - 2.0f)), 0.0f)),
+    PARITY(slopeFromNormal, unit, kTight,
+           vec4(slopeFromNormal(vec3(2.0f * p.x - 1.0f, 2.0f * p.y - 1.0f, 0.25f + q.z)), 0.0f, 0.0f)),
 
     // tangent
     PARITY(turnedTangent, direction, kTight,

@@ -17,20 +17,11 @@
 namespace mirrorball::cli {
 namespace {
 
-/// The first channel of a picture; says where others differ.
+/// The heights of a picture; says where its channels differ.
 Image heightsOf(const Image& numbers, const std::string& input) {
-  const int channels = numbers.channels();
-  if (channels == 1) return numbers;
-  Image heights = Image::withoutValues(numbers.width(), numbers.height(), 1);
-  bool is_grey = true;
-  const float* from = numbers.samples().data();
-  for (float& height : heights.samples()) {
-    height = from[0];
-    if (channels >= 3 && (from[1] != from[0] || from[2] != from[0])) is_grey = false;
-    from += channels;
-  }
-  if (!is_grey) remark(input + ": is in colour; its red channel is taken for the heights");
-  return heights;
+  PictureHeights of_picture = heightsOfPicture(numbers);
+  if (!of_picture.is_grey) remark(input + ": is in colour; its red channel is taken for the heights");
+  return std::move(of_picture.heights);
 }
 
 /// Turns the second of each texel's three numbers upside down.

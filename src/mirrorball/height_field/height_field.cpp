@@ -5,6 +5,19 @@
 
 namespace mirrorball {
 
+PictureHeights heightsOfPicture(const Image& picture) {
+  const int channels = picture.channels();
+  if (channels == 1) return {picture};
+  PictureHeights result{Image::withoutValues(picture.width(), picture.height(), 1)};
+  const float* from = picture.samples().data();
+  for (float& height : result.heights.samples()) {
+    height = from[0];
+    if (channels >= 3 && (from[1] != from[0] || from[2] != from[0])) result.is_grey = false;
+    from += channels;
+  }
+  return result;
+}
+
 Result<void> checkHeights(const Image& heights) {
   assert(!heights.empty() && heights.channels() == 1);
   if (const NonFinite bad = findNonFinite(heights); bad.count > 0) return fail(ErrorCode::non_finite, textOf(bad));

@@ -35,6 +35,13 @@ constexpr int texelBeyond(int place, int length, MapEdges edges) {
   return place < 0 ? place + length : place - length;
 }
 
+/// The first channel of a picture.
+struct PictureHeights {
+  Image heights;        ///< 1 channel
+  bool is_grey = true;  ///< the other colours are the same
+};
+PictureHeights heightsOfPicture(const Image& picture);
+
 /// Refuses heights that are no numbers.
 ///
 /// heights  1 channel, at least one texel

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mirrorball/base/file.h"
@@ -33,6 +34,48 @@ Result<void> setMap(Scene& scene, const MaterialMap& map, const std::string& pat
   return {};
 }
 
+/// Whether the value of `height` is a picture and not a choice: names of files have a dot or a folder.
+bool isFileOfHeights(const Scene& scene, std::string_view key, std::string_view value) {
+  return (key == "height" || key == "bump") && !scene.materials.empty() &&
+         value.find_first_of("./") != std::string_view::npos;
+}
+
+/// Brings heights into [0, 1], where some are not.
+///
+/// returns  whether some were not
+bool stretchToUnit(Image& heights) {
+  const auto [low, high] = std::ranges::minmax(heights.samples());
+  if (low >= 0.0f && high <= 1.0f) return false;
+  const float range = high > low ? high - low : 1.0f;
+  for (float& height : heights.samples()) height = std::clamp((height - low) / range, 0.0f, 1.0f);
+  return true;
+}
+
+Result<void> setHeights(Scene& scene, const std::string& path) {
+  MIRRORBALL_TRY(bytes, readRegularFile(path));
+  MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
+  PictureHeights of_picture = heightsOfPicture(numbers);
+  MIRRORBALL_TRY_VOID(withName(path, checkHeights(of_picture.heights)));
+  if (!of_picture.is_grey)
+    scene.warnings.push_back("height: " + path + " is in colour; its red channel is taken for the heights");
+  if (stretchToUnit(of_picture.heights))
+    scene.warnings.push_back("height: " + path +
+                             " has heights outside of 0 to 1; its lowest is taken as 0, its highest as 1");
+  MIRRORBALL_TRY(texture, withName(path, heightTexture(std::move(of_picture.heights), MapEdges::tiled)));
+  if (!scene.meshes.empty() && hasNoTextureCoordinates(scene))
+    scene.warnings.push_back("height: the model has no texture coordinates; all of it has one height of " + path);
+  scene.height_textures.push_back(std::move(texture));
+  scene.files.push_back(path);
+  const HeightSize own = ownSize(HeightKind::map);
+  for (Material& material : scene.materials) {
+    material.height = HeightKind::map;
+    material.height_texture = static_cast<int>(scene.height_textures.size()) - 1;
+    material.height_scale = own.scale;
+    material.height_frequency = own.frequency;
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> setParameter(Scene& scene, std::string_view assignment) {
@@ -42,6 +85,8 @@ Result<void> setParameter(Scene& scene, std::string_view assignment) {
   if (const auto index = indexOfName(assignment.substr(0, equals), names))
     return setMap(scene, materialMaps()[*index],
                   std::string(assignment.substr(std::min(equals + 1, assignment.size()))));
+  const std::string_view value = assignment.substr(std::min(equals + 1, assignment.size()));
+  if (isFileOfHeights(scene, assignment.substr(0, equals), value)) return setHeights(scene, std::string(value));
   for (Material& material : scene.materials) MIRRORBALL_TRY_VOID(setParameter(material, assignment));
   return {};
 }

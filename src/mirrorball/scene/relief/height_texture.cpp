@@ -5,6 +5,7 @@
 
 #include "formula/relief.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/height_field/cone_map.h"
 #include "mirrorball/height_field/maximum_pyramid.h"
 
 namespace mirrorball {
@@ -12,7 +13,14 @@ namespace mirrorball {
 Result<HeightTexture> heightTexture(Image heights, MapEdges edges) {
   MIRRORBALL_TRY(levels, maximumPyramid(heights, edges));
   levels.at(0, 0) = std::move(heights);
-  return HeightTexture{std::move(levels), edges};
+  return HeightTexture{.levels = std::move(levels), .edges = edges};
+}
+
+Result<void> makeCones(HeightTexture& texture) {
+  if (!texture.cones.empty()) return {};
+  MIRRORBALL_TRY(cones, coneMap(texture.heights(), ConeKind::conservative, texture.edges));
+  texture.cones = std::move(cones);
+  return {};
 }
 
 HeightSize ownSize(HeightKind kind) {

@@ -28,6 +28,8 @@ Result<void> prepareRelief(Scene& scene, ReliefKind kind) {
     }
     material.height_texture = found->second;
   }
+  if (kind == ReliefKind::cone)
+    for (HeightTexture& texture : scene.height_textures) MIRRORBALL_TRY_VOID(makeCones(texture));
   return {};
 }
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -156,7 +156,10 @@ Result<void> surface(SurfaceRequest& request) {
   MIRRORBALL_TRY_VOID(refuseIdleOptions(request));
   MIRRORBALL_TRY(format, checkOutput(request));
   request.options.has_scale = request.given.contains("scale");
-  MIRRORBALL_TRY(map, makeSurfaceMap(request.input, request.options));
+  auto made = makeSurfaceMap(request.input, request.options);
+  // A map is as large as its input: there is no --size.
+  if (!made && made.error().remedy == Remedy::raise_memory_or_shrink) made.error().remedy = Remedy::raise_memory;
+  MIRRORBALL_TRY(map, std::move(made));
   MIRRORBALL_TRY_VOID(writeMap(map, request.output, format));
   announce(request.output);
   if (request.options.to == SurfaceMap::height && !request.options.has_scale)

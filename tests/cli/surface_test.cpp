@@ -10,9 +10,10 @@
 namespace mirrorball::testing {
 namespace {
 
-using ::testing::ElementsAre;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// A hill of 16-bit codes, grey, as text: 8 × 8, highest at (4, 4).
 std::string hill() {
@@ -131,6 +132,9 @@ TEST_F(SurfaceTest, RefusesWithOneLine) {
   write("bad.exr", bad);
   EXPECT_THAT(refuse(1, "surface bad.exr -o normal.png"),
               HasSubstr("bad.exr: 1 texel is NaN or infinite, the first at (3, 1)"));
+  write("large.exr", Image(512, 512, 1));
+  EXPECT_THAT(refuse(1, "surface large.exr --max-memory 2M -o normal.png"),
+              AllOf(HasSubstr("raise --max-memory"), Not(HasSubstr("--size"))));
   write("down.exr", Image(2, 2, 3, -1.0f));
   EXPECT_THAT(refuse(1, "surface down.exr --to height -o height.exr"), HasSubstr("(0, 0) does not point out"));
   EXPECT_THAT(refuse(1, "surface down.exr --to height --scale 0 -o height.exr"), HasSubstr("scale of 0"));

@@ -1,4 +1,5 @@
-// The loops that read and write whole maps, in vector instructions. height_rows_test holds each to its formula.
+// The loops that read and write whole maps, in vector instructions. slopes_test and maximum_pyramid_test hold each to
+// its formula.
 
 #include "mirrorball/height_field/height_rows.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -132,6 +134,17 @@ TEST(Slopes, NaNIsNamed) {
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::non_finite);
     EXPECT_EQ(result.error().message, "2 texels are NaN or infinite, the first at (3, 1)");
+  }
+}
+
+// Wherever in a row, which is looked at in vectors.
+TEST(Slopes, NaNIsFoundInEveryColumn) {
+  for (int x = 0; x < 45; ++x) {
+    Image heights(45, 2, 1);
+    heights.texel(x, 1)[0] = -std::numeric_limits<float>::infinity();
+    const auto result = normalsFromHeights(heights);
+    ASSERT_FALSE(result) << x;
+    EXPECT_EQ(result.error().message, "1 texel is NaN or infinite, the first at (" + std::to_string(x) + ", 1)");
   }
 }
 

@@ -19,7 +19,7 @@ flat in int prism;
 out vec4 texel;
 
 void main() {
-  ReliefPrism p = prismOf(prism, world_from_object, depth, tiles, vec2(textureSize(heights, 0)));
+  ReliefPrism p = prismOf(prism, world_from_object, depth, tiles, heightMapSize());
   bool is_parallel = orthographic > 0.5;
   vec3 ray = is_parallel ? camera_forward : normalize(world_position - camera_position);
   vec3 eye = is_parallel ? world_position - camera_forward * dot(world_position - camera_position, camera_forward)

@@ -15,7 +15,7 @@ flat out int prism;
 void main() {
   prism = gl_VertexID / 8;
   int corner = gl_VertexID % 8;  // its bits are x, y, z
-  PrismBox box = boxOfPrism(prismOf(prism, world_from_object, depth, tiles, vec2(textureSize(heights, 0))));
+  PrismBox box = boxOfPrism(prismOf(prism, world_from_object, depth, tiles, heightMapSize()));
   vec3 place = mix(box.low, box.high, vec3(float(corner & 1), float((corner >> 1) & 1), float(corner >> 2)));
   world_position = box.origin + place.x * box.axis_x + place.y * box.axis_y + place.z * box.axis_z;
   gl_Position = clip_from_world * vec4(world_position, 1.0);

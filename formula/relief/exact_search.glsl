@@ -41,14 +41,14 @@ struct HeightCell {
 
 // The cell around a place. At level 0 it is a patch, whose top is not asked for.
 FN HeightCell heightCellAt(MAP_SAMPLER heights, HeightMap map, vec2 place, int level) {
-  vec2 size = vec2(mapSize(heights, 0));
+  vec2 size = map.size;
   bool is_tiled = map.wrap == kWrapRepeat;
   if (level == 0) {
     vec2 first = floor(place);
     return HeightCell(first, first + vec2(1.0f), 0.0f);
   }
   vec2 origin = is_tiled ? size * floor(place / size) : vec2(0.0f);
-  vec2 cells = vec2(mapSize(heights, level));
+  vec2 cells = vec2(sizeOfLevel(map, level));
   float side = float(1 << level);
   vec2 cell = clamp(floor((place - origin) / side), vec2(0.0f), cells - vec2(1.0f));
   vec2 low = origin + cell * side;
@@ -59,7 +59,7 @@ FN HeightCell heightCellAt(MAP_SAMPLER heights, HeightMap map, vec2 place, int l
   if (cell.y == cells.y - 1.0f) high.y = origin.y + size.y + beyond;
   if (cell.x == 0.0f) low.x -= beyond;
   if (cell.y == 0.0f) low.y -= beyond;
-  return HeightCell(low, high, fetchMap(heights, ivec2(cell), level).x);
+  return HeightCell(low, high, fetchMap(heights, placeOfLevel(map, level) + ivec2(cell), 0).x);
 }
 
 // The share of a way at which it leaves a cell.

@@ -1,17 +1,30 @@
 // A map of heights between 0 and 1, whose surface is the one that bilinear filtering shows: a patch between each four
-// centres of texels. Level 0 holds the heights in x and cones in y (height_field/cone_map.h), each level from 1 on the
-// maxima of the patches below it (height_field/maximum_pyramid.h).
+// centres of texels. The picture that holds it has the heights in x and cones in y (height_field/cone_map.h) from texel
+// (0, 0) on, and beside or below them levels of maxima (height_field/maximum_pyramid.h), each where placeOfLevel says:
+// not in mip levels, since drivers may read one level for four pixels.
 // Places on the map are counted in texels; the centre of the first one is (0, 0). Needs: texture_filter.
 
 struct HeightMap {
+  vec2 size;       // texels
   int wrap;        // kWrapRepeat or kWrapClampToEdge
   int last_level;  // the one that is a single cell
 };
 
+FN ivec2 sizeOfLevel(HeightMap map, int level) { return max(ivec2(map.size) >> level, ivec2(1)); }
+
+// Where a level begins in the picture. From level 1 on they lie along the longer side.
+FN ivec2 placeOfLevel(HeightMap map, int level) {
+  ivec2 size = ivec2(map.size);
+  if (level == 0) return ivec2(0);
+  return size.y >= size.x ? ivec2(size.x, size.y - (size.y >> (level - 1)))
+                          : ivec2(size.x - (size.x >> (level - 1)), size.y);
+}
+
 FN vec2 placeOnMap(vec2 uv, vec2 size) { return uv * size - vec2(0.5f); }
 
 FN vec2 heightTexel(MAP_SAMPLER heights, HeightMap map, vec2 texel) {
-  vec4 stored = wrappedFetch(heights, texel, 0, MapSampling(map.wrap, map.wrap, false));
+  vec2 wrapped = vec2(wrappedTexel(texel.x, map.size.x, map.wrap), wrappedTexel(texel.y, map.size.y, map.wrap));
+  vec4 stored = fetchMap(heights, ivec2(wrapped), 0);
   return vec2(stored.x, stored.y);
 }
 

@@ -68,7 +68,7 @@ FN float binaryDepth(MAP_SAMPLER heights, HeightMap map, ReliefRay ray, int step
 //   steps   the most
 FN float coneDepth(MAP_SAMPLER heights, HeightMap map, ReliefRay ray, int steps) {
   // Cones are stored as the root of radius over height, with the radius in map widths.
-  float run = length(ray.run) / float(mapSize(heights, 0).x);
+  float run = length(ray.run) / map.size.x;
   float depth = 0.0f;
   for (int i = 0; i < steps; ++i) {
     vec2 place = ray.from + depth * ray.run;

@@ -3,8 +3,6 @@
 
 uniform highp sampler2D slopes;  // SlopeMoments of height_field/slope_moments.h
 
-vec2 heightMapSize() { return vec2(textureSize(heights, 0)); }
-
 // Between the deepest and the highest place: world.
 float reliefDepth(SurfacePoint point) {
   return abs(material.height_scale) * length(mat3(world_from_object) * point.object_normal);
@@ -14,7 +12,7 @@ float reliefDepth(SurfacePoint point) {
 vec4 seenSlope(SurfacePoint point) {
   float tiles = material.height_frequency;
   vec4 stored = textureGrad(slopes, point.uv_0 * tiles, point.uv_across * tiles, point.uv_down * tiles);
-  float unit = height_form.z * tiles * reliefDepth(point);
+  float unit = height_form.x * tiles * reliefDepth(point);
   return stored * vec4(unit, unit, unit * unit, unit * unit);
 }
 

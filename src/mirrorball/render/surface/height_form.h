@@ -2,15 +2,14 @@
 
 #include <glm/glm.hpp>
 
-#include "formula/surface.h"
 #include "mirrorball/scene/relief/height_texture.h"
 
 namespace mirrorball {
 
-/// How a material's heights are kept, as shaders/height_sampler.glsl reads it.
-inline glm::vec4 heightForm(const HeightTexture& texture, float slope_unit = 1.0f, int steps = 0) {
-  const int wrap = texture.edges == MapEdges::tiled ? formula::kWrapRepeat : formula::kWrapClampToEdge;
-  return {wrap, texture.levels.levels() - 1, slope_unit, steps};
+/// The uniform `height_map` of shaders/height_sampler.glsl.
+inline glm::vec4 heightMapUniform(const HeightTexture& texture) {
+  const formula::HeightMap map = heightMapOf(texture);
+  return {map.size, map.wrap, map.last_level};
 }
 
 }  // namespace mirrorball

@@ -101,23 +101,22 @@ gl::Sampling::Wrap samplingWrap(MapEdges edges) {
   return edges == MapEdges::tiled ? gl::Sampling::Wrap::repeat : gl::Sampling::Wrap::clamp_to_edge;
 }
 
-/// Heights in the first channel, cones in the second.
+/// The picture of heights with cones in the second channel.
 Image withCones(const HeightTexture& texture) {
-  const Image& heights = texture.heights();
-  Image both(heights.width(), heights.height(), 3);
+  Image both(texture.picture.width(), texture.picture.height(), 3);
   for (int y = 0; y < both.height(); ++y)
-    for (int x = 0; x < both.width(); ++x) {
-      both.texel(x, y)[0] = heights.texel(x, y)[0];
-      both.texel(x, y)[1] = texture.cones.texel(x, y)[0];
-    }
+    for (int x = 0; x < both.width(); ++x) both.texel(x, y)[0] = texture.picture.texel(x, y)[0];
+  for (int y = 0; y < texture.cones.height(); ++y)
+    for (int x = 0; x < texture.cones.width(); ++x) both.texel(x, y)[1] = texture.cones.texel(x, y)[0];
   return both;
 }
 
 Result<SceneBuffers::Heights> makeHeights(const HeightTexture& texture) {
-  MIRRORBALL_TRY(heights, gl::Texture::fromImages(gl::Format::rgba32f, texture.levels));
-  if (!texture.cones.empty()) heights.upload(0, 0, withCones(texture));
+  MIRRORBALL_TRY(heights,
+                 gl::Texture::fromImages(gl::Format::rgba32f,
+                                         ImageSet(texture.cones.empty() ? texture.picture : withCones(texture))));
   heights.setSampling({.filter = gl::Sampling::Filter::nearest});
-  MIRRORBALL_TRY(moments, slopeMoments(texture.heights(), texture.edges));
+  MIRRORBALL_TRY(moments, slopeMoments(texture.heights, texture.edges));
   MIRRORBALL_TRY(slopes, gl::Texture::fromImages(gl::Format::rgba16f, moments.levels));
   slopes.setSampling({.filter = gl::Sampling::Filter::trilinear,
                       .wrap_s = samplingWrap(texture.edges),

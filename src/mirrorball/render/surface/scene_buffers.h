@@ -32,7 +32,7 @@ class SceneBuffers {
   const std::vector<MapSource>& mapsOf(int material) const { return materials_[std::size_t(material)].sources; }
   /// A material's heights: gives its map to the shader, and its slopes. They lie in the last two of the units.
   struct Heights {
-    gl::Texture heights;  ///< HeightTexture::levels in red, cones in green
+    gl::Texture heights;  ///< HeightTexture::picture, cones in green
     gl::Texture slopes;   ///< SlopeMoments::levels
     float slope_unit;
   };

@@ -295,8 +295,8 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
   const bool shows_heights = variant.has(Part::normal, NormalPart::heights);
   if (const auto* heights = shows_heights ? buffers.heightsOf(scene, material) : nullptr) {
     const int texture = scene.materials[std::size_t(material)].height_texture;
-    program.set("height_form",
-                heightForm(scene.height_textures[std::size_t(texture)], heights->slope_unit, settings.relief_steps));
+    program.set("height_map", heightMapUniform(scene.height_textures[std::size_t(texture)]));
+    program.set("height_form", glm::vec2(heights->slope_unit, settings.relief_steps));
   }
   frame_->bind(frame_point);
   instanceBlock(scene, instance).bind(instance_point);

@@ -1,5 +1,6 @@
 #include "mirrorball/scene/relief/height_texture.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -10,15 +11,32 @@
 
 namespace mirrorball {
 
+formula::HeightMap heightMapOf(const HeightTexture& texture) {
+  const glm::ivec2 size(texture.heights.width(), texture.heights.height());
+  return {glm::vec2(size), texture.edges == MapEdges::tiled ? formula::kWrapRepeat : formula::kWrapClampToEdge,
+          levelCount(std::max(size.x, size.y)) - 1};
+}
+
 Result<HeightTexture> heightTexture(Image heights, MapEdges edges) {
   MIRRORBALL_TRY(levels, maximumPyramid(heights, edges));
-  levels.at(0, 0) = std::move(heights);
-  return HeightTexture{.levels = std::move(levels), .edges = edges};
+  HeightTexture texture{.heights = std::move(heights), .edges = edges};
+  const formula::HeightMap map = heightMapOf(texture);
+  glm::ivec2 size(0);
+  for (int level = 0; level <= map.last_level; ++level)
+    size = glm::max(size, formula::placeOfLevel(map, level) + formula::sizeOfLevel(map, level));
+  texture.picture = Image(size.x, size.y, 1);
+  for (int level = 0; level <= map.last_level; ++level) {
+    const Image& image = level == 0 ? texture.heights : levels.at(level, 0);
+    const glm::ivec2 place = formula::placeOfLevel(map, level);
+    for (int y = 0; y < image.height(); ++y)
+      std::ranges::copy(image.row(y), texture.picture.texel(place.x, place.y + y));
+  }
+  return texture;
 }
 
 Result<void> makeCones(HeightTexture& texture) {
   if (!texture.cones.empty()) return {};
-  MIRRORBALL_TRY(cones, coneMap(texture.heights(), ConeKind::conservative, texture.edges));
+  MIRRORBALL_TRY(cones, coneMap(texture.heights, ConeKind::conservative, texture.edges));
   texture.cones = std::move(cones);
   return {};
 }

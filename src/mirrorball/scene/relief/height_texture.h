@@ -1,22 +1,28 @@
 #pragma once
 
+#include "formula/relief.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/height_field/height_field.h"
 #include "mirrorball/image/image.h"
-#include "mirrorball/image/image_set.h"
 
 namespace mirrorball {
 
 /// Heights on a surface, over its texture coordinates.
 struct HeightTexture {
-  /// Level 0 has the heights, 1 channel from 0 (deepest) to 1 (the surface itself); each level from 1 on the maxima of
-  /// its patches: maximumPyramid.
-  ImageSet levels;
+  Image heights;  ///< 1 channel, from 0 (deepest) to 1 (the surface itself)
+  /// The heights and levels of maxima in one picture, as formula/relief/height_map.glsl reads it.
+  Image picture = {};
   Image cones = {};  ///< coneMap of the heights; empty: not made
   MapEdges edges = MapEdges::tiled;
-
-  const Image& heights() const { return levels.at(0, 0); }
 };
+
+/// What formulas know of it.
+formula::HeightMap heightMapOf(const HeightTexture& texture);
+
+/// As formulas read it.
+inline glm::vec4 fetchMap(const HeightTexture& texture, glm::ivec2 texel, int) {
+  return {texture.picture.texel(texel.x, texel.y)[0], 0.0f, 0.0f, 1.0f};
+}
 
 /// A texture of these heights.
 ///

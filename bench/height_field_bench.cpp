@@ -1,13 +1,15 @@
 // What maps of heights cost, in memory: run build/dev/bench/height_field_bench.
-#include <benchmark/benchmark.h>
-
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
+#include <benchmark/benchmark.h>
+
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/height_field/cone_map.h"
 #include "mirrorball/height_field/heights_from_normals.h"
 #include "mirrorball/height_field/maximum_pyramid.h"
+#include "mirrorball/height_field/occlusion.h"
 #include "mirrorball/height_field/slopes.h"
 
 namespace mirrorball {
@@ -52,6 +54,20 @@ void normalsToHeights(benchmark::State& state) {
   state.SetLabel(state.range(1) == 0 ? "tiled" : "clamped");
 }
 BENCHMARK(normalsToHeights)->Args({4096, 0})->Args({4096, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void heightsToCones(benchmark::State& state) {
+  const Image heights = ground(int(state.range(0)));
+  const auto kind = static_cast<ConeKind>(state.range(1));
+  for (auto _ : state) benchmark::DoNotOptimize(*coneMap(heights, kind));
+  state.SetLabel(kind == ConeKind::conservative ? "conservative" : "relaxed");
+}
+BENCHMARK(heightsToCones)->Args({1024, 0})->Args({1024, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void heightsToOcclusion(benchmark::State& state) {
+  const Image heights = ground(int(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(*occlusionOf(heights, {.scale = 0.05f}));
+}
+BENCHMARK(heightsToOcclusion)->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace mirrorball

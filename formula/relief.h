@@ -23,6 +23,7 @@ namespace mirrorball::formula {
 #include "formula/relief/builtin_height.glsl"
 //
 #include "formula/relief/height_map.glsl"
+#include "formula/relief/occlusion.glsl"
 #include "formula/relief/slope.glsl"
 //
 #include "formula/relief/exact_search.glsl"

@@ -15,6 +15,7 @@ Command exportCommand();
 Command infoCommand();
 Command compareCommand();
 Command photoCommand();
+Command surfaceCommand();
 Command studyCommand();
 Command fresnelCommand();
 Command cacheCommand();

@@ -4,8 +4,6 @@
 // Needs: height_map, texture_filter.
 
 const float kNoHit = 2.0f;  // a share of the way that is none
-// A way that begins so little below the surface has come from above it: rounding was in between.
-const float kHeightTolerance = 2e-3f;
 const int kLongestSearch = 2048;
 const float kNudge = 1e-3f;  // texels: into the cell that is entered
 
@@ -72,16 +70,19 @@ FN float shareAtEdge(vec2 from, vec2 way, HeightCell cell) {
 }
 
 //   from, to   place in texels, and height
+//   goes_on    it is the rest of a way that has not met the surface: where it begins below, rounding was in between
 //   returns    the share of the way from one to the other at which it meets the surface from above; kNoHit: nowhere, or
-//              it begins below
-FN float exactSearch(MAP_SAMPLER heights, HeightMap map, vec3 from, vec3 to) {
+//              it begins below and does not go on
+FN float exactSearch(MAP_SAMPLER heights, HeightMap map, vec3 from, vec3 to, bool goes_on) {
   vec3 way = to - from;
   vec2 start = vec2(from);
   vec2 across = vec2(way);
-  if (from.z < heightAt(heights, map, start) - kHeightTolerance) return kNoHit;
+  if (!goes_on && from.z < heightAt(heights, map, start)) return kNoHit;
   vec2 nudge = kNudge * sign(across);
   float share = 0.0f;
-  int level = map.last_level;
+  // Cells as large as the way.
+  float texels = max(max(abs(across.x), abs(across.y)), 1.0f);
+  int level = min(int(ceil(log2(min(texels, 1e6f)))), map.last_level);
   for (int step = 0; step < kLongestSearch; ++step) {
     HeightCell cell = heightCellAt(heights, map, start + across * share + nudge, level);
     float leaving = max(shareAtEdge(start, across, cell), share);

@@ -14,19 +14,21 @@ struct ReliefPrism {
   vec2 texel;  // place of a on the height map
   vec2 texel_along_x;
   vec2 texel_along_y;
+  vec3 joined;  // 1 where another prism goes on beyond the side x = 0, y = 0, x + y = 1; 0: there the relief ends
 };
 
 FN vec3 placeInPrism(ReliefPrism p, vec3 q) {
   return p.a + q.x * p.along_x + q.y * p.along_y + (q.z - 1.0f) * (p.up + q.x * p.up_along_x + q.y * p.up_along_y);
 }
 
-const int kNewtonSteps = 4;
+const int kNewtonSteps = 5;
 
 // The coordinates (x, y, h) of a place, by Newton's method from a guess.
 FN vec3 coordinatesInPrism(ReliefPrism p, vec3 place, vec3 guess) {
   vec3 q = guess;
   for (int i = 0; i < kNewtonSteps; ++i) {
     vec3 off = place - placeInPrism(p, q);
+    if (dot(off, off) <= 1e-12f * dot(p.up, p.up)) return q;
     vec3 to_x = p.along_x + (q.z - 1.0f) * p.up_along_x;
     vec3 to_y = p.along_y + (q.z - 1.0f) * p.up_along_y;
     vec3 to_h = p.up + q.x * p.up_along_x + q.y * p.up_along_y;
@@ -39,22 +41,42 @@ FN vec3 coordinatesInPrism(ReliefPrism p, vec3 place, vec3 guess) {
   return q;
 }
 
-// Keeps the shares of a straight way at which a number that changes evenly along it is at least 0.
-FN vec2 clippedShares(vec2 shares, float first, float last) {
-  if (first < 0.0f && last < 0.0f) return vec2(1.0f, 0.0f);
-  if (first >= 0.0f && last >= 0.0f) return shares;
-  float at = first / (first - last);
-  return first < 0.0f ? vec2(max(shares.x, at), shares.y) : vec2(shares.x, min(shares.y, at));
+// The part of a way that lies in a prism.
+struct WayInPrism {
+  float first;  // share of the way; greater than `last`: no part
+  float last;
+  bool goes_on;  // it comes from another prism
+};
+
+// Keeps that at which a number that changes evenly along the way is at least 0.
+FN WayInPrism clippedWay(WayInPrism way, float at_start, float at_end, bool is_joined) {
+  if (at_start < 0.0f && at_end < 0.0f) return WayInPrism(1.0f, 0.0f, false);
+  if (at_start >= 0.0f && at_end >= 0.0f) return way;
+  float at = at_start / (at_start - at_end);
+  if (at_start >= 0.0f) return WayInPrism(way.first, min(way.last, at), way.goes_on);
+  return at > way.first ? WayInPrism(at, way.last, is_joined) : way;
 }
 
-// The shares of a way in a prism's coordinates that lie in the prism; the first is greater than the second: none.
-FN vec2 sharesInPrism(vec3 from, vec3 to) {
-  vec2 shares = vec2(0.0f, 1.0f);
-  shares = clippedShares(shares, from.x, to.x);
-  shares = clippedShares(shares, from.y, to.y);
-  shares = clippedShares(shares, 1.0f - from.x - from.y, 1.0f - to.x - to.y);
-  shares = clippedShares(shares, from.z, to.z);
-  return clippedShares(shares, 1.0f - from.z, 1.0f - to.z);
+//   from, to   in the prism's coordinates
+//   goes_on    whether it comes from another prism where it begins in this one
+FN WayInPrism wayInPrism(ReliefPrism p, vec3 from, vec3 to, bool goes_on) {
+  WayInPrism way = WayInPrism(0.0f, 1.0f, goes_on);
+  way = clippedWay(way, from.x, to.x, p.joined.x > 0.5f);
+  way = clippedWay(way, from.y, to.y, p.joined.y > 0.5f);
+  way = clippedWay(way, 1.0f - from.x - from.y, 1.0f - to.x - to.y, p.joined.z > 0.5f);
+  way = clippedWay(way, from.z, to.z, false);
+  return clippedWay(way, 1.0f - from.z, 1.0f - to.z, false);
+}
+
+const float kMostPieces = 8.0f;
+
+// Into how many straight pieces a ray is cut: a bottom that is larger than the top by b texels bends a ray by about
+// b / 4, and n pieces leave that over n².
+FN float piecesOfRay(ReliefPrism p) {
+  float growth = sqrt(max(dot(p.up_along_x, p.up_along_x) / max(dot(p.along_x, p.along_x), 1e-30f),
+                          dot(p.up_along_y, p.up_along_y) / max(dot(p.along_y, p.along_y), 1e-30f)));
+  float texels = max(length(p.texel_along_x), length(p.texel_along_y));
+  return clamp(ceil(2.0f * sqrt(growth * texels)), 1.0f, kMostPieces);
 }
 
 FN vec3 onHeightMap(ReliefPrism p, vec3 q) {
@@ -68,26 +90,78 @@ struct ReliefHit {
 };
 
 // Where a ray meets the relief of a prism. Seen in the prism's coordinates a straight ray is bent where the normals of
-// the corners differ; it is taken as so many straight pieces.
+// the corners differ; it is taken as straight pieces.
 //   nearest, farthest   between which it may pass the prism
 FN ReliefHit hitOfPrism(MAP_SAMPLER heights, HeightMap map, ReliefPrism p, vec3 origin, vec3 direction, float nearest,
-                        float farthest, int pieces) {
+                        float farthest) {
+  float pieces = piecesOfRay(p);
   vec3 last = coordinatesInPrism(p, origin + nearest * direction, vec3(0.33f, 0.33f, 0.5f));
   float last_distance = nearest;
-  for (int i = 1; i <= pieces; ++i) {
-    float distance = mix(nearest, farthest, float(i) / float(pieces));
+  bool goes_on = false;
+  for (float piece = 1.0f; piece <= pieces; piece += 1.0f) {
+    float distance = mix(nearest, farthest, piece / pieces);
     vec3 next = coordinatesInPrism(p, origin + distance * direction, last);
-    vec2 shares = sharesInPrism(last, next);
-    if (shares.x < shares.y) {
-      float hit = exactSearch(heights, map, onHeightMap(p, mix(last, next, shares.x)),
-                              onHeightMap(p, mix(last, next, shares.y)));
+    WayInPrism way = wayInPrism(p, last, next, goes_on);
+    if (way.first < way.last) {
+      float hit = exactSearch(heights, map, onHeightMap(p, mix(last, next, way.first)),
+                              onHeightMap(p, mix(last, next, way.last)), way.goes_on);
       if (hit <= 1.0f) {
-        float share = mix(shares.x, shares.y, hit);
+        float share = mix(way.first, way.last, hit);
         return ReliefHit(mix(last_distance, distance, share), mix(last, next, share));
       }
+      goes_on = true;
     }
     last = next;
     last_distance = distance;
   }
   return ReliefHit(-1.0f, vec3(0.0f));
+}
+
+// A box around a prism: places are origin + x axis_x + y axis_y + z axis_z with (x, y, z) from low to high.
+struct PrismBox {
+  vec3 origin;
+  vec3 axis_x;  // unit, at right angles
+  vec3 axis_y;
+  vec3 axis_z;
+  vec3 low;
+  vec3 high;
+};
+
+FN PrismBox boxOfPrism(ReliefPrism p) {
+  PrismBox box;
+  box.origin = p.a;
+  vec3 across = cross(p.along_x, p.along_y);
+  box.axis_z = dot(across, across) > 0.0f ? normalize(across) : vec3(0.0f, 0.0f, 1.0f);
+  vec3 side = p.along_x - box.axis_z * dot(p.along_x, box.axis_z);
+  box.axis_x = dot(side, side) > 0.0f ? normalize(side) : normalize(cross(box.axis_z, vec3(0.36f, 0.48f, 0.8f)));
+  box.axis_y = cross(box.axis_z, box.axis_x);
+  box.low = vec3(0.0f);
+  box.high = vec3(0.0f);
+  for (int i = 0; i < 6; ++i) {
+    vec3 q = vec3(i % 3 == 1 ? 1.0f : 0.0f, i % 3 == 2 ? 1.0f : 0.0f, i < 3 ? 1.0f : 0.0f);
+    vec3 place = placeInPrism(p, q) - p.a;
+    vec3 in_box = vec3(dot(place, box.axis_x), dot(place, box.axis_y), dot(place, box.axis_z));
+    box.low = min(box.low, in_box);
+    box.high = max(box.high, in_box);
+  }
+  // The sides of a prism may bulge between its edges, by less than this.
+  vec3 margin = 0.02f * (box.high - box.low) + vec3(1e-6f);
+  box.low -= margin;
+  box.high += margin;
+  return box;
+}
+
+// The distances along a ray between which it is in the box; the first is greater: nowhere.
+FN vec2 wayThroughBox(PrismBox box, vec3 origin, vec3 direction) {
+  vec3 from = origin - box.origin;
+  vec3 start = vec3(dot(from, box.axis_x), dot(from, box.axis_y), dot(from, box.axis_z));
+  vec3 way = vec3(dot(direction, box.axis_x), dot(direction, box.axis_y), dot(direction, box.axis_z));
+  // A way along a side never reaches it.
+  vec3 slow = vec3(abs(way.x) < 1e-12f ? 1e-12f : way.x, abs(way.y) < 1e-12f ? 1e-12f : way.y,
+                   abs(way.z) < 1e-12f ? 1e-12f : way.z);
+  vec3 to_low = (box.low - start) / slow;
+  vec3 to_high = (box.high - start) / slow;
+  vec3 enter = min(to_low, to_high);
+  vec3 leave = max(to_low, to_high);
+  return vec2(max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
 }

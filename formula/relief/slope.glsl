@@ -1,5 +1,5 @@
-// Slopes of a height field, and normals in the space of its texture: +X along growing u (to the right), +Y along falling
-// v (up, since v counts from the top row), +Z out of the surface. Heights and lengths are in texture widths.
+// Slopes of a height field, and normals in the space of its texture: +X along growing u (to the right), +Y along
+// falling v (up, since v counts from the top row), +Z out of the surface. Heights and lengths are in texture widths.
 
 // How the slopes are taken from the 3 x 3 texels around one, in the order of HeightDifference.
 const int kBackwardDifference = 0;

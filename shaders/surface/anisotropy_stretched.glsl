@@ -9,7 +9,7 @@ void stretchRoughness(inout Surface s, SurfacePoint point) {
   vec3 map = anisotropy_map_at(point).xyz;
   s.material.anisotropy *= map.z;
   vec2 turn = anisotropyTurn(map.xy * 2.0 - 1.0, s.material.anisotropy_rotation);
-  if (!gl_FrontFacing) turn.y = -turn.y;  // from behind, the normal is turned round
+  if (!seesFront()) turn.y = -turn.y;  // from behind, the normal is turned round
   s.tangent = turnedTangent(point.tangent, s.normal, turn);
   vec2 alpha = stretchedAlpha(s.material.perceptual_roughness, s.material.anisotropy);
   vec3 v = eyeInFrame(s, point.ray);

@@ -7,7 +7,7 @@ vec3 coated(Surface s, SurfacePoint point, vec3 light) {
   float share = s.material.clearcoat * clearcoat_map_at(point).x;
   s.material.clearcoat_roughness *= clearcoat_roughness_map_at(point).y;
   vec3 outward = coatNormal(point);
-  vec3 n = facingNormal(gl_FrontFacing ? outward : -outward, point.ray);
+  vec3 n = facingNormal(seesFront() ? outward : -outward, point.ray);
   float cosine = clamp(-dot(point.ray, n), 0.0, 1.0);
   Surface coat = coatOf(s, point.ray, n, anyTangent(n),
                         environmentBrdf(brdf_table, s.material.clearcoat_roughness, cosine));

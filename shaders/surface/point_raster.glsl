@@ -3,6 +3,7 @@
 //   SurfaceChange surfaceChange()                               of the mesh there
 //   void setDepth(SurfacePoint point)                           where that is not where the triangle is
 //   float lightThatArrives(SurfacePoint point, vec3 towards)    the share that relief does not block
+//   bool seesFront()                                            whether the eye is outside
 // Here: where the triangle was drawn.
 #include "raster_point.glsl"
 
@@ -13,3 +14,5 @@ SurfaceChange surfaceChange() { return rasterChange(); }
 void setDepth(SurfacePoint point) {}
 
 float lightThatArrives(SurfacePoint point, vec3 towards) { return 1.0; }
+
+bool seesFront() { return gl_FrontFacing; }

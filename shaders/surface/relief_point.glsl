@@ -1,16 +1,12 @@
 // The point that a ray meets below the triangle, where a search says.
 //   float searchedDepth(ReliefRay ray, float cosine)   its depth in the relief, in [0, 1]; the ray's cosine to the normal
 #include "raster_point.glsl"
-#include "heights.glsl"
-#include "exact_search.glsl"
+#include "relief_look.glsl"
 #include "relief_search.glsl"
 
 float searchedDepth(ReliefRay ray, float cosine);
 
 vec3 relief_place;  // of the point that was found: on the map in texels, and its height
-
-// A ray at a grazing angle goes no farther than this many depths.
-const float kLeastReliefCosine = 0.01;
 
 SurfacePoint surfacePoint() {
   SurfacePoint point = rasterPoint();
@@ -30,17 +26,10 @@ SurfacePoint surfacePoint() {
 
 SurfaceChange surfaceChange() { return rasterChange(); }
 
-void setDepth(SurfacePoint point) {
-  vec4 clip = clip_from_world * vec4(point.position, 1.0);
-  gl_FragDepth = clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0);
-}
+void setDepth(SurfacePoint point) { setDepthOf(point.position); }
 
 float lightThatArrives(SurfacePoint point, vec3 towards) {
-  float cosine = dot(towards, point.normal);
-  if (cosine <= 0.0) return 0.0;
-  vec3 to_top = towards * (reliefDepth(point) / max(cosine, kLeastReliefCosine));
-  vec2 run = texelsAlong(rasterChange(), point.normal, to_top);
-  float start = max(relief_place.z, heightAt(heights, heightMap(), relief_place.xy)) + 1e-3;
-  vec3 top = vec3(relief_place.xy + (1.0 - start) * run, 1.0);
-  return exactSearch(heights, heightMap(), vec3(relief_place.xy, start), top) <= 1.0 ? 0.0 : 1.0;
+  return lightOverRelief(point, surfaceChange(), relief_place, towards);
 }
+
+bool seesFront() { return gl_FrontFacing; }

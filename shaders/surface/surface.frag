@@ -37,7 +37,7 @@ void main() {
   vec4 color = colorAt(point);
   if (isCutAway(color.w)) discard;
   vec3 normal = detailedNormal(point, smoothNormal(point));
-  normal = facingNormal(gl_FrontFacing ? normal : -normal, point.ray);
+  normal = facingNormal(seesFront() ? normal : -normal, point.ray);
   Surface s = seenAlong(surfaceAt(point, normal, color.xyz), point.ray);
   vec3 light = shadedByEnvironment(s, reflectedLight(s, point), transmittedLight(s, point),
                                    arrivingIrradiance(point.position, s.normal), lightOnCloth(s, point));

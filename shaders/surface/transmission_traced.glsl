@@ -180,7 +180,7 @@ InnerRay enteringRay(Surface s, SurfacePoint point, int kind) {
   ray.beam = enteringBeam(s, point, ray.direction, eta);
   ray.leaves = -1;
   ray.media.count = 0;
-  if (gl_FrontFacing) ray.media = entered(ray.media, instance, bodyAt(bodies, instance).priority);
+  if (seesFront()) ray.media = entered(ray.media, instance, bodyAt(bodies, instance).priority);
   return ray;
 }
 

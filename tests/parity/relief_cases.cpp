@@ -1,4 +1,4 @@
-// Of the built-in heights.
+// Of the built-in heights, and of what rays meet of heights.
 
 #include "parity/case_rows.h"
 
@@ -51,6 +51,73 @@ const Case kCases[] = {
     // builtin_height, of tiles around the first
     PARITY(builtinHeight, unit, kTranscendental,
            vec4(builtinHeight(int(7.9375f * r.x), 4.0f * vec2(q) - 2.0f) * vec3(0.015625f, 0.015625f, 1.0f), 0.0f)),
+
+    // height_map
+    PARITY(placeOnMap, unit, kTight, vec4(placeOnMap(vec2(p), vec2(32.0f, 16.0f)), 0.0f, 0.0f)),
+    PARITY(heightTexel, unit, kTight,
+           vec4(heightTexel(SmoothMap(32.0f), HeightMap(kWrapRepeat, 5), floor(90.0f * vec2(p) - 40.0f)), 0.0f, 0.0f)),
+    PARITY(patchCorners, unit, kTight,
+           patchCorners(SmoothMap(32.0f), HeightMap(kWrapClampToEdge, 5), floor(90.0f * vec2(p) - 40.0f))),
+    PARITY(heightOfPatch, unit, kTight, vec4(heightOfPatch(p, vec2(q)))),
+    PARITY(heightAt, unit, kTight,
+           vec4(heightAt(SmoothMap(32.0f), HeightMap(kWrapRepeat, 5), 29.3f * vec2(p) + 0.1f))),
+
+    // exact_search
+    PARITY(hitOfPatch, unit, kTight,
+           vec4(hitOfPatch(0.5f * p, vec3(q.x, q.y, 0.75f + q.z), vec3(r.x, r.y, -0.25f - r.z)))),
+    PARITY(heightCellAt, unit, kTight,
+           vec4(heightCellAt(SmoothMap(32.0f), HeightMap(kWrapRepeat, 5), 90.0f * vec2(p) - 40.3f, 3).low,
+                heightCellAt(SmoothMap(32.0f), HeightMap(kWrapRepeat, 5), 90.0f * vec2(p) - 40.3f, 3).high)),
+    PARITY(shareAtEdge, unit, kTight,
+           vec4(shareAtEdge(vec2(p), vec2(q) - 0.45f, HeightCell(vec2(-0.25f), vec2(1.25f), 0.0f)))),
+    PARITY(exactSearch, unit, kTight,
+           vec4(exactSearch(SmoothMap(32.0f), HeightMap(kWrapClampToEdge, 0), vec3(31.0f * p.x, 15.0f * p.y, 1.25f),
+                            vec3(31.0f * q.x, 15.0f * q.y, -0.25f), false))),
+
+    // relief_search, over a ramp
+    PARITY(depthAt, unit, kTight,
+           vec4(depthAt(SmoothMap(32.0f), HeightMap(kWrapClampToEdge, 5), ReliefRay(20.0f * vec2(p), vec2(q)), r.x))),
+    PARITY(parallaxDepth, unit, kTight,
+           vec4(parallaxDepth(SmoothMap(32.0f), HeightMap(kWrapClampToEdge, 5), ReliefRay(20.0f * vec2(p), vec2(q)),
+                              r.x))),
+    PARITY(firstStepBelow, unit, kTight,
+           vec4(firstStepBelow(SmoothMap(32.0f), HeightMap(kWrapClampToEdge, 5),
+                               ReliefRay(20.0f * vec2(p), 8.0f * vec2(q) + 0.37f), 13)
+                    .depth_below)),
+    PARITY(steepDepth, unit, kTight,
+           vec4(steepDepth(SmoothMap(32.0f), HeightMap(kWrapClampToEdge, 5),
+                           ReliefRay(20.0f * vec2(p), 8.0f * vec2(q) + 0.37f), 13))),
+    PARITY(occlusionDepth, unit, kTight,
+           vec4(occlusionDepth(SmoothMap(32.0f), HeightMap(kWrapClampToEdge, 5),
+                               ReliefRay(20.0f * vec2(p), 8.0f * vec2(q) + 0.37f), 13))),
+    PARITY(binaryDepth, unit, kTight,
+           vec4(binaryDepth(SmoothMap(32.0f), HeightMap(kWrapClampToEdge, 5),
+                            ReliefRay(20.0f * vec2(p), 8.0f * vec2(q) + 0.37f), 13))),
+    PARITY(coneDepth, unit, kTight,
+           vec4(coneDepth(SmoothMap(32.0f), HeightMap(kWrapClampToEdge, 5), ReliefRay(20.0f * vec2(p), vec2(q)), 3))),
+
+    // relief_prism
+    PARITY(placeInPrism, unit, kTight, vec4(placeInPrism(testPrism(p), vec3(q)), 0.0f)),
+    PARITY(coordinatesInPrism, unit, kTight,
+           vec4(coordinatesInPrism(testPrism(p), placeInPrism(testPrism(p), vec3(q)), vec3(0.5f)), 0.0f)),
+    PARITY(clippedWay, unit, kTight,
+           vec4(clippedWay(WayInPrism(0.125f, 0.875f, false), 2.0f * p.x - 0.97f, 2.0f * q.x - 0.97f, true).first,
+                clippedWay(WayInPrism(0.125f, 0.875f, false), 2.0f * p.x - 0.97f, 2.0f * q.x - 0.97f, true).last, 0.0f,
+                0.0f)),
+    PARITY(wayInPrism, unit, kTight,
+           vec4(wayInPrism(testPrism(p), 1.5f * vec3(q) - 0.23f, 1.5f * vec3(r) - 0.21f, false).first)),
+    PARITY(piecesOfRay, unit, kTight, vec4(piecesOfRay(testPrism(p)))),
+    PARITY(onHeightMap, unit, kTight, vec4(onHeightMap(testPrism(p), vec3(q)), 0.0f)),
+    PARITY(hitOfPrism, unit, kTranscendental,
+           vec4(hitOfPrism(SmoothMap(32.0f), HeightMap(kWrapClampToEdge, 0), testPrism(p),
+                           vec3(0.2f + 0.3f * q.x, 0.2f + 0.3f * q.y, 1.0f),
+                           normalize(vec3(0.2f * r.x - 0.1f, 0.2f * r.y - 0.1f, -1.0f)), 0.5f, 2.0f)
+                    .distance)),
+    PARITY(boxOfPrism, unit, kTight, vec4(boxOfPrism(testPrism(p)).high, boxOfPrism(testPrism(p)).low.x)),
+    PARITY(wayThroughBox, unit, kTight,
+           vec4(wayThroughBox(boxOfPrism(testPrism(p)), vec3(q) + vec3(0.0f, 0.0f, 2.0f),
+                              normalize(vec3(r.x - 0.47f, r.y - 0.47f, -1.0f))),
+                0.0f, 0.0f)),
 };
 
 }  // namespace

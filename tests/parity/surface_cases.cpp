@@ -129,8 +129,13 @@ const Case kCases[] = {
                 0.0f)),
 
     // microfacet
+    PARITY(widenedRoughness, unit, kTight, vec4(widenedRoughness(p.x, q.x), 0.0f, 0.0f, 0.0f)),
     PARITY(alphaFromPerceptualRoughness, unit, kTight, vec4(alphaFromPerceptualRoughness(p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(multipleScattering, unit, kTight, vec4(multipleScattering(vec3(p), vec3(q), 0.75f * r.x), 0.0f)),
+
+    // occlusion
+    PARITY(visibleSlice, unit, kTranscendental,
+           vec4(visibleSlice(1.75f * p.x - 0.875f, 0.125f + q.x, 4.0f * r.x - 2.0f), 0.0f)),
 
     // optics
     PARITY(besideSurface, direction, kTight, vec4(besideSurface(1000.0f * vec3(p), 2000.0f * r.x, vec3(q)), 0.0f)),
@@ -180,6 +185,15 @@ const Case kCases[] = {
     PARITY(lodOfLobe, direction, kTranscendental,
            vec4(lodOfLobe(r.x, 64.0f + 256.0f * r.y, vec3(p)), 0.0f, 0.0f, 0.0f)),
 
+    // slope
+    PARITY(heightDifference, unit, kTight,
+           vec4(heightDifference(int(3.9375f * r.x), vec3(p), vec3(q), vec3(r)), 0.0f, 0.0f)),
+    PARITY(slopeOfDifference, light, kTight,
+           vec4(slopeOfDifference(vec2(p.x - p.y, q.x - q.y), 4.0f * r.x), 0.0f, 0.0f)),
+    PARITY(normalFromSlope, unit, kTight, vec4(normalFromSlope(vec2(4.0f * p.x - 2.0f, 4.0f * p.y - 2.0f)), 0.0f)),
+    PARITY(slopeFromNormal, unit, kTight,
+           vec4(slopeFromNormal(vec3(2.0f * p.x - 1.0f, 2.0f * p.y - 1.0f, 0.25f + q.z)), 0.0f, 0.0f)),
+
     // tangent
     PARITY(turnedTangent, direction, kTight,
            vec4(turnedTangent(vec4(vec3(p), p.w < 0.5f ? -1.0f : 1.0f), vec3(q), vec2(0.75f, 0.5f)), 0.0f)),
@@ -189,6 +203,8 @@ const Case kCases[] = {
         perturbedNormal, direction, kTight,
         vec4(perturbedNormal(anyTangent(vec3(p)), cross(vec3(p), anyTangent(vec3(p))), vec3(p), r.x - 0.5f, r.y - 0.5f),
              0.0f)),
+    PARITY(displacedNormal, direction, kTight,
+           vec4(displacedNormal(vec3(q), vec3(r), vec3(p), vec2(0.375f * q.w, 0.25f)), 0.0f)),
     PARITY(mappedNormal, direction, kTight,
            vec4(mappedNormal(vec4(anyTangent(vec3(p)) + 0.2f * vec3(p), -1.0f), vec3(p),
                              vec3(r.x, r.y, 0.5f + 0.5f * r.z + 0.03125f), 2.0f * r.w),

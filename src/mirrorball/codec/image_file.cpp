@@ -60,6 +60,8 @@ struct Decoder {
   Result<DecodedImage> (*decode)(Span bytes, const ProgressFunction& progress);
   /// To 8-bit RGBA as stored; nothing where the format has no integers, or is none of pictures.
   Result<Image8> (*decode_texture)(Span bytes);
+  /// To the codes as stored; nothing where a format has no more than 8 bits.
+  Result<CodedPicture> (*decode_codes)(Span bytes) = nullptr;
 };
 
 template <Result<DecodedImage> (*decode)(Span)>
@@ -71,16 +73,16 @@ Result<DecodedImage> withoutProgress(Span bytes, const ProgressFunction&) {
 constexpr std::array<Decoder, kImageFormats.size()> kDecoders{{
     {isHdr, withoutProgress<decodeHdr>, nullptr},
     {isExr, decodeExr, nullptr},
-    {isPng, withoutProgress<decodePng>, decodePngTexture},
+    {isPng, withoutProgress<decodePng>, decodePngTexture, decodePngCodes},
     {isJpeg, withoutProgress<decodeJpeg>, decodeJpegTexture},
     {isKtx2, withoutProgress<decodeTexturePicture>, nullptr},
     {isKtx1, withoutProgress<decodeTexturePicture>, nullptr},
     {isDds, withoutProgress<decodeTexturePicture>, nullptr},
-    {isTiff, decodeTiff, decodeTiffTexture},
+    {isTiff, decodeTiff, decodeTiffTexture, decodeTiffCodes},
     {isWebp, withoutProgress<decodeWebp>, decodeWebpTexture},
     {isTga, withoutProgress<decodeTga>, decodeTgaTexture},
     {isBmp, withoutProgress<decodeBmp>, decodeBmpTexture},
-    {isPnm, withoutProgress<decodePnm>, decodePnmTexture},
+    {isPnm, withoutProgress<decodePnm>, decodePnmTexture, decodePnmCodes},
     {isPfm, withoutProgress<decodePfm>, nullptr},
 }};
 
@@ -105,6 +107,20 @@ Result<Image8> decodeTextureByMagic(Span bytes) {
   const ImageFormat& format = kImageFormats[static_cast<std::size_t>(decoder - kDecoders.data())];
   return fail(ErrorCode::unsupported,
               "is " + std::string(format.name) + ", which no texture of a model is; use " + right);
+}
+
+Result<Image> decodeNumbersByMagic(Span bytes, const ProgressFunction& progress) {
+  if (!holdsCodes(bytes)) {
+    MIRRORBALL_TRY(decoded, decodeByMagic(bytes, progress));
+    return std::move(decoded.image);
+  }
+  const Decoder* decoder = decoderFor(bytes);
+  if (decoder->decode_codes) {
+    MIRRORBALL_TRY(codes, decoder->decode_codes(bytes));
+    return sharesOf(codes);
+  }
+  MIRRORBALL_TRY(codes, decoder->decode_texture(bytes));
+  return sharesOf(CodedPicture(std::move(codes)));
 }
 
 Result<Bytes> encodePicture(ImageFormatId format, const Image8& picture, const Metadata& metadata) {
@@ -153,6 +169,10 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
 
 Result<Image8> decodeTexture(Span bytes) {
   return withinMemory<Image8>([&] { return decodeTextureByMagic(bytes); });
+}
+
+Result<Image> decodeNumbers(Span bytes, const ProgressFunction& progress) {
+  return withinMemory<Image>([&] { return decodeNumbersByMagic(bytes, progress); });
 }
 
 Result<void> savePicture(const std::filesystem::path& path, const Image8& picture, const Metadata& metadata) {

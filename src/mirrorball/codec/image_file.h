@@ -77,6 +77,13 @@ Result<void> writeImage(const std::filesystem::path& path, const Image& image, c
 /// returns  4 channels, alpha straight; alpha 255 where the file has none
 Result<Image8> decodeTexture(std::span<const std::uint8_t> bytes);
 
+/// Decodes a picture whose numbers are no colours, such as heights or normals: integers of 8 or 16 bits as shares of
+/// their greatest, without a colour's curve or primaries, floats as decodeImage does.
+///
+/// returns  1, 3 or 4 channels
+/// errors   as decodeImage's
+Result<Image> decodeNumbers(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
+
 /// Whether the bytes begin like a format of integers that decodeTexture takes. A TIFF must also hold integers.
 bool holdsCodes(std::span<const std::uint8_t> bytes);
 

@@ -25,6 +25,13 @@ VertexArray::VertexArray() {
   handle_ = Handle<destroy>(name);
 }
 
+VertexArray::VertexArray(Buffer indices) : VertexArray() {
+  indices_ = std::move(indices);
+  glBindVertexArray(handle_.name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_->name());
+  glBindVertexArray(0);
+}
+
 VertexArray::VertexArray(Buffer vertices, std::size_t stride, std::span<const Attribute> attributes, Buffer indices)
     : VertexArray() {
   vertices_ = std::move(vertices);

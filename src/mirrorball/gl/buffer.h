@@ -38,6 +38,9 @@ class VertexArray {
   /// No buffers: the vertex shader makes everything from gl_VertexID.
   VertexArray();
 
+  /// Indices alone, 32-bit, three a triangle: they are the shader's gl_VertexID.
+  explicit VertexArray(Buffer indices);
+
   /// Takes both buffers over.
   ///
   /// stride   bytes from one vertex to the next

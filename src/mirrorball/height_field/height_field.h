@@ -41,4 +41,9 @@ constexpr int texelBeyond(int place, int length, MapEdges edges) {
 /// errors   non_finite (the first bad texel is named)
 Result<void> checkHeights(const Image& heights);
 
+/// Refuses heights whose squares would not be finite.
+///
+/// errors   out_of_range
+Result<void> checkRange(const Image& heights);
+
 }  // namespace mirrorball

@@ -98,6 +98,19 @@ int writeInner(const HeightRows& rows, HeightDifference difference, SlopeMap map
                                   : writeInnerMap<SlopeMap::derivatives>(rows, difference, per_texel, to);
 }
 
+/// Of those that fill vectors.
+bool areInnerFinite(const float* row, int width) {
+  const Lanes d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  // Anything less itself is 0, but for NaN and infinity.
+  Floats sum = hn::Zero(d);
+  for (int x = 0; x + lanes <= width; x += lanes) {
+    const Floats height = hn::LoadU(d, row + x);
+    sum = sum + (height - height);
+  }
+  return hn::AllTrue(d, sum == hn::Zero(d));
+}
+
 int writeInnerPatchMaxima(const float* row, const float* below, int count, float* to) {
   const Lanes d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -127,12 +140,14 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include <algorithm>
+#include <cmath>
 
 #include "formula/relief.h"
 
 namespace mirrorball {
 
 HWY_EXPORT(writeInner);
+HWY_EXPORT(areInnerFinite);
 HWY_EXPORT(writeInnerPatchMaxima);
 HWY_EXPORT(writeInnerPairMaxima);
 
@@ -153,6 +168,14 @@ void writeSlopes(const HeightRows& rows, const HeightFieldSettings& settings, Sl
   writeOne(0);
   for (int x = HWY_DYNAMIC_DISPATCH(writeInner)(rows, settings.difference, map, per_texel, to); x < width; ++x)
     writeOne(x);
+}
+
+bool areFinite(const float* row, int width) {
+  // Of the last ones, which may not fill a vector, some are looked at twice.
+  constexpr int kMostLanes = 16;
+  for (int x = std::max(width - kMostLanes, 0); x < width; ++x)
+    if (!std::isfinite(row[x])) return false;
+  return HWY_DYNAMIC_DISPATCH(areInnerFinite)(row, width);
 }
 
 void writePatchMaxima(const float* row, const float* below, int count, float* to) {

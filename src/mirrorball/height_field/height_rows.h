@@ -19,6 +19,9 @@ enum class SlopeMap { normals, derivatives };
 /// formula/relief/slope.glsl is called.
 void writeSlopes(const HeightRows& rows, const HeightFieldSettings& settings, SlopeMap map, float* to);
 
+/// Whether a row's heights are all finite.
+bool areFinite(const float* row, int width);
+
 /// The maxima of the patches between two rows of texels: to[i] of texels i and i + 1 of both.
 ///
 /// count   of patches; the rows have at least one texel more

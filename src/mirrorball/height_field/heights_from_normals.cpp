@@ -129,8 +129,8 @@ void sumUp(const SlopeRows& slopes, HeightDifference difference, int y, int widt
   }
 }
 
-/// What DᵀD does to the basis functions of one axis: how much of them differences leave, and what smoothing across does;
-/// and what differences of neighbours leave, which see every wave.
+/// What DᵀD does to the basis functions of one axis: how much of them differences leave, and what smoothing across
+/// does; and what differences of neighbours leave, which see every wave.
 struct AxisEnergies {
   std::vector<double> difference;
   std::vector<double> smoothing;

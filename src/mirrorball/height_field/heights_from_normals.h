@@ -7,8 +7,8 @@
 
 namespace mirrorball {
 
-/// The height field whose normals are nearest to these: the least Σ (D_u h − p)² + (D_v h − q)² over all texels, where D
-/// are the differences that the settings name and (p, q) the slopes of the normals. With the differences and edges by
+/// The height field whose normals are nearest to these: the least Σ (D_u h − p)² + (D_v h − q)² over all texels, where
+/// D are the differences that the settings name and (p, q) the slopes of the normals. With the differences and edges by
 /// which a normal map was made its heights come back, but for their mean and for what no difference sees: central ones
 /// and Sobel's miss a checkerboard, and waves that are nearly one come back damped.
 ///

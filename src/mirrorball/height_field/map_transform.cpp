@@ -23,8 +23,8 @@ double MapTransform::angle(int index) const {
   return (edges_ == MapEdges::tiled ? 2.0 : 1.0) * std::numbers::pi * index / static_cast<double>(length_);
 }
 
-/// With Z the transform of a + i b, that of a is A = (Z_k + Z*_−k) / 2 and that of b is B = (Z_k − Z*_−k) / 2i; Hartley's
-/// of either is its real less its imaginary part.
+/// With Z the transform of a + i b, that of a is A = (Z_k + Z*_−k) / 2 and that of b is B = (Z_k − Z*_−k) / 2i;
+/// Hartley's of either is its real less its imaginary part.
 void MapTransform::hartley(float* first, float* second, float scale, Work& work) const {
   for (std::size_t n = 0; n < length_; ++n) work.before[n] = {first[n], second[n]};
   forward_.run(work.before, work.after);

@@ -1,7 +1,10 @@
 #include "mirrorball/height_field/maximum_pyramid.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cassert>
 #include <cstddef>
+#include <utility>
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
@@ -13,22 +16,30 @@ namespace {
 constexpr std::size_t kRowsPerPiece = 32;
 
 /// Level 0.
-Image patchMaxima(const Image& heights, MapEdges edges, ProgressCounter& counter) {
+///
+/// errors   non_finite; interrupted
+Result<Image> patchMaxima(const Image& heights, MapEdges edges, const ProgressFunction& progress) {
   const int width = heights.width();
   const int height = heights.height();
   Image maxima = Image::withoutValues(width, height, 1);
   const int right = texelBeyond(width, width, edges);
+  // Each row is looked at while it is near; only where one is bad it is asked which texel that is.
+  std::atomic<bool> is_finite = true;
+  ProgressCounter counter(progress, std::size_t(height));
   parallelFor(std::size_t(height), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
     if (counter.stopped()) return;
     for (int y = int(begin); y < int(end); ++y) {
       const float* row = heights.row(y).data();
       const float* below = heights.row(texelBeyond(y + 1, height, edges)).data();
       float* to = maxima.row(y).data();
+      if (!areFinite(row, width)) is_finite = false;
       writePatchMaxima(row, below, width - 1, to);
       to[width - 1] = std::max({row[width - 1], row[right], below[width - 1], below[right]});
     }
     counter.advance(end - begin);
   });
+  if (!is_finite) MIRRORBALL_TRY_VOID(checkHeights(heights));
+  MIRRORBALL_TRY_VOID(counter.result());
   return maxima;
 }
 
@@ -63,13 +74,12 @@ Image nextLevel(const Image& level) {
 }  // namespace
 
 Result<ImageSet> maximumPyramid(const Image& heights, MapEdges edges, const ProgressFunction& progress) {
-  MIRRORBALL_TRY_VOID(checkHeights(heights));
+  assert(!heights.empty() && heights.channels() == 1);
   MIRRORBALL_TRY_VOID(checkMemory(heights.texelCount() * sizeof(float) * 3 / 2));
   const int levels = levelCount(std::max(heights.width(), heights.height()));
-  ProgressCounter counter(progress, std::size_t(heights.height()));
   ImageSet pyramid(levels, 1);
-  pyramid.at(0, 0) = patchMaxima(heights, edges, counter);
-  MIRRORBALL_TRY_VOID(counter.result());
+  MIRRORBALL_TRY(finest, patchMaxima(heights, edges, progress));
+  pyramid.at(0, 0) = std::move(finest);
   for (int level = 1; level < levels; ++level) pyramid.at(level, 0) = nextLevel(pyramid.at(level - 1, 0));
   return pyramid;
 }

@@ -9,10 +9,10 @@ namespace mirrorball {
 
 /// Bounds of a height field from above, coarser from level to level, by which a ray skips what it passes over.
 ///
-/// The surface is the one that bilinear filtering shows: patch (i, j) spans the centres of the texels i and i + 1 across
-/// and j and j + 1 down, that is u from (i + ½) / width to (i + 1½) / width. It never rises above its four corners. The
-/// last patch of a row lies between the last texel and the first of the next tile, or is flat where edges are clamped;
-/// where they are tiled, a place left of the first centre is in the last patch.
+/// The surface is the one that bilinear filtering shows: patch (i, j) spans the centres of the texels i and i + 1
+/// across and j and j + 1 down, that is u from (i + ½) / width to (i + 1½) / width. It never rises above its four
+/// corners. The last patch of a row lies between the last texel and the first of the next tile, or is flat where edges
+/// are clamped; where they are tiled, a place left of the first centre is in the last patch.
 ///
 /// Level 0 has a cell for each patch: the maximum of its corners. A cell (i, j) of the level L + 1 is the maximum of
 /// the cells (2 i, 2 j) to (2 i + 1, 2 j + 1) of the level L. Sides are halved and rounded down (levelSide), as the mip

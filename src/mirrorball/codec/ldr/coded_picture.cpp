@@ -58,6 +58,17 @@ Image lightOf(const CodedPicture& picture, const TransferCurve& curve) {
   return linearFromSamples16(codes.samples(), codes.width(), codes.height(), codes.channels(), curve);
 }
 
+Image sharesOf(const CodedPicture& picture) {
+  return std::visit(
+      []<typename Sample>(const ImageOf<Sample>& codes) {
+        Image shares = Image::withoutValues(codes.width(), codes.height(), codes.channels());
+        std::ranges::transform(codes.samples(), shares.samples().begin(),
+                               [](Sample code) { return static_cast<float>(code) / static_cast<float>(kMax<Sample>); });
+        return shares;
+      },
+      picture);
+}
+
 Image8 textureOf(CodedPicture picture) {
   if (auto* codes = std::get_if<Image8>(&picture); codes && codes->channels() == 4) return std::move(*codes);
   return std::visit([](const auto& codes) { return rgba8Of(codes); }, picture);

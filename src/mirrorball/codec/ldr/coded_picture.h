@@ -25,6 +25,9 @@ tl::unexpected<Error> cannotHold(long long width, long long height, std::size_t 
 /// Linear light of the codes.
 Image lightOf(const CodedPicture& picture, const TransferCurve& curve = kSrgbCurve);
 
+/// The codes as shares of the greatest one.
+Image sharesOf(const CodedPicture& picture);
+
 /// The codes as a texture has them: RGBA of 8 bits, 16 rounded to the nearest; alpha 255 where the picture has none.
 Image8 textureOf(CodedPicture picture);
 

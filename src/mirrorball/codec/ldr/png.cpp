@@ -228,15 +228,15 @@ Image8 pictureOf(const Pixels& pixels) {
   return picture;
 }
 
-Image samplesAsLight(const Pixels& pixels) {
-  if (pixels.bits == 8) return linearFromPicture(pictureOf(pixels), pixels.color.curve);
-  std::vector<std::uint16_t> samples(pixels.size / 2);
-  std::memcpy(samples.data(), pixels.bytes.get(), pixels.size);
-  return linearFromSamples16(samples, pixels.width, pixels.height, pixels.channels, pixels.color.curve);
+CodedPicture codesOf(const Pixels& pixels) {
+  if (pixels.bits == 8) return pictureOf(pixels);
+  auto codes = ImageOf<std::uint16_t>::withoutValues(pixels.width, pixels.height, pixels.channels);
+  std::memcpy(codes.samples().data(), pixels.bytes.get(), pixels.size);
+  return codes;
 }
 
 Image lightOf(const Pixels& pixels) {
-  Image light = samplesAsLight(pixels);
+  Image light = lightOf(codesOf(pixels), pixels.color.curve);
   convertToRec709(light, pixels.color.primaries);
   return light;
 }
@@ -268,6 +268,11 @@ Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes) {
   return DecodedImage{lightOf(pixels), std::move(pixels.metadata),
                       "PNG, " + std::to_string(pixels.stored_bits) + " bit",
                       describeColor(pixels.color, pixels.channels)};
+}
+
+Result<CodedPicture> decodePngCodes(std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(pixels, readPixels(bytes, Form::light));
+  return codesOf(pixels);
 }
 
 Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes) {

@@ -6,6 +6,7 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/ldr/coded_picture.h"
 
 namespace mirrorball {
 
@@ -21,6 +22,9 @@ Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes);
 
 /// Decodes a PNG to 8-bit RGBA as stored.
 Result<Image8> decodePngTexture(std::span<const std::uint8_t> bytes);
+
+/// Decodes to the codes as stored, 16 bits with all their digits.
+Result<CodedPicture> decodePngCodes(std::span<const std::uint8_t> bytes);
 
 /// Encodes 1 (grey), 3 or 4 channels of 8 bits, marked as sRGB; metadata as tEXt.
 ///

@@ -203,6 +203,11 @@ Result<DecodedImage> decodePnm(Span bytes) {
   return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
 }
 
+Result<CodedPicture> decodePnmCodes(Span bytes) {
+  MIRRORBALL_TRY(picture, readPicture(bytes));
+  return std::move(picture.codes);
+}
+
 Result<Image8> decodePnmTexture(Span bytes) {
   MIRRORBALL_TRY(picture, readPicture(bytes));
   return textureOf(std::move(picture.codes));

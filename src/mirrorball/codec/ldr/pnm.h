@@ -22,6 +22,9 @@ Result<DecodedImage> decodePnm(std::span<const std::uint8_t> bytes);
 /// Decodes such a picture to 8-bit RGBA as stored, 16 bits rounded.
 Result<Image8> decodePnmTexture(std::span<const std::uint8_t> bytes);
 
+/// Decodes to the codes as stored, 16 bits with all their digits.
+Result<CodedPicture> decodePnmCodes(std::span<const std::uint8_t> bytes);
+
 /// Whether the bytes begin as a Portable FloatMap does.
 bool isPfm(std::span<const std::uint8_t> bytes);
 

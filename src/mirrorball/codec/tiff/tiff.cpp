@@ -226,12 +226,16 @@ Result<DecodedImage> decodeTiff(Span bytes, const ProgressFunction& progress) {
       std::move(light), {}, formatText(layout), colorText(layout, layout.is_float ? kLinearLight : kSrgbCurve)};
 }
 
-Result<Image8> decodeTiffTexture(Span bytes) {
+Result<CodedPicture> decodeTiffCodes(Span bytes) {
   const TiffFile file(bytes);
   MIRRORBALL_TRY(layout, readTiffLayout(file));
   if (layout.is_float)
     return fail(ErrorCode::unsupported, "holds floats, and a texture has integers; save it with 8 or 16 bits");
-  MIRRORBALL_TRY(picture, readPicture(file, layout, {}));
+  return readPicture(file, layout, {});
+}
+
+Result<Image8> decodeTiffTexture(Span bytes) {
+  MIRRORBALL_TRY(picture, decodeTiffCodes(bytes));
   return textureOf(std::move(picture));
 }
 

@@ -6,6 +6,7 @@
 
 #include "mirrorball/base/progress.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/ldr/coded_picture.h"
 
 namespace mirrorball {
 
@@ -31,6 +32,11 @@ Result<DecodedImage> decodeTiff(std::span<const std::uint8_t> bytes, const Progr
 ///
 /// errors   also unsupported: it has floats
 Result<Image8> decodeTiffTexture(std::span<const std::uint8_t> bytes);
+
+/// Decodes a TIFF of integers to its codes, alpha straight; those of more than 16 bits are rounded.
+///
+/// errors   also unsupported: it has floats
+Result<CodedPicture> decodeTiffCodes(std::span<const std::uint8_t> bytes);
 
 /// Whether a TIFF holds integers, and so can be a texture or the codes of a photograph.
 bool isTiffOfIntegers(std::span<const std::uint8_t> bytes);

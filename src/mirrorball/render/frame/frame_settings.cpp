@@ -279,10 +279,11 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      choiceField<&FrameSettings::reflect_at>},
     {{.name = "relief",
       .choices = "none|bump|parallax|steep|occlusion|linear-binary|cone|exact|geometry",
-      .help = "how the heights of a surface are shown: not at all; by normals; by normals and the place in the texture, "
-              "which is guessed (parallax), found in equal steps (steep, occlusion, linear-binary) or in steps as wide "
-              "as the space (cone); exact finds where the ray meets the surface, with silhouettes; geometry cuts the "
-              "mesh into small triangles",
+      .help =
+          "how the heights of a surface are shown: not at all; by normals; by normals and the place in the texture, "
+          "which is guessed (parallax), found in equal steps (steep, occlusion, linear-binary) or in steps as wide "
+          "as the space (cone); exact finds where the ray meets the surface, with silhouettes; geometry cuts the "
+          "mesh into small triangles",
       .group = "Look"},
      choiceField<&FrameSettings::relief>},
     {{.name = "relief-steps",

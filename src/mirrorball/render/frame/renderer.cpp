@@ -21,6 +21,7 @@
 #include "mirrorball/render/light/gpu_prefilter.h"
 #include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/light_reads.h"
+#include "mirrorball/render/surface/relief_hits.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/sphere_map.h"
 #include "mirrorball/render/surface/surface_program.h"
@@ -92,6 +93,7 @@ struct Renderer::State {
   std::optional<BodyTree> body_tree = {};      ///< of the scene, made when it is first traced
   std::optional<gl::Texture> bodies = {};      ///< its words
   std::optional<BackFaces> back_faces = {};    ///< made when a frame first needs them
+  std::optional<ReliefHits> relief_hits = {};  ///< likewise
   std::optional<gl::Framebuffer> sample = {};  ///< one sample's picture
   std::optional<gl::Framebuffer> sum = {};     ///< the mean, when there is more than one
   std::optional<gl::Framebuffer> display = {};
@@ -103,11 +105,13 @@ struct Renderer::State {
 
   Result<void> makeSurfaces();
   Result<void> makeFramebuffers();
+  Result<void> makePrisms();
   Result<PrefilteredChain> prefilteredChain();
   Result<void> makeFlatLight();
   Result<void> makeSphereMap();
   Result<void> makeBodies();
   Result<void> drawBackFaces(const Camera& camera);
+  Result<void> drawReliefHits(const Camera& camera);
   Result<void> drawSample(const Camera& camera);
   void drawBackground(const Camera& camera);
   void drawInstance(int instance);
@@ -231,6 +235,7 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
   state.settings = settings;
   state.samples_drawn = 0;
   MIRRORBALL_TRY_VOID(state.makeFramebuffers());
+  MIRRORBALL_TRY_VOID(state.makePrisms());
   MIRRORBALL_TRY(chain, state.prefilteredChain());
   state.frame.prefiltered = chain;
   state.frame.camera = camera;
@@ -301,6 +306,15 @@ Result<void> Renderer::State::makeSurfaces() {
   MIRRORBALL_TRY(table, brdf_table.get());
   MIRRORBALL_TRY(made, SurfacePrograms::make(context.api(), table));
   surfaces = std::move(made);
+  return {};
+}
+
+/// Of the meshes whose relief is found exactly.
+Result<void> Renderer::State::makePrisms() {
+  if (settings.relief != ReliefKind::exact) return {};
+  for (const Mesh& mesh : scene.meshes)
+    if (scene.materials[std::size_t(mesh.material)].height_texture >= 0)
+      MIRRORBALL_TRY_VOID(buffers.makePrisms(scene, static_cast<int>(&mesh - scene.meshes.data())));
   return {};
 }
 
@@ -382,6 +396,14 @@ Result<void> Renderer::State::drawBackFaces(const Camera& camera) {
   return back_faces->draw(scene, buffers, camera, settings.size);
 }
 
+Result<void> Renderer::State::drawReliefHits(const Camera& camera) {
+  if (!relief_hits) {
+    MIRRORBALL_TRY(made, ReliefHits::make(context.api()));
+    relief_hits = std::move(made);
+  }
+  return relief_hits->draw(scene, buffers, camera, settings.size);
+}
+
 Result<void> Renderer::State::drawSample(const Camera& camera) {
   FrameUniforms of_sample = frame;
   of_sample.camera = camera;
@@ -389,6 +411,10 @@ Result<void> Renderer::State::drawSample(const Camera& camera) {
   if (settings.refraction == RefractionKind::image_space) {
     MIRRORBALL_TRY_VOID(drawBackFaces(camera));
     of_sample.back_faces = &*back_faces;
+  }
+  if (settings.relief == ReliefKind::exact && !scene.height_textures.empty()) {
+    MIRRORBALL_TRY_VOID(drawReliefHits(camera));
+    of_sample.relief_hits = &relief_hits->picture();
   }
   MIRRORBALL_TRY_VOID(surfaces->begin(scene, buffers, *light, of_sample, settings));
   sample->bind();

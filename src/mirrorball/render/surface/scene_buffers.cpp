@@ -12,6 +12,7 @@
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/height_field/slope_moments.h"
 #include "mirrorball/image/halve.h"
+#include "mirrorball/scene/relief/prism_list.h"
 
 namespace mirrorball {
 namespace {
@@ -93,8 +94,8 @@ Result<std::optional<gl::Texture>> makeLayers(const Scene& scene, const Material
   return std::optional<gl::Texture>(std::move(array));
 }
 
-/// The units that are left to a material's other maps.
-int unitsOfMaps(const Material& material, int units) { return material.height_texture < 0 ? units : units - 2; }
+/// The units that are left to a material's other maps: heights take four (TextureUnit).
+int unitsOfMaps(const Material& material, int units) { return material.height_texture < 0 ? units : units - 4; }
 
 gl::Sampling::Wrap samplingWrap(MapEdges edges) {
   return edges == MapEdges::tiled ? gl::Sampling::Wrap::repeat : gl::Sampling::Wrap::clamp_to_edge;
@@ -109,6 +110,17 @@ Result<SceneBuffers::Heights> makeHeights(const HeightTexture& texture) {
                       .wrap_s = samplingWrap(texture.edges),
                       .wrap_t = samplingWrap(texture.edges)});
   return SceneBuffers::Heights{std::move(heights), std::move(slopes), moments.unit};
+}
+
+/// The triangles of boxes as numbers of corners, eight a box, whose bits are x, y, z: outwards counter-clockwise.
+std::vector<std::uint32_t> boxCorners(std::size_t boxes) {
+  constexpr auto kOfBox = std::to_array<std::uint32_t>(
+      {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6});
+  std::vector<std::uint32_t> corners;
+  corners.reserve(boxes * kOfBox.size());
+  for (std::uint32_t box = 0; box < boxes; ++box)
+    for (const std::uint32_t corner : kOfBox) corners.push_back(8 * box + corner);
+  return corners;
 }
 
 }  // namespace
@@ -159,6 +171,27 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit) co
     heights->heights.bind(first_unit + units_ - 2);
     heights->slopes.bind(first_unit + units_ - 1);
   }
+}
+
+Result<void> SceneBuffers::makePrisms(const Scene& scene, int mesh) {
+  MeshBuffers& buffers = meshes_[std::size_t(mesh)];
+  if (buffers.prisms || buffers.index_count == 0) return {};
+  MIRRORBALL_TRY(words,
+                 withName("the mesh of a relief", gl::Texture::fromWords(prismList(scene.meshes[std::size_t(mesh)]))));
+  const std::vector<std::uint32_t> corners = boxCorners(buffers.index_count / 3);
+  buffers.prisms = Prisms{std::move(words), gl::VertexArray(gl::Buffer(std::span(corners))), corners.size()};
+  return {};
+}
+
+void SceneBuffers::bindPrisms(int mesh, int unit) const {
+  if (const auto& prisms = meshes_[std::size_t(mesh)].prisms) prisms->words.bind(unit);
+}
+
+void SceneBuffers::drawPrisms(int mesh, int unit) const {
+  const std::optional<Prisms>& prisms = meshes_[std::size_t(mesh)].prisms;
+  if (!prisms) return;
+  prisms->words.bind(unit);
+  prisms->boxes.drawIndexed(prisms->index_count);
 }
 
 void SceneBuffers::drawMesh(int index) const {

@@ -20,6 +20,14 @@ class SceneBuffers {
 
   void drawMesh(int index) const;
 
+  /// Makes what drawPrisms needs, once.
+  ///
+  /// errors   too_large: the mesh has too many triangles for this driver's textures
+  Result<void> makePrisms(const Scene& scene, int mesh);
+  /// Binds the list of a mesh's prisms to a unit, and draws the boxes around them.
+  void bindPrisms(int mesh, int unit) const;
+  void drawPrisms(int mesh, int unit) const;
+
   /// mapSources() of a material.
   const std::vector<MapSource>& mapsOf(int material) const { return materials_[std::size_t(material)].sources; }
   /// A material's heights: gives its map to the shader, and its slopes. They lie in the last two of the units.
@@ -34,9 +42,15 @@ class SceneBuffers {
   void bindMaps(const Scene& scene, int material, int first_unit) const;
 
  private:
+  struct Prisms {
+    gl::Texture words;
+    gl::VertexArray boxes;
+    std::size_t index_count;
+  };
   struct MeshBuffers {
     gl::VertexArray vertices;
     std::size_t index_count;
+    std::optional<Prisms> prisms = {};
   };
   struct MaterialMaps {
     std::vector<MapSource> sources;

@@ -6,11 +6,13 @@
 #include <string>
 #include <variant>
 
-#include "formula/surface.h"
+#include <epoxy/gl.h>
+
 #include "mirrorball/bake/brdf/brdf_table.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
 #include "mirrorball/bake/brdf/sheen_albedo.h"
 #include "mirrorball/image/image_set.h"
+#include "mirrorball/render/surface/height_form.h"
 #include "mirrorball/render/surface/light_reads.h"
 #include "mirrorball/render/surface/wavelength_sets.h"
 
@@ -55,12 +57,6 @@ void setExtents(gl::Program& program, const Scene& scene, const Material& materi
     const int last_level = levelCount(std::max(image.width(), image.height())) - 1;
     program.set(std::string(map.name) + "_extent", glm::vec3(image.width(), image.height(), last_level));
   }
-}
-
-/// Tells the program how a material's heights are kept, as shaders/surface/heights.glsl reads it.
-void setHeightForm(gl::Program& program, const HeightTexture& texture, float slope_unit, const FrameSettings& settings) {
-  const int wrap = texture.edges == MapEdges::tiled ? formula::kWrapRepeat : formula::kWrapClampToEdge;
-  program.set("height_form", glm::vec4(wrap, texture.levels.levels() - 1, slope_unit, settings.relief_steps));
 }
 
 /// As shaders/surface/lamps_listed.glsl reads them.
@@ -164,6 +160,10 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
   if (variant.has(Part::normal, NormalPart::heights)) {
     program.set("heights", TextureUnit::heights);
     program.set("slopes", TextureUnit::slopes);
+  }
+  if (variant.has(Part::point, PointPart::exact)) {
+    program.set("prisms", TextureUnit::prisms);
+    program.set("relief_hits", TextureUnit::relief_hits);
   }
   const bool is_sphere_map = variant.has(Part::look_up, LookUpPart::sphere_map);
   if (is_sphere_map) program.set("sphere_map", TextureUnit::sphere_map);
@@ -276,6 +276,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   brdf_table_.bind(TextureUnit::brdf_table);
   if (frame.bodies) frame.bodies->bind(TextureUnit::bodies);
   if (frame.back_faces) frame.back_faces->picture().bind(TextureUnit::back_faces);
+  if (frame.relief_hits) frame.relief_hits->bind(TextureUnit::relief_hits);
   return {};
 }
 
@@ -294,13 +295,18 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
   const bool shows_heights = variant.has(Part::normal, NormalPart::heights);
   if (const auto* heights = shows_heights ? buffers.heightsOf(scene, material) : nullptr) {
     const int texture = scene.materials[std::size_t(material)].height_texture;
-    setHeightForm(program, scene.height_textures[std::size_t(texture)], heights->slope_unit, settings);
+    program.set("height_form",
+                heightForm(scene.height_textures[std::size_t(texture)], heights->slope_unit, settings.relief_steps));
   }
   frame_->bind(frame_point);
   instanceBlock(scene, instance).bind(instance_point);
   materialBlock(scene, material).bind(material_point);
   program.use();
-  buffers.drawMesh(scene.instances[std::size_t(instance)].mesh);
+  const int mesh = scene.instances[std::size_t(instance)].mesh;
+  if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(mesh);
+  glDisable(GL_CULL_FACE);
+  buffers.bindPrisms(mesh, TextureUnit::prisms);
+  screen_.draw(3);
 }
 
 }  // namespace mirrorball

@@ -9,6 +9,7 @@
 
 #include "formula/bodies.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/program.h"
 #include "mirrorball/gl/texture.h"
 #include "mirrorball/gl/uniform_block.h"
@@ -37,6 +38,8 @@ struct TextureUnit {
   static constexpr int irradiance = 5;
   static constexpr int first_of_material = 6;
   static constexpr int of_material = gl::Texture::kUnits - first_of_material;
+  static constexpr int relief_hits = gl::Texture::kUnits - 4;
+  static constexpr int prisms = gl::Texture::kUnits - 3;
   static constexpr int heights = gl::Texture::kUnits - 2;  ///< of a material that has them
   static constexpr int slopes = gl::Texture::kUnits - 1;
 };
@@ -62,7 +65,8 @@ struct FrameUniforms {
   const gl::Texture* bodies = nullptr;    ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
   formula::Media eye_media;               ///< of traced bodies, those that the camera is inside of
   const BackFaces* back_faces = nullptr;  ///< drawn with this camera; null: the frame's refraction does without
-  int sample = 0;                         ///< number of the sample of the frame
+  const gl::Texture* relief_hits = nullptr;  ///< ReliefHits of this camera; null: none is found exactly
+  int sample = 0;                            ///< number of the sample of the frame
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
@@ -122,6 +126,7 @@ class SurfacePrograms {
   std::optional<gl::UniformBlock> frame_;
   std::map<int, gl::UniformBlock> instances_;
   std::map<int, gl::UniformBlock> materials_;
+  gl::VertexArray screen_;
 };
 
 }  // namespace mirrorball

@@ -11,8 +11,9 @@ namespace mirrorball {
 namespace {
 
 using Names = std::string_view;
-constexpr auto kPoint = std::to_array<Names>({"point_raster.glsl", "point_parallax.glsl", "point_steep.glsl", "point_occlusion.glsl",
-                          "point_linear_binary.glsl", "point_cone.glsl"});
+constexpr auto kPoint =
+    std::to_array<Names>({"point_raster.glsl", "point_parallax.glsl", "point_steep.glsl", "point_occlusion.glsl",
+                          "point_linear_binary.glsl", "point_cone.glsl", "point_exact.glsl"});
 constexpr auto kCoordinates = std::to_array<Names>(
     {"coordinates_at_fragment.glsl", "coordinates_at_vertex.glsl", "coordinates_at_triangle.glsl"});
 constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl", "normal_heights.glsl"});
@@ -72,9 +73,10 @@ PointPart pointPart(const Material& material, const FrameSettings& settings) {
       return PointPart::linear_binary;
     case ReliefKind::cone:
       return PointPart::cone;
+    case ReliefKind::exact:
+      return PointPart::exact;
     case ReliefKind::none:
     case ReliefKind::bump:
-    case ReliefKind::exact:
     case ReliefKind::geometry:
       break;
   }
@@ -139,13 +141,17 @@ struct MapReading {
 
 ///
 /// coordinates   of the texture, as GLSL's expression
-MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const std::string& coordinates) {
+/// has_changes   the point knows how its coordinates change to the next pixels; else the pixels are compared
+MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const std::string& coordinates,
+                      bool has_changes) {
   const std::string name(materialMaps()[row].name);
   const std::string sampler(samplerName(sources, row));
   const MapSource& source = sources[row];
   if (source.layer < 0)
     return {name == sampler ? "uniform sampler2D " + name + ";\n" : "",
-            "texture(" + sampler + ", " + coordinates + ")"};
+            has_changes ? "textureGrad(" + sampler + ", " + coordinates + ", mapChange(point.uv_across, " +
+                              std::to_string(row) + "), mapChange(point.uv_down, " + std::to_string(row) + "))"
+                        : "texture(" + sampler + ", " + coordinates + ")"};
   const auto flag = [](bool value) { return value ? std::string("true") : std::string("false"); };
   const auto wrap = [](Wrap mode) { return std::string(kWraps[static_cast<std::size_t>(mode)]); };
   const std::string layer = std::to_string(source.layer) + ", " + name + "_extent, " + flag(source.srgb);
@@ -168,11 +174,12 @@ std::string absentValue(std::size_t row) {
 MapReading chosenReading(const SurfaceVariant& variant, std::size_t row) {
   const std::string of_mesh = "mapCoordinates(point, " + std::to_string(row) + ")";
   const PictureFrom from = variant.coordinates.picture_from;
-  if (!isPicture(row) || from == PictureFrom::mesh) return mapReading(variant.maps, row, of_mesh);
+  if (!isPicture(row) || from == PictureFrom::mesh)
+    return mapReading(variant.maps, row, of_mesh, !variant.has(Part::point, PointPart::raster));
   const std::string generated =
       from == PictureFrom::transformed_mesh ? "coordinatesOfUv(" + of_mesh + ")" : "pictureCoordinates(point)";
   const std::string coordinates = "picture_matrix * " + generated;
-  MapReading reading = mapReading(variant.maps, row, "uvOfCoordinates(" + coordinates + ")");
+  MapReading reading = mapReading(variant.maps, row, "uvOfCoordinates(" + coordinates + ")", false);
   if (from == PictureFrom::projector)
     reading.expression = "mix(vec4(1.0), " + reading.expression + ", projectedShare(" + coordinates + "))";
   return reading;
@@ -185,6 +192,9 @@ std::string mapsText(const SurfaceVariant& variant) {
       "vec2 mapCoordinates(SurfacePoint point, int map) {\n"
       "  vec2 uv = map_offset[map].z > 0.5 ? point.uv_1 : point.uv_0;\n"
       "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * uv + map_offset[map].xy;\n"
+      "}\n"
+      "vec2 mapChange(vec2 uv_change, int map) {\n"
+      "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * uv_change;\n"
       "}\n";
   if (std::ranges::any_of(variant.maps, [](const MapSource& source) { return source.layer >= 0; }))
     text += "#include \"map_layers.glsl\"\n";
@@ -234,7 +244,9 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::normal, normalPart(material, settings));
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
   variant.coordinates = coordinates;
-  variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
+  // A prism has no corners that the surface has.
+  if (!variant.has(Part::point, PointPart::exact))
+    variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
   chooseLayers(variant, material);
@@ -259,7 +271,8 @@ Result<SurfaceShaders> surfaceShaders(gl::Api api, const SurfaceVariant& variant
                                    "PICTURE_COORDINATES " + std::string(formulaOf(coordinates.picture))};
   if (variant.lamp_count > 0) defines.push_back("LAMP_COUNT " + std::to_string(variant.lamp_count));
   const std::vector<std::string_view> views(defines.begin(), defines.end());
-  MIRRORBALL_TRY(vertex, gl::shaderSource(api, "surface.vert", views, find));
+  const bool is_of_prisms = variant.has(Part::point, PointPart::exact);
+  MIRRORBALL_TRY(vertex, gl::shaderSource(api, is_of_prisms ? "screen.vert" : "surface.vert", views, find));
   MIRRORBALL_TRY(fragment, gl::shaderSource(api, "surface.frag", views, find));
   return SurfaceShaders{std::move(vertex), std::move(fragment)};
 }

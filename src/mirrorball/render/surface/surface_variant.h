@@ -47,7 +47,7 @@ constexpr std::size_t kParts = 15;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 
 // The answers, in the order of the table.
-enum class PointPart : std::uint8_t { raster, parallax, steep, occlusion, linear_binary, cone };
+enum class PointPart : std::uint8_t { raster, parallax, steep, occlusion, linear_binary, cone, exact };
 enum class CoordinatesPart : std::uint8_t { at_fragment, at_vertex, at_triangle };
 enum class NormalPart : std::uint8_t { vertex, bump, heights };
 enum class DetailPart : std::uint8_t { none, normal_map };

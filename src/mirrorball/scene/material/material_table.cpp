@@ -22,8 +22,8 @@ constexpr ChoiceField<Material> kHeightField{[](const Material& material) { retu
                                              }};
 
 /// Parameters that had another name.
-constexpr auto kFormerNames = std::to_array<Alias>(
-    {{"bump", "height"}, {"bump_height", "height_scale"}, {"bump_frequency", "height_frequency"}});
+constexpr auto kFormerNames =
+    std::to_array<Alias>({{"bump", "height"}, {"bump_height", "height_scale"}, {"bump_frequency", "height_frequency"}});
 
 const auto kParameters = std::to_array<MaterialParameter>({
     {{{.name = "base_color",

@@ -1,0 +1,110 @@
+#include "cli/surface_maps.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "cli/terminal.h"
+#include "mirrorball/base/file.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/height_field/heights_from_normals.h"
+#include "mirrorball/height_field/maximum_pyramid.h"
+#include "mirrorball/height_field/occlusion.h"
+#include "mirrorball/height_field/slopes.h"
+
+namespace mirrorball::cli {
+namespace {
+
+/// The first channel of a picture; says where others differ.
+Image heightsOf(const Image& numbers, const std::string& input) {
+  const int channels = numbers.channels();
+  if (channels == 1) return numbers;
+  Image heights = Image::withoutValues(numbers.width(), numbers.height(), 1);
+  bool is_grey = true;
+  const float* from = numbers.samples().data();
+  for (float& height : heights.samples()) {
+    height = from[0];
+    if (channels >= 3 && (from[1] != from[0] || from[2] != from[0])) is_grey = false;
+    from += channels;
+  }
+  if (!is_grey) remark(input + ": is in colour; its red channel is taken for the heights");
+  return heights;
+}
+
+/// Turns the second of each texel's three numbers upside down.
+void flipGreen(Image& normals) {
+  const auto channels = std::size_t(normals.channels());
+  for (std::size_t i = 1; i < normals.samples().size(); i += channels) normals.samples()[i] = -normals.samples()[i];
+}
+
+/// Normals of a picture, signed. Integers, and textures without a number below 0, hold ½ + ½ n.
+///
+/// errors   bad_shape: grey
+Result<Image> normalsOf(Image numbers, std::span<const std::uint8_t> bytes) {
+  if (numbers.channels() < 3)
+    return fail(ErrorCode::bad_shape, "is grey, where a normal map has three channels; heights of heights need no map");
+  const bool is_encoded =
+      holdsCodes(bytes) || (isImageSet(bytes) && *std::ranges::min_element(numbers.samples()) >= 0.0f);
+  if (is_encoded)
+    for (float& number : numbers.samples()) number = 2.0f * number - 1.0f;
+  return numbers;
+}
+
+/// Heights from 0 on; without a scale that was asked for up to 1, and the scale that belongs to them.
+Result<MadeMap> heightsOfNormals(Image normals, const SurfaceOptions& options) {
+  if (options.directx) flipGreen(normals);
+  HeightFieldSettings settings = options.field;
+  if (!options.has_scale) settings.scale = 1.0f;
+  MIRRORBALL_TRY(heights, heightsFromNormals(normals, settings, progressBar("heights")));
+  const auto [low, high] = std::ranges::minmax(heights.samples());
+  const float range = high - low;
+  const float unit = options.has_scale || range == 0.0f ? 1.0f : range;
+  for (float& height : heights.samples()) height = (height - low) / unit;
+  return MadeMap{ImageSet(std::move(heights)), false, options.has_scale ? 0.0f : range};
+}
+
+Result<MadeMap> mapOfHeights(const Image& heights, const SurfaceOptions& options) {
+  const MapEdges edges = options.field.edges;
+  const auto single = [](Image image, bool is_signed) { return MadeMap{ImageSet(std::move(image)), is_signed}; };
+  switch (options.to) {
+    case SurfaceMap::derivative: {
+      MIRRORBALL_TRY(slopes, derivativesFromHeights(heights, options.field, progressBar("slopes")));
+      return single(std::move(slopes), true);
+    }
+    case SurfaceMap::cone: {
+      MIRRORBALL_TRY(cones, coneMap(heights, options.cones, edges, progressBar("cones")));
+      return single(std::move(cones), false);
+    }
+    case SurfaceMap::pyramid: {
+      MIRRORBALL_TRY(pyramid, maximumPyramid(heights, edges, progressBar("pyramid")));
+      return MadeMap{std::move(pyramid)};
+    }
+    case SurfaceMap::occlusion:
+    case SurfaceMap::bent_normal: {
+      MIRRORBALL_TRY(seen, occlusionOf(heights, options.field, 8 << options.azimuths, progressBar("occlusion")));
+      if (options.to == SurfaceMap::occlusion) return single(std::move(seen.visible), false);
+      if (options.directx) flipGreen(seen.bent_normals);
+      return single(std::move(seen.bent_normals), true);
+    }
+    case SurfaceMap::normal:
+    case SurfaceMap::height:
+      break;
+  }
+  MIRRORBALL_TRY(normals, normalsFromHeights(heights, options.field, progressBar("normals")));
+  if (options.directx) flipGreen(normals);
+  return single(std::move(normals), true);
+}
+
+}  // namespace
+
+Result<MadeMap> makeSurfaceMap(const std::string& input, const SurfaceOptions& options) {
+  MIRRORBALL_TRY(bytes, readFile(input));
+  MIRRORBALL_TRY(numbers, withName(input, decodeNumbers(bytes, progressBar("reading " + shown(input)))));
+  if (options.to != SurfaceMap::height) return withName(input, mapOfHeights(heightsOf(numbers, input), options));
+  MIRRORBALL_TRY(normals, withName(input, normalsOf(std::move(numbers), bytes)));
+  return withName(input, heightsOfNormals(std::move(normals), options));
+}
+
+}  // namespace mirrorball::cli

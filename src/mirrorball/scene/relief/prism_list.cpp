@@ -1,0 +1,74 @@
+#include "mirrorball/scene/relief/prism_list.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace mirrorball {
+namespace {
+
+/// For each vertex the first one that stands at the same place with the same normal.
+std::vector<std::uint32_t> sameVertices(const Mesh& mesh) {
+  const auto key = [&](std::uint32_t index) {
+    const Vertex& v = mesh.vertices[index];
+    return std::tuple(v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z);
+  };
+  std::vector<std::uint32_t> order(mesh.vertices.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
+  std::ranges::sort(order,
+                    [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+  std::vector<std::uint32_t> same(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    same[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? same[order[i - 1]] : order[i];
+  return same;
+}
+
+/// The corners of a triangle's sides x = 0, y = 0 and x + y = 1, in the triangle's sense.
+constexpr std::array<std::array<std::size_t, 2>, 3> kSides{{{2, 0}, {0, 1}, {1, 2}}};
+
+}  // namespace
+
+std::vector<glm::vec3> joinedSides(const Mesh& mesh) {
+  const std::vector<std::uint32_t> same = sameVertices(mesh);
+  // A neighbour goes along the side the other way.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
+  sides.reserve(mesh.indices.size());
+  const auto side = [&](std::size_t triangle, std::size_t number) {
+    return std::pair(same[mesh.indices[3 * triangle + kSides[number][0]]],
+                     same[mesh.indices[3 * triangle + kSides[number][1]]]);
+  };
+  for (std::size_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle)
+    for (std::size_t number = 0; number < kSides.size(); ++number) sides.push_back(side(triangle, number));
+  std::ranges::sort(sides);
+  std::vector<glm::vec3> joined(mesh.indices.size() / 3, glm::vec3(0.0f));
+  for (std::size_t triangle = 0; triangle < joined.size(); ++triangle)
+    for (std::size_t number = 0; number < kSides.size(); ++number) {
+      const auto [from, to] = side(triangle, number);
+      if (std::ranges::binary_search(sides, std::pair(to, from))) joined[triangle][static_cast<int>(number)] = 1.0f;
+    }
+  return joined;
+}
+
+std::vector<glm::uvec4> prismList(const Mesh& mesh) {
+  constexpr std::size_t kTexelsOfPrism = 16;
+  const std::vector<glm::vec3> joined = joinedSides(mesh);
+  std::vector<glm::uvec4> words;
+  words.reserve(joined.size() * kTexelsOfPrism);
+  for (std::size_t triangle = 0; triangle < joined.size(); ++triangle) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vertex& vertex = mesh.vertices[mesh.indices[3 * triangle + corner]];
+      for (const glm::vec4 texel :
+           {glm::vec4(vertex.position, vertex.uv[0].x), glm::vec4(vertex.normal, vertex.uv[0].y),
+            glm::vec4(vertex.uv[1], 0.0f, 0.0f), vertex.tangent, vertex.color})
+        words.push_back(glm::floatBitsToUint(texel));
+    }
+    words.push_back(glm::floatBitsToUint(glm::vec4(joined[triangle], 0.0f)));
+  }
+  return words;
+}
+
+}  // namespace mirrorball

@@ -46,7 +46,8 @@ formula::ReliefPrism reliefPrism(const Mesh& mesh, std::size_t first, const Mate
           .up_along_y = depth * (c.normal - a.normal),
           .texel = a.uv[0] * texels - 0.5f,
           .texel_along_x = (b.uv[0] - a.uv[0]) * texels,
-          .texel_along_y = (c.uv[0] - a.uv[0]) * texels};
+          .texel_along_y = (c.uv[0] - a.uv[0]) * texels,
+          .joined = glm::vec3(0.0f)};
 }
 
 glm::vec3 reliefNormal(const HeightTexture& heights, const formula::ReliefPrism& prism, float depth, glm::vec2 x_y) {

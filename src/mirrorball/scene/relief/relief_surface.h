@@ -38,6 +38,7 @@ formula::HeightMap heightMapOf(const HeightTexture& texture);
 /// A triangle of a mesh with the space below it, in the mesh's own.
 ///
 /// first     of its three indices
+/// returns   not joined to others
 /// heights   where the material's texture has them
 formula::ReliefPrism reliefPrism(const Mesh& mesh, std::size_t first, const Material& material,
                                  const HeightTexture& heights);

@@ -1,5 +1,6 @@
 #include "mirrorball/scene/mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -37,6 +38,10 @@ std::array<Corner, 3> cornersOf(const Mesh& mesh, std::size_t first) {
 }
 
 }  // namespace
+
+bool hasTextureCoordinates(const Mesh& mesh) {
+  return std::ranges::any_of(mesh.vertices, [](const Vertex& vertex) { return vertex.uv[0] != glm::vec2(0.0f); });
+}
 
 void computeNormals(Mesh& mesh) {
   std::vector<dvec3> sums(mesh.vertices.size(), dvec3(0.0));

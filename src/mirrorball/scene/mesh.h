@@ -27,6 +27,9 @@ struct Mesh {
   std::vector<int> material_of_variant = {};
 };
 
+/// Whether not all vertices are at the same place of a texture, as they are where a file says nothing of it.
+bool hasTextureCoordinates(const Mesh& mesh);
+
 /// Sets smooth normals: the mean of the triangles' normals at each vertex, weighted by angle (Thürmer & Wüthrich 1998).
 void computeNormals(Mesh& mesh);
 

@@ -12,6 +12,7 @@ TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings) {
   settings.shows_environment = frame.background == BackgroundKind::environment;
   if (frame.background == BackgroundKind::radiance) settings.background = frame.background_color;
   settings.wavelength_nm = frame.wavelength_nm;
+  settings.relief = frame.relief;
   settings.lights = frame.lights;
   settings.light_intensity = frame.light_intensity;
   if (frame.refraction == RefractionKind::traced) settings.inner_bounces = frame.inner_bounces;

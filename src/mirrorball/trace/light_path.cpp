@@ -30,6 +30,19 @@ glm::vec3 albedoOf(const formula::Material& material) {
   return glm::mix(material.base_color, formula::metalReflectance(material, 1.0f), material.metallic);
 }
 
+Surfaces surfacesOf(ReliefKind kind) { return movesSurface(kind) ? Surfaces::reliefs : Surfaces::triangles; }
+
+/// The point at which a ray leaves a surface, so far beside it as rounding may have put it on the wrong side.
+glm::vec3 besideHit(const Ray& arriving, const Hit& hit, bool goes_out) {
+  const glm::vec3 towards = goes_out ? hit.geometric_normal : -hit.geometric_normal;
+  if (!hit.relief)
+    return formula::besideSurface(arriving.origin + hit.distance * arriving.direction, hit.distance, towards);
+  // Above and below are told apart by heights.
+  constexpr float kHeights = 1e-3f;
+  return formula::besideSurface(hit.relief->position, hit.distance, towards) +
+         (goes_out ? kHeights : -kHeights) * hit.relief->up;
+}
+
 /// A path on its way from the eye.
 class Path {
  public:
@@ -83,7 +96,8 @@ class Path {
 /// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
 /// ray through, it is the back of a surface that has only a front, or of a body where another one fills the place.
 bool Path::passes(const Hit& hit, Ray& ray) {
-  if (ray.from && ray.from->instance == hit.instance && ray.from->triangle == hit.triangle) return true;
+  if (ray.from && !ray.from->relief && ray.from->instance == hit.instance && ray.from->triangle == hit.triangle)
+    return true;
   const Material& material = materialOf(world_.scene, hit.instance);
   const bool is_entering = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
   const bool has_back = material.double_sided || material.transmission > 0.0f || !ray.passes_backs;
@@ -115,7 +129,7 @@ std::optional<Hit> Path::firstHit(Ray& ray, float farthest, glm::vec3& share) {
   };
   float nearest = 0.0f;
   for (int passed = 0;; ++passed) {
-    const auto hit = world_.geometry.hit(ray.origin, ray.direction, nearest);
+    const auto hit = world_.geometry.hit(ray.origin, ray.direction, nearest, surfacesOf(settings_.relief));
     const bool is_reached = hit && hit->distance < farthest;
     const formula::Media before = ray.media;
     const bool is_passed = is_reached && passed < kMaxPassed && passes(*hit, ray);
@@ -162,7 +176,7 @@ Path::Vertex Path::vertexAt(const Hit& hit, const Ray& ray) const {
   return {hit,
           ray,
           material,
-          surfacePointAt(scene, world_.world_from_normal[hit.instance], hit),
+          surfacePointAt(scene, world_.world_from_normal[hit.instance], hit, settings_.relief),
           isBody(material),
           is_outside,
           other >= 0 ? &materialOf(scene, std::size_t(other)) : nullptr};
@@ -261,19 +275,17 @@ glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& mate
   return light;
 }
 
-/// The ray that leaves a surface, from a point so far beside it as rounding may have put it on the wrong side.
+/// The ray that leaves a surface.
 Ray Path::leaving(const Vertex& vertex, glm::vec3 direction) const {
   const Ray& arriving = vertex.arriving;
   const Hit& hit = vertex.hit;
-  const glm::vec3 place = arriving.origin + hit.distance * arriving.direction;
   const bool goes_out = glm::dot(direction, hit.geometric_normal) >= 0.0f;
   const bool crosses = goes_out != vertex.is_outside;
-  Ray ray{
-      .origin = formula::besideSurface(place, hit.distance, goes_out ? hit.geometric_normal : -hit.geometric_normal),
-      .direction = direction,
-      .from = hit,
-      .passes_backs = crosses && vertex.surface.transmission <= 0.0f,
-      .media = arriving.media};
+  Ray ray{.origin = besideHit(arriving, hit, goes_out),
+          .direction = direction,
+          .from = hit,
+          .passes_backs = crosses && vertex.surface.transmission <= 0.0f,
+          .media = arriving.media};
   const int body = static_cast<int>(hit.instance);
   if (crosses && vertex.is_body)
     ray.media = goes_out ? formula::left(ray.media, body) : formula::entered(ray.media, body, vertex.surface.priority);
@@ -375,10 +387,10 @@ PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray,
   return Path(world, settings, samples).follow(ray);
 }
 
-formula::Media mediaAt(const World& world, glm::vec3 point) {
+formula::Media mediaAt(const World& world, glm::vec3 point, ReliefKind relief) {
   return surroundingMedia(
       world.scene, point, [&](glm::vec3 origin, glm::vec3 direction, float nearest) -> std::optional<Crossing> {
-        const auto hit = world.geometry.hit(origin, direction, nearest);
+        const auto hit = world.geometry.hit(origin, direction, nearest, surfacesOf(relief));
         if (!hit) return std::nullopt;
         return Crossing{hit->distance, hit->instance, glm::dot(direction, hit->geometric_normal) < 0.0f};
       });

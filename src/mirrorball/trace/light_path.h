@@ -37,6 +37,6 @@ struct PathLight {
 PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray, SampleSequence& samples);
 
 /// The bodies that a point lies in: those that at least two of three rays from there leave and have not entered.
-formula::Media mediaAt(const World& world, glm::vec3 point);
+formula::Media mediaAt(const World& world, glm::vec3 point, ReliefKind relief);
 
 }  // namespace mirrorball

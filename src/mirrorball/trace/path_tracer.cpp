@@ -171,7 +171,8 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
 
 Result<TracedPicture> PathTracer::render(const Camera& camera, const TraceSettings& settings,
                                          const TraceObserver& observer) const {
-  const formula::Media media = camera.orthographic ? formula::Media() : mediaAt(*state_, camera.position);
+  const formula::Media media =
+      camera.orthographic ? formula::Media() : mediaAt(*state_, camera.position, settings.relief);
   TracedPicture picture;
   MIRRORBALL_TRY(film, state_->trace(raysOf(camera, settings.size, media), settings, picture, observer));
   picture.radiance = film.radiance();
@@ -186,8 +187,8 @@ Result<TracedMap> PathTracer::capture(const TracedCapture& capture, TraceSetting
   settings.size = {size.x, size.y * faces};
   settings.wants_layers = false;
   TracedMap traced;
-  const CameraRays rays =
-      raysOfMap(capture.projection, size, capture.position, capture.nearest, mediaAt(*state_, capture.position));
+  const CameraRays rays = raysOfMap(capture.projection, size, capture.position, capture.nearest,
+                                    mediaAt(*state_, capture.position, settings.relief));
   MIRRORBALL_TRY(film, state_->trace(rays, settings, traced.state, observer));
   traced.map = EnvironmentMap(capture.projection, cutIntoFaces(film.radiance(), capture.projection, size));
   return traced;

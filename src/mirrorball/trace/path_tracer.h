@@ -81,7 +81,7 @@ class PathTracer {
 
   /// Replaces the scene's materials; the tree of triangles stays.
   ///
-  /// materials   for each of those before one
+  /// materials   for each of those before one, with the same heights, as deep and as dense
   void setMaterials(std::vector<Material> materials);
 
   /// Draws passes over the whole picture, each with as many paths as all before it, up to 128.

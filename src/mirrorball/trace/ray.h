@@ -14,7 +14,7 @@ struct Ray {
   glm::vec3 origin{0.0f};
   glm::vec3 direction{0.0f};  ///< unit
   float nearest = 0.0f;       ///< distance from which on surfaces are there
-  /// The triangle that it leaves, which a plane cannot meet again.
+  /// The triangle that it leaves, which a plane cannot meet again; a relief can be met again.
   std::optional<Hit> from = {};
   /// Whether it passes the backs of surfaces that have only a front: as the renderer's eye does, and as light must that
   /// a smooth normal sends below its flat triangle.

@@ -6,6 +6,7 @@
 
 #include "formula/color.h"
 #include "formula/surface.h"
+#include "mirrorball/scene/relief/relief_surface.h"
 
 namespace mirrorball {
 namespace {
@@ -67,22 +68,35 @@ float opacityOf(const Material& material, float alpha) {
   return std::clamp(alpha, 0.0f, 1.0f);
 }
 
-/// The world's normals: of the surface with bumps and normal map, and of a clear coat, which has its own map.
-void setNormals(const Scene& scene, const Material& material, const Corners& corners,
-                const glm::mat3& world_from_normal, SurfacePoint& point) {
+/// The normal of a mesh with its heights, in its own space.
+glm::vec3 normalOfHeights(const Scene& scene, const Hit& hit, const Corners& corners, ReliefKind relief) {
+  const Material& material = materialOf(scene, hit.instance);
   const glm::vec3 vertex = corners.at(&Vertex::normal);
-  glm::vec3 object = vertex;
-  if (material.height == HeightKind::orange)
-    object = formula::orangeNormal(corners.at(&Vertex::position), glm::normalize(object), material.height_scale,
-                                   material.height_frequency);
+  if (material.height == HeightKind::none || relief == ReliefKind::none) return vertex;
+  if (material.height_texture >= 0) {
+    const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
+    const HeightTexture& heights = scene.height_textures[std::size_t(material.height_texture)];
+    return reliefNormal(heights, reliefPrism(mesh, std::size_t{3} * hit.triangle, material, heights),
+                        material.height_scale, hit.barycentric);
+  }
+  if (material.height != HeightKind::orange) return vertex;
+  return formula::orangeNormal(corners.at(&Vertex::position), glm::normalize(vertex), material.height_scale,
+                               material.height_frequency);
+}
+
+/// The world's normals: of the surface with bumps and normal map, and of a clear coat, which has its own map.
+///
+/// object   with bumps, in the mesh's space
+void setNormals(const Scene& scene, const Material& material, const Corners& corners,
+                const glm::mat3& world_from_normal, glm::vec3 object, SurfacePoint& point) {
   const auto mapped = [&](glm::vec3 n, const TextureSlot& slot, float scale) {
     if (slot.texture < 0) return n;
     return formula::mappedNormal(point.tangent, n, glm::vec3(sampleSlot(scene, slot, corners)), scale);
   };
   point.normal = mapped(glm::normalize(world_from_normal * object), material.normal_map, material.normal_scale);
   if (material.clearcoat <= 0.0f) return;
-  point.coat_normal = mapped(glm::normalize(world_from_normal * vertex), material.clearcoat_normal_map,
-                             material.clearcoat_normal_scale);
+  point.coat_normal = mapped(glm::normalize(world_from_normal * corners.at(&Vertex::normal)),
+                             material.clearcoat_normal_map, material.clearcoat_normal_scale);
 }
 
 /// What glTF's extensions lay on the surface.
@@ -124,13 +138,13 @@ std::vector<glm::mat3> normalMatrices(const Scene& scene) {
   return matrices;
 }
 
-SurfacePoint surfacePointAt(const Scene& scene, const glm::mat3& world_from_normal, const Hit& hit) {
+SurfacePoint surfacePointAt(const Scene& scene, const glm::mat3& world_from_normal, const Hit& hit, ReliefKind relief) {
   const Material& material = materialOf(scene, hit.instance);
   const Corners corners = cornersOf(scene, hit);
   SurfacePoint point;
   const glm::mat3 linear(scene.instances[hit.instance].world_from_object);
   point.tangent = glm::vec4(linear * glm::vec3(corners.at(&Vertex::tangent)), corners.vertices[0]->tangent.w);
-  setNormals(scene, material, corners, world_from_normal, point);
+  setNormals(scene, material, corners, world_from_normal, normalOfHeights(scene, hit, corners, relief), point);
   // Degenerate vertices and maps have no normal.
   for (glm::vec3* normal : {&point.normal, &point.coat_normal})
     if (glm::any(glm::isnan(*normal))) *normal = hit.geometric_normal;

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "formula/material.h"
+#include "mirrorball/scene/relief/relief.h"
 #include "mirrorball/scene/scene.h"
 #include "mirrorball/trace/geometry.h"
 
@@ -26,8 +27,9 @@ std::vector<glm::mat3> normalMatrices(const Scene& scene);
 /// Material, textures and normal where a ray has met a scene.
 ///
 /// world_from_normal   of the instance: normalMatrices
+/// relief              none: heights do not change the normal
 /// cost                four texels for each texture of the material
-SurfacePoint surfacePointAt(const Scene& scene, const glm::mat3& world_from_normal, const Hit& hit);
+SurfacePoint surfacePointAt(const Scene& scene, const glm::mat3& world_from_normal, const Hit& hit, ReliefKind relief);
 
 /// The opacity there alone, for rays that only ask what they pass.
 float opacityAt(const Scene& scene, const Hit& hit);

@@ -12,20 +12,13 @@
 namespace mirrorball {
 namespace {
 
-/// Whether all corners of all meshes are at the same place of a texture.
-bool hasNoTextureCoordinates(const Scene& scene) {
-  return std::ranges::all_of(scene.meshes, [](const Mesh& mesh) {
-    return std::ranges::all_of(mesh.vertices, [](const Vertex& vertex) { return vertex.uv[0] == glm::vec2(0.0f); });
-  });
-}
-
 Result<void> setMap(Scene& scene, const MaterialMap& map, const std::string& path) {
   const std::string name(map.name);
   if (path.empty())
     return fail(ErrorCode::usage, "the material parameter " + name + " needs a picture: " + name + "=FILE");
   MIRRORBALL_TRY(bytes, readRegularFile(path));
   MIRRORBALL_TRY(image, withName(path, decodeTexture(bytes)));
-  if (!scene.meshes.empty() && hasNoTextureCoordinates(scene))
+  if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
     scene.warnings.push_back(name + ": the model has no texture coordinates; all of it shows one texel of " + path);
   scene.textures.push_back({.image = std::move(image), .srgb = map.srgb});
   scene.files.push_back(path);

@@ -21,7 +21,10 @@ formula::HeightMap heightMapOf(const HeightTexture& texture);
 
 /// As formulas read it.
 inline glm::vec4 fetchMap(const HeightTexture& texture, glm::ivec2 texel, int) {
-  return {texture.picture.texel(texel.x, texel.y)[0], 0.0f, 0.0f, 1.0f};
+  // So far away that neighbouring texels are the same number, formulas cannot wrap them.
+  const glm::ivec2 last(texture.picture.width() - 1, texture.picture.height() - 1);
+  const glm::ivec2 inside = glm::clamp(texel, glm::ivec2(0), last);
+  return {texture.picture.texel(inside.x, inside.y)[0], 0.0f, 0.0f, 1.0f};
 }
 
 /// A texture of these heights.

@@ -1,7 +1,12 @@
 #include "mirrorball/scene/relief/relief.h"
 
+#include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
+#include <vector>
+
+#include "mirrorball/scene/relief/displaced_mesh.h"
 
 namespace mirrorball {
 namespace {
@@ -11,26 +16,57 @@ constexpr int kBuiltinSide = 512;
 /// Whether a kind looks heights up in a texture: bumps of the orange are a function of the place.
 bool readsTexture(const Material& material, ReliefKind kind) {
   if (material.height == HeightKind::none || kind == ReliefKind::none) return false;
+  if (material.height == HeightKind::map) return material.height_texture >= 0;
   return material.height != HeightKind::orange || kind != ReliefKind::bump;
 }
+
+Image turnedOver(Image heights) {
+  for (int y = 0; y < heights.height(); ++y)
+    for (int x = 0; x < heights.width(); ++x) heights.texel(x, y)[0] = 1.0f - heights.texel(x, y)[0];
+  return heights;
+}
+
+/// The textures that materials share.
+class SharedHeights {
+ public:
+  explicit SharedHeights(std::vector<HeightTexture>& textures) : textures_(textures) {}
+
+  /// The texture of a material, an index.
+  ///
+  /// errors   too_large
+  Result<int> of(const Material& material) {
+    const bool is_inverted = material.height_scale < 0.0f;
+    if (material.height_texture >= 0 && !is_inverted) return material.height_texture;
+    const auto key = std::tuple(material.height, material.height_texture, is_inverted);
+    const auto found = made_.find(key);
+    if (found != made_.end()) return found->second;
+    const bool is_builtin = material.height_texture < 0;
+    const MapEdges edges = is_builtin ? MapEdges::tiled : textures_[std::size_t(material.height_texture)].edges;
+    Image heights = is_builtin ? builtinHeights(material.height, kBuiltinSide)
+                               : textures_[std::size_t(material.height_texture)].heights;
+    MIRRORBALL_TRY(texture, heightTexture(is_inverted ? turnedOver(std::move(heights)) : std::move(heights), edges));
+    textures_.push_back(std::move(texture));
+    return made_[key] = static_cast<int>(textures_.size()) - 1;
+  }
+
+ private:
+  std::vector<HeightTexture>& textures_;
+  std::map<std::tuple<HeightKind, int, bool>, int> made_;
+};
 
 }  // namespace
 
 Result<void> prepareRelief(Scene& scene, ReliefKind kind) {
-  std::map<HeightKind, int> made;
+  SharedHeights textures(scene.height_textures);
   for (Material& material : scene.materials) {
-    if (!readsTexture(material, kind) || material.height_texture >= 0) continue;
-    auto found = made.find(material.height);
-    if (found == made.end()) {
-      MIRRORBALL_TRY(texture, heightTexture(builtinHeights(material.height, kBuiltinSide), MapEdges::tiled));
-      scene.height_textures.push_back(std::move(texture));
-      found = made.emplace(material.height, static_cast<int>(scene.height_textures.size()) - 1).first;
-    }
-    material.height_texture = found->second;
+    if (!readsTexture(material, kind)) continue;
+    MIRRORBALL_TRY(texture, textures.of(material));
+    material.height_texture = texture;
+    material.height_scale = std::abs(material.height_scale);
   }
   if (kind == ReliefKind::cone)
     for (HeightTexture& texture : scene.height_textures) MIRRORBALL_TRY_VOID(makeCones(texture));
-  return {};
+  return kind == ReliefKind::geometry ? displaceMeshes(scene) : Result<void>();
 }
 
 }  // namespace mirrorball

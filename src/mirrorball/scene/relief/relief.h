@@ -18,8 +18,14 @@ enum class ReliefKind {
   geometry,       ///< the mesh is cut into triangles that stand where the surface is
 };
 
-/// Gives a scene what that kind needs of it: the textures of built-in heights, and for `geometry` the triangles.
+/// Whether a kind moves the place of the surface, within the triangles that there are.
+constexpr bool movesSurface(ReliefKind kind) { return kind >= ReliefKind::parallax && kind < ReliefKind::geometry; }
+
+/// Gives a scene what that kind needs of it: the textures of built-in heights, and for `geometry` the triangles. A
+/// material with a texture and a height_scale below 0 gets 1 − h as its heights, and the scale above 0: so all else can
+/// take the scale as a depth.
 ///
+/// scene    with `geometry`, is warned as by displaceMeshes
 /// errors   too_large
 /// cost     for each built-in surface 20 ms to 60 ms; `geometry` as displacedMesh's
 Result<void> prepareRelief(Scene& scene, ReliefKind kind);

@@ -1,0 +1,133 @@
+#include "mirrorball/trace/relief_prisms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mirrorball/scene/relief/prism_list.h"
+#include "mirrorball/scene/relief/relief_surface.h"
+
+namespace mirrorball {
+namespace {
+
+/// So far from the surface, in heights, a place may lie that is taken for one of it. A ray that goes on into the next
+/// prism below the surface is said to meet it at the prism's side.
+constexpr float kOnSurface = 0.02f;
+/// How far a ray goes on from such a place, or from the one that it has just passed, in depths of the relief.
+constexpr float kPassed = 2e-3f;
+constexpr int kMostPassed = 16;
+
+formula::ReliefPrism placed(const formula::ReliefPrism& prism, const glm::mat4& world_from_object) {
+  const glm::mat3 linear(world_from_object);
+  formula::ReliefPrism world = prism;
+  world.a = glm::vec3(world_from_object * glm::vec4(prism.a, 1.0f));
+  for (glm::vec3* along : {&world.along_x, &world.along_y, &world.up, &world.up_along_x, &world.up_along_y})
+    *along = linear * *along;
+  return world;
+}
+
+/// The same prism with its bottom as the top.
+formula::ReliefPrism turnedOver(formula::ReliefPrism prism) {
+  prism.a -= prism.up;
+  prism.along_x -= prism.up_along_x;
+  prism.along_y -= prism.up_along_y;
+  prism.up = -prism.up;
+  prism.up_along_x = -prism.up_along_x;
+  prism.up_along_y = -prism.up_along_y;
+  prism.joined = glm::vec3(0.0f);
+  return prism;
+}
+
+glm::vec3 upAt(const formula::ReliefPrism& p, glm::vec2 q) { return p.up + q.x * p.up_along_x + q.y * p.up_along_y; }
+
+float surfaceHeight(const HeightTexture& heights, const formula::ReliefPrism& prism, glm::vec2 q) {
+  const glm::vec3 place = formula::onHeightMap(prism, {q, 0.0f});
+  return formula::heightAt(heights, heightMapOf(heights), glm::vec2(place));
+}
+
+/// The normal of the bilinear patch: across how the place changes with x and with y.
+glm::vec3 patchNormal(const HeightTexture& heights, const formula::ReliefPrism& prism, glm::vec3 q) {
+  const glm::vec2 place(formula::onHeightMap(prism, q));
+  const glm::vec2 first = glm::floor(place), part = place - first;
+  const glm::vec4 c = formula::patchCorners(heights, heightMapOf(heights), first);
+  const glm::vec2 slope(glm::mix(c.y - c.x, c.w - c.z, part.y), glm::mix(c.z - c.x, c.w - c.y, part.x));
+  const glm::vec3 up = upAt(prism, glm::vec2(q));
+  const glm::vec3 along_x = prism.along_x + (q.z - 1.0f) * prism.up_along_x + glm::dot(slope, prism.texel_along_x) * up;
+  const glm::vec3 along_y = prism.along_y + (q.z - 1.0f) * prism.up_along_y + glm::dot(slope, prism.texel_along_y) * up;
+  return glm::normalize(glm::cross(along_x, along_y));
+}
+
+}  // namespace
+
+Result<TwoSidedHeights> twoSided(const HeightTexture& heights) {
+  Image depths = heights.heights;
+  for (int y = 0; y < depths.height(); ++y)
+    for (int x = 0; x < depths.width(); ++x) depths.texel(x, y)[0] = 1.0f - depths.texel(x, y)[0];
+  MIRRORBALL_TRY(below, heightTexture(std::move(depths), heights.edges));
+  return TwoSidedHeights{heights, std::move(below)};
+}
+
+ReliefPrisms::ReliefPrisms(const Scene& scene, std::size_t instance, const TwoSidedHeights& heights)
+    : heights_(heights) {
+  const Instance& placing = scene.instances[instance];
+  const Mesh& mesh = scene.meshes[std::size_t(placing.mesh)];
+  const std::vector<glm::vec3> joined = joinedSides(mesh);
+  prisms_.reserve(joined.size());
+  for (std::size_t triangle = 0; triangle < joined.size(); ++triangle) {
+    formula::ReliefPrism prism = reliefPrism(mesh, 3 * triangle, materialOf(scene, instance), heights.heights);
+    prism.joined = joined[triangle];
+    const formula::ReliefPrism world = placed(prism, placing.world_from_object);
+    prisms_.push_back({world, formula::boxOfPrism(world)});
+  }
+}
+
+PrismBounds ReliefPrisms::boundsOf(std::size_t triangle) const {
+  const formula::ReliefPrism& prism = prisms_[triangle].from_above;
+  PrismBounds bounds{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+  // A place depends on each coordinate alone evenly, and so lies between the corners.
+  for (const glm::vec2 corner : {glm::vec2(0.0f), glm::vec2(1.0f, 0.0f), glm::vec2(0.0f, 1.0f)})
+    for (const float height : {0.0f, 1.0f}) {
+      const glm::vec3 place = formula::placeInPrism(prism, {corner, height});
+      bounds.low = glm::min(bounds.low, place);
+      bounds.high = glm::max(bounds.high, place);
+    }
+  const glm::vec3 margin = 1e-5f * (bounds.high - bounds.low) + 1e-6f * glm::max(abs(bounds.low), abs(bounds.high));
+  return {bounds.low - margin, bounds.high + margin};
+}
+
+/// From above or below, whichever is first; coordinates as from above.
+std::optional<formula::ReliefHit> ReliefPrisms::meets(const Placed& prism, glm::vec3 origin, glm::vec3 direction,
+                                                      glm::vec2 between) const {
+  const auto search = [&](const HeightTexture& heights, const formula::ReliefPrism& side, float farthest) {
+    return formula::hitOfPrism(heights, heightMapOf(heights), side, origin, direction, between.x, farthest);
+  };
+  formula::ReliefHit first = search(heights_.heights, prism.from_above, between.y);
+  const float farthest = first.distance < 0.0f ? between.y : first.distance;
+  formula::ReliefHit below = search(heights_.depths, turnedOver(prism.from_above), farthest);
+  below.coordinates.z = 1.0f - below.coordinates.z;
+  if (below.distance >= 0.0f && (first.distance < 0.0f || below.distance < first.distance)) first = below;
+  if (first.distance < 0.0f) return std::nullopt;
+  return first;
+}
+
+std::optional<ReliefPlace> ReliefPrisms::hit(std::size_t triangle, glm::vec3 origin, glm::vec3 direction, float nearest,
+                                             float farthest) const {
+  const Placed& prism = prisms_[triangle];
+  const glm::vec2 way = formula::wayThroughBox(prism.box, origin, direction);
+  glm::vec2 between(std::max(way.x, nearest), std::min(way.y, farthest));
+  const float step = kPassed * glm::length(prism.from_above.up);
+  for (int passed = 0; passed < kMostPassed && between.x < between.y; ++passed) {
+    const auto found = meets(prism, origin, direction, between);
+    if (!found) return std::nullopt;
+    const glm::vec2 q(found->coordinates);
+    const float height = surfaceHeight(heights_.heights, prism.from_above, q);
+    const bool is_passed = nearest > 0.0f && found->distance <= nearest + step;
+    if (!is_passed && std::abs(found->coordinates.z - height) < kOnSurface)
+      return ReliefPlace{found->distance, q, formula::placeInPrism(prism.from_above, {q, height}),
+                         upAt(prism.from_above, q), patchNormal(heights_.heights, prism.from_above, {q, height})};
+    between.x = found->distance + step;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mirrorball

@@ -55,7 +55,7 @@ Result<void> setHeights(Scene& scene, const std::string& path) {
     scene.warnings.push_back("height: " + path +
                              " has heights outside of 0 to 1; its lowest is taken as 0, its highest as 1");
   MIRRORBALL_TRY(texture, withName(path, heightTexture(std::move(of_picture.heights), MapEdges::tiled)));
-  if (!scene.meshes.empty() && hasNoTextureCoordinates(scene))
+  if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
     scene.warnings.push_back("height: the model has no texture coordinates; all of it has one height of " + path);
   scene.height_textures.push_back(std::move(texture));
   scene.files.push_back(path);

@@ -61,7 +61,7 @@ class MeshCutter {
     cut_ = base_;
     cut_.indices.clear();
     normals_.assign(base_.vertices.size(), glm::vec3(0.0f));
-    const glm::dvec2 texels = double(material.height_frequency) * glm::dvec2(mapSize(HeightSampler{heights}, 0));
+    const glm::dvec2 texels = double(material.height_frequency) * glm::dvec2(heightMapOf(heights).size);
     for (const Vertex& vertex : base_.vertices) places_.push_back((glm::dvec2(vertex.uv[0]) * texels - 0.5) / step);
   }
 
@@ -184,7 +184,7 @@ void MeshCutter::displace() {
     Vertex& vertex = cut_.vertices[i];
     const glm::vec2 place(places_[i] * step_);
     if (!isOnTexture(places_[i])) continue;
-    const float height = formula::heightAt(HeightSampler{heights_}, map, place);
+    const float height = formula::heightAt(heights_, map, place);
     vertex.position += (height - 1.0f) * material_.height_scale * vertex.normal;
     if (glm::dot(normals_[i], normals_[i]) > 0.0f) vertex.normal = glm::normalize(normals_[i]);
   }

@@ -24,20 +24,22 @@ TEST(PrepareRelief, TurnsHeightsOverWhereTheScaleIsBelowZero) {
   ASSERT_EQ(scene.height_textures.size(), 2u);
   EXPECT_EQ(scene.materials[0].height_texture, scene.materials[2].height_texture);
   for (const Material& material : scene.materials) EXPECT_EQ(material.height_scale, 0.1f);
-  const Image& over = scene.height_textures[std::size_t(scene.materials[0].height_texture)].heights();
-  const Image& upright = scene.height_textures[std::size_t(scene.materials[1].height_texture)].heights();
+  const Image& over = scene.height_textures[std::size_t(scene.materials[0].height_texture)].heights;
+  const Image& upright = scene.height_textures[std::size_t(scene.materials[1].height_texture)].heights;
   for (int x = 0; x < over.width(); ++x) EXPECT_EQ(over.texel(x, 77)[0], 1.0f - upright.texel(x, 77)[0]) << x;
   // The last level bounds all.
-  EXPECT_GT(scene.height_textures[std::size_t(scene.materials[0].height_texture)].levels.at(9, 0).texel(0, 0)[0], 0.9f);
+  const HeightTexture& texture = scene.height_textures[std::size_t(scene.materials[0].height_texture)];
+  const glm::ivec2 last = formula::placeOfLevel(heightMapOf(texture), 9);
+  EXPECT_GT(texture.picture.texel(last.x, last.y)[0], 0.9f);
 }
 
 TEST(PrepareRelief, ChangesNothingTheSecondTime) {
   Scene scene = planeOf(HeightKind::waves, -0.1f);
   ASSERT_TRUE(prepareRelief(scene, ReliefKind::exact));
-  const float height = scene.height_textures[0].heights().texel(3, 4)[0];
+  const float height = scene.height_textures[0].heights.texel(3, 4)[0];
   ASSERT_TRUE(prepareRelief(scene, ReliefKind::exact));
   EXPECT_EQ(scene.height_textures.size(), 1u);
-  EXPECT_EQ(scene.height_textures[0].heights().texel(3, 4)[0], height);
+  EXPECT_EQ(scene.height_textures[0].heights.texel(3, 4)[0], height);
 }
 
 TEST(PrepareRelief, GivesTexturesOnlyToWhatReadsThem) {

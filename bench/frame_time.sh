@@ -36,13 +36,17 @@ argumentsOf() {
     traced_curved) echo "sphere $clear --refraction traced" ;;
     traced_dispersion) echo "brilliant --material diamond --refraction traced" ;;
     traced_spectral) echo "brilliant --material diamond --refraction traced --dispersion spectral" ;;
+    # Relief, on a plane that fills most of the picture.
+    relief_*) kind=${1#relief_} && echo "plane --camera 30,45,1.5 --set height=cobbles --relief ${kind%_binary}$(
+      [ "$kind" = "${kind%_binary}" ] || echo -binary)" ;;
     *) echo "frame_time.sh: there is no technique '$1'" >&2 && exit 1 ;;
   esac
 }
 
 shift "$(($# < 4 ? $# : 4))"
 techniques=${*:-mirror rough_metal flat_look_up thin_wall single single_dispersion single_spectral image_space \
-  image_space_dispersion traced_flat_sides traced_curved traced_dispersion traced_spectral}
+  image_space_dispersion traced_flat_sides traced_curved traced_dispersion traced_spectral relief_none relief_bump \
+  relief_parallax relief_steep relief_occlusion relief_linear_binary relief_cone relief_exact relief_geometry}
 
 # A software driver needs seconds for what is traced.
 samplesOf() { case $1 in traced*) echo 2 ;; *) echo 16 ;; esac; }

@@ -18,6 +18,7 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/scene/relief/height_texture.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -185,8 +186,10 @@ Command surfaceCommand() {
   static const std::string formats = "(" + std::string(readExtensions()) + "), or - for standard input";
   addArgument(command,
               {.name = "IN",
-               .help = "the height map, or the normal map " + formats,
+               .help = "the height map, or the normal map " + formats +
+                       ", or a built-in surface: " + join(builtinHeightNames(), " "),
                .missing = "name a height map",
+               .names = builtinHeightNames,
                .takes_path = true},
               request->input);
   addOptions<SurfaceRequest>(command, kOutputOptions, *request);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "mirrorball/height_field/maximum_pyramid.h"
 #include "mirrorball/height_field/occlusion.h"
 #include "mirrorball/height_field/slopes.h"
+#include "mirrorball/scene/relief/height_texture.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -90,7 +92,25 @@ Result<MadeMap> mapOfHeights(const Image& heights, const SurfaceOptions& options
 
 }  // namespace
 
+namespace {
+
+/// A built-in surface by its name.
+std::optional<HeightKind> builtinHeightsNamed(const std::string& name) {
+  const auto names = builtinHeightNames();
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<HeightKind>(found - names.begin() + static_cast<std::ptrdiff_t>(HeightKind::orange));
+}
+
+}  // namespace
+
 Result<MadeMap> makeSurfaceMap(const std::string& input, const SurfaceOptions& options) {
+  constexpr int kBuiltinSide = 1024;
+  if (const auto kind = builtinHeightsNamed(input)) {
+    Image heights = builtinHeights(*kind, kBuiltinSide);
+    if (options.to == SurfaceMap::height) return MadeMap{ImageSet(std::move(heights)), false};
+    return withName(input, mapOfHeights(heights, options));
+  }
   MIRRORBALL_TRY(bytes, readFile(input));
   MIRRORBALL_TRY(numbers, withName(input, decodeNumbers(bytes, progressBar("reading " + shown(input)))));
   if (options.to != SurfaceMap::height) return withName(input, mapOfHeights(heightsOf(numbers, input), options));

@@ -1,6 +1,7 @@
 #include "mirrorball/scene/relief/height_texture.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -39,6 +40,12 @@ Result<void> makeCones(HeightTexture& texture) {
   MIRRORBALL_TRY(cones, coneMap(texture.heights, ConeKind::conservative, texture.edges));
   texture.cones = std::move(cones);
   return {};
+}
+
+std::span<const std::string_view> builtinHeightNames() {
+  static constexpr auto kNames =
+      std::to_array<std::string_view>({"orange", "brick", "cobbles", "weave", "hammered", "waves"});
+  return kNames;
 }
 
 HeightSize ownSize(HeightKind kind) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "formula/relief.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/height_field/height_field.h"
@@ -42,6 +45,9 @@ Result<void> makeCones(HeightTexture& texture);
 
 /// The surfaces that are functions (formula/relief/builtin_height.glsl), in its order; `map` is a picture's.
 enum class HeightKind { none, orange, brick, cobbles, weave, hammered, waves, map };
+
+/// "orange", "brick" … "waves": the names of those that are functions.
+std::span<const std::string_view> builtinHeightNames();
 
 /// How deep and how dense a surface is by itself.
 struct HeightSize {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct Mesh {
   int material = 0;                    ///< index into Scene::materials
   /// For each of Scene::variants the material that it gives the mesh; empty: none gives it another.
   std::vector<int> material_of_variant = {};
+  /// The vertices from this one on are of a relief: a model is as large, and framed, as without. 0: none is.
+  std::size_t first_of_relief = 0;
 };
 
 /// Whether not all vertices are at the same place of a texture, as they are where a file says nothing of it.

@@ -56,5 +56,73 @@ double shareThatDiffers(const Image& a, const Image& b, float steps) {
   return double(count) / (double(a.width()) * a.height());
 }
 
+/// Exact relief and the mesh that is cut along the same heights show the same, path by path.
+TEST(ExactRelief, IsTheDisplacedMeshOnAPlane) {
+  for (const View& view : {View{"plane", HeightKind::waves, 45.0f}, View{"plane", HeightKind::brick, 20.0f}}) {
+    const Image exact = tracedRelief(view, ReliefKind::exact, sideLight(), {64, 48}, 4);
+    const Image mesh = tracedRelief(view, ReliefKind::geometry, sideLight(), {64, 48}, 4);
+    EXPECT_LT(shareThatDiffers(exact, mesh, 8.0f), 0.02) << view.elevation_deg;
+    const Image flat = tracedRelief(view, ReliefKind::none, sideLight(), {64, 48}, 4);
+    EXPECT_GT(shareThatDiffers(flat, mesh, 8.0f), 0.1) << view.elevation_deg;
+  }
+}
+
+TEST(ExactRelief, IsTheDisplacedMeshOnASphere) {
+  const View view{"sphere", HeightKind::waves, 20.0f};
+  const Image exact = tracedRelief(view, ReliefKind::exact, sideLight(), {64, 48}, 4);
+  const Image mesh = tracedRelief(view, ReliefKind::geometry, sideLight(), {64, 48}, 4);
+  EXPECT_LT(shareThatDiffers(exact, mesh, 8.0f), 0.02);
+}
+
+/// A white surface in white light is white however often light goes to and fro in its joints.
+TEST(ExactRelief, IsWhiteInTheFurnace) {
+  Material material = matt(1.0f);
+  material.height = HeightKind::brick;
+  material.height_scale = 0.1f;
+  material.height_frequency = 1.0f;
+  Scene scene = shapeOf("sphere", material);
+  ASSERT_TRUE(prepareRelief(scene, ReliefKind::exact));
+  TraceSettings settings = small(16);
+  settings.bounces = 128;
+  settings.relief = ReliefKind::exact;
+  const Image image = traced(std::move(scene), lightOf(1.0f), settings);
+  expectWhite(image, 0.003, "brick");
+}
+
+/// Glass fills the relief, too: what goes in comes out of it again.
+TEST(ExactRelief, GlassIsWhiteInTheFurnace) {
+  Material material;
+  material.transmission = 1.0f;
+  material.perceptual_roughness = 0.0f;
+  material.ior = 1.5f;
+  material.attenuation_color = glm::vec3(1.0f);
+  material.height = HeightKind::waves;
+  material.height_scale = 0.05f;
+  material.height_frequency = 1.0f;
+  Scene scene = shapeOf("sphere", material);
+  ASSERT_TRUE(prepareRelief(scene, ReliefKind::exact));
+  TraceSettings settings = small(16);
+  settings.bounces = 256;
+  settings.relief = ReliefKind::exact;
+  expectWhite(traced(std::move(scene), lightOf(1.0f), settings), 0.01, "glass");
+}
+
+TEST(ExactRelief, NoneAndBumpsLeaveTheSurfaceWhereItIs) {
+  const View view{"plane", HeightKind::brick, 10.0f};
+  const Environment light = sideLight();
+  const Image none = tracedRelief(view, ReliefKind::none, light, {32, 24}, 4);
+  const Image bump = tracedRelief(view, ReliefKind::bump, light, {32, 24}, 4);
+  Material flat = matt(0.8f);
+  Scene scene = shapeOf("plane", flat);
+  const Camera camera =
+      makeCamera({.azimuth_deg = 30.0f, .elevation_deg = 10.0f, .distance = 3.0f}, boundingSphere(scene), 4.0f / 3.0f);
+  const auto tracer = PathTracer::make(std::move(scene), light);
+  ASSERT_TRUE(tracer);
+  const auto plain = tracer->render(camera, {.size = {32, 24}, .samples = 4, .bounces = 3});
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(shareThatDiffers(none, plain->radiance, 0.0f), 0.0);
+  EXPECT_GT(shareThatDiffers(bump, plain->radiance, 8.0f), 0.02);
+}
+
 }  // namespace
 }  // namespace mirrorball

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include <glm/glm.hpp>
 
@@ -8,7 +9,7 @@
 
 namespace mirrorball {
 
-/// Calls `visit` with the place of every vertex of a scene,
+/// Calls `visit` with the place of every vertex of a scene but for those of reliefs,
 /// in double precision so that huge coordinates do not overflow.
 ///
 /// to_from_world   turns places of the world into those that are visited
@@ -16,7 +17,9 @@ template <typename Visit>
 void forEachPosition(const Scene& scene, const glm::dmat4& to_from_world, Visit&& visit) {
   for (const Instance& instance : scene.instances) {
     const glm::dmat4 to_from_object = to_from_world * glm::dmat4(instance.world_from_object);
-    for (const Vertex& vertex : scene.meshes[std::size_t(instance.mesh)].vertices)
+    const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+    const std::size_t count = mesh.first_of_relief > 0 ? mesh.first_of_relief : mesh.vertices.size();
+    for (const Vertex& vertex : std::span(mesh.vertices).first(count))
       visit(glm::dvec3(to_from_object * glm::dvec4(glm::dvec3(vertex.position), 1.0)));
   }
 }

@@ -57,12 +57,14 @@ class MeshCutter {
  public:
   /// step   from line to line [texels]
   MeshCutter(const Mesh& mesh, const Material& material, const HeightTexture& heights, double step)
-      : base_(mesh), material_(material), heights_(heights), step_(step) {
+      : base_(mesh), material_(material), heights_(heights), step_(step), first_(mesh.vertices.size()) {
     cut_ = base_;
     cut_.indices.clear();
-    normals_.assign(base_.vertices.size(), glm::vec3(0.0f));
+    cut_.first_of_relief = first_;
+    cut_.vertices.insert(cut_.vertices.end(), base_.vertices.begin(), base_.vertices.end());
+    normals_.assign(cut_.vertices.size(), glm::vec3(0.0f));
     const glm::dvec2 texels = double(material.height_frequency) * glm::dvec2(heightMapOf(heights).size);
-    for (const Vertex& vertex : base_.vertices) places_.push_back((glm::dvec2(vertex.uv[0]) * texels - 0.5) / step);
+    for (const Vertex& vertex : cut_.vertices) places_.push_back((glm::dvec2(vertex.uv[0]) * texels - 0.5) / step);
   }
 
   Mesh cut() {
@@ -85,6 +87,7 @@ class MeshCutter {
   const Material& material_;
   const HeightTexture& heights_;
   double step_;
+  std::size_t first_;               // of the vertices that have triangles: those before stay where they are
   Mesh cut_;                        // until displace() where the base is, with its normals
   std::vector<glm::dvec2> places_;  // of its vertices, in steps
   std::vector<glm::vec3> normals_;  // for shading, sums over the triangles around
@@ -168,7 +171,7 @@ void MeshCutter::cutTriangle(std::size_t first) {
   Piece rest;
   bool is_on_texture = true;
   for (unsigned i = 0; i < 3; ++i) {
-    const std::uint32_t vertex = base_.indices[first + i];
+    const auto vertex = static_cast<std::uint32_t>(first_ + base_.indices[first + i]);
     rest.add({vertex, 1u << i | 1u << (i + 2) % 3});
     is_on_texture = is_on_texture && isOnTexture(places_[vertex]);
   }
@@ -180,7 +183,7 @@ void MeshCutter::cutTriangle(std::size_t first) {
 
 void MeshCutter::displace() {
   const formula::HeightMap map = heightMapOf(heights_);
-  for (std::size_t i = 0; i < cut_.vertices.size(); ++i) {
+  for (std::size_t i = first_; i < cut_.vertices.size(); ++i) {
     Vertex& vertex = cut_.vertices[i];
     const glm::vec2 place(places_[i] * step_);
     if (!isOnTexture(places_[i])) continue;

@@ -21,6 +21,9 @@ struct DisplacementSettings {
 /// both sides. Where vertices only lie at the same place, a seam of the texture or a sharp edge, gaps open as far as the
 /// heights or the normals of both sides differ.
 ///
+/// The vertices that there were stay in the list, where they are and without triangles: so a model is as large, and its
+/// camera stands where it does, as with other kinds of relief.
+///
 /// scene    is warned of meshes without texture coordinates, which stay as they are, and of triangles that are wider
 ///          than asked for
 /// errors   too_large

@@ -87,7 +87,8 @@ TEST_P(DisplacedMeshTest, PutsThePlanesVerticesOnTheSurface) {
   const HeightTexture& heights = scene.height_textures[0];
   const Mesh mesh = displaced(scene);
   const glm::vec2 texels = map.frequency * glm::vec2(map.width, map.height);
-  for (const Vertex& vertex : mesh.vertices) {
+  for (const std::uint32_t index : mesh.indices) {
+    const Vertex& vertex = mesh.vertices[index];
     const float h = formula::heightAt(heights, heightMapOf(heights), vertex.uv[0] * texels - glm::vec2(0.5f));
     ASSERT_NEAR(vertex.position.y, 0.1f * (h - 1.0f), 1e-4f) << vertex.uv[0].x << ", " << vertex.uv[0].y;
     ASSERT_NEAR(glm::length(vertex.normal), 1.0f, 1e-5f);
@@ -139,6 +140,14 @@ TEST(DisplacedMesh, ASphereStaysClosed) {
     ASSERT_LE(glm::length(vertex.position), 1.0f + 1e-5f);
     ASSERT_GE(glm::length(vertex.position), 0.87f);
   }
+}
+
+TEST(DisplacedMesh, LeavesTheModelAsLarge) {
+  Scene scene = sceneWith(planeMesh(), rough(16, 16), MapEdges::tiled);
+  const BoundingSphere before = boundingSphere(scene);
+  ASSERT_TRUE(displaceMeshes(scene));
+  EXPECT_EQ(boundingSphere(scene).center, before.center);
+  EXPECT_EQ(boundingSphere(scene).radius, before.radius);
 }
 
 TEST(DisplacedMesh, FollowsAPatchsBend) {

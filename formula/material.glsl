@@ -31,7 +31,7 @@ struct Material {
   float fresnel_power INITIALLY(5.0f);
   vec3 f82_tint INITIALLY(vec3(1.0f));          // of the form F82: what is left of Schlick's at 82 degrees
   float height_scale INITIALLY(0.01f);          // in model units: between heights of 0 and 1
-  float height_frequency INITIALLY(12.0f);      // pits of an orange a model unit; else tiles a unit of texture coordinate
+  float height_frequency INITIALLY(12.0f);      // pits of an orange a model unit; else tiles a unit of uv
   float clearcoat INITIALLY(0.0f);              // share of the surface that a clear coat of index 1.5 covers
   float clearcoat_roughness INITIALLY(0.0f);    // perceptual
   float clearcoat_normal_scale INITIALLY(1.0f); // strength of its normal map

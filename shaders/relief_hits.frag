@@ -1,5 +1,5 @@
-// What the ray of a pixel meets of the relief in a prism, exactly: the number of the prism, the place in it, and one more
-// than the number of the instance.
+// What the ray of a pixel meets of the relief in a prism, exactly: the number of the prism, the place in it, and one
+// more than the number of the instance.
 #include "height_sampler.glsl"
 #include "exact_search.glsl"
 #include "prism.glsl"

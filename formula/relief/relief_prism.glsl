@@ -1,7 +1,8 @@
 // Relief on a mesh: below each triangle stands a prism, whose edges go down along the normals of the corners, and which
 // the relief fills. Its places are (x, y) between the corners and the height h: 1 at the triangle, 0 at the bottom,
 //   place = a + x (b − a) + y (c − a) + (h − 1) n(x, y),   n(x, y) = n_a + x (n_b − n_a) + y (n_c − n_a).
-// Prisms of a smooth mesh touch without gaps (Hirche et al. 2004, "Hardware accelerated per-pixel displacement mapping").
+// Prisms of a smooth mesh touch without gaps (Hirche et al. 2004, "Hardware accelerated per-pixel displacement
+// mapping").
 // Needs: height_map, exact_search, texture_filter.
 
 struct ReliefPrism {

@@ -1,4 +1,5 @@
-// Part "lamps" (lamps_none.glsl). Here: those of a list, Phong's point lights and a model's own. Only the relief of the surface blocks them.
+// Part "lamps" (lamps_none.glsl). Here: those of a list, Phong's point lights and a model's own. Only the relief of the
+// surface blocks them.
 #include "charlie.glsl"
 #include "lamp.glsl"
 #include "ggx.glsl"

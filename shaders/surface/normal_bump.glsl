@@ -4,7 +4,8 @@
 #include "height.glsl"
 
 vec3 smoothNormal(SurfacePoint point) {
-  vec3 bent = orangeNormal(point.object_position, point.object_normal, material.height_scale, material.height_frequency);
+  vec3 bent =
+      orangeNormal(point.object_position, point.object_normal, material.height_scale, material.height_frequency);
   return normalize(normal_matrix * bent);
 }
 

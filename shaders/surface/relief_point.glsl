@@ -1,5 +1,5 @@
 // The point that a ray meets below the triangle, where a search says.
-//   float searchedDepth(ReliefRay ray, float cosine)   its depth in the relief, in [0, 1]; the ray's cosine to the normal
+//   float searchedDepth(ReliefRay ray, float cosine)   its depth in the relief, in [0, 1]; cosine to the normal
 #include "raster_point.glsl"
 #include "relief_look.glsl"
 #include "relief_search.glsl"

@@ -9,8 +9,8 @@ namespace mirrorball {
 /// Slopes as a renderer filters them: what a pixel averages away is kept as a variance.
 struct SlopeMoments {
   /// Mip levels of 4 channels: the means of ∂h/∂u and ∂h/∂v over `unit`, and the variances of both over unit² about
-  /// those means. Level 0 has no variance. Sides are halved and rounded down; the last texel of an odd side also has the
-  /// odd row or column.
+  /// those means. Level 0 has no variance. Sides are halved and rounded down; the last texel of an odd side also has
+  /// the odd row or column.
   ImageSet levels;
   float unit = 1.0f;  ///< the greatest slope, so that half floats hold the small ones well
 };

@@ -56,7 +56,8 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
 constexpr std::string_view kMapsFile = "material_maps.glsl";  // made below
 
 NormalPart normalPart(const Material& material, const FrameSettings& settings) {
-  if (material.height == HeightKind::none || settings.relief == ReliefKind::none) return NormalPart::vertex;
+  const bool is_flat = material.height == HeightKind::none || material.height_scale == 0.0f;
+  if (is_flat || settings.relief == ReliefKind::none) return NormalPart::vertex;
   return material.height_texture >= 0 ? NormalPart::heights : NormalPart::bump;
 }
 

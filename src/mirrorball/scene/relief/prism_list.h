@@ -17,8 +17,8 @@ std::vector<glm::vec3> joinedSides(const Mesh& mesh);
 
 /// The triangles of a mesh, for shaders that look for relief below them (shaders/surface/prism.glsl).
 ///
-/// returns  16 texels a triangle: for each corner position and u, normal and v, the second texture coordinates, tangent,
-///          colour; then joinedSides
+/// returns  16 texels a triangle: for each corner position and u, normal and v, the second texture coordinates,
+///          tangent, colour; then joinedSides
 /// cost     256 bytes a triangle
 std::vector<glm::uvec4> prismList(const Mesh& mesh);
 

@@ -18,8 +18,8 @@ struct DisplacementSettings {
 /// interpolated. The materials then have no heights any more.
 ///
 /// Triangles that share vertices stay without gaps: an edge is cut by where it is on the texture, the same way from
-/// both sides. Where vertices only lie at the same place, a seam of the texture or a sharp edge, gaps open as far as the
-/// heights or the normals of both sides differ.
+/// both sides. Where vertices only lie at the same place, a seam of the texture or a sharp edge, gaps open as far as
+/// the heights or the normals of both sides differ.
 ///
 /// The vertices that there were stay in the list, where they are and without triangles: so a model is as large, and its
 /// camera stands where it does, as with other kinds of relief.

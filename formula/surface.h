@@ -18,9 +18,10 @@ namespace mirrorball::formula {
 #include "formula/prefilter/sampling.glsl"
 #include "formula/surface/height.glsl"
 #include "formula/surface/texgen.glsl"
-#include "formula/surface/texture_filter.glsl"
+#include "formula/surface/texture_wrap.glsl"
 //
 #include "formula/prefilter/blur.glsl"
+#include "formula/surface/texture_filter.glsl"
 #include "formula/surface/shading.glsl"
 //
 #include "formula/surface/clear_coat.glsl"

@@ -1,5 +1,5 @@
 // A material's map of heights (scene/relief/height_texture.h).
-#include "texture_filter.glsl"
+#include "texture_wrap.glsl"
 #include "height_map.glsl"
 
 uniform highp sampler2D heights;

@@ -1,7 +1,7 @@
 // Where a straight way through the texture's space meets the surface of a height map, exactly: the maxima of ever
 // larger cells tell what it passes over (Tevs, Ihrke & Seidel 2008, "Maximum mipmaps for fast, accurate, and scalable
 // dynamic height field rendering"), and in a patch it meets a bilinear surface, which is a quadratic equation.
-// Needs: height_map, texture_filter.
+// Needs: height_map.
 
 const float kNoHit = 2.0f;  // a share of the way that is none
 const int kLongestSearch = 2048;

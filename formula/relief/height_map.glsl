@@ -2,7 +2,7 @@
 // centres of texels. The picture that holds it has the heights in x and cones in y (height_field/cone_map.h) from texel
 // (0, 0) on, and beside or below them levels of maxima (height_field/maximum_pyramid.h), each where placeOfLevel says:
 // not in mip levels, since drivers may read one level for four pixels.
-// Places on the map are counted in texels; the centre of the first one is (0, 0). Needs: texture_filter.
+// Places on the map are counted in texels; the centre of the first one is (0, 0). Needs: texture_wrap.
 
 struct HeightMap {
   vec2 size;       // texels

@@ -3,7 +3,7 @@
 //   place = a + x (b − a) + y (c − a) + (h − 1) n(x, y),   n(x, y) = n_a + x (n_b − n_a) + y (n_c − n_a).
 // Prisms of a smooth mesh touch without gaps (Hirche et al. 2004, "Hardware accelerated per-pixel displacement
 // mapping").
-// Needs: height_map, exact_search, texture_filter.
+// Needs: height_map, exact_search.
 
 struct ReliefPrism {
   vec3 a;

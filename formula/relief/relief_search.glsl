@@ -1,6 +1,6 @@
 // Where a ray that enters a relief from above meets its surface, by searches that may miss some of it: from the cheap
 // guess to many steps. All return the depth that the ray has reached: 0 at the top, 1 at the bottom.
-// Needs: height_map, texture_filter.
+// Needs: height_map.
 
 struct ReliefRay {
   vec2 from;  // where it enters, in texels
@@ -77,7 +77,7 @@ FN float coneDepth(MAP_SAMPLER heights, HeightMap map, ReliefRay ray, int steps)
     float root = heightTexel(heights, map, floor(place + vec2(0.5f))).y;
     float ratio = root * root;
     // After a step of d the ray is (clearance − d) above the cone's tip and run · d beside it.
-    depth += clearance * max(ratio / (run + ratio), 1e-3f);
+    depth += clearance * max(ratio / max(run + ratio, 1e-20f), 1e-3f);
   }
   return min(depth, 1.0f);
 }

@@ -1,24 +1,12 @@
 // How a map is read between its texels, beyond its edges and between its mip levels: what texture() does in hardware
 // (OpenGL 4.6, section 8.14), for maps that give single texels only.
-
-const int kWrapRepeat = 0;
-const int kWrapMirroredRepeat = 1;
-const int kWrapClampToEdge = 2;
+// Needs: texture_wrap.
 
 struct MapSampling {
   int wrap_s;
   int wrap_t;
   bool magnify_nearest;  // texels larger than pixels show as squares
 };
-
-// Which of `size` texels stands for one that may lie beyond the edges.
-FN float wrappedTexel(float texel, float size, int wrap) {
-  if (wrap == kWrapClampToEdge) return clamp(texel, 0.0f, size - 1.0f);
-  float period = wrap == kWrapMirroredRepeat ? 2.0f * size : size;
-  // Counted from the texel's centre: a quotient that is a whole number may come out just below it.
-  float within = texel - period * floor((texel + 0.5f) / period);
-  return wrap == kWrapMirroredRepeat ? min(within, period - 1.0f - within) : within;
-}
 
 FN vec4 wrappedFetch(MAP_SAMPLER map, vec2 texel, int level, MapSampling sampling) {
   vec2 size = vec2(mapSize(map, level));

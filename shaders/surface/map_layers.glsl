@@ -2,6 +2,7 @@
 // its layer at texel (0, 0), and its mip levels. What the hardware does for a texture with a unit of its own is done
 // here: wrapping, filtering and decoding.
 #include "color.glsl"
+#include "texture_wrap.glsl"
 
 uniform highp sampler2DArray map_layers;
 

@@ -53,7 +53,7 @@ TEST_F(ExportTest, WhatIsLeftOutIsTold) {
   const Outcome outcome = run("export showcase -o showcase.glb");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.err, HasSubstr("note: showcase.glb: materials[1] (gold): the metal's complex index"));
-  EXPECT_THAT(outcome.err, HasSubstr("(orange): bump, bump_height and bump_frequency are left out"));
+  EXPECT_THAT(outcome.err, HasSubstr("(orange): height, height_scale and height_frequency are left out"));
   EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("mirror)")));
 }
 

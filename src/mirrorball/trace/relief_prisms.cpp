@@ -68,7 +68,8 @@ Result<TwoSidedHeights> twoSided(const HeightTexture& heights) {
 }
 
 ReliefPrisms::ReliefPrisms(const Scene& scene, std::size_t instance, const TwoSidedHeights& heights)
-    : heights_(heights) {
+    : heights_(heights),
+      has_back_(materialOf(scene, instance).transmission > 0.0f || materialOf(scene, instance).double_sided) {
   const Instance& placing = scene.instances[instance];
   const Mesh& mesh = scene.meshes[std::size_t(placing.mesh)];
   const std::vector<glm::vec3> joined = joinedSides(mesh);
@@ -95,19 +96,22 @@ PrismBounds ReliefPrisms::boundsOf(std::size_t triangle) const {
   return {bounds.low - margin, bounds.high + margin};
 }
 
-/// From above or below, whichever is first; coordinates as from above.
-std::optional<formula::ReliefHit> ReliefPrisms::meets(const Placed& prism, glm::vec3 origin, glm::vec3 direction,
-                                                      glm::vec2 between) const {
+std::optional<ReliefPrisms::Meeting> ReliefPrisms::meets(const Placed& prism, glm::vec3 origin, glm::vec3 direction,
+                                                         glm::vec2 between) const {
   const auto search = [&](const HeightTexture& heights, const formula::ReliefPrism& side, float farthest) {
     return formula::hitOfPrism(heights, heightMapOf(heights), side, origin, direction, between.x, farthest);
   };
-  formula::ReliefHit first = search(heights_.heights, prism.from_above, between.y);
-  const float farthest = first.distance < 0.0f ? between.y : first.distance;
-  formula::ReliefHit below = search(heights_.depths, turnedOver(prism.from_above), farthest);
-  below.coordinates.z = 1.0f - below.coordinates.z;
-  if (below.distance >= 0.0f && (first.distance < 0.0f || below.distance < first.distance)) first = below;
-  if (first.distance < 0.0f) return std::nullopt;
-  return first;
+  const formula::ReliefHit above = search(heights_.heights, prism.from_above, between.y);
+  const bool is_met = above.distance >= 0.0f;
+  if (has_back_) {
+    const float farthest = is_met ? above.distance : between.y;
+    const formula::ReliefHit below = search(heights_.depths, turnedOver(prism.from_above), farthest);
+    const glm::vec3& q = below.coordinates;
+    if (below.distance >= 0.0f && (!is_met || below.distance < above.distance))
+      return Meeting{below.distance, {q.x, q.y, 1.0f - q.z}, false};
+  }
+  if (!is_met) return std::nullopt;
+  return Meeting{above.distance, above.coordinates, true};
 }
 
 std::optional<ReliefPlace> ReliefPrisms::hit(std::size_t triangle, glm::vec3 origin, glm::vec3 direction, float nearest,
@@ -121,10 +125,14 @@ std::optional<ReliefPlace> ReliefPrisms::hit(std::size_t triangle, glm::vec3 ori
     if (!found) return std::nullopt;
     const glm::vec2 q(found->coordinates);
     const float height = surfaceHeight(heights_.heights, prism.from_above, q);
+    const glm::vec3 normal = patchNormal(heights_.heights, prism.from_above, {q, height});
     const bool is_passed = nearest > 0.0f && found->distance <= nearest + step;
-    if (!is_passed && std::abs(found->coordinates.z - height) < kOnSurface)
+    const bool is_on_surface = std::abs(found->coordinates.z - height) < kOnSurface;
+    // Where the sides of prisms are bent, a ray that has just left the surface may seem to be below it in the next one.
+    const bool is_met = found->is_from_above == (glm::dot(direction, normal) < 0.0f);
+    if (!is_passed && is_on_surface && is_met)
       return ReliefPlace{found->distance, q, formula::placeInPrism(prism.from_above, {q, height}),
-                         upAt(prism.from_above, q), patchNormal(heights_.heights, prism.from_above, {q, height})};
+                         upAt(prism.from_above, q), normal};
     between.x = found->distance + step;
   }
   return std::nullopt;

@@ -49,7 +49,7 @@ class ReliefPrisms {
 
   PrismBounds boundsOf(std::size_t triangle) const;
 
-  /// The first place that a ray meets, from above or from below.
+  /// The first place that a ray meets: from above and, where the material is double-sided or transmits, from below.
   ///
   /// direction   unit
   /// nearest     above 0, what is as near as rounding to it is what the ray has just passed, and does not count
@@ -62,10 +62,16 @@ class ReliefPrisms {
     formula::ReliefPrism from_above;
     formula::PrismBox box;
   };
-  std::optional<formula::ReliefHit> meets(const Placed& prism, glm::vec3 origin, glm::vec3 direction,
-                                          glm::vec2 between) const;
+  struct Meeting {
+    float distance;
+    glm::vec3 coordinates;  // in the prism from above
+    bool is_from_above;
+  };
+  /// From above or below, whichever is first.
+  std::optional<Meeting> meets(const Placed& prism, glm::vec3 origin, glm::vec3 direction, glm::vec2 between) const;
 
   const TwoSidedHeights& heights_;
+  bool has_back_;
   std::vector<Placed> prisms_;
 };
 

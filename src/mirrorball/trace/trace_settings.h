@@ -38,8 +38,8 @@ struct TraceSettings {
   /// Each material has its index at this wavelength [nm], and light keeps its three channels; 0: light is of all
   /// wavelengths.
   float wavelength_nm = 0.0f;
-  /// How heights are shown, in a scene that was prepared for it (prepareRelief). All kinds that move the surface's place
-  /// are exact.
+  /// How heights are shown, in a scene that was prepared for it (prepareRelief). All kinds that move the place of the
+  /// surface are exact.
   ReliefKind relief = ReliefKind::bump;
   LightStrategy strategy = LightStrategy::both;
   glm::mat3 environment_from_world{1.0f};    ///< turns the environment

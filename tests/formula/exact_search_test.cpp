@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "formula/relief.h"
+
+namespace mirrorball::formula {
+namespace {
+
+/// A map of heights with the maxima of its patches, made the plain way.
+struct CountedHeights {
+  std::vector<ivec2> sizes;
+  std::vector<std::vector<float>> levels;
+  mutable int fetches = 0;
+};
+
+ivec2 mapSize(const CountedHeights& map, int level) { return map.sizes[static_cast<std::size_t>(level)]; }
+
+vec4 fetchMap(const CountedHeights& map, ivec2 texel, int level) {
+  ++map.fetches;
+  const auto index = static_cast<std::size_t>(level);
+  return {map.levels[index][static_cast<std::size_t>(texel.y * map.sizes[index].x + texel.x)], 0.0f, 0.0f, 0.0f};
+}
+
+/// height   of a texel
+template <typename HeightOfTexel>
+CountedHeights countedHeights(ivec2 size, int wrap, const HeightOfTexel& height) {
+  CountedHeights map{{size}, {{}}};
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) map.levels[0].push_back(height(ivec2(x, y)));
+  std::vector<float> patches;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const vec4 c = patchCorners(map, {wrap, 0}, vec2(x, y));
+      patches.push_back(std::max({c.x, c.y, c.z, c.w}));
+    }
+  for (int level = 1; std::max(size.x, size.y) >> level > 0; ++level) {
+    const ivec2 cells(std::max(size.x >> level, 1), std::max(size.y >> level, 1));
+    std::vector<float> maxima(static_cast<std::size_t>(cells.x * cells.y), 0.0f);
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        const int cell = std::min(y >> level, cells.y - 1) * cells.x + std::min(x >> level, cells.x - 1);
+        float& top = maxima[static_cast<std::size_t>(cell)];
+        top = std::max(top, patches[static_cast<std::size_t>(y * size.x + x)]);
+      }
+    map.sizes.push_back(cells);
+    map.levels.push_back(std::move(maxima));
+  }
+  return map;
+}
+
+struct SearchedMap {
+  int width, height, wrap;
+};
+
+void PrintTo(const SearchedMap& map, std::ostream* out) {
+  *out << map.width << " x " << map.height << (map.wrap == kWrapRepeat ? " tiled" : " clamped");
+}
+
+class ExactSearchTest : public ::testing::TestWithParam<SearchedMap> {
+ protected:
+  CountedHeights heights(int seed) const {
+    return countedHeights({GetParam().width, GetParam().height}, GetParam().wrap,
+                          [=](ivec2 texel) { return gridRandom(ivec3(texel, seed)).x; });
+  }
+  HeightMap form(const CountedHeights& map) const { return {GetParam().wrap, static_cast<int>(map.levels.size()) - 1}; }
+  /// A way from above the map to below it, also along its rows and straight down.
+  static void way(int i, vec2 size, vec3& from, vec3& to) {
+    const vec3 a = gridRandom(ivec3(i, 1, 7)), b = gridRandom(ivec3(i, 2, 7));
+    from = vec3((3.0f * vec2(a) - 1.0f) * size, 1.0f);
+    to = vec3((3.0f * vec2(b) - 1.0f) * size, 0.0f);
+    if (i % 5 == 0) to.y = from.y;
+    if (i % 7 == 0) to.x = from.x;
+    if (i % 11 == 0) to.z = a.z;
+  }
+};
+
+/// No step of a fine march is below the surface before the place that the search finds, and there the surface is.
+TEST_P(ExactSearchTest, FindsTheFirstPlaceThatAMarchFinds) {
+  constexpr int kWays = 60;
+  constexpr int kSteps = 4000;
+  int met = 0;
+  for (int i = 0; i < kWays; ++i) {
+    const CountedHeights map = heights(i);
+    const HeightMap form = this->form(map);
+    vec3 from, to;
+    way(i, vec2(mapSize(map, 0)), from, to);
+    const float found = exactSearch(map, form, from, to, false);
+    const auto clearance = [&](float share) {
+      const vec3 q = mix(from, to, share);
+      return q.z - heightAt(map, form, vec2(q));
+    };
+    const int last = static_cast<int>(std::floor(std::min(found, 1.0f) * static_cast<float>(kSteps)));
+    for (int step = 0; step <= last; ++step) {
+      const float share = static_cast<float>(step) / static_cast<float>(kSteps);
+      ASSERT_GT(clearance(share), -1e-4f) << "way " << i << " at " << share << ", found " << found;
+    }
+    if (found > 1.0f) continue;
+    ++met;
+    EXPECT_NEAR(clearance(found), 0.0f, 1e-4f) << "way " << i;
+  }
+  EXPECT_GT(met, kWays * 3 / 4);
+}
+
+TEST_P(ExactSearchTest, MeetsNothingFromBelowButWhereItGoesOn) {
+  const CountedHeights map = heights(3);
+  const HeightMap form = this->form(map);
+  const vec2 place = 0.3f * vec2(mapSize(map, 0));
+  const float height = heightAt(map, form, place);
+  const vec3 below(place, height - 1e-3f);
+  EXPECT_EQ(exactSearch(map, form, below, vec3(place, -1.0f), false), kNoHit);
+  EXPECT_LT(exactSearch(map, form, below, vec3(place, -1.0f), true), 1e-3f);
+  EXPECT_GT(exactSearch(map, form, vec3(place, height + 1e-3f), vec3(place, 2.0f), false), 1.0f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps, ExactSearchTest,
+                         ::testing::Values(SearchedMap{1, 1, kWrapRepeat}, SearchedMap{1, 1, kWrapClampToEdge},
+                                           SearchedMap{1, 5, kWrapRepeat}, SearchedMap{1, 5, kWrapClampToEdge},
+                                           SearchedMap{13, 7, kWrapRepeat}, SearchedMap{13, 7, kWrapClampToEdge},
+                                           SearchedMap{64, 64, kWrapRepeat}));
+
+/// What a ray into a built-in surface on the plane (side √2, its own depth and density) costs.
+TEST(ExactSearch, FetchesFewTexels) {
+  constexpr int kSide = 512;
+  constexpr int kRays = 1000;
+  struct Surface {
+    const char* name;
+    int kind;
+    float scale, frequency;
+  };
+  for (const Surface& s : {Surface{"brick", kHeightBrick, 0.03f, 2.0f}, Surface{"cobbles", kHeightCobbles, 0.08f, 3.0f},
+                           Surface{"waves", kHeightWaves, 0.04f, 2.0f}}) {
+    const CountedHeights map = countedHeights(ivec2(kSide), kWrapRepeat, [&](ivec2 texel) {
+      return builtinHeight(s.kind, (vec2(texel) + 0.5f) / float(kSide)).z;
+    });
+    const float depth = s.scale * s.frequency / std::sqrt(2.0f) * float(kSide);  // texels
+    for (const int angle_deg : {45, 75, 85}) {
+      map.fetches = 0;
+      for (int i = 0; i < kRays; ++i) {
+        const vec3 random = gridRandom(ivec3(i, 3, 9));
+        const float turn = kTwoPi * random.z;
+        const vec2 from = vec2(random) * float(kSide);
+        const vec2 run = depth * std::tan(radians(static_cast<float>(angle_deg))) * vec2(cos(turn), sin(turn));
+        EXPECT_LE(exactSearch(map, {kWrapRepeat, 9}, vec3(from, 1.0f), vec3(from + run, 0.0f), false), 1.0f);
+      }
+      const int mean = map.fetches / kRays;
+      RecordProperty(std::string(s.name) + "_" + std::to_string(angle_deg), mean);
+      EXPECT_LT(mean, 250) << s.name << " at " << angle_deg << " degrees";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball::formula

@@ -11,45 +11,43 @@
 namespace mirrorball::formula {
 namespace {
 
-/// A map of heights with the maxima of its patches, made the plain way.
+/// A map of heights with the maxima of its patches in one picture, made the plain way.
 struct CountedHeights {
-  std::vector<ivec2> sizes;
-  std::vector<std::vector<float>> levels;
+  HeightMap form;
+  int width = 0;  // of the picture
+  std::vector<float> picture = {};
   mutable int fetches = 0;
+
+  float& at(ivec2 texel) { return picture[static_cast<std::size_t>(texel.y * width + texel.x)]; }
 };
 
-ivec2 mapSize(const CountedHeights& map, int level) { return map.sizes[static_cast<std::size_t>(level)]; }
-
-vec4 fetchMap(const CountedHeights& map, ivec2 texel, int level) {
+vec4 fetchMap(const CountedHeights& map, ivec2 texel, int) {
   ++map.fetches;
-  const auto index = static_cast<std::size_t>(level);
-  return {map.levels[index][static_cast<std::size_t>(texel.y * map.sizes[index].x + texel.x)], 0.0f, 0.0f, 0.0f};
+  return {map.picture[static_cast<std::size_t>(texel.y * map.width + texel.x)], 0.0f, 0.0f, 0.0f};
 }
 
 /// height   of a texel
 template <typename HeightOfTexel>
 CountedHeights countedHeights(ivec2 size, int wrap, const HeightOfTexel& height) {
-  CountedHeights map{{size}, {{}}};
+  int last_level = 0;
+  while (std::max(size.x, size.y) >> (last_level + 1) > 0) ++last_level;
+  CountedHeights map{{vec2(size), wrap, last_level}};
+  ivec2 extent(0);
+  for (int level = 0; level <= last_level; ++level)
+    extent = glm::max(extent, placeOfLevel(map.form, level) + sizeOfLevel(map.form, level));
+  map.width = extent.x;
+  map.picture.resize(static_cast<std::size_t>(extent.x * extent.y), 0.0f);
   for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x) map.levels[0].push_back(height(ivec2(x, y)));
-  std::vector<float> patches;
+    for (int x = 0; x < size.x; ++x) map.at({x, y}) = height(ivec2(x, y));
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
-      const vec4 c = patchCorners(map, {wrap, 0}, vec2(x, y));
-      patches.push_back(std::max({c.x, c.y, c.z, c.w}));
-    }
-  for (int level = 1; std::max(size.x, size.y) >> level > 0; ++level) {
-    const ivec2 cells(std::max(size.x >> level, 1), std::max(size.y >> level, 1));
-    std::vector<float> maxima(static_cast<std::size_t>(cells.x * cells.y), 0.0f);
-    for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x) {
-        const int cell = std::min(y >> level, cells.y - 1) * cells.x + std::min(x >> level, cells.x - 1);
-        float& top = maxima[static_cast<std::size_t>(cell)];
-        top = std::max(top, patches[static_cast<std::size_t>(y * size.x + x)]);
+      const vec4 c = patchCorners(map, map.form, vec2(x, y));
+      for (int level = 1; level <= last_level; ++level) {
+        const ivec2 cell = glm::min(ivec2(x, y) >> level, sizeOfLevel(map.form, level) - 1);
+        float& top = map.at(placeOfLevel(map.form, level) + cell);
+        top = std::max({top, c.x, c.y, c.z, c.w});
       }
-    map.sizes.push_back(cells);
-    map.levels.push_back(std::move(maxima));
-  }
+    }
   return map;
 }
 
@@ -67,7 +65,6 @@ class ExactSearchTest : public ::testing::TestWithParam<SearchedMap> {
     return countedHeights({GetParam().width, GetParam().height}, GetParam().wrap,
                           [=](ivec2 texel) { return gridRandom(ivec3(texel, seed)).x; });
   }
-  HeightMap form(const CountedHeights& map) const { return {GetParam().wrap, static_cast<int>(map.levels.size()) - 1}; }
   /// A way from above the map to below it, also along its rows and straight down.
   static void way(int i, vec2 size, vec3& from, vec3& to) {
     const vec3 a = gridRandom(ivec3(i, 1, 7)), b = gridRandom(ivec3(i, 2, 7));
@@ -86,9 +83,9 @@ TEST_P(ExactSearchTest, FindsTheFirstPlaceThatAMarchFinds) {
   int met = 0;
   for (int i = 0; i < kWays; ++i) {
     const CountedHeights map = heights(i);
-    const HeightMap form = this->form(map);
+    const HeightMap form = map.form;
     vec3 from, to;
-    way(i, vec2(mapSize(map, 0)), from, to);
+    way(i, map.form.size, from, to);
     const float found = exactSearch(map, form, from, to, false);
     const auto clearance = [&](float share) {
       const vec3 q = mix(from, to, share);
@@ -108,8 +105,8 @@ TEST_P(ExactSearchTest, FindsTheFirstPlaceThatAMarchFinds) {
 
 TEST_P(ExactSearchTest, MeetsNothingFromBelowButWhereItGoesOn) {
   const CountedHeights map = heights(3);
-  const HeightMap form = this->form(map);
-  const vec2 place = 0.3f * vec2(mapSize(map, 0));
+  const HeightMap form = map.form;
+  const vec2 place = 0.3f * map.form.size;
   const float height = heightAt(map, form, place);
   const vec3 below(place, height - 1e-3f);
   EXPECT_EQ(exactSearch(map, form, below, vec3(place, -1.0f), false), kNoHit);
@@ -145,7 +142,7 @@ TEST(ExactSearch, FetchesFewTexels) {
         const float turn = kTwoPi * random.z;
         const vec2 from = vec2(random) * float(kSide);
         const vec2 run = depth * std::tan(radians(static_cast<float>(angle_deg))) * vec2(cos(turn), sin(turn));
-        EXPECT_LE(exactSearch(map, {kWrapRepeat, 9}, vec3(from, 1.0f), vec3(from + run, 0.0f), false), 1.0f);
+        EXPECT_LE(exactSearch(map, map.form, vec3(from, 1.0f), vec3(from + run, 0.0f), false), 1.0f);
       }
       const int mean = map.fetches / kRays;
       RecordProperty(std::string(s.name) + "_" + std::to_string(angle_deg), mean);

@@ -14,7 +14,7 @@ namespace mirrorball {
 /// A scene as a .glb file.
 struct EncodedScene {
   Bytes bytes;
-  /// What glTF cannot say, or only nearly, one line each: "materials[4] (orange): height and height_scale are left out".
+  /// What glTF cannot say, or only nearly, one line each: "materials[4] (orange): height is left out".
   std::vector<std::string> left_out;
 };
 

@@ -229,7 +229,8 @@ TEST(GltfWriter, WhatGltfHasNotIsToldAndApproximated) {
   scene.instances.push_back({1, sheared});
   const EncodedScene file = encoded(scene);
   EXPECT_THAT(file.left_out, ElementsAre(HasSubstr("nodes[1]: its transform has shear"), HasSubstr("complex index"),
-                                         "materials[1] (peel): height, height_scale and height_frequency are left out"));
+                                         "materials[1] (peel): height, height_scale and height_frequency are "
+                                         "left out"));
   const glm::vec3 wanted = formula::fresnelConductor(1.0f, gold.conductor_n, gold.conductor_k);
   const Scene found = decoded(file);
   const auto is_gold = [&](const Material& m) { return glm::distance(m.base_color, wanted) < 1e-6f; };

@@ -15,7 +15,7 @@ vec3 spherePoint(float u, float v) { return {std::sin(v) * std::cos(u), std::cos
 float waves(float u, float v) { return 0.01f * std::sin(5.0f * u) * std::cos(4.0f * v); }
 
 /// The normal of the displaced sphere by central differences, pointing outwards.
-vec3 displacedNormal(float u, float v) {
+vec3 trueNormal(float u, float v) {
   constexpr float kStep = 1e-3f;
   const auto point = [](float a, float b) { return spherePoint(a, b) * (1.0f + waves(a, b)); };
   const vec3 across = point(u + kStep, v) - point(u - kStep, v);
@@ -36,7 +36,7 @@ float worstCosine(const Bend& bend) {
       const float d_u = 0.05f * std::cos(5.0f * u) * std::cos(4.0f * v);
       const float d_v = -0.04f * std::sin(5.0f * u) * std::sin(4.0f * v);
       // p_u × p_v points inwards here: with the outward normal the frame is left-handed and v runs the other way.
-      worst = std::min(worst, dot(bend(-p_v, p_u, n, -d_v, d_u), displacedNormal(u, v)));
+      worst = std::min(worst, dot(bend(-p_v, p_u, n, -d_v, d_u), trueNormal(u, v)));
     }
   return worst;
 }
@@ -46,6 +46,40 @@ TEST(Tangent, PerturbedNormalIsTheDisplacedSurfaces) {
   const float worst = worstCosine(
       [](vec3 p_u, vec3 p_v, vec3 n, float d_u, float d_v) { return perturbedNormal(p_u, p_v, n, d_u, d_v); });
   EXPECT_GT(worst, std::cos(0.002f));
+}
+
+/// The greatest angle between the displaced sphere's normal and displacedNormal [rad], of waves of that height.
+///
+/// right, down   signs with which u and v are counted
+float worstBumpAngle(float height, float right, float down) {
+  float worst = 0.0f;
+  for (float u = 0.0f; u < 6.2f; u += 0.21f)
+    for (float v = 0.5f; v < 2.6f; v += 0.17f) {
+      const vec3 n = spherePoint(u, v);
+      const vec3 p_u(-std::sin(v) * std::sin(u), 0.0f, std::sin(v) * std::cos(u));
+      const vec3 p_v(std::cos(v) * std::cos(u), -std::sin(v), std::cos(v) * std::sin(u));
+      const float d = height * std::sin(5.0f * u) * std::cos(4.0f * v);
+      const float d_u = 5.0f * height * std::cos(5.0f * u) * std::cos(4.0f * v);
+      const float d_v = -4.0f * height * std::sin(5.0f * u) * std::sin(4.0f * v);
+      // (p + d n)_u with n = p
+      const vec3 across = cross(p_u * (1.0f + d) + d_u * n, p_v * (1.0f + d) + d_v * n);
+      const vec3 bent = displacedNormal(right * p_u, down * p_v, n, vec2(right * d_u, down * d_v));
+      EXPECT_LT(distance(displacedNormal(down * p_v, right * p_u, n, vec2(down * d_v, right * d_u)), bent), 1e-6f);
+      worst = std::max(worst, std::asin(length(cross(normalize(across), bent))));
+      EXPECT_GT(dot(across, bent), 0.0f);
+    }
+  return worst;
+}
+
+// However u and v run, and the more exact the lower the bumps are.
+TEST(Tangent, BumpsAreRightInAllOrientationsToTheSquareOfTheirHeight) {
+  for (const float right : {-1.0f, 1.0f})
+    for (const float down : {-1.0f, 1.0f}) {
+      const float high = worstBumpAngle(0.04f, right, down), low = worstBumpAngle(0.02f, right, down);
+      EXPECT_LT(high, 0.02f);
+      EXPECT_NEAR(high / low, 4.0f, 0.4f);
+      EXPECT_NEAR(low / worstBumpAngle(0.01f, right, down), 4.0f, 0.4f);
+    }
 }
 
 TEST(Tangent, TheSlidesSignsBendTheOtherWay) {

@@ -58,7 +58,8 @@ constexpr std::string_view kMapsFile = "material_maps.glsl";  // made below
 NormalPart normalPart(const Material& material, const FrameSettings& settings) {
   const bool is_flat = material.height == HeightKind::none || material.height_scale == 0.0f;
   if (is_flat || settings.relief == ReliefKind::none) return NormalPart::vertex;
-  return material.height_texture >= 0 ? NormalPart::heights : NormalPart::bump;
+  if (material.height_texture >= 0) return NormalPart::heights;
+  return material.height == HeightKind::orange ? NormalPart::bump : NormalPart::vertex;  // of others without a texture
 }
 
 PointPart pointPart(const Material& material, const FrameSettings& settings) {

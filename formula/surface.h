@@ -21,8 +21,8 @@ namespace mirrorball::formula {
 #include "formula/surface/texture_wrap.glsl"
 //
 #include "formula/prefilter/blur.glsl"
-#include "formula/surface/texture_filter.glsl"
 #include "formula/surface/shading.glsl"
+#include "formula/surface/texture_filter.glsl"
 //
 #include "formula/surface/clear_coat.glsl"
 #include "formula/surface/lamp_shading.glsl"

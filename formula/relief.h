@@ -27,6 +27,7 @@ namespace mirrorball::formula {
 #include "formula/relief/slope.glsl"
 //
 #include "formula/relief/exact_search.glsl"
+#include "formula/relief/horizon.glsl"
 #include "formula/relief/relief_search.glsl"
 //
 #include "formula/relief/relief_prism.glsl"

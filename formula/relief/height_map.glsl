@@ -40,6 +40,12 @@ FN float heightOfPatch(vec4 corners, vec2 part) {
   return mix(mix(corners.x, corners.y, part.x), mix(corners.z, corners.w, part.x), part.y);
 }
 
+// How it grows a texel along u and along v.
+FN vec2 slopeOfPatch(vec4 corners, vec2 part) {
+  return vec2(mix(corners.y - corners.x, corners.w - corners.z, part.y),
+              mix(corners.z - corners.x, corners.w - corners.y, part.x));
+}
+
 //   place   in texels
 FN float heightAt(MAP_SAMPLER heights, HeightMap map, vec2 place) {
   vec2 first = floor(place);

@@ -35,7 +35,7 @@ FN vec3 coordinatesInPrism(ReliefPrism p, vec3 place, vec3 guess) {
     vec3 to_h = p.up + q.x * p.up_along_x + q.y * p.up_along_y;
     vec3 x_y = cross(to_x, to_y);
     float volume = dot(x_y, to_h);
-    if (abs(volume) < 1e-30f) return q;
+    if (abs(volume) <= 1e-12f * length(to_x) * length(to_y) * length(to_h)) return q;
     // Cramer's rule.
     q += vec3(dot(cross(off, to_y), to_h), dot(cross(to_x, off), to_h), dot(x_y, off)) / volume;
   }
@@ -48,6 +48,11 @@ struct WayInPrism {
   float last;
   bool goes_on;  // it comes from another prism
 };
+
+// By so much of themselves prisms that touch overlap, and of its height a relief goes on above its top and below its
+// bottom: rays pass no gap between two prisms, and heights of exactly 1 and 0 are met.
+const float kOverlap = 1e-5f;
+const float kBeyond = 1e-3f;
 
 // Keeps that at which a number that changes evenly along the way is at least 0.
 FN WayInPrism clippedWay(WayInPrism way, float at_start, float at_end, bool is_joined) {
@@ -62,11 +67,12 @@ FN WayInPrism clippedWay(WayInPrism way, float at_start, float at_end, bool is_j
 //   goes_on    whether it comes from another prism where it begins in this one
 FN WayInPrism wayInPrism(ReliefPrism p, vec3 from, vec3 to, bool goes_on) {
   WayInPrism way = WayInPrism(0.0f, 1.0f, goes_on);
-  way = clippedWay(way, from.x, to.x, p.joined.x > 0.5f);
-  way = clippedWay(way, from.y, to.y, p.joined.y > 0.5f);
-  way = clippedWay(way, 1.0f - from.x - from.y, 1.0f - to.x - to.y, p.joined.z > 0.5f);
-  way = clippedWay(way, from.z, to.z, false);
-  return clippedWay(way, 1.0f - from.z, 1.0f - to.z, false);
+  vec3 overlap = kOverlap * p.joined;
+  way = clippedWay(way, from.x + overlap.x, to.x + overlap.x, p.joined.x > 0.5f);
+  way = clippedWay(way, from.y + overlap.y, to.y + overlap.y, p.joined.y > 0.5f);
+  way = clippedWay(way, 1.0f + overlap.z - from.x - from.y, 1.0f + overlap.z - to.x - to.y, p.joined.z > 0.5f);
+  way = clippedWay(way, from.z + kBeyond, to.z + kBeyond, false);
+  return clippedWay(way, 1.0f + kBeyond - from.z, 1.0f + kBeyond - to.z, false);
 }
 
 const float kMostPieces = 8.0f;
@@ -90,8 +96,29 @@ struct ReliefHit {
   vec3 coordinates;  // in the prism
 };
 
+const int kBentSteps = 2;
+
+// The same place on the ray itself, which is bent between the ends of a straight piece: by Newton's method.
+//   change   of the coordinates, a unit of distance
+FN ReliefHit onBentRay(MAP_SAMPLER heights, HeightMap map, ReliefPrism p, vec3 origin, vec3 direction, ReliefHit hit,
+                       vec3 change) {
+  vec2 across = change.x * p.texel_along_x + change.y * p.texel_along_y;
+  for (int i = 0; i < kBentSteps; ++i) {
+    vec3 q = coordinatesInPrism(p, origin + hit.distance * direction, hit.coordinates);
+    vec2 texel = vec2(onHeightMap(p, q));
+    vec2 first = floor(texel);
+    vec4 corners = patchCorners(heights, map, first);
+    float clearance = q.z - heightOfPatch(corners, texel - first);
+    float closing = change.z - dot(slopeOfPatch(corners, texel - first), across);
+    if (closing >= 0.0f) return hit;
+    float step = -clearance / closing;
+    hit = ReliefHit(hit.distance + step, q + step * change);
+  }
+  return hit;
+}
+
 // Where a ray meets the relief of a prism. Seen in the prism's coordinates a straight ray is bent where the normals of
-// the corners differ; it is taken as straight pieces.
+// the corners differ; it is taken as straight pieces, and what they meet is brought onto the ray.
 //   nearest, farthest   between which it may pass the prism
 FN ReliefHit hitOfPrism(MAP_SAMPLER heights, HeightMap map, ReliefPrism p, vec3 origin, vec3 direction, float nearest,
                         float farthest) {
@@ -104,13 +131,16 @@ FN ReliefHit hitOfPrism(MAP_SAMPLER heights, HeightMap map, ReliefPrism p, vec3 
     vec3 next = coordinatesInPrism(p, origin + distance * direction, last);
     WayInPrism way = wayInPrism(p, last, next, goes_on);
     if (way.first < way.last) {
-      float hit = exactSearch(heights, map, onHeightMap(p, mix(last, next, way.first)),
-                              onHeightMap(p, mix(last, next, way.last)), way.goes_on);
+      vec3 start = onHeightMap(p, mix(last, next, way.first));
+      float hit = exactSearch(heights, map, start, onHeightMap(p, mix(last, next, way.last)), way.goes_on);
       if (hit <= 1.0f) {
         float share = mix(way.first, way.last, hit);
-        return ReliefHit(mix(last_distance, distance, share), mix(last, next, share));
+        ReliefHit met = ReliefHit(mix(last_distance, distance, share), mix(last, next, share));
+        if (p.up_along_x == vec3(0.0f) && p.up_along_y == vec3(0.0f)) return met;
+        return onBentRay(heights, map, p, origin, direction, met, (next - last) / (distance - last_distance));
       }
-      goes_on = true;
+      // What was below the surface may still be just below it in the next piece.
+      goes_on = piece < pieces && (way.goes_on || start.z >= heightAt(heights, map, vec2(start)));
     }
     last = next;
     last_distance = distance;
@@ -145,8 +175,8 @@ FN PrismBox boxOfPrism(ReliefPrism p) {
     box.low = min(box.low, in_box);
     box.high = max(box.high, in_box);
   }
-  // The sides of a prism may bulge between its edges, by less than this.
-  vec3 margin = 0.02f * (box.high - box.low) + vec3(1e-6f);
+  // A place depends on each coordinate alone evenly, and so lies between the corners, but for rounding and kBeyond.
+  vec3 margin = 0.01f * (box.high - box.low) + vec3(1e-3f * length(p.up)) + 1e-6f * abs(p.a);
   box.low -= margin;
   box.high += margin;
   return box;

@@ -227,6 +227,19 @@ FN vec3 shadedByEnvironment(Surface s, vec3 reflected, vec3 refracted, vec3 irra
   return underSheen(s, light, on_cloth * (s.occlusion * s.sheen_albedo));
 }
 
+// What a surface shows of itself to itself where its relief hides the environment. It reflects the share R of what
+// arrives, of which a share is the sky's and the rest is such light again: L = e + R (share · E + (1 − share) L). What a
+// hidden place sees of the relief is higher than it is itself, and sees more of the sky: halfway to all of it.
+//   s            seenAlong the ray from the eye
+//   seen         the share of the sky that it sees itself
+//   irradiance   of the sky, divided by π
+FN vec3 lightOfRelief(Surface s, float seen, vec3 irradiance) {
+  float share = mix(seen, 1.0f, 0.5f);
+  vec3 albedo = s.reflectance.single_scattering + s.reflectance.multiple_scattering +
+                s.diffuse_albedo * (1.0f - s.material.transmission);
+  return (s.material.emission + albedo * share * irradiance) / max(vec3(1.0f) - albedo * (1.0f - share), vec3(1e-3f));
+}
+
 // Phong's point light: diffuse by Lambert, specular by the reflected ray, its lobe scaled to keep its energy.
 //   light        unit, from the surface to the light
 //   color        the radiance that a white diffuse surface facing the light shows

@@ -20,15 +20,18 @@ FN vec3 perturbedNormal(vec3 p_u, vec3 p_v, vec3 n, float d_u, float d_v) {
 }
 
 // The same for any texture coordinates: what they change of the place is taken across n, and may turn left or right.
+//   up    where a height of 1 goes: n, or where a stretched object's normals go
 //   d     how much the height grows a unit of u and of v
-FN vec3 displacedNormal(vec3 p_u, vec3 p_v, vec3 n, vec2 d) {
+FN vec3 liftedNormal(vec3 p_u, vec3 p_v, vec3 n, vec3 up, vec2 d) {
   vec3 u = p_u - n * dot(n, p_u);
   vec3 v = p_v - n * dot(n, p_v);
   float side = dot(cross(u, v), n);
   if (abs(side) <= 1e-6f * length(u) * length(v)) return n;
-  vec3 bent = perturbedNormal(u, v, n, d.x, d.y);
+  vec3 bent = perturbedNormal(u, v, up, d.x, d.y);
   return side < 0.0f ? -bent : bent;
 }
+
+FN vec3 displacedNormal(vec3 p_u, vec3 p_v, vec3 n, vec2 d) { return liftedNormal(p_u, p_v, n, n, d); }
 
 // A vertex's tangent brought into the surface, turned from there towards the bitangent.
 //   tangent     the direction of growing u; w is the bitangent's sign. 0: any direction will do

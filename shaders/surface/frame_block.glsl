@@ -1,6 +1,7 @@
 // What all surfaces of a frame share.
 layout(std140) uniform FrameBlock {
   mat4 clip_from_world;
+  mat4 world_from_clip;
   mat4 look_up_matrix;     // of the coordinates of reflected light: to a direction of the world, or to (s, t, r, q)
   mat4 picture_matrix;     // of those of base_color_map: to (s, t, r, q)
   mat4 back_faces_from_world;  // to texels of the picture of back faces, and clip space's depth

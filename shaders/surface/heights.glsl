@@ -3,16 +3,17 @@
 
 uniform highp sampler2D slopes;  // SlopeMoments of height_field/slope_moments.h
 
-// Between the deepest and the highest place: world.
-float reliefDepth(SurfacePoint point) {
-  return abs(material.height_scale) * length(mat3(world_from_object) * point.object_normal);
+// From the deepest place to the highest: world. Where an instance is stretched it is not along the normal.
+vec3 reliefUp(SurfacePoint point) {
+  return abs(material.height_scale) * (mat3(world_from_object) * point.object_normal);
 }
 
-// The mean slope that a pixel sees, (∂d/∂u, ∂d/∂v) in world units a unit of uv_0, and its variances.
+// The mean slope that a sample of a pixel sees, (∂h/∂u, ∂h/∂v) a unit of uv_0, and its variances.
 vec4 seenSlope(SurfacePoint point) {
   float tiles = material.height_frequency;
-  vec4 stored = textureGrad(slopes, point.uv_0 * tiles, point.uv_across * tiles, point.uv_down * tiles);
-  float unit = height_form.x * tiles * reliefDepth(point);
+  float part = tiles / sqrt(samples_per_pixel);
+  vec4 stored = textureGrad(slopes, point.uv_0 * tiles, point.uv_across * part, point.uv_down * part);
+  float unit = height_form.x * tiles;
   return stored * vec4(unit, unit, unit * unit, unit * unit);
 }
 

@@ -5,13 +5,14 @@
 
 vec3 smoothNormal(SurfacePoint point) {
   SurfaceChange change = surfaceChange();
-  return displacedNormal(change.along_u, change.along_v, point.normal, seenSlope(point).xy);
+  return liftedNormal(change.along_u, change.along_v, point.normal, reliefUp(point), seenSlope(point).xy);
 }
 
 // Slopes a unit of length from those a unit of texture coordinate, as if these were at right angles.
 float hiddenSlopes(SurfacePoint point) {
   SurfaceChange change = surfaceChange();
+  float depth = dot(reliefUp(point), point.normal);
   vec2 squares = vec2(dot(change.along_u, change.along_u), dot(change.along_v, change.along_v));
-  vec2 variances = seenSlope(point).zw / max(squares, vec2(1e-20));
+  vec2 variances = depth * depth * seenSlope(point).zw / max(squares, vec2(1e-20));
   return 0.5 * (variances.x + variances.y);
 }

@@ -9,6 +9,29 @@ uniform highp sampler2D relief_hits;
 vec3 relief_place;  // of the point that was found: on the map in texels, and its height
 SurfaceChange relief_change;
 
+// A way through a pixel, of any length.
+struct PixelWay {
+  vec3 from;
+  vec3 along;
+};
+
+PixelWay wayThrough(vec2 pixel) {
+  vec2 clip = 2.0 * pixel / vec2(textureSize(relief_hits, 0)) - 1.0;
+  vec4 near = world_from_clip * vec4(clip, -1.0, 1.0);
+  vec4 beyond = world_from_clip * vec4(clip, 0.0, 1.0);
+  vec3 from = near.xyz / near.w;
+  return PixelWay(from, beyond.xyz / beyond.w - from);
+}
+
+// How a place changes to the next pixel, on the plane across n. The places that those have met may be elsewhere.
+vec3 changeOnPlane(vec3 place, vec3 n, PixelWay here, PixelWay next) {
+  float closing = dot(n, here.along);
+  float least = 1e-3 * length(here.along);
+  if (abs(closing) < least) closing = closing < 0.0 ? -least : least;
+  vec3 change = next.from - here.from + dot(n, place - here.from) / closing * (next.along - here.along);
+  return change - here.along * (dot(n, change) / closing);
+}
+
 // What is interpolated over a triangle.
 //   shares   of the corners
 SurfacePoint pointOfPrism(int prism, vec3 shares, vec3 world) {
@@ -31,8 +54,11 @@ SurfacePoint pointOfPrism(int prism, vec3 shares, vec3 world) {
   }
   vec3 n = normalize(normal_matrix * normal);
   vec3 ray = orthographic > 0.5 ? camera_forward : normalize(world - camera_position);
-  vec2 uv_across = uvAlong(relief_change, n, dFdx(world));
-  vec2 uv_down = uvAlong(relief_change, n, dFdy(world));
+  PixelWay here = wayThrough(gl_FragCoord.xy);
+  vec3 across = changeOnPlane(world, n, here, wayThrough(gl_FragCoord.xy + vec2(1.0, 0.0)));
+  vec3 down = changeOnPlane(world, n, here, wayThrough(gl_FragCoord.xy + vec2(0.0, 1.0)));
+  vec2 uv_across = uvAlong(relief_change, n, across);
+  vec2 uv_down = uvAlong(relief_change, n, down);
   return SurfacePoint(world, position, n, normalize(normal), vec4(mat3(world_from_object) * tangent.xyz, side), uvs.xy,
                       uvs.zw, color, ray, uv_across, uv_down);
 }

@@ -16,9 +16,11 @@ void setDepthOf(vec3 world) {
 float lightOverRelief(SurfacePoint point, SurfaceChange change, vec3 place, vec3 towards) {
   float cosine = dot(towards, point.normal);
   if (cosine <= 0.0) return 0.0;
-  vec3 to_top = towards * (reliefDepth(point) / max(cosine, kLeastReliefCosine));
-  vec2 run = texelsAlong(change, point.normal, to_top);
   float start = max(place.z, heightAt(heights, heightMap(), place.xy)) + 1e-3;
+  if (start >= 1.0) return 1.0;
+  vec3 up = reliefUp(point);
+  vec3 to_top = towards * (dot(up, point.normal) / max(cosine, kLeastReliefCosine));
+  vec2 run = texelsAlong(change, point.normal, to_top - up);
   vec3 top = vec3(place.xy + (1.0 - start) * run, 1.0);
   return exactSearch(heights, heightMap(), vec3(place.xy, start), top, false) <= 1.0 ? 0.0 : 1.0;
 }

@@ -11,13 +11,16 @@ vec3 relief_place;  // of the point that was found: on the map in texels, and it
 SurfacePoint surfacePoint() {
   SurfacePoint point = rasterPoint();
   SurfaceChange change = rasterChange();
-  float depth = reliefDepth(point);
-  float cosine = max(abs(dot(point.ray, point.normal)), kLeastReliefCosine);
-  vec3 to_bottom = point.ray * (depth / cosine);
+  vec3 up = reliefUp(point);
+  float depth = dot(up, point.normal);
+  float cosine = -dot(point.ray, point.normal);
+  // From behind, and where there is no depth, it is the triangle.
+  bool is_searched = cosine > 0.0 && depth > 0.0;
+  vec3 to_bottom = point.ray * (depth / max(cosine, kLeastReliefCosine));
   vec2 texels = material.height_frequency * heightMapSize();
   vec2 place = placeOnMap(point.uv_0 * material.height_frequency, heightMapSize());
-  ReliefRay ray = ReliefRay(place, texelsAlong(change, point.normal, to_bottom));
-  float found = depth > 0.0 ? searchedDepth(ray, cosine) : 0.0;
+  ReliefRay ray = ReliefRay(place, texelsAlong(change, point.normal, to_bottom + up));
+  float found = is_searched ? searchedDepth(ray, max(cosine, kLeastReliefCosine)) : 0.0;
   relief_place = vec3(ray.from + found * ray.run, 1.0 - found);
   point.position += found * to_bottom;
   point.uv_0 += found * ray.run / texels;

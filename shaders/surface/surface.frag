@@ -26,6 +26,7 @@
 #include "part: look-up"
 #include "part: dispersion"
 #include "part: transmission"
+#include "part: sky"
 #include "part: lamps"
 #include "part: coat"
 #include "part: alpha"
@@ -39,8 +40,7 @@ void main() {
   vec3 normal = detailedNormal(point, smoothNormal(point));
   normal = facingNormal(seesFront() ? normal : -normal, point.ray);
   Surface s = seenAlong(surfaceAt(point, normal, color.xyz), point.ray);
-  vec3 light = shadedByEnvironment(s, reflectedLight(s, point), transmittedLight(s, point),
-                                   arrivingIrradiance(point.position, s.normal), lightOnCloth(s, point));
+  vec3 light = litByEnvironment(s, point, transmittedLight(s, point), lightOnCloth(s, point));
   setDepth(point);
   fragment = shownAs(coated(s, point, light + lightOfLamps(s, point)), color.w);
 }

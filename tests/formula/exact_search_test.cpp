@@ -103,6 +103,36 @@ TEST_P(ExactSearchTest, FindsTheFirstPlaceThatAMarchFinds) {
   EXPECT_GT(met, kWays * 3 / 4);
 }
 
+// A way that begins below is met where a march has come out above the surface and goes in again.
+TEST_P(ExactSearchTest, FromBelowItPassesTheSurfaceFirst) {
+  constexpr int kSteps = 4000;
+  int met = 0;
+  for (int i = 0; i < 60; ++i) {
+    const CountedHeights map = heights(i);
+    vec3 from, to;
+    way(i, map.form.size, from, to);
+    from.z = heightAt(map, map.form, vec2(from)) - 0.1f;
+    to.z = from.z + 0.1f;
+    const float found = exactSearch(map, map.form, from, to, false);
+    bool is_above = false;
+    float marched = kNoHit;
+    for (int step = 0; step <= kSteps && marched > 1.0f; ++step) {
+      const vec3 q = mix(from, to, static_cast<float>(step) / static_cast<float>(kSteps));
+      const float clearance = q.z - heightAt(map, map.form, vec2(q));
+      if (is_above && clearance < 0.0f) marched = static_cast<float>(step) / static_cast<float>(kSteps);
+      is_above = clearance > 0.0f;
+    }
+    // The march may step over what the search meets, but meets nothing before it.
+    EXPECT_LE(found, marched + 1e-4f) << "way " << i;
+    if (found > 1.0f) continue;
+    ++met;
+    const vec3 q = mix(from, to, found);
+    EXPECT_NEAR(q.z, heightAt(map, map.form, vec2(q)), 1e-4f) << "way " << i;
+  }
+  const bool is_even = GetParam().width == 1 && GetParam().height == 1;
+  EXPECT_TRUE(is_even ? met == 0 : met > 3) << met;
+}
+
 TEST_P(ExactSearchTest, MeetsNothingFromBelowButWhereItGoesOn) {
   const CountedHeights map = heights(3);
   const HeightMap form = map.form;
@@ -112,6 +142,19 @@ TEST_P(ExactSearchTest, MeetsNothingFromBelowButWhereItGoesOn) {
   EXPECT_EQ(exactSearch(map, form, below, vec3(place, -1.0f), false), kNoHit);
   EXPECT_LT(exactSearch(map, form, below, vec3(place, -1.0f), true), 1e-3f);
   EXPECT_GT(exactSearch(map, form, vec3(place, height + 1e-3f), vec3(place, 2.0f), false), 1.0f);
+}
+
+// Many tiles away it is as near.
+TEST_P(ExactSearchTest, FarTilesAreAsTheFirst) {
+  const CountedHeights map = countedHeights({GetParam().width, GetParam().height}, kWrapRepeat,
+                                            [](ivec2 texel) { return gridRandom(ivec3(texel, 5)).x; });
+  for (int i = 0; i < 20; ++i) {
+    vec3 from, to;
+    way(i, map.form.size, from, to);
+    const vec3 tiles(std::floor(60000.0f / map.form.size.x) * map.form.size.x, 0.0f, 0.0f);
+    const float first = exactSearch(map, map.form, from, to, false);
+    EXPECT_NEAR(exactSearch(map, map.form, from + tiles, to + tiles, false), first, 0.02f) << "way " << i;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Maps, ExactSearchTest,

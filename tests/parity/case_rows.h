@@ -13,6 +13,7 @@ namespace mirrorball::formula {
 //
 #include "parity/small_tree.glsl"
 #include "parity/test_media.glsl"
+#include "parity/test_ground.glsl"
 #include "parity/test_prism.glsl"
 #include "parity/test_surface.glsl"
 #undef FN

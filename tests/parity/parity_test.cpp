@@ -46,6 +46,7 @@ std::string fragmentShader(const Case& formula, const std::string& includes) {
       "#define WORD_SAMPLER SmallTree\n" +
       includes;
   if (formula.glsl.find("testSurface") != std::string_view::npos) text += "#include \"test_surface.glsl\"\n";
+  if (formula.glsl.find("testGround") != std::string_view::npos) text += "#include \"test_ground.glsl\"\n";
   if (formula.glsl.find("testPrism") != std::string_view::npos) text += "#include \"test_prism.glsl\"\n";
   if (formula.glsl.find("testMedia") != std::string_view::npos) text += "#include \"test_media.glsl\"\n";
   return text +

@@ -74,7 +74,7 @@ const Case kCases[] = {
 
     // exact_search
     PARITY(hitOfPatch, unit, kTight,
-           vec4(hitOfPatch(0.5f * p, vec3(q.x, q.y, 0.75f + q.z), vec3(r.x, r.y, -0.25f - r.z)))),
+           vec4(hitOfPatch(0.5f * p, vec3(q.x, q.y, 0.75f + q.z), vec3(r.x, r.y, -0.25f - r.z), true))),
     PARITY(
         heightCellAt, unit, kTight,
         vec4(heightCellAt(SmoothMap(32.0f), HeightMap(vec2(32.0f, 16.0f), kWrapRepeat, 5), 90.0f * vec2(p) - 40.3f, 3)
@@ -86,6 +86,31 @@ const Case kCases[] = {
     PARITY(exactSearch, unit, kTight,
            vec4(exactSearch(SmoothMap(32.0f), HeightMap(vec2(32.0f, 16.0f), kWrapClampToEdge, 0),
                             vec3(31.0f * p.x, 15.0f * p.y, 1.25f), vec3(31.0f * q.x, 15.0f * q.y, -0.25f), false))),
+
+    PARITY(slopeOfPatch, unit, kTight, vec4(slopeOfPatch(p, vec2(q)), 0.0f, 0.0f)),
+
+    // horizon
+    PARITY(horizonSlope, unit, kExact, vec4(horizonSlope(Horizons(p, q), int(7.9375f * r.x)))),
+    PARITY(alongAzimuth, unit, kTranscendental, vec4(alongAzimuth(testGround(p), int(7.9375f * r.x)), 0.0f)),
+    PARITY(sliceAbove, unit, kTranscendental,
+           vec4(sliceAbove(testGround(p), normalize(vec3(0.5f * q.x, 0.5f * r.y, 1.0f)), vec3(0.6f, -0.8f, 0.0f), 0.75f,
+                           4.0f * q.z - 2.0f)
+                    .direction,
+                sliceAbove(testGround(p), normalize(vec3(0.5f * q.x, 0.5f * r.y, 1.0f)), vec3(0.6f, -0.8f, 0.0f), 0.75f,
+                           4.0f * q.z - 2.0f)
+                    .share)),
+    PARITY(slicesOfSky, unit, kTranscendental,
+           vec4(slicesOfSky(testGround(p), Horizons(q, r), normalize(vec3(0.5f * q.x, 0.5f * r.y, 1.0f)),
+                            int(7.9375f * r.w))
+                    .visible.direction,
+                slicesOfSky(testGround(p), Horizons(q, r), normalize(vec3(0.5f * q.x, 0.5f * r.y, 1.0f)),
+                            int(7.9375f * r.w))
+                    .visible.share)),
+    PARITY(slopeTowards, unit, kTranscendental,
+           vec4(slopeTowards(Horizons(q, r), vec2(p) - vec2(0.43f, 0.57f), 0.5f))),
+    PARITY(lobeOverHorizons, unit, kTranscendental,
+           vec4(lobeOverHorizons(testGround(p), Horizons(q, r), vec3(0.0f, 0.0f, 1.0f), normalize(vec3(q.x - 0.43f, r.y - 0.57f, 0.25f + p.z)),
+                                 r.z))),
 
     // relief_search, over a ramp
     PARITY(depthAt, unit, kTight,
@@ -123,6 +148,11 @@ const Case kCases[] = {
            vec4(wayInPrism(testPrism(p), 1.5f * vec3(q) - 0.23f, 1.5f * vec3(r) - 0.21f, false).first)),
     PARITY(piecesOfRay, unit, kTight, vec4(piecesOfRay(testPrism(p)))),
     PARITY(onHeightMap, unit, kTight, vec4(onHeightMap(testPrism(p), vec3(q)), 0.0f)),
+    PARITY(onBentRay, unit, kTranscendental,
+           vec4(onBentRay(SmoothMap(32.0f), HeightMap(vec2(32.0f, 16.0f), kWrapClampToEdge, 0), testPrism(p),
+                          vec3(0.2f + 0.3f * q.x, 0.2f + 0.3f * q.y, 1.0f), vec3(0.0f, 0.0f, -1.0f),
+                          ReliefHit(1.25f, vec3(0.3f, 0.3f, 0.5f)), vec3(0.0f, 0.0f, -2.0f))
+                    .distance)),
     PARITY(hitOfPrism, unit, kTranscendental,
            vec4(hitOfPrism(SmoothMap(32.0f), HeightMap(vec2(32.0f, 16.0f), kWrapClampToEdge, 0), testPrism(p),
                            vec3(0.2f + 0.3f * q.x, 0.2f + 0.3f * q.y, 1.0f),

@@ -13,4 +13,7 @@ namespace mirrorball {
 /// cost     about 3 ns a texel of the source
 Image8 halved(const Image8& image, bool srgb);
 
+/// The same of numbers: any channels.
+Image halved(const Image& image);
+
 }  // namespace mirrorball

@@ -39,5 +39,15 @@ TEST(Halved, OddAndNarrowSidesRoundDown) {
   EXPECT_EQ(halved(line, true).height(), 2);
 }
 
+TEST(Halved, NumbersAreAveragedAsTheyAre) {
+  Image numbers(3, 1, 2);
+  const float values[] = {1e5f, -2.0f, 1.0f, 4.0f, 7.0f, 9.0f};
+  std::copy_n(values, 6, numbers.texel(0, 0));
+  const Image half = halved(numbers);
+  ASSERT_EQ(half.width(), 1);
+  EXPECT_EQ(half.texel(0, 0)[0], 50000.5f);
+  EXPECT_EQ(half.texel(0, 0)[1], 1.0f);
+}
+
 }  // namespace
 }  // namespace mirrorball

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <string>
 #include <utility>
 
 #include <embree3/rtcore.h>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/scene/relief/relief.h"
 #include "mirrorball/trace/relief_prisms.h"
 
 namespace mirrorball {
@@ -18,13 +20,15 @@ namespace {
 /// are kept, measured on grids of 0.18 to 8 million triangles.
 constexpr std::uint64_t kBytesPerTriangle = 130;
 
-/// With the prism itself.
-constexpr std::uint64_t kBytesPerPrism = 370;
+/// Of a triangle with relief: its prism, and what Embree takes for that.
+constexpr std::uint64_t kBytesPerPrism = 500;
 
 bool isFinite(glm::vec3 p) { return !glm::any(glm::isnan(p)) && !glm::any(glm::isinf(p)); }
 
 /// A mesh's triangles where an instance puts them.
-RTCGeometry placedMesh(RTCDevice device, const Mesh& mesh, const glm::mat4& world_from_object) {
+RTCGeometry placedMesh(RTCDevice device, const Scene& scene, std::size_t instance) {
+  const Mesh& mesh = scene.meshes[std::size_t(scene.instances[instance].mesh)];
+  const glm::mat4& world_from_object = scene.instances[instance].world_from_object;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.vertices.size()));
@@ -90,6 +94,12 @@ RTCGeometry placedPrisms(RTCDevice device, ReliefPrisms& prisms) {
   return geometry;
 }
 
+/// Takes a geometry, as that of an instance.
+void attach(RTCScene scene, std::size_t instance, RTCGeometry geometry) {
+  rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(instance));
+  rtcReleaseGeometry(geometry);
+}
+
 RTCScene newScene(RTCDevice device) {
   RTCScene scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
@@ -97,19 +107,25 @@ RTCScene newScene(RTCDevice device) {
   return scene;
 }
 
-bool hasHeights(const Scene& scene, std::size_t instance) {
-  const Material& material = materialOf(scene, instance);
-  return material.height != HeightKind::none && material.height_texture >= 0;
+bool hasRelief(const Scene& scene, std::size_t instance) {
+  return showsHeightTexture(materialOf(scene, instance), ReliefKind::exact);
 }
 
-/// What may be in memory at a time.
-std::uint64_t memoryFor(const Scene& scene) {
+/// What the triangles of all instances may take, or of those with relief, at so many bytes each.
+std::uint64_t memoryFor(const Scene& scene, std::uint64_t bytes_each, bool is_of_reliefs) {
   std::uint64_t bytes = 0;
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const std::uint64_t triangles = scene.meshes[std::size_t(scene.instances[i].mesh)].indices.size() / 3;
-    bytes += triangles * (hasHeights(scene, i) ? kBytesPerTriangle + kBytesPerPrism : kBytesPerTriangle);
-  }
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    if (!is_of_reliefs || hasRelief(scene, i))
+      bytes += scene.meshes[std::size_t(scene.instances[i].mesh)].indices.size() / 3 * bytes_each;
   return bytes;
+}
+
+Result<void> checkDevice(RTCDevice device) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_NONE) return {};
+  if (error == RTC_ERROR_OUT_OF_MEMORY) return fail(ErrorCode::too_large, "the scene's triangles: no memory for them");
+  return fail(ErrorCode::unsupported,
+              "Embree cannot sort the scene's triangles (its error " + std::to_string(error) + ")");
 }
 
 }  // namespace
@@ -117,8 +133,8 @@ std::uint64_t memoryFor(const Scene& scene) {
 struct Geometry::State {
   RTCDevice device = nullptr;
   RTCScene triangles = nullptr;
-  RTCScene reliefs =
-      nullptr;  // instances with heights by their prisms, all others by their triangles; none has heights
+  std::mutex making_reliefs;
+  RTCScene reliefs = nullptr;  // instances with relief by their prisms, all others by their triangles; null: not made
   // Both stay where they are in memory: Embree and the prisms refer to them.
   std::map<int, std::unique_ptr<TwoSidedHeights>> heights;      // of Scene::height_textures
   std::map<std::size_t, std::unique_ptr<ReliefPrisms>> prisms;  // of instances
@@ -129,41 +145,20 @@ struct Geometry::State {
     if (device) rtcReleaseDevice(device);
   }
 
-  Result<void> addPrisms(const Scene& scene);
-  void attach(const Scene& scene);
+  Result<void> makePrisms(const Scene& scene);
 };
 
-/// The prisms of all instances with heights.
-Result<void> Geometry::State::addPrisms(const Scene& scene) {
+/// The prisms of all instances with relief.
+Result<void> Geometry::State::makePrisms(const Scene& scene) {
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    if (!hasHeights(scene, i)) continue;
+    if (!hasRelief(scene, i)) continue;
     const int texture = materialOf(scene, i).height_texture;
-    if (!heights.contains(texture)) {
-      MIRRORBALL_TRY(both, twoSided(scene.height_textures[std::size_t(texture)]));
-      heights[texture] = std::make_unique<TwoSidedHeights>(std::move(both));
-    }
-    prisms[i] = std::make_unique<ReliefPrisms>(scene, i, *heights[texture]);
+    const auto [found, is_new] = heights.try_emplace(texture);
+    if (is_new) found->second = std::make_unique<TwoSidedHeights>(scene.height_textures[std::size_t(texture)]);
+    if (hasBack(materialOf(scene, i))) MIRRORBALL_TRY_VOID(found->second->makeDepths());
+    prisms[i] = std::make_unique<ReliefPrisms>(scene, i, *found->second);
   }
   return {};
-}
-
-void Geometry::State::attach(const Scene& scene) {
-  triangles = newScene(device);
-  if (!prisms.empty()) reliefs = newScene(device);
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const Instance& instance = scene.instances[i];
-    const auto number = static_cast<unsigned>(i);
-    RTCGeometry mesh = placedMesh(device, scene.meshes[std::size_t(instance.mesh)], instance.world_from_object);
-    rtcAttachGeometryByID(triangles, mesh, number);
-    if (reliefs && !prisms.contains(i)) rtcAttachGeometryByID(reliefs, mesh, number);
-    rtcReleaseGeometry(mesh);
-    if (!prisms.contains(i)) continue;
-    RTCGeometry below = placedPrisms(device, *prisms[i]);
-    rtcAttachGeometryByID(reliefs, below, number);
-    rtcReleaseGeometry(below);
-  }
-  rtcCommitScene(triangles);
-  if (reliefs) rtcCommitScene(reliefs);
 }
 
 Geometry::Geometry(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -172,18 +167,33 @@ Geometry& Geometry::operator=(Geometry&&) noexcept = default;
 Geometry::~Geometry() = default;
 
 Result<Geometry> Geometry::make(const Scene& scene) {
-  MIRRORBALL_TRY_VOID(withName("the scene's triangles", checkMemory(memoryFor(scene))));
+  MIRRORBALL_TRY_VOID(withName("the scene's triangles", checkMemory(memoryFor(scene, kBytesPerTriangle, false))));
   auto state = std::make_unique<State>();
   state->device = rtcNewDevice(nullptr);
   if (!state->device) return fail(ErrorCode::unsupported, "Embree cannot be started on this processor");
-  MIRRORBALL_TRY_VOID(state->addPrisms(scene));
-  state->attach(scene);
-  if (const RTCError error = rtcGetDeviceError(state->device); error == RTC_ERROR_OUT_OF_MEMORY)
-    return fail(ErrorCode::too_large, "the scene's triangles: no memory for them");
-  else if (error != RTC_ERROR_NONE)
-    return fail(ErrorCode::unsupported,
-                "Embree cannot sort the scene's triangles (its error " + std::to_string(error) + ")");
+  state->triangles = newScene(state->device);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    attach(state->triangles, i, placedMesh(state->device, scene, i));
+  rtcCommitScene(state->triangles);
+  MIRRORBALL_TRY_VOID(checkDevice(state->device));
   return Geometry(std::move(state));
+}
+
+Result<void> Geometry::makeReliefs(const Scene& scene) {
+  State& state = *state_;
+  const std::lock_guard lock(state.making_reliefs);
+  if (state.reliefs) return {};
+  MIRRORBALL_TRY_VOID(withName("the scene's relief", checkMemory(memoryFor(scene, kBytesPerPrism, true))));
+  MIRRORBALL_TRY_VOID(state.makePrisms(scene));
+  if (state.prisms.empty()) return {};
+  RTCScene reliefs = newScene(state.device);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    attach(
+        reliefs, i,
+        state.prisms.contains(i) ? placedPrisms(state.device, *state.prisms[i]) : placedMesh(state.device, scene, i));
+  rtcCommitScene(reliefs);
+  state.reliefs = reliefs;
+  return checkDevice(state.device);
 }
 
 std::optional<Hit> Geometry::hit(glm::vec3 origin, glm::vec3 direction, float nearest, Surfaces surfaces) const {

@@ -38,9 +38,15 @@ class Geometry {
   /// scene    positions that are not finite are left out with their triangles
   ///          instances do not mirror (Scene)
   /// errors   too_large; unsupported (Embree does not run here)
-  /// cost     0.6 µs a triangle on two cores, and at most 130 bytes; measured on grids of up to 8 million triangles;
-  ///          with heights 500 bytes
+  /// cost     0.6 µs a triangle on two cores, and at most 130 bytes; measured on grids of up to 8 million triangles
   static Result<Geometry> make(const Scene& scene);
+
+  /// Adds the reliefs, once: without it rays meet triangles in their place.
+  ///
+  /// scene    the same, which must outlive this and stay where it is
+  /// errors   as make's
+  /// cost     500 bytes a triangle with heights
+  Result<void> makeReliefs(const Scene& scene);
 
   Geometry(Geometry&&) noexcept;
   Geometry& operator=(Geometry&&) noexcept;

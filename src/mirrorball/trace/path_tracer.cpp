@@ -68,6 +68,9 @@ ImageSet cutIntoFaces(const Image& all, Projection projection, glm::ivec2 size) 
 }  // namespace
 
 struct PathTracer::State : World {
+  Result<void> makeReliefs(const TraceSettings& settings) {
+    return settings.relief == ReliefKind::exact ? geometry.makeReliefs(scene) : Result<void>();
+  }
   Result<Film> trace(const CameraRays& rays, const TraceSettings& settings, TracedPicture& picture,
                      const TraceObserver& observer) const;
   bool drawPass(const CameraRays& rays, const TraceSettings& settings, const PassRange& range, Film& pass,
@@ -171,6 +174,7 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
 
 Result<TracedPicture> PathTracer::render(const Camera& camera, const TraceSettings& settings,
                                          const TraceObserver& observer) const {
+  MIRRORBALL_TRY_VOID(state_->makeReliefs(settings));
   const formula::Media media =
       camera.orthographic ? formula::Media() : mediaAt(*state_, camera.position, settings.relief);
   TracedPicture picture;
@@ -182,6 +186,7 @@ Result<TracedPicture> PathTracer::render(const Camera& camera, const TraceSettin
 
 Result<TracedMap> PathTracer::capture(const TracedCapture& capture, TraceSettings settings,
                                       const TraceObserver& observer) const {
+  MIRRORBALL_TRY_VOID(state_->makeReliefs(settings));
   const glm::ivec2 size = imageSize(capture.projection, capture.size);
   const int faces = faceCount(capture.projection);
   settings.size = {size.x, size.y * faces};

@@ -50,7 +50,7 @@ glm::vec3 patchNormal(const HeightTexture& heights, const formula::ReliefPrism& 
   const glm::vec2 place(formula::onHeightMap(prism, q));
   const glm::vec2 first = glm::floor(place), part = place - first;
   const glm::vec4 c = formula::patchCorners(heights, heightMapOf(heights), first);
-  const glm::vec2 slope(glm::mix(c.y - c.x, c.w - c.z, part.y), glm::mix(c.z - c.x, c.w - c.y, part.x));
+  const glm::vec2 slope = formula::slopeOfPatch(c, part);
   const glm::vec3 up = upAt(prism, glm::vec2(q));
   const glm::vec3 along_x = prism.along_x + (q.z - 1.0f) * prism.up_along_x + glm::dot(slope, prism.texel_along_x) * up;
   const glm::vec3 along_y = prism.along_y + (q.z - 1.0f) * prism.up_along_y + glm::dot(slope, prism.texel_along_y) * up;
@@ -59,14 +59,17 @@ glm::vec3 patchNormal(const HeightTexture& heights, const formula::ReliefPrism& 
 
 }  // namespace
 
-Result<TwoSidedHeights> twoSided(const HeightTexture& heights) {
+bool hasBack(const Material& material) { return material.transmission > 0.0f || material.double_sided; }
+
+Result<void> TwoSidedHeights::makeDepths() {
+  if (depths) return {};
   MIRRORBALL_TRY(below, heightTexture(turnedOver(heights.heights), heights.edges));
-  return TwoSidedHeights{heights, std::move(below)};
+  depths = std::move(below);
+  return {};
 }
 
 ReliefPrisms::ReliefPrisms(const Scene& scene, std::size_t instance, const TwoSidedHeights& heights)
-    : heights_(heights),
-      has_back_(materialOf(scene, instance).transmission > 0.0f || materialOf(scene, instance).double_sided) {
+    : heights_(heights), has_back_(hasBack(materialOf(scene, instance))) {
   const Instance& placing = scene.instances[instance];
   const Mesh& mesh = scene.meshes[std::size_t(placing.mesh)];
   const std::vector<glm::vec3> joined = joinedSides(mesh);
@@ -102,7 +105,7 @@ std::optional<ReliefPrisms::Meeting> ReliefPrisms::meets(const Placed& prism, gl
   const bool is_met = above.distance >= 0.0f;
   if (has_back_) {
     const float farthest = is_met ? above.distance : between.y;
-    const formula::ReliefHit below = search(heights_.depths, turnedOver(prism.from_above), farthest);
+    const formula::ReliefHit below = search(*heights_.depths, turnedOver(prism.from_above), farthest);
     const glm::vec3& q = below.coordinates;
     if (below.distance >= 0.0f && (!is_met || below.distance < above.distance))
       return Meeting{below.distance, {q.x, q.y, 1.0f - q.z}, false};

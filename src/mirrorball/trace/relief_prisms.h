@@ -13,14 +13,21 @@
 
 namespace mirrorball {
 
+/// Whether rays meet a material's relief from below, too.
+bool hasBack(const Material& material);
+
 /// Heights that rays meet from both sides.
 struct TwoSidedHeights {
-  HeightTexture heights;
-  HeightTexture depths;  ///< 1 − heights: the same surface from below
-};
+  const HeightTexture& heights;              ///< must outlive this
+  std::optional<HeightTexture> depths = {};  ///< 1 − heights: the same surface from below
 
-/// errors   too_large
-Result<TwoSidedHeights> twoSided(const HeightTexture& heights);
+  explicit TwoSidedHeights(const HeightTexture& from_above) : heights(from_above) {}
+
+  /// Makes the depths, once.
+  ///
+  /// errors   too_large
+  Result<void> makeDepths();
+};
 
 /// A place of a relief.
 struct ReliefPlace {
@@ -42,7 +49,7 @@ struct PrismBounds {
 class ReliefPrisms {
  public:
   /// instance   an index into Scene::instances; its material has a height texture
-  /// heights    must outlive it
+  /// heights    must outlive it; with depths where the material has a back
   ReliefPrisms(const Scene& scene, std::size_t instance, const TwoSidedHeights& heights);
 
   std::size_t size() const { return prisms_.size(); }

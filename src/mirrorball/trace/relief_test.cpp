@@ -111,6 +111,42 @@ TEST(ExactRelief, GlassPassesAsMuchAsTheDisplacedMesh) {
   EXPECT_NEAR(passed[1], passed[0], 0.02f);
 }
 
+/// Heights of exactly 1 and of 0, and no depth at all, leave no holes; a surface that is seen from both sides meets no
+/// ray that has just left it.
+TEST(ExactRelief, HasNoHoles) {
+  for (const float height : {1.0f, 0.0f})
+    for (const float scale : {0.01f, 0.0f})
+      for (const bool is_double_sided : {false, true}) {
+        Material material = matt(1.0f);
+        material.height = HeightKind::map;
+        material.height_texture = 0;
+        material.height_scale = scale;
+        material.double_sided = is_double_sided;
+        Scene scene = shapeOf("sphere", material);
+        scene.height_textures = {*heightTexture(Image(16, 16, 1, height), MapEdges::tiled)};
+        ASSERT_TRUE(prepareRelief(scene, ReliefKind::exact));
+        TraceSettings settings = small(16);
+        settings.bounces = 8;
+        settings.relief = ReliefKind::exact;
+        const Image image = traced(std::move(scene), lightOf(1.0f), settings);
+        expectWhite(image, 0.003, std::to_string(height) + " of " + std::to_string(scale));
+      }
+}
+
+TEST(ExactRelief, WhiteStaysWhiteFromBothSides) {
+  Material material = matt(1.0f);
+  material.height = HeightKind::waves;
+  material.height_scale = 0.05f;
+  material.height_frequency = 1.0f;
+  material.double_sided = true;
+  Scene scene = shapeOf("sphere", material);
+  ASSERT_TRUE(prepareRelief(scene, ReliefKind::exact));
+  TraceSettings settings = small(16);
+  settings.bounces = 64;
+  settings.relief = ReliefKind::exact;
+  expectWhite(traced(std::move(scene), lightOf(1.0f), settings), 0.003, "waves");
+}
+
 TEST(ExactRelief, NoneAndBumpsLeaveTheSurfaceWhereItIs) {
   const View view{"plane", HeightKind::brick, 10.0f};
   const Environment light = sideLight();

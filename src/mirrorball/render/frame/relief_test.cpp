@@ -54,6 +54,21 @@ float shareThatDiffers(const Image& a, const Image& b) {
   return static_cast<float>(differing) / static_cast<float>(a.width() * a.height());
 }
 
+/// Pixels within an outline that are not covered or are a tenth darker.
+int holesIn(const Image& image, const Image& whole) {
+  int holes = 0;
+  for (int y = 2; y < image.height() - 2; ++y)
+    for (int x = 2; x < image.width() - 2; ++x) {
+      float covered = 1.0f;
+      for (int beside = -2; beside <= 2; ++beside)
+        covered = std::min({covered, rgbaAt(whole, x + beside, y).w, rgbaAt(whole, x, y + beside).w});
+      if (covered < 1.0f) continue;
+      const glm::vec4 here = rgbaAt(image, x, y);
+      if (here.w < 1.0f || here.y < 0.9f * rgbaAt(whole, x, y).y) ++holes;
+    }
+  return holes;
+}
+
 TEST_F(ReliefTest, EveryKindIsWhiteInTheFurnace) {
   for (const ReliefKind kind : kEveryKind)
     testing::expectFurnaceWhite(
@@ -91,6 +106,39 @@ TEST_F(ReliefTest, OnlyExactHasAnOutline) {
   EXPECT_NEAR(covered(ReliefKind::linear_binary), mesh, 1e-3f * mesh);
   EXPECT_LT(covered(ReliefKind::exact), 0.93f * mesh);
   EXPECT_NEAR(covered(ReliefKind::exact), covered(ReliefKind::geometry), 0.005f * mesh);
+}
+
+// Heights of exactly 0 and 1 are met, under a lamp, too: a relief that is all top is the mesh.
+TEST_F(ReliefTest, TopsAndBottomsHaveNoHoles) {
+  const Environment sky = *builtinEnvironment("sky");
+  const auto seen = [&](float height, ReliefKind kind) {
+    Scene scene = *loadModel("sphere");
+    EXPECT_TRUE(changeMaterials(scene, {.material = "plastic", .set = {"perceptual_roughness=0.5"}}));
+    scene.height_textures = {*heightTexture(Image(16, 16, 1, height), MapEdges::tiled)};
+    for (Material& material : scene.materials) {
+      material.height = HeightKind::map;
+      material.height_texture = 0;
+      material.height_scale = 0.001f;
+    }
+    EXPECT_TRUE(prepareRelief(scene, kind));
+    FrameSettings settings = seenFrom(30, 30, kind);
+    testing::set(settings, "light", "3,4,2,10,10,10");
+    auto renderer = testing::rendererOf(std::move(scene), sky, *testing::prepareOnce(sky));
+    return *renderer->renderRadiance(settings);
+  };
+  const Image mesh = seen(1.0f, ReliefKind::none);
+  for (const ReliefKind kind : {ReliefKind::parallax, ReliefKind::linear_binary, ReliefKind::exact})
+    for (const float height : {1.0f, 0.0f})
+      EXPECT_EQ(holesIn(seen(height, kind), mesh), 0) << static_cast<int>(kind) << ", " << height;
+}
+
+// What else a frame reads from textures stays bound while the relief is looked for.
+TEST_F(ReliefTest, ExactLeavesTheSphereMapAlone) {
+  const Environment sky = *builtinEnvironment("sky");
+  FrameSettings exact = seenFrom(30, 30, ReliefKind::exact), none = seenFrom(30, 30, ReliefKind::none);
+  exact.mapping = none.mapping = Mapping::sphere;
+  const std::vector<std::string> set = {"metallic=1", "perceptual_roughness=0", "height=waves", "height_scale=1e-6"};
+  EXPECT_LT(shareThatDiffers(radiance("sphere", set, sky, exact), radiance("sphere", set, sky, none)), 0.01f);
 }
 
 // Heights of nothing are the mesh.

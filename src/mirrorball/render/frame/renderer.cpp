@@ -313,7 +313,7 @@ Result<void> Renderer::State::makeSurfaces() {
 Result<void> Renderer::State::makePrisms() {
   if (settings.relief != ReliefKind::exact) return {};
   for (const Mesh& mesh : scene.meshes)
-    if (scene.materials[std::size_t(mesh.material)].height_texture >= 0)
+    if (showsHeightTexture(scene.materials[std::size_t(mesh.material)], settings.relief))
       MIRRORBALL_TRY_VOID(buffers.makePrisms(scene, static_cast<int>(&mesh - scene.meshes.data())));
   return {};
 }

@@ -6,18 +6,13 @@
 #include <epoxy/gl.h>
 
 #include "mirrorball/render/surface/height_map_uniform.h"
+#include "mirrorball/render/surface/surface_program.h"
 
 namespace mirrorball {
-namespace {
-
-enum Unit { heights_unit, prisms_unit };
-
-}  // namespace
-
 Result<ReliefHits> ReliefHits::make(gl::Api api) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "relief_hits.vert", "relief_hits.frag"));
-  program.set("heights", heights_unit);
-  program.set("prisms", prisms_unit);
+  program.set("heights", TextureUnit::heights);
+  program.set("prisms", TextureUnit::prisms);
   return ReliefHits(std::move(program));
 }
 
@@ -39,7 +34,7 @@ Result<void> ReliefHits::draw(const Scene& scene, const SceneBuffers& buffers, c
   program_.set("camera_forward", camera.forward);
   program_.set("orthographic", camera.orthographic ? 1.0f : 0.0f);
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
-    if (materialOf(scene, i).height_texture >= 0) drawInstance(scene, buffers, i);
+    if (showsHeightTexture(materialOf(scene, i), ReliefKind::exact)) drawInstance(scene, buffers, i);
   glCullFace(GL_BACK);
   return {};
 }
@@ -52,8 +47,8 @@ void ReliefHits::drawInstance(const Scene& scene, const SceneBuffers& buffers, s
   program_.set("tiles", material.height_frequency);
   program_.set("instance", static_cast<int>(instance));
   program_.set("height_map", heightMapUniform(scene.height_textures[std::size_t(material.height_texture)]));
-  buffers.heightsOf(scene, scene.meshes[std::size_t(mesh)].material)->heights.bind(heights_unit);
-  buffers.drawPrisms(mesh, prisms_unit);
+  buffers.heightsOf(scene, scene.meshes[std::size_t(mesh)].material)->heights.bind(TextureUnit::heights);
+  buffers.drawPrisms(mesh, TextureUnit::prisms);
 }
 
 }  // namespace mirrorball

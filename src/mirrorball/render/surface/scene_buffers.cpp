@@ -94,8 +94,8 @@ Result<std::optional<gl::Texture>> makeLayers(const Scene& scene, const Material
   return std::optional<gl::Texture>(std::move(array));
 }
 
-/// The units that are left to a material's other maps: heights take four (TextureUnit).
-int unitsOfMaps(const Material& material, int units) { return material.height_texture < 0 ? units : units - 4; }
+/// The units that are left to a material's other maps: heights take five (TextureUnit).
+int unitsOfMaps(const Material& material, int units) { return material.height_texture < 0 ? units : units - 5; }
 
 gl::Sampling::Wrap samplingWrap(MapEdges edges) {
   return edges == MapEdges::tiled ? gl::Sampling::Wrap::repeat : gl::Sampling::Wrap::clamp_to_edge;
@@ -111,6 +111,20 @@ Image withCones(const HeightTexture& texture) {
   return both;
 }
 
+gl::Sampling samplingOf(MapEdges edges) {
+  return {.filter = gl::Sampling::Filter::trilinear, .wrap_s = samplingWrap(edges), .wrap_t = samplingWrap(edges)};
+}
+
+Result<gl::Texture> makeHorizons(const ImageSet& slopes, MapEdges edges) {
+  const Image& largest = slopes.at(0, 0);
+  MIRRORBALL_TRY(array, gl::Texture::makeArray(gl::Format::rgba16f, largest.width(), largest.height(), slopes.layers(),
+                                               slopes.levels()));
+  for (int level = 0; level < slopes.levels(); ++level)
+    for (int layer = 0; layer < slopes.layers(); ++layer) array.upload(level, layer, slopes.at(level, 0, layer));
+  array.setSampling(samplingOf(edges));
+  return Result<gl::Texture>(std::move(array));
+}
+
 Result<SceneBuffers::Heights> makeHeights(const HeightTexture& texture) {
   MIRRORBALL_TRY(heights,
                  gl::Texture::fromImages(gl::Format::rgba32f,
@@ -118,10 +132,13 @@ Result<SceneBuffers::Heights> makeHeights(const HeightTexture& texture) {
   heights.setSampling({.filter = gl::Sampling::Filter::nearest});
   MIRRORBALL_TRY(moments, slopeMoments(texture.heights, texture.edges));
   MIRRORBALL_TRY(slopes, gl::Texture::fromImages(gl::Format::rgba16f, moments.levels));
-  slopes.setSampling({.filter = gl::Sampling::Filter::trilinear,
-                      .wrap_s = samplingWrap(texture.edges),
-                      .wrap_t = samplingWrap(texture.edges)});
-  return SceneBuffers::Heights{std::move(heights), std::move(slopes), moments.unit};
+  slopes.setSampling(samplingOf(texture.edges));
+  SceneBuffers::Heights made{std::move(heights), std::move(slopes), moments.unit};
+  if (!texture.horizons.slopes.empty()) {
+    MIRRORBALL_TRY(horizons, makeHorizons(texture.horizons.slopes, texture.edges));
+    made.horizons = std::move(horizons);
+  }
+  return made;
 }
 
 /// The triangles of boxes as numbers of corners, eight a box, whose bits are x, y, z: outwards counter-clockwise.
@@ -182,6 +199,7 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit) co
   if (const Heights* heights = heightsOf(scene, material)) {
     heights->heights.bind(first_unit + units_ - 2);
     heights->slopes.bind(first_unit + units_ - 1);
+    if (heights->horizons) heights->horizons->bind(first_unit + units_ - 4);
   }
 }
 

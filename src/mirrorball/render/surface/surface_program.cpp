@@ -161,6 +161,7 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
     program.set("heights", TextureUnit::heights);
     program.set("slopes", TextureUnit::slopes);
   }
+  if (variant.has(Part::sky, SkyPart::over_horizons)) program.set("horizons", TextureUnit::horizons);
   if (variant.has(Part::point, PointPart::exact)) {
     program.set("prisms", TextureUnit::prisms);
     program.set("relief_hits", TextureUnit::relief_hits);
@@ -206,7 +207,9 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
                                const FrameSettings& settings) {
   if (!frame_) frame_.emplace(layouts_[frame_point]);
   gl::UniformBlock& block = *frame_;
-  block.set("clip_from_world", frame.camera.clip_from_view * frame.camera.view_from_world);
+  const glm::mat4 clip_from_world = frame.camera.clip_from_view * frame.camera.view_from_world;
+  block.set("clip_from_world", clip_from_world);
+  block.set("world_from_clip", glm::inverse(clip_from_world));
   block.set("look_up_matrix", frame.coordinates.look_up);
   block.set("picture_matrix", frame.coordinates.picture);
   if (frame.back_faces) {
@@ -276,7 +279,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   brdf_table_.bind(TextureUnit::brdf_table);
   if (frame.bodies) frame.bodies->bind(TextureUnit::bodies);
   if (frame.back_faces) frame.back_faces->picture().bind(TextureUnit::back_faces);
-  if (frame.relief_hits) frame.relief_hits->bind(TextureUnit::relief_hits);
+  relief_hits_ = frame.relief_hits;
   return {};
 }
 
@@ -306,6 +309,7 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
   if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(mesh);
   glDisable(GL_CULL_FACE);
   buffers.bindPrisms(mesh, TextureUnit::prisms);
+  relief_hits_->bind(TextureUnit::relief_hits);  // a unit of other materials' maps
   screen_.draw(3);
 }
 

@@ -38,7 +38,8 @@ struct TextureUnit {
   static constexpr int irradiance = 5;
   static constexpr int first_of_material = 6;
   static constexpr int of_material = gl::Texture::kUnits - first_of_material;
-  static constexpr int relief_hits = gl::Texture::kUnits - 4;
+  static constexpr int relief_hits = gl::Texture::kUnits - 5;
+  static constexpr int horizons = gl::Texture::kUnits - 4;
   static constexpr int prisms = gl::Texture::kUnits - 3;
   static constexpr int heights = gl::Texture::kUnits - 2;  ///< of a material that has them
   static constexpr int slopes = gl::Texture::kUnits - 1;
@@ -120,8 +121,9 @@ class SurfacePrograms {
   gl::Texture brdf_table_;
   bool brdf_table_has_cloth_ = false;
   std::map<SurfaceVariant, gl::Program> programs_;
-  CoordinateChoice coordinates_;  ///< of the frame
-  bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
+  CoordinateChoice coordinates_;              ///< of the frame
+  bool eye_is_inside_ = false;                ///< of it: of bodies that are traced
+  const gl::Texture* relief_hits_ = nullptr;  ///< of the sample
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
   std::optional<gl::UniformBlock> frame_;
   std::map<int, gl::UniformBlock> instances_;

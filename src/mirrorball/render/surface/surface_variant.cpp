@@ -31,6 +31,7 @@ constexpr auto kDispersion = std::to_array<Names>({"dispersion_channels.glsl", "
 constexpr auto kTransmission =
     std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl",
                           "transmission_image_space.glsl", "transmission_traced.glsl"});
+constexpr auto kSky = std::to_array<Names>({"sky_open.glsl", "sky_over_horizons.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
 constexpr auto kCoat = std::to_array<Names>({"coat_none.glsl", "coat_clear.glsl", "coat_clear_mapped.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
@@ -48,6 +49,7 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
     {"look-up", kLookUp},
     {"dispersion", kDispersion},
     {"transmission", kTransmission},
+    {"sky", kSky},
     {"lamps", kLamps},
     {"coat", kCoat},
     {"alpha", kAlpha},
@@ -56,10 +58,10 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
 constexpr std::string_view kMapsFile = "material_maps.glsl";  // made below
 
 NormalPart normalPart(const Material& material, const FrameSettings& settings) {
-  const bool is_flat = material.height == HeightKind::none || material.height_scale == 0.0f;
-  if (is_flat || settings.relief == ReliefKind::none) return NormalPart::vertex;
-  if (material.height_texture >= 0) return NormalPart::heights;
-  return material.height == HeightKind::orange ? NormalPart::bump : NormalPart::vertex;  // of others without a texture
+  if (showsHeightTexture(material, settings.relief)) return NormalPart::heights;
+  const bool is_flat = material.height_scale == 0.0f || settings.relief == ReliefKind::none;
+  return material.height == HeightKind::orange && material.height_texture < 0 && !is_flat ? NormalPart::bump
+                                                                                          : NormalPart::vertex;
 }
 
 PointPart pointPart(const Material& material, const FrameSettings& settings) {
@@ -238,12 +240,12 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.maps = std::move(maps);
   if (material.alpha_mode == AlphaMode::mask) variant.choose(Part::alpha, AlphaPart::mask);
   if (material.alpha_mode == AlphaMode::blend) variant.choose(Part::alpha, AlphaPart::blend);
+  variant.choose(Part::point, pointPart(material, settings));
+  variant.choose(Part::normal, normalPart(material, settings));
   if (material.unlit) {
     variant.choose(Part::material, MaterialPart::unlit);
     return variant;
   }
-  variant.choose(Part::point, pointPart(material, settings));
-  variant.choose(Part::normal, normalPart(material, settings));
   variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
   variant.coordinates = coordinates;
   // A prism has no corners that the surface has.
@@ -254,6 +256,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   chooseLayers(variant, material);
   variant.choose(Part::dispersion, dispersionPart(material, settings));
   variant.choose(Part::transmission, transmissionPart(material, settings));
+  variant.choose(Part::sky, variant.has(Part::point, PointPart::raster) ? SkyPart::open : SkyPart::over_horizons);
   variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
   variant.lamp_count = static_cast<std::uint8_t>(lamps);
   return variant;

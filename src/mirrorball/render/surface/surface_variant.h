@@ -39,11 +39,12 @@ enum class Part {
   look_up,
   dispersion,
   transmission,
+  sky,
   lamps,
   coat,
   alpha
 };
-constexpr std::size_t kParts = 15;
+constexpr std::size_t kParts = 16;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 
 // The answers, in the order of the table.
@@ -59,6 +60,7 @@ enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
 enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched };
 enum class DispersionPart : std::uint8_t { channels, spectral };
 enum class TransmissionPart : std::uint8_t { none, single, thin, image_space, traced };
+enum class SkyPart : std::uint8_t { open, over_horizons };
 enum class LampsPart : std::uint8_t { none, listed };
 enum class CoatPart : std::uint8_t { none, clear, clear_mapped };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };

@@ -15,6 +15,7 @@ constexpr ChoiceField<Material> kFresnelField{[](const Material& material) { ret
 constexpr ChoiceField<Material> kHeightField{[](const Material& material) { return static_cast<int>(material.height); },
                                              [](Material& material, int index) {
                                                material.height = static_cast<HeightKind>(index);
+                                               material.height_texture = -1;
                                                if (material.height == HeightKind::none) return;
                                                const HeightSize own = ownSize(material.height);
                                                material.height_scale = own.scale;
@@ -210,13 +211,13 @@ const auto kParameters = std::to_array<MaterialParameter>({
      "extensions.KHR_materials_iridescence.iridescenceThicknessMaximum"},
     {{{.name = "height",
        .choices = "none|orange|brick|cobbles|weave|hammered|waves",
-       .help = "heights of the surface, below the mesh, as --relief shows them; one that has a name brings its own "
-               "height_scale and height_frequency, so set those after it"},
+       .help = "heights of the surface, below the mesh, as --relief shows them; or a picture of heights, a name with a "
+               "dot or a folder; each brings its own height_scale and height_frequency, so set those after it"},
       kHeightField}},
     {{{.name = "height_scale",
        .unit = "model units",
-       .minimum = -1,
-       .maximum = 1,
+       .minimum = -1e6,
+       .maximum = 1e6,
        .help = "height of the bumps, from the deepest to the highest; below 0 they point inwards"},
       &Material::height_scale}},
     {{{.name = "height_frequency",

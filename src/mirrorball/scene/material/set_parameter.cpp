@@ -49,6 +49,7 @@ Result<void> setHeights(Scene& scene, const std::string& path) {
   MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
   PictureHeights of_picture = heightsOfPicture(numbers);
   MIRRORBALL_TRY_VOID(withName(path, checkHeights(of_picture.heights)));
+  MIRRORBALL_TRY_VOID(withName(path, checkRange(of_picture.heights)));
   if (!of_picture.is_grey)
     scene.warnings.push_back("height: " + path + " is in colour; its red channel is taken for the heights");
   if (stretchToUnit(of_picture.heights))

@@ -47,6 +47,13 @@ Result<void> makeCones(HeightTexture& texture) {
   return {};
 }
 
+Result<void> makeHorizons(HeightTexture& texture) {
+  if (!texture.horizons.slopes.empty()) return {};
+  MIRRORBALL_TRY(horizons, horizonMap(texture.heights, texture.edges));
+  texture.horizons = std::move(horizons);
+  return {};
+}
+
 std::span<const std::string_view> builtinHeightNames() {
   static constexpr auto kNames =
       std::to_array<std::string_view>({"orange", "brick", "cobbles", "weave", "hammered", "waves"});

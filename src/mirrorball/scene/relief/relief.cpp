@@ -48,9 +48,26 @@ class SharedHeights {
   std::map<std::tuple<HeightKind, int, bool>, int> made_;
 };
 
+/// Built-in heights lie over texture coordinates, but for the orange's bumps.
+void warnOfMeshesWithoutCoordinates(Scene& scene) {
+  for (const Mesh& mesh : scene.meshes) {
+    const HeightKind height = scene.materials[std::size_t(mesh.material)].height;
+    const bool is_builtin = height != HeightKind::none && height != HeightKind::map && height != HeightKind::orange;
+    if (!is_builtin || hasTextureCoordinates(mesh)) continue;
+    scene.warnings.push_back("height: a mesh has no texture coordinates; all of it has one height");
+    return;
+  }
+}
+
 }  // namespace
 
+bool showsHeightTexture(const Material& material, ReliefKind kind) {
+  return kind != ReliefKind::none && material.height != HeightKind::none && material.height_texture >= 0 &&
+         material.height_scale != 0.0f;
+}
+
 Result<void> prepareRelief(Scene& scene, ReliefKind kind) {
+  if (kind != ReliefKind::none) warnOfMeshesWithoutCoordinates(scene);
   SharedHeights textures(scene.height_textures);
   for (Material& material : scene.materials) {
     if (!readsTexture(material, kind)) continue;
@@ -60,6 +77,8 @@ Result<void> prepareRelief(Scene& scene, ReliefKind kind) {
   }
   if (kind == ReliefKind::cone)
     for (HeightTexture& texture : scene.height_textures) MIRRORBALL_TRY_VOID(makeCones(texture));
+  if (movesSurface(kind))
+    for (HeightTexture& texture : scene.height_textures) MIRRORBALL_TRY_VOID(makeHorizons(texture));
   return kind == ReliefKind::geometry ? displaceMeshes(scene) : Result<void>();
 }
 

@@ -21,6 +21,10 @@ enum class ReliefKind {
 /// Whether a kind moves the place of the surface, within the triangles that there are.
 constexpr bool movesSurface(ReliefKind kind) { return kind >= ReliefKind::parallax && kind < ReliefKind::geometry; }
 
+/// Whether a material shows a texture of heights in a scene that is prepared for that kind, and so what lies below its
+/// triangles where movesSurface(kind).
+bool showsHeightTexture(const Material& material, ReliefKind kind);
+
 /// Gives a scene what that kind needs of it: the textures of built-in heights, and for `geometry` the triangles. A
 /// material with a texture and a height_scale below 0 gets 1 − h as its heights, and the scale above 0: so all else can
 /// take the scale as a depth.

@@ -244,7 +244,14 @@ const Case kCases[] = {
     PARITY(bilinearTexels, unit, kTight,
            bilinearTexels(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), int(3.9375f * r.x),
                           MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), false))),
-    PARITY(lodOfTexels, unit, kTranscendental, vec4(lodOfTexels(4.0f * vec2(p), 4.0f * vec2(q)), 0.0f, 0.0f, 0.0f)),
+    PARITY(mapInPixel, unit, kTranscendental,
+           mapInPixel(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), vec2(0.25f * q.x, 0.0f), vec2(0.0f, 0.5f * q.y),
+                      3.0f, MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), r.w < 0.5f), int(3.9375f * r.x))),
+
+    // filter_kind
+    PARITY(readsMipLevels, unit, kExact, vec4(readsMipLevels(int(3.9375f * p.x)) ? 1.0f : 0.0f)),
+    PARITY(readsAlong, unit, kExact, vec4(float(readsAlong(40.0f * p.x, 4.0f * q.x)))),
+    PARITY(placeOfRead, unit, kTight, vec4(placeOfRead(int(15.0f * p.x), 16))),
     PARITY(filteredMap, unit, kTight,
            filteredMap(SmoothMap(16.0f), 4.0f * vec2(p) - vec2(2.0f), max(4.0f * r.x - 1.0f, 0.0f),
                        MapSampling(int(2.9375f * r.y), int(2.9375f * r.z), r.w < 0.5f))),

@@ -39,6 +39,28 @@ gl::Sampling::Wrap samplingWrap(Wrap wrap) {
   return gl::Sampling::Wrap::clamp_to_edge;
 }
 
+/// How the driver reads a texture of a unit of its own.
+gl::Sampling samplingOf(const Texture& texture, TextureFilter filter, float anisotropy) {
+  gl::Sampling sampling{.filter = gl::Sampling::Filter::trilinear,
+                        .magnify_nearest = texture.nearest,
+                        .wrap_s = samplingWrap(texture.wrap_s),
+                        .wrap_t = samplingWrap(texture.wrap_t)};
+  switch (filter) {
+    case TextureFilter::nearest:
+      sampling.filter = gl::Sampling::Filter::nearest;
+      break;
+    case TextureFilter::bilinear:
+      sampling.filter = gl::Sampling::Filter::linear;
+      break;
+    case TextureFilter::anisotropic:
+      sampling.anisotropy = anisotropy;
+      break;
+    case TextureFilter::trilinear:
+      break;
+  }
+  return sampling;
+}
+
 /// The mip levels of a texture after the first.
 using MipLevels = std::vector<Image8>;
 
@@ -63,10 +85,7 @@ Result<gl::Texture> makeTexture(const Texture& texture, const MipLevels& levels)
   made.upload(texture.image);
   for (std::size_t level = 0; level < levels.size(); ++level)
     made.upload(static_cast<int>(level) + 1, 0, levels[level]);
-  made.setSampling({.filter = gl::Sampling::Filter::trilinear,
-                    .magnify_nearest = texture.nearest,
-                    .wrap_s = samplingWrap(texture.wrap_s),
-                    .wrap_t = samplingWrap(texture.wrap_t)});
+  made.setSampling(samplingOf(texture, TextureFilter::trilinear, 1.0f));
   return Result<gl::Texture>(std::move(made));
 }
 
@@ -168,6 +187,13 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
 const SceneBuffers::Heights* SceneBuffers::heightsOf(const Scene& scene, int material) const {
   const int texture = scene.materials[std::size_t(material)].height_texture;
   return texture < 0 ? nullptr : &heights_[std::size_t(texture)];
+}
+
+void SceneBuffers::filterMaps(const Scene& scene, TextureFilter filter, float anisotropy) {
+  if (filter == filter_) return;
+  for (std::size_t i = 0; i < textures_.size(); ++i)
+    if (textures_[i]) textures_[i]->setSampling(samplingOf(scene.textures[i], filter, anisotropy));
+  filter_ = filter;
 }
 
 void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit) const {

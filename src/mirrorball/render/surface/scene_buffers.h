@@ -6,6 +6,7 @@
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/texture.h"
+#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/surface/map_sources.h"
 #include "mirrorball/scene/scene.h"
 
@@ -38,6 +39,11 @@ class SceneBuffers {
   };
   /// Of a material; null: it has none.
   const Heights* heightsOf(const Scene& scene, int material) const;
+  /// Says how the textures that have a unit of their own are read; those in layers are filtered by the shader.
+  ///
+  /// filter       at first trilinear
+  /// anisotropy   gl::Sampling::anisotropy of TextureFilter::anisotropic
+  void filterMaps(const Scene& scene, TextureFilter filter, float anisotropy);
   /// Binds their textures to the units from `first_unit` on.
   void bindMaps(const Scene& scene, int material, int first_unit) const;
 
@@ -61,6 +67,7 @@ class SceneBuffers {
   std::vector<MaterialMaps> materials_;
   std::vector<Heights> heights_;  // of Scene::height_textures
   int units_ = 0;
+  TextureFilter filter_ = TextureFilter::trilinear;
 };
 
 }  // namespace mirrorball

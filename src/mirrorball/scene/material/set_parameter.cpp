@@ -8,20 +8,29 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/scene/material/builtin_picture.h"
 
 namespace mirrorball {
 namespace {
+
+/// A built-in picture by its name, or that of a file, which then counts as read.
+Result<Image8> pictureOf(Scene& scene, const std::string& path) {
+  const auto names = builtinPictureNames();
+  if (std::ranges::find(names, path) != names.end()) return builtinPicture(path);
+  MIRRORBALL_TRY(bytes, readRegularFile(path));
+  MIRRORBALL_TRY(image, withName(path, decodeTexture(bytes)));
+  scene.files.push_back(path);
+  return image;
+}
 
 Result<void> setMap(Scene& scene, const MaterialMap& map, const std::string& path) {
   const std::string name(map.name);
   if (path.empty())
     return fail(ErrorCode::usage, "the material parameter " + name + " needs a picture: " + name + "=FILE");
-  MIRRORBALL_TRY(bytes, readRegularFile(path));
-  MIRRORBALL_TRY(image, withName(path, decodeTexture(bytes)));
+  MIRRORBALL_TRY(image, pictureOf(scene, path));
   if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
     scene.warnings.push_back(name + ": the model has no texture coordinates; all of it shows one texel of " + path);
   scene.textures.push_back({.image = std::move(image), .srgb = map.srgb});
-  scene.files.push_back(path);
   for (Material& material : scene.materials)
     material.*map.slot = {.texture = static_cast<int>(scene.textures.size()) - 1};
   return {};

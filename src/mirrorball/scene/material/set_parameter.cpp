@@ -1,6 +1,7 @@
 #include "mirrorball/scene/material/set_parameter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,6 +79,43 @@ Result<void> setHeights(Scene& scene, const std::string& path) {
   return {};
 }
 
+/// Steeper ones than 89.99° are none that a picture shows, and their squares would not fit into half floats.
+constexpr float kSteepest = 1e4f;
+
+/// Slopes as they are meant, of a picture's numbers.
+///
+/// errors   bad_shape; non_finite (the first bad texel is named)
+Result<Image> slopesOf(Image numbers, bool is_encoded) {
+  if (numbers.channels() < 3)
+    return fail(ErrorCode::bad_shape,
+                "is grey, where a map of slopes has red and blue; `surface --to derivative` makes one of heights");
+  Image slopes(numbers.width(), numbers.height(), 3);
+  for (int y = 0; y < slopes.height(); ++y)
+    for (int x = 0; x < slopes.width(); ++x)
+      for (int channel = 0; channel < 3; channel += 2) {
+        const float number = numbers.texel(x, y)[channel];
+        if (!std::isfinite(number))
+          return fail(ErrorCode::non_finite,
+                      "the slope at (" + std::to_string(x) + ", " + std::to_string(y) + ") is no number");
+        slopes.texel(x, y)[channel] = std::clamp(is_encoded ? 2.0f * number - 1.0f : number, -kSteepest, kSteepest);
+      }
+  return slopes;
+}
+
+Result<void> setSlopes(Scene& scene, const std::string& path) {
+  if (path.empty())
+    return fail(ErrorCode::usage, "the material parameter derivative_map needs a picture: derivative_map=FILE");
+  MIRRORBALL_TRY(bytes, readRegularFile(path));
+  MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
+  MIRRORBALL_TRY(slopes, withName(path, slopesOf(std::move(numbers), holdsCodes(bytes))));
+  if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
+    scene.warnings.push_back("derivative_map: the model has no texture coordinates, along which slopes are told");
+  scene.slope_textures.push_back(std::move(slopes));
+  scene.files.push_back(path);
+  for (Material& material : scene.materials) material.slope_texture = static_cast<int>(scene.slope_textures.size()) - 1;
+  return {};
+}
+
 }  // namespace
 
 Result<void> setParameter(Scene& scene, std::string_view assignment) {
@@ -89,6 +127,7 @@ Result<void> setParameter(Scene& scene, std::string_view assignment) {
                   std::string(assignment.substr(std::min(equals + 1, assignment.size()))));
   const std::string_view value = assignment.substr(std::min(equals + 1, assignment.size()));
   if (isFileOfHeights(scene, assignment.substr(0, equals), value)) return setHeights(scene, std::string(value));
+  if (assignment.substr(0, equals) == "derivative_map") return setSlopes(scene, std::string(value));
   for (Material& material : scene.materials) MIRRORBALL_TRY_VOID(setParameter(material, assignment));
   return {};
 }

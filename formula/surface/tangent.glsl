@@ -30,8 +30,8 @@ FN vec3 displacedNormal(vec3 p_u, vec3 p_v, vec3 n, vec2 d) {
   return side < 0.0f ? -bent : bent;
 }
 
-// The normal of a surface whose slopes a map of them tells: along the surface, in the directions of p_u and p_v whatever
-// their lengths, so that a slope of 1 rises by 45° however large the map lies there. No tangents are needed (Mikkelsen
+// The normal of a surface whose slopes a map of them tells: along the surface, in the directions of p_u and p_v however
+// long, so that a slope of 1 rises by 45° at any size of the map on the surface. No tangents are needed (Mikkelsen
 // 2010, "Bump mapping unparametrized surfaces on the GPU"), and where p_u and p_v are at right angles it is the normal
 // of a normal map that holds (−slope.x, slope.y, 1).
 //   slope   (∂d/∂u, ∂d/∂v), both in lengths of the surface

@@ -161,7 +161,7 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
     program.set("heights", TextureUnit::heights);
     program.set("slopes", TextureUnit::slopes);
   }
-  if (variant.has(Part::normal, NormalPart::slopes)) program.set("slopes", TextureUnit::slopes);
+  if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_map", TextureUnit::slopes);
   if (variant.has(Part::point, PointPart::exact)) {
     program.set("prisms", TextureUnit::prisms);
     program.set("relief_hits", TextureUnit::relief_hits);

@@ -1,6 +1,7 @@
 #include "mirrorball/scene/material/set_parameter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -79,6 +80,8 @@ Result<void> setHeights(Scene& scene, const std::string& path) {
   return {};
 }
 
+constexpr std::array<std::string_view, 1> kSlopesName{"derivative_map"};
+
 /// Steeper ones than 89.99° are none that a picture shows, and their squares would not fit into half floats.
 constexpr float kSteepest = 1e4f;
 
@@ -127,7 +130,7 @@ Result<void> setParameter(Scene& scene, std::string_view assignment) {
                   std::string(assignment.substr(std::min(equals + 1, assignment.size()))));
   const std::string_view value = assignment.substr(std::min(equals + 1, assignment.size()));
   if (isFileOfHeights(scene, assignment.substr(0, equals), value)) return setHeights(scene, std::string(value));
-  if (assignment.substr(0, equals) == "derivative_map") return setSlopes(scene, std::string(value));
+  if (indexOfName(assignment.substr(0, equals), kSlopesName)) return setSlopes(scene, std::string(value));
   for (Material& material : scene.materials) MIRRORBALL_TRY_VOID(setParameter(material, assignment));
   return {};
 }

@@ -52,7 +52,7 @@ TEST(SetParameter, ADerivativeMapIsSignedOrEncoded) {
   ASSERT_TRUE(setParameter(scene, "derivative_map=" + slopeFile({-2.0f, 0.0f, 0.5f})));
   EXPECT_EQ(scene.materials[0].slope_texture, 0);
   EXPECT_EQ(rgbAt(scene.slope_textures.at(0), 0, 0), glm::vec3(-2.0f, 0.0f, 0.5f));
-  ASSERT_TRUE(setParameter(scene, "derivative_map=" + onePixel()));  // of 255, 100, 255
+  ASSERT_TRUE(setParameter(scene, "Derivative-Map=" + onePixel()));  // of 255, 100, 255
   EXPECT_EQ(scene.materials[0].slope_texture, 1);
   EXPECT_EQ(rgbAt(scene.slope_textures.at(1), 0, 0), glm::vec3(1.0f, 0.0f, 1.0f));
   ASSERT_TRUE(setParameter(scene, "derivative_map=" + slopeFile({1e30f, 7.0f, -1e30f})));

@@ -23,9 +23,9 @@ constexpr ChoiceField<Material> kHeightField{[](const Material& material) { retu
 
 /// Its picture is loaded into a scene, by setParameter of set_parameter.h.
 constexpr ParsedField<Material> kDerivativeField{
-    [](const Material& material) { return std::string(material.slope_texture < 0 ? "" : "a picture"); },
+    [](const Material& material) { return std::string(material.slope_texture < 0 ? "none" : "a picture"); },
     [](const OptionText& text, std::string_view picture, Material& material) -> Result<void> {
-      if (picture.empty()) {
+      if (picture == "none") {
         material.slope_texture = -1;
         return {};
       }
@@ -254,7 +254,7 @@ const auto kParameters = std::to_array<MaterialParameter>({
                "axes, with which it may not bend or repeat; heights and slopes do not show under the latter"},
       choiceField<&Material::normal_space>}},
     {{{.name = "derivative_map",
-       .value = "FILE",
+       .value = "none|FILE",
        .help = "picture of slopes (∂d/∂u, 0, ∂d/∂v) along the surface, as `surface --to derivative` makes it: signed "
                "floats, or integers that stand for ½ + ½ slope; needs no tangents, and shows where heights do not"},
       kDerivativeField}},

@@ -130,7 +130,8 @@ Result<void> setParameter(Scene& scene, std::string_view assignment) {
                   std::string(assignment.substr(std::min(equals + 1, assignment.size()))));
   const std::string_view value = assignment.substr(std::min(equals + 1, assignment.size()));
   if (isFileOfHeights(scene, assignment.substr(0, equals), value)) return setHeights(scene, std::string(value));
-  if (indexOfName(assignment.substr(0, equals), kSlopesName)) return setSlopes(scene, std::string(value));
+  if (indexOfName(assignment.substr(0, equals), kSlopesName) && value != "none")
+    return setSlopes(scene, std::string(value));
   for (Material& material : scene.materials) MIRRORBALL_TRY_VOID(setParameter(material, assignment));
   return {};
 }

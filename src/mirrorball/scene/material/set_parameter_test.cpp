@@ -58,6 +58,8 @@ TEST(SetParameter, ADerivativeMapIsSignedOrEncoded) {
   ASSERT_TRUE(setParameter(scene, "derivative_map=" + slopeFile({1e30f, 7.0f, -1e30f})));
   EXPECT_EQ(rgbAt(scene.slope_textures.at(2), 0, 0), glm::vec3(1e4f, 0.0f, -1e4f)) << "as steep as pictures show";
   EXPECT_EQ(scene.files.size(), 3u);
+  ASSERT_TRUE(setParameter(scene, "derivative_map=none"));
+  EXPECT_EQ(scene.materials[0].slope_texture, -1);
   EXPECT_TRUE(scene.warnings.empty());
 }
 

@@ -70,19 +70,23 @@ double rootMeanSquare(const std::vector<double>& values) {
 
 struct Quality {
   double error;    ///< RMSE over all frames
-  double shimmer;  ///< RMS of what a pixel changes to the next frame beyond what it should
+  double shimmer;  ///< RMS of how much more a pixel changes to the next frame than it should
 };
+
+/// How much a sample changes from the frame before.
+double changeOf(const std::vector<Image>& frames, std::size_t frame, std::size_t sample) {
+  return std::abs(double(frames[frame].samples()[sample]) - double(frames[frame - 1].samples()[sample]));
+}
 
 Quality qualityOf(const std::vector<Image>& frames, const std::vector<Image>& truth) {
   std::vector<double> errors;
-  std::vector<double> changes;
+  std::vector<double> excess;
   for (std::size_t frame = 0; frame < frames.size(); ++frame)
     for (std::size_t i = 0; i < frames[frame].samples().size(); ++i) {
-      const auto errorOf = [&](std::size_t of) { return double(frames[of].samples()[i] - truth[of].samples()[i]); };
-      errors.push_back(errorOf(frame));
-      if (frame > 0) changes.push_back(errorOf(frame) - errorOf(frame - 1));
+      errors.push_back(double(frames[frame].samples()[i]) - double(truth[frame].samples()[i]));
+      if (frame > 0) excess.push_back(std::max(changeOf(frames, frame, i) - changeOf(truth, frame, i), 0.0));
     }
-  return {rootMeanSquare(errors), rootMeanSquare(changes)};
+  return {rootMeanSquare(errors), rootMeanSquare(excess)};
 }
 
 /// The fastest of some frames with one sample a pixel, with what reads it back [ms].

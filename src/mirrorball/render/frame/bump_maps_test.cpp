@@ -31,14 +31,13 @@ glm::vec3 mirrored(glm::vec3 n) { return (1.0f + glm::reflect(glm::vec3(0, 0, -1
 class BumpMapsTest : public gl::GlTest {
  protected:
   /// Of a scene that fills the picture, seen from +Z in parallel projection.
-  static Image drawn(Scene scene, FrameSettings settings = {}) {
+  static Image drawn(Scene scene, FrameSettings settings = {}, const Environment& environment = compass()) {
     settings.size = kSize_px;
     settings.samples = 1;
     settings.background = BackgroundKind::transparent;
     testing::aim(settings, 0.0f, 0.0f);
     settings.camera.target = glm::vec3(0.0f);
     settings.camera.orthographic_height = 1.0f / boundingSphere(scene).radius;
-    const Environment environment = compass();
     auto renderer = testing::rendererOf(std::move(scene), environment, *testing::prepareOnce(environment));
     EXPECT_TRUE(renderer);
     auto image = renderer->renderRadiance(settings);
@@ -134,6 +133,14 @@ TEST_P(BumpMapsTest, AnObjectSpaceMapTurnsWithItsInstance) {
   // Twice as wide: a normal leans half as far.
   const glm::mat4 wide = glm::scale(still, glm::vec3(2.0f, 1.0f, 1.0f));
   expectNear(shown(wide, 1.0f), mirrored(glm::normalize(glm::vec3(0.3f, 0.0f, 0.8f))));
+}
+
+TEST_P(BumpMapsTest, HillsOfEveryFormAreWhiteInTheFurnace) {
+  const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 8);
+  Material metal = mirror();
+  metal.perceptual_roughness = 0.4f;
+  for (const BumpForm form : testing::kEveryBumpForm)
+    testing::expectFurnaceWhite(drawn(testing::bumpyPair(form, metal), {}, white), testing::nameOf(form), 2e-3f);
 }
 
 // Without coordinates there is no direction along which a slope could be told.

@@ -119,6 +119,17 @@ TEST_P(FilteredFrameTest, TheBlurOfRoughSurfacesStays) {
         << static_cast<int>(filter);
 }
 
+TEST_P(FilteredFrameTest, EveryFilterIsWhiteInTheFurnace) {
+  const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 8);
+  for (const TextureFilter filter : kEveryFilter)
+    for (const LightLookUp look_up : {LightLookUp::cube, LightLookUp::flat}) {
+      FrameSettings settings = seenFrom(20, 30, 2);
+      settings.look_up = look_up;
+      testing::expectFurnaceWhite(drawn(mirrorBall(0.3f), white, settings, filter), "filter");
+      testing::expectFurnaceWhite(drawn(mirrorBall(), white, settings, filter), "filter, mirror");
+    }
+}
+
 // What is drawn with one filter leaves no trace in what is drawn next.
 TEST_P(FilteredFrameTest, ARendererTakesAnyFilterAfterAnyOther) {
   const Environment lines = meridians();

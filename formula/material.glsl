@@ -45,5 +45,6 @@ struct Material {
   float iridescence_thickness INITIALLY(400.0f);          // nm, where its map is 1, or without one
   float alpha_cutoff INITIALLY(0.5f);
   float normal_scale INITIALLY(1.0f);           // strength of the normal map
+  float derivative_scale INITIALLY(1.0f);       // strength of the map of slopes
   float occlusion_strength INITIALLY(1.0f);     // of the occlusion map
 };

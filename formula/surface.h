@@ -16,6 +16,7 @@
 
 namespace mirrorball::formula {
 #include "formula/prefilter/sampling.glsl"
+#include "formula/surface/filter_kind.glsl"
 #include "formula/surface/height.glsl"
 #include "formula/surface/texgen.glsl"
 #include "formula/surface/texture_wrap.glsl"

@@ -33,6 +33,16 @@ FN vec3 liftedNormal(vec3 p_u, vec3 p_v, vec3 n, vec3 up, vec2 d) {
 
 FN vec3 displacedNormal(vec3 p_u, vec3 p_v, vec3 n, vec2 d) { return liftedNormal(p_u, p_v, n, n, d); }
 
+// The normal of a surface whose slopes a map of them tells: along the surface, in the directions of p_u and p_v however
+// long, so that a slope of 1 rises by 45° at any size of the map on the surface. No tangents are needed (Mikkelsen
+// 2010, "Bump mapping unparametrized surfaces on the GPU"), and where p_u and p_v are at right angles it is the normal
+// of a normal map that holds (−slope.x, slope.y, 1).
+//   slope   (∂d/∂u, ∂d/∂v), both in lengths of the surface
+FN vec3 slopedNormal(vec3 p_u, vec3 p_v, vec3 n, vec2 slope) {
+  vec2 lengths = vec2(length(p_u - n * dot(n, p_u)), length(p_v - n * dot(n, p_v)));
+  return displacedNormal(p_u, p_v, n, slope * lengths);
+}
+
 // A vertex's tangent brought into the surface, turned from there towards the bitangent.
 //   tangent     the direction of growing u; w is the bitangent's sign. 0: any direction will do
 //   turn        cosine and sine
@@ -64,4 +74,13 @@ FN vec3 mappedNormal(vec4 tangent, vec3 n, vec3 encoded, float scale) {
   vec3 along = vec3(tangent);
   vec3 t = normalize(along - n * dot(n, along));
   return normalFromMap(t, cross(n, t) * tangent.w, n, encoded, scale);
+}
+
+// The normal of an object-space normal map's sample in [0, 1]³, in the world. Where the map holds no direction it is n.
+//   world_from_normal   the object's normals to the world's, but for their lengths
+//   n                   unit, of the surface without the map
+//   scale               how far it turns from there: 1 all of the way
+FN vec3 objectMappedNormal(mat3 world_from_normal, vec3 n, vec3 encoded, float scale) {
+  vec3 bent = world_from_normal * (encoded * 2.0f - 1.0f);
+  return dot(bent, bent) > 1e-12f ? normalize(mix(n, normalize(bent), scale)) : n;
 }

@@ -1,6 +1,6 @@
 // How a map is read between its texels, beyond its edges and between its mip levels: what texture() does in hardware
 // (OpenGL 4.6, section 8.14), for maps that give single texels only.
-// Needs: texture_wrap.
+// Needs: filter_kind, texture_wrap.
 
 struct MapSampling {
   int wrap_s;
@@ -30,11 +30,6 @@ FN vec4 bilinearTexels(MAP_SAMPLER map, vec2 uv, int level, MapSampling sampling
   return mix(top, bottom, part.y);
 }
 
-// The mip level whose texels are as large as a pixel, not below 0.
-//
-// across, down   by how many texels of level 0 the place changes to the next pixel
-FN float lodOfTexels(vec2 across, vec2 down) { return log2(max(max(length(across), length(down)), 1.0f)); }
-
 // Trilinear.
 //
 // lod   from 0 to the map's last level
@@ -44,4 +39,23 @@ FN vec4 filteredMap(MAP_SAMPLER map, vec2 uv, float lod, MapSampling sampling) {
   vec4 texels = bilinearTexels(map, uv, int(level), sampling);
   if (lod == level) return texels;
   return mix(texels, bilinearTexels(map, uv, int(level) + 1, sampling), lod - level);
+}
+
+// As wide as a pixel: filter_kind.glsl.
+//
+// across, down   how uv changes to the next pixels
+// last_level     of the map
+FN vec4 mapInPixel(MAP_SAMPLER map, vec2 uv, vec2 across, vec2 down, float last_level, MapSampling sampling, int kind) {
+  vec2 size = vec2(mapSize(map, 0));
+  float width = length(across * size);
+  float height = length(down * size);
+  float longer = max(width, height);
+  int reads = kind == kFilterAnisotropic ? readsAlong(longer, min(width, height)) : 1;
+  float lod = readsMipLevels(kind) ? min(log2(max(longer / float(reads), 1.0f)), last_level) : 0.0f;
+  MapSampling how = sampling;
+  how.magnify_nearest = kind == kFilterNearest || (sampling.magnify_nearest && longer <= 1.0f);
+  vec2 along = width > height ? across : down;
+  vec4 sum = vec4(0.0f);
+  for (int i = 0; i < reads; ++i) sum += filteredMap(map, uv + placeOfRead(i, reads) * along, lod, how);
+  return sum / float(reads);
 }

@@ -1,5 +1,6 @@
 // Light from cube maps that lie flat in pictures (formula/projection/flat_cube.glsl). FLAT_LOOK_UP names the formula.
 #include "cube.glsl"
+#include "filter_kind.glsl"
 
 uniform highp sampler2D environment_faces;
 uniform highp sampler2D prefiltered_faces;
@@ -32,7 +33,10 @@ vec4 fetchMap(FlatCube map, ivec2 texel, int level) {
 #undef MAP_SAMPLER
 #define MAP_SAMPLER sampler2D
 
-vec4 sampleLod(FlatCube map, vec3 d, float lod) { return FLAT_LOOK_UP(map, d, lod); }
+vec4 sampleLod(FlatCube map, vec3 d, float lod) {
+  if (texture_filter == kFilterNearest && map.number == 0 && lod <= 0.0) return flatNearest(map, d, 0);
+  return FLAT_LOOK_UP(map, d, lod);
+}
 
 #undef CUBE_SAMPLER
 #define CUBE_SAMPLER FlatCube

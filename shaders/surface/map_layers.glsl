@@ -2,6 +2,7 @@
 // its layer at texel (0, 0), and its mip levels. What the hardware does for a texture with a unit of its own is done
 // here: wrapping, filtering and decoding.
 #include "color.glsl"
+#include "filter_kind.glsl"
 #include "texture_wrap.glsl"
 
 uniform highp sampler2DArray map_layers;
@@ -27,6 +28,5 @@ vec4 fetchMap(MapLayer map, ivec2 texel, int level) {
 #define MAP_SAMPLER sampler2D
 
 vec4 layerAt(MapLayer map, MapSampling sampling, vec2 uv) {
-  float lod = lodOfTexels(dFdx(uv) * map.extent.xy, dFdy(uv) * map.extent.xy);
-  return filteredMap(map, uv, min(lod, map.extent.z), sampling);
+  return mapInPixel(map, uv, dFdx(uv), dFdy(uv), map.extent.z, sampling, texture_filter);
 }

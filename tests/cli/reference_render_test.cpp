@@ -118,6 +118,7 @@ TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refuse(2, "render sphere --bounces 2"), HasSubstr("--bounces is for the reference; add --reference"));
   const std::string line = "render sphere --reference -o ball.png ";
   EXPECT_THAT(refuse(2, line + "--blur mip"), HasSubstr("--blur is for the renderer"));
+  EXPECT_THAT(refuse(2, line + "--texture-filter nearest"), HasSubstr("--texture-filter is for the renderer"));
   EXPECT_THAT(refuse(2, line + "--texgen sphere"), HasSubstr("--texgen is for the renderer"));
   EXPECT_THAT(refuse(2, line + "--layers"), HasSubstr("write an .exr"));
   EXPECT_THAT(refuse(2, line + "--noise 0"), HasSubstr("noise"));

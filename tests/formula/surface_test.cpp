@@ -71,6 +71,33 @@ float worstBumpAngle(float height, float right, float down) {
   return worst;
 }
 
+// A map of slopes lies on the surface as a normal map does, however large and whichever way round it is.
+TEST(Tangent, SlopesTellTheNormalsOfANormalMap) {
+  const vec3 n(0.0f, 0.0f, 1.0f);
+  const vec2 slope(0.5f, -0.25f);
+  for (const float right : {-3.0f, 1e-4f, 1e5f})
+    for (const float down : {-2.0f, 1.0f, 7.0f}) {
+      const vec3 p_u(right, 0.0f, 0.0f), p_v(0.0f, -down, 0.0f);
+      const vec3 mapped =
+          normalFromMap(normalize(p_u), -normalize(p_v), n, vec3(-slope.x, slope.y, 1.0f) * 0.5f + vec3(0.5f), 1.0f);
+      EXPECT_LT(distance(slopedNormal(p_u, p_v, n, slope), mapped), 1e-6f) << right << ", " << down;
+      // What leans towards n counts only across it.
+      EXPECT_LT(distance(slopedNormal(p_u + 0.5f * right * n, p_v, n, slope), mapped), 1e-6f);
+    }
+  EXPECT_EQ(slopedNormal(vec3(0.0f), vec3(0.0f), n, slope), n) << "no coordinates";
+  EXPECT_EQ(slopedNormal(vec3(1, 0, 0), vec3(2, 0, 0), n, slope), n) << "both along one line";
+}
+
+TEST(Tangent, ObjectSpaceNormalsTurnAndKeepTheSurfaceWhereTheyAreNone) {
+  const vec3 n(0.0f, 0.0f, 1.0f);
+  const mat3 wide(vec3(0.5f, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1));
+  const vec3 encoded = vec3(0.6f, 0.0f, 0.8f) * 0.5f + vec3(0.5f);
+  EXPECT_LT(distance(objectMappedNormal(wide, n, encoded, 1.0f), normalize(vec3(0.3f, 0.0f, 0.8f))), 1e-6f);
+  EXPECT_LT(distance(objectMappedNormal(wide, n, encoded, 0.0f), n), 1e-6f);
+  EXPECT_EQ(objectMappedNormal(wide, n, vec3(0.5f), 1.0f), n);
+  EXPECT_LT(objectMappedNormal(wide, n, encoded, -1.0f).x, 0.0f);
+}
+
 // However u and v run, and the more exact the lower the bumps are.
 TEST(Tangent, BumpsAreRightInAllOrientationsToTheSquareOfTheirHeight) {
   for (const float right : {-1.0f, 1.0f})

@@ -270,7 +270,7 @@ std::vector<SurfaceVariant> pairsOfParts() {
           variant.answers[a] = i;
           variant.answers[b] = j;
           if (variant.has(Part::lamps, LampsPart::listed)) variant.lamp_count = 3;
-          const bool needs_maps = variant.has(Part::detail, DetailPart::normal_map);
+          const bool needs_maps = !variant.has(Part::detail, DetailPart::none);
           if (needs_maps || (i + j) % 2 != 0) variant.maps = allMaps((i + j) % 3 == 0);
           variants.insert(variant);
         }

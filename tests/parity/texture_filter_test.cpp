@@ -32,6 +32,7 @@ constexpr std::string_view kVertexShader =
 // Five maps across and down, the middle one being the map itself: what the driver shows, and in alpha how far off the
 // formula is.
 constexpr std::string_view kFragmentShader =
+    "#include \"filter_kind.glsl\"\n"
     "#include \"texture_wrap.glsl\"\n"
     "#include \"texture_filter.glsl\"\n"
     "uniform sampler2D map;\n"

@@ -249,6 +249,13 @@ bool Context::filtersFloats() const {
   return state_->api == Api::desktop43 || epoxy_has_gl_extension("GL_OES_texture_float_linear");
 }
 
+float Context::largestAnisotropy() const {
+  GLfloat largest = 1.0f;
+  if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &largest);
+  return largest;
+}
+
 int Context::largestTexture() const {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);

@@ -47,6 +47,8 @@ class Context {
   std::string version() const;   ///< the driver's version line: "4.5 (Core Profile) Mesa 22.3.6"
   /// Whether textures of 32-bit floats are interpolated: always, except on OpenGL ES without OES_texture_float_linear.
   bool filtersFloats() const;
+  /// The largest Sampling::anisotropy; 1 where the driver has no EXT_texture_filter_anisotropic.
+  float largestAnisotropy() const;
   int largestTexture() const;  ///< the longest side in texels of a 2D texture or a framebuffer
 
  private:

@@ -293,6 +293,10 @@ void Texture::setSampling(const Sampling& sampling) {
   glTexParameteri(target(), GL_TEXTURE_MAG_FILTER, magnify_nearest ? GL_NEAREST : GL_LINEAR);
   glTexParameteri(target(), GL_TEXTURE_WRAP_S, isCube() ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_s));
   glTexParameteri(target(), GL_TEXTURE_WRAP_T, isCube() ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_t));
+  // Drivers without the extension know no such parameter.
+  if (sampling.anisotropy == anisotropy_) return;
+  glTexParameterf(target(), GL_TEXTURE_MAX_ANISOTROPY_EXT, sampling.anisotropy);
+  anisotropy_ = sampling.anisotropy;
 }
 
 void Texture::setLevels(int first, int last) {

@@ -33,6 +33,8 @@ struct Sampling {
   bool magnify_nearest = false;  ///< shows the texels as squares where they are larger than pixels
   Wrap wrap_s = Wrap::clamp_to_edge;
   Wrap wrap_t = Wrap::clamp_to_edge;
+  /// Reads along a pixel's longer side, at most: 1 to Context::largestAnisotropy().
+  float anisotropy = 1.0f;
 };
 
 /// A 2D texture, an array of them or a cube map, of any number of mip levels. Texel rows are as in Image: row 0 is at
@@ -132,6 +134,7 @@ class Texture {
   int height_;
   int layers_;  ///< faces of a cube
   int levels_;
+  float anisotropy_ = 1.0f;
 };
 
 }  // namespace mirrorball::gl

@@ -14,17 +14,16 @@ namespace {
 
 constexpr std::size_t kRowsAtOnce = 16;
 
-/// Slopes in units of texture coordinates, without variances.
-Image slopesOf(const Image& differences) {
-  const glm::vec2 texels(differences.width(), differences.height());
+/// (∂d/∂u, 0, ∂d/∂v) times `unit`, without variances.
+Image withoutVariances(const Image& differences, glm::vec2 unit) {
   Image slopes(differences.width(), differences.height(), 4);
   parallelFor(std::size_t(slopes.height()), kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
       for (int x = 0; x < slopes.width(); ++x) {
         const float* const difference = differences.texel(x, y);
         float* const slope = slopes.texel(x, y);
-        slope[0] = difference[0] * texels.x;
-        slope[1] = difference[2] * texels.y;
+        slope[0] = difference[0] * unit.x;
+        slope[1] = difference[2] * unit.y;
         slope[2] = slope[3] = 0.0f;
       }
   });
@@ -73,12 +72,8 @@ Image coarser(const Image& fine) {
   return coarse;
 }
 
-}  // namespace
-
-Result<SlopeMoments> slopeMoments(const Image& heights, MapEdges edges) {
-  const float per_texel = 1.0f / static_cast<float>(std::max(heights.width(), 1));
-  MIRRORBALL_TRY(differences, derivativesFromHeights(heights, {.edges = edges, .scale = per_texel}));
-  Image slopes = slopesOf(differences);
+/// Of slopes without variances.
+SlopeMoments momentsOf(Image slopes) {
   SlopeMoments moments;
   moments.unit = std::max(greatestSlope(slopes), 1e-6f);
   for (float& value : slopes.samples()) value /= moments.unit;
@@ -88,5 +83,16 @@ Result<SlopeMoments> slopeMoments(const Image& heights, MapEdges edges) {
   for (int level = 1; level < levels; ++level) moments.levels.at(level, 0) = coarser(moments.levels.at(level - 1, 0));
   return moments;
 }
+
+}  // namespace
+
+Result<SlopeMoments> slopeMoments(const Image& heights, MapEdges edges) {
+  const float per_texel = 1.0f / static_cast<float>(std::max(heights.width(), 1));
+  MIRRORBALL_TRY(differences, derivativesFromHeights(heights, {.edges = edges, .scale = per_texel}));
+  // In units of texture coordinates.
+  return momentsOf(withoutVariances(differences, glm::vec2(heights.width(), heights.height())));
+}
+
+SlopeMoments momentsOfSlopes(const Image& slopes) { return momentsOf(withoutVariances(slopes, glm::vec2(1.0f))); }
 
 }  // namespace mirrorball

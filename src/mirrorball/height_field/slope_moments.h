@@ -22,4 +22,9 @@ struct SlopeMoments {
 ///          floats lose small differences of squares
 Result<SlopeMoments> slopeMoments(const Image& heights, MapEdges edges = MapEdges::tiled);
 
+/// The same of slopes that are there already.
+///
+/// slopes   3 channels, (∂d/∂u, 0, ∂d/∂v), finite and below 1e18
+SlopeMoments momentsOfSlopes(const Image& slopes);
+
 }  // namespace mirrorball

@@ -48,6 +48,7 @@ struct Scene {
   std::vector<Material> materials;  ///< at least one if there is a mesh
   std::vector<Texture> textures;
   std::vector<HeightTexture> height_textures;
+  std::vector<Image> slope_textures;  ///< 3 channels (∂d/∂u, 0, ∂d/∂v), each in lengths of the surface; they tile
   std::vector<ModelCamera> cameras;
   std::vector<ModelLight> lights;     ///< at most kMaxLights
   std::vector<std::string> variants;  ///< names of other choices of materials: chooseVariant()

@@ -57,11 +57,12 @@ std::vector<PlannedShot> plannedShots(const Subject& subject, bool is_built_in) 
       if (subject.series)
         planSeries(shots, subject, model, subject.material);
       else
-        shots.push_back({std::string(model),
-                         {},
-                         model,
-                         keyOf(model, subject.material, std::string(subject.view)),
-                         keyOf(model, "", "")});
+        shots.push_back(
+            {std::string(model),
+             {},
+             model,
+             keyOf(model, subject.material, std::string(subject.view) + " " + std::string(subject.parameters)),
+             keyOf(model, "", "")});
     }
     return shots;
   }
@@ -150,6 +151,7 @@ Result<Workshop::Stage> Workshop::staged(const Subject& subject, const PlannedSh
   if (!shot.model.empty()) {
     MIRRORBALL_TRY(model, loadModel(std::string(shot.model)));
     MIRRORBALL_TRY_VOID(changeMaterials(model, {.material = std::string(subject.material)}));
+    MIRRORBALL_TRY_VOID(applyParameters(subject.parameters, model));
     MIRRORBALL_TRY_VOID(applySettings(subject.view, stage.frame));
     stage.scene = std::move(model);
   }

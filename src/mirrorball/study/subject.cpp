@@ -20,6 +20,7 @@ using enum Technique::Maker;
 constexpr std::string_view kKnownToMap = "bounces=1 unoccluded=yes";  // all that an environment map can know
 constexpr std::string_view kHeldToMap = "one bounce, and nothing blocks the light";
 
+constexpr auto kPlane = std::to_array<std::string_view>({"plane"});
 constexpr auto kSphere = std::to_array<std::string_view>({"sphere"});
 constexpr auto kBowl = std::to_array<std::string_view>({"bowl"});
 constexpr auto kInterreflecting = std::to_array<std::string_view>({"spheres", "bowl"});
@@ -32,6 +33,11 @@ constexpr auto kLookUps = std::to_array<Technique>({{"cube, reflected ray", "map
 constexpr auto kTexels = std::to_array<Technique>({{"cube sampler", "blur=mip lookup=cube"},
                                                    {"flat picture, weighed", "blur=mip lookup=flat"},
                                                    {"flat picture, nearest", "blur=mip lookup=flat-nearest"}});
+
+constexpr auto kFilters = std::to_array<Technique>({{"nearest texel", "texture-filter=nearest samples=1"},
+                                                    {"four texels", "texture-filter=bilinear samples=1"},
+                                                    {"mip levels", "texture-filter=trilinear samples=1"},
+                                                    {"anisotropic", "texture-filter=anisotropic samples=1"}});
 
 constexpr auto kReflectAt = std::to_array<Technique>({{"each fragment", "reflect-at=fragment"},
                                                       {"each vertex", "reflect-at=vertex"},
@@ -91,6 +97,8 @@ void setGap(double value, Scene& scene, FrameSettings& frame) {
 bool always(const Scene&) { return true; }
 bool never(const Scene&) { return false; }
 
+bool hasPictures(const Scene& scene) { return !scene.textures.empty(); }
+
 bool hasOcclusionMap(const Scene& scene) {
   return std::ranges::any_of(scene.materials, [](const Material& m) { return m.occlusion_map.texture >= 0; });
 }
@@ -121,6 +129,19 @@ constexpr std::array kSubjects{
             .techniques = kTexels,
             .series = Series{"perceptual roughness", kMipRoughnesses, setRoughness, true},
             .applies = always},
+    Subject{.id = "texture-filter",
+            .title = "Texels smaller than pixels",
+            .teaches = "A striped floor with one sample a pixel. Where many texels lie in a pixel, one of them or four "
+                       "say little of the rest: patterns that are not there, and that shimmer as the floor turns. A "
+                       "mip level has their mean, but of a square: at a grazing angle it blurs along the stripes' "
+                       "width too. Anisotropic filtering reads the long way piece by piece.",
+            .models = kPlane,
+            .view = "camera=25,6,1.2",
+            .parameters = "base_color_map=stripes base_color=1 specular=0",
+            .reference = kKnownToMap,
+            .held_to = kHeldToMap,
+            .techniques = kFilters,
+            .applies = hasPictures},
     Subject{.id = "reflect-at",
             .title = "Where the ray is reflected",
             .teaches = "The first hardware reflected rays at the vertices and interpolated them. How wrong that is "

@@ -19,6 +19,8 @@ TEST(Subjects, EverySettingIsOneThatThereIs) {
     TraceSettings trace;
     EXPECT_TRUE(applySettings(subject.view, frame)) << subject.view;
     EXPECT_TRUE(applySettings(subject.reference, trace)) << subject.reference;
+    Scene built_in = *loadModel(std::string(subject.models.front()));
+    EXPECT_TRUE(applyParameters(subject.parameters, built_in)) << subject.parameters;
     for (const Technique& technique : subject.techniques) {
       Scene scene = *loadModel("sphere");
       const auto set = technique.maker == Technique::Maker::renderer ? applySettings(technique.settings, frame)

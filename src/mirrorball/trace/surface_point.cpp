@@ -44,6 +44,15 @@ glm::vec4 fetchMap(const TextureMap& map, glm::ivec2 texel, int) {
   return map.texture.srgb ? glm::vec4(formula::linearFromSrgb(glm::vec3(light)), light.w) : light;
 }
 
+/// A map of slopes as a formula reads it.
+struct SlopeMap {
+  const Image& slopes;
+};
+glm::ivec2 mapSize(const SlopeMap& map, int) { return {map.slopes.width(), map.slopes.height()}; }
+glm::vec4 fetchMap(const SlopeMap& map, glm::ivec2 texel, int) {
+  return glm::vec4(rgbAt(map.slopes, texel.x, texel.y), 1.0f);
+}
+
 /// What a slot's texture holds there.
 ///
 /// absent   where there is none
@@ -72,31 +81,67 @@ float opacityOf(const Material& material, float alpha) {
 glm::vec3 normalOfHeights(const Scene& scene, const Hit& hit, const Corners& corners, ReliefKind relief) {
   const Material& material = materialOf(scene, hit.instance);
   const glm::vec3 vertex = corners.at(&Vertex::normal);
-  if (material.height == HeightKind::none || relief == ReliefKind::none) return vertex;
+  if (!showsHeights(material, relief)) return vertex;
   if (material.height_texture >= 0) {
     const Mesh& mesh = scene.meshes[std::size_t(scene.instances[hit.instance].mesh)];
     const HeightTexture& heights = scene.height_textures[std::size_t(material.height_texture)];
     return reliefNormal(heights, reliefPrism(mesh, std::size_t{3} * hit.triangle, material, heights),
                         material.height_scale, hit.barycentric);
   }
-  if (material.height != HeightKind::orange) return vertex;
   return formula::orangeNormal(corners.at(&Vertex::position), glm::normalize(vertex), material.height_scale,
                                material.height_frequency);
 }
 
-/// The world's normals: of the surface with bumps and normal map, and of a clear coat, which has its own map.
-///
-/// object   with bumps, in the mesh's space
-void setNormals(const Scene& scene, const Material& material, const Corners& corners,
-                const glm::mat3& world_from_normal, glm::vec3 object, SurfacePoint& point) {
-  const auto mapped = [&](glm::vec3 n, const TextureSlot& slot, float scale) {
+/// How the place changes with texture coordinates on a triangle, each from a unit of the other fixed.
+struct Change {
+  glm::vec3 along_u{0.0f};
+  glm::vec3 along_v{0.0f};
+};
+
+Change changeOf(const Corners& corners) {
+  const auto [a, b, c] = corners.vertices;
+  const glm::vec2 first = b->uv[0] - a->uv[0], second = c->uv[0] - a->uv[0];
+  const glm::vec3 along_first = b->position - a->position, along_second = c->position - a->position;
+  const float area = first.x * second.y - first.y * second.x;
+  if (area == 0.0f) return {};
+  return {(along_first * second.y - along_second * first.y) / area,
+          (along_second * first.x - along_first * second.x) / area};
+}
+
+/// A world's normal bent by the material's map of slopes.
+glm::vec3 sloped(const Scene& scene, const Material& material, const Corners& corners, const glm::mat3& world_from_mesh,
+                 glm::vec3 n) {
+  const Change change = changeOf(corners);
+  const glm::vec4 slope =
+      formula::filteredMap(SlopeMap{scene.slope_textures[std::size_t(material.slope_texture)]}, corners.uv(0), 0.0f,
+                           {formula::kWrapRepeat, formula::kWrapRepeat, false});
+  return formula::slopedNormal(world_from_mesh * change.along_u, world_from_mesh * change.along_v, n,
+                               material.derivative_scale * glm::vec2(slope.x, slope.z));
+}
+
+/// Which way normals are turned from the mesh into the world.
+struct Turned {
+  glm::mat3 world_from_mesh;
+  glm::mat3 world_from_normal;
+};
+
+/// The world's normals: of the surface with bumps, slopes and normal map, and of a clear coat, which has its own map.
+void setNormals(const Scene& scene, const Hit& hit, const Corners& corners, const Turned& turned, ReliefKind relief,
+                SurfacePoint& point) {
+  const Material& material = materialOf(scene, hit.instance);
+  const auto mapped = [&](glm::vec3 n, const TextureSlot& slot, float scale, NormalSpace space) {
     if (slot.texture < 0) return n;
-    return formula::mappedNormal(point.tangent, n, glm::vec3(sampleSlot(scene, slot, corners)), scale);
+    const glm::vec3 encoded(sampleSlot(scene, slot, corners));
+    return space == NormalSpace::object ? formula::objectMappedNormal(turned.world_from_normal, n, encoded, scale)
+                                        : formula::mappedNormal(point.tangent, n, encoded, scale);
   };
-  point.normal = mapped(glm::normalize(world_from_normal * object), material.normal_map, material.normal_scale);
+  glm::vec3 n = glm::normalize(turned.world_from_normal * normalOfHeights(scene, hit, corners, relief));
+  if (material.slope_texture >= 0 && !showsHeights(material, relief))
+    n = sloped(scene, material, corners, turned.world_from_mesh, n);
+  point.normal = mapped(n, material.normal_map, material.normal_scale, material.normal_space);
   if (material.clearcoat <= 0.0f) return;
-  point.coat_normal = mapped(glm::normalize(world_from_normal * corners.at(&Vertex::normal)),
-                             material.clearcoat_normal_map, material.clearcoat_normal_scale);
+  point.coat_normal = mapped(glm::normalize(turned.world_from_normal * corners.at(&Vertex::normal)),
+                             material.clearcoat_normal_map, material.clearcoat_normal_scale, NormalSpace::tangent);
 }
 
 /// What glTF's extensions lay on the surface.
@@ -144,7 +189,7 @@ SurfacePoint surfacePointAt(const Scene& scene, const glm::mat3& world_from_norm
   SurfacePoint point;
   const glm::mat3 linear(scene.instances[hit.instance].world_from_object);
   point.tangent = glm::vec4(linear * glm::vec3(corners.at(&Vertex::tangent)), corners.vertices[0]->tangent.w);
-  setNormals(scene, material, corners, world_from_normal, normalOfHeights(scene, hit, corners, relief), point);
+  setNormals(scene, hit, corners, {linear, world_from_normal}, relief, point);
   // Degenerate vertices and maps have no normal.
   for (glm::vec3* normal : {&point.normal, &point.coat_normal})
     if (glm::any(glm::isnan(*normal))) *normal = hit.geometric_normal;

@@ -338,6 +338,15 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "shader from one picture of six faces side by side, weighed or the nearest; faces then end in seams",
       .group = "Environment"},
      choiceField<&FrameSettings::look_up>},
+    {{.name = "texture-filter",
+      .choices = "nearest|bilinear|trilinear|anisotropic",
+      .aliases = "linear=bilinear|mipmap=trilinear",
+      .help =
+          "how textures and the mirrored environment are read between texels: the nearest one; the four around; the "
+          "same in mip levels whose texels are as large as a pixel; or up to 16 such reads along a pixel's longer "
+          "side. The first two shimmer where texels are smaller than pixels; the blur of rough surfaces stays",
+      .group = "Look"},
+     choiceField<&FrameSettings::texture_filter>},
     {{.name = "texgen",
       .choices = "none|object-linear|eye-linear|sphere|reflection|normal|light",
       .help =

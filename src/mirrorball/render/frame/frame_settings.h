@@ -27,6 +27,9 @@ enum class LightLookUp {
   flat_nearest,  ///< and takes the nearest
 };
 
+/// How textures and the mirrored environment are read (formula/surface/filter_kind.glsl).
+enum class TextureFilter { nearest, bilinear, trilinear, anisotropic };
+
 enum class BlurKind { exact, gpu, mip, cone };
 enum class RefractionKind { single, image_space, traced };
 
@@ -69,6 +72,7 @@ struct FrameSettings {
   int wavelengths = 12;        ///< that a sample of a pixel is drawn of where dispersion is spectral, 8 … 16
   float wavelength_nm = 0.0f;  ///< TraceSettings::wavelength_nm, 380 … 780; 0: none
   LightLookUp look_up = LightLookUp::cube;
+  TextureFilter texture_filter = TextureFilter::trilinear;
   Texgen texgen = Texgen::none;         ///< for base_color_map where the scene has one, else for the environment
   glm::mat4 texture_matrix{1.0f};       ///< of these coordinates, or of those that there are without them
   std::vector<PointLight> lights = {};  ///< at most kMaxLights, beside the scene's own

@@ -25,7 +25,7 @@ TEST(FrameOptions, DefaultsAreWhatTheProjectPromises) {
   for (const auto& option : frameOptions()) defaults += written(option, settings) + " ";
   EXPECT_EQ(defaults,
             "1280x720 4 display 0 neutral env 30,15  35  0 1 exact reflection fragment bump 64 single 4 channels 12  "
-            "cube none 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1  1 ");
+            "cube trilinear none 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1  1 ");
   EXPECT_EQ(settings.display.exposure(), 1.0f);
 }
 
@@ -55,6 +55,7 @@ TEST(FrameOptions, AreWrittenAsTheyAreRead) {
       {"blur", "cone"},
       {"background", "0.5,2,0"},
       {"lookup", "flat-nearest"},
+      {"texture-filter", "anisotropic"},
       {"relief", "linear-binary"},
       {"relief-steps", "32"},
       {"dispersion", "spectral"},

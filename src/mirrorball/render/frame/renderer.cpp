@@ -103,6 +103,7 @@ struct Renderer::State {
 
   const gl::Framebuffer& result() const { return settings.samples > 1 ? *sum : *sample; }
 
+  Result<void> chooseFilter();
   Result<void> makeSurfaces();
   Result<void> makeFramebuffers();
   Result<void> makePrisms();
@@ -236,8 +237,10 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
   state.samples_drawn = 0;
   MIRRORBALL_TRY_VOID(state.makeFramebuffers());
   MIRRORBALL_TRY_VOID(state.makePrisms());
+  state.light->readNearest(false);
   MIRRORBALL_TRY(chain, state.prefilteredChain());
   state.frame.prefiltered = chain;
+  MIRRORBALL_TRY_VOID(state.chooseFilter());
   state.frame.camera = camera;
   state.frame.environment_from_world = settings.environmentFromWorld();
   MIRRORBALL_TRY_VOID(state.makeBodies());
@@ -306,6 +309,19 @@ Result<void> Renderer::State::makeSurfaces() {
   MIRRORBALL_TRY(table, brdf_table.get());
   MIRRORBALL_TRY(made, SurfacePrograms::make(context.api(), table));
   surfaces = std::move(made);
+  return {};
+}
+
+/// Tells the textures how they are read; the rest the shaders know.
+Result<void> Renderer::State::chooseFilter() {
+  const bool is_anisotropic = settings.texture_filter == TextureFilter::anisotropic;
+  const float anisotropy = std::min(context.largestAnisotropy(), static_cast<float>(formula::kMostReads));
+  if (is_anisotropic && anisotropy <= 1.0f)
+    return fail(ErrorCode::unsupported, "the graphics driver (" + context.renderer() +
+                                            ") has no anisotropic filter (EXT_texture_filter_anisotropic); choose the "
+                                            "trilinear one");
+  buffers.filterMaps(scene, settings.texture_filter, anisotropy);
+  light->readNearest(settings.texture_filter == TextureFilter::nearest);
   return {};
 }
 
@@ -452,6 +468,7 @@ void Renderer::State::drawBackground(const Camera& camera) {
   background.set("orthographic", camera.orthographic ? 1.0f : 0.0f);
   background.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
   background.set("samples_per_pixel", static_cast<float>(settings.samples));
+  background.set("texture_filter", static_cast<int>(settings.texture_filter));
   const float prefiltered_level = formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
                                   static_cast<float>(chain.first_level);
   background.set("min_level", is_prefiltered ? prefiltered_level : 0.0f);

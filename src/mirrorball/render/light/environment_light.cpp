@@ -115,6 +115,10 @@ Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepa
   return EnvironmentLight(std::move(cube), std::move(prefiltered), std::move(irradiance), unit);
 }
 
+void EnvironmentLight::readNearest(bool nearest) {
+  cube_.setSampling({.filter = gl::Sampling::Filter::trilinear, .magnify_nearest = nearest});
+}
+
 float EnvironmentLight::texelsPerRadian() const { return texelDensity(Projection::cube, cube_.width()); }
 
 }  // namespace mirrorball

@@ -42,6 +42,8 @@ class EnvironmentLight {
   static Result<EnvironmentLight> make(const PreparedEnvironment& prepared, bool filters_floats);
 
   const gl::Texture& cube() const { return cube_; }
+  /// Whether level 0 of the cube is read by its nearest texel. At first it is not; what is made of the cube needs that.
+  void readNearest(bool nearest);
   /// PreparedEnvironment::prefiltered: level 1 and the further ones of a chain.
   const gl::Texture& prefiltered() const { return prefiltered_; }
   const gl::Texture& irradiance() const { return irradiance_; }

@@ -92,13 +92,15 @@ class Drawing {
   }
 
   /// units   that the material has
-  Result<Image> of(const Scene& scene, int units) {
+  Result<Image> of(const Scene& scene, int units, TextureFilter filter = TextureFilter::trilinear) {
     MIRRORBALL_TRY(buffers, SceneBuffers::make(scene, units));
+    buffers.filterMaps(scene, filter, 1.0f);
     FrameUniforms frame;
     frame.prefiltered = {&light_.prefiltered(), 1};
     frame.camera = makeCamera({}, boundingSphere(scene), 1.0f);
     FrameSettings settings;
     settings.samples = 1;
+    settings.texture_filter = filter;
     programs_.forgetScene();
     MIRRORBALL_TRY_VOID(programs_.begin(scene, buffers, light_, frame, settings));
     framebuffer_.bind();
@@ -135,6 +137,24 @@ TEST_P(MapLayersTest, LookAsWithUnitsOfTheirOwn) {
     const Difference difference = differenceOf(*alone, *in_layers);
     EXPECT_LT(difference.mean, 2e-3f) << repeats << " times around";
     EXPECT_LT(difference.of_most, 0.02f) << repeats << " times around";
+  }
+}
+
+// Which reads make an anisotropic one, drivers are free to choose: it is not compared.
+TEST_P(MapLayersTest, AreFilteredAsTheDriverFilters) {
+  auto drawing = Drawing::make(GetParam(), context().filtersFloats());
+  ASSERT_TRUE(drawing) << drawing.error().message;
+  Scene scene = sceneOf(sphereMesh(), everything());
+  giveEveryMapATexture(scene, 10.0f);
+  const auto usual = drawing->of(scene, TextureUnit::of_material);
+  ASSERT_TRUE(usual);
+  for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear}) {
+    const auto alone = drawing->of(scene, TextureUnit::of_material, filter);
+    const auto in_layers = drawing->of(scene, 3, filter);
+    ASSERT_TRUE(alone && in_layers);
+    const float apart = differenceOf(*alone, *in_layers).mean;
+    EXPECT_LT(apart, 2e-3f) << static_cast<int>(filter);
+    EXPECT_LT(2.0f * apart, differenceOf(*usual, *in_layers).mean) << static_cast<int>(filter);
   }
 }
 

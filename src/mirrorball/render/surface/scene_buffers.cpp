@@ -39,6 +39,37 @@ gl::Sampling::Wrap samplingWrap(Wrap wrap) {
   return gl::Sampling::Wrap::clamp_to_edge;
 }
 
+/// Of a map of heights.
+gl::Sampling wrapOf(MapEdges edges) {
+  const auto wrap = edges == MapEdges::tiled ? gl::Sampling::Wrap::repeat : gl::Sampling::Wrap::clamp_to_edge;
+  return {.wrap_s = wrap, .wrap_t = wrap};
+}
+
+gl::Sampling wrapOf(const Texture& texture) {
+  return {.magnify_nearest = texture.nearest,
+          .wrap_s = samplingWrap(texture.wrap_s),
+          .wrap_t = samplingWrap(texture.wrap_t)};
+}
+
+/// How the driver reads a texture of a unit of its own.
+gl::Sampling samplingOf(gl::Sampling sampling, TextureFilter filter, float anisotropy) {
+  sampling.filter = gl::Sampling::Filter::trilinear;
+  switch (filter) {
+    case TextureFilter::nearest:
+      sampling.filter = gl::Sampling::Filter::nearest;
+      break;
+    case TextureFilter::bilinear:
+      sampling.filter = gl::Sampling::Filter::linear;
+      break;
+    case TextureFilter::anisotropic:
+      sampling.anisotropy = anisotropy;
+      break;
+    case TextureFilter::trilinear:
+      break;
+  }
+  return sampling;
+}
+
 /// The mip levels of a texture after the first.
 using MipLevels = std::vector<Image8>;
 
@@ -63,10 +94,7 @@ Result<gl::Texture> makeTexture(const Texture& texture, const MipLevels& levels)
   made.upload(texture.image);
   for (std::size_t level = 0; level < levels.size(); ++level)
     made.upload(static_cast<int>(level) + 1, 0, levels[level]);
-  made.setSampling({.filter = gl::Sampling::Filter::trilinear,
-                    .magnify_nearest = texture.nearest,
-                    .wrap_s = samplingWrap(texture.wrap_s),
-                    .wrap_t = samplingWrap(texture.wrap_t)});
+  made.setSampling(samplingOf(wrapOf(texture), TextureFilter::trilinear, 1.0f));
   return Result<gl::Texture>(std::move(made));
 }
 
@@ -94,11 +122,10 @@ Result<std::optional<gl::Texture>> makeLayers(const Scene& scene, const Material
   return std::optional<gl::Texture>(std::move(array));
 }
 
-/// The units that are left to a material's other maps: heights take five (TextureUnit).
-int unitsOfMaps(const Material& material, int units) { return material.height_texture < 0 ? units : units - 5; }
-
-gl::Sampling::Wrap samplingWrap(MapEdges edges) {
-  return edges == MapEdges::tiled ? gl::Sampling::Wrap::repeat : gl::Sampling::Wrap::clamp_to_edge;
+/// The units that are left to a material's other maps: heights take five (TextureUnit), a map of slopes one.
+int unitsOfMaps(const Material& material, int units) {
+  if (material.height_texture >= 0) return units - 5;
+  return material.slope_texture >= 0 ? units - 1 : units;
 }
 
 /// The picture of heights with cones in the second channel.
@@ -111,17 +138,13 @@ Image withCones(const HeightTexture& texture) {
   return both;
 }
 
-gl::Sampling samplingOf(MapEdges edges) {
-  return {.filter = gl::Sampling::Filter::trilinear, .wrap_s = samplingWrap(edges), .wrap_t = samplingWrap(edges)};
-}
-
 Result<gl::Texture> makeHorizons(const ImageSet& slopes, MapEdges edges) {
   const Image& largest = slopes.at(0, 0);
   MIRRORBALL_TRY(array, gl::Texture::makeArray(gl::Format::rgba16f, largest.width(), largest.height(), slopes.layers(),
                                                slopes.levels()));
   for (int level = 0; level < slopes.levels(); ++level)
     for (int layer = 0; layer < slopes.layers(); ++layer) array.upload(level, layer, slopes.at(level, 0, layer));
-  array.setSampling(samplingOf(edges));
+  array.setSampling(samplingOf(wrapOf(edges), TextureFilter::trilinear, 1.0f));
   return Result<gl::Texture>(std::move(array));
 }
 
@@ -132,7 +155,7 @@ Result<SceneBuffers::Heights> makeHeights(const HeightTexture& texture) {
   heights.setSampling({.filter = gl::Sampling::Filter::nearest});
   MIRRORBALL_TRY(moments, slopeMoments(texture.heights, texture.edges));
   MIRRORBALL_TRY(slopes, gl::Texture::fromImages(gl::Format::rgba16f, moments.levels));
-  slopes.setSampling(samplingOf(texture.edges));
+  slopes.setSampling(samplingOf(wrapOf(texture.edges), TextureFilter::trilinear, 1.0f));
   SceneBuffers::Heights made{std::move(heights), std::move(slopes), moments.unit};
   if (!texture.horizons.slopes.empty()) {
     MIRRORBALL_TRY(horizons, makeHorizons(texture.horizons.slopes, texture.edges));
@@ -178,6 +201,12 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
     MIRRORBALL_TRY(heights, makeHeights(texture));
     buffers.heights_.push_back(std::move(heights));
   }
+  for (const Image& image : scene.slope_textures) {
+    SlopeMoments moments = momentsOfSlopes(image);
+    MIRRORBALL_TRY(slopes, gl::Texture::fromImages(gl::Format::rgba16f, moments.levels));
+    slopes.setSampling(samplingOf(wrapOf(MapEdges::tiled), TextureFilter::trilinear, 1.0f));
+    buffers.slopes_.push_back({std::move(slopes), moments.unit});
+  }
   buffers.units_ = units;
   return Result<SceneBuffers>(std::move(buffers));
 }
@@ -187,7 +216,22 @@ const SceneBuffers::Heights* SceneBuffers::heightsOf(const Scene& scene, int mat
   return texture < 0 ? nullptr : &heights_[std::size_t(texture)];
 }
 
-void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit) const {
+const SceneBuffers::Slopes* SceneBuffers::slopesOf(const Scene& scene, int material) const {
+  const int texture = scene.materials[std::size_t(material)].slope_texture;
+  return texture < 0 ? nullptr : &slopes_[std::size_t(texture)];
+}
+
+void SceneBuffers::filterMaps(const Scene& scene, TextureFilter filter, float anisotropy) {
+  if (filter == filter_) return;
+  for (std::size_t i = 0; i < textures_.size(); ++i)
+    if (textures_[i]) textures_[i]->setSampling(samplingOf(wrapOf(scene.textures[i]), filter, anisotropy));
+  for (std::size_t i = 0; i < heights_.size(); ++i)
+    heights_[i].slopes.setSampling(samplingOf(wrapOf(scene.height_textures[i].edges), filter, anisotropy));
+  for (Slopes& slopes : slopes_) slopes.texture.setSampling(samplingOf(wrapOf(MapEdges::tiled), filter, anisotropy));
+  filter_ = filter;
+}
+
+void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit, bool shows_heights) const {
   const MaterialMaps& maps = materials_[std::size_t(material)];
   for (std::size_t row = 0; row < maps.sources.size(); ++row) {
     const MapSource& source = maps.sources[row];
@@ -196,10 +240,12 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit) co
     const gl::Texture& texture = source.layer < 0 ? *textures_[std::size_t(slot.texture)] : *maps.layers;
     texture.bind(first_unit + source.unit);
   }
-  if (const Heights* heights = heightsOf(scene, material)) {
+  if (const Heights* heights = shows_heights ? heightsOf(scene, material) : nullptr) {
     heights->heights.bind(first_unit + units_ - 2);
     heights->slopes.bind(first_unit + units_ - 1);
     if (heights->horizons) heights->horizons->bind(first_unit + units_ - 4);
+  } else if (const Slopes* slopes = slopesOf(scene, material)) {
+    slopes->texture.bind(first_unit + units_ - 1);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/texture.h"
+#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/surface/map_sources.h"
 #include "mirrorball/scene/scene.h"
 
@@ -39,8 +40,22 @@ class SceneBuffers {
   };
   /// Of a material; null: it has none.
   const Heights* heightsOf(const Scene& scene, int material) const;
+  /// A material's map of slopes, in the last unit where no heights are shown.
+  struct Slopes {
+    gl::Texture texture;  ///< SlopeMoments::levels
+    float unit;
+  };
+  /// Of a material; null: it has none.
+  const Slopes* slopesOf(const Scene& scene, int material) const;
+  /// Says how the textures that have a unit of their own are read; those in layers are filtered by the shader.
+  ///
+  /// filter       at first trilinear
+  /// anisotropy   gl::Sampling::anisotropy of TextureFilter::anisotropic
+  void filterMaps(const Scene& scene, TextureFilter filter, float anisotropy);
   /// Binds their textures to the units from `first_unit` on.
-  void bindMaps(const Scene& scene, int material, int first_unit) const;
+  ///
+  /// shows_heights   else the map of slopes takes their place
+  void bindMaps(const Scene& scene, int material, int first_unit, bool shows_heights) const;
 
  private:
   struct Prisms {
@@ -61,7 +76,9 @@ class SceneBuffers {
   std::vector<std::optional<gl::Texture>> textures_;  // those that have a unit of their own
   std::vector<MaterialMaps> materials_;
   std::vector<Heights> heights_;  // of Scene::height_textures
+  std::vector<Slopes> slopes_;    // of Scene::slope_textures
   int units_ = 0;
+  TextureFilter filter_ = TextureFilter::trilinear;
 };
 
 }  // namespace mirrorball

@@ -162,6 +162,7 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
     program.set("slopes", TextureUnit::slopes);
   }
   if (variant.has(Part::sky, SkyPart::over_horizons)) program.set("horizons", TextureUnit::horizons);
+  if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_map", TextureUnit::slopes);
   if (variant.has(Part::point, PointPart::exact)) {
     program.set("prisms", TextureUnit::prisms);
     program.set("relief_hits", TextureUnit::relief_hits);
@@ -230,6 +231,7 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("coarser", blur.coarser);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
   block.set("sample_phase", (static_cast<float>(frame.sample) + 0.5f) / static_cast<float>(settings.samples));
+  block.set("texture_filter", static_cast<int>(settings.texture_filter));
   block.set("inner_bounces", settings.inner_bounces);
   block.set("only_wavelength", settings.wavelength_nm / 1000.0f);
   block.set("wavelength_count", lightKindsOf(settings));
@@ -293,14 +295,15 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
   const int material = materialOf(scene, instance);
   const SurfaceVariant variant = variantOf(scene, material, buffers, settings);
   gl::Program& program = programs_.find(variant)->second;
-  buffers.bindMaps(scene, material, TextureUnit::first_of_material);
-  setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
   const bool shows_heights = variant.has(Part::normal, NormalPart::heights);
+  buffers.bindMaps(scene, material, TextureUnit::first_of_material, shows_heights);
+  setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
   if (const auto* heights = shows_heights ? buffers.heightsOf(scene, material) : nullptr) {
     const int texture = scene.materials[std::size_t(material)].height_texture;
     program.set("height_map", heightMapUniform(scene.height_textures[std::size_t(texture)]));
     program.set("height_form", glm::vec2(heights->slope_unit, settings.relief_steps));
   }
+  if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_unit", buffers.slopesOf(scene, material)->unit);
   frame_->bind(frame_point);
   instanceBlock(scene, instance).bind(instance_point);
   materialBlock(scene, material).bind(material_point);

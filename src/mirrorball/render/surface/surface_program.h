@@ -42,7 +42,7 @@ struct TextureUnit {
   static constexpr int horizons = gl::Texture::kUnits - 4;
   static constexpr int prisms = gl::Texture::kUnits - 3;
   static constexpr int heights = gl::Texture::kUnits - 2;  ///< of a material that has them
-  static constexpr int slopes = gl::Texture::kUnits - 1;
+  static constexpr int slopes = gl::Texture::kUnits - 1;   ///< of heights, or a map of slopes
 };
 
 /// A chain of prefiltered cubes, of which a texture holds the levels from `first_level` on.

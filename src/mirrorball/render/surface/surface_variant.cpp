@@ -16,8 +16,10 @@ constexpr auto kPoint =
                           "point_linear_binary.glsl", "point_cone.glsl", "point_exact.glsl"});
 constexpr auto kCoordinates = std::to_array<Names>(
     {"coordinates_at_fragment.glsl", "coordinates_at_vertex.glsl", "coordinates_at_triangle.glsl"});
-constexpr auto kNormal = std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl", "normal_heights.glsl"});
-constexpr auto kDetail = std::to_array<Names>({"detail_none.glsl", "detail_normal_map.glsl"});
+constexpr auto kNormal =
+    std::to_array<Names>({"normal_vertex.glsl", "normal_bump.glsl", "normal_heights.glsl", "normal_slopes.glsl"});
+constexpr auto kDetail =
+    std::to_array<Names>({"detail_none.glsl", "detail_normal_map.glsl", "detail_object_normal_map.glsl"});
 constexpr auto kFilm = std::to_array<Names>({"film_none.glsl", "film_thin.glsl"});
 constexpr auto kAnisotropy = std::to_array<Names>({"anisotropy_none.glsl", "anisotropy_stretched.glsl"});
 constexpr auto kSheen = std::to_array<Names>({"sheen_none.glsl", "sheen_cloth.glsl"});
@@ -58,10 +60,14 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
 constexpr std::string_view kMapsFile = "material_maps.glsl";  // made below
 
 NormalPart normalPart(const Material& material, const FrameSettings& settings) {
-  if (showsHeightTexture(material, settings.relief)) return NormalPart::heights;
-  const bool is_flat = material.height_scale == 0.0f || settings.relief == ReliefKind::none;
-  return material.height == HeightKind::orange && material.height_texture < 0 && !is_flat ? NormalPart::bump
-                                                                                          : NormalPart::vertex;
+  if (showsHeights(material, settings.relief))
+    return material.height_texture >= 0 ? NormalPart::heights : NormalPart::bump;
+  return material.slope_texture >= 0 ? NormalPart::slopes : NormalPart::vertex;
+}
+
+DetailPart detailPart(const Material& material) {
+  if (material.normal_map.texture < 0) return DetailPart::none;
+  return material.normal_space == NormalSpace::object ? DetailPart::object_normal_map : DetailPart::normal_map;
 }
 
 PointPart pointPart(const Material& material, const FrameSettings& settings) {
@@ -246,7 +252,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
     variant.choose(Part::material, MaterialPart::unlit);
     return variant;
   }
-  variant.choose(Part::detail, material.normal_map.texture >= 0 ? DetailPart::normal_map : DetailPart::none);
+  variant.choose(Part::detail, detailPart(material));
   variant.coordinates = coordinates;
   // A prism has no corners that the surface has.
   if (!variant.has(Part::point, PointPart::exact))

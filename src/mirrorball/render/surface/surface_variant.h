@@ -50,8 +50,8 @@ std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 // The answers, in the order of the table.
 enum class PointPart : std::uint8_t { raster, parallax, steep, occlusion, linear_binary, cone, exact };
 enum class CoordinatesPart : std::uint8_t { at_fragment, at_vertex, at_triangle };
-enum class NormalPart : std::uint8_t { vertex, bump, heights };
-enum class DetailPart : std::uint8_t { none, normal_map };
+enum class NormalPart : std::uint8_t { vertex, bump, heights, slopes };
+enum class DetailPart : std::uint8_t { none, normal_map, object_normal_map };
 enum class FilmPart : std::uint8_t { none, thin };
 enum class AnisotropyPart : std::uint8_t { none, stretched };
 enum class SheenPart : std::uint8_t { none, cloth };

@@ -71,6 +71,11 @@ std::vector<std::string> approximate(Material& material) {
     material.ior = defaultMaterial().ior;
     lost.emplace_back("ior below 1");
   }
+  if (material.normal_space == NormalSpace::object && material.normal_map.texture >= 0) {
+    material.normal_map.texture = -1;
+    material.normal_space = NormalSpace::tangent;
+    lost.emplace_back("normal_map, which is in object space,");
+  }
   if (material.alpha_mode == AlphaMode::opaque) material.opacity = 1.0f;
   if (material.unlit) material = unlitOf(material);
   return lost;

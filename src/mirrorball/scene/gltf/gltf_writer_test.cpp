@@ -237,6 +237,20 @@ TEST(GltfWriter, WhatGltfHasNotIsToldAndApproximated) {
   EXPECT_TRUE(std::ranges::any_of(found.materials, is_gold));
 }
 
+// glTF's normals are in tangent space, and it has no slopes.
+TEST(GltfWriter, MapsThatGltfHasNotAreLeftOutAndTold) {
+  Material material;
+  material.normal_map.texture = 0;
+  material.normal_space = NormalSpace::object;
+  material.slope_texture = 0;
+  Scene scene = sceneOf(planeMesh(), material);
+  scene.textures.push_back({.image = picture(2, 2, 0)});
+  scene.slope_textures.emplace_back(1, 1, 3);
+  const EncodedScene file = encoded(scene);
+  EXPECT_THAT(file.left_out, ElementsAre(AllOf(HasSubstr("normal_map"), HasSubstr("derivative_map"))));
+  EXPECT_EQ(decoded(file).materials.at(0).normal_map.texture, -1);
+}
+
 // The depths at which a camera clips: what it sees at −1 and at 1 lies there.
 TEST(GltfWriter, CamerasOfBothKindsAreWritten) {
   const Scene scene = sceneOf(sphereMesh());

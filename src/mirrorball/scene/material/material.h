@@ -15,6 +15,12 @@ namespace mirrorball {
 
 enum class AlphaMode { opaque, mask, blend };
 
+/// What the normals of a normal map are told in.
+enum class NormalSpace {
+  tangent,  ///< the directions of growing u and falling v, and the normal: glTF's
+  object,   ///< the mesh's own axes
+};
+
 /// A texture slot of a material: which texture, which texture coordinates, and glTF's KHR_texture_transform.
 struct TextureSlot {
   int texture = -1;  ///< index into Scene::textures; −1: none
@@ -33,6 +39,8 @@ struct Material : formula::Material {
   std::string name;
   HeightKind height = HeightKind::none;
   int height_texture = -1;  ///< index into Scene::height_textures, where relief.h needs one
+  int slope_texture = -1;   ///< index into Scene::slope_textures; bends normals where no heights are shown
+  NormalSpace normal_space = NormalSpace::tangent;  ///< of normal_map
   AlphaMode alpha_mode = AlphaMode::opaque;
   bool double_sided = false;
   bool unlit = false;        ///< shows its base colour as radiance, and answers to no light

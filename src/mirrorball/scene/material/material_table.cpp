@@ -22,6 +22,18 @@ constexpr ChoiceField<Material> kHeightField{[](const Material& material) { retu
                                                material.height_frequency = own.frequency;
                                              }};
 
+/// Its picture is loaded into a scene, by setParameter of set_parameter.h.
+constexpr ParsedField<Material> kDerivativeField{
+    [](const Material& material) { return std::string(material.slope_texture < 0 ? "none" : "a picture"); },
+    [](const OptionText& text, std::string_view picture, Material& material) -> Result<void> {
+      if (picture == "none") {
+        material.slope_texture = -1;
+        return {};
+      }
+      return fail(ErrorCode::usage,
+                  "the material parameter " + std::string(text.name) + " needs a picture, and a model to put it on");
+    }};
+
 /// Parameters that had another name.
 constexpr auto kFormerNames =
     std::to_array<Alias>({{"bump", "height"}, {"bump_height", "height_scale"}, {"bump_frequency", "height_frequency"}});
@@ -237,6 +249,21 @@ const auto kParameters = std::to_array<MaterialParameter>({
        .help = "strength of the normal map; a negative value turns bumps into dents"},
       &Material::normal_scale},
      "normalTexture.scale"},
+    {{{.name = "normal_space",
+       .choices = "tangent|object",
+       .help = "what normal_map's normals are told in: the directions of the texture on the surface, or the mesh's own "
+               "axes, with which it may not bend or repeat; heights and slopes do not show under the latter"},
+      choiceField<&Material::normal_space>}},
+    {{{.name = "derivative_map",
+       .value = "none|FILE",
+       .help = "picture of slopes (∂d/∂u, 0, ∂d/∂v) along the surface, as `surface --to derivative` makes it: signed "
+               "floats, or integers that stand for ½ + ½ slope; needs no tangents, and shows where heights do not"},
+      kDerivativeField}},
+    {{{.name = "derivative_scale",
+       .minimum = -10,
+       .maximum = 10,
+       .help = "strength of the derivative map; a negative value turns bumps into dents"},
+      &Material::derivative_scale}},
     {{{.name = "occlusion_strength", .minimum = 0, .maximum = 1, .help = "strength of the occlusion map"},
       &Material::occlusion_strength},
      "occlusionTexture.strength"},
@@ -246,13 +273,13 @@ const auto kParameters = std::to_array<MaterialParameter>({
 
 constexpr auto kMaps = std::to_array<MaterialMap>({
     {"base_color_map", &Material::base_color_map, true, "pbrMetallicRoughness.baseColorTexture",
-     "colour picture that multiplies base_color; its alpha multiplies opacity"},
+     "colour picture that multiplies base_color; its alpha multiplies opacity. `stripes` is a built-in one"},
     {"metallic_map", &Material::metallic_map, false, "pbrMetallicRoughness.metallicRoughnessTexture",
      "picture whose blue channel multiplies metallic"},
     {"roughness_map", &Material::roughness_map, false, "pbrMetallicRoughness.metallicRoughnessTexture",
      "picture whose green channel multiplies perceptual_roughness"},
     {"normal_map", &Material::normal_map, false, "normalTexture",
-     "picture of tangent-space normals n, stored as ½ + ½ n, with green up (as in OpenGL)"},
+     "picture of normals n, stored as ½ + ½ n, with green up (as in OpenGL); see normal_space"},
     {"occlusion_map", &Material::occlusion_map, false, "occlusionTexture",
      "picture whose red channel is the share of the environment that a point sees"},
     {"emission_map", &Material::emission_map, true, "emissiveTexture", "colour picture that multiplies emission"},

@@ -1,6 +1,8 @@
 #include "mirrorball/scene/material/set_parameter.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,20 +10,29 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/scene/material/builtin_picture.h"
 
 namespace mirrorball {
 namespace {
+
+/// A built-in picture by its name, or that of a file, which then counts as read.
+Result<Image8> pictureOf(Scene& scene, const std::string& path) {
+  const auto names = builtinPictureNames();
+  if (std::ranges::find(names, path) != names.end()) return builtinPicture(path);
+  MIRRORBALL_TRY(bytes, readRegularFile(path));
+  MIRRORBALL_TRY(image, withName(path, decodeTexture(bytes)));
+  scene.files.push_back(path);
+  return image;
+}
 
 Result<void> setMap(Scene& scene, const MaterialMap& map, const std::string& path) {
   const std::string name(map.name);
   if (path.empty())
     return fail(ErrorCode::usage, "the material parameter " + name + " needs a picture: " + name + "=FILE");
-  MIRRORBALL_TRY(bytes, readRegularFile(path));
-  MIRRORBALL_TRY(image, withName(path, decodeTexture(bytes)));
+  MIRRORBALL_TRY(image, pictureOf(scene, path));
   if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
     scene.warnings.push_back(name + ": the model has no texture coordinates; all of it shows one texel of " + path);
   scene.textures.push_back({.image = std::move(image), .srgb = map.srgb});
-  scene.files.push_back(path);
   for (Material& material : scene.materials)
     material.*map.slot = {.texture = static_cast<int>(scene.textures.size()) - 1};
   return {};
@@ -70,6 +81,45 @@ Result<void> setHeights(Scene& scene, const std::string& path) {
   return {};
 }
 
+constexpr std::array<std::string_view, 1> kSlopesName{"derivative_map"};
+
+/// Steeper ones than 89.99° are none that a picture shows, and their squares would not fit into half floats.
+constexpr float kSteepest = 1e4f;
+
+/// Slopes as they are meant, of a picture's numbers.
+///
+/// errors   bad_shape; non_finite (the first bad texel is named)
+Result<Image> slopesOf(Image numbers, bool is_encoded) {
+  if (numbers.channels() < 3)
+    return fail(ErrorCode::bad_shape,
+                "is grey, where a map of slopes has red and blue; `surface --to derivative` makes one of heights");
+  Image slopes(numbers.width(), numbers.height(), 3);
+  for (int y = 0; y < slopes.height(); ++y)
+    for (int x = 0; x < slopes.width(); ++x)
+      for (int channel = 0; channel < 3; channel += 2) {
+        const float number = numbers.texel(x, y)[channel];
+        if (!std::isfinite(number))
+          return fail(ErrorCode::non_finite,
+                      "the slope at (" + std::to_string(x) + ", " + std::to_string(y) + ") is no number");
+        slopes.texel(x, y)[channel] = std::clamp(is_encoded ? 2.0f * number - 1.0f : number, -kSteepest, kSteepest);
+      }
+  return slopes;
+}
+
+Result<void> setSlopes(Scene& scene, const std::string& path) {
+  if (path.empty())
+    return fail(ErrorCode::usage, "the material parameter derivative_map needs a picture: derivative_map=FILE");
+  MIRRORBALL_TRY(bytes, readRegularFile(path));
+  MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
+  MIRRORBALL_TRY(slopes, withName(path, slopesOf(std::move(numbers), holdsCodes(bytes))));
+  if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
+    scene.warnings.push_back("derivative_map: the model has no texture coordinates, along which slopes are told");
+  scene.slope_textures.push_back(std::move(slopes));
+  scene.files.push_back(path);
+  for (Material& material : scene.materials) material.slope_texture = static_cast<int>(scene.slope_textures.size()) - 1;
+  return {};
+}
+
 }  // namespace
 
 Result<void> setParameter(Scene& scene, std::string_view assignment) {
@@ -81,6 +131,8 @@ Result<void> setParameter(Scene& scene, std::string_view assignment) {
                   std::string(assignment.substr(std::min(equals + 1, assignment.size()))));
   const std::string_view value = assignment.substr(std::min(equals + 1, assignment.size()));
   if (isFileOfHeights(scene, assignment.substr(0, equals), value)) return setHeights(scene, std::string(value));
+  if (indexOfName(assignment.substr(0, equals), kSlopesName) && value != "none")
+    return setSlopes(scene, std::string(value));
   for (Material& material : scene.materials) MIRRORBALL_TRY_VOID(setParameter(material, assignment));
   return {};
 }

@@ -8,10 +8,11 @@
 namespace mirrorball {
 
 /// Sets a parameter of all materials of a scene from "key=value": a row of materialParameters(), or of materialMaps()
-/// with a picture's file, as in "base_color_map=orange.jpg". A picture is repeated beyond its edges. Meshes without
-/// texture coordinates show one texel of it, of which the scene's warnings tell.
+/// with a picture's file or the name of a built-in one, as in "base_color_map=orange.jpg". A picture is repeated beyond
+/// its edges. Meshes without texture coordinates show one texel of it, of which the scene's warnings tell.
 ///
-/// errors   usage: a wrong key lists the right ones, a wrong value its range; as readRegularFile's and decodeTexture's
+/// errors   usage: a wrong key lists the right ones, a wrong value its range; bad_shape and non_finite: slopes of a
+///          derivative map that are none; as readRegularFile's and decodeTexture's
 Result<void> setParameter(Scene& scene, std::string_view assignment);
 
 }  // namespace mirrorball

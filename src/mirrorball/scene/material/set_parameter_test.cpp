@@ -1,5 +1,7 @@
 #include "mirrorball/scene/material/set_parameter.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,6 +36,48 @@ TEST(SetParameter, EveryMapTakesAPicture) {
     EXPECT_THAT(scene.files, ElementsAre(path));
     EXPECT_TRUE(scene.warnings.empty());
   }
+}
+
+/// A picture of one texel of light, in the test's folder.
+std::string slopeFile(glm::vec3 texel) {
+  const std::string path = ::testing::TempDir() + "set_parameter_slope.exr";
+  Image image(1, 1, 3);
+  for (int channel = 0; channel < 3; ++channel) image.texel(0, 0)[channel] = texel[channel];
+  EXPECT_TRUE(writeImage(path, image));
+  return path;
+}
+
+TEST(SetParameter, ADerivativeMapIsSignedOrEncoded) {
+  Scene scene = sceneOf(sphereMesh());
+  ASSERT_TRUE(setParameter(scene, "derivative_map=" + slopeFile({-2.0f, 0.0f, 0.5f})));
+  EXPECT_EQ(scene.materials[0].slope_texture, 0);
+  EXPECT_EQ(rgbAt(scene.slope_textures.at(0), 0, 0), glm::vec3(-2.0f, 0.0f, 0.5f));
+  ASSERT_TRUE(setParameter(scene, "Derivative-Map=" + onePixel()));  // of 255, 100, 255
+  EXPECT_EQ(scene.materials[0].slope_texture, 1);
+  EXPECT_EQ(rgbAt(scene.slope_textures.at(1), 0, 0), glm::vec3(1.0f, 0.0f, 1.0f));
+  ASSERT_TRUE(setParameter(scene, "derivative_map=" + slopeFile({1e30f, 7.0f, -1e30f})));
+  EXPECT_EQ(rgbAt(scene.slope_textures.at(2), 0, 0), glm::vec3(1e4f, 0.0f, -1e4f)) << "as steep as pictures show";
+  EXPECT_EQ(scene.files.size(), 3u);
+  ASSERT_TRUE(setParameter(scene, "derivative_map=none"));
+  EXPECT_EQ(scene.materials[0].slope_texture, -1);
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(SetParameter, ADerivativeMapMustBeNumbersInColour) {
+  Scene scene = sceneOf(sphereMesh());
+  const auto said = [&](const std::string& value) {
+    return setParameter(scene, "derivative_map" + value).error().message;
+  };
+  EXPECT_THAT(said(""), HasSubstr("derivative_map=FILE"));
+  EXPECT_THAT(said("=none.exr"), HasSubstr("none.exr"));
+  EXPECT_THAT(said("=" + slopeFile({0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN()})),
+              HasSubstr("slope at (0, 0) is no number"));
+  const std::string grey = ::testing::TempDir() + "set_parameter_grey.exr";
+  ASSERT_TRUE(writeImage(grey, Image(1, 1, 1)));
+  EXPECT_THAT(said("=" + grey), HasSubstr("grey"));
+  EXPECT_TRUE(scene.slope_textures.empty());
+  Material alone;
+  EXPECT_THAT(setParameter(alone, "derivative_map=x.exr").error().message, HasSubstr("needs a picture, and a model"));
 }
 
 TEST(SetParameter, SetsNumbersOfAllMaterials) {

@@ -61,11 +61,6 @@ void warnOfMeshesWithoutCoordinates(Scene& scene) {
 
 }  // namespace
 
-bool showsHeightTexture(const Material& material, ReliefKind kind) {
-  return kind != ReliefKind::none && material.height != HeightKind::none && material.height_texture >= 0 &&
-         material.height_scale != 0.0f;
-}
-
 Result<void> prepareRelief(Scene& scene, ReliefKind kind) {
   if (kind != ReliefKind::none) warnOfMeshesWithoutCoordinates(scene);
   SharedHeights textures(scene.height_textures);

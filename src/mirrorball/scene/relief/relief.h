@@ -21,9 +21,17 @@ enum class ReliefKind {
 /// Whether a kind moves the place of the surface, within the triangles that there are.
 constexpr bool movesSurface(ReliefKind kind) { return kind >= ReliefKind::parallax && kind < ReliefKind::geometry; }
 
-/// Whether a material shows a texture of heights in a scene that is prepared for that kind, and so what lies below its
+/// Whether heights bend the normals of a material: what its map of slopes gives way to.
+inline bool showsHeights(const Material& material, ReliefKind kind) {
+  const bool has_shape = material.height == HeightKind::orange || material.height_texture >= 0;
+  return has_shape && material.height != HeightKind::none && material.height_scale != 0.0f && kind != ReliefKind::none;
+}
+
+/// Whether they are those of a texture, in a scene that is prepared for that kind: what lies below the material's
 /// triangles where movesSurface(kind).
-bool showsHeightTexture(const Material& material, ReliefKind kind);
+inline bool showsHeightTexture(const Material& material, ReliefKind kind) {
+  return showsHeights(material, kind) && material.height_texture >= 0;
+}
 
 /// Gives a scene what that kind needs of it: the textures of built-in heights, and for `geometry` the triangles. A
 /// material with a texture and a height_scale below 0 gets 1 − h as its heights, and the scale above 0: so all else can

@@ -1,0 +1,167 @@
+// Bumps told by heights, by normals in tangent or object space, and by slopes: the same surface in the same light.
+
+#include <string>
+#include <utility>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/frame/renderer.h"
+#include "mirrorball/render/render_testing.h"
+#include "mirrorball/scene/bumpy_pair_testing.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::BumpForm;
+
+constexpr glm::ivec2 kSize_px{192, 96};  // three pixels for two texels of the hills
+
+Material mirror() { return *materialNamed("mirror"); }
+
+/// Light whose colour tells its direction.
+Environment compass() {
+  return Environment([](glm::vec3 d) { return (1.0f + d) / 2.0f; }, 128);
+}
+
+/// The compass as a mirror of that normal shows it, seen from +Z.
+glm::vec3 mirrored(glm::vec3 n) { return (1.0f + glm::reflect(glm::vec3(0, 0, -1), n)) / 2.0f; }
+
+class BumpMapsTest : public gl::GlTest {
+ protected:
+  /// Of a scene that fills the picture, seen from +Z in parallel projection.
+  static Image drawn(Scene scene, FrameSettings settings = {}, const Environment& environment = compass()) {
+    settings.size = kSize_px;
+    settings.samples = 1;
+    settings.background = BackgroundKind::transparent;
+    testing::aim(settings, 0.0f, 0.0f);
+    settings.camera.target = glm::vec3(0.0f);
+    settings.camera.orthographic_height = 1.0f / boundingSphere(scene).radius;
+    auto renderer = testing::rendererOf(std::move(scene), environment, *testing::prepareOnce(environment));
+    EXPECT_TRUE(renderer);
+    auto image = renderer->renderRadiance(settings);
+    EXPECT_TRUE(image) << image.error().message;
+    return std::move(*image);
+  }
+
+  static glm::vec2 placeOf(int x, int y) {
+    return {(static_cast<float>(x) + 0.5f) / 96.0f - 1.0f, 0.5f - (static_cast<float>(y) + 0.5f) / 96.0f};
+  }
+
+  static glm::vec3 middle(const Image& image) { return rgbAt(image, image.width() / 4, image.height() / 2); }
+};
+MIRRORBALL_WITH_BOTH_APIS(BumpMapsTest);
+
+// Left and right of the middle the texture is mirrored.
+TEST_P(BumpMapsTest, HeightsNormalsAndSlopesShowTheSameHills) {
+  for (const BumpForm form : testing::kEveryBumpForm) {
+    const Image image = drawn(testing::bumpyPair(form, mirror()));
+    float farthest = 0.0f;
+    for (int y = 1; y < image.height() - 1; ++y)
+      for (int x = 1; x < image.width() - 1; ++x)
+        farthest =
+            std::max(farthest, glm::distance(rgbAt(image, x, y), mirrored(testing::normalOfPair(placeOf(x, y)))));
+    EXPECT_LT(farthest, 2.0f * testing::toleranceOf(form)) << testing::nameOf(form);
+  }
+}
+
+// The picture is its own mirror image, and so is the compass, but for red.
+TEST_P(BumpMapsTest, MirroredCoordinatesShadeWithoutASeam) {
+  for (const BumpForm form : testing::kEveryBumpForm) {
+    const Image image = drawn(testing::bumpyPair(form, mirror()));
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width() / 2; ++x) {
+        const glm::vec3 left = rgbAt(image, x, y);
+        const glm::vec3 right = rgbAt(image, image.width() - 1 - x, y);
+        ASSERT_LT(glm::distance(glm::vec3(1.0f - left.x, left.y, left.z), right), 3e-3f)
+            << testing::nameOf(form) << " at (" << x << ", " << y << ")";
+      }
+  }
+}
+
+TEST_P(BumpMapsTest, SlopesAreScaledAndTurnedOver) {
+  const auto shown = [&](float scale, float slope) {
+    Material material = mirror();
+    material.slope_texture = 0;
+    material.derivative_scale = scale;
+    Scene scene = sceneOf(testing::mirroredPair(), material);
+    scene.slope_textures.emplace_back(1, 1, 3);
+    scene.slope_textures[0].texel(0, 0)[0] = slope;
+    return middle(drawn(std::move(scene)));
+  };
+  const auto expectNear = [](glm::vec3 a, glm::vec3 b) { EXPECT_LT(glm::distance(a, b), 2e-3f); };
+  expectNear(shown(1.0f, 0.75f), mirrored({-0.6f, 0.0f, 0.8f}));
+  expectNear(shown(-1.0f, 0.75f), mirrored({0.6f, 0.0f, 0.8f}));
+  expectNear(shown(0.5f, 1.5f), mirrored({-0.6f, 0.0f, 0.8f}));
+  expectNear(shown(0.0f, 1e4f), mirrored({0.0f, 0.0f, 1.0f}));
+  expectNear(shown(1.0f, 0.0f), mirrored({0.0f, 0.0f, 1.0f}));
+}
+
+// Far away, what a pixel averages away makes the mirror rough: it does not sparkle.
+TEST_P(BumpMapsTest, SlopesThatAPixelAveragesAwayBlur) {
+  Material material = mirror();
+  material.slope_texture = 0;
+  Scene scene = sceneOf(testing::mirroredPair(), material);
+  for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] *= 64.0f;
+  scene.slope_textures.push_back(*derivativesFromHeights(testing::hills(), {.scale = 0.5f}));
+  const Image image = drawn(std::move(scene));
+  EXPECT_LT(middle(image).z, mirrored({0.0f, 0.0f, 1.0f}).z - 0.05f);
+  EXPECT_LT(glm::distance(rgbAt(image, 40, 40), rgbAt(image, 43, 47)), 2e-3f);
+}
+
+TEST_P(BumpMapsTest, AnObjectSpaceMapTurnsWithItsInstance) {
+  const auto shown = [&](const glm::mat4& world_from_object, float scale) {
+    Material material = mirror();
+    material.normal_map.texture = 0;
+    material.normal_space = NormalSpace::object;
+    material.normal_scale = scale;
+    Scene scene = sceneOf(testing::mirroredPair(), material);
+    Image normals(1, 1, 3);
+    normals.texel(0, 0)[0] = 0.6f;
+    normals.texel(0, 0)[2] = 0.8f;
+    scene.textures.push_back(testing::textureOfNormals(normals));
+    scene.instances[0].world_from_object = world_from_object;
+    return rgbAt(drawn(std::move(scene)), kSize_px.x / 2, kSize_px.y / 2);
+  };
+  const auto expectNear = [](glm::vec3 a, glm::vec3 b) { EXPECT_LT(glm::distance(a, b), 0.012f); };
+  const glm::mat4 still(1.0f);
+  expectNear(shown(still, 1.0f), mirrored({0.6f, 0.0f, 0.8f}));
+  expectNear(shown(still, 0.0f), mirrored({0.0f, 0.0f, 1.0f}));
+  const glm::mat4 quarter = glm::rotate(still, glm::half_pi<float>(), glm::vec3(0, 0, 1));
+  expectNear(shown(quarter, 1.0f), mirrored({0.0f, 0.6f, 0.8f}));
+  // Twice as wide: a normal leans half as far.
+  const glm::mat4 wide = glm::scale(still, glm::vec3(2.0f, 1.0f, 1.0f));
+  expectNear(shown(wide, 1.0f), mirrored(glm::normalize(glm::vec3(0.3f, 0.0f, 0.8f))));
+}
+
+TEST_P(BumpMapsTest, HillsOfEveryFormAreWhiteInTheFurnace) {
+  const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 8);
+  Material metal = mirror();
+  metal.perceptual_roughness = 0.4f;
+  for (const BumpForm form : testing::kEveryBumpForm)
+    testing::expectFurnaceWhite(drawn(testing::bumpyPair(form, metal), {}, white), testing::nameOf(form), 2e-3f);
+}
+
+// Without coordinates there is no direction along which a slope could be told.
+TEST_P(BumpMapsTest, SlopesOnAMeshWithoutCoordinatesLeaveItSmooth) {
+  Scene scene = testing::bumpyPair(BumpForm::derivative_map, mirror());
+  for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] = glm::vec2(0.0f);
+  EXPECT_LT(glm::distance(middle(drawn(std::move(scene))), mirrored({0.0f, 0.0f, 1.0f})), 2e-3f);
+}
+
+// Heights come first, and where they are not shown the slopes do.
+TEST_P(BumpMapsTest, SlopesGiveWayToHeights) {
+  Scene both = testing::bumpyPair(BumpForm::heights, mirror());
+  both.materials[0].slope_texture = 0;
+  both.slope_textures.emplace_back(1, 1, 3);
+  both.slope_textures[0].texel(0, 0)[0] = 0.75f;
+  const glm::vec3 of_heights = middle(drawn(testing::bumpyPair(BumpForm::heights, mirror())));
+  EXPECT_LT(glm::distance(middle(drawn(both)), of_heights), 1e-5f);
+  FrameSettings settings;
+  settings.relief = ReliefKind::none;
+  EXPECT_LT(glm::distance(middle(drawn(both, settings)), mirrored({-0.6f, 0.0f, 0.8f})), 2e-3f);
+}
+
+}  // namespace
+}  // namespace mirrorball

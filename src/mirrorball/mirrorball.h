@@ -44,3 +44,5 @@
 #include "mirrorball/study/page/page.h"
 #include "mirrorball/study/study.h"
 #include "mirrorball/trace/path_tracer.h"
+#include "mirrorball/transfer/detail_transfer.h"
+#include "mirrorball/transfer/normal_space.h"

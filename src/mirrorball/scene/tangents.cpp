@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <limits>
 #include <tuple>
-#include <unordered_map>
 
+#include "mirrorball/scene/equal_vertices.h"
 #include "mirrorball/scene/mesh_file/corner_angle.h"
 
 namespace mirrorball {
@@ -30,35 +30,14 @@ glm::vec4 tangentOfNothing(dvec3 normal, float side = -1.0f) {
   return glm::vec4(glm::vec3(unitOr(across(normal, dvec3(1, 0, 0)), anyOrthogonal(normal))), side);
 }
 
-/// What makes vertices one.
-using VertexKey = std::array<float, 8>;
-
-struct VertexKeyHash {
-  std::size_t operator()(const VertexKey& key) const {
-    std::size_t hash = 0;
-    for (const float number : key) hash = (hash ^ std::hash<float>()(number)) * 0x9E3779B97F4A7C15u;
-    return hash ^ (hash >> 32u);
-  }
-};
-
-VertexKey keyOf(const Vertex& vertex, int set) {
-  const glm::vec3 p = vertex.position;
-  const glm::vec3 n = vertex.normal;
-  const glm::vec2 uv = vertex.uv[set];
-  VertexKey key{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y};
-  for (float& number : key) number += 0.0f;  // −0 is 0
-  return key;
-}
-
-/// For each vertex the first one that is the same.
-std::vector<std::uint32_t> firstOfEqual(const Mesh& mesh, int set) {
-  std::unordered_map<VertexKey, std::uint32_t, VertexKeyHash> first;
-  first.reserve(mesh.vertices.size());
-  std::vector<std::uint32_t> firsts;
-  firsts.reserve(mesh.vertices.size());
-  for (const Vertex& vertex : mesh.vertices)
-    firsts.push_back(first.emplace(keyOf(vertex, set), static_cast<std::uint32_t>(firsts.size())).first->second);
-  return firsts;
+/// For each vertex the first one that counts as the same.
+std::vector<std::uint32_t> firstOfSame(const Mesh& mesh, int set) {
+  return firstOfEqual(mesh.vertices, [set](const Vertex& vertex) {
+    const glm::vec3 p = vertex.position;
+    const glm::vec3 n = vertex.normal;
+    const glm::vec2 uv = vertex.uv[set];
+    return std::array{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y};
+  });
 }
 
 struct Triangle {
@@ -90,7 +69,7 @@ void setDirection(Triangle& triangle, const std::array<const Vertex*, 3>& corner
 }
 
 std::vector<Triangle> trianglesOf(const Mesh& mesh, int set) {
-  const std::vector<std::uint32_t> firsts = firstOfEqual(mesh, set);
+  const std::vector<std::uint32_t> firsts = firstOfSame(mesh, set);
   std::vector<Triangle> triangles(mesh.indices.size() / 3);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     Triangle& triangle = triangles[i];
@@ -116,8 +95,8 @@ struct Edge {
   bool sameEnds(const Edge& other) const { return low == other.low && high == other.high; }
 };
 
-/// Finds who lies beyond each edge: of those that run the other way between the same two vertices, the first that has no
-/// neighbour yet.
+/// Finds who lies beyond each edge: of those that run the other way between the same two vertices, the first that has
+/// no neighbour yet.
 void joinNeighbours(std::vector<Triangle>& triangles) {
   std::vector<Edge> edges;
   edges.reserve(3 * triangles.size());

@@ -29,14 +29,13 @@ struct TransferredDetail {
   Image visible;  ///< 1 channel in [0, 1]: share of an even sky's irradiance that the dense model leaves; or empty
   Image bent_normals;    ///< 3 channels, unit: where that light comes from; or empty
   double covered = 0.0;  ///< share of the map's texels that a triangle touches
-  double missed =
-      0.0;  ///< share of samples whose rays met nothing; they are filled by others of their texel, else flat
+  double missed = 0.0;   ///< share of samples whose rays met nothing; others of the texel count, or it is flat
   double overlapping =
       0.0;  ///< share of samples that several triangles claim, as mirrored halves do; the first has them
 };
 
-/// Finds the detail of a dense model for the texels of a light one at the same place: normals, with what normal maps the
-/// dense one has, and where they are wanted heights and occlusion.
+/// Finds the detail of a dense model for the texels of a light one at the same place: normals, with what normal maps
+/// the dense one has, and where they are wanted heights and occlusion.
 ///
 /// high     any models of triangles; surfaces that face away from a ray's outside are passed
 /// low      with texture coordinates, of which the first are meant; all its instances share the map

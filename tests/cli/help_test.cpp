@@ -27,7 +27,7 @@ using ::testing::MatchesRegex;
 
 using HelpTest = CliTest;
 const char* const kCommands[] = {"render", "convert", "bake",  "capture", "export", "info",     "compare",
-                                 "study",  "fresnel", "photo", "surface", "cache",  "reference"};
+                                 "study",  "fresnel", "photo", "surface", "transfer", "cache",  "reference"};
 
 std::set<std::string> optionsIn(const std::string& help) {
   std::set<std::string> options;

@@ -14,7 +14,7 @@ namespace {
 // All in radii of the light model.
 
 /// How far from the surface rays without a cage go.
-constexpr float kReach = 0.1f;
+constexpr float kReach = 0.05f;
 
 /// How far before the surface rays begin, which may be where the dense one is.
 constexpr float kStart = 1e-4f;

@@ -37,7 +37,7 @@ class DenseModel {
   /// The place that belongs to one of the light model, among those that face the same way.
   ///
   /// outwards  unit
-  /// cage      0: the nearest along the line through `origin`, up to a tenth of the radius away. Else the outermost
+  /// cage      0: the nearest along the line through `origin`, up to a twentieth of the radius away. Else the outermost
   ///           between so far outside and so far inside [world units]
   std::optional<DensePlace> placeAlong(glm::vec3 origin, glm::vec3 outwards, float cage) const;
 

@@ -157,15 +157,12 @@ Command surfaceCommand() {
       .help = "Makes normal, slope, cone and occlusion maps of a height map, or heights of a normal map",
       .about =
           "IN is a height map, black low and white high, or for `--to height`, `object-normal` and `tangent-normal` a "
-          "normal map. Its numbers are taken as "
-          "they "
-          "are: integers of 8 or 16 bits are shares of the greatest, without a colour's curve; floats are heights, or "
+          "normal map. Its numbers are taken as they are: integers of 8 or 16 bits are shares of the greatest, without "
+          "a colour's curve; floats are heights, or "
           "signed normals. Normal maps have x to the right and y up, as glTF and OpenGL want them. `--output` is "
           "required.",
       .examples = {{"surface brick.png --scale 0.03 -o brick_normal.png", "a normal map of a height map that tiles"},
-                   {"surface brick_normal.png --to height -o brick.exr", "the heights again; prints their scale"},
-                   {"surface knot_normal.png --to object-normal --model knot.glb -o knot_object.png",
-                    "a model's normal map in the axes of its mesh"}}};
+                   {"surface brick_normal.png --to height -o brick.exr", "the heights again; prints their scale"}}};
   static const std::string formats = "(" + std::string(readExtensions()) + "), or - for standard input";
   addArgument(command,
               {.name = "IN",

@@ -63,9 +63,9 @@ TEST_F(TransferTest, NormalsAndHeightsOfARoof) {
 }
 
 TEST_F(TransferTest, PicturesHoldSharesAndGreenUpOrDown) {
-  write("slanted.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.05\nv 0 1 0.05\nf 1 2 3 4\n");
+  write("slanted.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.03\nv 0 1 0.03\nf 1 2 3 4\n");
   const std::string told = succeed("transfer slanted.obj flat.obj --size 8 -o up.png --height height.png");
-  EXPECT_THAT(told, MatchesRegex("heights from 0.003.* to 0.046.*\n"));
+  EXPECT_THAT(told, MatchesRegex("heights from 0.001.* to 0.028.*\n"));
   succeed("transfer slanted.obj flat.obj --size 8 --directx -o down.png");
   const Image8 up = decodeTexture(bytes("up.png")).value(), down = decodeTexture(bytes("down.png")).value();
   const Image8 heights = decodeTexture(bytes("height.png")).value();
@@ -78,8 +78,11 @@ TEST_F(TransferTest, PicturesHoldSharesAndGreenUpOrDown) {
 TEST_F(TransferTest, SpacesAndOcclusion) {
   succeed("transfer sphere sphere --size 32 -o tangent.exr --occlusion visible.exr --bent-normal bent.exr --rays 16");
   EXPECT_LT(farthestFrom("tangent.exr", {0, 0, 1}), 0.02f);
-  EXPECT_LT(farthestFrom("visible.exr", glm::vec3(1.0f)), 0.02f);  // a ball hides nothing from itself
-  EXPECT_LT(farthestFrom("bent.exr", {0, 0, 1}), 0.6f);            // 16 directions
+  const Image visible = image("visible.exr");
+  double sum = 0.0;
+  for (const float share : visible.samples()) sum += double(share);
+  EXPECT_GT(sum / double(visible.texelCount()), 0.995);  // a ball hides nothing from itself, its facets hardly anything
+  EXPECT_LT(farthestFrom("bent.exr", {0, 0, 1}), 0.6f);  // 16 directions
   succeed("transfer sphere sphere --size 32 --space object -o object.exr");
   succeed("surface object.exr --to tangent-normal --model sphere -o back.exr");
   EXPECT_LT(farthestFrom("back.exr", {0, 0, 1}), 0.05f);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,6 +31,19 @@ inline Result<PreparedEnvironment> prepareOnce(const Environment& environment) {
   static const Folder folder;
   return prepareEnvironment(environment, PrefilterCache(folder.path));
 }
+
+/// Tests with a context of OpenGL without a window; skipped where there is none.
+class HeadlessTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto made = gl::Context::createHeadless();
+    if (!made) GTEST_SKIP() << made.error().message;
+    context_.emplace(std::move(*made));
+  }
+
+ private:
+  std::optional<gl::Context> context_;
+};
 
 /// A renderer on the context that is current.
 inline Result<Renderer> rendererOf(Scene scene, Environment environment, const PreparedEnvironment& prepared) {

@@ -60,10 +60,7 @@ glm::vec3 patchNormal(const HeightTexture& heights, const formula::ReliefPrism& 
 }  // namespace
 
 Result<TwoSidedHeights> twoSided(const HeightTexture& heights) {
-  Image depths = heights.heights;
-  for (int y = 0; y < depths.height(); ++y)
-    for (int x = 0; x < depths.width(); ++x) depths.texel(x, y)[0] = 1.0f - depths.texel(x, y)[0];
-  MIRRORBALL_TRY(below, heightTexture(std::move(depths), heights.edges));
+  MIRRORBALL_TRY(below, heightTexture(turnedOver(heights.heights), heights.edges));
   return TwoSidedHeights{heights, std::move(below)};
 }
 

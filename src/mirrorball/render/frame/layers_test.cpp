@@ -1,6 +1,5 @@
 // What glTF's extensions lay on a surface, as the renderer draws it.
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,14 +15,8 @@
 namespace mirrorball {
 namespace {
 
-class LayersTest : public ::testing::Test {
+class LayersTest : public testing::HeadlessTest {
  protected:
-  void SetUp() override {
-    auto made = gl::Context::createHeadless();
-    if (!made) GTEST_SKIP() << made.error().message;
-    context_.emplace(std::move(*made));
-  }
-
   /// A built-in model, all of a material that is set so.
   static Image radiance(const char* model, const std::vector<std::string>& set, const Environment& environment,
                         const FrameSettings& settings) {
@@ -35,9 +28,6 @@ class LayersTest : public ::testing::Test {
     EXPECT_TRUE(image);
     return std::move(*image);
   }
-
- private:
-  std::optional<gl::Context> context_;
 };
 
 // They reflect, or let through what they do not: of white layers over white all light comes back.

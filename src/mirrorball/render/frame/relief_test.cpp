@@ -1,7 +1,6 @@
 // Relief of heights, as the renderer draws it.
 
 #include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,14 +16,8 @@
 namespace mirrorball {
 namespace {
 
-class ReliefTest : public ::testing::Test {
+class ReliefTest : public testing::HeadlessTest {
  protected:
-  void SetUp() override {
-    auto made = gl::Context::createHeadless();
-    if (!made) GTEST_SKIP() << made.error().message;
-    context_.emplace(std::move(*made));
-  }
-
   /// A built-in model with these parameters.
   static Image radiance(const char* model, const std::vector<std::string>& set, const Environment& environment,
                         const FrameSettings& settings) {
@@ -44,9 +37,6 @@ class ReliefTest : public ::testing::Test {
     settings.relief = relief;
     return settings;
   }
-
- private:
-  std::optional<gl::Context> context_;
 };
 
 constexpr ReliefKind kEveryKind[] = {ReliefKind::none,  ReliefKind::bump,      ReliefKind::parallax,

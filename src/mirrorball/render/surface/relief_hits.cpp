@@ -5,7 +5,7 @@
 
 #include <epoxy/gl.h>
 
-#include "mirrorball/render/surface/height_form.h"
+#include "mirrorball/render/surface/height_map_uniform.h"
 
 namespace mirrorball {
 namespace {

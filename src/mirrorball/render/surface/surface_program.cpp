@@ -12,7 +12,7 @@
 #include "mirrorball/bake/brdf/directional_albedo.h"
 #include "mirrorball/bake/brdf/sheen_albedo.h"
 #include "mirrorball/image/image_set.h"
-#include "mirrorball/render/surface/height_form.h"
+#include "mirrorball/render/surface/height_map_uniform.h"
 #include "mirrorball/render/surface/light_reads.h"
 #include "mirrorball/render/surface/wavelength_sets.h"
 

@@ -35,6 +35,11 @@ Result<HeightTexture> heightTexture(Image heights, MapEdges edges) {
   return texture;
 }
 
+Image turnedOver(Image heights) {
+  for (float& height : heights.samples()) height = 1.0f - height;
+  return heights;
+}
+
 Result<void> makeCones(HeightTexture& texture) {
   if (!texture.cones.empty()) return {};
   MIRRORBALL_TRY(cones, coneMap(texture.heights, ConeKind::conservative, texture.edges));

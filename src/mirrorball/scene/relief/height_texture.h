@@ -37,6 +37,9 @@ inline glm::vec4 fetchMap(const HeightTexture& texture, glm::ivec2 texel, int) {
 /// cost      as maximumPyramid
 Result<HeightTexture> heightTexture(Image heights, MapEdges edges);
 
+/// 1 − h of each: the same surface as it is from below.
+Image turnedOver(Image heights);
+
 /// Makes its cones, once.
 ///
 /// errors    as coneMap's

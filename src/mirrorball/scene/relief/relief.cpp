@@ -20,12 +20,6 @@ bool readsTexture(const Material& material, ReliefKind kind) {
   return material.height != HeightKind::orange || kind != ReliefKind::bump;
 }
 
-Image turnedOver(Image heights) {
-  for (int y = 0; y < heights.height(); ++y)
-    for (int x = 0; x < heights.width(); ++x) heights.texel(x, y)[0] = 1.0f - heights.texel(x, y)[0];
-  return heights;
-}
-
 /// The textures that materials share.
 class SharedHeights {
  public:

@@ -82,6 +82,18 @@ TEST(TransferDetail, OfADenseSphereMakesACoarseOneSmooth) {
   }
 }
 
+TEST(TransferDetail, ReadsTheNormalMapOfTheDenseModel) {
+  Scene high = sceneOf(flatPlate());
+  Texture texture{.image = Image8(1, 1, 4, 255)};
+  for (const int channel : {0, 1, 2}) texture.image.texel(0, 0)[channel] = std::uint8_t(channel == 0 ? 200 : 180);
+  high.textures.push_back(texture);
+  high.materials[0].normal_map.texture = 0;
+  const auto detail = transferDetail(high, sceneOf(flatPlate()), {.size = {4, 4}});
+  ASSERT_TRUE(detail);
+  const glm::vec3 wanted = glm::normalize(glm::vec3(200, 180, 180) / 127.5f - 1.0f);
+  EXPECT_LT(degreesBetween(rgbAt(detail->normals, 2, 1), wanted), 0.05f);
+}
+
 TEST(TransferDetail, TakesManySamplesATexel) {
   // Much finer than a texel: a single sample finds this slope or that, many find the plate.
   const auto ridges = [](glm::vec2 place) { return 0.01f * std::sin(40.0f * kPi * place.x); };

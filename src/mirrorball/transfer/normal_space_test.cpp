@@ -1,6 +1,7 @@
 #include "mirrorball/transfer/normal_space.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -95,6 +96,23 @@ TEST(NormalsInSpace, OfMirroredPicturesTurnRound) {
   const auto turned = normalsInSpace(constantNormals(4, 4, n), sceneOf(mirrored), NormalSpace::object);
   EXPECT_LT(degreesBetween(rgbAt(*plain, 1, 2), n), 0.01f);
   EXPECT_LT(degreesBetween(rgbAt(*turned, 1, 2), {-n.x, n.y, n.z}), 0.01f);
+}
+
+// Both halves show the same picture from the line between them on, whose vertices they share before tangents are found.
+TEST(MappedSurface, HasNoSeamBetweenMirroredHalves) {
+  Mesh mesh = testing::plateMesh(4, [](glm::vec2) { return 0.0f; });
+  for (Vertex& vertex : mesh.vertices) vertex.uv[0].x = std::abs(vertex.uv[0].x - 0.5f);
+  computeTangents(mesh);
+  const Scene model = sceneOf(mesh);
+  const auto surface = MappedSurface::make(model);
+  const glm::vec3 n = glm::normalize(glm::vec3(0.5f, 0.25f, 1.0f));
+  for (std::uint32_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle)
+    for (const glm::vec2 b : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(0.3f, 0.3f)}) {
+      const MappedPlace place = surface->at({triangle, b});
+      const MappedPlace middle = surface->at({triangle, glm::vec2(0.3f)});
+      const float side = middle.position.x < 0.0f ? -1.0f : 1.0f;
+      EXPECT_LT(degreesBetween(place.frame.toWorld(n), {side * n.x, n.y, n.z}), 0.01f) << triangle;
+    }
 }
 
 TEST(NormalsInSpace, NeedTextureCoordinatesAndDirections) {

@@ -36,7 +36,7 @@ trap 'rm -rf "$MADE"' EXIT
 export MADE
 
 # The arguments of each command, once. The commands are this repository's own text: the shell may read them.
-commands=$(sed -n 's|^\./mirrorball \(.* \(docs/pictures\|\$MADE\)/.*\)$|\1|p' README.md docs/*.md | awk '!seen[$0]++')
+commands=$(sed -n 's#^\./mirrorball \(.* \(docs/pictures\|\$MADE\)/.*\)$#\1#p' README.md docs/*.md | awk '!seen[$0]++')
 # What a command writes is named last: after -o, or --heat-map of `compare`, which reads others.
 made=$(echo "$commands" | sed -n 's|.* docs/pictures/\([^ ]*\).*|\1|p' | sort)
 shown=$(cat README.md docs/*.md | grep -o '[("][a-z/]*pictures/[A-Za-z0-9_]*\.[a-z]*' | sed 's|.*/||' | sort -u)

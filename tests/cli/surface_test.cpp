@@ -126,6 +126,9 @@ TEST_F(SurfaceTest, NormalsGoToTheAxesOfAMeshAndBack) {
   write("bare.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   EXPECT_THAT(refuse(1, "surface normal.exr --to object-normal --model bare.obj -o a.exr"),
               HasSubstr("bare.obj: has no texture coordinates"));
+  write("long.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 99999 0\nvt 0 1\nf 1/1 2/2 3/3\n"));
+  EXPECT_THAT(refuse(1, "surface normal.exr --to object-normal --model long.obj -o a.exr"),
+              HasSubstr("long.obj: a triangle reaches over"));
 }
 
 TEST_F(SurfaceTest, SaysWhatWasLost) {

@@ -151,5 +151,25 @@ TEST_F(TransferTest, RefusesWithOneLine) {
   EXPECT_THAT(refuse(1, "transfer roof.obj stretched.obj -o a.png"), HasSubstr("from 0 to 1"));
 }
 
+class TransferRenderTest : public RenderCliTest {
+ protected:
+  /// How far a picture is from dense.png, as an observer sees it.
+  double flipOf(const std::string& picture) const {
+    const std::string told = succeed("compare " + picture + " dense.png");
+    return std::stod(told.substr(told.find("FLIP") + 4));
+  }
+};
+
+TEST_F(TransferRenderTest, AStatueOfFewTrianglesLooksAsTheDenseOne) {
+  if (!share("lucy.glb")) GTEST_SKIP() << "lucy.glb is not in the shared data folder";
+  succeed("transfer lucy.glb --simplify 5000 --model-out light.glb");
+  const std::string size = " --size 480x640 -o ";
+  succeed("render lucy.glb" + size + "dense.png");
+  succeed("render light.glb" + size + "mapped.png");
+  succeed("render light.glb --set normal_scale=0" + size + "bare.png");
+  EXPECT_LT(flipOf("mapped.png"), 0.05);
+  EXPECT_LT(flipOf("mapped.png"), flipOf("bare.png") / 3.0);
+}
+
 }  // namespace
 }  // namespace mirrorball::testing

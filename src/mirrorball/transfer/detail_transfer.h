@@ -27,11 +27,10 @@ struct TransferredDetail {
   Image normals;  ///< 3 channels, unit, signed; y up
   Image heights;  ///< 1 channel: how far the dense surface lies outside, in units of the world; empty unless wanted
   Image visible;  ///< 1 channel in [0, 1]: share of an even sky's irradiance that the dense model leaves; or empty
-  Image bent_normals;    ///< 3 channels, unit: where that light comes from; or empty
-  double covered = 0.0;  ///< share of the map's texels that a triangle touches
-  double missed = 0.0;   ///< share of samples whose rays met nothing; others of the texel count, or it is flat
-  double overlapping =
-      0.0;  ///< share of samples that several triangles claim, as mirrored halves do; the first has them
+  Image bent_normals;        ///< 3 channels, unit: where that light comes from; or empty
+  double covered = 0.0;      ///< share of the map's texels that a triangle touches
+  double missed = 0.0;       ///< share of samples whose rays met nothing; others of the texel count, or it is flat
+  double overlapping = 0.0;  ///< share of samples that several triangles claim, as mirrored halves do
 };
 
 /// Finds the detail of a dense model for the texels of a light one at the same place: normals, with what normal maps

@@ -107,10 +107,12 @@ std::size_t TexelCover::coverBy(const Entry& entry, std::span<CoverSample> sampl
         const double depth = depthOf(barycentric);
         if (depth < -kRounding) continue;
         CoverSample& sample = samples[texel + std::size_t(j * side_ + i)];
-        if (sample.triangle == CoverSample::kNothing)
+        if (sample.triangle == CoverSample::kNothing) {
           sample = {entry.triangle, glm::vec2(barycentric)};
-        else if (depth > kWellInside && depthOf(dvec2(sample.barycentric)) > kWellInside)
+        } else if (!sample.is_shared && depth > kWellInside && depthOf(dvec2(sample.barycentric)) > kWellInside) {
+          sample.is_shared = true;
           ++overlapping;
+        }
       }
   }
   return overlapping;

@@ -20,6 +20,7 @@ struct CoverSample {
   static constexpr std::uint32_t kNothing = ~0u;
   std::uint32_t triangle = kNothing;
   glm::vec2 barycentric{0.0f};  ///< of the triangle's second and third corner
+  bool is_shared = false;       ///< lies well inside of another triangle too
 };
 
 /// Which triangles lie at the texels of a map. Coordinates beyond [0, 1] are wrapped, as a texture that repeats does.

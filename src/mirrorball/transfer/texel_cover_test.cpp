@@ -79,7 +79,7 @@ TEST(TexelCover, WrapsWhatLiesBeyondTheMap) {
 }
 
 TEST(TexelCover, GivesOverlapsToTheFirstAndCountsThem) {
-  const Covered covered = coveredBy({kSquare[0], kSquare[0]}, {32, 32}, 1);
+  const Covered covered = coveredBy({kSquare[0], kSquare[0], kSquare[0]}, {32, 32}, 1);  // each sample once
   EXPECT_NEAR(double(covered.overlapping), 32 * 32 / 2, 40.0);
   for (const CoverSample& sample : covered.samples) EXPECT_NE(sample.triangle, 1u);
 }

@@ -3,7 +3,7 @@
 #
 # Makes every picture of README.md and docs/*.md by the commands that are printed in them: each of their lines that
 # begins with "./mirrorball" and writes to docs/pictures/ is run as it stands, so that the text cannot say another
-# command than the one that made the picture.
+# command than the one that made the picture. So are those that write to $MADE/, a folder for what later ones read.
 #
 #   DATA                  the folder with the real inputs, which the commands call $DATA;
 #                         else $DATA, else $MIRRORBALL_DATA, else ../shared/data beside the checkout
@@ -31,10 +31,14 @@ complain() {
   exit_code=1
 }
 
+MADE=$(mktemp -d)
+trap 'rm -rf "$MADE"' EXIT
+export MADE
+
 # The arguments of each command, once. The commands are this repository's own text: the shell may read them.
-commands=$(sed -n 's|^\./mirrorball \(.* docs/pictures/.*\)$|\1|p' README.md docs/*.md | awk '!seen[$0]++')
+commands=$(sed -n 's#^\./mirrorball \(.* \(docs/pictures\|\$MADE\)/.*\)$#\1#p' README.md docs/*.md | awk '!seen[$0]++')
 # What a command writes is named last: after -o, or --heat-map of `compare`, which reads others.
-made=$(echo "$commands" | sed 's|.* docs/pictures/\([^ ]*\).*|\1|' | sort)
+made=$(echo "$commands" | sed -n 's|.* docs/pictures/\([^ ]*\).*|\1|p' | sort)
 shown=$(cat README.md docs/*.md | grep -o '[("][a-z/]*pictures/[A-Za-z0-9_]*\.[a-z]*' | sed 's|.*/||' | sort -u)
 is_plot() { [ "${1##*.}" = svg ]; }
 

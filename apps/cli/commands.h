@@ -16,6 +16,7 @@ Command infoCommand();
 Command compareCommand();
 Command photoCommand();
 Command surfaceCommand();
+Command transferCommand();
 Command studyCommand();
 Command fresnelCommand();
 Command cacheCommand();

@@ -1,7 +1,4 @@
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -9,15 +6,14 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/files.h"
 #include "cli/standard_streams.h"
 #include "cli/surface_maps.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/relief/height_texture.h"
 
 namespace mirrorball::cli {
@@ -46,11 +42,12 @@ const auto kOutputOptions = std::to_array<Option<SurfaceRequest>>({
 
 constexpr OptionText kToText{
     .name = "to",
-    .choices = "normal|derivative|height|cone|pyramid|occlusion|bent-normal",
+    .choices = "normal|derivative|height|cone|pyramid|occlusion|bent-normal|object-normal|tangent-normal",
     .aliases = "normals=normal|slope=derivative|heights=height|cones=cone|maximum=pyramid|ao=occlusion",
     .help =
         "the map: normals in tangent space; slopes (∂d/∂u, 0, ∂d/∂v); the heights of a normal map; √ratio of the "
-        "widest cones; maxima as mip levels; the visible share of the sky; and where its light comes from",
+        "widest cones; maxima as mip levels; the visible share of the sky; where its light comes from; and normals of "
+        "--model in the axes of its mesh, or back in tangent space",
     .group = "Output"};
 
 const auto kSurfaceOptions = std::to_array<Option<SurfaceOptions>>({
@@ -78,6 +75,13 @@ const auto kSurfaceOptions = std::to_array<Option<SurfaceOptions>>({
       .help = "normals with green down instead of up, of the normal map that is written or read",
       .group = "Heights"},
      &SurfaceOptions::directx},
+    {{.name = "model",
+      .value = "MODEL",
+      .help = "whose texture coordinates and tangents a normal map has, of object-normal and tangent-normal",
+      .group = "Output",
+      .takes_path = true,
+      .names = builtinModelNames},
+     &SurfaceOptions::model},
     {{.name = "cones",
       .choices = "conservative|relaxed",
       .help = "cones without surface in them, or such that a ray enters the surface at most once in them",
@@ -99,7 +103,9 @@ struct OptionOfMaps {
 constexpr OptionOfMaps kOptionsOfMaps[]{
     {"scale", " normal derivative height occlusion bent-normal "},
     {"difference", " normal derivative height occlusion bent-normal "},
-    {"directx", " normal height bent-normal "},
+    {"edges", " normal derivative height cone pyramid occlusion bent-normal "},
+    {"directx", " normal height bent-normal object-normal tangent-normal "},
+    {"model", " object-normal tangent-normal "},
     {"cones", " cone "},
     {"azimuths", " occlusion bent-normal "},
 };
@@ -114,55 +120,29 @@ Result<void> refuseIdleOptions(const SurfaceRequest& request) {
 }
 
 /// errors   usage; io
-Result<ImageFormatId> checkOutput(const SurfaceRequest& request) {
+Result<void> checkFiles(const SurfaceRequest& request) {
   const std::string& output = request.output;
   if (output.empty()) return fail(ErrorCode::usage, "surface needs an output: -o FILE.png, FILE.exr or FILE.ktx2");
-  MIRRORBALL_TRY(format, formatToWrite(output, {Holds::light, Holds::picture, Holds::texture}));
-  if (format == ImageFormatId::hdr || format == ImageFormatId::jpeg)
-    return fail(ErrorCode::usage, output + ": that format changes the numbers of a map; name it .exr or .png");
+  MIRRORBALL_TRY_VOID(numberFormat(output));
   if (request.options.to == SurfaceMap::pyramid && !isTexturePath(output))
     return fail(ErrorCode::usage, output + ": a pyramid is the mip levels of a texture; name it .ktx2, .ktx or .dds");
-  MIRRORBALL_TRY_VOID(checkFolder(output));
-  MIRRORBALL_TRY_VOID(refuseOverwriting({&request.input, 1}, {&output, 1}));
-  return format;
-}
-
-/// The codes of 8 bits nearest to a map's numbers; says where some do not fit.
-Image8 pictureOf(const MadeMap& map, const std::string& output) {
-  const Image& numbers = map.images.at(0, 0);
-  Image8 picture = Image8::withoutValues(numbers.width(), numbers.height(), numbers.channels());
-  std::size_t clipped = 0;
-  std::ranges::transform(numbers.samples(), picture.samples().begin(), [&](float number) {
-    const float share = map.is_signed ? 0.5f + 0.5f * number : number;
-    constexpr float kRounding = 1e-5f;
-    if (share < -kRounding || share > 1.0f + kRounding) ++clipped;
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(share, 0.0f, 1.0f)));
-  });
-  if (clipped > 0)
-    remark(
-        output + ": " + std::to_string(clipped) + " of " + std::to_string(numbers.samples().size()) +
-        " numbers are beyond what .png holds, and became its least or greatest; .exr holds them, or a smaller --scale");
-  return picture;
-}
-
-Result<void> writeMap(const MadeMap& map, const std::string& output, ImageFormatId format) {
-  if (format == ImageFormatId::png) return savePicture(output, pictureOf(map, output));
-  if (format == ImageFormatId::exr) return writeImage(output, map.images.at(0, 0));
-  return writeImageSet(output, map.images,
-                       {.format = TexelFormat::float32, .progress = progressBar("writing " + shown(output))});
+  const bool is_of_model =
+      request.options.to == SurfaceMap::object_normal || request.options.to == SurfaceMap::tangent_normal;
+  if (is_of_model && request.options.model.empty())
+    return fail(ErrorCode::usage, "these normals are a model's: name it by --model MODEL");
+  return refuseOverwriting(std::array{request.input, request.options.model}, {&output, 1});
 }
 
 Result<void> surface(SurfaceRequest& request) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
   MIRRORBALL_TRY_VOID(refuseIdleOptions(request));
-  MIRRORBALL_TRY(format, checkOutput(request));
+  MIRRORBALL_TRY_VOID(checkFiles(request));
   request.options.has_scale = request.given.contains("scale");
   auto made = makeSurfaceMap(request.input, request.options);
   // A map is as large as its input: there is no --size.
   if (!made && made.error().remedy == Remedy::raise_memory_or_shrink) made.error().remedy = Remedy::raise_memory;
   MIRRORBALL_TRY(map, std::move(made));
-  MIRRORBALL_TRY_VOID(writeMap(map, request.output, format));
-  announce(request.output);
+  MIRRORBALL_TRY_VOID(writeNumbers(map, request.output));
   if (request.options.to == SurfaceMap::height && !request.options.has_scale)
     tell("scale " + formatNumber(double(map.scale)));
   return {};
@@ -176,9 +156,9 @@ Command surfaceCommand() {
       .name = "surface",
       .help = "Makes normal, slope, cone and occlusion maps of a height map, or heights of a normal map",
       .about =
-          "IN is a height map, black low and white high, or for `--to height` a normal map. Its numbers are taken as "
-          "they "
-          "are: integers of 8 or 16 bits are shares of the greatest, without a colour's curve; floats are heights, or "
+          "IN is a height map, black low and white high, or for `--to height`, `object-normal` and `tangent-normal` a "
+          "normal map. Its numbers are taken as they are: integers of 8 or 16 bits are shares of the greatest, without "
+          "a colour's curve; floats are heights, or "
           "signed normals. Normal maps have x to the right and y up, as glTF and OpenGL want them. `--output` is "
           "required.",
       .examples = {{"surface brick.png --scale 0.03 -o brick_normal.png", "a normal map of a height map that tiles"},

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/texture/texture_file.h"
 #include "mirrorball/height_field/heights_from_normals.h"
 #include "mirrorball/height_field/maximum_pyramid.h"
 #include "mirrorball/height_field/occlusion.h"
 #include "mirrorball/height_field/slopes.h"
+#include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/relief/height_texture.h"
+#include "mirrorball/transfer/normal_space.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -24,25 +24,6 @@ Image heightsOf(const Image& numbers, const std::string& input) {
   PictureHeights of_picture = heightsOfPicture(numbers);
   if (!of_picture.is_grey) remark(input + ": is in colour; its red channel is taken for the heights");
   return std::move(of_picture.heights);
-}
-
-/// Turns the second of each texel's three numbers upside down.
-void flipGreen(Image& normals) {
-  const auto channels = std::size_t(normals.channels());
-  for (std::size_t i = 1; i < normals.samples().size(); i += channels) normals.samples()[i] = -normals.samples()[i];
-}
-
-/// Normals of a picture, signed. Integers, and textures without a number below 0, hold ½ + ½ n.
-///
-/// errors   bad_shape: grey
-Result<Image> normalsOf(Image numbers, std::span<const std::uint8_t> bytes) {
-  if (numbers.channels() < 3)
-    return fail(ErrorCode::bad_shape, "is grey, where a normal map has three channels; heights of heights need no map");
-  const bool is_encoded =
-      holdsCodes(bytes) || (isImageSet(bytes) && *std::ranges::min_element(numbers.samples()) >= 0.0f);
-  if (is_encoded)
-    for (float& number : numbers.samples()) number = 2.0f * number - 1.0f;
-  return numbers;
 }
 
 /// Heights from 0 on; without a scale that was asked for up to 1, and the scale that belongs to them.
@@ -56,6 +37,21 @@ Result<MadeMap> heightsOfNormals(Image normals, const SurfaceOptions& options) {
   const float unit = options.has_scale || range == 0.0f ? 1.0f : range;
   for (float& height : heights.samples()) height = (height - low) / unit;
   return MadeMap{ImageSet(std::move(heights)), false, options.has_scale ? 0.0f : range};
+}
+
+/// Normals of a model in the other space; those of tangents have green up or down.
+Result<MadeMap> normalsOfModel(Image normals, const std::string& input, const SurfaceOptions& options) {
+  const bool to_object = options.to == SurfaceMap::object_normal;
+  MIRRORBALL_TRY(model, loadModel(options.model));
+  for (const std::string& warning : model.warnings) remark(warning);
+  // What is wrong with the model is said under its name, before the map is looked at.
+  MIRRORBALL_TRY(surface, withName(options.model, MappedSurface::make(model)));
+  MIRRORBALL_TRY_VOID(withName(options.model, TexelCover::make(surface.uvTriangles(), {1, 1}, 1)));
+  if (options.directx && to_object) flipGreen(normals);
+  const NormalSpace space = to_object ? NormalSpace::object : NormalSpace::tangent;
+  MIRRORBALL_TRY(turned, withName(input, normalsInSpace(normals, model, space, progressBar("normals"))));
+  if (options.directx && !to_object) flipGreen(turned);
+  return MadeMap{ImageSet(std::move(turned)), true};
 }
 
 Result<MadeMap> mapOfHeights(const Image& heights, const SurfaceOptions& options) {
@@ -83,6 +79,8 @@ Result<MadeMap> mapOfHeights(const Image& heights, const SurfaceOptions& options
     }
     case SurfaceMap::normal:
     case SurfaceMap::height:
+    case SurfaceMap::object_normal:
+    case SurfaceMap::tangent_normal:
       break;
   }
   MIRRORBALL_TRY(normals, normalsFromHeights(heights, options.field, progressBar("normals")));
@@ -106,15 +104,16 @@ std::optional<HeightKind> builtinHeightsNamed(const std::string& name) {
 
 Result<MadeMap> makeSurfaceMap(const std::string& input, const SurfaceOptions& options) {
   constexpr int kBuiltinSide = 1024;
-  if (const auto kind = builtinHeightsNamed(input)) {
+  if (const auto kind = builtinHeightsNamed(input); kind && options.model.empty()) {
     Image heights = builtinHeights(*kind, kBuiltinSide);
     if (options.to == SurfaceMap::height) return MadeMap{ImageSet(std::move(heights)), false};
     return withName(input, mapOfHeights(heights, options));
   }
   MIRRORBALL_TRY(bytes, readFile(input));
   MIRRORBALL_TRY(numbers, withName(input, decodeNumbers(bytes, progressBar("reading " + shown(input)))));
-  if (options.to != SurfaceMap::height) return withName(input, mapOfHeights(heightsOf(numbers, input), options));
+  if (!isOfNormals(options.to)) return withName(input, mapOfHeights(heightsOf(numbers, input), options));
   MIRRORBALL_TRY(normals, withName(input, normalsOf(std::move(numbers), bytes)));
+  if (options.to != SurfaceMap::height) return normalsOfModel(std::move(normals), input, options);
   return withName(input, heightsOfNormals(std::move(normals), options));
 }
 

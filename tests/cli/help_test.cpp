@@ -26,8 +26,8 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
 using HelpTest = CliTest;
-const char* const kCommands[] = {"render", "convert", "bake",  "capture", "export", "info",     "compare",
-                                 "study",  "fresnel", "photo", "surface", "cache",  "reference"};
+const char* const kCommands[] = {"render", "convert", "bake",  "capture", "export",   "info",  "compare",
+                                 "study",  "fresnel", "photo", "surface", "transfer", "cache", "reference"};
 
 std::set<std::string> optionsIn(const std::string& help) {
   std::set<std::string> options;

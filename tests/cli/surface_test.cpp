@@ -99,6 +99,38 @@ TEST_F(SurfaceTest, ConesAndOcclusionAreShares) {
   EXPECT_NEAR(image("cone.exr").texel(2, 4)[0], std::sqrt(2.0f / 8.0f), 1e-6f);
 }
 
+TEST_F(SurfaceTest, NormalsGoToTheAxesOfAMeshAndBack) {
+  succeed("surface hill.pgm --scale 0.2 -o normal.exr");
+  succeed("surface normal.exr --to object-normal --model cube -o object.exr");
+  succeed("surface object.exr --to tangent-normal --model cube -o tangent.exr");
+  const Image before = image("normal.exr"), object = image("object.exr"), after = image("tangent.exr");
+  float turned = 0.0f;
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      EXPECT_LT(glm::distance(rgbAt(after, x, y), rgbAt(before, x, y)), 1e-5f);
+      turned = std::max(turned, glm::distance(rgbAt(object, x, y), rgbAt(before, x, y)));
+    }
+  EXPECT_GT(turned, 1.0f);
+
+  // Green down, of the map in tangent space alone.
+  succeed("surface hill.pgm --scale 0.2 --directx -o down.exr");
+  succeed("surface down.exr --to object-normal --directx --model cube -o same.exr");
+  EXPECT_EQ(bytes("same.exr"), bytes("object.exr"));
+
+  EXPECT_THAT(refuse(2, "surface normal.exr --to object-normal -o a.exr"), HasSubstr("--model"));
+  EXPECT_THAT(refuse(2, "surface hill.pgm --model cube -o a.exr"), HasSubstr("--model"));
+  EXPECT_THAT(refuse(2, "surface normal.exr --to object-normal --model cube --edges clamped -o a.exr"),
+              HasSubstr("--edges"));
+  EXPECT_THAT(refuse(1, "surface hill.pgm --to object-normal --model cube -o a.exr"), HasSubstr("is grey"));
+  EXPECT_THAT(refuse(1, "surface normal.exr --to object-normal --model cub -o a.exr"), HasSubstr("cube"));
+  write("bare.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  EXPECT_THAT(refuse(1, "surface normal.exr --to object-normal --model bare.obj -o a.exr"),
+              HasSubstr("bare.obj: has no texture coordinates"));
+  write("long.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 99999 0\nvt 0 1\nf 1/1 2/2 3/3\n"));
+  EXPECT_THAT(refuse(1, "surface normal.exr --to object-normal --model long.obj -o a.exr"),
+              HasSubstr("long.obj: a triangle reaches over"));
+}
+
 TEST_F(SurfaceTest, SaysWhatWasLost) {
   const Outcome outcome = run("surface hill.pgm --to derivative --scale 10 -o slopes.png");
   EXPECT_EQ(outcome.exit_code, 0);

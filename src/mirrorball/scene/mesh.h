@@ -36,8 +36,4 @@ bool hasTextureCoordinates(const Mesh& mesh);
 /// Sets smooth normals: the mean of the triangles' normals at each vertex, weighted by angle (Thürmer & Wüthrich 1998).
 void computeNormals(Mesh& mesh);
 
-/// Sets tangents from positions, normals and `uv[set]`: the direction of growing u, orthogonal to the normal, with the
-/// bitangent's sign. If the texture coordinates are degenerate, any unit tangent is used.
-void computeTangents(Mesh& mesh, int set = 0);
-
 }  // namespace mirrorball

@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "mirrorball/scene/tangents.h"
+
 namespace mirrorball::gltf {
 namespace {
 

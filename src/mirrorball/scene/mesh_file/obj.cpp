@@ -21,6 +21,7 @@
 #include "mirrorball/scene/mesh_file/obj_material.h"
 #include "mirrorball/scene/mesh_file/polygon.h"
 #include "mirrorball/scene/mesh_file/smoothing.h"
+#include "mirrorball/scene/tangents.h"
 
 namespace mirrorball {
 namespace {

@@ -16,6 +16,7 @@
 #include "mirrorball/scene/mesh_file/polygon.h"
 #include "mirrorball/scene/mesh_file/smoothing.h"
 #include "mirrorball/scene/mesh_file/text_scanner.h"
+#include "mirrorball/scene/tangents.h"
 
 // The format: Greg Turk, "The PLY Polygon File Format" (1994).
 

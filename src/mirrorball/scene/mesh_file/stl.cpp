@@ -11,6 +11,7 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/scene/mesh_file/text_scanner.h"
+#include "mirrorball/scene/tangents.h"
 
 // The formats: 3D Systems, "StereoLithography Interface Specification" (1988). Binary: 80 bytes of free text, the
 // number of facets as uint32, then for each the normal and three corners as float32 and two bytes of

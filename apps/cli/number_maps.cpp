@@ -1,0 +1,67 @@
+#include "cli/number_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "cli/files.h"
+#include "cli/terminal.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/texture/texture_file.h"
+
+namespace mirrorball::cli {
+
+Result<ImageFormatId> numberFormat(const std::string& output) {
+  MIRRORBALL_TRY(format, formatToWrite(output, {Holds::light, Holds::picture, Holds::texture}));
+  if (format == ImageFormatId::hdr || format == ImageFormatId::jpeg)
+    return fail(ErrorCode::usage, output + ": that format changes the numbers of a map; name it .exr or .png");
+  MIRRORBALL_TRY_VOID(checkFolder(output));
+  return format;
+}
+
+void flipGreen(Image& normals) {
+  const auto channels = std::size_t(normals.channels());
+  for (std::size_t i = 1; i < normals.samples().size(); i += channels) normals.samples()[i] = -normals.samples()[i];
+}
+
+Result<Image> normalsOf(Image numbers, std::span<const std::uint8_t> bytes) {
+  if (numbers.channels() < 3)
+    return fail(ErrorCode::bad_shape, "is grey, where a normal map has three channels; heights of heights need no map");
+  const bool is_encoded =
+      holdsCodes(bytes) || (isImageSet(bytes) && *std::ranges::min_element(numbers.samples()) >= 0.0f);
+  if (is_encoded)
+    for (float& number : numbers.samples()) number = 2.0f * number - 1.0f;
+  return numbers;
+}
+
+Image8 pictureOf(const MadeMap& map, const std::string& output) {
+  const Image& numbers = map.images.at(0, 0);
+  Image8 picture = Image8::withoutValues(numbers.width(), numbers.height(), numbers.channels());
+  std::size_t clipped = 0;
+  std::ranges::transform(numbers.samples(), picture.samples().begin(), [&](float number) {
+    const float share = map.is_signed ? 0.5f + 0.5f * number : number;
+    constexpr float kRounding = 1e-5f;
+    if (share < -kRounding || share > 1.0f + kRounding) ++clipped;
+    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(share, 0.0f, 1.0f)));
+  });
+  if (clipped > 0)
+    remark(
+        output + ": " + std::to_string(clipped) + " of " + std::to_string(numbers.samples().size()) +
+        " numbers are beyond what .png holds, and became its least or greatest; .exr holds them, or a smaller --scale");
+  return picture;
+}
+
+Result<void> writeNumbers(const MadeMap& map, const std::string& output) {
+  MIRRORBALL_TRY(format, numberFormat(output));
+  if (format == ImageFormatId::png)
+    MIRRORBALL_TRY_VOID(savePicture(output, pictureOf(map, output)));
+  else if (format == ImageFormatId::exr)
+    MIRRORBALL_TRY_VOID(writeImage(output, map.images.at(0, 0)));
+  else
+    MIRRORBALL_TRY_VOID(writeImageSet(
+        output, map.images, {.format = TexelFormat::float32, .progress = progressBar("writing " + shown(output))}));
+  announce(output);
+  return {};
+}
+
+}  // namespace mirrorball::cli

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "mirrorball/codec/image_format.h"
+#include "mirrorball/image/image_set.h"
+
+namespace mirrorball::cli {
+
+/// A map as its numbers are.
+struct MadeMap {
+  ImageSet images;         ///< levels only of a pyramid; 1 or 3 channels
+  bool is_signed = false;  ///< of a picture, ½ + ½ n stands for it
+  float scale = 0.0f;      ///< of heights that were given the range 0 to 1: the scale with which they are right; else 0
+};
+
+/// The format of a file for a map of numbers.
+///
+/// errors   usage: that name's changes them, or there is none; io: its folder
+Result<ImageFormatId> numberFormat(const std::string& output);
+
+/// Turns the second of each texel's three numbers upside down.
+void flipGreen(Image& normals);
+
+/// Normals of a picture, signed. Integers, and textures without a number below 0, hold ½ + ½ n.
+///
+/// numbers  of decodeNumbers, from `bytes`
+/// errors   bad_shape: grey
+Result<Image> normalsOf(Image numbers, std::span<const std::uint8_t> bytes);
+
+/// The codes of 8 bits nearest to a map's numbers; says where some do not fit.
+Image8 pictureOf(const MadeMap& map, const std::string& output);
+
+/// Writes a map as the format can hold it, and says so.
+///
+/// errors   io; interrupted
+Result<void> writeNumbers(const MadeMap& map, const std::string& output);
+
+}  // namespace mirrorball::cli

@@ -6,16 +6,11 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/scene.h"
 #include "mirrorball/transfer/texel_cover.h"
 
 namespace mirrorball {
-
-/// In what a map's normals are given.
-enum class NormalSpace {
-  tangent,  ///< along growing u, along the bitangent, and out of the surface
-  object,   ///< the axes of the mesh
-};
 
 /// The frame in which a normal map is read, as `mappedNormal` of formula/surface/tangent.glsl makes it; world,
 /// orthonormal.

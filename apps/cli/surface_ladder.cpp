@@ -58,14 +58,14 @@ std::span<const Option<StudySettings>> studyRows() {
   return rows;
 }
 
-/// The assignments of --set that give a model these heights.
-std::vector<std::string> heightsOf(const std::string& input, float scale) {
+/// The assignments of --set that give a model these heights; its grey is such that bright light does not hide them.
+std::vector<std::string> materialOf(const std::string& input, float scale) {
   const auto names = builtinHeightNames();
   const auto builtin = std::ranges::find(names, input);
   const bool is_file = builtin == names.end();
   // A word without a dot or a slash would be a built-in's name.
   const std::string file = input.find_first_of("./") == std::string::npos ? "./" + input : input;
-  std::vector<std::string> assignments{"height=" + (is_file ? file : input)};
+  std::vector<std::string> assignments{"base_color=0.4", "height=" + (is_file ? file : input)};
   if (scale == 0.0f) return assignments;
   const auto kind =
       is_file ? HeightKind::map
@@ -100,7 +100,7 @@ Result<void> drawLadder(const std::string& input, float scale, LadderOptions opt
   MIRRORBALL_TRY_VOID(formatToWrite(output, {Holds::picture}));
   MIRRORBALL_TRY_VOID(checkFolder(output));
   StageClock clock;
-  MIRRORBALL_TRY(inputs, loadInputs(options.scene, {.set = heightsOf(input, scale)}, {&output, 1}, clock));
+  MIRRORBALL_TRY(inputs, loadInputs(options.scene, {.set = materialOf(input, scale)}, {&output, 1}, clock));
   // So near that the tile fills the pictures, and its outline is seen.
   options.study.frame.camera.distance = 1.3f;
   MIRRORBALL_TRY(section, studySeries(std::move(inputs), "relief", options.study, progressBar("ladder")));

@@ -41,7 +41,9 @@ TEST(SectionSheet, WordsAreOfErrorAndCost) {
 // Nothing is drawn over a picture, and each is there whole: two techniques and the reference in each of two rows.
 TEST(SectionSheet, HasAllPicturesWhole) {
   for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(20, 300), glm::ivec2(300, 20)}) {
-    StudiedSection section{.axis = "degrees above the plane", .shots = {shotOf(size), shotOf(size)}};
+    StudiedSection section;
+    section.axis = "degrees above the plane";
+    section.shots = {shotOf(size), shotOf(size)};
     const Image8 sheet = sectionSheet(section, "bump");
     EXPECT_EQ(countOf(sheet, kRed), 2 * 3 * size.x * size.y) << size.x << " x " << size.y;
     section.shots.pop_back();

@@ -195,14 +195,16 @@ Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
     last = Clock::now();
     return goes_on;
   };
-  MIRRORBALL_TRY(radiance, renderer_.renderRadiance(frame, timed));
+  // The stage's camera, not the scene's: a mesh of cut triangles reaches lower, and would be framed in another way.
+  MIRRORBALL_TRY(camera, framedCamera(stage.scene, boundingSphere(stage.scene), frame.camera, frame.size));
+  MIRRORBALL_TRY_VOID(renderer_.draw(camera, frame, timed));
   DrawCost cost{.light = renderer_.lightCost()};
   if (!times_ms.empty()) {
     const auto middle = times_ms.begin() + static_cast<std::ptrdiff_t>(times_ms.size() / 2);
     std::ranges::nth_element(times_ms, middle);
     cost.frame_ms = *middle;
   }
-  return Drawn{std::move(radiance), cost};
+  return Drawn{renderer_.radiance(), cost};
 }
 
 /// Sorts triangles anew only where they are others: for millions of them it takes longer than small pictures.

@@ -169,7 +169,7 @@ constexpr std::array kSubjects{
                 "its straight edges. Exact relief ends where the stones do, as true triangles (geometry) do.",
             .models = kPlane,
             .view = "camera=30,45,1.3",
-            .parameters = "height=cobbles",
+            .parameters = "height=cobbles base_color=0.4",
             .shows = "relief=exact",
             .held_to = "the exact surface, up to 16 bounces",
             .techniques = kReliefs,

@@ -46,8 +46,7 @@ TEST_F(LadderTest, TheScaleIsTheDepth) {
   const auto picturesAt = [&](const std::string& scale) {
     succeed("surface waves --ladder -e uv --size 8x6 --samples 1 --relief-steps 4 --scale " + scale + " -o a.png");
     const Image8 sheet = decodeTexture(bytes("a.png")).value();
-    const auto first_row = sheet.samples().begin() + 3 * sheet.width() * (8 + 12);
-    return std::vector<std::uint8_t>(first_row, first_row + 3 * sheet.width() * 6);
+    return std::vector<std::uint8_t>(sheet.texel(0, 8 + 12), sheet.texel(0, 8 + 12 + 6));
   };
   const auto shallow = picturesAt("0.01");
   EXPECT_NE(shallow, picturesAt("0.3"));

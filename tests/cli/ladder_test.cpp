@@ -43,8 +43,11 @@ TEST_F(LadderTest, HasAllKindsAtThreeAngles) {
 
 // Times differ from run to run; the pictures between the lines of text do not.
 TEST_F(LadderTest, TheScaleIsTheDepth) {
+  Image hill(4, 4, 1);
+  hill.texel(1, 2)[0] = 1.0f;
+  write("hill.exr", hill);
   const auto picturesAt = [&](const std::string& scale) {
-    succeed("surface waves --ladder -e uv --size 8x6 --samples 1 --relief-steps 4 --scale " + scale + " -o a.png");
+    succeed("surface hill.exr --ladder -e uv --size 8x6 --samples 1 --relief-steps 4 --scale " + scale + " -o a.png");
     const Image8 sheet = decodeTexture(bytes("a.png")).value();
     return std::vector<std::uint8_t>(sheet.texel(0, 8 + 12), sheet.texel(0, 8 + 12 + 6));
   };

@@ -12,7 +12,7 @@ namespace mirrorball {
 /// What there is to say of one technique in one shot, a few words each.
 ///
 /// compared_to  the technique whose cost is 1; one of the shot's, drawn
-/// returns      its name, its PSNR, a sample's time, and that as a multiple: "bump", "24.1 dB", "1.62 ms", "1.00 x bump"
+/// returns      name, PSNR, a sample's time, and that as a multiple: "bump", "24.10 dB", "1.62 ms", "1.00 x bump"
 std::vector<std::string> wordsOf(const StudiedPicture& picture, const StudiedShot& shot, std::string_view compared_to);
 
 /// All pictures of a section: a row for each shot, a column for each technique, and the path-traced reference last.

@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/standard_streams.h"
+#include "cli/surface_ladder.h"
 #include "cli/surface_maps.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
@@ -24,6 +25,7 @@ struct SurfaceRequest {
   std::string input;
   std::string output;
   SurfaceOptions options;
+  LadderOptions ladder = {};
   GivenOptions given;
 };
 
@@ -133,8 +135,21 @@ Result<void> checkFiles(const SurfaceRequest& request) {
   return refuseOverwriting(std::array{request.input, request.options.model}, {&output, 1});
 }
 
+/// errors   usage: an option of maps was given; as drawLadder's
+Result<void> ladder(const SurfaceRequest& request) {
+  for (const std::string_view option : request.given)
+    if (option != "scale" && option != kMaxMemoryText.name)
+      return fail(ErrorCode::usage, "--" + std::string(option) + " changes nothing of --ladder; leave it out");
+  if (request.output.empty()) return fail(ErrorCode::usage, "surface needs an output: -o FILE.png");
+  MIRRORBALL_TRY_VOID(refuseOverwriting(std::array{request.input}, {&request.output, 1}));
+  const float scale = request.given.contains("scale") ? request.options.field.scale : 0.0f;
+  return drawLadder(request.input, scale, request.ladder, request.output);
+}
+
 Result<void> surface(SurfaceRequest& request) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
+  MIRRORBALL_TRY_VOID(checkLadder(request.ladder));
+  if (request.ladder.is_wanted) return ladder(request);
   MIRRORBALL_TRY_VOID(refuseIdleOptions(request));
   MIRRORBALL_TRY_VOID(checkFiles(request));
   request.options.has_scale = request.given.contains("scale");
@@ -160,8 +175,10 @@ Command surfaceCommand() {
           "a colour's curve; floats are heights, or "
           "signed normals. Normal maps have x to the right and y up, as glTF and OpenGL want them. `--output` is "
           "required.",
-      .examples = {{"surface brick.png --scale 0.03 -o brick_normal.png", "a normal map of a height map that tiles"},
-                   {"surface brick_normal.png --to height -o brick.exr", "the heights again; prints their scale"}}};
+      .examples = {
+          {"surface brick.png --scale 0.03 -o brick_normal.png", "a normal map of a height map that tiles"},
+          {"surface brick_normal.png --to height -o brick.exr", "the heights again; prints their scale"},
+          {"surface cobbles --ladder -o ladder.png", "all kinds of relief beside the truth; a minute or two"}}};
   static const std::string formats = "(" + std::string(readExtensions()) + "), or - for standard input";
   addArgument(command,
               {.name = "IN",
@@ -173,8 +190,10 @@ Command surfaceCommand() {
               request->input);
   addOptions<SurfaceRequest>(command, kOutputOptions, *request);
   addOptions<SurfaceOptions>(command, kSurfaceOptions, request->options, &request->given);
+  addLadder(command, request->ladder);
   command.action = [request] {
-    return withStandardStreams({&request->input}, request->output, [&] { return surface(*request); });
+    return withStandardStreams({&request->input, &request->ladder.scene.environment}, request->output,
+                               [&] { return surface(*request); });
   };
   return command;
 }

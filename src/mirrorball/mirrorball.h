@@ -43,6 +43,7 @@
 #include "mirrorball/scene/tangents.h"
 #include "mirrorball/study/fresnel_forms.h"
 #include "mirrorball/study/page/page.h"
+#include "mirrorball/study/section_sheet.h"
 #include "mirrorball/study/study.h"
 #include "mirrorball/trace/path_tracer.h"
 #include "mirrorball/transfer/detail_transfer.h"

@@ -11,6 +11,7 @@
 #include "mirrorball/metric/picture/heat_map.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/relief/relief.h"
 #include "mirrorball/study/angle_error.h"
 #include "mirrorball/study/subject.h"
 #include "mirrorball/study/traced_frame.h"
@@ -36,17 +37,27 @@ struct PlannedShot {
   std::string shapes;           ///< its meshes and where they are: likewise
 };
 
-std::string keyOf(std::string_view model, std::string_view material, const std::string& change) {
-  return std::string(model) + " " + std::string(material) + " " + change;
+/// What a picture shows of a built-in model; without one, of the scene that was given.
+std::string keyOf(const Subject& subject, std::string_view model, const std::string& change) {
+  std::string key = std::string(model) + " " + std::string(subject.shows) + " " + change;
+  if (!model.empty())
+    for (const std::string_view part : {subject.material, subject.view, subject.parameters})
+      key += " " + std::string(part);
+  return key;
 }
 
-void planSeries(std::vector<PlannedShot>& shots, const Subject& subject, std::string_view model,
-                std::string_view material) {
+/// Its meshes, with heights as they are shown.
+std::string shapesOf(const Subject& subject, std::string_view model, const std::string& change) {
+  const std::string heights = std::string(subject.shows) + " " + (model.empty() ? "" : std::string(subject.parameters));
+  return std::string(model) + " " + heights + " " + change;
+}
+
+void planSeries(std::vector<PlannedShot>& shots, const Subject& subject, std::string_view model) {
   for (const double value : subject.series->values) {
     const std::string label = formatNumber(value);
     const std::string change = std::string(subject.series->axis) + "=" + label;
-    shots.push_back({label, value, model, keyOf(model, material, change),
-                     keyOf(model, "", subject.series->changes_shapes ? change : "")});
+    shots.push_back({label, value, model, keyOf(subject, model, change),
+                     shapesOf(subject, model, subject.series->changes_shapes ? change : "")});
   }
 }
 
@@ -55,19 +66,14 @@ std::vector<PlannedShot> plannedShots(const Subject& subject, bool is_built_in) 
   if (is_built_in) {
     for (const std::string_view model : subject.models) {
       if (subject.series)
-        planSeries(shots, subject, model, subject.material);
+        planSeries(shots, subject, model);
       else
-        shots.push_back(
-            {std::string(model),
-             {},
-             model,
-             keyOf(model, subject.material, std::string(subject.view) + " " + std::string(subject.parameters)),
-             keyOf(model, "", "")});
+        shots.push_back({std::string(model), {}, model, keyOf(subject, model, ""), shapesOf(subject, model, "")});
     }
     return shots;
   }
-  shots.push_back({.label = "as it is", .key = keyOf("", "", ""), .shapes = keyOf("", "", "")});
-  if (subject.series && subject.series->is_of_any_scene) planSeries(shots, subject, "", "");
+  shots.push_back({.label = "as it is", .key = keyOf(subject, "", ""), .shapes = shapesOf(subject, "", "")});
+  if (subject.series && subject.series->is_of_any_scene) planSeries(shots, subject, "");
   return shots;
 }
 
@@ -132,7 +138,7 @@ class Workshop {
                               const Image& cosines);
   Result<Drawn> draw(const Stage& stage, const Technique& technique);
   Result<const Traced*> trace(const Stage& stage, const PlannedShot& shot, std::string_view settings);
-  Result<void> prepareTracer(const Stage& stage, const PlannedShot& shot);
+  Result<void> prepareTracer(Scene scene, const PlannedShot& shot);
 
   Renderer renderer_;
   Scene scene_;
@@ -155,6 +161,7 @@ Result<Workshop::Stage> Workshop::staged(const Subject& subject, const PlannedSh
     MIRRORBALL_TRY_VOID(applySettings(subject.view, stage.frame));
     stage.scene = std::move(model);
   }
+  MIRRORBALL_TRY_VOID(applySettings(subject.shows, stage.frame));
   if (shot.value) subject.series->change(*shot.value, stage.scene, stage.frame);
   return stage;
 }
@@ -175,6 +182,7 @@ Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
   MIRRORBALL_TRY_VOID(applySettings(technique.settings, frame));
   Scene scene = stage.scene;
   MIRRORBALL_TRY_VOID(applyParameters(technique.parameters, scene));
+  MIRRORBALL_TRY_VOID(prepareRelief(scene, frame.relief));
   MIRRORBALL_TRY_VOID(renderer_.setScene(std::move(scene)));
 
   std::vector<double> times_ms;
@@ -187,25 +195,27 @@ Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
     last = Clock::now();
     return goes_on;
   };
-  MIRRORBALL_TRY(radiance, renderer_.renderRadiance(frame, timed));
+  // The stage's camera, not the scene's: a mesh of cut triangles reaches lower, and would be framed in another way.
+  MIRRORBALL_TRY(camera, framedCamera(stage.scene, boundingSphere(stage.scene), frame.camera, frame.size));
+  MIRRORBALL_TRY_VOID(renderer_.draw(camera, frame, timed));
   DrawCost cost{.light = renderer_.lightCost()};
   if (!times_ms.empty()) {
     const auto middle = times_ms.begin() + static_cast<std::ptrdiff_t>(times_ms.size() / 2);
     std::ranges::nth_element(times_ms, middle);
     cost.frame_ms = *middle;
   }
-  return Drawn{std::move(radiance), cost};
+  return Drawn{renderer_.radiance(), cost};
 }
 
 /// Sorts triangles anew only where they are others: for millions of them it takes longer than small pictures.
-Result<void> Workshop::prepareTracer(const Stage& stage, const PlannedShot& shot) {
+Result<void> Workshop::prepareTracer(Scene scene, const PlannedShot& shot) {
   if (!tracer_) {
-    MIRRORBALL_TRY(made, PathTracer::make(stage.scene, environment_));
+    MIRRORBALL_TRY(made, PathTracer::make(std::move(scene), environment_));
     tracer_ = std::move(made);
   } else if (shot.shapes == tracer_shapes_) {
-    tracer_->setMaterials(stage.scene.materials);
+    tracer_->setMaterials(std::move(scene.materials));
   } else {
-    MIRRORBALL_TRY_VOID(tracer_->setScene(stage.scene));
+    MIRRORBALL_TRY_VOID(tracer_->setScene(std::move(scene)));
   }
   tracer_shapes_ = shot.shapes;
   return {};
@@ -214,7 +224,9 @@ Result<void> Workshop::prepareTracer(const Stage& stage, const PlannedShot& shot
 Result<const Traced*> Workshop::trace(const Stage& stage, const PlannedShot& shot, std::string_view settings) {
   const std::string key = tracedKey(shot, settings);
   if (const auto found = traced_.find(key); found != traced_.end()) return &found->second;
-  MIRRORBALL_TRY_VOID(prepareTracer(stage, shot));
+  Scene scene = stage.scene;
+  MIRRORBALL_TRY_VOID(prepareRelief(scene, stage.frame.relief));
+  MIRRORBALL_TRY_VOID(prepareTracer(std::move(scene), shot));
   TraceSettings trace;
   MIRRORBALL_TRY_VOID(applySettings(settings, trace));
   trace.noise = settings_.noise;
@@ -286,41 +298,60 @@ Result<StudiedSection> Workshop::section(const Subject& subject, const std::vect
   return section;
 }
 
-}  // namespace
+/// Which subjects, and which pictures of each.
+using Plan = std::vector<std::pair<const Subject*, std::vector<PlannedShot>>>;
 
-Result<Study> study(RenderInputs inputs, bool is_built_in, const StudySettings& told,
-                    const ProgressFunction& progress) {
-  StudySettings settings = told;
-  settings.frame.samples = std::min(settings.frame.samples, settings.paths.value_or(settings.frame.samples));
-  settings.frame.resolve = Resolve::radiance;
-  std::vector<std::pair<const Subject*, std::vector<PlannedShot>>> plan;
+/// All the steps of a plan: each path-traced picture counts once.
+std::size_t stepsOf(const Plan& plan) {
   std::set<std::string> to_trace;
   std::size_t to_draw = 0;
-  for (const Subject& subject : subjects()) {
-    if (!is_built_in && !subject.applies(inputs.scene)) continue;
-    plan.emplace_back(&subject, plannedShots(subject, is_built_in));
-    for (const PlannedShot& shot : plan.back().second) {
-      to_trace.insert(tracedKey(shot, subject.reference));
-      for (const Technique& technique : subject.techniques) {
+  for (const auto& [subject, shots] : plan)
+    for (const PlannedShot& shot : shots) {
+      to_trace.insert(tracedKey(shot, subject->reference));
+      for (const Technique& technique : subject->techniques) {
         if (technique.maker == Technique::Maker::renderer)
           ++to_draw;
         else
           to_trace.insert(tracedKey(shot, technique.settings));
       }
     }
-  }
+  return to_trace.size() * kStepsOfTraced + to_draw * kStepsOfDrawn;
+}
 
+Result<Study> studied(RenderInputs inputs, const Plan& plan, StudySettings settings, const ProgressFunction& progress) {
+  settings.frame.samples = std::min(settings.frame.samples, settings.paths.value_or(settings.frame.samples));
+  settings.frame.resolve = Resolve::radiance;
   MIRRORBALL_TRY(renderer, Renderer::on(std::move(inputs.context)));
   MIRRORBALL_TRY_VOID(renderer.setEnvironment(inputs.environment, inputs.prepared));
   Workshop workshop(std::move(renderer), std::move(inputs.scene), std::move(inputs.environment),
-                    std::move(inputs.prepared), settings,
-                    Steps(progress, to_trace.size() * kStepsOfTraced + to_draw * kStepsOfDrawn));
+                    std::move(inputs.prepared), settings, Steps(progress, stepsOf(plan)));
   Study study{.driver = workshop.driver(), .size = settings.frame.size, .samples = settings.frame.samples};
   for (const auto& [subject, shots] : plan) {
     MIRRORBALL_TRY(section, workshop.section(*subject, shots));
     study.sections.push_back(std::move(section));
   }
   return study;
+}
+
+}  // namespace
+
+Result<Study> study(RenderInputs inputs, bool is_built_in, const StudySettings& settings,
+                    const ProgressFunction& progress) {
+  Plan plan;
+  for (const Subject& subject : subjects())
+    if (is_built_in || subject.applies(inputs.scene)) plan.emplace_back(&subject, plannedShots(subject, is_built_in));
+  return studied(std::move(inputs), plan, settings, progress);
+}
+
+Result<StudiedSection> studySeries(RenderInputs inputs, std::string_view id, const StudySettings& settings,
+                                   const ProgressFunction& progress) {
+  const auto subject = std::ranges::find(subjects(), id, &Subject::id);
+  if (subject == subjects().end() || !subject->series)
+    return fail(ErrorCode::usage, "there is no subject " + std::string(id) + " with a series");
+  std::vector<PlannedShot> shots;
+  planSeries(shots, *subject, "");
+  MIRRORBALL_TRY(study, studied(std::move(inputs), {{&*subject, std::move(shots)}}, settings, progress));
+  return std::move(study.sections.front());
 }
 
 }  // namespace mirrorball

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mirrorball/base/option.h"
@@ -99,5 +100,13 @@ struct Study {
 /// cost         for the built-in scenes some 30 path-traced pictures and 50 of the renderer
 Result<Study> study(RenderInputs inputs, bool is_built_in, const StudySettings& settings,
                     const ProgressFunction& progress = {});
+
+/// One subject in the scene that was given, over its series alone.
+///
+/// subject  Subject::id
+/// errors   usage (there is none such, or it has no series); as study's
+/// cost     a path-traced picture for each value of the series, one of the renderer for each technique too
+Result<StudiedSection> studySeries(RenderInputs inputs, std::string_view subject, const StudySettings& settings,
+                                   const ProgressFunction& progress = {});
 
 }  // namespace mirrorball

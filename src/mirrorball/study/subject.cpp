@@ -57,12 +57,23 @@ constexpr auto kSteps = std::to_array<Technique>({{"distant map, drawn"},
 constexpr auto kOcclusion = std::to_array<Technique>(
     {{"with the occlusion map", "", "occlusion_strength=1"}, {"without it", "", "occlusion_strength=0"}});
 
+constexpr auto kReliefs = std::to_array<Technique>({{"none", "relief=none"},
+                                                    {"bump", "relief=bump"},
+                                                    {"parallax", "relief=parallax"},
+                                                    {"steep", "relief=steep"},
+                                                    {"occlusion", "relief=occlusion"},
+                                                    {"linear-binary", "relief=linear-binary"},
+                                                    {"cone", "relief=cone"},
+                                                    {"exact", "relief=exact"},
+                                                    {"geometry", "relief=geometry"}});
+
 constexpr auto kDistantMap = std::to_array<Technique>({{"distant map, drawn"}});
 
 constexpr auto kRoughnesses = std::to_array({0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1.0});
 constexpr auto kMipRoughnesses = std::to_array({0.0, 0.1, 0.2, 0.3, 0.45, 0.6});
 constexpr auto kFields_deg = std::to_array({2.0, 10.0, 20.0, 35.0, 60.0, 90.0});
 constexpr auto kRings = std::to_array({8.0, 16.0, 32.0, 64.0, 128.0});
+constexpr auto kElevations_deg = std::to_array({60.0, 30.0, 10.0});
 constexpr auto kGaps = std::to_array({0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0});
 
 void setRoughness(double value, Scene& scene, FrameSettings&) {
@@ -71,6 +82,10 @@ void setRoughness(double value, Scene& scene, FrameSettings&) {
 
 void setFieldOfView(double value_deg, Scene&, FrameSettings& frame) {
   frame.camera.fov_deg = static_cast<float>(value_deg);
+}
+
+void setElevation(double value_deg, Scene&, FrameSettings& frame) {
+  frame.camera.elevation_deg = static_cast<float>(value_deg);
 }
 
 void setRings(double value, Scene& scene, FrameSettings&) {
@@ -101,6 +116,10 @@ bool hasPictures(const Scene& scene) { return !scene.textures.empty(); }
 
 bool hasOcclusionMap(const Scene& scene) {
   return std::ranges::any_of(scene.materials, [](const Material& m) { return m.occlusion_map.texture >= 0; });
+}
+
+bool hasHeights(const Scene& scene) {
+  return std::ranges::any_of(scene.materials, [](const Material& m) { return m.height != HeightKind::none; });
 }
 
 constexpr std::array kSubjects{
@@ -142,6 +161,20 @@ constexpr std::array kSubjects{
             .held_to = kHeldToMap,
             .techniques = kFilters,
             .applies = hasPictures},
+    Subject{.id = "relief",
+            .title = "Which one is fake?",
+            .teaches =
+                "Stones on a flat square. Bumps only turn the normals, and seen from the side they lie flat. The "
+                "searches move the place in the texture, so that stones hide each other, but the square keeps "
+                "its straight edges. Exact relief ends where the stones do, as true triangles (geometry) do.",
+            .models = kPlane,
+            .view = "camera=30,45,1.3",
+            .parameters = "height=cobbles base_color=0.4",
+            .shows = "relief=exact",
+            .held_to = "the exact surface, up to 16 bounces",
+            .techniques = kReliefs,
+            .series = Series{"degrees above the plane", kElevations_deg, setElevation, true},
+            .applies = hasHeights},
     Subject{.id = "reflect-at",
             .title = "Where the ray is reflected",
             .teaches = "The first hardware reflected rays at the vertices and interpolated them. How wrong that is "

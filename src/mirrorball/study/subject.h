@@ -40,6 +40,7 @@ struct Subject {
   std::string_view material = {};            ///< of materialNames(), for those; empty: their own
   std::string_view view = {};                ///< of those, of frameOptions()
   std::string_view parameters = {};          ///< of those, of all materials (materialParameters() and materialMaps())
+  std::string_view shows = {};               ///< what it is held to, of frameOptions(), of any scene: "relief=exact"
   std::string_view reference = {};           ///< what it is held to, of traceOptions(); empty: all bounces
   std::string_view held_to;                  ///< that in words: "all bounces"
   std::span<const Technique> techniques;

@@ -1,6 +1,7 @@
 #include "mirrorball/study/subject.h"
 
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -18,6 +19,7 @@ TEST(Subjects, EverySettingIsOneThatThereIs) {
     FrameSettings frame;
     TraceSettings trace;
     EXPECT_TRUE(applySettings(subject.view, frame)) << subject.view;
+    EXPECT_TRUE(applySettings(subject.shows, frame)) << subject.shows;
     EXPECT_TRUE(applySettings(subject.reference, trace)) << subject.reference;
     Scene built_in = *loadModel(std::string(subject.models.front()));
     EXPECT_TRUE(applyParameters(subject.parameters, built_in)) << subject.parameters;
@@ -53,8 +55,8 @@ TEST(Subjects, TheBuiltInScenesAreThereAndASeriesChangesThem) {
         Scene changed = *scene;
         FrameSettings frame;
         subject.series->change(value, changed, frame);
-        return glm::vec4(boundingSphere(changed).radius, frame.camera.fov_deg,
-                         changed.materials[0].perceptual_roughness, changed.meshes[0].vertices.size());
+        return std::tuple(boundingSphere(changed).radius, frame.camera.fov_deg, frame.camera.elevation_deg,
+                          changed.materials[0].perceptual_roughness, changed.meshes[0].vertices.size());
       };
       // A path tracer sorts triangles anew only for a series that says so.
       const auto verticesAfter = [&](double value) {

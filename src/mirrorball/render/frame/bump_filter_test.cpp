@@ -33,14 +33,14 @@ class BumpFilterTest : public testing::HeadlessTest {
 
 // Seen from far away, against so many samples that each sees less than a pore.
 TEST_F(BumpFilterTest, AnOrangeUnderALowSunDoesNotSparkle) {
-  FrameSettings settings{.size = {48, 48}, .background = BackgroundKind::transparent, .samples = 8};
-  for (const char* frequency : {"height_frequency=12", "height_frequency=24", "height_frequency=60"}) {
+  FrameSettings settings{.size = {32, 32}, .background = BackgroundKind::transparent, .samples = 8};
+  for (const char* frequency : {"height_frequency=12", "height_frequency=60"}) {
     const std::string height =
         frequency == std::string("height_frequency=12") ? "height_scale=0.01" : "height_scale=0.004";
     const MaterialChanges orange{.material = "orange", .set = {frequency, height}};
     settings.samples = 8;
     const Image seen = radianceOf(orange, settings);
-    settings.samples = 2048;
+    settings.samples = 256;
     const Image truth = radianceOf(orange, settings);
     int sparkles = 0;
     int inside = 0;
@@ -53,7 +53,7 @@ TEST_F(BumpFilterTest, AnOrangeUnderALowSunDoesNotSparkle) {
         most = std::max(most, rgbAt(seen, x, y).y / expected);
         if (rgbAt(seen, x, y).y > 1.5f * expected) ++sparkles;
       }
-    EXPECT_GT(inside, 500);
+    EXPECT_GT(inside, 200);
     EXPECT_EQ(sparkles, 0) << frequency << ": " << most;
   }
 }

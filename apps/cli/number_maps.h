@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -11,9 +12,9 @@ namespace mirrorball::cli {
 
 /// A map as its numbers are.
 struct MadeMap {
-  ImageSet images;         ///< levels only of a pyramid; 1 or 3 channels
-  bool is_signed = false;  ///< of a picture, ½ + ½ n stands for it
-  float scale = 0.0f;      ///< of heights that were given the range 0 to 1: the scale with which they are right; else 0
+  ImageSet images;                  ///< levels only of a pyramid; 1 or 3 channels
+  bool is_signed = false;           ///< of a picture, ½ + ½ n stands for it
+  std::optional<float> scale = {};  ///< with which heights are right that were given the range 0 to 1
 };
 
 /// The format of a file for a map of numbers.

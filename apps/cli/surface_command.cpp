@@ -143,8 +143,7 @@ Result<void> surface(SurfaceRequest& request) {
   if (!made && made.error().remedy == Remedy::raise_memory_or_shrink) made.error().remedy = Remedy::raise_memory;
   MIRRORBALL_TRY(map, std::move(made));
   MIRRORBALL_TRY_VOID(writeNumbers(map, request.output));
-  if (request.options.to == SurfaceMap::height && !request.options.has_scale)
-    tell("scale " + formatNumber(double(map.scale)));
+  if (map.scale) tell("scale " + formatNumber(double(*map.scale)));
   return {};
 }
 

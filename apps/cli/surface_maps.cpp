@@ -36,7 +36,9 @@ Result<MadeMap> heightsOfNormals(Image normals, const SurfaceOptions& options) {
   const float range = high - low;
   const float unit = options.has_scale || range == 0.0f ? 1.0f : range;
   for (float& height : heights.samples()) height = (height - low) / unit;
-  return MadeMap{ImageSet(std::move(heights)), false, options.has_scale ? 0.0f : range};
+  MadeMap map{ImageSet(std::move(heights)), false};
+  if (!options.has_scale) map.scale = range;
+  return map;
 }
 
 /// Normals of a model in the other space; those of tangents have green up or down.

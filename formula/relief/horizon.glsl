@@ -2,8 +2,8 @@
 // Sloan & Cohen 2000, "Interactive horizon mapping", for reading them between azimuths.
 // Needs: constants, occlusion.
 
-// How steep the horizon is in eight azimuths, each 45° on from growing u towards growing v (height_field/horizon_map.h):
-// heights over texture widths.
+// How steep the horizon is in eight azimuths, each 45° on from growing u towards growing v: heights over texture widths
+// (height_field/horizon_map.h).
 struct Horizons {
   vec4 first;
   vec4 opposite;

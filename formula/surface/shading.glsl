@@ -228,8 +228,8 @@ FN vec3 shadedByEnvironment(Surface s, vec3 reflected, vec3 refracted, vec3 irra
 }
 
 // What a surface shows of itself to itself where its relief hides the environment. It reflects the share R of what
-// arrives, of which a share is the sky's and the rest is such light again: L = e + R (share · E + (1 − share) L). What a
-// hidden place sees of the relief is higher than it is itself, and sees more of the sky: halfway to all of it.
+// arrives, of which a share is the sky's and the rest is such light again: L = e + R (share · E + (1 − share) L). What
+// a hidden place sees of the relief is higher than it is itself, and sees more of the sky: halfway to all of it.
 //   s            seenAlong the ray from the eye
 //   seen         the share of the sky that it sees itself
 //   irradiance   of the sky, divided by π

@@ -67,6 +67,7 @@ TEST_F(SurfaceTest, HeightsComeBackAndTellTheirScale) {
   EXPECT_NEAR(heights.texel(0, 0)[0], 0.0f, 1e-4f);
   EXPECT_NEAR(heights.texel(2, 4)[0], 0.75f, 1e-4f);
   EXPECT_THAT(succeed("surface normal.exr --to height --difference forward --scale 0.5 -o same.exr"), IsEmpty());
+  EXPECT_THAT(succeed("surface weave --to height -o weave.png"), IsEmpty());
   EXPECT_NEAR(image("same.exr").texel(4, 4)[0], 8.0f * 4000.0f / 65535.0f, 1e-4f);
 }
 

@@ -48,6 +48,19 @@ TEST(Tangent, PerturbedNormalIsTheDisplacedSurfaces) {
   EXPECT_GT(worst, std::cos(0.002f));
 }
 
+// Where heights go aside, as on a stretched object: the normal of a plane's points p + d · up, which change by
+// p_u + d_u up.
+TEST(LiftedNormal, IsThatOfAPlaneLiftedAside) {
+  const vec3 n(0.0f, 0.0f, 1.0f);
+  for (const float right : {1.0f, -1.0f})
+    for (const vec3 up : {vec3(0.0f, 0.0f, 0.5f), vec3(0.3f, -0.4f, 0.5f)}) {
+      const vec3 p_u(2.0f * right, 0.0f, 0.0f), p_v(0.5f, 1.0f, 0.0f);
+      const vec2 d(0.7f * right, -0.3f);
+      const vec3 expected = normalize(cross(p_u + d.x * up, p_v + d.y * up)) * right;
+      EXPECT_LT(distance(liftedNormal(p_u, p_v, n, up, d), expected), 1e-6f) << right;
+    }
+}
+
 /// The greatest angle between the displaced sphere's normal and displacedNormal [rad], of waves of that height.
 ///
 /// right, down   signs with which u and v are counted

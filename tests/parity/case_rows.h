@@ -12,8 +12,8 @@ namespace mirrorball::formula {
 #include "parity/smooth_map.glsl"
 //
 #include "parity/small_tree.glsl"
-#include "parity/test_media.glsl"
 #include "parity/test_ground.glsl"
+#include "parity/test_media.glsl"
 #include "parity/test_prism.glsl"
 #include "parity/test_surface.glsl"
 #undef FN

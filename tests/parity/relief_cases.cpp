@@ -106,11 +106,10 @@ const Case kCases[] = {
                 slicesOfSky(testGround(p), Horizons(q, r), normalize(vec3(0.5f * q.x, 0.5f * r.y, 1.0f)),
                             int(7.9375f * r.w))
                     .visible.share)),
-    PARITY(slopeTowards, unit, kTranscendental,
-           vec4(slopeTowards(Horizons(q, r), vec2(p) - vec2(0.43f, 0.57f), 0.5f))),
+    PARITY(slopeTowards, unit, kTranscendental, vec4(slopeTowards(Horizons(q, r), vec2(p) - vec2(0.43f, 0.57f), 0.5f))),
     PARITY(lobeOverHorizons, unit, kTranscendental,
-           vec4(lobeOverHorizons(testGround(p), Horizons(q, r), vec3(0.0f, 0.0f, 1.0f), normalize(vec3(q.x - 0.43f, r.y - 0.57f, 0.25f + p.z)),
-                                 r.z))),
+           vec4(lobeOverHorizons(testGround(p), Horizons(q, r), vec3(0.0f, 0.0f, 1.0f),
+                                 normalize(vec3(q.x - 0.43f, r.y - 0.57f, 0.25f + p.z)), r.z))),
 
     // relief_search, over a ramp
     PARITY(depthAt, unit, kTight,

@@ -32,7 +32,7 @@ Image8 readPixelBytes(int width, int height) {
 
 Image readPixelFloats(Format format, int width, int height) {
   Image image(width, height, 4);
-  if (format == Format::rgba16f || format == Format::rgba32f) {
+  if (format == Format::rgba16f || format == Format::rgba32f || format == Format::r32f || format == Format::rg32f) {
     glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, image.samples().data());
     return image;
   }

@@ -31,11 +31,22 @@ GLenum internalFormat(Format format) {
       return GL_RGBA16F;
     case Format::rgba32f:
       return GL_RGBA32F;
+    case Format::r32f:
+      return GL_R32F;
+    case Format::rg32f:
+      return GL_RG32F;
     case Format::rgba32ui:
       return GL_RGBA32UI;
   }
   assert(false && "no such format");
   return GL_RGBA8;
+}
+
+int channelsOf(Format format) { return format == Format::r32f ? 1 : format == Format::rg32f ? 2 : 4; }
+
+/// Whether OpenGL ES cannot filter it.
+bool isOfFloatsOrWords(Format format) {
+  return format == Format::rgba32f || format == Format::r32f || format == Format::rg32f || format == Format::rgba32ui;
 }
 
 bool isEightBit(Format format) { return format == Format::rgba8 || format == Format::srgb8_alpha8; }
@@ -177,7 +188,7 @@ Texture::Texture(Format format, Shape shape, int width, int height, int layers, 
   else
     glTexStorage2D(target(), levels, internalFormat(format), width, height);
   Sampling sampling;
-  if (format == Format::rgba32f || format == Format::rgba32ui) sampling.filter = Sampling::Filter::nearest;
+  if (isOfFloatsOrWords(format)) sampling.filter = Sampling::Filter::nearest;
   setSampling(sampling);
 }
 
@@ -186,7 +197,7 @@ std::size_t Texture::bytes() const {
   std::size_t texels = 0;
   for (int level = 0; level < levels_; ++level)
     texels += std::size_t(std::max(width_ >> level, 1)) * std::size_t(std::max(height_ >> level, 1));
-  return texels * std::size_t(layers_) * 4 * of_component;
+  return texels * std::size_t(layers_) * std::size_t(channelsOf(format_)) * of_component;
 }
 
 void Texture::destroy(unsigned name) { glDeleteTextures(1, &name); }
@@ -231,12 +242,13 @@ bool Texture::takes(int level, int width, int height) const {
 }
 
 template <typename Component, typename Fill>
-void Texture::uploadRows(int level, int face, int width, int height, Fill&& fill) {
+void Texture::uploadRows(int level, int face, int width, int height, Fill&& fill, int channels) {
   // Rows go over in bands, so that a large image is not in memory twice and a band is still in the
   // cache when the driver copies it.
   constexpr std::size_t kBandBytes = std::size_t{2} << 20;
   constexpr std::size_t kGrainBytes = std::size_t{64} << 10;
-  const std::size_t row_length = 4 * static_cast<std::size_t>(width);
+  const std::size_t row_length = static_cast<std::size_t>(channels) * static_cast<std::size_t>(width);
+  const GLenum form = channels == 1 ? GL_RED : channels == 2 ? GL_RG : GL_RGBA;
   const std::size_t row_bytes = row_length * sizeof(Component);
   const auto all_rows = static_cast<std::size_t>(height);
   const std::size_t band_rows = std::clamp<std::size_t>(kBandBytes / row_bytes, 1, all_rows);
@@ -253,16 +265,24 @@ void Texture::uploadRows(int level, int face, int width, int height, Fill&& fill
     const auto row_count = static_cast<GLsizei>(rows);
     constexpr GLenum kType = kComponentType<Component>;
     if (shape_ == Shape::array)
-      glTexSubImage3D(target(), level, 0, y, face, width, row_count, 1, GL_RGBA, kType, band.data());
+      glTexSubImage3D(target(), level, 0, y, face, width, row_count, 1, form, kType, band.data());
     else
-      glTexSubImage2D(imageTarget(face), level, 0, y, width, row_count, GL_RGBA, kType, band.data());
+      glTexSubImage2D(imageTarget(face), level, 0, y, width, row_count, form, kType, band.data());
   }
 }
 
 void Texture::upload(int level, int face, const Image& image) {
   assert(takes(level, image.width(), image.height()));
+  const int channels = channelsOf(format_);
+  const auto first = [&](int y, std::span<float> row) {
+    for (int x = 0; x < image.width(); ++x)
+      std::copy_n(image.texel(x, y), channels, &row[std::size_t(x) * std::size_t(channels)]);
+  };
   const auto expanded = [&](int y, std::span<float> rgba) { expandRow(image.row(y), image.channels(), 1.0f, rgba); };
-  if (format_ == Format::rgba32f) {
+  if (channels < 4) {
+    assert(image.channels() >= channels);
+    uploadRows<float>(level, face, image.width(), image.height(), first, channels);
+  } else if (format_ == Format::rgba32f) {
     uploadRows<float>(level, face, image.width(), image.height(), expanded);
   } else if (format_ == Format::rgba16f) {
     uploadRows<std::uint16_t>(level, face, image.width(), image.height(), [&](int y, std::span<std::uint16_t> rgba) {

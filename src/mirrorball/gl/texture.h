@@ -17,6 +17,8 @@ enum class Format {
   srgb8_alpha8,  ///< 8 bits, decoded from sRGB when sampled
   rgba16f,       ///< half floats: radiance up to 65504
   rgba32f,       ///< floats; OpenGL ES interpolates them only where Context::filtersFloats says so
+  r32f,          ///< floats, the first channel alone; not filtered; not drawn into
+  rg32f,         ///< likewise the first two
   rgba32ui,      ///< words that shaders take for what they like; of no mip levels, and not to be filtered
 };
 
@@ -79,8 +81,8 @@ class Texture {
   static constexpr int kUnits = 15;
 
   /// Replaces one image by linear floats. A grey image fills r, g and b; alpha is 1 where the image
-  /// has none. In 8-bit formats [0, 1] is stored (sRGB-encoded for srgb8_alpha8); rgba16f clamps to
-  /// ±65504.
+  /// has none. Formats of one or two channels take as many from any image that has them. In 8-bit
+  /// formats [0, 1] is stored (sRGB-encoded for srgb8_alpha8); rgba16f clamps to ±65504.
   ///
   /// face     of a cube; of an array the layer; else 0
   /// image    of exactly the level's size, with 1, 3 or 4 channels. Of an array's layer it may be smaller: it then
@@ -124,8 +126,10 @@ class Texture {
   void bindForWork() const;
   bool takes(int level, int width, int height) const;
   /// Replaces an image row by row: fill(y, rgba) writes row y as the GPU keeps it.
+  ///
+  /// channels   of the rows
   template <typename Component, typename Fill>
-  void uploadRows(int level, int face, int width, int height, Fill&& fill);
+  void uploadRows(int level, int face, int width, int height, Fill&& fill, int channels = 4);
 
   Handle<destroy> handle_;
   Format format_;

@@ -64,6 +64,21 @@ TEST_P(TextureTest, KeepsFloatsAsEachFormatCan) {
   }
 }
 
+// Of odd widths, whose rows are no whole words of the driver's.
+TEST_P(TextureTest, KeepsTheFirstChannelsAlone) {
+  const Image image = patternImage(37, 5, 3);
+  for (const auto& [format, channels] : {std::pair(Format::r32f, 1), std::pair(Format::rg32f, 2)}) {
+    auto texture = Texture::fromImages(format, ImageSet(image));
+    ASSERT_TRUE(texture) << texture.error().message;
+    EXPECT_EQ(texture->bytes(), 37u * 5u * 4u * unsigned(channels));
+    const Image read = texture->read();
+    for (int y = 0; y < 5; ++y)
+      for (int x = 0; x < 37; ++x)
+        for (int channel = 0; channel < 3; ++channel)
+          EXPECT_EQ(read.texel(x, y)[channel], channel < channels ? image.texel(x, y)[channel] : 0.0f);
+  }
+}
+
 TEST_P(TextureTest, KeepsBytesAsTheyAre) {
   Image8 image(3, 2, 3);
   for (std::size_t i = 0; i < image.samples().size(); ++i) {

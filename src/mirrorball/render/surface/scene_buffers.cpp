@@ -130,7 +130,7 @@ int unitsOfMaps(const Material& material, int units) {
 
 /// The picture of heights with cones in the second channel.
 Image withCones(const HeightTexture& texture) {
-  Image both(texture.picture.width(), texture.picture.height(), 3);
+  Image both(texture.picture.width(), texture.picture.height(), 2);
   for (int y = 0; y < both.height(); ++y)
     for (int x = 0; x < both.width(); ++x) both.texel(x, y)[0] = texture.picture.texel(x, y)[0];
   for (int y = 0; y < texture.cones.height(); ++y)
@@ -148,19 +148,21 @@ Result<gl::Texture> makeHorizons(const ImageSet& slopes, MapEdges edges) {
   return Result<gl::Texture>(std::move(array));
 }
 
+/// For searches, which read single texels.
+Result<gl::Texture> makeSearched(const HeightTexture& texture) {
+  if (texture.cones.empty()) return gl::Texture::fromImages(gl::Format::r32f, ImageSet(texture.picture));
+  return gl::Texture::fromImages(gl::Format::rg32f, ImageSet(withCones(texture)));
+}
+
 Result<SceneBuffers::Heights> makeHeights(const HeightTexture& texture) {
-  MIRRORBALL_TRY(heights,
-                 gl::Texture::fromImages(gl::Format::rgba32f,
-                                         ImageSet(texture.cones.empty() ? texture.picture : withCones(texture))));
-  heights.setSampling({.filter = gl::Sampling::Filter::nearest});
   MIRRORBALL_TRY(moments, slopeMoments(texture.heights, texture.edges));
   MIRRORBALL_TRY(slopes, gl::Texture::fromImages(gl::Format::rgba16f, moments.levels));
   slopes.setSampling(samplingOf(wrapOf(texture.edges), TextureFilter::trilinear, 1.0f));
-  SceneBuffers::Heights made{std::move(heights), std::move(slopes), moments.unit};
-  if (!texture.horizons.slopes.empty()) {
-    MIRRORBALL_TRY(horizons, makeHorizons(texture.horizons.slopes, texture.edges));
-    made.horizons = std::move(horizons);
-  }
+  SceneBuffers::Heights made{std::move(slopes), moments.unit};
+  if (texture.horizons.slopes.empty()) return made;
+  MIRRORBALL_TRY(heights, makeSearched(texture));
+  MIRRORBALL_TRY(horizons, makeHorizons(texture.horizons.slopes, texture.edges));
+  made.searched.emplace(SceneBuffers::SearchedHeights{std::move(heights), std::move(horizons)});
   return made;
 }
 
@@ -198,7 +200,7 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
     buffers.materials_.push_back({std::move(sources), std::move(layers)});
   }
   for (const HeightTexture& texture : scene.height_textures) {
-    MIRRORBALL_TRY(heights, makeHeights(texture));
+    MIRRORBALL_TRY(heights, withName("heights", makeHeights(texture)));
     buffers.heights_.push_back(std::move(heights));
   }
   for (const Image& image : scene.slope_textures) {
@@ -241,9 +243,11 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit, bo
     texture.bind(first_unit + source.unit);
   }
   if (const Heights* heights = shows_heights ? heightsOf(scene, material) : nullptr) {
-    heights->heights.bind(first_unit + units_ - 2);
     heights->slopes.bind(first_unit + units_ - 1);
-    if (heights->horizons) heights->horizons->bind(first_unit + units_ - 4);
+    if (heights->searched) {
+      heights->searched->heights.bind(first_unit + units_ - 2);
+      heights->searched->horizons.bind(first_unit + units_ - 4);
+    }
   } else if (const Slopes* slopes = slopesOf(scene, material)) {
     slopes->texture.bind(first_unit + units_ - 1);
   }

@@ -31,12 +31,16 @@ class SceneBuffers {
 
   /// mapSources() of a material.
   const std::vector<MapSource>& mapsOf(int material) const { return materials_[std::size_t(material)].sources; }
+  /// What a surface is searched for in that heights move.
+  struct SearchedHeights {
+    gl::Texture heights;   ///< HeightTexture::picture, cones in green
+    gl::Texture horizons;  ///< HorizonMap::slopes as layers
+  };
   /// A material's heights: gives its map to the shader, and its slopes. They lie in the last of the units.
   struct Heights {
-    gl::Texture heights;  ///< HeightTexture::picture, cones in green
-    gl::Texture slopes;   ///< SlopeMoments::levels
+    gl::Texture slopes;  ///< SlopeMoments::levels
     float slope_unit;
-    std::optional<gl::Texture> horizons = {};  ///< HorizonMap::slopes as layers, where the heights have them
+    std::optional<SearchedHeights> searched = {};  ///< where the heights have horizons
   };
   /// Of a material; null: it has none.
   const Heights* heightsOf(const Scene& scene, int material) const;

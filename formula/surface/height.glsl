@@ -18,8 +18,8 @@ FN vec4 orangeHeight(vec3 p) {
 const float kOrangeSlopeVariance = 0.625f;
 
 // What is left of such slopes in their mean over a footprint, as a factor that keeps the mean's variance. Of Gaussians
-// of the variance b² a square of the side w leaves b² / (b² + w² / 12); 1 / (1 + 3.3 w²) is fitted to what is counted of
-// the pits, within 0.03.
+// of the variance b² a square of the side w leaves b² / (b² + w² / 12); 1 / (1 + 3.3 w²) is fitted to what is counted
+// of the pits, within 0.03.
 //   across, down   sides of the footprint, in cells
 FN float orangeSlopeShare(vec3 across, vec3 down) {
   return 1.0f / sqrt((1.0f + 3.3f * dot(across, across)) * (1.0f + 3.3f * dot(down, down)));

@@ -1,5 +1,5 @@
-// The light of a patch of directions of the environment, which a pixel sees. Where that is long, it may be read piece by
-// piece (filter_kind.glsl).
+// The light of a patch of directions of the environment, which a pixel sees. Where it is long, it may be read piece
+// by piece (filter_kind.glsl).
 //   across, down   how d changes to the next pixels
 #include "filter_kind.glsl"
 

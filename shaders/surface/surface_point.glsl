@@ -12,7 +12,23 @@ struct SurfacePoint {
   vec3 ray;              // world, unit, from the eye
   vec2 uv_across;        // how uv_0 changes to the next pixels
   vec2 uv_down;
+  vec3 object_across;    // how object_position does, on the triangle that was drawn; else 0
+  vec3 object_down;
 };
+
+// A part of what a sample of a pixel sees.
+//   at      from its middle, in footprints
+//   share   of their sides
+SurfacePoint pieceOf(SurfacePoint point, vec2 at, float share) {
+  at /= sqrt(samples_per_pixel);
+  point.uv_0 += at.x * point.uv_across + at.y * point.uv_down;
+  point.object_position += at.x * point.object_across + at.y * point.object_down;
+  point.uv_across *= share;
+  point.uv_down *= share;
+  point.object_across *= share;
+  point.object_down *= share;
+  return point;
+}
 
 // How the place changes with texture coordinates: world, a unit of uv_0.
 struct SurfaceChange {

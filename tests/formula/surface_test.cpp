@@ -197,5 +197,34 @@ TEST(Height, TheGradientIsTheHeightsOwn) {
   EXPECT_GT(felt, 500) << "pits of half a cell's radius fill half the space";
 }
 
+TEST(Height, TheSlopesHaveTheVarianceThatIsWrittenDown) {
+  constexpr int kPlaces = 400000;
+  double sum = 0.0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const vec3 slopes(orangeHeight(gridRandom(ivec3(i, 3, 5)) * 200.0f - 100.0f));
+    sum += double(dot(slopes, slopes)) / 3.0;
+  }
+  EXPECT_NEAR(sum / kPlaces, double(kOrangeSlopeVariance), 0.01);
+}
+
+// Of the mean over a square across two axes.
+TEST(Height, AMeanOfSlopesKeepsTheShareThatIsTold) {
+  constexpr int kPlaces = 3000;
+  constexpr int kSide = 12;
+  for (const float width : {0.125f, 0.25f, 0.5f, 1.0f, 2.0f}) {
+    double sum = 0.0;
+    for (int i = 0; i < kPlaces; ++i) {
+      const vec3 corner = gridRandom(ivec3(i, 3, 5)) * 200.0f - 100.0f;
+      vec2 mean(0.0f);
+      for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+          mean += vec2(orangeHeight(corner + width / float(kSide) * vec3(x, y, 0.0f))) / float(kSide * kSide);
+      sum += 0.5 * double(dot(mean, mean));
+    }
+    const float share = orangeSlopeShare(vec3(width, 0.0f, 0.0f), vec3(0.0f, width, 0.0f));
+    EXPECT_NEAR(std::sqrt(sum / (kPlaces * double(kOrangeSlopeVariance))), double(share), 0.03) << width;
+  }
+}
+
 }  // namespace
 }  // namespace mirrorball::formula

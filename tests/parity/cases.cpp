@@ -128,6 +128,7 @@ const Case kCases[] = {
 
     // sampling
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),
+    PARITY(placeOfPiece, unit, kTight, vec4(placeOfPiece(int(15.9375f * p.x), vec2(q)), 0.0f, 0.0f)),
     PARITY(sampleFootprint, direction, kTight,
            vec4(sampleFootprint(vec3(p), vec3(q), 1.0f + 16.0f * r.y), 0.0f, 0.0f, 0.0f)),
     PARITY(footprintLod, unit, kTight, vec4(footprintLod(p.x, 1.0f + 2048.0f * r.x), 0.0f, 0.0f, 0.0f)),

@@ -115,7 +115,8 @@ const Case kCases[] = {
 
     // height
     PARITY(orangeHeight, unit, kTight, orangeHeight(vec3(p) * 16.0f - 8.0f)),
-    PARITY(orangeNormal, direction, kTight, vec4(orangeNormal(vec3(q), vec3(p), 0.01f, 12.0f), 0.0f)),
+    PARITY(orangeNormal, direction, kTight, vec4(orangeNormal(vec3(q), vec3(p), 0.01f, 12.0f, 0.75f), 0.0f)),
+    PARITY(orangeSlopeShare, direction, kTight, vec4(orangeSlopeShare(4.0f * vec3(p), vec3(q)), 0.0f, 0.0f, 0.0f)),
 
     // media
     PARITY(entered, unit, kExact, shownMedia(entered(testMedia(p), int(2.9375f * q.x), int(2.9375f * q.y)))),

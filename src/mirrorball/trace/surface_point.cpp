@@ -89,7 +89,7 @@ glm::vec3 normalOfHeights(const Scene& scene, const Hit& hit, const Corners& cor
                         material.height_scale, hit.barycentric);
   }
   return formula::orangeNormal(corners.at(&Vertex::position), glm::normalize(vertex), material.height_scale,
-                               material.height_frequency);
+                               material.height_frequency, 1.0f);
 }
 
 /// How the place changes with texture coordinates on a triangle, each from a unit of the other fixed.

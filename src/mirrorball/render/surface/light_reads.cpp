@@ -45,12 +45,18 @@ int transmittedRays(const Material& material, const FrameSettings& settings, boo
   return ways * (material.dispersion == 0.0f ? 1 : kinds);
 }
 
+/// How many directions reflected light is read from at most.
+int readsOfReflection(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
+  if (stretchesLobes(material, settings, coordinates)) return formula::kTapsOfStretchedLobe;
+  return readsPieces(material, settings, coordinates) ? formula::kPieces : 1;
+}
+
 LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings,
                    const CoordinateChoice& coordinates, bool some_disperse) {
   LightReads reads{.irradiance = 1};
   const int refracted = transmittedRays(material, settings, some_disperse);
   const int coats = material.clearcoat > 0.0f ? 1 : 0;
-  const int lobes = stretchesLobes(material, settings, coordinates) ? formula::kTapsOfStretchedLobe : 1;
+  const int lobes = readsOfReflection(material, settings, coordinates);
   const bool has_sheen = material.sheen_color != glm::vec3(0.0f);
   const int on_cloth = has_sheen ? formula::kSheenRings * formula::kSheenSpokes : 0;
   const int reflected = coordinates.is_sphere_map ? 0 : lobes;

@@ -27,8 +27,8 @@ constexpr auto kMaterial =
     std::to_array<Names>({"material_core.glsl", "material_unlit.glsl", "material_from_inside.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
-constexpr auto kLookUp =
-    std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl"});
+constexpr auto kLookUp = std::to_array<Names>(
+    {"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl", "look_up_pieces.glsl"});
 constexpr auto kDispersion = std::to_array<Names>({"dispersion_channels.glsl", "dispersion_spectral.glsl"});
 constexpr auto kTransmission =
     std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl",
@@ -128,9 +128,15 @@ CoatPart coatPart(const Material& material) {
   return material.clearcoat_normal_map.texture >= 0 ? CoatPart::clear_mapped : CoatPart::clear;
 }
 
+bool reflectsAtFragment(const FrameSettings& settings, const CoordinateChoice& coordinates) {
+  const bool is_reflection = coordinates.look_up == Generated::reflection && settings.reflect_at == ReflectAt::fragment;
+  return is_reflection && !coordinates.is_sphere_map;
+}
+
 LookUpPart lookUpPart(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
   if (coordinates.is_sphere_map) return LookUpPart::sphere_map;
-  return stretchesLobes(material, settings, coordinates) ? LookUpPart::stretched : LookUpPart::environment;
+  if (stretchesLobes(material, settings, coordinates)) return LookUpPart::stretched;
+  return readsPieces(material, settings, coordinates) ? LookUpPart::pieces : LookUpPart::environment;
 }
 
 /// What glTF's extensions lay on the surface.
@@ -236,8 +242,14 @@ std::string answeredText(const SurfaceVariant& variant) {
 std::span<const SurfaceQuestion, kParts> surfaceQuestions() { return kQuestions; }
 
 bool stretchesLobes(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
-  const bool is_reflection = coordinates.look_up == Generated::reflection && settings.reflect_at == ReflectAt::fragment;
-  return material.anisotropy > 0.0f && is_reflection && !coordinates.is_sphere_map;
+  return material.anisotropy > 0.0f && reflectsAtFragment(settings, coordinates);
+}
+
+bool readsPieces(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
+  const bool has_details = detailPart(material) != DetailPart::none;
+  const bool stretches = stretchesLobes(material, settings, coordinates);
+  return showsHeights(material, settings.relief) && !has_details && !stretches &&
+         reflectsAtFragment(settings, coordinates);
 }
 
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,

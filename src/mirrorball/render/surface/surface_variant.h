@@ -57,7 +57,7 @@ enum class AnisotropyPart : std::uint8_t { none, stretched };
 enum class SheenPart : std::uint8_t { none, cloth };
 enum class MaterialPart : std::uint8_t { core, unlit, from_inside };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
-enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched };
+enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched, pieces };
 enum class DispersionPart : std::uint8_t { channels, spectral };
 enum class TransmissionPart : std::uint8_t { none, single, thin, image_space, traced };
 enum class SkyPart : std::uint8_t { open, over_horizons };
@@ -92,6 +92,9 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
 /// Whether reflected light comes from a row of lobes along the tangent: about the reflected ray of each fragment, and
 /// not where other coordinates are asked for.
 bool stretchesLobes(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates);
+
+/// Whether it comes from pieces of what a sample sees of bumps, likewise.
+bool readsPieces(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates);
 
 /// The two shaders of a variant.
 struct SurfaceShaders {

@@ -1,0 +1,31 @@
+// Part "look-up" (look_up_environment.glsl). Here: bumps hide in what a sample of a pixel sees, and no one lobe is what
+// they all reflect. Pieces of it have normals of their own. Each is read as if it were a quarter as wide as it is: what
+// one lobe tells of it is little, and others lie beside it.
+#include "grid_random.glsl"
+#include "light_of_patch.glsl"
+
+const float kReadOfPiece = 0.25;
+
+// A lobe that they widen less than that is read at once.
+const float kFeltWidening = 1.05;
+
+vec3 reflectedLight(Surface s, SurfacePoint point) {
+  vec3 d = lookUpDirection(point, s.normal);
+  vec3 across = dFdx(d);
+  vec3 down = dFdy(d);
+  float own_roughness = material.perceptual_roughness * roughness_map_at(point).y;
+  if (s.material.perceptual_roughness <= kFeltWidening * own_roughness)
+    return lightOfPatch(point, d, across, down, s.material.perceptual_roughness);
+  float footprint = sampleFootprint(across, down, samples_per_pixel * float(kPieces));
+  ivec3 sample_place = ivec3(ivec2(gl_FragCoord.xy), int(sample_phase * samples_per_pixel));
+  vec2 random = gridRandom(sample_place).xy;
+  vec3 light = vec3(0.0);
+  for (int i = 0; i < kPieces; ++i) {
+    SurfacePoint piece = pieceOf(point, placeOfPiece(i, random), kReadOfPiece / float(kPiecesAcross));
+    vec3 n = smoothNormal(piece);
+    n = facingNormal(seesFront() ? n : -n, point.ray);
+    light += incomingLight(point.position, lookUpDirection(piece, n),
+                           widenedRoughness(own_roughness, hiddenSlopes(piece)), footprint);
+  }
+  return light / float(kPieces);
+}

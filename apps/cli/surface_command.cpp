@@ -175,10 +175,8 @@ Command surfaceCommand() {
           "a colour's curve; floats are heights, or "
           "signed normals. Normal maps have x to the right and y up, as glTF and OpenGL want them. `--output` is "
           "required.",
-      .examples = {
-          {"surface brick.png --scale 0.03 -o brick_normal.png", "a normal map of a height map that tiles"},
-          {"surface brick_normal.png --to height -o brick.exr", "the heights again; prints their scale"},
-          {"surface cobbles --ladder -o ladder.png", "all kinds of relief beside the truth; a minute or two"}}};
+      .examples = {{"surface brick.png --scale 0.03 -o brick_normal.png", "a normal map of a height map that tiles"},
+                   {"surface brick_normal.png --to height -o brick.exr", "the heights again; prints their scale"}}};
   static const std::string formats = "(" + std::string(readExtensions()) + "), or - for standard input";
   addArgument(command,
               {.name = "IN",

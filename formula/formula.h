@@ -13,6 +13,7 @@
 #include "formula/material.h"
 #include "formula/prefilter.h"
 #include "formula/projection.h"
+#include "formula/proxy.h"
 #include "formula/relief.h"
 #include "formula/sky.h"
 #include "formula/surface.h"

@@ -3,7 +3,7 @@
 //                                       radiance from the direction d, blurred for the roughness;
 //                                       footprint: the solid angle that one sample of a pixel sees, in sr; 0: any
 //   vec3 arrivingIrradiance(vec3 origin, vec3 n)      on a surface with the normal n, divided by π
-// Here: an environment so far away that it is the same at every origin, in cube maps.
+// Here: an environment in cube maps.
 
 uniform samplerCube environment;
 uniform samplerCube prefiltered;

@@ -1,4 +1,4 @@
-// The light of an environment so far away that it is the same at every origin: what the parts "arriving light" have in
+// The light of an environment as it is seen from where its map was captured: what the parts "arriving light" have in
 // common that read it from `environment`, `prefiltered` and `irradiance` (divided by π).
 #include "filter_kind.glsl"
 #include "mip_mapping.glsl"
@@ -8,12 +8,16 @@
 
 vec3 incomingLight(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
   Blur blur = Blur(blur_kind, first_level, last_level, texels_per_radian, coarser);
-  float minified = readsMipLevels(texture_filter) ? footprintLod(footprint, texels_per_radian) : 0.0;
-  vec3 direction = environment_from_world * d;
-  vec4 light = blurredLight(blur, environment, prefiltered, direction, perceptual_roughness, minified);
-  return environment_intensity * light.xyz;
+  ProxySight sight = sightFrom(origin, d);
+  float seen = footprint * sight.enlargement;
+  float minified = readsMipLevels(texture_filter) ? footprintLod(seen, texels_per_radian) : 0.0;
+  vec4 light = blurredLight(blur, environment, prefiltered, environment_from_world * sight.direction,
+                            roughnessBeyondProxy(perceptual_roughness, sight.enlargement), minified);
+  return environment_intensity * lightOfProxy(sight, light.xyz);
 }
 
 vec3 arrivingIrradiance(vec3 origin, vec3 n) {
-  return environment_intensity * sampleLod(irradiance, environment_from_world * n, 0.0).xyz;
+  ProxySight sight = sightFrom(origin, n);
+  vec3 light = sampleLod(irradiance, environment_from_world * sight.direction, 0.0).xyz;
+  return environment_intensity * light;
 }

@@ -19,6 +19,7 @@
 #include "part: maps"
 #include "part: normal"
 #include "part: detail"
+#include "part: proxy"
 #include "part: arriving light"
 #include "part: anisotropy"
 #include "part: sheen"

@@ -126,6 +126,36 @@ const Case kCases[] = {
     PARITY(angularDirection, unit, kTranscendental, vec4(angularDirection(vec2(p)), 0.0f)),
     PARITY(insideDisc, unit, kExact, vec4(float(insideDisc(vec2(p))), 0.0f, 0.0f, 0.0f)),
 
+    // proxy_mesh, proxy_shape, proxy_sight
+    PARITY(
+        hitOfMesh, direction, kTranscendental,
+        vec4(hitOfMesh(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f), normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)))
+                 .place,
+             hitOfMesh(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f), normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)))
+                 .normal.z)),
+    PARITY(withinBox, direction, kExact, vec4(withinBox(vec3(-0.5f), vec3(0.25f), vec3(p)), 0.0f)),
+    PARITY(wayOut, direction, kTight,
+           vec4(wayOut(-2.0f, 3.0f, p.x, p.y) < 1e17f ? wayOut(-2.0f, 3.0f, p.x, p.y) : 0.0f)),
+    PARITY(hitOfBox, direction, kTight,
+           vec4(hitOfBox(vec3(-0.5f, -0.75f, -0.25f), vec3(1.0f, 2.0f, 3.0f), vec3(q), vec3(p)).place,
+                hitOfBox(vec3(-0.5f, -0.75f, -0.25f), vec3(1.0f, 2.0f, 3.0f), vec3(q), vec3(p)).distance)),
+    PARITY(withinSphere, direction, kTight, vec4(withinSphere(vec3(0.25f), 0.5f, vec3(p)), 0.0f)),
+    PARITY(hitOfSphere, direction, kTight, vec4(hitOfSphere(vec3(0.25f), 2.0f, vec3(q), vec3(p)).place, 0.0f)),
+    PARITY(withinDome, direction, kTight, vec4(withinDome(vec3(0.25f), 0.5f, -0.125f, vec3(p)), 0.0f)),
+    // The ground is met from far above where a ray is nearly level.
+    PARITY(hitOfGround, direction, kTranscendental,
+           vec4(hitOfGround(vec3(0.0f, 0.5f, 0.0f), 4.0f, -1.0f, vec3(q), vec3(p)).place, 0.0f)),
+    PARITY(shadowedGround, light, kTight, vec4(shadowedGround(vec3(p), vec3(q), vec3(r) / (vec3(r) + 1.0f)), 0.0f)),
+    PARITY(sightOfProxy, direction, kTight,
+           vec4(sightOfProxy(ProxyHit(2.0f * vec3(p), vec3(0.0f, 1.0f, 0.0f), 1.0f + r.x, false), 0.25f * vec3(q),
+                             normalize(vec3(p.x, 0.75f, p.z)))
+                    .direction,
+                sightOfProxy(ProxyHit(2.0f * vec3(p), vec3(0.0f, 1.0f, 0.0f), 1.0f + r.x, false), 0.25f * vec3(q),
+                             normalize(vec3(p.x, 0.75f, p.z)))
+                    .enlargement)),
+    PARITY(roughnessBeyondProxy, unit, kTight, vec4(roughnessBeyondProxy(p.x, 4.0f * p.y))),
+    PARITY(nearestToCapture, direction, kTight, vec4(nearestToCapture(vec3(q), vec3(p), vec3(r)), 0.0f)),
+
     // sampling
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),
     PARITY(placeOfPiece, unit, kTight, vec4(placeOfPiece(int(15.9375f * p.x), vec2(q)), 0.0f, 0.0f)),

@@ -17,6 +17,7 @@
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/gl/program.h"
+#include "mirrorball/render/frame/background.h"
 #include "mirrorball/render/surface/surface_variant.h"
 #include "parity/formula_files.h"
 #include "parity/parity_case.h"
@@ -218,9 +219,19 @@ TEST_P(GlslangTest, TakesEveryShader) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".vert" && extension != ".frag") continue;
     const std::string name = entry.path().filename().string();
+    if (name == "background.frag") continue;  // is put together from parts
     const auto source = gl::shaderSource(GetParam(), name);
     ASSERT_TRUE(source) << source.error().message;
     expectGlslangTakes(GetParam(), *source, name);
+  }
+}
+
+TEST_P(GlslangTest, TakesTheBackgroundOnEveryProxy) {
+  for (const ProxyKind kind :
+       {ProxyKind::none, ProxyKind::box, ProxyKind::sphere, ProxyKind::ground, ProxyKind::mesh}) {
+    const auto source = backgroundShader(GetParam(), kind);
+    ASSERT_TRUE(source) << source.error().message;
+    expectGlslangTakes(GetParam(), *source, "background_" + std::to_string(static_cast<int>(kind)) + ".frag");
   }
 }
 

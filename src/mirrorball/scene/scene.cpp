@@ -46,16 +46,34 @@ void standUpright(Scene& scene, UpAxis up) {
   }
 }
 
-BoundingSphere boundingSphere(const Scene& scene) {
-  glm::dvec3 min(std::numeric_limits<double>::infinity());
-  glm::dvec3 max(-std::numeric_limits<double>::infinity());
-  forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
-    min = glm::min(min, position);
-    max = glm::max(max, position);
-  });
-  if (!(min.x <= max.x)) return {};
+namespace {
 
-  const glm::dvec3 center = 0.5 * (min + max);
+struct DoubleBox {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+};
+
+DoubleBox exactBox(const Scene& scene) {
+  DoubleBox box;
+  forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
+    box.low = glm::min(box.low, position);
+    box.high = glm::max(box.high, position);
+  });
+  return box;
+}
+
+}  // namespace
+
+Box boundingBox(const Scene& scene) {
+  const DoubleBox box = exactBox(scene);
+  return {glm::vec3(box.low), glm::vec3(box.high)};
+}
+
+BoundingSphere boundingSphere(const Scene& scene) {
+  const DoubleBox box = exactBox(scene);
+  if (!(box.low.x <= box.high.x)) return {};
+
+  const glm::dvec3 center = 0.5 * (box.low + box.high);
   double squared_radius = 0.0;
   forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
     const glm::dvec3 away = position - center;

@@ -8,6 +8,7 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/image/image.h"
+#include "mirrorball/scene/box.h"
 #include "mirrorball/scene/camera/model_camera.h"
 #include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/mesh.h"
@@ -74,6 +75,9 @@ enum class UpAxis { y, z };
 
 /// Turns a scene whose `up` axis points upwards so that +Y does: about +X, which stays on the right.
 void standUpright(Scene& scene, UpAxis up);
+
+/// The box around everything; empty for an empty scene.
+Box boundingBox(const Scene& scene);
 
 /// The sphere about the middle of the bounding box through the farthest vertex; radius 1 about the origin for an empty
 /// scene, and never 0. Exact for a sphere about its own centre.

@@ -9,6 +9,7 @@ TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings) {
   settings.display = frame.display;
   settings.environment_from_world = frame.environmentFromWorld();
   settings.environment_intensity = frame.env_intensity;
+  settings.proxy = frame.proxy;
   settings.shows_environment = frame.background == BackgroundKind::environment;
   if (frame.background == BackgroundKind::radiance) settings.background = frame.background_color;
   settings.wavelength_nm = frame.wavelength_nm;

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "formula/surface.h"
-#include "mirrorball/trace/light_sampler.h"
+#include "mirrorball/bake/light_sampler.h"
 #include "mirrorball/trace/sample_sequence.h"
 
 namespace mirrorball {

@@ -7,8 +7,8 @@
 
 #include "formula/bsdf.h"
 #include "mirrorball/bake/brdf/sheen_albedo.h"
+#include "mirrorball/bake/light_sampler.h"
 #include "mirrorball/trace/bsdf_testing.h"
-#include "mirrorball/trace/light_sampler.h"
 
 namespace mirrorball {
 namespace {

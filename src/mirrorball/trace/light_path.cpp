@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,8 @@ namespace {
 constexpr int kMaxPassed = 512;
 /// From this surface on, dark paths are ended at random (Russian roulette).
 constexpr int kFirstRoulette = 4;
+/// In place of an instance: the ground of the environment.
+constexpr std::uint32_t kGround = ~std::uint32_t{0};
 
 /// The colour of a surface: its base colour, or a metal's reflectance at normal incidence.
 glm::vec3 albedoOf(const formula::Material& material) {
@@ -46,8 +49,12 @@ glm::vec3 besideHit(const Ray& arriving, const Hit& hit, bool goes_out) {
 /// A path on its way from the eye.
 class Path {
  public:
-  Path(const World& world, const TraceSettings& settings, SampleSequence& samples)
-      : world_(world), settings_(settings), samples_(samples), wavelength_(settings.wavelength_nm / 1000.0f) {}
+  Path(const World& world, const Surroundings& surroundings, const TraceSettings& settings, SampleSequence& samples)
+      : world_(world),
+        surroundings_(surroundings),
+        settings_(settings),
+        samples_(samples),
+        wavelength_(settings.wavelength_nm / 1000.0f) {}
 
   PathLight follow(Ray ray);
 
@@ -69,14 +76,17 @@ class Path {
   bool passes(const Hit& hit, Ray& ray);
   bool isHole(const Hit& hit);
   glm::vec3 transmittance(const formula::Media& media, float distance) const;
-  glm::vec3 environmentAlong(glm::vec3 direction) const;
   float iorOf(const formula::Material& material) const;
   bool needsWavelength(const Vertex& vertex) const;
   Refraction refractionAt(const Vertex& vertex, float new_wavelength) const;
   Vertex vertexAt(const Hit& hit, const Ray& ray) const;
   float iorBeyond(const Vertex& vertex) const;
   formula::Material materialAt(const Vertex& vertex) const;
-  LightSample sampleLight();
+  LightSample sampleLight(glm::vec3 place);
+  float weightBeside(float pdf_of_light) const;
+  void seeEnvironment(const Ray& ray);
+  std::optional<float> groundBefore(const Ray& ray, const std::optional<Hit>& hit) const;
+  Ray scatterOnGround(const Ray& ray, float distance);
   glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, const Frame& frame);
   glm::vec3 coatNormal(const Vertex& vertex) const;
   Ray leaving(const Vertex& vertex, glm::vec3 direction) const;
@@ -84,13 +94,15 @@ class Path {
   std::optional<Ray> scatter(const Vertex& vertex, glm::vec3 normal);
 
   const World& world_;
+  const Surroundings& surroundings_;
   const TraceSettings& settings_;
   SampleSequence& samples_;
   glm::vec3 sum_{0.0f};
   glm::vec3 throughput_{1.0f};
-  float pdf_ = 0.0f;        // of the ray's direction; 0: nothing else could have chosen it
-  float wavelength_;        // µm, that of the settings, or once light is dispersed; 0: all are there
-  int inner_surfaces_ = 0;  // that were met from within bodies
+  float pdf_ = 0.0f;             // of the ray's direction; 0: nothing else could have chosen it
+  float wavelength_;             // µm, that of the settings, or once light is dispersed; 0: all are there
+  int inner_surfaces_ = 0;       // that were met from within bodies
+  bool is_from_ground_ = false;  // where the light of the environment counts already
 };
 
 /// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
@@ -161,10 +173,6 @@ glm::vec3 Path::transmittance(const formula::Media& media, float distance) const
   return formula::bodyTransmittance(material.attenuation_color, material.attenuation_distance, distance);
 }
 
-glm::vec3 Path::environmentAlong(glm::vec3 direction) const {
-  return settings_.environment_intensity * world_.environment.radiance(direction);
-}
-
 float Path::iorOf(const formula::Material& material) const { return formula::atWavelength(material, wavelength_).ior; }
 
 Path::Vertex Path::vertexAt(const Hit& hit, const Ray& ray) const {
@@ -216,11 +224,11 @@ Refraction Path::refractionAt(const Vertex& vertex, float new_wavelength) const 
   return refraction;
 }
 
-/// A direction that the environment chooses, in its own axes.
-LightSample Path::sampleLight() {
+/// A direction that the environment chooses, seen from a place.
+LightSample Path::sampleLight(glm::vec3 place) {
   const glm::vec2 u = samples_.next();
   if (settings_.strategy == LightStrategy::surface) return {};
-  LightSample sample = world_.lights.sample(u);
+  LightSample sample = surroundings_.sample(place, u);
   sample.is_weighed = settings_.strategy == LightStrategy::both;
   return sample;
 }
@@ -321,20 +329,64 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
     bsdf.addSheen(material);
     if (material.clearcoat > 0.0f) bsdf.addCoat(material, Frame(coatNormal(vertex)));
   }
-  const LightSample light = bsdf.takesLightSamples() ? sampleLight() : LightSample();
-  const glm::vec3 towards = glm::transpose(settings_.environment_from_world) * light.direction;
-  const LayeredScattering scattered =
-      bsdf.scatter(-vertex.arriving.direction, {towards, light.pdf, light.is_weighed}, samples_);
+  const glm::vec3 place = vertex.arriving.origin + vertex.hit.distance * vertex.arriving.direction;
+  const LightSample light = bsdf.takesLightSamples() ? sampleLight(place) : LightSample();
+  const LayeredScattering scattered = bsdf.scatter(-vertex.arriving.direction, light, samples_);
   const auto& [direct, next, enters] = scattered.scattering;
   if (direct != glm::vec3(0.0f))
-    sum_ +=
-        throughput_ * direct * shareThatArrives(leaving(vertex, towards), INFINITY) * environmentAlong(light.direction);
+    sum_ += throughput_ * direct * shareThatArrives(leaving(vertex, light.direction), INFINITY) *
+            surroundings_.radiance(place, light.direction);
   sum_ += throughput_ * (lightOfLamps(vertex, material, frame) + scattered.share_below * material.emission);
   if (!next) return std::nullopt;
   if (next->is_refracted && new_wavelength > 0.0f) wavelength_ = new_wavelength;
   throughput_ *= next->weight;
   pdf_ = next->pdf;
   return leaving(vertex, glm::normalize(next->direction));
+}
+
+/// How much the environment counts where the path has found it: what of this light was chosen directly counts there.
+float Path::weightBeside(float pdf_of_light) const {
+  if (pdf_ <= 0.0f || settings_.strategy == LightStrategy::surface) return 1.0f;
+  return settings_.strategy == LightStrategy::both ? balanceHeuristic(pdf_, pdf_of_light) : 0.0f;
+}
+
+void Path::seeEnvironment(const Ray& ray) {
+  const glm::vec3 origin = ray.from ? ray.origin : surroundings_.originOfEye(ray.origin, ray.direction);
+  const float weight = weightBeside(pdf_ > 0.0f ? surroundings_.pdf(origin, ray.direction) : 0.0f);
+  sum_ += throughput_ * weight * surroundings_.radiance(origin, ray.direction);
+}
+
+/// Where a ray meets the ground of the environment before anything else.
+std::optional<float> Path::groundBefore(const Ray& ray, const std::optional<Hit>& hit) const {
+  if (settings_.is_unoccluded) return std::nullopt;
+  const auto distance = surroundings_.distanceToGround(ray.origin, ray.direction);
+  return distance && !(hit && hit->distance <= *distance) ? distance : std::nullopt;
+}
+
+/// The panorama shows the ground as it is without the scene. What the scene changes is added: the light that it hides,
+/// below 0, and its own ("differential rendering": Debevec 1998, "Rendering synthetic objects into real scenes").
+Ray Path::scatterOnGround(const Ray& ray, float distance) {
+  const glm::vec3 up(0.0f, 1.0f, 0.0f);
+  const glm::vec3 place = ray.origin + distance * ray.direction;
+  throughput_ *= surroundings_.albedoOfGround(surroundings_.radiance(ray.origin, ray.direction));
+  // From below the ground it meets also what lies flat on it.
+  Ray next{
+      .origin = formula::besideSurface(place, distance, -up), .from = Hit{.instance = kGround}, .media = ray.media};
+  const LightSample light = surroundings_.sampleOnGround(samples_.next());
+  if (light.pdf > 0.0f && settings_.strategy != LightStrategy::surface) {
+    next.direction = light.direction;
+    const float cosine = light.direction.y / formula::kPi;
+    const float weight = settings_.strategy == LightStrategy::both ? balanceHeuristic(light.pdf, cosine) : 1.0f;
+    const glm::vec3 hidden = 1.0f - shareThatArrives(next, INFINITY);
+    sum_ -= throughput_ * hidden * surroundings_.radianceOnGround(light.direction) * (weight * cosine / light.pdf);
+  }
+  const glm::vec2 u = samples_.next();
+  const float radius = std::sqrt(u.x);
+  const float angle = formula::kTwoPi * u.y;
+  next.direction = {radius * std::cos(angle), std::sqrt(1.0f - u.x), radius * std::sin(angle)};
+  pdf_ = next.direction.y / formula::kPi;
+  is_from_ground_ = true;
+  return next;
 }
 
 PathLight Path::follow(Ray ray) {
@@ -347,19 +399,22 @@ PathLight Path::follow(Ray ray) {
     const bool meets = surfaces == 0 || meetsSurfaces(ray);
     if (surfaces > 0 && formula::fillingBody(ray.media) >= 0) ++inner_surfaces_;
     const auto hit = meets ? firstHit(ray, INFINITY, throughput_) : std::nullopt;
-    if (!hit) {
+    if (is_from_ground_) {
+      if (!hit) return ended();
+      const float weight = weightBeside(surroundings_.pdfOnGround(ray.direction));
+      sum_ -= throughput_ * weight * surroundings_.radianceOnGround(ray.direction);
+      is_from_ground_ = false;
+    }
+    const auto ground = groundBefore(ray, hit);
+    if (!hit || ground) {
       if (surfaces == 0 && !settings_.shows_environment) {
         if (settings_.background) result.radiance = glm::vec4(throughput_ * *settings_.background, 1.0f);
         return result;
       }
-      // What of this light was chosen directly counts there.
-      const glm::vec3 seen = glm::normalize(settings_.environment_from_world * ray.direction);
-      float weight = 1.0f;
-      if (pdf_ > 0.0f && settings_.strategy == LightStrategy::both)
-        weight = balanceHeuristic(pdf_, world_.lights.pdf(seen));
-      if (pdf_ > 0.0f && settings_.strategy == LightStrategy::light) weight = 0.0f;
-      sum_ += throughput_ * weight * environmentAlong(seen);
-      return ended();
+      seeEnvironment(ray);
+      if (!ground || surfaces == settings_.bounces) return ended();
+      ray = scatterOnGround(ray, *ground);
+      continue;
     }
     if (surfaces == settings_.bounces && !settings_.is_unoccluded) return ended();
     const Vertex vertex = vertexAt(*hit, ray);
@@ -383,8 +438,9 @@ PathLight Path::follow(Ray ray) {
 
 }  // namespace
 
-PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray, SampleSequence& samples) {
-  return Path(world, settings, samples).follow(ray);
+PathLight lightAlong(const World& world, const Surroundings& surroundings, const TraceSettings& settings, Ray ray,
+                     SampleSequence& samples) {
+  return Path(world, surroundings, settings, samples).follow(ray);
 }
 
 formula::Media mediaAt(const World& world, glm::vec3 point, ReliefKind relief) {

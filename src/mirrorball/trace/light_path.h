@@ -4,12 +4,13 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/bake/light_sampler.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/scene/scene.h"
 #include "mirrorball/trace/geometry.h"
-#include "mirrorball/trace/light_sampler.h"
 #include "mirrorball/trace/ray.h"
 #include "mirrorball/trace/sample_sequence.h"
+#include "mirrorball/trace/surroundings.h"
 #include "mirrorball/trace/trace_settings.h"
 
 namespace mirrorball {
@@ -33,8 +34,10 @@ struct PathLight {
 
 /// Follows light backwards, from the eye from surface to surface into the environment.
 ///
+/// surroundings   of the world's environment, with these settings
 /// cost     docs/truth.md has paths a second
-PathLight lightAlong(const World& world, const TraceSettings& settings, Ray ray, SampleSequence& samples);
+PathLight lightAlong(const World& world, const Surroundings& surroundings, const TraceSettings& settings, Ray ray,
+                     SampleSequence& samples);
 
 /// The bodies that a point lies in: those that at least two of three rays from there leave and have not entered.
 formula::Media mediaAt(const World& world, glm::vec3 point, ReliefKind relief);

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
@@ -73,8 +74,8 @@ struct PathTracer::State : World {
   }
   Result<Film> trace(const CameraRays& rays, const TraceSettings& settings, TracedPicture& picture,
                      const TraceObserver& observer) const;
-  bool drawPass(const CameraRays& rays, const TraceSettings& settings, const PassRange& range, Film& pass,
-                const ProgressFunction& progress) const;
+  bool drawPass(const CameraRays& rays, const Surroundings& surroundings, const TraceSettings& settings,
+                const PassRange& range, Film& pass, const ProgressFunction& progress) const;
 };
 
 PathTracer::PathTracer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -107,8 +108,9 @@ void PathTracer::setMaterials(std::vector<Material> materials) {
 }
 
 /// returns  whether the pass is whole
-bool PathTracer::State::drawPass(const CameraRays& rays, const TraceSettings& settings, const PassRange& range,
-                                 Film& pass, const ProgressFunction& progress) const {
+bool PathTracer::State::drawPass(const CameraRays& rays, const Surroundings& surroundings,
+                                 const TraceSettings& settings, const PassRange& range, Film& pass,
+                                 const ProgressFunction& progress) const {
   std::atomic<bool> is_stopped = false;
   const glm::ivec2 size = pass.size();
   const auto rows = static_cast<std::size_t>(size.y);
@@ -124,7 +126,7 @@ bool PathTracer::State::drawPass(const CameraRays& rays, const TraceSettings& se
         for (int index = range.first; index < range.first + range.count; ++index) {
           SampleSequence samples(static_cast<std::uint32_t>(y * size.x + x), static_cast<std::uint32_t>(index));
           if (const auto ray = rays(glm::vec2(x, y) + samples.next()))
-            addPath(sums, lightAlong(*this, settings, *ray, samples));
+            addPath(sums, lightAlong(*this, surroundings, settings, *ray, samples));
         }
         paths_done += std::size_t(range.count);
         if (progress && !progress(paths_done, paths_in_all)) is_stopped = true;
@@ -143,13 +145,16 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
   const std::uint64_t channels = settings.wants_layers ? 13 : 4;
   MIRRORBALL_TRY_VOID(
       withName("the picture", checkMemory(pixels * (2 * sizeof(PixelSums) + channels * sizeof(float)))));
+  MIRRORBALL_TRY(proxy, placedProxy(settings.proxy, scene));
+  const Surroundings surroundings(environment, lights, std::move(proxy), settings);
   Film film(size), pass(size);
   const int max_samples = std::max(settings.samples, 1);
   int expected = max_samples;
   while (film.samples() < max_samples) {
     const int done = film.samples();
     const int count = std::min({std::max(done, 1), kLargestPass, max_samples - done});
-    if (!drawPass(rays, settings, {done, count, std::max(expected, done + count)}, pass, observer.progress)) {
+    if (!drawPass(rays, surroundings, settings, {done, count, std::max(expected, done + count)}, pass,
+                  observer.progress)) {
       picture.is_interrupted = true;
       break;
     }

@@ -9,6 +9,7 @@
 #include "mirrorball/base/option.h"
 #include "mirrorball/codec/color/display.h"
 #include "mirrorball/scene/point_light.h"
+#include "mirrorball/scene/proxy/proxy.h"
 #include "mirrorball/scene/relief/relief.h"
 
 namespace mirrorball {
@@ -44,6 +45,7 @@ struct TraceSettings {
   LightStrategy strategy = LightStrategy::both;
   glm::mat3 environment_from_world{1.0f};    ///< turns the environment
   float environment_intensity = 1.0f;        ///< scales its light
+  ProxyOptions proxy = {};                   ///< what the environment's light comes from
   bool shows_environment = true;             ///< behind the scene
   std::optional<glm::vec3> background = {};  ///< radiance there if the environment is not shown; nothing: transparent
   std::vector<PointLight> lights = {};       ///< by Phong's model, as the renderer has them, but with shadows

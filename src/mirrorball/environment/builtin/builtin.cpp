@@ -5,12 +5,13 @@
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/builtin/studio.h"
+#include "mirrorball/environment/builtin/sunset.h"
 #include "mirrorball/environment/builtin/uv_environment.h"
 
 namespace mirrorball {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"studio", "sky", "uv", "white"};
+constexpr std::array<std::string_view, 5> kNames{"studio", "sky", "sunset", "uv", "white"};
 
 const auto kSkyParameters = std::to_array<Option<SkyParameters>>({
     {{.name = "elevation",
@@ -80,6 +81,7 @@ Result<Environment> builtinEnvironment(std::string_view name) {
   if (!written.empty())
     return fail(ErrorCode::usage, "the environment '" + std::string(base) + "' takes no parameters; only sky does");
   if (base == "studio") return Environment(studioRadiance, 1024);
+  if (base == "sunset") return sunsetEnvironment();
   if (base == "uv") return Environment(uvRadiance, 1024);
   return Environment([](glm::vec3) { return glm::vec3(1.0f); }, 32);
 }

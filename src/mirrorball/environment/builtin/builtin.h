@@ -13,7 +13,7 @@ namespace mirrorball {
 /// The table of the sky's parameters.
 std::span<const Option<SkyParameters>> skyParameters();
 
-/// "studio", "sky", "uv", "white".
+/// "studio", "sky", "sunset", "uv", "white".
 std::span<const std::string_view> builtinEnvironmentNames();
 
 /// Whether a name is a built-in environment's, with or without parameters after a colon.
@@ -22,6 +22,7 @@ bool isBuiltinEnvironment(std::string_view name);
 /// Makes a built-in:
 ///   studio   a photo studio with soft boxes and a satin floor (environment/builtin/studio.h)
 ///   sky      clear daylight with the sun's disc, over soil (environment/builtin/sky.h)
+///   sunset   a photographed square in a town (environment/builtin/sunset.h)
 ///   uv       six coloured faces with their names, to check orientation
 ///   white    radiance 1 from everywhere: objects that reflect all light are invisible in it
 ///

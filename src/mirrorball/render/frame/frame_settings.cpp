@@ -150,6 +150,23 @@ constexpr Field kRotation{[](const FrameSettings& s) {
                             return {};
                           }};
 
+constexpr Field kProxy{[](const FrameSettings& s) { return writtenProxy(s.proxy); },
+                       [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+                         MIRRORBALL_TRY(proxy, parseProxy(text.name, written));
+                         proxy.captured_at = s.proxy.captured_at;
+                         s.proxy = std::move(proxy);
+                         return {};
+                       }};
+
+constexpr Field kCapturedAt{[](const FrameSettings& s) {
+                              return s.proxy.captured_at ? writeNumbers({&s.proxy.captured_at->x, 3}) : std::string();
+                            },
+                            [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+                              MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+                              s.proxy.captured_at = glm::vec3(numbers[0], numbers[1], numbers[2]);
+                              return {};
+                            }};
+
 /// As matrices are written, row after row; GLM's are columns.
 constexpr Field kTextureMatrix{[](const FrameSettings& s) {
                                  const glm::mat4 rows = glm::transpose(s.texture_matrix);
@@ -259,6 +276,24 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "factor on the environment's light",
       .group = "Environment"},
      &FrameSettings::env_intensity},
+    {{.name = "proxy",
+      .value = "box:X0,Y0,Z0,X1,Y1,Z1|sphere:X,Y,Z,RADIUS|ground[:HEIGHT[,RADIUS]]|MODEL|none",
+      .unit = "world units",
+      .help = "surface that the environment's light comes from, so that reflections move as in a real room: a box, a "
+              "sphere, the triangles of a model, or a level ground below the model, over which the panorama's camera "
+              "stood at HEIGHT and which bends up into a dome at RADIUS; without it, light comes from infinitely far "
+              "away",
+      .group = "Environment"},
+     kProxy},
+    {{.name = "captured-at",
+      .value = "X,Y,Z",
+      .unit = "world units",
+      .min_count = 3,
+      .max_count = 3,
+      .help = "with --proxy, where the environment map was captured; without it in the middle, or on the ground above "
+              "the model's middle",
+      .group = "Environment"},
+     kCapturedAt},
     {{.name = "blur",
       .choices = "exact|gpu|mip|cone",
       .help = "how the environment is blurred for rough surfaces: prefiltered exactly, prefiltered on the GPU in a few "

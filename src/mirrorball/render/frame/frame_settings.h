@@ -9,6 +9,7 @@
 #include "mirrorball/codec/color/display.h"
 #include "mirrorball/scene/camera/camera.h"
 #include "mirrorball/scene/point_light.h"
+#include "mirrorball/scene/proxy/proxy.h"
 #include "mirrorball/scene/relief/relief.h"
 
 namespace mirrorball {
@@ -57,6 +58,7 @@ struct FrameSettings {
   glm::vec3 env_rotation_deg{
       0.0f};  ///< yaw about +Y, +Z towards +X; before it pitch about +X, before that roll about +Z
   float env_intensity = 1.0f;
+  ProxyOptions proxy = {};  ///< what the environment's light comes from
   BackgroundKind background = BackgroundKind::environment;
   glm::vec3 background_color{0.0f};  ///< linear: radiance, or a display's light in [0, 1]
   int samples = 4;                   ///< of each pixel, 1 … 4096

@@ -16,8 +16,8 @@
 #include "formula/projection.h"
 #include "formula/surface.h"
 #include "mirrorball/base/parallel.h"
-#include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/render/frame/background.h"
 #include "mirrorball/render/light/gpu_prefilter.h"
 #include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/light_reads.h"
@@ -56,9 +56,6 @@ void setDisplay(gl::Program& program, const FrameSettings& settings) {
   program.set("tone_map", static_cast<int>(settings.display.tone_map));
 }
 
-/// How rough a mirror would blur the environment as `--background blur` does.
-constexpr float kBackgroundRoughness = 0.35f;
-
 /// The middle of the box around a mesh, in its own frame.
 glm::vec3 centerOf(const Mesh& mesh) {
   if (mesh.vertices.empty()) return glm::vec3(0.0f);
@@ -75,7 +72,6 @@ glm::vec3 centerOf(const Mesh& mesh) {
 
 struct Renderer::State {
   gl::Context context;  ///< outlives all else
-  gl::Program background;
   gl::Program accumulate;
   gl::Program tone_map;
   std::future<Result<Image>> brdf_table;  ///< for `surfaces`; made while the driver takes in the rest
@@ -86,9 +82,14 @@ struct Renderer::State {
   BoundingSphere bounds = {};
   std::optional<SurfacePrograms> surfaces = {};  ///< made for the first frame
   gl::VertexArray screen = {};
-  std::optional<GpuPrefilter> gpu_prefilter = {};  ///< made when BlurKind::gpu first asks for it
-  std::optional<FlatLight> flat_light = {};        ///< made when LightLookUp::flat first asks for it
-  const gl::Texture* flattened_chain = nullptr;    ///< that it was made from
+  Background background = {};
+  ProxyUniforms proxy = {};
+  std::optional<LightSampler> ground_sampler = {};   ///< of the environment, made when a frame first has a ground
+  std::optional<GroundShadow> ground_shadow = {};    ///< likewise
+  std::optional<glm::mat3> shadow_environment = {};  ///< environment_from_world that it was drawn for; none: redraw it
+  std::optional<GpuPrefilter> gpu_prefilter = {};    ///< made when BlurKind::gpu first asks for it
+  std::optional<FlatLight> flat_light = {};          ///< made when LightLookUp::flat first asks for it
+  const gl::Texture* flattened_chain = nullptr;      ///< that it was made from
   std::optional<gl::Texture> sphere_map = {};
   std::optional<BodyTree> body_tree = {};      ///< of the scene, made when it is first traced
   std::optional<gl::Texture> bodies = {};      ///< its words
@@ -107,6 +108,8 @@ struct Renderer::State {
   Result<void> makeSurfaces();
   Result<void> makeFramebuffers();
   Result<void> makePrisms();
+  Result<void> placeProxy();
+  Result<void> makeGroundShadow();
   Result<PrefilteredChain> prefilteredChain();
   Result<void> makeFlatLight();
   Result<void> makeSphereMap();
@@ -114,7 +117,6 @@ struct Renderer::State {
   Result<void> drawBackFaces(const Camera& camera);
   Result<void> drawReliefHits(const Camera& camera);
   Result<void> drawSample(const Camera& camera);
-  void drawBackground(const Camera& camera);
   void drawInstance(int instance);
   void drawOpaque();
   void drawBlended(const Camera& camera);
@@ -135,11 +137,10 @@ Result<Renderer> Renderer::headless() {
 Result<Renderer> Renderer::on(gl::Context context) {
   const gl::Api api = context.api();
   std::future<Result<Image>> brdf_table = std::async(besideOthers(), surfaceBrdfTable);
-  MIRRORBALL_TRY(background, gl::Program::load(api, "screen.vert", "background.frag"));
   MIRRORBALL_TRY(accumulate, gl::Program::load(api, "screen.vert", "accumulate.frag"));
   MIRRORBALL_TRY(tone_map, gl::Program::load(api, "screen.vert", "tone_map.frag"));
-  return Renderer(std::unique_ptr<State>(new State{std::move(context), std::move(background), std::move(accumulate),
-                                                   std::move(tone_map), std::move(brdf_table)}));
+  return Renderer(std::unique_ptr<State>(
+      new State{std::move(context), std::move(accumulate), std::move(tone_map), std::move(brdf_table)}));
 }
 
 Result<void> Renderer::setScene(Scene scene) {
@@ -150,6 +151,8 @@ Result<void> Renderer::setScene(Scene scene) {
   state.bounds = boundingSphere(state.scene);
   state.body_tree.reset();
   state.bodies.reset();
+  state.proxy.forgetScene();
+  state.shadow_environment.reset();
   if (state.surfaces) state.surfaces->forgetScene();
   return {};
 }
@@ -167,6 +170,8 @@ Result<void> Renderer::setEnvironment(Environment environment, const PreparedEnv
   state.environment = std::move(environment);
   state.gpu_prefilter.reset();
   state.flat_light.reset();
+  state.ground_sampler.reset();
+  state.shadow_environment.reset();
   return {};
 }
 
@@ -237,6 +242,7 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
   state.samples_drawn = 0;
   MIRRORBALL_TRY_VOID(state.makeFramebuffers());
   MIRRORBALL_TRY_VOID(state.makePrisms());
+  MIRRORBALL_TRY_VOID(state.placeProxy());
   state.light->readNearest(false);
   MIRRORBALL_TRY(chain, state.prefilteredChain());
   state.frame.prefiltered = chain;
@@ -331,6 +337,35 @@ Result<void> Renderer::State::makePrisms() {
   for (const Mesh& mesh : scene.meshes)
     if (showsHeightTexture(scene.materials[std::size_t(mesh.material)], settings.relief))
       MIRRORBALL_TRY_VOID(buffers.makePrisms(scene, static_cast<int>(&mesh - scene.meshes.data())));
+  return {};
+}
+
+/// What the environment's light comes from, with the shadow on it.
+Result<void> Renderer::State::placeProxy() {
+  if (proxy.isOther(settings.proxy)) shadow_environment.reset();
+  MIRRORBALL_TRY_VOID(proxy.place(settings.proxy, scene));
+  frame.proxy = &proxy;
+  MIRRORBALL_TRY_VOID(background.make(context.api(), proxy));
+  return settings.proxy.kind == ProxyKind::ground ? makeGroundShadow() : Result<void>();
+}
+
+Result<void> Renderer::State::makeGroundShadow() {
+  constexpr int kLights = 128;
+  constexpr int kTexels = 512;  // about as small as the sun
+  const glm::mat3 environment_from_world = settings.environmentFromWorld();
+  if (shadow_environment == environment_from_world) return {};
+  if (!ground_sampler) {
+    MIRRORBALL_TRY(sampler, LightSampler::make(*environment, {}, kTexels));
+    ground_sampler = std::move(sampler);
+  }
+  if (!ground_shadow) {
+    MIRRORBALL_TRY(made, GroundShadow::make(context.api()));
+    ground_shadow = std::move(made);
+  }
+  const GroundLights lights = groundLights(*environment, *ground_sampler, environment_from_world, kLights);
+  ground_shadow->draw(scene, buffers, proxy.proxy(), lights);
+  proxy.setShadow(*ground_shadow, lights.irradiance / light->unit());
+  shadow_environment = environment_from_world;
   return {};
 }
 
@@ -433,6 +468,7 @@ Result<void> Renderer::State::drawSample(const Camera& camera) {
     of_sample.relief_hits = &relief_hits->picture();
   }
   MIRRORBALL_TRY_VOID(surfaces->begin(scene, buffers, *light, of_sample, settings));
+  proxy.bind();
   sample->bind();
   const bool has_color = settings.background == BackgroundKind::radiance;
   const glm::vec3 color = has_color ? settings.background_color : glm::vec3(0.0f);
@@ -444,36 +480,9 @@ Result<void> Renderer::State::drawSample(const Camera& camera) {
   glDepthFunc(GL_LEQUAL);
   drawOpaque();
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
-    drawBackground(camera);
+    background.draw(*light, of_sample, camera, settings);
   drawBlended(camera);
   return {};
-}
-
-void Renderer::State::drawBackground(const Camera& camera) {
-  const bool blurred = settings.background == BackgroundKind::blur;
-  glDisable(GL_CULL_FACE);
-  // Blurred exactly it is one level of the prefiltered chain.
-  const bool is_prefiltered = blurred && (settings.blur == BlurKind::exact || settings.blur == BlurKind::gpu);
-  const PrefilteredChain& chain = frame.prefiltered;
-  const gl::Texture& cube = is_prefiltered ? *chain.texture : light->cube();
-  cube.bind(TextureUnit::background);
-  background.set("environment", TextureUnit::background);
-  background.set("environment_from_world", frame.environment_from_world);
-  background.set("environment_intensity", settings.env_intensity * light->unit());
-  // Only directions are asked for. Without the camera's place they are exact however far away from the
-  // origin it stands.
-  const glm::mat4 clip_from_directions = camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world));
-  background.set("world_from_clip", glm::inverse(clip_from_directions));
-  background.set("camera_forward", camera.forward);
-  background.set("orthographic", camera.orthographic ? 1.0f : 0.0f);
-  background.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
-  background.set("samples_per_pixel", static_cast<float>(settings.samples));
-  background.set("texture_filter", static_cast<int>(settings.texture_filter));
-  const float prefiltered_level = formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
-                                  static_cast<float>(chain.first_level);
-  background.set("min_level", is_prefiltered ? prefiltered_level : 0.0f);
-  background.set("lobe_roughness", blurred && !is_prefiltered ? kBackgroundRoughness : 0.0f);
-  screen.draw(3);
 }
 
 void Renderer::State::drawInstance(int instance) {

@@ -148,7 +148,8 @@ Result<void> SurfacePrograms::addClothToBrdfTable() {
 }
 
 /// Says which unit and which binding point each sampler and block reads; they are the same in all programs.
-void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant) {
+void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy) {
+  proxy.connect(program, static_cast<ProxyKind>(variant.answers[std::size_t(Part::proxy)]));
   if (variant.has(Part::material, MaterialPart::core)) program.set("brdf_table", TextureUnit::brdf_table);
   const std::string form = variant.has(Part::arriving_light, ArrivingLightPart::distant) ? "" : "_faces";
   program.set("environment" + form, TextureUnit::environment);
@@ -193,12 +194,12 @@ SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int material, cons
   return from_inside;
 }
 
-Result<gl::Program*> SurfacePrograms::programFor(const SurfaceVariant& variant) {
+Result<gl::Program*> SurfacePrograms::programFor(const SurfaceVariant& variant, ProxyUniforms& proxy) {
   auto found = programs_.find(variant);
   if (found == programs_.end()) {
     MIRRORBALL_TRY(shaders, surfaceShaders(api_, variant));
     MIRRORBALL_TRY(program, gl::Program::build(shaders.vertex, shaders.fragment, "surface.vert with surface.frag"));
-    connect(program, variant);
+    connect(program, variant, proxy);
     found = programs_.emplace(variant, std::move(program)).first;
   }
   return &found->second;
@@ -268,7 +269,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   const auto eye_media = mediaRows(frame.eye_media);
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
     const SurfaceVariant variant = variantOf(scene, materialOf(scene, instance), buffers, settings);
-    MIRRORBALL_TRY(program, programFor(variant));
+    MIRRORBALL_TRY(program, programFor(variant, *frame.proxy));
     if (variant.has(Part::sheen, SheenPart::cloth)) MIRRORBALL_TRY_VOID(addClothToBrdfTable());
     if (variant.lamp_count > 0) program->set("lamp_rows", std::span<const glm::vec4>(lamps));
     if (variant.has(Part::transmission, TransmissionPart::traced))

@@ -17,6 +17,7 @@
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/light/flat_light.h"
+#include "mirrorball/render/light/proxy_uniforms.h"
 #include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_variant.h"
@@ -29,6 +30,7 @@ namespace mirrorball {
 struct TextureUnit {
   static constexpr int environment = 0;
   static constexpr int sphere_map = 1;
+  static constexpr int proxy = 1;  ///< a sphere map knows none
   static constexpr int picture = 2;
   static constexpr int background = 2;  ///< no shader reads two of these
   static constexpr int bodies = 2;
@@ -68,6 +70,7 @@ struct FrameUniforms {
   const BackFaces* back_faces = nullptr;  ///< drawn with this camera; null: the frame's refraction does without
   const gl::Texture* relief_hits = nullptr;  ///< ReliefHits of this camera; null: none is found exactly
   int sample = 0;                            ///< number of the sample of the frame
+  ProxyUniforms* proxy = nullptr;            ///< placed as the settings say
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
@@ -111,8 +114,8 @@ class SurfacePrograms {
   Result<void> addClothToBrdfTable();
   SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
                            const FrameSettings& settings) const;
-  Result<gl::Program*> programFor(const SurfaceVariant& variant);
-  void connect(gl::Program& program, const SurfaceVariant& variant);
+  Result<gl::Program*> programFor(const SurfaceVariant& variant, ProxyUniforms& proxy);
+  void connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy);
   void setFrame(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
   gl::UniformBlock& instanceBlock(const Scene& scene, int instance);
   gl::UniformBlock& materialBlock(const Scene& scene, int material);

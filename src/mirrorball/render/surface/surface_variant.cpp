@@ -25,6 +25,8 @@ constexpr auto kAnisotropy = std::to_array<Names>({"anisotropy_none.glsl", "anis
 constexpr auto kSheen = std::to_array<Names>({"sheen_none.glsl", "sheen_cloth.glsl"});
 constexpr auto kMaterial =
     std::to_array<Names>({"material_core.glsl", "material_unlit.glsl", "material_from_inside.glsl"});
+constexpr auto kProxy = std::to_array<Names>(
+    {"proxy_none.glsl", "proxy_box.glsl", "proxy_sphere.glsl", "proxy_ground.glsl", "proxy_triangles.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp = std::to_array<Names>(
@@ -47,6 +49,7 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
     {"anisotropy", kAnisotropy},
     {"sheen", kSheen},
     {"material", kMaterial},
+    {"proxy", kProxy},
     {"arriving light", kArrivingLight},
     {"look-up", kLookUp},
     {"dispersion", kDispersion},
@@ -223,23 +226,31 @@ std::string mapsText(const SurfaceVariant& variant) {
   return text;
 }
 
+void answer(std::string& text, std::string_view question, std::string_view file) {
+  const std::string asked = "\"part: " + std::string(question) + '"';
+  if (const std::size_t begin = text.find(asked); begin != std::string::npos)
+    text.replace(begin, asked.size(), '"' + std::string(file) + '"');
+}
+
 /// surface.frag with the names of the variant's files in place of the questions.
 std::string answeredText(const SurfaceVariant& variant) {
   std::string text(embeddedText("surface.frag").value());
-  const auto answer = [&text](std::string_view question, std::string_view file) {
-    const std::string asked = "\"part: " + std::string(question) + '"';
-    if (const std::size_t begin = text.find(asked); begin != std::string::npos)
-      text.replace(begin, asked.size(), '"' + std::string(file) + '"');
-  };
-  answer("maps", kMapsFile);
+  answer(text, "maps", kMapsFile);
   for (std::size_t part = 0; part < kParts; ++part)
-    answer(kQuestions[part].name, kQuestions[part].answers[variant.answers[part]]);
+    answer(text, kQuestions[part].name, kQuestions[part].answers[variant.answers[part]]);
   return text;
 }
 
 }  // namespace
 
 std::span<const SurfaceQuestion, kParts> surfaceQuestions() { return kQuestions; }
+
+std::string answered(Part part, std::size_t answer_number, std::string_view text) {
+  const SurfaceQuestion& question = kQuestions[static_cast<std::size_t>(part)];
+  std::string with_answer(text);
+  answer(with_answer, question.name, question.answers[answer_number]);
+  return with_answer;
+}
 
 bool stretchesLobes(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
   return material.anisotropy > 0.0f && reflectsAtFragment(settings, coordinates);
@@ -269,6 +280,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   // A prism has no corners that the surface has.
   if (!variant.has(Part::point, PointPart::exact))
     variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
+  variant.choose(Part::proxy, settings.proxy.kind);        // the same choices
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
   chooseLayers(variant, material);

@@ -35,6 +35,7 @@ enum class Part {
   anisotropy,
   sheen,
   material,
+  proxy,
   arriving_light,
   look_up,
   dispersion,
@@ -44,8 +45,14 @@ enum class Part {
   coat,
   alpha
 };
-constexpr std::size_t kParts = 16;
+constexpr std::size_t kParts = 17;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
+
+/// The text of a shader with the file of an answer in place of a question.
+///
+/// answer_number   in the question's list
+/// text            has the line `#include "part: NAME"`, or else stays as it is
+std::string answered(Part part, std::size_t answer_number, std::string_view text);
 
 // The answers, in the order of the table.
 enum class PointPart : std::uint8_t { raster, parallax, steep, occlusion, linear_binary, cone, exact };
@@ -56,6 +63,7 @@ enum class FilmPart : std::uint8_t { none, thin };
 enum class AnisotropyPart : std::uint8_t { none, stretched };
 enum class SheenPart : std::uint8_t { none, cloth };
 enum class MaterialPart : std::uint8_t { core, unlit, from_inside };
+using ProxyPart = ProxyKind;
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
 enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched, pieces };
 enum class DispersionPart : std::uint8_t { channels, spectral };

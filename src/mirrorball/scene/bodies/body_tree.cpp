@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "formula/bodies.h"
 #include "formula/projection.h"
@@ -114,25 +115,27 @@ void writeBody(const Material& material, std::vector<Texel>& words) {
   words.push_back(glm::floatBitsToUint(material.sellmeier_c));
 }
 
-}  // namespace
-
-Result<std::optional<BodyTree>> bodyTree(const Scene& scene) {
+/// A tree of the triangles of the instances whose material is wanted.
+///
+/// name   of the triangles, for messages
+Result<std::optional<BodyTree>> treeOf(const Scene& scene, const std::string& name,
+                                       bool (*is_wanted)(const Material&)) {
   std::uint64_t count = 0;
   bool disperses = false;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Material& material = materialOf(scene, i);
-    if (!isBody(material)) continue;
+    if (!is_wanted(material)) continue;
     count += scene.meshes[std::size_t(scene.instances[i].mesh)].indices.size() / 3;
     disperses = disperses || material.dispersion > 0.0f;
   }
   if (count > std::uint64_t{1} << 27)
-    return fail(ErrorCode::too_large, "the triangles of glass are more than the 134 million that can be traced");
-  MIRRORBALL_TRY_VOID(withName("the triangles of glass", checkMemory(count * kBytesPerTriangle)));
+    return fail(ErrorCode::too_large, name + " are more than the 134 million that can be traced");
+  MIRRORBALL_TRY_VOID(withName(name, checkMemory(count * kBytesPerTriangle)));
 
   std::vector<PlacedTriangle> triangles;
   triangles.reserve(count);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
-    if (isBody(materialOf(scene, i))) addTriangles(scene, i, triangles);
+    if (is_wanted(materialOf(scene, i))) addTriangles(scene, i, triangles);
   if (triangles.empty()) return std::optional<BodyTree>();
 
   std::vector<Box> boxes;
@@ -152,6 +155,14 @@ Result<std::optional<BodyTree>> bodyTree(const Scene& scene) {
   for (const std::uint32_t item : tree.items) writeTriangle(triangles[item], bodies.words);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) writeBody(materialOf(scene, i), bodies.words);
   return std::optional<BodyTree>(std::move(bodies));
+}
+
+}  // namespace
+
+Result<std::optional<BodyTree>> bodyTree(const Scene& scene) { return treeOf(scene, "the triangles of glass", isBody); }
+
+Result<std::optional<BodyTree>> triangleTree(const Scene& scene) {
+  return treeOf(scene, "its triangles", [](const Material&) { return true; });
 }
 
 }  // namespace mirrorball

@@ -26,4 +26,7 @@ inline glm::uvec4 fetchWords(const BodyTree& tree, int texel) { return tree.word
 /// cost     O(n log n) time; 260 bytes a triangle while it is built, about 90 kept; the same for any number of threads
 Result<std::optional<BodyTree>> bodyTree(const Scene& scene);
 
+/// The same of the triangles of all instances, whatever they are made of.
+Result<std::optional<BodyTree>> triangleTree(const Scene& scene);
+
 }  // namespace mirrorball

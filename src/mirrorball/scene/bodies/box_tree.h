@@ -4,26 +4,9 @@
 #include <span>
 #include <vector>
 
-#include <glm/glm.hpp>
+#include "mirrorball/scene/box.h"
 
 namespace mirrorball {
-
-/// A box along the axes. As it begins, it holds nothing.
-struct Box {
-  glm::vec3 low{INFINITY};
-  glm::vec3 high{-INFINITY};
-
-  void include(const Box& other) {
-    low = glm::min(low, other.low);
-    high = glm::max(high, other.high);
-  }
-  glm::vec3 center() const { return (low + high) / 2.0f; }
-  /// Half its area; 0 if it holds nothing.
-  float halfArea() const {
-    const glm::vec3 side = glm::max(high - low, glm::vec3(0.0f));
-    return side.x * side.y + side.y * side.z + side.z * side.x;
-  }
-};
 
 /// A tree of boxes around items that are found by rays.
 struct BoxTree {

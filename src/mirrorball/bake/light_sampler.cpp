@@ -1,4 +1,4 @@
-#include "mirrorball/trace/light_sampler.h"
+#include "mirrorball/bake/light_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,6 @@
 namespace mirrorball {
 namespace {
 
-/// More texels make the choice hardly better.
-constexpr int kMaxSize = 2048;
 /// A part of the choices is uniform, so that no light is left out that the map is too coarse for.
 constexpr double kUniformShare = 0.01;
 
@@ -64,9 +62,10 @@ int stepOf(std::span<const float> sums, float& u) {
 
 }  // namespace
 
-Result<LightSampler> LightSampler::make(const Environment& environment, const ProgressFunction& progress) {
+Result<LightSampler> LightSampler::make(const Environment& environment, const ProgressFunction& progress,
+                                        int max_size) {
   LightSampler sampler;
-  sampler.size_ = std::clamp(environment.naturalSize(Projection::equal_area), 1, kMaxSize);
+  sampler.size_ = std::clamp(environment.naturalSize(Projection::equal_area), 1, max_size);
   const auto size = static_cast<std::size_t>(sampler.size_);
   MIRRORBALL_TRY(map, convert(environment, Projection::equal_area, sampler.size_, {}, progress));
   const std::vector<float> brightness = brightnessOf(map.face(0));

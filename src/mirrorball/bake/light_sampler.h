@@ -23,10 +23,15 @@ struct LightSample {
 /// the environment's light is between them.
 class LightSampler {
  public:
+  /// More texels make the choice hardly better.
+  static constexpr int kMaxSize = 2048;
+
   /// environment   finite, not negative
+  /// max_size      of the map's side, in texels
   /// errors        too_large; interrupted
   /// cost          that of a conversion to some 1024² texels, and 4 bytes for each
-  static Result<LightSampler> make(const Environment& environment, const ProgressFunction& progress = {});
+  static Result<LightSampler> make(const Environment& environment, const ProgressFunction& progress = {},
+                                   int max_size = kMaxSize);
 
   /// A direction for two uniform numbers; near numbers give near directions.
   LightSample sample(glm::vec2 u) const;

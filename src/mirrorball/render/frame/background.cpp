@@ -1,0 +1,73 @@
+#include "mirrorball/render/frame/background.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <epoxy/gl.h>
+
+#include "formula/prefilter.h"
+#include "mirrorball/environment/projection/texel_geometry.h"
+#include "mirrorball/render/surface/surface_variant.h"
+#include "shaders/embedded_text.h"
+
+namespace mirrorball {
+namespace {
+
+/// How rough a mirror would blur the environment as `--background blur` does.
+constexpr float kBackgroundRoughness = 0.35f;
+
+}  // namespace
+
+Result<gl::ShaderSource> backgroundShader(gl::Api api, ProxyKind kind) {
+  const std::string text =
+      answered(Part::proxy, static_cast<std::size_t>(kind), embeddedText("background.frag").value());
+  const gl::FindText find = [&](std::string_view name) -> std::optional<std::string_view> {
+    if (name == "background.frag") return text;
+    return embeddedText(name);
+  };
+  return gl::shaderSource(api, "background.frag", {}, find);
+}
+
+Result<void> Background::make(gl::Api api, ProxyUniforms& proxy) {
+  const ProxyKind kind = proxy.proxy().kind;
+  if (programs_.contains(kind)) return {};
+  MIRRORBALL_TRY(vertex, gl::shaderSource(api, "screen.vert"));
+  MIRRORBALL_TRY(fragment, backgroundShader(api, kind));
+  MIRRORBALL_TRY(program, gl::Program::build(vertex, fragment, "screen.vert with background.frag"));
+  program.set("environment", TextureUnit::background);
+  proxy.connect(program, kind);
+  programs_.emplace(kind, std::move(program));
+  return {};
+}
+
+void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame, const Camera& camera,
+                      const FrameSettings& settings) {
+  gl::Program& program = programs_.find(settings.proxy.kind)->second;
+  const bool blurred = settings.background == BackgroundKind::blur;
+  glDisable(GL_CULL_FACE);
+  // Blurred exactly it is one level of the prefiltered chain.
+  const bool is_prefiltered = blurred && (settings.blur == BlurKind::exact || settings.blur == BlurKind::gpu);
+  const PrefilteredChain& chain = frame.prefiltered;
+  const gl::Texture& cube = is_prefiltered ? *chain.texture : light.cube();
+  cube.bind(TextureUnit::background);
+  program.set("environment_from_world", frame.environment_from_world);
+  program.set("environment_intensity", settings.env_intensity * light.unit());
+  // Without the camera's place, directions are exact however far away from the origin it stands.
+  const glm::mat4 clip_from_directions = camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world));
+  program.set("world_from_clip", glm::inverse(clip_from_directions));
+  program.set("camera_position", camera.position);
+  program.set("camera_forward", camera.forward);
+  program.set("orthographic", camera.orthographic ? 1.0f : 0.0f);
+  program.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
+  program.set("samples_per_pixel", static_cast<float>(settings.samples));
+  program.set("texture_filter", static_cast<int>(settings.texture_filter));
+  const float prefiltered_level = formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
+                                  static_cast<float>(chain.first_level);
+  program.set("min_level", is_prefiltered ? prefiltered_level : 0.0f);
+  program.set("lobe_roughness", blurred && !is_prefiltered ? kBackgroundRoughness : 0.0f);
+  screen_.draw(3);
+}
+
+}  // namespace mirrorball

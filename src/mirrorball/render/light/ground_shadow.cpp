@@ -1,0 +1,90 @@
+#include "mirrorball/render/light/ground_shadow.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <epoxy/gl.h>
+
+#include "formula/bsdf.h"
+#include "formula/prefilter.h"
+
+namespace mirrorball {
+namespace {
+
+/// The share of light that a material lets through straight on: of glass, what two surfaces do not reflect.
+glm::vec3 straightThrough(const Material& material) {
+  if (material.transmission <= 0.0f) return glm::vec3(0.0f);
+  const float reflected = formula::fresnelDielectric(1.0f, material.ior);
+  return material.transmission * (1.0f - reflected) * (1.0f - reflected) * material.base_color;
+}
+
+/// The instances, what is solid before glass: the first that is drawn decides.
+std::vector<std::size_t> solidFirst(const Scene& scene) {
+  std::vector<std::size_t> order(scene.instances.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_partition(order, [&](std::size_t i) { return materialOf(scene, i).transmission <= 0.0f; });
+  return order;
+}
+
+}  // namespace
+
+GroundLights groundLights(const Environment& environment, const LightSampler& sampler,
+                          const glm::mat3& environment_from_world, int count) {
+  GroundLights ground;
+  const int tried = 16 * count;  // of an environment whose light is mostly below
+  int last = 0;
+  for (int i = 0; i < tried && int(ground.lights.size()) < count; ++i) {
+    last = i + 1;
+    // The points of an endless sequence, so that those that are taken are spread evenly.
+    const glm::vec2 u = glm::fract(0.5f + float(i) * glm::vec2(0.754877666f, 0.569840291f));
+    const LightSample light = sampler.sample(u);
+    const glm::vec3 direction = glm::normalize(glm::transpose(environment_from_world) * light.direction);
+    constexpr float kLeastHeight = 0.02f;  // of light along the ground, whose shadows are endless
+    if (light.pdf <= 0.0f || direction.y < kLeastHeight) continue;
+    ground.lights.push_back({direction, environment.radiance(light.direction) * (direction.y / light.pdf)});
+  }
+  glm::vec3 sum(0.0f);
+  for (const GroundLight& light : ground.lights) sum += light.share;
+  for (GroundLight& light : ground.lights) light.share /= glm::max(sum, glm::vec3(1e-20f));
+  ground.irradiance = sum / (formula::kPi * float(std::max(last, 1)));
+  return ground;
+}
+
+Result<GroundShadow> GroundShadow::make(gl::Api api) {
+  MIRRORBALL_TRY(program, gl::Program::load(api, "ground_shadow.vert", "ground_shadow.frag"));
+  MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(gl::Format::rgba16f, kSize, kSize, true));
+  return GroundShadow(std::move(program), std::move(framebuffer));
+}
+
+void GroundShadow::draw(const Scene& scene, const SceneBuffers& buffers, const Proxy& ground,
+                        const GroundLights& lights) {
+  const BoundingSphere bounds = boundingSphere(scene);
+  area_ = {bounds.center.x, bounds.center.z, kModelRadii * bounds.radius};
+  framebuffer_.bind();
+  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glDisable(GL_CULL_FACE);
+  // Each light draws nearer than those before it and all of it equally near: so it counts once, however many triangles
+  // are in its way.
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  program_.set("ground", ground.ground);
+  program_.set("area", area_);
+  const std::vector<std::size_t> order = solidFirst(scene);
+  const auto count = static_cast<float>(lights.lights.size());
+  float drawn = 0.0f;
+  for (const GroundLight& light : lights.lights) {
+    program_.set("towards_light", light.direction);
+    program_.set("depth", 1.0f - 2.0f * ++drawn / (count + 1.0f));
+    for (const std::size_t i : order) {
+      program_.set("missing", light.share * (1.0f - straightThrough(materialOf(scene, i))));
+      program_.set("world_from_object", scene.instances[i].world_from_object);
+      buffers.drawMesh(scene.instances[i].mesh);
+    }
+  }
+  glDisable(GL_BLEND);
+}
+
+}  // namespace mirrorball

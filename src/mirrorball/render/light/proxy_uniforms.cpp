@@ -1,0 +1,56 @@
+#include "mirrorball/render/light/proxy_uniforms.h"
+
+#include <utility>
+
+#include "mirrorball/render/surface/surface_program.h"
+
+namespace mirrorball {
+
+Result<void> ProxyUniforms::place(const ProxyOptions& options, const Scene& scene) {
+  if (options_ == options) return {};
+  options_.reset();
+  block_.reset();
+  MIRRORBALL_TRY(placed, placedProxy(options, scene));
+  mesh_.reset();
+  if (placed.mesh) {
+    MIRRORBALL_TRY(words, withName(options.file, gl::Texture::fromWords(placed.mesh->words)));
+    mesh_ = std::move(words);
+  }
+  proxy_ = std::move(placed);
+  options_ = options;
+  return {};
+}
+
+void ProxyUniforms::connect(gl::Program& program, ProxyKind kind) {
+  if (kind == ProxyKind::none) return;
+  const auto layout = program.connect("ProxyBlock", kPoint);
+  if (layout && !layout_) layout_ = std::make_shared<gl::BlockLayout>(*layout);
+  if (kind == ProxyKind::mesh) program.set("proxy_mesh", TextureUnit::proxy);
+  if (kind == ProxyKind::ground) program.set("ground_shadow", TextureUnit::proxy);
+}
+
+void ProxyUniforms::setShadow(const GroundShadow& shadow, const glm::vec3& irradiance) {
+  shadow_ = &shadow;
+  ground_irradiance_ = irradiance;
+  block_.reset();
+}
+
+void ProxyUniforms::bind() {
+  if (proxy_.kind == ProxyKind::none || !layout_) return;
+  if (!block_) {
+    block_.emplace(layout_);
+    block_->set("captured_at", proxy_.captured_at);
+    block_->set("proxy_ground", proxy_.ground);
+    block_->set("proxy_center", proxy_.center);
+    block_->set("proxy_radius", proxy_.radius);
+    block_->set("proxy_low", proxy_.low);
+    block_->set("proxy_high", proxy_.high);
+    block_->set("ground_irradiance", ground_irradiance_);
+    block_->set("shadow_area", shadow_ ? shadow_->area() : glm::vec3(0.0f, 0.0f, 1.0f));
+  }
+  block_->bind(kPoint);
+  if (mesh_) mesh_->bind(TextureUnit::proxy);
+  if (proxy_.kind == ProxyKind::ground && shadow_) shadow_->picture().bind(TextureUnit::proxy);
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/program.h"
+#include "mirrorball/gl/texture.h"
+#include "mirrorball/gl/uniform_block.h"
+#include "mirrorball/render/light/ground_shadow.h"
+#include "mirrorball/scene/proxy/proxy.h"
+
+namespace mirrorball {
+
+/// A proxy as the parts "proxy" of shaders read it (shaders/surface/proxy_block.glsl).
+class ProxyUniforms {
+ public:
+  /// Puts a proxy into a scene, unless it is there already.
+  ///
+  /// errors   as placedProxy's; too_large (its triangles for this driver)
+  Result<void> place(const ProxyOptions& options, const Scene& scene);
+  bool isOther(const ProxyOptions& options) const { return options_ != options; }
+  /// Must be called when the scene is another one.
+  void forgetScene() { options_.reset(); }
+
+  const Proxy& proxy() const { return proxy_; }
+
+  /// The shadow that falls on the ground.
+  ///
+  /// irradiance   GroundLights::irradiance, in the unit of the environment's maps
+  void setShadow(const GroundShadow& shadow, const glm::vec3& irradiance);
+
+  /// Says where a program reads the proxy that has this kind's part.
+  void connect(gl::Program& program, ProxyKind kind);
+  /// Makes it what programs read.
+  void bind();
+
+ private:
+  static constexpr unsigned kPoint = 3;  ///< beside those of SurfacePrograms
+
+  std::optional<ProxyOptions> options_;  ///< that `proxy_` was made from
+  Proxy proxy_;
+  std::optional<gl::Texture> mesh_;
+  std::shared_ptr<const gl::BlockLayout> layout_;
+  std::optional<gl::UniformBlock> block_;
+  const GroundShadow* shadow_ = nullptr;
+  glm::vec3 ground_irradiance_{0.0f};
+};
+
+}  // namespace mirrorball

@@ -1,0 +1,154 @@
+#include "mirrorball/trace/surroundings.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include "mirrorball/trace/path_tracer_testing.h"
+#include "mirrorball/trace/sample_sequence.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::lightOf;
+using testing::matt;
+using testing::meanOf;
+using testing::small;
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+Proxy placed(const std::string& written) {
+  return *placedProxy(*parseProxy("proxy", written), testing::shapeOf("sphere", matt(1.0f)));
+}
+
+/// A lamp beside darkness.
+Environment lampLight() {
+  const glm::vec3 lamp = glm::normalize(glm::vec3(0.6f, 0.5f, 0.4f));
+  return Environment([=](glm::vec3 d) { return glm::vec3(glm::dot(d, lamp) > 0.9f ? 20.0f : 0.1f); }, 256);
+}
+
+const std::vector<std::string> kEveryProxy{"box:-2,-1.5,-2,3,2,4", "sphere:0.5,0,0,3", "ground:1.5,9", "cube"};
+
+class SurroundingsTest : public ::testing::Test {
+ protected:
+  Surroundings surroundings(const std::string& proxy, const TraceSettings& settings = {}) const {
+    return Surroundings(environment_, lights_, placed(proxy), settings);
+  }
+
+  Environment environment_ = lampLight();
+  LightSampler lights_ = *LightSampler::make(environment_);
+};
+
+// The integral of the density over all directions is 1, and a sample's density is what pdf says of its direction.
+TEST_F(SurroundingsTest, DensitiesAreThoseOfTheSamples) {
+  const glm::vec3 origin(0.3f, -0.2f, 0.4f);
+  for (const std::string& proxy : kEveryProxy) {
+    const Surroundings seen = surroundings(proxy);
+    double integral = 0.0;
+    constexpr int kCount = 40000;
+    for (int i = 0; i < kCount; ++i) {
+      SampleSequence numbers(7, static_cast<std::uint32_t>(i));
+      const glm::vec2 u = numbers.next();
+      const float y = 1.0f - 2.0f * u.x, radius = std::sqrt(1.0f - y * y), angle = 2.0f * kPi * u.y;
+      integral += double(seen.pdf(origin, {radius * std::cos(angle), y, radius * std::sin(angle)}));
+      if (i >= 200) continue;
+      const LightSample sample = seen.sample(origin, numbers.next());
+      EXPECT_NEAR(seen.pdf(origin, sample.direction), sample.pdf, 2e-2f * sample.pdf) << proxy;
+    }
+    EXPECT_NEAR(integral * 4.0 * std::numbers::pi / kCount, 1.0, 0.04) << proxy;
+  }
+}
+
+// A turned environment is seen turned, whatever it lies on.
+TEST_F(SurroundingsTest, TheEnvironmentTurnsOnItsProxy) {
+  TraceSettings settings;
+  settings.environment_from_world = glm::mat3(glm::rotate(glm::mat4(1.0f), 1.0f, glm::vec3(0, 1, 0)));
+  settings.environment_intensity = 2.0f;
+  const Surroundings box = surroundings(kEveryProxy[0], settings);
+  const Proxy proxy = placed(kEveryProxy[0]);
+  const glm::vec3 d = glm::normalize(glm::vec3(0.2f, 0.5f, 0.8f));
+  EXPECT_EQ(box.radiance(proxy.captured_at, d), 2.0f * environment_.radiance(settings.environment_from_world * d));
+}
+
+/// Within all of the proxies.
+Scene smallBall(float albedo) {
+  Scene scene = testing::shapeOf("sphere", matt(albedo));
+  scene.instances[0].world_from_object = glm::scale(glm::mat4(1.0f), glm::vec3(0.4f));
+  return scene;
+}
+
+// Wherever its light comes from, all ways to find it find as much.
+TEST(SurroundingsOfScenes, EveryStrategyFindsTheSameLight) {
+  for (const std::string& proxy : kEveryProxy) {
+    TraceSettings settings = small(144);
+    settings.proxy = *parseProxy("proxy", proxy);
+    settings.shows_environment = false;
+    std::vector<float> means;
+    for (const LightStrategy strategy : {LightStrategy::both, LightStrategy::light, LightStrategy::surface}) {
+      settings.strategy = strategy;
+      means.push_back(meanOf(testing::traced(smallBall(0.8f), lampLight(), settings)));
+    }
+    EXPECT_NEAR(means[1], means[0], 0.025f * means[0]) << proxy;
+    EXPECT_NEAR(means[2], means[0], 0.025f * means[0]) << proxy;
+  }
+}
+
+TEST(SurroundingsOfScenes, TheFurnaceIsWhiteOnEveryProxy) {
+  for (const std::string& proxy : kEveryProxy) {
+    TraceSettings settings = small(64);
+    settings.bounces = 64;
+    settings.proxy = *parseProxy("proxy", proxy);
+    const Image image = testing::traced(smallBall(1.0f), lightOf(1.0f), settings);
+    testing::expectWhite(image, 4e-3, proxy);
+  }
+}
+
+/// From above at an angle, so that ground and model fill the picture.
+Image tracedOnGround(Scene scene, Environment environment, TraceSettings settings) {
+  settings.proxy = *parseProxy("proxy", "ground:2");
+  const Camera camera =
+      makeCamera({.azimuth_deg = 20.0f, .elevation_deg = 50.0f, .distance = 3.0f}, boundingSphere(scene), 1.0f);
+  return PathTracer::make(std::move(scene), std::move(environment))->render(camera, settings)->radiance;
+}
+
+// Without anything on it the photographed ground is the photograph.
+TEST(SurroundingsOfScenes, AnEmptyGroundIsItsPhotograph) {
+  const Image image = tracedOnGround({}, lampLight(), small(16));
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) ASSERT_EQ(image.texel(x, y)[0], 0.1f) << x << ", " << y;
+}
+
+// The ground darkens by the light that a black ball hides: below it nearly all, far beside it nothing.
+TEST(SurroundingsOfScenes, ABlackBallHidesTheLightOfTheGround) {
+  TraceSettings settings = small(400);
+  for (const LightStrategy strategy : {LightStrategy::both, LightStrategy::light, LightStrategy::surface}) {
+    settings.strategy = strategy;
+    settings.size = {64, 64};
+    settings.samples = 64;
+    settings.proxy = *parseProxy("proxy", "ground:2");
+    Scene scene = testing::shapeOf("sphere", matt(0.0f));
+    // Of a ball of radius 1 that stands on the ground, at a place that is c beside the point of contact: a ball seen
+    // at the angle θ from the vertical with the half-angle β hides sin²β cos θ of a level ground's light, as long as
+    // all of it is above the horizon.
+    const Camera camera =
+        makeCamera({.azimuth_deg = 0.0f, .elevation_deg = 90.0f, .distance = 8.0f, .orthographic_height = 8.0f},
+                   boundingSphere(scene), 1.0f);
+    const Image image = PathTracer::make(std::move(scene), lightOf(1.0f))->render(camera, settings)->radiance;
+    for (const int pixel : {50, 56, 60}) {
+      double seen = 0.0;  // the mean over places as far away on four sides
+      const int other = 63 - pixel;
+      for (const auto& [x, y] : {std::pair(pixel, 32), {other, 31}, {31, pixel}, {32, other}})
+        seen += 0.25 * double(image.texel(x, y)[1]);
+      const double beside = (pixel - 31.5) / 8.0;
+      const double away = std::sqrt(beside * beside + 1.0);
+      EXPECT_NEAR(seen, 1.0 - 1.0 / (away * away) / away, 0.03) << pixel;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -9,7 +9,9 @@ namespace mirrorball {
 
 Result<Environment> sunsetEnvironment() {
   MIRRORBALL_TRY(decoded, decodeImage(sunsetFile()));
-  return Environment(EnvironmentMap(Projection::equirect, ImageSet(std::move(decoded.image))));
+  EnvironmentMap map(Projection::equirect, ImageSet(std::move(decoded.image)));
+  raiseNegativeLight(map);  // of its compression
+  return Environment(std::move(map));
 }
 
 }  // namespace mirrorball

@@ -362,8 +362,9 @@ Result<void> Renderer::State::makeGroundShadow() {
     MIRRORBALL_TRY(made, GroundShadow::make(context.api()));
     ground_shadow = std::move(made);
   }
+  ground_shadow->setScene(scene);
   const GroundLights lights = groundLights(*environment, *ground_sampler, environment_from_world, kLights);
-  ground_shadow->draw(scene, buffers, proxy.proxy(), lights);
+  ground_shadow->draw(scene, proxy.proxy(), lights);
   proxy.setShadow(*ground_shadow, lights.irradiance / light->unit());
   shadow_environment = environment_from_world;
   return {};

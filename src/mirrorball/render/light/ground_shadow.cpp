@@ -6,7 +6,7 @@
 #include <epoxy/gl.h>
 
 #include "formula/bsdf.h"
-#include "formula/prefilter.h"
+#include "mirrorball/scene/coarse_mesh.h"
 
 namespace mirrorball {
 namespace {
@@ -56,8 +56,19 @@ Result<GroundShadow> GroundShadow::make(gl::Api api) {
   return GroundShadow(std::move(program), std::move(framebuffer));
 }
 
-void GroundShadow::draw(const Scene& scene, const SceneBuffers& buffers, const Proxy& ground,
-                        const GroundLights& lights) {
+void GroundShadow::setScene(const Scene& scene) {
+  constexpr std::size_t kTriangles = 3000;
+  casters_.clear();
+  for (const Mesh& mesh : scene.meshes) {
+    const CoarseMesh coarse = coarseMesh(mesh, kTriangles);
+    constexpr gl::Attribute kPosition{0, 3, 0};
+    casters_.push_back(
+        {gl::VertexArray(gl::Buffer(coarse.positions), sizeof(glm::vec3), {&kPosition, 1}, gl::Buffer(coarse.indices)),
+         coarse.indices.size()});
+  }
+}
+
+void GroundShadow::draw(const Scene& scene, const Proxy& ground, const GroundLights& lights) {
   const BoundingSphere bounds = boundingSphere(scene);
   area_ = {bounds.center.x, bounds.center.z, kModelRadii * bounds.radius};
   framebuffer_.bind();
@@ -81,7 +92,8 @@ void GroundShadow::draw(const Scene& scene, const SceneBuffers& buffers, const P
     for (const std::size_t i : order) {
       program_.set("missing", light.share * (1.0f - straightThrough(materialOf(scene, i))));
       program_.set("world_from_object", scene.instances[i].world_from_object);
-      buffers.drawMesh(scene.instances[i].mesh);
+      const Caster& caster = casters_[std::size_t(scene.instances[i].mesh)];
+      caster.vertices.drawIndexed(caster.index_count);
     }
   }
   glDisable(GL_BLEND);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -7,9 +9,9 @@
 #include "mirrorball/bake/light_sampler.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
+#include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/program.h"
-#include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/scene/proxy/proxy.h"
 
 namespace mirrorball {
@@ -44,10 +46,14 @@ class GroundShadow {
   /// errors   unsupported, no_gl
   static Result<GroundShadow> make(gl::Api api);
 
+  /// Takes the shapes of another scene, each by few triangles.
+  void setScene(const Scene& scene);
+
   /// Glass lets through what it lets through straight on; what is cut away or blended is taken as solid.
   ///
-  /// cost     one pass over the scene's triangles for each light
-  void draw(const Scene& scene, const SceneBuffers& buffers, const Proxy& ground, const GroundLights& lights);
+  /// scene    the same
+  /// cost     one pass over the few triangles for each light
+  void draw(const Scene& scene, const Proxy& ground, const GroundLights& lights);
 
   /// Red, green, blue: the share that is missing; beyond it none is.
   const gl::Texture& picture() const { return framebuffer_.color(); }
@@ -58,8 +64,14 @@ class GroundShadow {
   GroundShadow(gl::Program program, gl::Framebuffer framebuffer)
       : program_(std::move(program)), framebuffer_(std::move(framebuffer)) {}
 
+  struct Caster {
+    gl::VertexArray vertices;
+    std::size_t index_count;
+  };
+
   gl::Program program_;
   gl::Framebuffer framebuffer_;
+  std::vector<Caster> casters_;  // of Scene::meshes
   glm::vec3 area_{0.0f, 0.0f, 1.0f};
 };
 

@@ -1,39 +1,68 @@
 #include "mirrorball/scene/shapes/showcase.h"
 
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "mirrorball/scene/shapes/builtin_shapes.h"
+#include "mirrorball/scene/shapes/faceted.h"
 #include "mirrorball/scene/shapes/facing_viewer.h"
 #include "mirrorball/scene/shapes/teapot.h"
+#include "mirrorball/scene/shapes/tumbler.h"
 
 namespace mirrorball {
 namespace {
 
-glm::mat4 placed(glm::vec3 position, float size) {
-  return glm::scale(glm::translate(glm::mat4(1.0f), position), glm::vec3(size));
+/// How an object stands: turned, then scaled, then put on the ground, x to the right and z towards the viewer.
+struct Stand {
+  glm::vec2 place;  ///< x, z
+  float size;
+  glm::mat4 turn{1.0f};
+};
+
+glm::mat4 turned(float angle_deg, glm::vec3 axis) {
+  return glm::rotate(glm::mat4(1.0f), glm::radians(angle_deg), axis);
 }
 
-void addObject(Scene& scene, Mesh mesh, std::string_view material, const glm::mat4& arrangement_from_object) {
-  mesh.material = static_cast<int>(scene.materials.size());
-  scene.materials.push_back(*materialNamed(material));
-  scene.instances.push_back({static_cast<int>(scene.meshes.size()), facingViewer() * arrangement_from_object});
-  scene.meshes.push_back(std::move(mesh));
+constexpr glm::vec3 kX(1, 0, 0), kY(0, 1, 0);
+
+/// Adds what a scene has, with its lowest point on the ground.
+void addStanding(Scene& all, Scene object, const Stand& stand) {
+  const glm::mat4 turned_and_scaled = glm::scale(glm::mat4(1.0f), glm::vec3(stand.size)) * stand.turn;
+  for (Instance& instance : object.instances)
+    instance.world_from_object = turned_and_scaled * instance.world_from_object;
+  const glm::vec3 place(stand.place.x, -boundingBox(object).low.y, stand.place.y);
+  const int first_mesh = static_cast<int>(all.meshes.size());
+  const int first_material = static_cast<int>(all.materials.size());
+  for (Mesh& mesh : object.meshes) {
+    mesh.material += first_material;
+    all.meshes.push_back(std::move(mesh));
+  }
+  all.materials.insert(all.materials.end(), object.materials.begin(), object.materials.end());
+  for (Instance& instance : object.instances) {
+    instance.mesh += first_mesh;
+    instance.world_from_object = facingViewer() * glm::translate(glm::mat4(1.0f), place) * instance.world_from_object;
+    all.instances.push_back(instance);
+  }
 }
+
+Scene shapeOf(Mesh mesh, std::string_view material) { return sceneOf(std::move(mesh), *materialNamed(material)); }
 
 }  // namespace
 
 Scene showcaseScene() {
-  Scene scene;
-  const glm::vec3 x(1, 0, 0);
-  const glm::vec3 y(0, 1, 0);
-  addObject(scene, sphereMesh(), "mirror", placed({0.0f, 0.58f, -0.35f}, 0.74f));
-  addObject(scene, teapotMesh(), "gold", glm::rotate(placed({-0.98f, -0.22f, 0.1f}, 0.72f), glm::radians(-150.0f), y));
-  addObject(scene, knotMesh(), "rough-metal", glm::rotate(placed({1.0f, -0.12f, 0.1f}, 0.66f), glm::radians(20.0f), y));
-  addObject(scene, sphereMesh(), "glass", placed({-0.40f, -0.74f, 0.55f}, 0.42f));
-  addObject(scene, sphereMesh(), "orange", glm::rotate(placed({0.48f, -0.74f, 0.55f}, 0.42f), glm::radians(30.0f), x));
-  return scene;
+  Scene all;
+  addStanding(all, shapeOf(sphereMesh(), "mirror"), {{-0.05f, -0.55f}, 0.74f});
+  addStanding(all, shapeOf(teapotMesh(), "gold"), {{-1.02f, 0.15f}, 0.66f, turned(-155.0f, kY)});
+  addStanding(all, shapeOf(knotMesh(), "rough-metal"), {{1.08f, -0.30f}, 0.62f, turned(25.0f, kY)});
+  addStanding(all, tumblerWaterScene(), {{0.72f, 0.62f}, 0.40f});
+  addStanding(all, shapeOf(sphereMesh(), "orange"), {{0.10f, 0.72f}, 0.26f, turned(30.0f, kX)});
+  // It lies on its pavilion and the edge of its girdle.
+  addStanding(all, shapeOf(brilliantMesh(), "diamond"),
+              {{-0.36f, 0.95f}, 0.20f, turned(20.0f, kY) * turned(49.25f, kX)});
+  return all;
 }
 
 }  // namespace mirrorball

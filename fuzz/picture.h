@@ -4,16 +4,18 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/scene/relief/height_texture.h"
+#include "mirrorball/scene/relief/slope_texture.h"
 
 namespace mirrorball::fuzz {
 
-/// Reads a picture as numbers, and a small one as heights of a material.
+/// Reads a picture as numbers, and a small one as heights and as slopes of a material.
 inline void readHeights(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t kMostTexels = 1 << 14;
   const auto numbers = decodeNumbers({data, size});
   checkError(numbers);
-  if (numbers && numbers->texelCount() <= kMostTexels)
-    checkError(heightTexture(heightsOfPicture(*numbers).heights, MapEdges::tiled));
+  if (!numbers || numbers->texelCount() > kMostTexels) return;
+  checkError(heightTexture(heightsOfPicture(*numbers).heights, MapEdges::tiled));
+  checkError(slopesOfPicture(*numbers, holdsCodes({data, size})));
 }
 
 /// Gives a picture's bytes to all ways to read it: to light, to samples as stored, and to numbers. What claims more

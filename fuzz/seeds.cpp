@@ -5,6 +5,8 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <initializer_list>
+#include <limits>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -29,6 +31,7 @@
 #include "mirrorball/codec/picture_testing.h"
 #include "mirrorball/codec/texture/texture_testing.h"
 #include "mirrorball/codec/tiff/tiff_testing.h"
+#include "mirrorball/image/small_float.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
 
 namespace mirrorball {
@@ -409,6 +412,56 @@ void addScene(Corpus& corpus) {
           R"("KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[1,1,1,1],"glossinessFactor":1}}}])")));
 }
 
+/// What MadeInput::number() reads.
+void append(Bytes& bytes, std::initializer_list<float> numbers) {
+  for (const float number : numbers) {
+    const std::uint16_t half = halfFromFloat(number);
+    bytes.push_back(static_cast<std::uint8_t>(half & 0xff));
+    bytes.push_back(static_cast<std::uint8_t>(half >> 8));
+  }
+}
+
+/// As heights.cpp reads them.
+void addHeights(Corpus& corpus) {
+  const auto add = [&](const std::string& seed, int width, int height, int flags,
+                       std::initializer_list<float> numbers) {
+    Bytes bytes{static_cast<std::uint8_t>(width - 1), static_cast<std::uint8_t>(height - 1),
+                static_cast<std::uint8_t>(flags)};
+    append(bytes, {0.25f});
+    bytes.insert(bytes.end(), {0, 0});
+    append(bytes, numbers);
+    corpus.add("heights", seed, bytes);
+  };
+  add("hill", 3, 3, 2, {0, 0.25f, 0, 0.5f, 1, 0.5f, 0, 0.25f, 0});
+  add("relaxed_clamped_row", 5, 1, 8 + 4 + 1, {0, 1, 0.5f, 0.5f, -1});
+  add("nan", 2, 1, 3, {1, std::numeric_limits<float>::quiet_NaN()});
+  add("normals", 2, 2, 16 + 2, {0.5f, 0, 1, -0.5f, 0, 1, 0.5f, 0.5f, 1, -0.5f, -0.5f, 0.25f});
+  add("slopes_clamped", 1, 3, 32 + 16 + 4, {0.5f, 0, 0.5f, 1, 0, 0, 0, 0, 1});
+}
+
+/// As transfer.cpp reads it: a square of two triangles, with its normals where they are asked for.
+void appendSquare(Bytes& bytes, float height, bool with_normals) {
+  bytes.insert(bytes.end(), {0, static_cast<std::uint8_t>(with_normals ? 1 : 0), 2, 3});
+  for (const auto& [x, y] : {std::pair{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, 1.0f}, {0.0f, 1.0f}}) {
+    append(bytes, {x, y, height, x, 1.0f - y});
+    if (with_normals) append(bytes, {0.25f - 0.5f * x, 0.0f, 1.0f});
+  }
+  bytes.insert(bytes.end(), {0, 1, 2, 0, 2, 3, 0});
+}
+
+void addTransfers(Corpus& corpus) {
+  const auto add = [&](const std::string& seed, std::initializer_list<std::uint8_t> settings, bool with_normals) {
+    Bytes bytes = settings;
+    appendSquare(bytes, 0.01f, with_normals);
+    appendSquare(bytes, 0.0f, false);
+    corpus.add("transfer", seed, bytes);
+  };
+  // Side of the map, flags, perhaps a cage, padding, triangles.
+  add("plates", {3, 0, 2, 1}, false);
+  add("everything", {7, 1 + 4 + 8, 4, 0}, true);
+  add("caged_object_space", {7, 2 + 8 + 16, 4, 1, 1}, true);
+}
+
 }  // namespace
 }  // namespace mirrorball
 
@@ -428,5 +481,7 @@ int main(int count, char** arguments) {
   mirrorball::addDracoModels(corpus);
   mirrorball::addMeshoptModel(corpus);
   mirrorball::addScene(corpus);
+  mirrorball::addHeights(corpus);
+  mirrorball::addTransfers(corpus);
   return corpus.failed ? 1 : 0;
 }

@@ -130,7 +130,7 @@ const auto kTransferOptions = std::to_array<Option<TransferRequest>>({
     {{.name = "simplify",
       .value = "N",
       .unit = "triangles",
-      .minimum = 1,
+      .minimum = 0,
       .maximum = 100000000,
       .help = "make LOW of HIGH, with so many triangles at most, and unwrap it; 0: LOW is given",
       .group = "Light model"},
@@ -186,9 +186,10 @@ Result<Scene> lightModelOf(const Scene& high, const TransferRequest& request) {
   constexpr int kMostGutter = 16;
   const int gutter = std::clamp(request.padding / 2, 1, kMostGutter);
   MIRRORBALL_TRY(flat, withName(request.high, unwrapped(fewer.mesh, request.size, gutter)));
-  tell(formatted(
-      "%zu triangles, moved by %.2g %% of the size; %zu charts, stretch %.3f (%.2f at most), on %.0f %% of the map",
-      count, 100.0 * double(fewer.error), flat.charts, flat.stretch, flat.worst_stretch, 100.0 * flat.used));
+  tell(counted(count, "triangle") + formatted(", moved by %.2g %% of the size; ", 100.0 * double(fewer.error)) +
+       counted(flat.charts, "chart") +
+       formatted(", stretch %.3f (%.2f at most), on %.0f %% of the map", flat.stretch, flat.worst_stretch,
+                 100.0 * flat.used));
   return sceneOf(std::move(flat.mesh), withoutMaps(materialOf(high, 0)));
 }
 

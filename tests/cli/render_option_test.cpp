@@ -248,6 +248,13 @@ TEST_F(RenderOptionTest, SamplesDoNotMoveThePicture) {
   }
 }
 
+TEST_F(RenderOptionTest, ReliefOfASurfaceWithoutHeightsIsTold) {
+  const std::string line = "render plane -e white --size 8x8 --samples 1 -o plane.png --relief ";
+  EXPECT_THAT(run(line + "exact").err, ::testing::HasSubstr("no surface has heights"));
+  EXPECT_THAT(run(line + "bump").err, ::testing::Not(::testing::HasSubstr("heights")));
+  EXPECT_THAT(run(line + "parallax --set height=waves").err, ::testing::Not(::testing::HasSubstr("heights")));
+}
+
 TEST_F(RenderOptionTest, NegativeLightIsTold) {
   Image map(64, 32, 3, 1.0f);
   map.texel(3, 3)[1] = -100.0f;

@@ -107,6 +107,12 @@ TEST_F(TransferTest, MakesALightModelWithItsMap) {
   EXPECT_LT(apart, first.samples().size() / 100);
 }
 
+TEST_F(TransferTest, OneTriangleIsOneChart) {
+  write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::string told = succeed("transfer one.obj --simplify 1 --size 16 -o normal.png");
+  EXPECT_THAT(told, AllOf(StartsWith("1 triangle, "), HasSubstr("; 1 chart, ")));
+}
+
 TEST_F(TransferTest, IsTheSameForAnyNumberOfThreads) {
   const std::string line = "transfer knot --simplify 500 --size 64 --occlusion visible.exr --rays 4 -o ";
   succeed(line + "one.exr --threads 1");
@@ -134,6 +140,7 @@ TEST_F(TransferTest, RefusesWithOneLine) {
   EXPECT_THAT(refuse(2, "transfer roof.obj flat.obj -o normal.jpg"), HasSubstr(".png"));
   EXPECT_THAT(refuse(2, "transfer roof.obj flat.obj -o a.png --height a.png"), HasSubstr("a.png"));
   EXPECT_THAT(refuse(2, "transfer roof.obj flat.obj -o a.png --model-out low.obj"), HasSubstr(".glb"));
+  EXPECT_THAT(refuse(2, "transfer roof.obj --simplify 0 -o a.png"), HasSubstr("needs a light model"));
   EXPECT_THAT(refuse(2, "transfer roof.obj flat.obj -o a.png --space object --model-out low.glb"),
               HasSubstr("tangent"));
   EXPECT_THAT(refuse(2, "transfer roof.obj flat.obj -o a.png --rays 8"), HasSubstr("--occlusion"));

@@ -19,6 +19,8 @@ namespace {
 
 const Tolerance kOnTheCpu{1, 0.02, "made on the CPU: another compiler's rounding may turn a texel to the next code"};
 
+const Tolerance kFaceted{255, 0.2, "at an edge between facets a ray may meet the one or the other"};
+
 // 44 / 0.27 (softpipe, on a column of pixels along a cube's edge; SwiftShader 1 / 0.01)
 const Tolerance kFiltered{60, 0.4, "no outline; drivers weigh the texels on both sides of a cube's edge differently"};
 
@@ -67,6 +69,16 @@ constexpr const char* kMipLevel = "a mip level for a lobe: too sharp or too blur
 
 constexpr const char* kAtVertices = "wrong by construction: what the corners reflect is mixed between them";
 
+constexpr const char* kHorizons =
+    "eight horizons hide the sky, and a hidden place is as bright as what it hides; noise";
+
+constexpr const char* kFlat = "the mesh is taken as flat around a pixel; and the horizons";
+
+constexpr const char* kOffset = "wrong by construction: the place is guessed; and the horizons";
+
+constexpr const char* kFadesEarly =
+    "reads along a pixel are 16 at most, and far stripes fade to grey; noise of few paths";
+
 constexpr auto kCases = std::to_array<Case>({
     {"showcase", "render --camera 30,15,2.9 --size 160x120", &kFinelyOutlined, "--exposure 0.0286",  // 2 %
      Truth{32, kLobes, "", 16, 32}},
@@ -100,8 +112,8 @@ constexpr auto kCases = std::to_array<Case>({
      &kOutlined, "--inner-bounces 1", Truth{32.9, kSplits, "--refraction single", 16, 64}},
     {"rough_metal", "render knot --material rough-metal --size 96x96", &kOutlined, "--set perceptual_roughness=0.47",
      Truth{27.5, kLobes, "--set perceptual_roughness=0.3", 16, 32}},
-    {"plastic", "render teapot --material plastic --camera 30,20,2.3 --size 144x96", &kOutlined,
-     "--set base_color=0.68,0.03,0.03", Truth{30.3, kLobes, "", 16, 32}},
+    {"plastic", "render teapot --material plastic --camera 30,20,2.3 --size 96x64", &kOutlined,
+     "--set base_color=0.66,0.03,0.03", Truth{29.7, kLobes, "", 16, 32}},
     {"orange", "render sphere --material orange --size 96x96", &kBumpy, "--set bump_height=0.0065",
      Truth{28.4, kLobes, "", 16, 32}},
 
@@ -145,10 +157,10 @@ constexpr auto kCases = std::to_array<Case>({
     {"orthographic", "render sphere -e uv --material mirror --orthographic 2 --camera 0,0 --size 96x96", &kFinelyLined,
      "--orthographic 2.005", Truth{35.2, kTexels, "", 16, 16}},
     {"mapping_normal",
-     "render teapot -e uv --material mirror --mapping normal --background blur --camera 30,20,2.3 --size 144x96",
-     &kFinelyLined, "--env-rotation 0.2", Truth{10.5, kByNormal, "", 16, 16}},
-    {"mapping_sphere", "render teapot -e uv --material mirror --mapping sphere --camera 30,20,2.3 --size 144x96",
-     &kFinelyLined, "--env-rotation 0.2", Truth{16.2, kFarAway, "", 16, 16}},
+     "render teapot -e uv --material mirror --mapping normal --background blur --camera 30,20,2.3 --size 96x64",
+     &kFinelyLined, "--env-rotation 0.3", Truth{10.7, kByNormal, "", 16, 16}},
+    {"mapping_sphere", "render teapot -e uv --material mirror --mapping sphere --camera 30,20,2.3 --size 96x64",
+     &kFinelyLined, "--env-rotation 0.2", Truth{16.8, kFarAway, "", 16, 16}},
     {"reflect_at_vertex",
      "render cube -e uv --material mirror --reflect-at vertex --background 0.2,0.2,0.2 "
      "--camera 130,25,3.1 --size 96x72",
@@ -160,15 +172,15 @@ constexpr auto kCases = std::to_array<Case>({
 
     // Coordinates generated: of the environment, and of a picture, which is nothing that light does.
     {"texgen_object_linear",
-     "render teapot -e uv --material mirror --texgen object-linear --camera 30,20,2.3 --size 144x96", &kFinelyLined,
-     "--env-rotation 0.2", Truth{12.3, kPainted, "", 16, 16}},
+     "render teapot -e uv --material mirror --texgen object-linear --camera 30,20,2.3 --size 96x64", &kFinelyLined,
+     "--env-rotation 0.2", Truth{12.6, kPainted, "", 16, 16}},
     {"texgen_eye_linear",
      "render teapot --set base_color_map=pictures/convert_cross.png --texgen eye-linear --camera 30,20,2.3 "
-     "--texture-matrix 0.5,0,0,0.5,0,0.5,0,0.5,0,0,1,0,0,0,0,1 --size 144x96",
+     "--texture-matrix 0.5,0,0,0.5,0,0.5,0,0.5,0,0,1,0,0,0,0,1 --size 96x64",
      &kFinelyLined, "--texture-matrix 0.5,0,0,0.505,0,0.5,0,0.5,0,0,1,0,0,0,0,1"},
     {"texgen_normal",
      "render teapot --set base_color_map=pictures/convert_sphere.png --texgen normal --camera 30,20,2.3 "
-     "--texture-matrix 0.5,0,0,0.5,0,0.5,0,0.5,0,0,1,0,0,0,0,1 --size 144x96",
+     "--texture-matrix 0.5,0,0,0.5,0,0.5,0,0.5,0,0,1,0,0,0,0,1 --size 96x64",
      &kFinelyLined, "--texture-matrix 0.5,0,0,0.505,0,0.5,0,0.5,0,0,1,0,0,0,0,1"},
     {"texgen_sphere",
      "render teapot --set base_color_map=pictures/convert_sphere.png --texgen sphere --camera 30,20,2.3 --size 96x64",
@@ -177,8 +189,46 @@ constexpr auto kCases = std::to_array<Case>({
      &kFinelyLined, "--env-rotation 0.2", Truth{33.1, kTexels, "", 16, 16}},
     {"texgen_light",
      "render teapot --set base_color_map=pictures/convert_cross.png --texgen light --light 2,2,3,0,0,0 "
-     "--camera 30,20,2.3 --size 144x96",
+     "--camera 30,20,2.3 --size 96x64",
      &kFinelyLined, "--texture-matrix 1,0,0,0.005,0,1,0,0,0,0,1,0,0,0,0,1"},
+
+    // Relief by each kind, over heights of 128² so that it is quick; and what else bends normals.
+    {"relief_parallax",
+     "render plane --set height=heights/brick.png --set height_scale=0.08 --relief parallax --camera 30,35,0.9 --fov "
+     "15 --size "
+     "64x48",
+     &kOutlined, "--set height_scale=0.085", Truth{22.3, kOffset, "--relief bump", 16, 32}},
+    {"relief_occlusion",
+     "render plane --set height=heights/brick.png --set height_scale=0.08 --relief occlusion --camera 30,20,0.9 --fov "
+     "12 --size "
+     "64x48",
+     &kOutlined, "--set height_scale=0.085", Truth{25.8, kHorizons, "--relief parallax", 16, 32}},
+    {"relief_cone",
+     "render sphere --set height=heights/brick.png --set height_frequency=4 --set height_scale=0.1 --relief cone "
+     "--camera 30,20,3 --fov 15 --size 64x48",
+     &kOutlined, "--set height_scale=0.105", Truth{22.4, kFlat, "--relief bump", 16, 32}},
+    {"relief_exact_plane",
+     "render plane --set height=heights/brick.png --set height_scale=0.08 --relief exact --camera 30,15 --size 64x48",
+     &kOutlined, "--set height_scale=0.085", Truth{30.6, kHorizons, "--relief linear-binary", 16, 32}},
+    {"relief_exact",
+     "render torus --set height=heights/brick.png --set height_frequency=2 --set height_scale=0.08 --relief exact "
+     "--camera 30,25 --size 64x48",
+     &kFinelyOutlined, "--set height_scale=0.085", Truth{26.7, kHorizons, "--relief linear-binary", 16, 32}},
+    {"relief_geometry",
+     "render torus --set height=heights/brick.png --set height_frequency=2 --set height_scale=0.08 --relief geometry "
+     "--camera 30,25 --size 64x48",
+     &kFinelyOutlined, "--set height_scale=0.085", Truth{31.9, kLobes, "--relief bump", 16, 32}},
+    {"derivative_map",
+     "render plane --set base_color=0.5 --set perceptual_roughness=0.4 --set derivative_map=pictures/slopes.png "
+     "--camera 20,60 --size 64x48",
+     &kBumpy, "--set derivative_scale=1.3", Truth{32.8, kLobes, "--set derivative_scale=-1", 16, 32}},
+    {"object_normal_map",
+     "render sphere --set base_color=0.5 --set normal_map=pictures/facets.png --set normal_space=object --size 64x64",
+     &kOutlined, "--env-rotation 2", Truth{32.1, kLobes, "--set normal_space=tangent", 16, 32}},
+    {"stripes",
+     "render plane --set base_color_map=stripes --set base_color=1 --set specular=0 -e white "
+     "--texture-filter anisotropic --camera 25,6,1.2 --size 96x48",
+     &kFiltered, "--texture-filter trilinear", Truth{21.4, kFadesEarly, "--texture-filter trilinear", 16, 32}},
 
     // The rest of what has a code of its own.
     {"fresnel_empirical",
@@ -197,6 +247,11 @@ constexpr auto kCases = std::to_array<Case>({
     {"convert_sphere", "convert uv --to sphere --size 96", &kOnTheCpu, ""},
     {"convert_angular", "convert uv --to angular --size 96", &kOnTheCpu, ""},
     {"convert_cross", "convert uv --to cube --size 40", &kOnTheCpu, ""},
+
+    // Maps of surfaces.
+    {"slopes", "surface pictures/uv_along_plus_z.png --to derivative --scale 0.05", &kOnTheCpu,
+     "--difference backward"},
+    {"facets", "transfer brilliant sphere --cage 1 --space object --size 48", &kFaceted, "--space tangent"},
 });
 
 /// The command without the option and its value, if it has it.
@@ -205,6 +260,12 @@ std::string withoutOption(std::string command, std::string_view option) {
   const std::size_t begin = command.find(found);
   if (begin != std::string::npos) command.erase(begin, command.find(' ', begin + found.size()) - begin);
   return command;
+}
+
+/// Whether light comes to the surface between heights that hide it in the renderer, too: from all around, and from
+/// each other.
+bool hidesLight(std::string_view command) {
+  return command.find(" --relief ") != std::string_view::npos && command.find("geometry") == std::string_view::npos;
 }
 
 /// The command with an option and its value, which takes the place of the one that it may have.
@@ -238,14 +299,18 @@ std::string drawnCommandOf(const Case& golden_case, const std::string& changed) 
 
 std::string tracedCommandOf(const Case& golden_case) {
   std::string command = golden_case.command;
-  for (const std::string_view option : {"--mapping", "--reflect-at", "--texgen", "--blur", "--lookup", "--dispersion"})
+  for (const std::string_view option :
+       {"--mapping", "--reflect-at", "--texgen", "--blur", "--lookup", "--dispersion", "--texture-filter"})
     command = withoutOption(command, option);
   if (command.find("--background blur") != std::string::npos) command = withoutOption(command, "--background");
-  return command + " --samples " + std::to_string(golden_case.truth->paths) + " --reference --bounces 1 --unoccluded";
+  command += " --samples " + std::to_string(golden_case.truth->paths) + " --reference";
+  return hidesLight(command) ? command : command + " --bounces 1 --unoccluded";
 }
 
 bool wrapsPicture(const Case& golden_case) {
-  return std::string_view(golden_case.command).find(" --set base_color_map=") != std::string_view::npos;
+  const std::string_view command(golden_case.command);
+  return command.find(" --set base_color_map=") != std::string_view::npos &&
+         command.find(" --texgen ") != std::string_view::npos;
 }
 
 bool needsGl(const Case& golden_case) { return std::string_view(golden_case.command).starts_with("render"); }

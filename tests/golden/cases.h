@@ -17,7 +17,8 @@ struct Tolerance {
 };
 
 /// How near a drawn picture is to the path-traced one of the same command, where light does what an environment map can
-/// know of (`--bounces 1 --unoccluded`). docs/truth.md shows what was measured, and how much of the distance is noise.
+/// know of (`--bounces 1 --unoccluded`), or with relief all that it does. docs/truth.md shows what was measured, and
+/// how much of the distance is noise.
 struct Truth {
   double psnr_db;       ///< at least
   const char* reason;   ///< of the distance
@@ -30,7 +31,7 @@ struct Truth {
 struct Case {
   const char* name;     ///< of pictures/NAME.png and of the test
   const char* command;  ///< what follows `mirrorball`, without -o; single spaces between the words. It runs where
-                        ///< pictures/ has the golden pictures, which it may read
+                        ///< pictures/ has the golden pictures and heights/ those of docs, which it may read
   const Tolerance* tolerance;  ///< one of a few, each with its reason, in cases.cpp
   const char* min_error;       ///< an option of the command, changed to the smallest mistake that the case must find
   std::optional<Truth> truth = {};  ///< nothing: a conversion, or a picture wrapped around a model

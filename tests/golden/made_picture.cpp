@@ -37,6 +37,7 @@ class FreshFolder {
 Result<Bytes> pictureMadeBy(const std::string& command) {
   const FreshFolder folder;
   fs::create_directory_symlink(fs::path(goldenPath("any")).parent_path(), folder.path() / "pictures");
+  fs::create_directory_symlink(fs::path(MIRRORBALL_SOURCE_DIR) / "docs/heights", folder.path() / "heights");
   const testing::Outcome outcome =
       testing::Program({.arguments = split(command + " -o picture.png", ' '), .folder = folder.path()}).wait();
   if (outcome.exit_code != 0)

@@ -198,6 +198,7 @@ Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
   // The stage's camera, not the scene's: a mesh of cut triangles reaches lower, and would be framed in another way.
   MIRRORBALL_TRY(camera, framedCamera(stage.scene, boundingSphere(stage.scene), frame.camera, frame.size));
   MIRRORBALL_TRY_VOID(renderer_.draw(camera, frame, timed));
+  if (times_ms.empty()) MIRRORBALL_TRY_VOID(renderer_.draw(camera, frame, timed));  // a single frame was the first
   DrawCost cost{.light = renderer_.lightCost()};
   if (!times_ms.empty()) {
     const auto middle = times_ms.begin() + static_cast<std::ptrdiff_t>(times_ms.size() / 2);

@@ -197,7 +197,9 @@ Result<void> Geometry::makeReliefs(const Scene& scene) {
 }
 
 std::optional<Hit> Geometry::hit(glm::vec3 origin, glm::vec3 direction, float nearest, Surfaces surfaces) const {
-  if (!isFinite(origin) || !isFinite(direction)) return std::nullopt;
+  constexpr float kFarthest = 1e18f;  // Embree takes no ray from farther away: it may end the program
+  const bool is_near = glm::all(glm::lessThanEqual(glm::abs(origin), glm::vec3(kFarthest)));
+  if (!is_near || !isFinite(direction)) return std::nullopt;
   const bool meets_reliefs = surfaces == Surfaces::reliefs && state_->reliefs;
   Query query;
   rtcInitIntersectContext(&query);

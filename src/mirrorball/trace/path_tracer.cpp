@@ -70,7 +70,7 @@ ImageSet cutIntoFaces(const Image& all, Projection projection, glm::ivec2 size) 
 
 struct PathTracer::State : World {
   Result<void> makeReliefs(const TraceSettings& settings) {
-    return settings.relief == ReliefKind::exact ? geometry.makeReliefs(scene) : Result<void>();
+    return movesSurface(settings.relief) ? geometry.makeReliefs(scene) : Result<void>();
   }
   Result<Film> trace(const CameraRays& rays, const TraceSettings& settings, TracedPicture& picture,
                      const TraceObserver& observer) const;

@@ -67,6 +67,14 @@ TEST(ExactRelief, IsTheDisplacedMeshOnAPlane) {
   }
 }
 
+// What the renderer finds in steps the tracer finds exactly: it is the truth of each.
+TEST(ExactRelief, StandsForAllKindsThatMoveTheSurface) {
+  const View view{"plane", HeightKind::brick, 20.0f};
+  const Image exact = tracedRelief(view, ReliefKind::exact, sideLight(), {32, 24}, 1);
+  for (const ReliefKind kind : {ReliefKind::parallax, ReliefKind::occlusion, ReliefKind::cone})
+    EXPECT_EQ(shareThatDiffers(tracedRelief(view, kind, sideLight(), {32, 24}, 1), exact, 0.0f), 0.0) << int(kind);
+}
+
 TEST(ExactRelief, IsTheDisplacedMeshOnASphere) {
   const View view{"sphere", HeightKind::waves, 20.0f};
   const Image exact = tracedRelief(view, ReliefKind::exact, sideLight(), {64, 48}, 4);

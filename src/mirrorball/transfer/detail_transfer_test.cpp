@@ -219,5 +219,14 @@ TEST(TransferDetail, OfNumbersThatAreNotIsUnit) {
   for (int i = 0; i < 256; ++i) EXPECT_NEAR(glm::length(rgbAt(detail->normals, i % 16, i / 16)), 1.0f, 1e-5f) << i;
 }
 
+// Rays from so far away that Embree would end the program meet nothing.
+TEST(TransferDetail, WhatIsTooLargeForRaysIsRefused) {
+  Mesh huge = testing::flatPlate();
+  for (Vertex& vertex : huge.vertices) vertex.position = (vertex.position + 1.0f) * 1e20f;
+  const auto detail = transferDetail(sceneOf(testing::flatPlate()), sceneOf(huge), {.size = {4, 4}});
+  ASSERT_FALSE(detail);
+  EXPECT_EQ(detail.error().code, ErrorCode::bad_shape);
+}
+
 }  // namespace
 }  // namespace mirrorball

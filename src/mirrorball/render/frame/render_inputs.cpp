@@ -1,5 +1,6 @@
 #include "mirrorball/render/frame/render_inputs.h"
 
+#include <algorithm>
 #include <future>
 #include <utility>
 
@@ -8,11 +9,23 @@
 #include "mirrorball/scene/load_model.h"
 
 namespace mirrorball {
+namespace {
+
+/// Relief is asked for by name, and a model brings no heights.
+void warnOfNoHeights(Scene& scene, ReliefKind kind) {
+  const bool has_heights =
+      std::ranges::any_of(scene.materials, [](const Material& each) { return each.height != HeightKind::none; });
+  if (kind > ReliefKind::bump && !scene.materials.empty() && !has_heights)
+    scene.warnings.push_back("relief: no surface has heights to show; the material parameter height gives them");
+}
+
+}  // namespace
 
 Result<Scene> loadScene(const RenderInputNames& names) {
   MIRRORBALL_TRY(scene, loadModel(names.model));
   standUpright(scene, names.up);
   MIRRORBALL_TRY_VOID(changeMaterials(scene, names.materials));
+  warnOfNoHeights(scene, names.relief);
   MIRRORBALL_TRY_VOID(prepareRelief(scene, names.relief));
   return scene;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/scene/material/builtin_picture.h"
+#include "mirrorball/scene/relief/slope_texture.h"
 
 namespace mirrorball {
 namespace {
@@ -83,35 +83,12 @@ Result<void> setHeights(Scene& scene, const std::string& path) {
 
 constexpr std::array<std::string_view, 1> kSlopesName{"derivative_map"};
 
-/// Steeper ones than 89.99° are none that a picture shows, and their squares would not fit into half floats.
-constexpr float kSteepest = 1e4f;
-
-/// Slopes as they are meant, of a picture's numbers.
-///
-/// errors   bad_shape; non_finite (the first bad texel is named)
-Result<Image> slopesOf(Image numbers, bool is_encoded) {
-  if (numbers.channels() < 3)
-    return fail(ErrorCode::bad_shape,
-                "is grey, where a map of slopes has red and blue; `surface --to derivative` makes one of heights");
-  Image slopes(numbers.width(), numbers.height(), 3);
-  for (int y = 0; y < slopes.height(); ++y)
-    for (int x = 0; x < slopes.width(); ++x)
-      for (int channel = 0; channel < 3; channel += 2) {
-        const float number = numbers.texel(x, y)[channel];
-        if (!std::isfinite(number))
-          return fail(ErrorCode::non_finite,
-                      "the slope at (" + std::to_string(x) + ", " + std::to_string(y) + ") is no number");
-        slopes.texel(x, y)[channel] = std::clamp(is_encoded ? 2.0f * number - 1.0f : number, -kSteepest, kSteepest);
-      }
-  return slopes;
-}
-
 Result<void> setSlopes(Scene& scene, const std::string& path) {
   if (path.empty())
     return fail(ErrorCode::usage, "the material parameter derivative_map needs a picture: derivative_map=FILE");
   MIRRORBALL_TRY(bytes, readRegularFile(path));
   MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
-  MIRRORBALL_TRY(slopes, withName(path, slopesOf(std::move(numbers), holdsCodes(bytes))));
+  MIRRORBALL_TRY(slopes, withName(path, slopesOfPicture(numbers, holdsCodes(bytes))));
   if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
     scene.warnings.push_back("derivative_map: the model has no texture coordinates, along which slopes are told");
   scene.slope_textures.push_back(std::move(slopes));

@@ -49,10 +49,10 @@ class SharedHeights {
 };
 
 /// Built-in heights lie over texture coordinates, but for the orange's bumps.
-void warnOfMeshesWithoutCoordinates(Scene& scene) {
+void warnOfMeshesWithoutCoordinates(Scene& scene, ReliefKind kind) {
   for (const Mesh& mesh : scene.meshes) {
-    const HeightKind height = scene.materials[std::size_t(mesh.material)].height;
-    const bool is_builtin = height != HeightKind::none && height != HeightKind::map && height != HeightKind::orange;
+    const Material& material = scene.materials[std::size_t(mesh.material)];
+    const bool is_builtin = material.height != HeightKind::map && readsTexture(material, kind);
     if (!is_builtin || hasTextureCoordinates(mesh)) continue;
     scene.warnings.push_back("height: a mesh has no texture coordinates; all of it has one height");
     return;
@@ -62,7 +62,7 @@ void warnOfMeshesWithoutCoordinates(Scene& scene) {
 }  // namespace
 
 Result<void> prepareRelief(Scene& scene, ReliefKind kind) {
-  if (kind != ReliefKind::none) warnOfMeshesWithoutCoordinates(scene);
+  warnOfMeshesWithoutCoordinates(scene, kind);
   SharedHeights textures(scene.height_textures);
   for (Material& material : scene.materials) {
     if (!readsTexture(material, kind)) continue;

@@ -57,6 +57,19 @@ TEST(PrepareRelief, GivesTexturesOnlyToWhatReadsThem) {
   EXPECT_EQ(bumps.height_textures.size(), 1u);
 }
 
+TEST(PrepareRelief, WarnsWhereHeightsLieOverCoordinatesThatAMeshDoesNotHave) {
+  const auto warningsOf = [](HeightKind height, ReliefKind kind) {
+    Scene scene = planeOf(height, 0.1f);
+    for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] = glm::vec2(0.0f);
+    EXPECT_TRUE(prepareRelief(scene, kind));
+    return scene.warnings.size();
+  };
+  EXPECT_EQ(warningsOf(HeightKind::orange, ReliefKind::bump), 0u) << "a function of the place";
+  EXPECT_EQ(warningsOf(HeightKind::orange, ReliefKind::exact), 1u) << "a tile like the others";
+  EXPECT_EQ(warningsOf(HeightKind::brick, ReliefKind::bump), 1u);
+  EXPECT_EQ(warningsOf(HeightKind::brick, ReliefKind::none), 0u);
+}
+
 TEST(ReliefNormal, LeansAwayFromTheWayUp) {
   Image heights(4, 1, 1);
   for (int x = 0; x < 4; ++x) heights.texel(x, 0)[0] = 0.25f * static_cast<float>(x);

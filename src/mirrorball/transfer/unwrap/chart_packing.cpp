@@ -89,15 +89,19 @@ class Skyline {
   std::vector<int> heights_;
 };
 
-/// Charts by height, the tallest first.
-std::vector<std::size_t> byHeight(const std::vector<Chart>& charts) {
+std::vector<double> heightsOf(const std::vector<Chart>& charts) {
   std::vector<double> heights;
   for (const Chart& chart : charts) {
     double& height = heights.emplace_back(0.0);
     for (const auto& corners : chart.corners)
       for (const dvec2 p : corners) height = std::max(height, p.y);
   }
-  std::vector<std::size_t> order(charts.size());
+  return heights;
+}
+
+/// The numbers of charts, the tallest first.
+std::vector<std::size_t> byHeight(const std::vector<double>& heights) {
+  std::vector<std::size_t> order(heights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return heights[i]; });
   return order;
@@ -116,10 +120,11 @@ double areaOf(const std::vector<Chart>& charts) {
 }  // namespace
 
 ChartPacking packCharts(const std::vector<Chart>& charts, int size, int gutter) {
-  const std::vector<std::size_t> order = byHeight(charts);
-  const double area = areaOf(charts);
-  // From the scale at which they would fill all of the map downwards.
-  double scale = area > 0.0 ? size / std::sqrt(area) : 1.0;
+  const std::vector<double> heights = heightsOf(charts);
+  const std::vector<std::size_t> order = byHeight(heights);
+  // From the scale at which they would fill all of the map, or the tallest its height, downwards.
+  const double side = std::max(std::sqrt(areaOf(charts)), charts.empty() ? 0.0 : heights[order[0]]);
+  double scale = side > 0.0 ? size / side : 1.0;
   constexpr int kMostScales = 60;
   for (int i = 0; i < kMostScales; ++i, scale *= i < 40 ? 0.97 : 0.7) {
     ChartPacking packing{scale, std::vector<dvec2>(charts.size())};

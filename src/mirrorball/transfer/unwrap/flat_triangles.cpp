@@ -24,17 +24,20 @@ bool isBesideAnEdge(const Corners& a, const Corners& b) {
 
 }  // namespace
 
-template <typename Visit>
-bool FlatTriangles::anyCell(const Corners& corners, const Visit& visit) const {
-  if (!(cell_ > 0.0)) return visit(0u);
-  constexpr double kMostCells = 1e6;  // beside one another; beyond, all are one
-  const auto cellOf = [&](double x) {
-    return std::int64_t(std::floor(std::clamp(x / cell_, -kMostCells, kMostCells)));
+FlatTriangles::CellRange FlatTriangles::cellsOf(const Corners& corners) const {
+  if (!(cell_ > 0.0)) return {};
+  constexpr double kFarthest = 1e6;  // beyond, all are one
+  const auto cellAt = [&](dvec2 place) {
+    return glm::i64vec2(glm::floor(glm::clamp(place / cell_, -kFarthest, kFarthest)));
   };
-  const dvec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
-  const dvec2 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
-  for (std::int64_t y = cellOf(low.y); y <= cellOf(high.y); ++y)
-    for (std::int64_t x = cellOf(low.x); x <= cellOf(high.x); ++x)
+  return {cellAt(glm::min(glm::min(corners[0], corners[1]), corners[2])),
+          cellAt(glm::max(glm::max(corners[0], corners[1]), corners[2]))};
+}
+
+template <typename Visit>
+bool FlatTriangles::anyCell(const CellRange& range, const Visit& visit) const {
+  for (std::int64_t y = range.low.y; y <= range.high.y; ++y)
+    for (std::int64_t x = range.low.x; x <= range.high.x; ++x)
       if (visit((std::uint64_t(x) << 32u) ^ (std::uint64_t(y) & 0xffffffffu))) return true;
   return false;
 }
@@ -42,7 +45,12 @@ bool FlatTriangles::anyCell(const Corners& corners, const Visit& visit) const {
 void FlatTriangles::add(const Corners& corners) {
   const auto index = static_cast<std::uint32_t>(triangles_.size());
   triangles_.push_back(corners);
-  anyCell(corners, [&](std::uint64_t cell) {
+  const CellRange range = cellsOf(corners);
+  if (range.isWide()) {
+    wide_.push_back(index);
+    return;
+  }
+  anyCell(range, [&](std::uint64_t cell) {
     cells_[cell].push_back(index);
     return false;
   });
@@ -50,13 +58,18 @@ void FlatTriangles::add(const Corners& corners) {
 
 bool FlatTriangles::overlaps(const Corners& corners) const {
   if (crossOf(corners[1] - corners[0], corners[2] - corners[0]) == 0.0) return false;
-  return anyCell(corners, [&](std::uint64_t cell) {
-    const auto found = cells_.find(cell);
-    if (found == cells_.end()) return false;
-    return std::ranges::any_of(found->second, [&](std::uint32_t other) {
-      return !isBesideAnEdge(triangles_[other], corners) && !isBesideAnEdge(corners, triangles_[other]);
-    });
-  });
+  const auto isUnder = [&](const Corners& other) {
+    return !isBesideAnEdge(other, corners) && !isBesideAnEdge(corners, other);
+  };
+  const auto isAnyUnder = [&](const std::vector<std::uint32_t>& indices) {
+    return std::ranges::any_of(indices, [&](std::uint32_t other) { return isUnder(triangles_[other]); });
+  };
+  const CellRange range = cellsOf(corners);
+  if (range.isWide()) return std::ranges::any_of(triangles_, isUnder);
+  return isAnyUnder(wide_) || anyCell(range, [&](std::uint64_t cell) {
+           const auto found = cells_.find(cell);
+           return found != cells_.end() && isAnyUnder(found->second);
+         });
 }
 
 }  // namespace mirrorball

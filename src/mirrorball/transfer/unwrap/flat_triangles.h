@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include <glm/ext/vector_int2_sized.hpp>
 #include <glm/glm.hpp>
 
 namespace mirrorball {
@@ -26,13 +27,26 @@ class FlatTriangles {
   bool overlaps(const std::array<glm::dvec2, 3>& corners) const;
 
  private:
-  /// Calls `visit(cell)` for those that a triangle's box touches, until it returns true.
+  /// The cells that a triangle's box touches, from the lower left one to the upper right one.
+  struct CellRange {
+    glm::i64vec2 low{0};
+    glm::i64vec2 high{0};
+    /// A needle that lies askew has a box of more cells than all other triangles together.
+    bool isWide() const {
+      constexpr std::int64_t kMostCells = 4096;
+      return (high.x - low.x + 1) * (high.y - low.y + 1) > kMostCells;
+    }
+  };
+  CellRange cellsOf(const std::array<glm::dvec2, 3>& corners) const;
+
+  /// Calls `visit(cell)` for those of a range, until it returns true.
   template <typename Visit>
-  bool anyCell(const std::array<glm::dvec2, 3>& corners, const Visit& visit) const;
+  bool anyCell(const CellRange& range, const Visit& visit) const;
 
   double cell_ = 0.0;
   std::vector<std::array<glm::dvec2, 3>> triangles_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+  std::vector<std::uint32_t> wide_;  ///< in no cell, and asked for each other triangle
 };
 
 }  // namespace mirrorball

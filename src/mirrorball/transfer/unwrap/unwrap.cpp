@@ -94,9 +94,9 @@ Result<Unwrapped> unwrapped(const Mesh& mesh, int size, int gutter) {
   for (Chart& chart : charts) turnUpright(chart);
   const ChartPacking packing = packCharts(charts, size, gutter);
   if (packing.texels_per_unit == 0.0)
-    return fail(ErrorCode::out_of_range, "its " + std::to_string(charts.size()) + " charts do not fit into a map of " +
-                                             std::to_string(size) + " x " + std::to_string(size) +
-                                             " texels; a larger map holds them");
+    return fail(ErrorCode::out_of_range, "its charts, " + std::to_string(charts.size()) +
+                                             ", do not fit into a map of " + std::to_string(size) + " x " +
+                                             std::to_string(size) + " texels; a larger map holds them");
   Unwrapped result{laidOut(mesh, charts, packing, size)};
   result.charts = charts.size();
   measureStretch(result);

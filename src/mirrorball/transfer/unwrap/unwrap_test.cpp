@@ -7,6 +7,7 @@
 #include "mirrorball/transfer/simplify.h"
 #include "mirrorball/transfer/texel_cover.h"
 #include "mirrorball/transfer/transfer_testing.h"
+#include "mirrorball/transfer/unwrap/flat_triangles.h"
 
 namespace mirrorball {
 namespace {
@@ -132,6 +133,25 @@ TEST(Unwrapped, TakesTrianglesWithoutAreaAndOneAlone) {
   ASSERT_TRUE(triangle);
   EXPECT_EQ(triangle->charts, 1u);
   EXPECT_GT(triangle->used, 0.15);
+}
+
+// A box around it would be a billion times as large as the triangle.
+TEST(Unwrapped, ANeedleTakesNoTimeAndKeepsOthersAway) {
+  Mesh mesh;
+  for (const glm::vec3 place : {glm::vec3(0), glm::vec3(1, 1, 0), glm::vec3(1 - 1e-7f, 1, 0)})
+    mesh.vertices.emplace_back().position = place;
+  mesh.indices = {0, 1, 2};
+  computeNormals(mesh);
+  const auto alone = unwrapped(mesh, 64, 2);
+  ASSERT_TRUE(alone) << alone.error().message;
+
+  FlatTriangles flat(3);
+  flat.setCell(1e-4);
+  flat.add({glm::dvec2(0, 0), {1, 1}, {0.999, 1}});
+  flat.add({glm::dvec2(2, 2), {2.0001, 2}, {2, 2.0001}});
+  EXPECT_TRUE(flat.overlaps({glm::dvec2(0.4999, 0.5), {0.5001, 0.5}, {0.5, 0.5001}})) << "small, on the needle";
+  EXPECT_FALSE(flat.overlaps({glm::dvec2(0.5, 0.4), {0.5001, 0.4}, {0.5, 0.4001}}));
+  EXPECT_TRUE(flat.overlaps({glm::dvec2(1.9, 2), {2.1, 2}, {2, 2.1}})) << "wide itself, on a small one";
 }
 
 TEST(Unwrapped, SizesFromHugeToTinyAreTheSame) {

@@ -1,7 +1,7 @@
 // Holds pictures of bumps that a pixel averages away to pictures of very many samples, and prints the table of
 // docs/techniques.md, "Bumps and relief": the renderer's own, of a plane of a rough mirror whose bumps are told by
-// heights, by a normal map and by a derivative map. The error is that of radiance that is clipped at 1 in each pixel; beside it stands how much too bright the picture is.
-// Derivative maps have the same moments as heights.
+// heights or by a normal map. The error is that of radiance that is clipped at 1 in each pixel; beside it stands how
+// much too bright the picture is. Derivative maps have the same moments as heights.
 //   unfiltered   the finest level of the map, 4 samples a pixel
 //   one lobe     widened by what is averaged away; of a normal map Toksvig's (2005, "Mipmapping normal maps")
 //   pieces       what the renderer does

@@ -39,8 +39,8 @@ struct Pores {
   float error;
 };
 
-// Seen from far away, against so many samples that each sees less than a pore. Without wider lobes the errors are 0.0105
-// and 0.0161; with slopes that are not averaged either, 0.0114 and 0.0294.
+// Seen from far away, against so many samples that each sees less than a pore. Without wider lobes the errors are
+// 0.0105 and 0.0161; with slopes that are not averaged either, 0.0114 and 0.0294.
 TEST_F(BumpFilterTest, AnOrangeUnderALowSunDoesNotSparkle) {
   FrameSettings settings{.size = {32, 32}, .background = BackgroundKind::transparent, .samples = 8};
   for (const Pores& pores : {Pores{"height_frequency=12", "height_scale=0.01", 0.009f},

@@ -27,6 +27,7 @@ FN Material coatMaterial(Material m) {
 //   normal, tangent, environment_brdf   of the coat, as in Surface
 FN Surface coatOf(Surface s, vec3 ray, vec3 normal, vec3 tangent, vec2 environment_brdf) {
   s.material = coatMaterial(s.material);
+  s.own_roughness = s.material.perceptual_roughness;
   s.normal = normal;
   s.tangent = tangent;
   s.environment_brdf = environment_brdf;

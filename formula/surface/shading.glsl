@@ -11,6 +11,7 @@ struct Reflectance {
 struct Surface {
   Material material;      // its numbers here: times what its textures hold
   vec3 normal;            // unit, on the viewer's side
+  float own_roughness INITIALLY(0.0f);  // perceptual, without the bumps that a pixel hides; of a renderer only
   vec3 tangent INITIALLY(vec3(1.0f, 0.0f, 0.0f));  // unit, across the normal: anisotropy stretches along it
   float occlusion;
   // For its roughness and n·v: what white facets do not send away at the first bounce, and 1 − the cosine at which

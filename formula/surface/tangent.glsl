@@ -76,6 +76,19 @@ FN vec3 mappedNormal(vec4 tangent, vec3 n, vec3 encoded, float scale) {
   return normalFromMap(t, cross(n, t) * tangent.w, n, encoded, scale);
 }
 
+// Mip levels of a normal map keep in alpha how unit normals spread whose mean is that long: 1 where they all agree. The
+// root makes the steps of 8 bits fine where a mirror would show them.
+//   mean_length   in [0, 1]
+FN float alphaOfSpread(float mean_length) { return 1.0f - sqrt(max(1.0f - mean_length, 0.0f)); }
+
+// The variance of the slopes, along one direction, that this alpha tells of: of a Gaussian that has such a mean
+// (Toksvig 2005, "Mipmapping normal maps"), with slopes scaled as those of normals are.
+FN float spreadOfAlpha(float alpha, float scale) {
+  float root = 1.0f - alpha;
+  float missing = root * root;
+  return scale * scale * missing / max(1.0f - missing, 1e-3f);
+}
+
 // The normal of an object-space normal map's sample in [0, 1]³, in the world. Where the map holds no direction it is n.
 //   world_from_normal   the object's normals to the world's, but for their lengths
 //   n                   unit, of the surface without the map

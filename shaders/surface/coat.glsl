@@ -1,11 +1,13 @@
-// A clear coat (KHR_materials_clearcoat), whose normal coatNormal(point) says.
+// A clear coat (KHR_materials_clearcoat), whose normal coatNormal(point) says, and
+// hiddenInCoat(point) what of it a pixel averages away.
 #include "brdf_look_up.glsl"
 #include "clear_coat.glsl"
 #include "tangent.glsl"
 
 vec3 coated(Surface s, SurfacePoint point, vec3 light) {
   float share = s.material.clearcoat * clearcoat_map_at(point).x;
-  s.material.clearcoat_roughness *= clearcoat_roughness_map_at(point).y;
+  s.material.clearcoat_roughness =
+      widenedRoughness(s.material.clearcoat_roughness * clearcoat_roughness_map_at(point).y, hiddenInCoat(point));
   vec3 outward = coatNormal(point);
   vec3 n = facingNormal(seesFront() ? outward : -outward, point.ray);
   float cosine = clamp(-dot(point.ray, n), 0.0, 1.0);

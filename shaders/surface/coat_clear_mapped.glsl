@@ -3,4 +3,7 @@
 vec3 coatNormal(SurfacePoint point) {
   return mappedNormal(point.tangent, point.normal, clearcoat_normal_map_at(point).xyz, material.clearcoat_normal_scale);
 }
+float hiddenInCoat(SurfacePoint point) {
+  return spreadOfAlpha(clearcoat_normal_map_at(point).w, material.clearcoat_normal_scale);
+}
 #include "coat.glsl"

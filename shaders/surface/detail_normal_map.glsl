@@ -4,3 +4,5 @@
 vec3 detailedNormal(SurfacePoint point, vec3 n) {
   return mappedNormal(point.tangent, n, normal_map_at(point).xyz, material.normal_scale);
 }
+
+float hiddenDetail(SurfacePoint point) { return spreadOfAlpha(normal_map_at(point).w, material.normal_scale); }

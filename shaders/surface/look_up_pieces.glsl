@@ -13,19 +13,20 @@ vec3 reflectedLight(Surface s, SurfacePoint point) {
   vec3 d = lookUpDirection(point, s.normal);
   vec3 across = dFdx(d);
   vec3 down = dFdy(d);
-  float own_roughness = material.perceptual_roughness * roughness_map_at(point).y;
-  if (s.material.perceptual_roughness <= kFeltWidening * own_roughness)
+  // Of the surface without its bumps, of which the pieces tell: what they do from pixel to pixel is no blur.
+  vec3 smooth_d = lookUpDirection(point, point.normal);
+  float footprint = sampleFootprint(dFdx(smooth_d), dFdy(smooth_d), samples_per_pixel * float(kPieces));
+  if (s.material.perceptual_roughness <= kFeltWidening * s.own_roughness)
     return lightOfPatch(point, d, across, down, s.material.perceptual_roughness);
-  float footprint = sampleFootprint(across, down, samples_per_pixel * float(kPieces));
   ivec3 sample_place = ivec3(ivec2(gl_FragCoord.xy), int(sample_phase * samples_per_pixel));
   vec2 random = gridRandom(sample_place).xy;
   vec3 light = vec3(0.0);
   for (int i = 0; i < kPieces; ++i) {
     SurfacePoint piece = pieceOf(point, placeOfPiece(i, random), kReadOfPiece / float(kPiecesAcross));
-    vec3 n = smoothNormal(piece);
+    vec3 n = detailedNormal(piece, smoothNormal(piece));
     n = facingNormal(seesFront() ? n : -n, point.ray);
     light += incomingLight(point.position, lookUpDirection(piece, n),
-                           widenedRoughness(own_roughness, hiddenSlopes(piece)), footprint);
+                           widenedRoughness(s.own_roughness, hiddenSlopes(piece) + hiddenDetail(piece)), footprint);
   }
   return light / float(kPieces);
 }

@@ -27,6 +27,7 @@ vec4 fetchMap(MapLayer map, ivec2 texel, int level) {
 #undef MAP_SAMPLER
 #define MAP_SAMPLER sampler2D
 
-vec4 layerAt(MapLayer map, MapSampling sampling, vec2 uv) {
-  return mapInPixel(map, uv, dFdx(uv), dFdy(uv), map.extent.z, sampling, texture_filter);
+//   across, down   how uv changes over what is seen
+vec4 layerAt(MapLayer map, MapSampling sampling, vec2 uv, vec2 across, vec2 down) {
+  return mapInPixel(map, uv, across, down, map.extent.z, sampling, texture_filter);
 }

@@ -9,8 +9,8 @@ Surface surfaceAt(SurfacePoint point, vec3 n, vec3 base_color) {
   Surface s;
   s.material = atWavelength(material, only_wavelength);
   s.material.base_color = base_color;
-  s.material.perceptual_roughness *= roughness_map_at(point).y;
-  s.material.perceptual_roughness = widenedRoughness(s.material.perceptual_roughness, hiddenSlopes(point));
+  s.own_roughness = s.material.perceptual_roughness * roughness_map_at(point).y;
+  s.material.perceptual_roughness = widenedRoughness(s.own_roughness, hiddenSlopes(point) + hiddenDetail(point));
   s.material.metallic *= metallic_map_at(point).z;
   s.material.specular *= specular_map_at(point).w;
   s.material.specular_color *= specular_color_map_at(point).xyz;

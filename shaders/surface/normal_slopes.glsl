@@ -4,10 +4,11 @@
 uniform highp sampler2D slope_map;  // SlopeMoments of height_field/slope_moments.h
 uniform float slope_unit;           // of them
 
-// The mean slope that a pixel sees, and its variances.
+// The mean slope that a sample of a pixel sees, and its variances.
 vec4 mappedSlope(SurfacePoint point) {
   float unit = slope_unit * material.derivative_scale;
-  vec4 stored = textureGrad(slope_map, point.uv_0, point.uv_across, point.uv_down);
+  float part = inversesqrt(samples_per_pixel);
+  vec4 stored = textureGrad(slope_map, point.uv_0, part * point.uv_across, part * point.uv_down);
   return stored * vec4(unit, unit, unit * unit, unit * unit);
 }
 

@@ -60,7 +60,7 @@ SurfacePoint pointOfPrism(int prism, vec3 shares, vec3 world) {
   vec2 uv_across = uvAlong(relief_change, n, across);
   vec2 uv_down = uvAlong(relief_change, n, down);
   return SurfacePoint(world, position, n, normalize(normal), vec4(mat3(world_from_object) * tangent.xyz, side), uvs.xy,
-                      uvs.zw, color, ray, uv_across, uv_down, vec3(0.0), vec3(0.0));
+                      uvs.zw, color, ray, uv_across, uv_down, uv_across, uv_down, vec3(0.0), vec3(0.0));
 }
 
 SurfacePoint surfacePoint() {

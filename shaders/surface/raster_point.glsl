@@ -19,5 +19,5 @@ SurfacePoint rasterPoint() {
   vec3 ray = orthographic > 0.5 ? camera_forward : normalize(world_position - camera_position);
   return SurfacePoint(world_position, object_position, normalize(world_normal), normalize(object_normal), world_tangent,
                       texture_uv_0, texture_uv_1, vertex_color, ray, dFdx(texture_uv_0), dFdy(texture_uv_0),
-                      dFdx(object_position), dFdy(object_position));
+                      dFdx(texture_uv_1), dFdy(texture_uv_1), dFdx(object_position), dFdy(object_position));
 }

@@ -12,6 +12,8 @@ struct SurfacePoint {
   vec3 ray;              // world, unit, from the eye
   vec2 uv_across;        // how uv_0 changes to the next pixels
   vec2 uv_down;
+  vec2 uv_1_across;      // likewise uv_1
+  vec2 uv_1_down;
   vec3 object_across;    // how object_position does, on the triangle that was drawn; else 0
   vec3 object_down;
 };
@@ -22,9 +24,12 @@ struct SurfacePoint {
 SurfacePoint pieceOf(SurfacePoint point, vec2 at, float share) {
   at /= sqrt(samples_per_pixel);
   point.uv_0 += at.x * point.uv_across + at.y * point.uv_down;
+  point.uv_1 += at.x * point.uv_1_across + at.y * point.uv_1_down;
   point.object_position += at.x * point.object_across + at.y * point.object_down;
   point.uv_across *= share;
   point.uv_down *= share;
+  point.uv_1_across *= share;
+  point.uv_1_down *= share;
   point.object_across *= share;
   point.object_down *= share;
   return point;

@@ -196,6 +196,8 @@ const Case kCases[] = {
            vec4(slopeFromNormal(vec3(2.0f * p.x - 1.0f, 2.0f * p.y - 1.0f, 0.25f + q.z)), 0.0f, 0.0f)),
 
     // tangent
+    PARITY(alphaOfSpread, unit, kTight, vec4(alphaOfSpread(p.x), 0.0f, 0.0f, 0.0f)),
+    PARITY(spreadOfAlpha, unit, kTight, vec4(spreadOfAlpha(p.x, q.x), 0.0f, 0.0f, 0.0f)),
     PARITY(turnedTangent, direction, kTight,
            vec4(turnedTangent(vec4(vec3(p), p.w < 0.5f ? -1.0f : 1.0f), vec3(q), vec2(0.75f, 0.5f)), 0.0f)),
     PARITY(anisotropyTurn, unit, kTranscendental, vec4(anisotropyTurn(vec2(p) * 2.0f - 1.0f, 6.0f * q.x), 0.0f, 0.0f)),

@@ -7,6 +7,7 @@ FN Surface testSurface(vec4 p, vec4 q, vec4 r) {
   s.material.base_color = vec3(p.w, 0.5f, 1.0f - p.w);
   s.material.metallic = q.w;
   s.material.perceptual_roughness = r.x;
+  s.own_roughness = r.x;
   s.material.specular = 1.0f - 0.5f * r.y;
   s.material.specular_color = vec3(1.0f, 30.0f * r.w, 0.25f);
   s.material.ior = 1.0f + 1.5f * r.z;

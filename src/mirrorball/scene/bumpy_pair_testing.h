@@ -78,32 +78,40 @@ inline Texture textureOfNormals(const Image& normals) {
   return texture;
 }
 
-/// The pair with a material, to which the hills are added.
-inline Scene bumpyPair(BumpForm form, Material material) {
-  const HeightFieldSettings settings{.scale = kHillHeight};
+/// A mesh with a material, to which bumps are added.
+///
+/// heights   of a tile that is 1 long on the mesh
+/// depth     of a height of 1
+inline Scene bumpyScene(Mesh mesh, BumpForm form, Material material, Image heights, float depth) {
+  const HeightFieldSettings settings{.scale = depth};
   switch (form) {
     case BumpForm::heights: {
       material.height = HeightKind::map;
       material.height_texture = 0;
-      material.height_scale = kHillHeight;
+      material.height_scale = depth;
       material.height_frequency = 1.0f;
-      Scene scene = sceneOf(mirroredPair(), std::move(material));
-      scene.height_textures.push_back(*heightTexture(hills(), MapEdges::tiled));
+      Scene scene = sceneOf(std::move(mesh), std::move(material));
+      scene.height_textures.push_back(*heightTexture(std::move(heights), MapEdges::tiled));
       return scene;
     }
     case BumpForm::normal_map: {
       material.normal_map.texture = 0;
-      Scene scene = sceneOf(mirroredPair(), std::move(material));
-      scene.textures.push_back(textureOfNormals(*normalsFromHeights(hills(), settings)));
+      Scene scene = sceneOf(std::move(mesh), std::move(material));
+      scene.textures.push_back(textureOfNormals(*normalsFromHeights(heights, settings)));
       return scene;
     }
     case BumpForm::derivative_map:
       break;
   }
   material.slope_texture = 0;
-  Scene scene = sceneOf(mirroredPair(), std::move(material));
-  scene.slope_textures.push_back(*derivativesFromHeights(hills(), settings));
+  Scene scene = sceneOf(std::move(mesh), std::move(material));
+  scene.slope_textures.push_back(*derivativesFromHeights(heights, settings));
   return scene;
+}
+
+/// The pair with a material, to which the hills are added.
+inline Scene bumpyPair(BumpForm form, Material material) {
+  return bumpyScene(mirroredPair(), form, std::move(material), hills(), kHillHeight);
 }
 
 /// What its normals may be off by: of 8 bits, or of heights between texels.

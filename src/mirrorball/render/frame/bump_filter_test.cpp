@@ -1,6 +1,7 @@
 // Bumps that are smaller than a pixel widen what it reflects, and do not sparkle.
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,30 +32,39 @@ class BumpFilterTest : public testing::HeadlessTest {
   }
 };
 
-// Seen from far away, against so many samples that each sees less than a pore.
+/// An orange's pores, and how far its picture may be from the truth: less than without what widens its lobes.
+struct Pores {
+  const char* frequency;
+  const char* height;
+  float error;
+};
+
+// Seen from far away, against so many samples that each sees less than a pore. Without wider lobes the errors are
+// 0.0105 and 0.0161; with slopes that are not averaged either, 0.0114 and 0.0294.
 TEST_F(BumpFilterTest, AnOrangeUnderALowSunDoesNotSparkle) {
   FrameSettings settings{.size = {32, 32}, .background = BackgroundKind::transparent, .samples = 8};
-  for (const char* frequency : {"height_frequency=12", "height_frequency=60"}) {
-    const std::string height =
-        frequency == std::string("height_frequency=12") ? "height_scale=0.01" : "height_scale=0.004";
-    const MaterialChanges orange{.material = "orange", .set = {frequency, height}};
+  for (const Pores& pores : {Pores{"height_frequency=12", "height_scale=0.01", 0.009f},
+                             Pores{"height_frequency=60", "height_scale=0.004", 0.0145f}}) {
+    const MaterialChanges orange{.material = "orange", .set = {pores.frequency, pores.height}};
     settings.samples = 8;
     const Image seen = radianceOf(orange, settings);
     settings.samples = 256;
     const Image truth = radianceOf(orange, settings);
-    int sparkles = 0;
     int inside = 0;
     float most = 0.0f;
+    float squares = 0.0f;
     for (int y = 0; y < seen.height(); ++y)
       for (int x = 0; x < seen.width(); ++x) {
         if (rgbaAt(truth, x, y).w < 1.0f) continue;
         ++inside;
         const float expected = rgbAt(truth, x, y).y;
-        most = std::max(most, rgbAt(seen, x, y).y / expected);
-        if (rgbAt(seen, x, y).y > 1.5f * expected) ++sparkles;
+        const float shown = rgbAt(seen, x, y).y;
+        most = std::max(most, shown / expected);
+        squares += std::pow(std::min(shown, 1.0f) - std::min(expected, 1.0f), 2.0f);
       }
     EXPECT_GT(inside, 200);
-    EXPECT_EQ(sparkles, 0) << frequency << ": " << most;
+    EXPECT_LT(most, 1.5f) << pores.frequency;
+    EXPECT_LT(std::sqrt(squares / static_cast<float>(inside)), pores.error) << pores.frequency;
   }
 }
 

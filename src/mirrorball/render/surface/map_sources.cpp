@@ -47,6 +47,10 @@ std::vector<MapSource> mapSources(const Material& material, std::span<const Text
   return sources;
 }
 
+bool isNormalMap(const MaterialMap& map) {
+  return map.slot == &Material::normal_map || map.slot == &Material::clearcoat_normal_map;
+}
+
 std::string_view samplerName(std::span<const MapSource> sources, std::size_t row) {
   assert(sources[row].unit >= 0);
   if (sources[row].layer >= 0) return "map_layers";

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/height_field/normal_levels.h"
 #include "mirrorball/height_field/slope_moments.h"
 #include "mirrorball/image/halve.h"
 #include "mirrorball/scene/relief/prism_list.h"
@@ -70,30 +71,58 @@ gl::Sampling samplingOf(gl::Sampling sampling, TextureFilter filter, float aniso
   return sampling;
 }
 
-/// The mip levels of a texture after the first.
-using MipLevels = std::vector<Image8>;
+/// The mip levels of a texture.
+struct MipLevels {
+  std::vector<Image8> made;  ///< the last of them: all but the texture's own image, or with spreads all
+  bool has_spread = false;   ///< normalLevels()
+};
+
+/// Of each texture: whether nothing but normals is read of it.
+std::vector<bool> holdNormals(const Scene& scene) {
+  std::vector<bool> normals(scene.textures.size(), false);
+  for (const bool is_of_normals : {true, false})
+    for (const Material& material : scene.materials)
+      for (const MaterialMap& map : materialMaps())
+        if (const int texture = (material.*map.slot).texture; texture >= 0 && isNormalMap(map) == is_of_normals)
+          normals[static_cast<std::size_t>(texture)] = is_of_normals;
+  return normals;
+}
+
+/// The mip levels of colours and numbers after the first.
+std::vector<Image8> halvedLevels(const Texture& texture) {
+  std::vector<Image8> levels;
+  const Image8* last = &texture.image;
+  while (last->width() > 1 || last->height() > 1) {
+    Image8 next = halved(*last, texture.srgb);
+    last = &levels.emplace_back(std::move(next));
+  }
+  return levels;
+}
 
 /// Made on all cores: a software driver would take a multiple of the time.
-std::vector<MipLevels> makeMipLevels(const std::vector<Texture>& textures) {
-  std::vector<MipLevels> levels(textures.size());
-  parallelFor(textures.size(), 1, [&](std::size_t index, std::size_t) {
-    const Texture& texture = textures[index];
-    const Image8* last = &texture.image;
-    while (last->width() > 1 || last->height() > 1) {
-      Image8 next = halved(*last, texture.srgb);
-      last = &levels[index].emplace_back(std::move(next));
-    }
+std::vector<MipLevels> makeMipLevels(const Scene& scene) {
+  const std::vector<bool> normals = holdNormals(scene);
+  std::vector<MipLevels> levels(scene.textures.size());
+  parallelFor(levels.size(), 1, [&](std::size_t index, std::size_t) {
+    const Texture& texture = scene.textures[index];
+    levels[index] = normals[index] ? MipLevels{normalLevels(texture.image), true} : MipLevels{halvedLevels(texture)};
   });
   return levels;
+}
+
+/// upload(level, image) for each of a texture's levels.
+template <typename Upload>
+void forEachLevel(const Texture& texture, const MipLevels& levels, const Upload& upload) {
+  int level = 0;
+  if (!levels.has_spread) upload(level++, texture.image);
+  for (const Image8& image : levels.made) upload(level++, image);
 }
 
 Result<gl::Texture> makeTexture(const Texture& texture, const MipLevels& levels) {
   const gl::Format format = texture.srgb ? gl::Format::srgb8_alpha8 : gl::Format::rgba8;
   MIRRORBALL_TRY(made,
                  gl::Texture::make2d(format, texture.image.width(), texture.image.height(), gl::Texture::kAllLevels));
-  made.upload(texture.image);
-  for (std::size_t level = 0; level < levels.size(); ++level)
-    made.upload(static_cast<int>(level) + 1, 0, levels[level]);
+  forEachLevel(texture, levels, [&made](int level, const Image8& image) { made.upload(level, 0, image); });
   made.setSampling(samplingOf(wrapOf(texture), TextureFilter::trilinear, 1.0f));
   return Result<gl::Texture>(std::move(made));
 }
@@ -114,11 +143,9 @@ Result<std::optional<gl::Texture>> makeLayers(const Scene& scene, const Material
   if (textures.empty()) return std::optional<gl::Texture>();
   MIRRORBALL_TRY(array, gl::Texture::makeArray(gl::Format::rgba8, size.x, size.y, static_cast<int>(textures.size()),
                                                gl::Texture::kAllLevels));
-  for (const auto& [layer, texture] : textures) {
-    array.upload(0, layer, scene.textures[texture].image);
-    for (std::size_t level = 0; level < levels[texture].size(); ++level)
-      array.upload(static_cast<int>(level) + 1, layer, levels[texture][level]);
-  }
+  for (const auto& place : textures)
+    forEachLevel(scene.textures[place.second], levels[place.second],
+                 [&](int level, const Image8& image) { array.upload(level, place.first, image); });
   return std::optional<gl::Texture>(std::move(array));
 }
 
@@ -185,13 +212,15 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
     buffers.meshes_.push_back({gl::VertexArray(gl::Buffer(std::span(mesh.vertices)), sizeof(Vertex), kAttributes,
                                                gl::Buffer(std::span(mesh.indices))),
                                mesh.indices.size()});
-  const std::vector<MipLevels> levels = makeMipLevels(scene.textures);
+  const std::vector<MipLevels> levels = makeMipLevels(scene);
   buffers.textures_.resize(scene.textures.size());
   for (const Material& material : scene.materials) {
     std::vector<MapSource> sources = mapSources(material, scene.textures, unitsOfMaps(material, units));
     for (std::size_t row = 0; row < sources.size(); ++row) {
-      if (sources[row].unit < 0 || sources[row].layer >= 0) continue;
+      if (sources[row].unit < 0) continue;
       const auto index = static_cast<std::size_t>((material.*materialMaps()[row].slot).texture);
+      sources[row].has_spread = isNormalMap(materialMaps()[row]) && levels[index].has_spread;
+      if (sources[row].layer >= 0) continue;
       if (buffers.textures_[index]) continue;
       MIRRORBALL_TRY(made, makeTexture(scene.textures[index], levels[index]));
       buffers.textures_[index] = std::move(made);

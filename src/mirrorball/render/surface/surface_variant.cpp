@@ -160,23 +160,39 @@ struct MapReading {
 
 ///
 /// coordinates   of the texture, as GLSL's expression
-/// has_changes   the point knows how its coordinates change to the next pixels; else the pixels are compared
+/// changes       of the coordinates over what is seen, as GLSL's two expressions; empty: the next pixels are compared
 MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const std::string& coordinates,
-                      bool has_changes) {
+                      const std::string& changes) {
   const std::string name(materialMaps()[row].name);
   const std::string sampler(samplerName(sources, row));
   const MapSource& source = sources[row];
   if (source.layer < 0)
     return {name == sampler ? "uniform sampler2D " + name + ";\n" : "",
-            has_changes ? "textureGrad(" + sampler + ", " + coordinates + ", mapChange(point.uv_across, " +
-                              std::to_string(row) + "), mapChange(point.uv_down, " + std::to_string(row) + "))"
-                        : "texture(" + sampler + ", " + coordinates + ")"};
+            changes.empty() ? "texture(" + sampler + ", " + coordinates + ")"
+                            : "textureGrad(" + sampler + ", " + coordinates + ", " + changes + ")"};
   const auto flag = [](bool value) { return value ? std::string("true") : std::string("false"); };
   const auto wrap = [](Wrap mode) { return std::string(kWraps[static_cast<std::size_t>(mode)]); };
   const std::string layer = std::to_string(source.layer) + ", " + name + "_extent, " + flag(source.srgb);
   const std::string sampling = wrap(source.wrap_s) + ", " + wrap(source.wrap_t) + ", " + flag(source.nearest);
   return {"uniform vec3 " + name + "_extent;\n",
-          "layerAt(MapLayer(" + layer + "), MapSampling(" + sampling + "), " + coordinates + ")"};
+          "layerAt(MapLayer(" + layer + "), MapSampling(" + sampling + "), " + coordinates + ", " +
+              (changes.empty() ? "dFdx(" + coordinates + "), dFdy(" + coordinates + ")" : changes) + ")"};
+}
+
+/// What a sample of a pixel sees of the mesh's coordinates, since samples and the spread that is left in them add up to
+/// the pixel's; of other maps, what the pixel sees.
+std::string changesOfMesh(const SurfaceVariant& variant, std::size_t row) {
+  const bool holds_normals = isNormalMap(materialMaps()[row]);
+  if (variant.has(Part::point, PointPart::raster) && !holds_normals) return "";
+  const std::string part = holds_normals ? "inversesqrt(samples_per_pixel) * " : "";
+  const std::string arguments = "(point, " + std::to_string(row) + ")";
+  return part + "mapAcross" + arguments + ", " + part + "mapDown" + arguments;
+}
+
+/// Of a normal map, without the alpha that the picture had.
+MapReading withoutSpread(MapReading reading) {
+  reading.expression = "vec4((" + reading.expression + ").xyz, 1.0)";
+  return reading;
 }
 
 /// The row of the map whose coordinates may be generated.
@@ -193,12 +209,14 @@ std::string absentValue(std::size_t row) {
 MapReading chosenReading(const SurfaceVariant& variant, std::size_t row) {
   const std::string of_mesh = "mapCoordinates(point, " + std::to_string(row) + ")";
   const PictureFrom from = variant.coordinates.picture_from;
-  if (!isPicture(row) || from == PictureFrom::mesh)
-    return mapReading(variant.maps, row, of_mesh, !variant.has(Part::point, PointPart::raster));
+  if (!isPicture(row) || from == PictureFrom::mesh) {
+    const MapReading reading = mapReading(variant.maps, row, of_mesh, changesOfMesh(variant, row));
+    return isNormalMap(materialMaps()[row]) && !variant.maps[row].has_spread ? withoutSpread(reading) : reading;
+  }
   const std::string generated =
       from == PictureFrom::transformed_mesh ? "coordinatesOfUv(" + of_mesh + ")" : "pictureCoordinates(point)";
   const std::string coordinates = "picture_matrix * " + generated;
-  MapReading reading = mapReading(variant.maps, row, "uvOfCoordinates(" + coordinates + ")", false);
+  MapReading reading = mapReading(variant.maps, row, "uvOfCoordinates(" + coordinates + ")", "");
   if (from == PictureFrom::projector)
     reading.expression = "mix(vec4(1.0), " + reading.expression + ", projectedShare(" + coordinates + "))";
   return reading;
@@ -212,8 +230,13 @@ std::string mapsText(const SurfaceVariant& variant) {
       "  vec2 uv = map_offset[map].z > 0.5 ? point.uv_1 : point.uv_0;\n"
       "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * uv + map_offset[map].xy;\n"
       "}\n"
-      "vec2 mapChange(vec2 uv_change, int map) {\n"
-      "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * uv_change;\n"
+      "vec2 mapAcross(SurfacePoint point, int map) {\n"
+      "  vec2 change = map_offset[map].z > 0.5 ? point.uv_1_across : point.uv_across;\n"
+      "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * change;\n"
+      "}\n"
+      "vec2 mapDown(SurfacePoint point, int map) {\n"
+      "  vec2 change = map_offset[map].z > 0.5 ? point.uv_1_down : point.uv_down;\n"
+      "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * change;\n"
       "}\n";
   if (std::ranges::any_of(variant.maps, [](const MapSource& source) { return source.layer >= 0; }))
     text += "#include \"map_layers.glsl\"\n";
@@ -257,10 +280,9 @@ bool stretchesLobes(const Material& material, const FrameSettings& settings, con
 }
 
 bool readsPieces(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
-  const bool has_details = detailPart(material) != DetailPart::none;
-  const bool stretches = stretchesLobes(material, settings, coordinates);
-  return showsHeights(material, settings.relief) && !has_details && !stretches &&
-         reflectsAtFragment(settings, coordinates);
+  const bool has_bumps =
+      normalPart(material, settings) != NormalPart::vertex || detailPart(material) != DetailPart::none;
+  return has_bumps && !stretchesLobes(material, settings, coordinates) && reflectsAtFragment(settings, coordinates);
 }
 
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,

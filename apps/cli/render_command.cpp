@@ -168,6 +168,17 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
   return {};
 }
 
+/// The showcase stands on the ground of the built-in sunset, unless another environment is asked for.
+void setTheStage(RenderRequest& request) {
+  const auto isFree = [&](std::string_view option) { return !request.given.contains(option); };
+  if (request.scene.model != "showcase" || !isFree("env")) return;
+  request.scene.environment = "sunset";
+  if (isFree("env-rotation")) request.frame.env_rotation_deg = glm::vec3(270.0f, 0.0f, 0.0f);
+  if (isFree("proxy")) request.frame.proxy = {.kind = ProxyKind::ground, .height = 2.5f};
+  if (isFree("refraction")) request.frame.refraction = RefractionKind::automatic;
+  if (isFree("camera")) request.frame.camera.elevation_deg = 12.0f;
+}
+
 Result<void> render(const RenderRequest& request) {
   StageClock clock;
   FrameSettings settings = request.frame;
@@ -184,6 +195,7 @@ Result<void> render(const RenderRequest& request) {
   if (request.turntable.frames > 0) whenInterrupted(interruptedAfter(0, outputs.size()));
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, outputs, clock));
   MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
+  MIRRORBALL_TRY_VOID(checkProxy(settings, renderer.scene()));
   if (request.turntable.frames > 0) {
     const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
     settings.camera =
@@ -204,18 +216,21 @@ Command renderCommand() {
   Command command{
       .name = "render",
       .help = "Shows a model in an environment",
-      .about = "MODEL is a file (" + modelExtensions() + "), a built-in, or - for standard input.",
+      .about = "MODEL is a file (" + modelExtensions() +
+               "), a built-in, or - for standard input. Without MODEL and --env, the built-in showcase stands on the "
+               "ground of the built-in sunset.",
       .examples = {{"render teapot --material gold -e room.hdr -o gold.png", "a gold teapot in a room"},
                    {"render helmet.glb -e sky:elevation=20 --background transparent --size 800x800 -o helmet.png",
                     "a model under an evening sun, cut out"}}};
   addModel(command, "MODEL", request->scene);
-  addOptions(command, sceneOptions(), request->scene);
+  addOptions(command, sceneOptions(), request->scene, &request->given);
   addOptions(command, kFileOptions, request->files);
   addOptions(command, frameOptions(), request->frame, &request->given);
   addOptions(command, turntableOptions(), request->turntable, &request->given);
   addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials, &request->given);
   command.action = [request] {
+    setTheStage(*request);
     request->scene.relief = request->frame.relief;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });

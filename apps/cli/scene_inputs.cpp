@@ -10,7 +10,9 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/proxy/proxy.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -102,6 +104,25 @@ Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given)
     if (given.contains(name))
       return fail(ErrorCode::usage, "--" + std::string(name) + ": the camera '" + camera.name +
                                         "' has its own; leave it out, or give --camera AZIMUTH,ELEVATION");
+  return {};
+}
+
+Result<void> checkProxy(const FrameSettings& settings, const Scene& scene) {
+  const ProxyOptions& options = settings.proxy;
+  if (options.kind == ProxyKind::none && options.captured_at)
+    return fail(ErrorCode::usage, "--captured-at is where the map of a --proxy was captured; add --proxy");
+  if (options.kind == ProxyKind::none) return {};
+  MIRRORBALL_TRY(proxy, placedProxy(options, scene));
+  MIRRORBALL_TRY(camera, framedCamera(scene, boundingSphere(scene), settings.camera, settings.size));
+  if (proxy.kind == ProxyKind::ground && camera.position.y < proxy.ground)
+    return fail(ErrorCode::usage, "--proxy " + writtenProxy(options) +
+                                      ": the camera is below the ground; raise it by --camera AZIMUTH,ELEVATION");
+  if (!camera.orthographic && !proxy.holds(camera.position))
+    remark("the camera is outside of the proxy " + writtenProxy(options) + ", and looks into it as through a window");
+  const Box box = boundingBox(scene);
+  if (!box.isEmpty() && !(proxy.holds(box.low) && proxy.holds(box.high)))
+    remark("the proxy " + writtenProxy(options) +
+           " does not hold all of the model; what is outside sees what its nearest place within sees");
   return {};
 }
 

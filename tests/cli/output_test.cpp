@@ -30,7 +30,9 @@ TEST_F(OutputTest, RenderAloneDrawsTheShowcase) {
   const Image picture = image("mirrorball.png");
   EXPECT_EQ(picture.width(), 1280);
   EXPECT_EQ(picture.height(), 720);
-  succeed("render showcase -e studio -o told.png --camera 30,15 --size 1280x720");
+  succeed(
+      "render showcase -e sunset --env-rotation 270 --proxy ground:2.5 --refraction auto -o told.png --camera 30,12 "
+      "--size 1280x720");
   EXPECT_TRUE(bytes("told.png") == bytes("mirrorball.png"));
 }
 

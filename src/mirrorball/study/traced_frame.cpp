@@ -16,7 +16,8 @@ TraceSettings tracedFrame(const FrameSettings& frame, TraceSettings settings) {
   settings.relief = frame.relief;
   settings.lights = frame.lights;
   settings.light_intensity = frame.light_intensity;
-  if (frame.refraction == RefractionKind::traced) settings.inner_bounces = frame.inner_bounces;
+  if (frame.refraction == RefractionKind::traced || frame.refraction == RefractionKind::automatic)
+    settings.inner_bounces = frame.inner_bounces;
   if (frame.refraction == RefractionKind::image_space) settings.inner_bounces = 1;
   return settings;
 }

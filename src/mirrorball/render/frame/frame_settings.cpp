@@ -329,11 +329,12 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .group = "Look"},
      &FrameSettings::relief_steps},
     {{.name = "refraction",
-      .choices = "single|image-space|traced",
+      .choices = "single|image-space|traced|auto",
       .help =
           "how light passes through glass: bent by the one surface that is seen; by this and the back face behind it, "
           "which is found in a picture of them; or traced through the whole body with its inner reflections, "
-          "absorption and what is in it",
+          "absorption and what is in it; auto traces through bodies of at most 500 triangles, as cut stones are, and "
+          "takes image-space for others",
       .group = "Look"},
      choiceField<&FrameSettings::refraction>},
     {{.name = "inner-bounces",

@@ -32,7 +32,12 @@ enum class LightLookUp {
 enum class TextureFilter { nearest, bilinear, trilinear, anisotropic };
 
 enum class BlurKind { exact, gpu, mip, cone };
-enum class RefractionKind { single, image_space, traced };
+enum class RefractionKind {
+  single,
+  image_space,
+  traced,
+  automatic,  ///< traced through bodies of few triangles, image_space through others: refractionOf()
+};
 
 /// Which kinds of light go their own ways through glass that disperses.
 enum class DispersionKind {

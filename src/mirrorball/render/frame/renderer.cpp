@@ -5,6 +5,7 @@
 #include <cmath>
 #include <future>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <epoxy/gl.h>
@@ -80,6 +81,7 @@ struct Renderer::State {
   std::optional<EnvironmentLight> light = {};
   SceneBuffers buffers = {};
   BoundingSphere bounds = {};
+  std::vector<glm::vec3> centers = {};           ///< of the meshes: centerOf
   std::optional<SurfacePrograms> surfaces = {};  ///< made for the first frame
   gl::VertexArray screen = {};
   Background background = {};
@@ -113,12 +115,14 @@ struct Renderer::State {
   Result<PrefilteredChain> prefilteredChain();
   Result<void> makeFlatLight();
   Result<void> makeSphereMap();
+  bool someRefract(RefractionKind kind) const;
   Result<void> makeBodies();
   Result<void> drawBackFaces(const Camera& camera);
   Result<void> drawReliefHits(const Camera& camera);
   Result<void> drawSample(const Camera& camera);
   void drawInstance(int instance);
-  void drawOpaque();
+  std::vector<int> byDistance(const Camera& camera, bool is_blended) const;
+  void drawOpaque(const Camera& camera);
   void drawBlended(const Camera& camera);
   void addSample();
   void drawPicture();
@@ -149,6 +153,8 @@ Result<void> Renderer::setScene(Scene scene) {
   state.scene = std::move(scene);
   state.buffers = std::move(buffers);
   state.bounds = boundingSphere(state.scene);
+  state.centers.clear();
+  for (const Mesh& mesh : state.scene.meshes) state.centers.push_back(centerOf(mesh));
   state.body_tree.reset();
   state.bodies.reset();
   state.proxy.forgetScene();
@@ -350,7 +356,7 @@ Result<void> Renderer::State::placeProxy() {
 }
 
 Result<void> Renderer::State::makeGroundShadow() {
-  constexpr int kLights = 128;
+  constexpr int kLights = 96;
   constexpr int kTexels = 512;  // about as small as the sun
   const glm::mat3 environment_from_world = settings.environmentFromWorld();
   if (shadow_environment == environment_from_world) return {};
@@ -422,11 +428,19 @@ Result<void> Renderer::State::makeSphereMap() {
   return {};
 }
 
+/// Whether light passes so through some body.
+bool Renderer::State::someRefract(RefractionKind kind) const {
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    if (isBody(scene.materials[i]) && refractionOf(scene, static_cast<int>(i), settings.refraction) == kind)
+      return true;
+  return false;
+}
+
 /// The bodies for a frame that traces them, and those that its camera is in.
 Result<void> Renderer::State::makeBodies() {
   frame.bodies = nullptr;
   frame.eye_media = {};
-  if (settings.refraction != RefractionKind::traced) return {};
+  if (!someRefract(RefractionKind::traced)) return {};
   if (!body_tree) {
     MIRRORBALL_TRY(tree, bodyTree(scene));
     if (!tree) return {};
@@ -460,7 +474,7 @@ Result<void> Renderer::State::drawSample(const Camera& camera) {
   FrameUniforms of_sample = frame;
   of_sample.camera = camera;
   of_sample.sample = samples_drawn;
-  if (settings.refraction == RefractionKind::image_space) {
+  if (someRefract(RefractionKind::image_space)) {
     MIRRORBALL_TRY_VOID(drawBackFaces(camera));
     of_sample.back_faces = &*back_faces;
   }
@@ -479,7 +493,7 @@ Result<void> Renderer::State::drawSample(const Camera& camera) {
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  drawOpaque();
+  drawOpaque(camera);
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
     background.draw(*light, of_sample, camera, settings);
   drawBlended(camera);
@@ -496,25 +510,33 @@ void Renderer::State::drawInstance(int instance) {
   surfaces->draw(scene, instance, buffers, settings);
 }
 
-void Renderer::State::drawOpaque() {
-  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance)
-    if (materialOf(scene, std::size_t(instance)).alpha_mode != AlphaMode::blend) drawInstance(instance);
+/// The instances of opaque surfaces, the nearest first, since what is near hides what is behind it, which then need not
+/// be lit; or of those that shine through, the farthest first, since they are drawn over each other.
+///
+/// The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
+std::vector<int> Renderer::State::byDistance(const Camera& camera, bool is_blended) const {
+  std::vector<std::pair<float, int>> order;
+  for (int index = 0; index < static_cast<int>(scene.instances.size()); ++index) {
+    if ((materialOf(scene, std::size_t(index)).alpha_mode == AlphaMode::blend) != is_blended) continue;
+    const Instance& instance = scene.instances[std::size_t(index)];
+    const glm::vec4 center(centers[std::size_t(instance.mesh)], 1.0f);
+    const glm::vec3 from_eye = glm::vec3(instance.world_from_object * center) - camera.position;
+    const float distance = camera.orthographic ? glm::dot(from_eye, camera.forward) : glm::length(from_eye);
+    order.emplace_back(is_blended ? -distance : distance, index);
+  }
+  std::ranges::stable_sort(order, {}, &std::pair<float, int>::first);
+  std::vector<int> instances;
+  for (const auto& [distance, index] : order) instances.push_back(index);
+  return instances;
 }
 
-/// What shines through is drawn over the rest, the farthest first.
+void Renderer::State::drawOpaque(const Camera& camera) {
+  for (const int instance : byDistance(camera, false)) drawInstance(instance);
+}
+
 void Renderer::State::drawBlended(const Camera& camera) {
-  std::vector<int> blended;
-  for (int index = 0; index < static_cast<int>(scene.instances.size()); ++index)
-    if (materialOf(scene, std::size_t(index)).alpha_mode == AlphaMode::blend) blended.push_back(index);
+  const std::vector<int> blended = byDistance(camera, true);
   if (blended.empty()) return;
-  // The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
-  const auto depth = [&](int index) {
-    const Instance& instance = scene.instances[std::size_t(index)];
-    const glm::vec4 center(centerOf(scene.meshes[std::size_t(instance.mesh)]), 1.0f);
-    const glm::vec3 from_eye = glm::vec3(instance.world_from_object * center) - camera.position;
-    return camera.orthographic ? glm::dot(from_eye, camera.forward) : glm::length(from_eye);
-  };
-  std::stable_sort(blended.begin(), blended.end(), [&](int a, int b) { return depth(a) > depth(b); });
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);

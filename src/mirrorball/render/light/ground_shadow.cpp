@@ -57,7 +57,7 @@ Result<GroundShadow> GroundShadow::make(gl::Api api) {
 }
 
 void GroundShadow::setScene(const Scene& scene) {
-  constexpr std::size_t kTriangles = 3000;
+  constexpr std::size_t kTriangles = 1000;
   casters_.clear();
   for (const Mesh& mesh : scene.meshes) {
     const CoarseMesh coarse = coarseMesh(mesh, kTriangles);

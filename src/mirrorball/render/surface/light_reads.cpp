@@ -90,8 +90,10 @@ LightReads lightReads(const Scene& scene, const formula::Blur& blur, const Frame
       scene.materials, [](const Material& material) { return isBody(material) && material.dispersion > 0.0f; });
   LightReads most;
   for (const Mesh& mesh : scene.meshes) {
+    FrameSettings decided = settings;
+    decided.refraction = refractionOf(scene, mesh.material, settings.refraction);
     const LightReads reads =
-        readsOf(scene.materials[std::size_t(mesh.material)], blur, settings, coordinates, some_disperse);
+        readsOf(scene.materials[std::size_t(mesh.material)], blur, decided, coordinates, some_disperse);
     most = {.environment = std::max(most.environment, reads.environment),
             .prefiltered = std::max(most.prefiltered, reads.prefiltered),
             .irradiance = std::max(most.irradiance, reads.irradiance),

@@ -182,8 +182,10 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
 SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
                                           const FrameSettings& settings) const {
   const Material& from_outside = scene.materials[std::size_t(material)];
+  FrameSettings decided = settings;
+  decided.refraction = refractionOf(scene, material, settings.refraction);
   const auto variant = [&](const Material& seen) {
-    return surfaceVariant(seen, buffers.mapsOf(material), settings, settings.lights.size() + scene.lights.size(),
+    return surfaceVariant(seen, buffers.mapsOf(material), decided, settings.lights.size() + scene.lights.size(),
                           coordinates_);
   };
   if (!eye_is_inside_ || !isBody(from_outside)) return variant(from_outside);
@@ -280,8 +282,8 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   (frame.flat ? frame.flat->prefiltered : *frame.prefiltered.texture).bind(TextureUnit::prefiltered);
   (frame.flat ? frame.flat->irradiance : light.irradiance()).bind(TextureUnit::irradiance);
   brdf_table_.bind(TextureUnit::brdf_table);
-  if (frame.bodies) frame.bodies->bind(TextureUnit::bodies);
-  if (frame.back_faces) frame.back_faces->picture().bind(TextureUnit::back_faces);
+  bodies_ = frame.bodies;
+  back_faces_ = frame.back_faces;
   relief_hits_ = frame.relief_hits;
   return {};
 }
@@ -305,6 +307,10 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
     program.set("height_form", glm::vec2(heights->slope_unit, settings.relief_steps));
   }
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_unit", buffers.slopesOf(scene, material)->unit);
+  // One unit for both, which the background takes too.
+  if (variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
+  if (variant.has(Part::transmission, TransmissionPart::image_space))
+    back_faces_->picture().bind(TextureUnit::back_faces);
   frame_->bind(frame_point);
   instanceBlock(scene, instance).bind(instance_point);
   materialBlock(scene, material).bind(material_point);

@@ -126,7 +126,9 @@ class SurfacePrograms {
   std::map<SurfaceVariant, gl::Program> programs_;
   CoordinateChoice coordinates_;              ///< of the frame
   bool eye_is_inside_ = false;                ///< of it: of bodies that are traced
-  const gl::Texture* relief_hits_ = nullptr;  ///< of the sample
+  const gl::Texture* bodies_ = nullptr;
+  const BackFaces* back_faces_ = nullptr;     ///< of the sample
+  const gl::Texture* relief_hits_ = nullptr;  ///< likewise
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
   std::optional<gl::UniformBlock> frame_;
   std::map<int, gl::UniformBlock> instances_;

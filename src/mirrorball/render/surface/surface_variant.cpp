@@ -117,6 +117,7 @@ TransmissionPart transmissionPart(const Material& material, const FrameSettings&
     case RefractionKind::image_space:
       return TransmissionPart::image_space;
     case RefractionKind::single:
+    case RefractionKind::automatic:  // has been decided
       break;
   }
   return TransmissionPart::single;
@@ -283,6 +284,15 @@ bool readsPieces(const Material& material, const FrameSettings& settings, const 
   const bool has_bumps =
       normalPart(material, settings) != NormalPart::vertex || detailPart(material) != DetailPart::none;
   return has_bumps && !stretchesLobes(material, settings, coordinates) && reflectsAtFragment(settings, coordinates);
+}
+
+RefractionKind refractionOf(const Scene& scene, int material, RefractionKind asked) {
+  if (asked != RefractionKind::automatic) return asked;
+  std::size_t triangles = 0;
+  for (const Mesh& mesh : scene.meshes)
+    if (mesh.material == material) triangles = std::max(triangles, mesh.indices.size() / 3);
+  constexpr std::size_t kFewTriangles = 500;
+  return triangles <= kFewTriangles ? RefractionKind::traced : RefractionKind::image_space;
 }
 
 SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> maps, const FrameSettings& settings,

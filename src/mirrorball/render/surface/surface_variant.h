@@ -15,6 +15,7 @@
 #include "mirrorball/render/surface/map_sources.h"
 #include "mirrorball/render/surface/texture_coordinates.h"
 #include "mirrorball/scene/material/material.h"
+#include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
 
@@ -90,6 +91,9 @@ struct SurfaceVariant {
   }
   auto operator<=>(const SurfaceVariant&) const = default;
 };
+
+/// How light passes through a material's bodies, where the settings leave it to their size.
+RefractionKind refractionOf(const Scene& scene, int material, RefractionKind asked);
 
 /// maps          mapSources() of the material
 /// lamps         how many there are

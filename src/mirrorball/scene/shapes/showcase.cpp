@@ -57,11 +57,13 @@ Scene showcaseScene() {
   addStanding(all, shapeOf(sphereMesh(), "mirror"), {{-0.05f, -0.55f}, 0.74f});
   addStanding(all, shapeOf(teapotMesh(), "gold"), {{-1.02f, 0.15f}, 0.66f, turned(-155.0f, kY)});
   addStanding(all, shapeOf(knotMesh(), "rough-metal"), {{1.08f, -0.30f}, 0.62f, turned(25.0f, kY)});
-  addStanding(all, tumblerWaterScene(), {{0.72f, 0.62f}, 0.40f});
+  Scene tumbler = tumblerWaterScene();
+  for (Material& material : tumbler.materials) material.dispersion = 0.0f;  // which is not to be seen, and costs
+  addStanding(all, std::move(tumbler), {{0.72f, 0.62f}, 0.40f});
   addStanding(all, shapeOf(sphereMesh(), "orange"), {{0.10f, 0.72f}, 0.26f, turned(30.0f, kX)});
   // It lies on its pavilion and the edge of its girdle.
   addStanding(all, shapeOf(brilliantMesh(), "diamond"),
-              {{-0.36f, 0.95f}, 0.20f, turned(20.0f, kY) * turned(49.25f, kX)});
+              {{-0.36f, 0.92f}, 0.17f, turned(20.0f, kY) * turned(49.25f, kX)});
   return all;
 }
 

@@ -24,6 +24,10 @@ argumentsOf() {
   clear="--material glass --set dispersion=0"
   case $1 in
     mirror) echo "sphere --material mirror" ;;
+    proxy_box) echo "sphere --material mirror --proxy box:-3,-2,-3,3,2,3" ;;
+    proxy_sphere) echo "sphere --material mirror --proxy sphere:0,0,0,3" ;;
+    proxy_ground) echo "sphere --material mirror --proxy ground:2" ;;
+    proxy_mesh) echo "sphere --material mirror --proxy cube" ;;
     rough_metal) echo "sphere --material rough-metal" ;;
     flat_look_up) echo "sphere --material mirror --lookup flat" ;;
     thin_wall) echo "sphere $clear --set thin_walled=yes" ;;
@@ -44,7 +48,7 @@ argumentsOf() {
 }
 
 shift "$(($# < 4 ? $# : 4))"
-techniques=${*:-mirror rough_metal flat_look_up thin_wall single single_dispersion single_spectral image_space \
+techniques=${*:-mirror proxy_box proxy_sphere proxy_ground proxy_mesh rough_metal flat_look_up thin_wall single single_dispersion single_spectral image_space \
   image_space_dispersion traced_flat_sides traced_curved traced_dispersion traced_spectral relief_none relief_bump \
   relief_parallax relief_steep relief_occlusion relief_linear_binary relief_cone relief_exact relief_geometry}
 

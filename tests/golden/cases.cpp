@@ -61,6 +61,8 @@ constexpr const char* kFacets = "one facet's reflectance stands for all: it is S
 
 constexpr const char* kByNormal = "wrong by construction: where the eye is does not count; the background is blurred";
 
+constexpr const char* kBesideShadow = "the ball's light on the ground is missing, and what of the ground is seen in it";
+
 constexpr const char* kFarAway = "wrong by construction: the rays of a sphere map are parallel";
 
 constexpr const char* kPainted = "no reflection at all: the environment is painted on the object";
@@ -80,8 +82,15 @@ constexpr const char* kFadesEarly =
     "reads along a pixel are 16 at most, and far stripes fade to grey; noise of few paths";
 
 constexpr auto kCases = std::to_array<Case>({
-    {"showcase", "render --camera 30,15,2.9 --size 160x120", &kFinelyOutlined, "--exposure 0.0286",  // 2 %
-     Truth{32, kLobes, "", 16, 32}},
+    {"showcase", "render showcase -e studio --camera 30,15,2.9 --size 112x84", &kFinelyOutlined,
+     "--exposure 0.0286",  // 2 %
+     Truth{32.5, kLobes, "", 16, 32}},
+
+    // The environment near by.
+    {"proxy_box", "render sphere --material mirror -e uv --proxy box:-3,-1.5,-4,5,3,4 --camera 20,10,4 --size 72x54",
+     &kOutlined, "--captured-at 1,0.75,0.02", Truth{35.5, kExact, "--proxy sphere:1,0.75,0,4.5", 16, 16}},
+    {"ground", "render sphere --material gold -e sunset --proxy ground:2 --camera 30,20 --size 72x54", &kOutlined,
+     "--proxy ground:2.02", Truth{30.7, kBesideShadow, "--proxy ground:2.5", 16, 64}},
 
     // Every material, on a shape that shows it.
     {"mirror", "render sphere --material mirror --size 96x96", &kOutlined, "--env-rotation 0.5",
@@ -262,9 +271,10 @@ std::string withoutOption(std::string command, std::string_view option) {
   return command;
 }
 
-/// Whether light comes to the surface between heights that hide it in the renderer, too: from all around, and from
-/// each other.
+/// Whether light comes to the surface between heights, or to a ground, that hide it in the renderer, too: from all
+/// around, and from each other.
 bool hidesLight(std::string_view command) {
+  if (command.find(" --proxy ground") != std::string_view::npos) return true;
   return command.find(" --relief ") != std::string_view::npos && command.find("geometry") == std::string_view::npos;
 }
 

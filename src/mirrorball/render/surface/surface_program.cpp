@@ -308,8 +308,8 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
   }
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_unit", buffers.slopesOf(scene, material)->unit);
   // One unit for both, which the background takes too.
-  if (variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
-  if (variant.has(Part::transmission, TransmissionPart::image_space))
+  if (bodies_ && variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
+  if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
     back_faces_->picture().bind(TextureUnit::back_faces);
   frame_->bind(frame_point);
   instanceBlock(scene, instance).bind(instance_point);

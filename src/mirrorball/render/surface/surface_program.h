@@ -126,7 +126,7 @@ class SurfacePrograms {
   std::map<SurfaceVariant, gl::Program> programs_;
   CoordinateChoice coordinates_;              ///< of the frame
   bool eye_is_inside_ = false;                ///< of it: of bodies that are traced
-  const gl::Texture* bodies_ = nullptr;
+  const gl::Texture* bodies_ = nullptr;       ///< null: the scene has none
   const BackFaces* back_faces_ = nullptr;     ///< of the sample
   const gl::Texture* relief_hits_ = nullptr;  ///< likewise
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;

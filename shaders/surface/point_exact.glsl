@@ -73,8 +73,10 @@ SurfacePoint surfacePoint() {
   relief_place.z = heightAt(heights, heightMap(), relief_place.xy);
   vec2 tiles = material.height_frequency * heightMapSize();
   relief_change = changeOf(p.along_x, p.along_y, p.texel_along_x / tiles, p.texel_along_y / tiles);
-  return pointOfPrism(prism, vec3(1.0 - found.y - found.z, found.y, found.z),
-                      placeInPrism(p, vec3(found.yz, relief_place.z)));
+  SurfacePoint point = pointOfPrism(prism, vec3(1.0 - found.y - found.z, found.y, found.z),
+                                    placeInPrism(p, vec3(found.yz, relief_place.z)));
+  seeRelief(point, relief_change);
+  return point;
 }
 
 SurfaceChange surfaceChange() { return relief_change; }

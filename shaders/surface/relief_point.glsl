@@ -24,6 +24,7 @@ SurfacePoint surfacePoint() {
   relief_place = vec3(ray.from + found * ray.run, 1.0 - found);
   point.position += found * to_bottom;
   point.uv_0 += found * ray.run / texels;
+  if (is_searched) seeRelief(point, change);
   return point;
 }
 

@@ -83,6 +83,21 @@ TEST_F(ReferenceAgainstRendererTest, TintedReflectionsAreTheSame) {
   EXPECT_GE(psnr(image("drawn.exr"), image("traced.exr")), 40.0);
 }
 
+// What lies behind the side of a stone that faces the eye is hidden, and no part of what a pixel sees of the stone.
+TEST_F(ReferenceAgainstRendererTest, StonesSeenFromLowAreWhatPathsMeet) {
+  const std::string line =
+      "render plane --set base_color=0.4 --set height=cobbles --camera 30,10,2.5 --size 40x30 -e sky "
+      "--background transparent ";
+  succeed(line + "--relief exact --reference --samples 64 -o traced.exr");
+  const Image traced = image("traced.exr");
+  const auto psnrOf = [&](const std::string& relief) {
+    succeed(line + "--samples 16 -o drawn.exr --relief " + relief);
+    return psnr(image("drawn.exr"), traced);
+  };
+  EXPECT_GE(psnrOf("linear-binary"), 17.5);
+  EXPECT_GE(psnrOf("exact"), 21.0);
+}
+
 TEST_F(ReferenceAgainstRendererTest, AnUnlitSurfaceShowsItsColour) {
   const std::string line =
       "render sphere --material glass --set unlit=yes --set base_color=0.125,0.5,1 --light 1,1,9,1,1,1 -e studio "

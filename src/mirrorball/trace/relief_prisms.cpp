@@ -96,46 +96,42 @@ PrismBounds ReliefPrisms::boundsOf(std::size_t triangle) const {
   return {bounds.low - margin, bounds.high + margin};
 }
 
-std::optional<ReliefPrisms::Meeting> ReliefPrisms::meets(const Placed& prism, glm::vec3 origin, glm::vec3 direction,
-                                                         glm::vec2 between) const {
-  const auto search = [&](const HeightTexture& heights, const formula::ReliefPrism& side, float farthest) {
-    return formula::hitOfPrism(heights, heightMapOf(heights), side, origin, direction, between.x, farthest);
-  };
-  const formula::ReliefHit above = search(heights_.heights, prism.from_above, between.y);
-  const bool is_met = above.distance >= 0.0f;
-  if (has_back_) {
-    const float farthest = is_met ? above.distance : between.y;
-    const formula::ReliefHit below = search(*heights_.depths, turnedOver(prism.from_above), farthest);
-    const glm::vec3& q = below.coordinates;
-    if (below.distance >= 0.0f && (!is_met || below.distance < above.distance))
-      return Meeting{below.distance, {q.x, q.y, 1.0f - q.z}, false};
+/// The first place where a ray meets one side of the surface.
+std::optional<ReliefPlace> ReliefPrisms::placeOn(bool from_above, const formula::ReliefPrism& prism, glm::vec3 origin,
+                                                 glm::vec3 direction, glm::vec2 between, float nearest) const {
+  const HeightTexture& heights = from_above ? heights_.heights : *heights_.depths;
+  const formula::ReliefPrism side = from_above ? prism : turnedOver(prism);
+  const float step = kPassed * glm::length(prism.up);
+  for (int passed = 0; passed < kMostPassed && between.x < between.y; ++passed) {
+    const formula::ReliefHit found =
+        formula::hitOfPrism(heights, heightMapOf(heights), side, origin, direction, between.x, between.y);
+    if (found.distance < 0.0f) return std::nullopt;
+    const glm::vec2 q(found.coordinates);
+    const float found_height = from_above ? found.coordinates.z : 1.0f - found.coordinates.z;
+    const float height = surfaceHeight(heights_.heights, prism, q);
+    const glm::vec3 normal = patchNormal(heights_.heights, prism, {q, height});
+    const bool is_passed = nearest > 0.0f && found.distance <= nearest + step;
+    const bool is_on_surface = std::abs(found_height - height) < kOnSurface;
+    // Where the sides of prisms are bent, a ray that has just left the surface may seem to be below it in the next one.
+    const bool is_met = from_above == (glm::dot(direction, normal) < 0.0f);
+    if (!is_passed && is_on_surface && is_met)
+      return ReliefPlace{found.distance, q, formula::placeInPrism(prism, {q, height}), upAt(prism, q), normal};
+    between.x = found.distance + step;
   }
-  if (!is_met) return std::nullopt;
-  return Meeting{above.distance, above.coordinates, true};
+  return std::nullopt;
 }
 
 std::optional<ReliefPlace> ReliefPrisms::hit(std::size_t triangle, glm::vec3 origin, glm::vec3 direction, float nearest,
                                              float farthest) const {
   const Placed& prism = prisms_[triangle];
   const glm::vec2 way = formula::wayThroughBox(prism.box, origin, direction);
-  glm::vec2 between(std::max(way.x, nearest), std::min(way.y, farthest));
-  const float step = kPassed * glm::length(prism.from_above.up);
-  for (int passed = 0; passed < kMostPassed && between.x < between.y; ++passed) {
-    const auto found = meets(prism, origin, direction, between);
-    if (!found) return std::nullopt;
-    const glm::vec2 q(found->coordinates);
-    const float height = surfaceHeight(heights_.heights, prism.from_above, q);
-    const glm::vec3 normal = patchNormal(heights_.heights, prism.from_above, {q, height});
-    const bool is_passed = nearest > 0.0f && found->distance <= nearest + step;
-    const bool is_on_surface = std::abs(found->coordinates.z - height) < kOnSurface;
-    // Where the sides of prisms are bent, a ray that has just left the surface may seem to be below it in the next one.
-    const bool is_met = found->is_from_above == (glm::dot(direction, normal) < 0.0f);
-    if (!is_passed && is_on_surface && is_met)
-      return ReliefPlace{found->distance, q, formula::placeInPrism(prism.from_above, {q, height}),
-                         upAt(prism.from_above, q), normal};
-    between.x = found->distance + step;
-  }
-  return std::nullopt;
+  const glm::vec2 between(std::max(way.x, nearest), std::min(way.y, farthest));
+  const auto above = placeOn(true, prism.from_above, origin, direction, between, nearest);
+  if (!has_back_) return above;
+  // Each side by itself: what seems to be the one must not hide the other just behind it.
+  const glm::vec2 up_to_above(between.x, above ? above->distance : between.y);
+  const auto below = placeOn(false, prism.from_above, origin, direction, up_to_above, nearest);
+  return below ? below : above;
 }
 
 }  // namespace mirrorball

@@ -69,13 +69,8 @@ class ReliefPrisms {
     formula::ReliefPrism from_above;
     formula::PrismBox box;
   };
-  struct Meeting {
-    float distance;
-    glm::vec3 coordinates;  // in the prism from above
-    bool is_from_above;
-  };
-  /// From above or below, whichever is first.
-  std::optional<Meeting> meets(const Placed& prism, glm::vec3 origin, glm::vec3 direction, glm::vec2 between) const;
+  std::optional<ReliefPlace> placeOn(bool from_above, const formula::ReliefPrism& prism, glm::vec3 origin,
+                                     glm::vec3 direction, glm::vec2 between, float nearest) const;
 
   const TwoSidedHeights& heights_;
   bool has_back_;

@@ -290,8 +290,10 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit, bo
 Result<void> SceneBuffers::makePrisms(const Scene& scene, int mesh) {
   MeshBuffers& buffers = meshes_[std::size_t(mesh)];
   if (buffers.prisms || buffers.index_count == 0) return {};
-  MIRRORBALL_TRY(words,
-                 withName("the mesh of a relief", gl::Texture::fromWords(prismList(scene.meshes[std::size_t(mesh)]))));
+  const Mesh& base = scene.meshes[std::size_t(mesh)];
+  const Material& material = scene.materials[std::size_t(base.material)];
+  const HeightTexture& heights = scene.height_textures[std::size_t(material.height_texture)];
+  MIRRORBALL_TRY(words, withName("the mesh of a relief", gl::Texture::fromWords(prismList(base, material, heights))));
   const std::vector<std::uint32_t> corners = boxCorners(buffers.index_count / 3);
   buffers.prisms = Prisms{std::move(words), gl::VertexArray(gl::Buffer(std::span(corners))), corners.size()};
   return {};

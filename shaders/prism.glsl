@@ -1,5 +1,5 @@
 // The prisms of a mesh's relief as a list of texels (scene/relief/prism_list.h): five for each corner of a
-// triangle, and one of its sides.
+// triangle, and one of its sides and heights.
 #include "relief_prism.glsl"
 
 uniform highp usampler2D prisms;
@@ -31,10 +31,10 @@ ReliefPrism prismOf(int prism, mat4 world_from_object, float depth, float tiles,
   PrismCorner c = cornerOfPrism(prism, 2);
   mat3 turn = mat3(world_from_object);
   vec2 texels = tiles * map_size;
-  vec3 joined = uintBitsToFloat(fetchWords(prisms, prism * kTexelsOfPrism + 15)).xyz;
+  uvec4 last = fetchWords(prisms, prism * kTexelsOfPrism + 15);
   return ReliefPrism((world_from_object * vec4(a.position, 1.0)).xyz, turn * (b.position - a.position),
                      turn * (c.position - a.position), turn * (depth * a.normal),
                      turn * (depth * (b.normal - a.normal)), turn * (depth * (c.normal - a.normal)),
                      placeOnMap(a.uv_0 * tiles, map_size), (b.uv_0 - a.uv_0) * texels, (c.uv_0 - a.uv_0) * texels,
-                     joined);
+                     uintBitsToFloat(last).xyz, unpackUnorm2x16(last.w));
 }

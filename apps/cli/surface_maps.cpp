@@ -20,8 +20,8 @@ namespace mirrorball::cli {
 namespace {
 
 /// The heights of a picture; says where its channels differ.
-Image heightsOf(const Image& numbers, const std::string& input) {
-  PictureHeights of_picture = heightsOfPicture(numbers);
+Image heightsOf(Image numbers, const std::string& input) {
+  PictureHeights of_picture = heightsOfPicture(std::move(numbers));
   if (!of_picture.is_grey) remark(input + ": is in colour; its red channel is taken for the heights");
   return std::move(of_picture.heights);
 }
@@ -113,7 +113,7 @@ Result<MadeMap> makeSurfaceMap(const std::string& input, const SurfaceOptions& o
   }
   MIRRORBALL_TRY(bytes, readFile(input));
   MIRRORBALL_TRY(numbers, withName(input, decodeNumbers(bytes, progressBar("reading " + shown(input)))));
-  if (!isOfNormals(options.to)) return withName(input, mapOfHeights(heightsOf(numbers, input), options));
+  if (!isOfNormals(options.to)) return withName(input, mapOfHeights(heightsOf(std::move(numbers), input), options));
   MIRRORBALL_TRY(normals, withName(input, normalsOf(std::move(numbers), bytes)));
   if (options.to != SurfaceMap::height) return normalsOfModel(std::move(normals), input, options);
   return withName(input, heightsOfNormals(std::move(normals), options));

@@ -16,6 +16,7 @@ struct ReliefPrism {
   vec2 texel_along_x;
   vec2 texel_along_y;
   vec3 joined;  // 1 where another prism goes on beyond the side x = 0, y = 0, x + y = 1; 0: there the relief ends
+  vec2 heights;  // between which its surface lies, within [0, 1]
 };
 
 FN vec3 placeInPrism(ReliefPrism p, vec3 q) {
@@ -54,6 +55,16 @@ struct WayInPrism {
 const float kOverlap = 1e-5f;
 const float kBeyond = 1e-3f;
 
+// By so much of their distance from the world's origin, at least, places are rounded.
+const float kPlaceError = 1e-6f;
+
+// The heights between which a ray may meet something, or, having come from another prism, be taken for being above the
+// surface (kJoint). On a fine mesh that is a small part of a prism.
+FN vec2 slabOfPrism(ReliefPrism p) {
+  float error = kPlaceError * length(p.a) / max(length(p.up), 1e-30f);
+  return vec2(max(p.heights.x - kJoint - error, 0.0f), min(p.heights.y + error, 1.0f));
+}
+
 // Keeps that at which a number that changes evenly along the way is at least 0.
 FN WayInPrism clippedWay(WayInPrism way, float at_start, float at_end, bool is_joined) {
   if (at_start < 0.0f && at_end < 0.0f) return WayInPrism(1.0f, 0.0f, false);
@@ -71,8 +82,9 @@ FN WayInPrism wayInPrism(ReliefPrism p, vec3 from, vec3 to, bool goes_on) {
   way = clippedWay(way, from.x + overlap.x, to.x + overlap.x, p.joined.x > 0.5f);
   way = clippedWay(way, from.y + overlap.y, to.y + overlap.y, p.joined.y > 0.5f);
   way = clippedWay(way, 1.0f + overlap.z - from.x - from.y, 1.0f + overlap.z - to.x - to.y, p.joined.z > 0.5f);
-  way = clippedWay(way, from.z + kBeyond, to.z + kBeyond, false);
-  return clippedWay(way, 1.0f + kBeyond - from.z, 1.0f + kBeyond - to.z, false);
+  vec2 slab = slabOfPrism(p);
+  way = clippedWay(way, from.z - slab.x + kBeyond, to.z - slab.x + kBeyond, false);
+  return clippedWay(way, slab.y + kBeyond - from.z, slab.y + kBeyond - to.z, false);
 }
 
 const float kMostPieces = 8.0f;
@@ -148,7 +160,8 @@ FN ReliefHit hitOfPrism(MAP_SAMPLER heights, HeightMap map, ReliefPrism p, vec3 
   return ReliefHit(-1.0f, vec3(0.0f));
 }
 
-// A box around a prism: places are origin + x axis_x + y axis_y + z axis_z with (x, y, z) from low to high.
+// A box around what a ray may meet of a prism: places are origin + x axis_x + y axis_y + z axis_z with (x, y, z) from
+// low to high.
 struct PrismBox {
   vec3 origin;
   vec3 axis_x;  // unit, at right angles
@@ -159,8 +172,9 @@ struct PrismBox {
 };
 
 FN PrismBox boxOfPrism(ReliefPrism p) {
+  vec2 slab = slabOfPrism(p);
   PrismBox box;
-  box.origin = p.a;
+  box.origin = placeInPrism(p, vec3(0.0f, 0.0f, slab.y));
   vec3 across = cross(p.along_x, p.along_y);
   box.axis_z = dot(across, across) > 0.0f ? normalize(across) : vec3(0.0f, 0.0f, 1.0f);
   vec3 side = p.along_x - box.axis_z * dot(p.along_x, box.axis_z);
@@ -169,8 +183,8 @@ FN PrismBox boxOfPrism(ReliefPrism p) {
   box.low = vec3(0.0f);
   box.high = vec3(0.0f);
   for (int i = 0; i < 6; ++i) {
-    vec3 q = vec3(i % 3 == 1 ? 1.0f : 0.0f, i % 3 == 2 ? 1.0f : 0.0f, i < 3 ? 1.0f : 0.0f);
-    vec3 place = placeInPrism(p, q) - p.a;
+    vec3 q = vec3(i % 3 == 1 ? 1.0f : 0.0f, i % 3 == 2 ? 1.0f : 0.0f, i < 3 ? slab.y : slab.x);
+    vec3 place = placeInPrism(p, q) - box.origin;
     vec3 in_box = vec3(dot(place, box.axis_x), dot(place, box.axis_y), dot(place, box.axis_z));
     box.low = min(box.low, in_box);
     box.high = max(box.high, in_box);

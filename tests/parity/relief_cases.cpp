@@ -139,6 +139,7 @@ const Case kCases[] = {
     PARITY(placeInPrism, unit, kTight, vec4(placeInPrism(testPrism(p), vec3(q)), 0.0f)),
     PARITY(coordinatesInPrism, unit, kTight,
            vec4(coordinatesInPrism(testPrism(p), placeInPrism(testPrism(p), vec3(q)), vec3(0.5f)), 0.0f)),
+    PARITY(slabOfPrism, unit, kTight, vec4(slabOfPrism(testPrism(p)), 0.0f, 0.0f)),
     PARITY(clippedWay, unit, kTight,
            vec4(clippedWay(WayInPrism(0.125f, 0.875f, false), 2.0f * p.x - 0.97f, 2.0f * q.x - 0.97f, true).first,
                 clippedWay(WayInPrism(0.125f, 0.875f, false), 2.0f * p.x - 0.97f, 2.0f * q.x - 0.97f, true).last, 0.0f,

@@ -148,11 +148,7 @@ Result<Texture> Texture::fromImages(Format format, const ImageSet& images) {
   const Image& first = images.at(0, 0);
   MIRRORBALL_TRY(texture, make(format, images.faces() == 6 ? Shape::cube : Shape::plane, first.width(), first.height(),
                                1, images.levels()));
-  for (int level = 0; level < images.levels(); ++level) {
-    for (int face = 0; face < images.faces(); ++face) {
-      texture.upload(level, face, images.at(level, face));
-    }
-  }
+  texture.upload(images);
   return texture;
 }
 
@@ -297,6 +293,11 @@ void Texture::upload(int level, int face, const Image& image) {
       encodeRow(rgba, format_ == Format::srgb8_alpha8, bytes);
     });
   }
+}
+
+void Texture::upload(const ImageSet& images) {
+  for (int level = 0; level < images.levels(); ++level)
+    for (int face = 0; face < images.faces(); ++face) upload(level, face, images.at(level, face));
 }
 
 void Texture::upload(int level, int face, const Image8& image) {

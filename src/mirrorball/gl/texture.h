@@ -93,6 +93,9 @@ class Texture {
   void upload(int level, int face, const Image8& image);
   void upload(const Image8& image) { upload(0, 0, image); }
 
+  /// Replaces all images by those of a set of as many levels and faces.
+  void upload(const ImageSet& images);
+
   void setSampling(const Sampling& sampling);
 
   /// Shaders see only the levels from `first` to `last`, `first` being their lod 0: a level that is drawn into must not

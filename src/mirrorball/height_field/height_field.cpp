@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace mirrorball {
 
-PictureHeights heightsOfPicture(const Image& picture) {
+PictureHeights heightsOfPicture(Image picture) {
   const int channels = picture.channels();
-  if (channels == 1) return {picture};
+  if (channels == 1) return {std::move(picture)};
   PictureHeights result{Image::withoutValues(picture.width(), picture.height(), 1)};
   const float* from = picture.samples().data();
   for (float& height : result.heights.samples()) {

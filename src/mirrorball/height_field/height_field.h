@@ -40,7 +40,7 @@ struct PictureHeights {
   Image heights;        ///< 1 channel
   bool is_grey = true;  ///< the other colours are the same
 };
-PictureHeights heightsOfPicture(const Image& picture);
+PictureHeights heightsOfPicture(Image picture);
 
 /// Refuses heights that are no numbers.
 ///

@@ -15,8 +15,10 @@ constexpr int kAzimuths = 8;
 constexpr int kLayers = 2;
 
 Image small(const Image& heights) {
-  Image map = heights;
-  while (std::max(map.width(), map.height()) > kLongestSide) map = halved(map);
+  const auto isSmall = [](const Image& map) { return std::max(map.width(), map.height()) <= kLongestSide; };
+  if (isSmall(heights)) return heights;
+  Image map = halved(heights);
+  while (!isSmall(map)) map = halved(map);
   return map;
 }
 

@@ -35,6 +35,7 @@ formula::ReliefPrism turnedOver(formula::ReliefPrism prism) {
   prism.up_along_x = -prism.up_along_x;
   prism.up_along_y = -prism.up_along_y;
   prism.joined = glm::vec3(0.0f);
+  prism.heights = glm::vec2(1.0f - prism.heights.y, 1.0f - prism.heights.x);
   return prism;
 }
 
@@ -73,10 +74,12 @@ ReliefPrisms::ReliefPrisms(const Scene& scene, std::size_t instance, const TwoSi
   const Instance& placing = scene.instances[instance];
   const Mesh& mesh = scene.meshes[std::size_t(placing.mesh)];
   const std::vector<glm::vec3> joined = joinedSides(mesh);
+  const float reach = reachOf(mesh);
   prisms_.reserve(joined.size());
   for (std::size_t triangle = 0; triangle < joined.size(); ++triangle) {
     formula::ReliefPrism prism = reliefPrism(mesh, 3 * triangle, materialOf(scene, instance), heights.heights);
     prism.joined = joined[triangle];
+    prism.heights = heightsBelow(prism, heights.heights.bounds, reach);
     const formula::ReliefPrism world = placed(prism, placing.world_from_object);
     prisms_.push_back({world, formula::boxOfPrism(world)});
   }
@@ -85,9 +88,10 @@ ReliefPrisms::ReliefPrisms(const Scene& scene, std::size_t instance, const TwoSi
 PrismBounds ReliefPrisms::boundsOf(std::size_t triangle) const {
   const formula::ReliefPrism& prism = prisms_[triangle].from_above;
   PrismBounds bounds{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+  const glm::vec2 slab = formula::slabOfPrism(prism);
   // A place depends on each coordinate alone evenly, and so lies between the corners.
   for (const glm::vec2 corner : {glm::vec2(0.0f), glm::vec2(1.0f, 0.0f), glm::vec2(0.0f, 1.0f)})
-    for (const float height : {0.0f, 1.0f}) {
+    for (const float height : {slab.x - formula::kBeyond, slab.y + formula::kBeyond}) {
       const glm::vec3 place = formula::placeInPrism(prism, {corner, height});
       bounds.low = glm::min(bounds.low, place);
       bounds.high = glm::max(bounds.high, place);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "formula/constants.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/render_testing.h"
@@ -150,6 +151,30 @@ TEST_F(ReliefTest, AFlatReliefIsTheMesh) {
         radiance("torus", {"perceptual_roughness=0.5", "height=brick", "height_scale=0"}, sky, seenFrom(30, 30, kind));
     EXPECT_EQ(shareThatDiffers(mesh, flat), 0.0f) << static_cast<int>(kind);
   }
+}
+
+// A map of more texels than the driver takes shows the same bumps by coarser levels.
+TEST_F(ReliefTest, BumpsOfTooManyTexelsAreShown) {
+  const Environment sky = *builtinEnvironment("sky");
+  const auto seen = [&](int width) {
+    Image heights(width, 1, 1);
+    for (int x = 0; x < width; ++x)
+      heights.texel(x, 0)[0] = 0.5f + 0.5f * std::sin(6.0f * formula::kTwoPi * (float(x) + 0.5f) / float(width));
+    Scene scene = *loadModel("plane");
+    EXPECT_TRUE(changeMaterials(scene, {.material = "plastic", .set = {"perceptual_roughness=0.5"}}));
+    scene.height_textures = {HeightTexture{.heights = std::move(heights)}};
+    for (Material& material : scene.materials) {
+      material.height = HeightKind::map;
+      material.height_texture = 0;
+      material.height_scale = 0.02f;
+      material.height_frequency = 1.0f;
+    }
+    EXPECT_TRUE(prepareRelief(scene, ReliefKind::bump));
+    auto renderer = testing::rendererOf(std::move(scene), sky, *testing::prepareOnce(sky));
+    EXPECT_TRUE(renderer) << renderer.error().message;
+    return *renderer->renderRadiance(seenFrom(30, 40, ReliefKind::bump));
+  };
+  EXPECT_EQ(shareThatDiffers(seen(8192), seen(8 * 8192)), 0.0f);
 }
 
 // A lamp low above a plane does not reach the joints between stones.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <future>
+#include <limits>
 #include <utility>
 
 #include "mirrorball/base/parallel.h"
@@ -21,12 +22,12 @@ void warnOfNoHeights(Scene& scene, ReliefKind kind) {
 
 }  // namespace
 
-Result<Scene> loadScene(const RenderInputNames& names) {
+Result<Scene> loadScene(const RenderInputNames& names, const std::function<int()>& largest_texture) {
   MIRRORBALL_TRY(scene, loadModel(names.model));
   standUpright(scene, names.up);
   MIRRORBALL_TRY_VOID(changeMaterials(scene, names.materials));
   warnOfNoHeights(scene, names.relief);
-  MIRRORBALL_TRY_VOID(prepareRelief(scene, names.relief));
+  MIRRORBALL_TRY_VOID(prepareRelief(scene, names.relief, largest_texture));
   return scene;
 }
 
@@ -54,16 +55,11 @@ Result<PreparedLight> prepareLight(const RenderInputNames& names, const Observer
   return PreparedLight{std::move(loaded), std::move(prepared)};
 }
 
-/// A wrong name among the materials is told before anything is loaded; but for a variant's, which the model knows.
-Result<void> checkMaterials(const RenderInputNames& names) {
-  Scene no_scene;
-  MaterialChanges known = names.materials;
-  known.variant.clear();
-  return changeMaterials(no_scene, known);
-}
-
-std::future<Result<Scene>> sceneLater(const RenderInputNames& names, const Observer& observer) {
-  return std::async(besideOthers(), [&] { return observer.timed("model: read", [&] { return loadScene(names); }); });
+std::future<Result<Scene>> sceneLater(const RenderInputNames& names, const Observer& observer,
+                                      const std::function<int()>& largest_texture) {
+  return std::async(besideOthers(), [&names, &observer, largest_texture] {
+    return observer.timed("model: read", [&] { return loadScene(names, largest_texture); });
+  });
 }
 
 SceneInputs inputsOf(const std::string& model, Scene scene, LoadedEnvironment light, const Observer& observer) {
@@ -77,8 +73,9 @@ SceneInputs inputsOf(const std::string& model, Scene scene, LoadedEnvironment li
 }  // namespace
 
 Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observer& observer) {
-  MIRRORBALL_TRY_VOID(checkMaterials(names));
-  auto scene_later = sceneLater(names, observer);
+  // A wrong name is told before anything is loaded.
+  MIRRORBALL_TRY_VOID(checkChanges(names.materials));
+  auto scene_later = sceneLater(names, observer, {});
   auto light = loadLight(names, observer);
   // It refers to this frame, and so is waited for before any error returns.
   auto scene = scene_later.get();
@@ -88,11 +85,14 @@ Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observe
 }
 
 Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Observer& observer) {
-  MIRRORBALL_TRY_VOID(checkMaterials(names));
-  // None of the three needs the others.
-  auto scene_later = sceneLater(names, observer);
+  MIRRORBALL_TRY_VOID(checkChanges(names.materials));
+  // None of the three needs the others, but for heights that not every driver takes.
+  std::promise<int> largest_texture;
+  const std::shared_future<int> largest = largest_texture.get_future().share();
+  auto scene_later = sceneLater(names, observer, [largest] { return largest.get(); });
   auto light_later = std::async(besideOthers(), [&] { return prepareLight(names, observer); });
   auto context = observer.timed("GL: start the driver", [] { return gl::Context::createHeadless(); });
+  largest_texture.set_value(context ? context->largestTexture() : std::numeric_limits<int>::max());
   auto scene = scene_later.get();
   auto light = light_later.get();
   if (!scene) return fail(std::move(scene));

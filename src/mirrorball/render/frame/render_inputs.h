@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,8 +40,9 @@ struct RenderInputs : SceneInputs {
 
 /// Loads the model alone, with its axis up and its materials as told.
 ///
-/// errors   usage (materials that are not there); as loadModel's
-Result<Scene> loadScene(const RenderInputNames& names);
+/// largest_texture   of the driver that will draw it: prepareRelief
+/// errors            usage (materials that are not there); as loadModel's and prepareRelief's
+Result<Scene> loadScene(const RenderInputNames& names, const std::function<int()>& largest_texture = {});
 
 /// Loads the model and the environment at the same time, without a driver.
 ///

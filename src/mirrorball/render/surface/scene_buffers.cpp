@@ -177,20 +177,56 @@ Result<gl::Texture> makeHorizons(const ImageSet& slopes, MapEdges edges) {
 
 /// For searches, which read single texels.
 Result<gl::Texture> makeSearched(const HeightTexture& texture) {
-  if (texture.cones.empty()) return gl::Texture::fromImages(gl::Format::r32f, ImageSet(texture.picture));
-  return gl::Texture::fromImages(gl::Format::rg32f, ImageSet(withCones(texture)));
+  const Image& picture = texture.picture;
+  const gl::Format format = texture.cones.empty() ? gl::Format::r32f : gl::Format::rg32f;
+  MIRRORBALL_TRY(made, gl::Texture::make2d(format, picture.width(), picture.height()));
+  if (texture.cones.empty())
+    made.upload(0, 0, picture);
+  else
+    made.upload(0, 0, withCones(texture));
+  return Result<gl::Texture>(std::move(made));
+}
+
+/// A texture for slopes, empty yet, and how many of their finest levels it has no place for.
+struct RoomForSlopes {
+  gl::Texture texture;
+  int finest;
+};
+
+/// Room for the slopes of a map of that size. What the driver does not take is left to the lobes, which its variance
+/// widens: so a surface looks the same until a texel of the map is nearly as large as a pixel.
+///
+/// errors   too_large
+Result<RoomForSlopes> roomForSlopes(glm::ivec2 size, MapEdges edges) {
+  for (int finest = 0;; ++finest) {
+    const glm::ivec2 sides(levelSide(size.x, finest), levelSide(size.y, finest));
+    auto texture = gl::Texture::make2d(gl::Format::rgba16f, sides.x, sides.y, gl::Texture::kAllLevels);
+    if (!texture && (texture.error().code != ErrorCode::too_large || std::max(sides.x, sides.y) == 1))
+      return fail(std::move(texture));
+    if (!texture) continue;
+    texture->setSampling(samplingOf(wrapOf(edges), TextureFilter::trilinear, 1.0f));
+    return RoomForSlopes{std::move(*texture), finest};
+  }
 }
 
 Result<SceneBuffers::Heights> makeHeights(const HeightTexture& texture) {
-  MIRRORBALL_TRY(moments, slopeMoments(texture.heights, texture.edges));
-  MIRRORBALL_TRY(slopes, gl::Texture::fromImages(gl::Format::rgba16f, moments.levels));
-  slopes.setSampling(samplingOf(wrapOf(texture.edges), TextureFilter::trilinear, 1.0f));
-  SceneBuffers::Heights made{std::move(slopes), moments.unit};
-  if (texture.horizons.slopes.empty()) return made;
-  MIRRORBALL_TRY(heights, makeSearched(texture));
-  MIRRORBALL_TRY(horizons, makeHorizons(texture.horizons.slopes, texture.edges));
-  made.searched.emplace(SceneBuffers::SearchedHeights{std::move(heights), std::move(horizons)});
-  return made;
+  std::optional<SceneBuffers::SearchedHeights> searched;
+  if (!texture.horizons.slopes.empty()) {
+    MIRRORBALL_TRY(heights, makeSearched(texture));
+    MIRRORBALL_TRY(horizons, makeHorizons(texture.horizons.slopes, texture.edges));
+    searched.emplace(SceneBuffers::SearchedHeights{std::move(heights), std::move(horizons)});
+  }
+  MIRRORBALL_TRY(room, roomForSlopes({texture.heights.width(), texture.heights.height()}, texture.edges));
+  MIRRORBALL_TRY(moments, slopeMoments(texture.heights, texture.edges, room.finest));
+  room.texture.upload(moments.levels);
+  return SceneBuffers::Heights{std::move(room.texture), moments.unit, std::move(searched)};
+}
+
+Result<SceneBuffers::Slopes> makeSlopes(const Image& slopes) {
+  MIRRORBALL_TRY(room, roomForSlopes({slopes.width(), slopes.height()}, MapEdges::tiled));
+  MIRRORBALL_TRY(moments, momentsOfSlopes(slopes, room.finest));
+  room.texture.upload(moments.levels);
+  return SceneBuffers::Slopes{std::move(room.texture), moments.unit};
 }
 
 /// The triangles of boxes as numbers of corners, eight a box, whose bits are x, y, z: outwards counter-clockwise.
@@ -233,10 +269,8 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
     buffers.heights_.push_back(std::move(heights));
   }
   for (const Image& image : scene.slope_textures) {
-    SlopeMoments moments = momentsOfSlopes(image);
-    MIRRORBALL_TRY(slopes, gl::Texture::fromImages(gl::Format::rgba16f, moments.levels));
-    slopes.setSampling(samplingOf(wrapOf(MapEdges::tiled), TextureFilter::trilinear, 1.0f));
-    buffers.slopes_.push_back({std::move(slopes), moments.unit});
+    MIRRORBALL_TRY(slopes, withName("slopes", makeSlopes(image)));
+    buffers.slopes_.push_back(std::move(slopes));
   }
   buffers.units_ = units;
   return Result<SceneBuffers>(std::move(buffers));
@@ -285,8 +319,10 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit, bo
 Result<void> SceneBuffers::makePrisms(const Scene& scene, int mesh) {
   MeshBuffers& buffers = meshes_[std::size_t(mesh)];
   if (buffers.prisms || buffers.index_count == 0) return {};
-  MIRRORBALL_TRY(words,
-                 withName("the mesh of a relief", gl::Texture::fromWords(prismList(scene.meshes[std::size_t(mesh)]))));
+  const Mesh& base = scene.meshes[std::size_t(mesh)];
+  const Material& material = scene.materials[std::size_t(base.material)];
+  const HeightTexture& heights = scene.height_textures[std::size_t(material.height_texture)];
+  MIRRORBALL_TRY(words, withName("the mesh of a relief", gl::Texture::fromWords(prismList(base, material, heights))));
   const std::vector<std::uint32_t> corners = boxCorners(buffers.index_count / 3);
   buffers.prisms = Prisms{std::move(words), gl::VertexArray(gl::Buffer(std::span(corners))), corners.size()};
   return {};

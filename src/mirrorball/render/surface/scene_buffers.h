@@ -23,6 +23,7 @@ class SceneBuffers {
 
   /// Makes what drawPrisms needs, once.
   ///
+  /// mesh     its material has a height texture
   /// errors   too_large: the mesh has too many triangles for this driver's textures
   Result<void> makePrisms(const Scene& scene, int mesh);
   /// Binds the list of a mesh's prisms to a unit, and draws the boxes around them.

@@ -61,4 +61,10 @@ Result<void> changeMaterials(Scene& scene, const MaterialChanges& changes) {
   return {};
 }
 
+Result<void> checkChanges(const MaterialChanges& changes) {
+  if (!changes.material.empty()) MIRRORBALL_TRY_VOID(materialNamed(changes.material));
+  for (const std::string& assignment : changes.set) MIRRORBALL_TRY_VOID(checkParameter(assignment));
+  return {};
+}
+
 }  // namespace mirrorball

@@ -28,4 +28,9 @@ std::span<const Option<MaterialChanges>> materialOptions();
 /// errors   usage; as setParameter's
 Result<void> changeMaterials(Scene& scene, const MaterialChanges& changes);
 
+/// What changeMaterials would say of any scene, without reading a picture; a variant only the scene knows.
+///
+/// errors   usage; as checkParameter's
+Result<void> checkChanges(const MaterialChanges& changes);
+
 }  // namespace mirrorball

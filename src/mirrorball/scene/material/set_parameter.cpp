@@ -25,10 +25,14 @@ Result<Image8> pictureOf(Scene& scene, const std::string& path) {
   return image;
 }
 
+Result<void> checkGiven(const std::string& name, const std::string& path) {
+  if (!path.empty()) return {};
+  return fail(ErrorCode::usage, "the material parameter " + name + " needs a picture: " + name + "=FILE");
+}
+
 Result<void> setMap(Scene& scene, const MaterialMap& map, const std::string& path) {
   const std::string name(map.name);
-  if (path.empty())
-    return fail(ErrorCode::usage, "the material parameter " + name + " needs a picture: " + name + "=FILE");
+  MIRRORBALL_TRY_VOID(checkGiven(name, path));
   MIRRORBALL_TRY(image, pictureOf(scene, path));
   if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
     scene.warnings.push_back(name + ": the model has no texture coordinates; all of it shows one texel of " + path);
@@ -39,9 +43,8 @@ Result<void> setMap(Scene& scene, const MaterialMap& map, const std::string& pat
 }
 
 /// Whether the value of `height` is a picture and not a choice: names of files have a dot or a folder.
-bool isFileOfHeights(const Scene& scene, std::string_view key, std::string_view value) {
-  return (key == "height" || key == "bump") && !scene.materials.empty() &&
-         value.find_first_of("./") != std::string_view::npos;
+bool isFileOfHeights(std::string_view key, std::string_view value) {
+  return (key == "height" || key == "bump") && value.find_first_of("./") != std::string_view::npos;
 }
 
 /// Brings heights into [0, 1], where some are not.
@@ -55,21 +58,25 @@ bool stretchToUnit(Image& heights) {
   return true;
 }
 
-Result<void> setHeights(Scene& scene, const std::string& path) {
+Result<PictureHeights> readHeights(const std::string& path) {
   MIRRORBALL_TRY(bytes, readRegularFile(path));
   MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
-  PictureHeights of_picture = heightsOfPicture(numbers);
+  PictureHeights of_picture = heightsOfPicture(std::move(numbers));
   MIRRORBALL_TRY_VOID(withName(path, checkHeights(of_picture.heights)));
   MIRRORBALL_TRY_VOID(withName(path, checkRange(of_picture.heights)));
+  return of_picture;
+}
+
+Result<void> setHeights(Scene& scene, const std::string& path) {
+  MIRRORBALL_TRY(of_picture, readHeights(path));
   if (!of_picture.is_grey)
     scene.warnings.push_back("height: " + path + " is in colour; its red channel is taken for the heights");
   if (stretchToUnit(of_picture.heights))
     scene.warnings.push_back("height: " + path +
                              " has heights outside of 0 to 1; its lowest is taken as 0, its highest as 1");
-  MIRRORBALL_TRY(texture, withName(path, heightTexture(std::move(of_picture.heights), MapEdges::tiled)));
   if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
     scene.warnings.push_back("height: the model has no texture coordinates; all of it has one height of " + path);
-  scene.height_textures.push_back(std::move(texture));
+  scene.height_textures.push_back({.heights = std::move(of_picture.heights)});
   scene.files.push_back(path);
   const HeightSize own = ownSize(HeightKind::map);
   for (Material& material : scene.materials) {
@@ -84,8 +91,7 @@ Result<void> setHeights(Scene& scene, const std::string& path) {
 constexpr std::array<std::string_view, 1> kSlopesName{"derivative_map"};
 
 Result<void> setSlopes(Scene& scene, const std::string& path) {
-  if (path.empty())
-    return fail(ErrorCode::usage, "the material parameter derivative_map needs a picture: derivative_map=FILE");
+  MIRRORBALL_TRY_VOID(checkGiven("derivative_map", path));
   MIRRORBALL_TRY(bytes, readRegularFile(path));
   MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
   MIRRORBALL_TRY(slopes, withName(path, slopesOfPicture(numbers, holdsCodes(bytes))));
@@ -97,20 +103,60 @@ Result<void> setSlopes(Scene& scene, const std::string& path) {
   return {};
 }
 
+/// What "key=value" says.
+struct Assignment {
+  enum class Kind { number, map, heights, slopes };
+  Kind kind;
+  std::string key;
+  std::string value;
+  const MaterialMap* map = nullptr;  ///< of Kind::map
+};
+
+Assignment assignmentOf(std::string_view written) {
+  const std::size_t equals = std::min(written.find('='), written.size());
+  Assignment made{Assignment::Kind::number, std::string(written.substr(0, equals)),
+                  std::string(written.substr(std::min(equals + 1, written.size())))};
+  std::vector<std::string_view> names;
+  for (const MaterialMap& map : materialMaps()) names.push_back(map.name);
+  if (const auto index = indexOfName(made.key, names)) {
+    made.kind = Assignment::Kind::map;
+    made.map = &materialMaps()[*index];
+  } else if (isFileOfHeights(made.key, made.value)) {
+    made.kind = Assignment::Kind::heights;
+  } else if (indexOfName(made.key, kSlopesName) && made.value != "none") {
+    made.kind = Assignment::Kind::slopes;
+  }
+  return made;
+}
+
 }  // namespace
 
 Result<void> setParameter(Scene& scene, std::string_view assignment) {
-  const std::size_t equals = std::min(assignment.find('='), assignment.size());
-  std::vector<std::string_view> names;
-  for (const MaterialMap& map : materialMaps()) names.push_back(map.name);
-  if (const auto index = indexOfName(assignment.substr(0, equals), names))
-    return setMap(scene, materialMaps()[*index],
-                  std::string(assignment.substr(std::min(equals + 1, assignment.size()))));
-  const std::string_view value = assignment.substr(std::min(equals + 1, assignment.size()));
-  if (isFileOfHeights(scene, assignment.substr(0, equals), value)) return setHeights(scene, std::string(value));
-  if (indexOfName(assignment.substr(0, equals), kSlopesName) && value != "none")
-    return setSlopes(scene, std::string(value));
+  const Assignment parts = assignmentOf(assignment);
+  switch (parts.kind) {
+    case Assignment::Kind::map:
+      return setMap(scene, *parts.map, parts.value);
+    case Assignment::Kind::heights:
+      return scene.materials.empty() ? Result<void>() : setHeights(scene, parts.value);
+    case Assignment::Kind::slopes:
+      return setSlopes(scene, parts.value);
+    case Assignment::Kind::number:
+      break;
+  }
   for (Material& material : scene.materials) MIRRORBALL_TRY_VOID(setParameter(material, assignment));
+  return {};
+}
+
+Result<void> checkParameter(std::string_view assignment) {
+  const Assignment parts = assignmentOf(assignment);
+  if (parts.kind == Assignment::Kind::number) {
+    Material material;
+    return setParameter(material, assignment);
+  }
+  const auto names = builtinPictureNames();
+  if (parts.kind == Assignment::Kind::map && std::ranges::find(names, parts.value) != names.end()) return {};
+  MIRRORBALL_TRY_VOID(checkGiven(parts.map ? std::string(parts.map->name) : parts.key, parts.value));
+  MIRRORBALL_TRY(reader, FileReader::open(parts.value));
   return {};
 }
 

@@ -15,4 +15,9 @@ namespace mirrorball {
 ///          derivative map that are none; as readRegularFile's and decodeTexture's
 Result<void> setParameter(Scene& scene, std::string_view assignment);
 
+/// What setParameter would say of an assignment, but for what is in a picture: without reading that.
+///
+/// errors   usage; as FileReader::open's
+Result<void> checkParameter(std::string_view assignment);
+
 }  // namespace mirrorball

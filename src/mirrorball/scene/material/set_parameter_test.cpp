@@ -1,10 +1,13 @@
 #include "mirrorball/scene/material/set_parameter.h"
 
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
@@ -85,6 +88,26 @@ TEST(SetParameter, SetsNumbersOfAllMaterials) {
   scene.materials.resize(2);
   ASSERT_TRUE(setParameter(scene, "metallic=0.25"));
   for (const Material& material : scene.materials) EXPECT_EQ(material.metallic, 0.25f);
+}
+
+// What is in a picture is not read: of large ones that takes seconds.
+TEST(CheckParameter, SaysTheSameWithoutReadingPictures) {
+  const std::string garbage = ::testing::TempDir() + "set_parameter_garbage.png";
+  ASSERT_TRUE(writeFile(garbage, std::vector<std::uint8_t>{1, 2, 3}));
+  for (const std::string name : {"base_color_map", "height", "derivative_map"}) {
+    Scene scene = sceneOf(sphereMesh());
+    EXPECT_FALSE(setParameter(scene, name + "=" + garbage));
+    EXPECT_TRUE(checkParameter(name + "=" + garbage));
+    EXPECT_TRUE(checkParameter(name + "=" + onePixel()));
+    for (const std::string wrong : {"./no_such_file.png", ""}) {
+      const auto checked = checkParameter(name + "=" + wrong), set = setParameter(scene, name + "=" + wrong);
+      ASSERT_FALSE(checked) << name << "=" << wrong;
+      EXPECT_EQ(checked.error().message, set.error().message);
+    }
+  }
+  EXPECT_TRUE(checkParameter("height=brick"));
+  EXPECT_TRUE(checkParameter("perceptual_roughness=0.5"));
+  EXPECT_FALSE(checkParameter("no_such_parameter=1"));
 }
 
 TEST(SetParameter, SaysWhatIsWrong) {

@@ -3,14 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstdint>
 #include <utility>
 
 #include "formula/relief.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/height_field/cone_map.h"
 #include "mirrorball/height_field/maximum_pyramid.h"
 
 namespace mirrorball {
+namespace {
+
+/// What makeSearchable takes for a texel at most, with the heights themselves: they, their opposites, and two pyramids,
+/// of which one lacks its first level. What is kept is less.
+constexpr std::uint64_t kBytesPerSearched = 16;
+
+}  // namespace
 
 formula::HeightMap heightMapOf(const HeightTexture& texture) {
   const glm::ivec2 size(texture.heights.width(), texture.heights.height());
@@ -19,20 +28,36 @@ formula::HeightMap heightMapOf(const HeightTexture& texture) {
 }
 
 Result<HeightTexture> heightTexture(Image heights, MapEdges edges) {
-  MIRRORBALL_TRY(levels, maximumPyramid(heights, edges));
   HeightTexture texture{.heights = std::move(heights), .edges = edges};
+  MIRRORBALL_TRY_VOID(makeSearchable(texture));
+  return texture;
+}
+
+glm::ivec2 sizeOfPicture(const HeightTexture& texture) {
   const formula::HeightMap map = heightMapOf(texture);
   glm::ivec2 size(0);
   for (int level = 0; level <= map.last_level; ++level)
     size = glm::max(size, formula::placeOfLevel(map, level) + formula::sizeOfLevel(map, level));
+  return size;
+}
+
+Result<void> makeSearchable(HeightTexture& texture) {
+  if (!texture.picture.empty()) return {};
+  const glm::ivec2 size = sizeOfPicture(texture);
+  MIRRORBALL_TRY_VOID(checkMemory(texture.heights.texelCount() * kBytesPerSearched));
+  MIRRORBALL_TRY(bounds, HeightBounds::make(texture.heights, texture.edges));
+  MIRRORBALL_TRY(levels, maximumPyramid(texture.heights, texture.edges));
+  texture.bounds = std::move(bounds);
+  levels.at(0, 0) = Image();
   texture.picture = Image(size.x, size.y, 1);
+  const formula::HeightMap map = heightMapOf(texture);
   for (int level = 0; level <= map.last_level; ++level) {
     const Image& image = level == 0 ? texture.heights : levels.at(level, 0);
     const glm::ivec2 place = formula::placeOfLevel(map, level);
     for (int y = 0; y < image.height(); ++y)
       std::ranges::copy(image.row(y), texture.picture.texel(place.x, place.y + y));
   }
-  return texture;
+  return {};
 }
 
 Image turnedOver(Image heights) {

@@ -5,6 +5,7 @@
 
 #include "formula/relief.h"
 #include "mirrorball/base/result.h"
+#include "mirrorball/height_field/height_bounds.h"
 #include "mirrorball/height_field/height_field.h"
 #include "mirrorball/height_field/horizon_map.h"
 #include "mirrorball/image/image.h"
@@ -14,8 +15,10 @@ namespace mirrorball {
 /// Heights on a surface, over its texture coordinates.
 struct HeightTexture {
   Image heights;  ///< 1 channel, from 0 (deepest) to 1 (the surface itself)
-  /// The heights and levels of maxima in one picture, as formula/relief/height_map.glsl reads it.
+  /// The heights and levels of maxima in one picture, as formula/relief/height_map.glsl reads it; empty: not made, and
+  /// only single heights can be read.
   Image picture = {};
+  HeightBounds bounds = {};  ///< of the heights; made with the picture
   Image cones = {};          ///< coneMap of the heights; empty: not made
   HorizonMap horizons = {};  ///< of the heights; empty: not made
   MapEdges edges = MapEdges::tiled;
@@ -27,17 +30,27 @@ formula::HeightMap heightMapOf(const HeightTexture& texture);
 /// As formulas read it.
 inline glm::vec4 fetchMap(const HeightTexture& texture, glm::ivec2 texel, int) {
   // So far away that neighbouring texels are the same number, formulas cannot wrap them.
-  const glm::ivec2 last(texture.picture.width() - 1, texture.picture.height() - 1);
+  const Image& picture = texture.picture.empty() ? texture.heights : texture.picture;
+  const glm::ivec2 last(picture.width() - 1, picture.height() - 1);
   const glm::ivec2 inside = glm::clamp(texel, glm::ivec2(0), last);
-  return {texture.picture.texel(inside.x, inside.y)[0], 0.0f, 0.0f, 1.0f};
+  return {picture.texel(inside.x, inside.y)[0], 0.0f, 0.0f, 1.0f};
 }
 
-/// A texture of these heights.
+/// A texture of these heights that can be searched.
 ///
 /// heights   1 channel, [0, 1]
-/// errors    non_finite (the first bad texel is named); too_large
-/// cost      as maximumPyramid
+/// errors    as makeSearchable's
+/// cost      as makeSearchable's
 Result<HeightTexture> heightTexture(Image heights, MapEdges edges);
+
+/// How many texels across and down the picture has that search reads: one and a half times as many the longer way.
+glm::ivec2 sizeOfPicture(const HeightTexture& texture);
+
+/// Makes its picture and bounds, once.
+///
+/// errors    non_finite (the first bad texel is named); too_large
+/// cost      as three maximum pyramids
+Result<void> makeSearchable(HeightTexture& texture);
 
 /// 1 − h of each: the same surface as it is from below.
 Image turnedOver(Image heights);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <tuple>
 #include <utility>
+
+#include "mirrorball/scene/relief/relief_surface.h"
 
 namespace mirrorball {
 namespace {
@@ -29,6 +32,14 @@ std::vector<std::uint32_t> sameVertices(const Mesh& mesh) {
 
 /// The corners of a triangle's sides x = 0, y = 0 and x + y = 1, in the triangle's sense.
 constexpr std::array<std::array<std::size_t, 2>, 3> kSides{{{2, 0}, {0, 1}, {1, 2}}};
+
+/// Heights in [0, 1], the lower one rounded down and the higher one up: unpackUnorm2x16 reads them.
+std::uint32_t packedHeights(glm::vec2 heights) {
+  constexpr float kGreatest = 65535.0f;
+  const auto low = static_cast<std::uint32_t>(std::floor(kGreatest * std::clamp(heights.x, 0.0f, 1.0f)));
+  const auto high = static_cast<std::uint32_t>(std::ceil(kGreatest * std::clamp(heights.y, 0.0f, 1.0f)));
+  return low | high << 16;
+}
 
 }  // namespace
 
@@ -53,11 +64,12 @@ std::vector<glm::vec3> joinedSides(const Mesh& mesh) {
   return joined;
 }
 
-std::vector<glm::uvec4> prismList(const Mesh& mesh) {
+std::vector<glm::uvec4> prismList(const Mesh& mesh, const Material& material, const HeightTexture& heights) {
   constexpr std::size_t kTexelsOfPrism = 16;
   const std::vector<glm::vec3> joined = joinedSides(mesh);
   std::vector<glm::uvec4> words;
   words.reserve(joined.size() * kTexelsOfPrism);
+  const float reach = reachOf(mesh);
   for (std::size_t triangle = 0; triangle < joined.size(); ++triangle) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vertex& vertex = mesh.vertices[mesh.indices[3 * triangle + corner]];
@@ -66,7 +78,8 @@ std::vector<glm::uvec4> prismList(const Mesh& mesh) {
             glm::vec4(vertex.uv[1], 0.0f, 0.0f), vertex.tangent, vertex.color})
         words.push_back(glm::floatBitsToUint(texel));
     }
-    words.push_back(glm::floatBitsToUint(glm::vec4(joined[triangle], 0.0f)));
+    const glm::vec2 below = heightsBelow(reliefPrism(mesh, 3 * triangle, material, heights), heights.bounds, reach);
+    words.emplace_back(glm::floatBitsToUint(joined[triangle]), packedHeights(below));
   }
   return words;
 }

@@ -4,7 +4,9 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/mesh.h"
+#include "mirrorball/scene/relief/height_texture.h"
 
 namespace mirrorball {
 
@@ -18,8 +20,8 @@ std::vector<glm::vec3> joinedSides(const Mesh& mesh);
 /// The triangles of a mesh, for shaders that look for relief below them (shaders/surface/prism.glsl).
 ///
 /// returns  16 texels a triangle: for each corner position and u, normal and v, the second texture coordinates,
-///          tangent, colour; then joinedSides
+///          tangent, colour; then joinedSides and heightsBelow, which two halves of a word hold as shares of 65535
 /// cost     256 bytes a triangle
-std::vector<glm::uvec4> prismList(const Mesh& mesh);
+std::vector<glm::uvec4> prismList(const Mesh& mesh, const Material& material, const HeightTexture& heights);
 
 }  // namespace mirrorball

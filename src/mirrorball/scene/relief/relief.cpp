@@ -1,7 +1,9 @@
 #include "mirrorball/scene/relief/relief.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -12,6 +14,10 @@ namespace mirrorball {
 namespace {
 
 constexpr int kBuiltinSide = 512;
+
+std::string textOf(const Image& heights) {
+  return std::to_string(heights.width()) + " × " + std::to_string(heights.height());
+}
 
 /// Whether a kind looks heights up in a texture: bumps of the orange are a function of the place.
 bool readsTexture(const Material& material, ReliefKind kind) {
@@ -26,9 +32,7 @@ class SharedHeights {
   explicit SharedHeights(std::vector<HeightTexture>& textures) : textures_(textures) {}
 
   /// The texture of a material, an index.
-  ///
-  /// errors   too_large
-  Result<int> of(const Material& material) {
+  int of(const Material& material) {
     const bool is_inverted = material.height_scale < 0.0f;
     if (material.height_texture >= 0 && !is_inverted) return material.height_texture;
     const auto key = std::tuple(material.height, material.height_texture, is_inverted);
@@ -38,8 +42,7 @@ class SharedHeights {
     const MapEdges edges = is_builtin ? MapEdges::tiled : textures_[std::size_t(material.height_texture)].edges;
     Image heights = is_builtin ? builtinHeights(material.height, kBuiltinSide)
                                : textures_[std::size_t(material.height_texture)].heights;
-    MIRRORBALL_TRY(texture, heightTexture(is_inverted ? turnedOver(std::move(heights)) : std::move(heights), edges));
-    textures_.push_back(std::move(texture));
+    textures_.push_back({.heights = is_inverted ? turnedOver(std::move(heights)) : std::move(heights), .edges = edges});
     return made_[key] = static_cast<int>(textures_.size()) - 1;
   }
 
@@ -59,22 +62,59 @@ void warnOfMeshesWithoutCoordinates(Scene& scene, ReliefKind kind) {
   }
 }
 
+/// Leaves out textures that no material has: heights that were turned over, as they were before.
+void keepUsedTextures(Scene& scene) {
+  std::vector<HeightTexture> used;
+  std::map<int, int> places;  // before → now
+  for (Material& material : scene.materials) {
+    if (material.height_texture < 0) continue;
+    const auto [found, is_new] = places.try_emplace(material.height_texture, static_cast<int>(used.size()));
+    if (is_new) used.push_back(std::move(scene.height_textures[std::size_t(material.height_texture)]));
+    material.height_texture = found->second;
+  }
+  scene.height_textures = std::move(used);
+}
+
+/// errors   too_large: the driver does not take the picture that searches read
+Result<void> checkPicture(const HeightTexture& texture, const std::function<int()>& largest_texture) {
+  constexpr int kTakenByAll = 2048;  // OpenGL ES 3.0's least GL_MAX_TEXTURE_SIZE; OpenGL 4.3's is 16384
+  const glm::ivec2 size = sizeOfPicture(texture);
+  const int longer = std::max(size.x, size.y);
+  if (longer <= kTakenByAll || !largest_texture) return {};
+  const int largest = largest_texture();
+  if (longer <= largest) return {};
+  return fail(ErrorCode::too_large, "heights of " + textOf(texture.heights) +
+                                        " texels are too many for rays to be searched for in them: " +
+                                        "with their maxima they need a texture of " + std::to_string(longer) +
+                                        " texels a side, and the graphics driver takes " + std::to_string(largest) +
+                                        "; show them as bumps or as geometry, trace them, or use a map of at most " +
+                                        std::to_string(largest / 3 * 2) + " texels a side");
+}
+
+/// What searches of that kind read.
+Result<void> prepareSearches(HeightTexture& texture, ReliefKind kind) {
+  MIRRORBALL_TRY_VOID(withName("heights", makeSearchable(texture)));
+  if (kind == ReliefKind::cone) MIRRORBALL_TRY_VOID(withName("heights", makeCones(texture)));
+  return withName("heights", makeHorizons(texture));
+}
+
 }  // namespace
 
-Result<void> prepareRelief(Scene& scene, ReliefKind kind) {
+Result<void> prepareRelief(Scene& scene, ReliefKind kind, const std::function<int()>& largest_texture) {
   warnOfMeshesWithoutCoordinates(scene, kind);
   SharedHeights textures(scene.height_textures);
   for (Material& material : scene.materials) {
     if (!readsTexture(material, kind)) continue;
-    MIRRORBALL_TRY(texture, textures.of(material));
-    material.height_texture = texture;
+    material.height_texture = textures.of(material);
     material.height_scale = std::abs(material.height_scale);
   }
-  if (kind == ReliefKind::cone)
-    for (HeightTexture& texture : scene.height_textures) MIRRORBALL_TRY_VOID(makeCones(texture));
-  if (movesSurface(kind))
-    for (HeightTexture& texture : scene.height_textures) MIRRORBALL_TRY_VOID(makeHorizons(texture));
-  return kind == ReliefKind::geometry ? displaceMeshes(scene) : Result<void>();
+  keepUsedTextures(scene);
+  if (kind == ReliefKind::geometry) return displaceMeshes(scene);
+  if (!movesSurface(kind)) return {};
+  for (const HeightTexture& texture : scene.height_textures)
+    MIRRORBALL_TRY_VOID(checkPicture(texture, largest_texture));
+  for (HeightTexture& texture : scene.height_textures) MIRRORBALL_TRY_VOID(prepareSearches(texture, kind));
+  return {};
 }
 
 }  // namespace mirrorball

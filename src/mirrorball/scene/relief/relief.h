@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/scene.h"
 
@@ -37,9 +39,11 @@ inline bool showsHeightTexture(const Material& material, ReliefKind kind) {
 /// material with a texture and a height_scale below 0 gets 1 − h as its heights, and the scale above 0: so all else can
 /// take the scale as a depth.
 ///
-/// scene    with `geometry`, is warned as by displaceMeshes
-/// errors   too_large
-/// cost     for each built-in surface 20 ms to 60 ms; `geometry` as displacedMesh's
-Result<void> prepareRelief(Scene& scene, ReliefKind kind);
+/// scene            with `geometry`, is warned as by displaceMeshes. Height textures of no material are left out
+/// largest_texture  how many texels a side the driver takes that will draw it; asked for, before any work, only where
+///                  heights are searched that not every driver takes; none: no driver draws it
+/// errors           too_large
+/// cost             for each built-in surface 20 ms to 60 ms; `geometry` as displacedMesh's
+Result<void> prepareRelief(Scene& scene, ReliefKind kind, const std::function<int()>& largest_texture = {});
 
 }  // namespace mirrorball

@@ -1,5 +1,7 @@
 #include "mirrorball/scene/relief/relief_surface.h"
 
+#include <algorithm>
+
 #include "formula/tangent.h"
 
 namespace mirrorball {
@@ -40,7 +42,30 @@ formula::ReliefPrism reliefPrism(const Mesh& mesh, std::size_t first, const Mate
           .texel = a.uv[0] * texels - 0.5f,
           .texel_along_x = (b.uv[0] - a.uv[0]) * texels,
           .texel_along_y = (c.uv[0] - a.uv[0]) * texels,
-          .joined = glm::vec3(0.0f)};
+          .joined = glm::vec3(0.0f),
+          .heights = glm::vec2(0.0f, 1.0f)};
+}
+
+float reachOf(const Mesh& mesh) {
+  float reach = 0.0f;
+  for (const Vertex& vertex : mesh.vertices) reach = std::max(reach, glm::length(vertex.position));
+  return reach;
+}
+
+glm::vec2 heightsBelow(const formula::ReliefPrism& prism, const HeightBounds& bounds, float reach) {
+  const glm::vec2 b = prism.texel + prism.texel_along_x, c = prism.texel + prism.texel_along_y;
+  const glm::vec2 low = glm::min(prism.texel, glm::min(b, c)), high = glm::max(prism.texel, glm::max(b, c));
+  const glm::vec2 farthest = glm::max(glm::abs(low), glm::abs(high));
+  // Too far away for the digits of a place, or no number.
+  constexpr float kFarthest = 1e6f;
+  if (!(farthest.x < kFarthest && farthest.y < kFarthest)) return {0.0f, 1.0f};
+  // Prisms overlap (kOverlap), and shaders compute a place in another order.
+  const glm::vec2 margin = 0.05f + 2.0f * formula::kOverlap * (high - low) + 1e-6f * farthest;
+  const glm::vec2 heights = bounds.over(low - margin, high + margin);
+  // A camera is some times as far away as the mesh reaches, and a ray's place is the sum of several rounded ones.
+  const float rounding = 1e-5f * reach / std::max(glm::length(prism.up), 1e-30f);
+  if (!(rounding < 1.0f)) return {0.0f, 1.0f};
+  return {std::max(heights.x - rounding, 0.0f), std::min(heights.y + rounding, 1.0f)};
 }
 
 glm::vec3 reliefNormal(const HeightTexture& heights, const formula::ReliefPrism& prism, float depth, glm::vec2 x_y) {

@@ -18,10 +18,22 @@ namespace mirrorball {
 /// A triangle of a mesh with the space below it, in the mesh's own.
 ///
 /// first     of its three indices
-/// returns   not joined to others
+/// returns   not joined to others, and of all heights
 /// heights   where the material's texture has them
 formula::ReliefPrism reliefPrism(const Mesh& mesh, std::size_t first, const Material& material,
                                  const HeightTexture& heights);
+
+/// How far a mesh's vertices are from its origin, at most.
+float reachOf(const Mesh& mesh);
+
+/// Between which heights rays are looked for in a prism: ReliefPrism::heights. The surface is there; where a relief is
+/// so thin that the places of a ray are rounded by some of it, there is room for that.
+///
+/// prism     in its mesh's space, by reliefPrism
+/// bounds    HeightTexture::bounds of the heights that it was made with
+/// reach     of the mesh
+/// cost      some 64 cells
+glm::vec2 heightsBelow(const formula::ReliefPrism& prism, const HeightBounds& bounds, float reach);
 
 /// The unit normal, for shading, of a place of that surface, in the mesh's space. The slopes of the heights are central
 /// differences at the texels, interpolated between them.

@@ -70,6 +70,90 @@ TEST(PrepareRelief, WarnsWhereHeightsLieOverCoordinatesThatAMeshDoesNotHave) {
   EXPECT_EQ(warningsOf(HeightKind::brick, ReliefKind::none), 0u);
 }
 
+Scene reliefOfSide(int side) {
+  Scene scene = planeOf(HeightKind::map, 0.1f);
+  scene.height_textures.push_back({.heights = Image(side, side, 1, 0.5f)});
+  scene.materials[0].height_texture = 0;
+  return scene;
+}
+
+// Before any work: nothing is made then.
+TEST(PrepareRelief, RefusesSearchesThatTheDriverCannotRead) {
+  Scene scene = reliefOfSide(1400);
+  const auto prepared = prepareRelief(scene, ReliefKind::cone, [] { return 2048; });
+  ASSERT_FALSE(prepared);
+  EXPECT_EQ(prepared.error().code, ErrorCode::too_large);
+  EXPECT_NE(prepared.error().message.find("at most 1364 texels a side"), std::string::npos);
+  EXPECT_TRUE(scene.height_textures[0].picture.empty());
+}
+
+TEST(PrepareRelief, AsksForTheDriverOnlyWhereItMatters) {
+  int asked = 0;
+  const auto largest = [&] {
+    ++asked;
+    return 2100;
+  };
+  Scene small = reliefOfSide(512), large = reliefOfSide(1500), fits = reliefOfSide(1400);
+  EXPECT_TRUE(prepareRelief(small, ReliefKind::exact, largest));
+  EXPECT_TRUE(prepareRelief(large, ReliefKind::bump, largest));
+  EXPECT_TRUE(large.height_textures[0].picture.empty()) << "bumps need no searches";
+  EXPECT_EQ(asked, 0);
+  EXPECT_TRUE(prepareRelief(fits, ReliefKind::parallax, largest));
+  EXPECT_EQ(asked, 1);
+  // To be traced: no driver takes part.
+  EXPECT_TRUE(prepareRelief(large, ReliefKind::exact));
+  EXPECT_FALSE(large.height_textures[0].picture.empty());
+}
+
+TEST(PrepareRelief, KeepsNoHeightsThatWereTurnedOver) {
+  Scene scene = reliefOfSide(8);
+  scene.materials[0].height_scale = -0.1f;
+  ASSERT_TRUE(prepareRelief(scene, ReliefKind::exact));
+  EXPECT_EQ(scene.height_textures.size(), 1u);
+  EXPECT_EQ(scene.materials[0].height_texture, 0);
+}
+
+// Heights along u as a ramp: each triangle of a plane has its part of them.
+TEST(HeightsBelow, AreThoseOfATriangle) {
+  constexpr int kWidth = 512;
+  Image heights(kWidth, 1, 1);
+  for (int x = 0; x < kWidth; ++x) heights.texel(x, 0)[0] = static_cast<float>(x) / (kWidth - 1);
+  const auto texture = heightTexture(std::move(heights), MapEdges::clamped);
+  ASSERT_TRUE(texture);
+  Material material;
+  material.height_frequency = 1.0f;
+  const Mesh sphere = sphereMesh(32, 16);
+  for (std::size_t first = 0; first < sphere.indices.size(); first += 3) {
+    float low = 1.0f, high = 0.0f;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const float u = std::clamp(sphere.vertices[sphere.indices[first + corner]].uv[0].x, 0.0f, 1.0f);
+      low = std::min(low, u);
+      high = std::max(high, u);
+    }
+    const glm::vec2 found =
+        heightsBelow(reliefPrism(sphere, first, material, *texture), texture->bounds, reachOf(sphere));
+    EXPECT_LE(found.x, low + 0.001f);
+    EXPECT_GE(found.y, high - 0.001f);
+    EXPECT_LT(found.y - found.x, high - low + 0.03f);
+  }
+}
+
+// Where rays are rounded by all of a relief they are looked for in all of it.
+TEST(HeightsBelow, AreAllOfAReliefThinnerThanDigits) {
+  const auto texture = heightTexture(Image(4, 4, 1, 0.5f), MapEdges::tiled);
+  ASSERT_TRUE(texture);
+  const Mesh sphere = sphereMesh(8, 16);
+  const auto below = [&](float depth) {
+    Material material;
+    material.height_scale = depth;
+    return heightsBelow(reliefPrism(sphere, 0, material, *texture), texture->bounds, reachOf(sphere));
+  };
+  EXPECT_EQ(below(1e-6f), glm::vec2(0.0f, 1.0f));
+  EXPECT_EQ(below(0.0f), glm::vec2(0.0f, 1.0f));
+  EXPECT_NEAR(below(0.1f).x, 0.5f, 1e-3f);
+  EXPECT_NEAR(below(0.1f).y, 0.5f, 1e-3f);
+}
+
 TEST(ReliefNormal, LeansAwayFromTheWayUp) {
   Image heights(4, 1, 1);
   for (int x = 0; x < 4; ++x) heights.texel(x, 0)[0] = 0.25f * static_cast<float>(x);

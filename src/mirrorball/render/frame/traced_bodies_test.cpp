@@ -14,6 +14,7 @@
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/frame/glass_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
+#include "mirrorball/scene/shapes/faceted.h"
 
 namespace mirrorball {
 namespace {
@@ -228,6 +229,31 @@ TEST_F(TracedBodies, MeshesThatAreNotBodiesGiveSanePictures) {
             ASSERT_LE(image.texel(x, y)[channel], 2.5f) << nameOf(kind);
           }
     }
+}
+
+// Two ways in one frame, whose pictures of bodies and of back faces take one texture unit in turns.
+TEST_F(TracedBodies, FewTrianglesAreTracedAndManyByTheirBackFaces) {
+  Scene scene = sceneOf(brilliantMesh(), clearGlass(2.4f));
+  scene.instances[0].world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(-1.2f, 0.0f, 0.0f));
+  add(scene, sphereMesh(48, 96), clearGlass(1.5f), glm::vec3(1.2f, 0.0f, 0.0f));
+  frame_.camera.orthographic_height = 4.6f;
+  const auto drawn = [&](RefractionKind kind) {
+    frame_.refraction = kind;
+    return inSmoothLight(scene);
+  };
+  const Image both = drawn(RefractionKind::automatic);
+  const Image traced = drawn(RefractionKind::traced);
+  const Image by_back_faces = drawn(RefractionKind::image_space);
+  double of_left = 0.0, of_right = 0.0;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const Image& expected = x < 32 ? traced : by_back_faces;
+      const Image& other = x < 32 ? by_back_faces : traced;
+      EXPECT_EQ(rgbAt(both, x, y), rgbAt(expected, x, y)) << x << ", " << y;
+      (x < 32 ? of_left : of_right) += double(glm::distance(rgbAt(both, x, y), rgbAt(other, x, y)));
+    }
+  EXPECT_GT(of_left, 1.0) << "the two ways look alike: nothing was told apart";
+  EXPECT_GT(of_right, 1.0);
 }
 
 TEST(BodiesInBothApis, AreTheSamePicture) {

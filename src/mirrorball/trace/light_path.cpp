@@ -372,13 +372,13 @@ Ray Path::scatterOnGround(const Ray& ray, float distance) {
   // From below the ground it meets also what lies flat on it.
   Ray next{
       .origin = formula::besideSurface(place, distance, -up), .from = Hit{.instance = kGround}, .media = ray.media};
-  const LightSample light = surroundings_.sampleOnGround(samples_.next());
-  if (light.pdf > 0.0f && settings_.strategy != LightStrategy::surface) {
+  const LightSample light = surroundings_.sampleFarAway(samples_.next());
+  if (light.pdf > 0.0f && light.direction.y > 0.0f && settings_.strategy != LightStrategy::surface) {
     next.direction = light.direction;
     const float cosine = light.direction.y / formula::kPi;
     const float weight = settings_.strategy == LightStrategy::both ? balanceHeuristic(light.pdf, cosine) : 1.0f;
     const glm::vec3 hidden = 1.0f - shareThatArrives(next, INFINITY);
-    sum_ -= throughput_ * hidden * surroundings_.radianceOnGround(light.direction) * (weight * cosine / light.pdf);
+    sum_ -= throughput_ * hidden * surroundings_.radianceFarAway(light.direction) * (weight * cosine / light.pdf);
   }
   const glm::vec2 u = samples_.next();
   const float radius = std::sqrt(u.x);
@@ -401,8 +401,8 @@ PathLight Path::follow(Ray ray) {
     const auto hit = meets ? firstHit(ray, INFINITY, throughput_) : std::nullopt;
     if (is_from_ground_) {
       if (!hit) return ended();
-      const float weight = weightBeside(surroundings_.pdfOnGround(ray.direction));
-      sum_ -= throughput_ * weight * surroundings_.radianceOnGround(ray.direction);
+      const float weight = weightBeside(surroundings_.pdfFarAway(ray.direction));
+      sum_ -= throughput_ * weight * surroundings_.radianceFarAway(ray.direction);
       is_from_ground_ = false;
     }
     const auto ground = groundBefore(ray, hit);

@@ -7,12 +7,6 @@
 #include "formula/prefilter.h"
 
 namespace mirrorball {
-namespace {
-
-constexpr glm::vec3 kUp(0.0f, 1.0f, 0.0f);
-
-}  // namespace
-
 Surroundings::Surroundings(const Environment& environment, const LightSampler& lights, Proxy proxy,
                            const TraceSettings& settings)
     : environment_(environment),
@@ -23,51 +17,52 @@ Surroundings::Surroundings(const Environment& environment, const LightSampler& l
   if (proxy_.kind != ProxyKind::ground) return;
   constexpr int kSamples = 4096;
   for (int i = 0; i < kSamples; ++i) {
-    const LightSample light = sampleOnGround(formula::sampleOffset(i, kSamples));
-    if (light.pdf > 0.0f)
+    const LightSample light = sampleFarAway(formula::sampleOffset(i, kSamples));
+    if (light.pdf > 0.0f && light.direction.y > 0.0f)
       ground_irradiance_ +=
-          radianceOnGround(light.direction) * (light.direction.y / (formula::kPi * light.pdf * kSamples));
+          radianceFarAway(light.direction) * (light.direction.y / (formula::kPi * light.pdf * kSamples));
   }
 }
 
-glm::vec3 Surroundings::radianceOnGround(glm::vec3 direction) const {
+glm::vec3 Surroundings::radianceFarAway(glm::vec3 direction) const {
   return intensity_ * environment_.radiance(glm::normalize(environment_from_world_ * direction));
 }
 
 glm::vec3 Surroundings::radiance(glm::vec3 origin, glm::vec3 direction) const {
-  if (proxy_.kind == ProxyKind::none) return radianceOnGround(direction);
-  return radianceOnGround(sightFrom(proxy_, origin, direction).direction);
+  if (proxy_.kind == ProxyKind::none) return radianceFarAway(direction);
+  return radianceFarAway(sightFrom(proxy_, origin, direction).direction);
 }
 
-/// Whether what a ray sees is what is seen in the same direction from the capture, and not hidden from there.
-bool Surroundings::isSeenFromCapture(const formula::ProxySight& sight) const {
-  if (proxy_.kind != ProxyKind::mesh) return true;
-  const formula::ProxyHit first = hitOf(proxy_, proxy_.captured_at, sight.direction);
+/// Whether a ray from a place and one from the capture meet the same place: of triangles, which may hide each other and
+/// have holes, they may not.
+bool Surroundings::isSame(const formula::ProxyHit& here, const formula::ProxyHit& there) const {
+  const bool is_far = here.normal == glm::vec3(0.0f);
+  if (is_far || there.normal == glm::vec3(0.0f)) return is_far && there.normal == glm::vec3(0.0f);
   constexpr float kSame = 1e-3f;
-  return glm::distance(first.place, sight.place) <= kSame * glm::distance(proxy_.captured_at, sight.place);
+  return glm::distance(here.place, there.place) <= kSame * glm::distance(proxy_.captured_at, there.place);
 }
 
 LightSample Surroundings::sample(glm::vec3 origin, glm::vec2 u) const {
-  LightSample light = lights_.sample(u);
-  light.direction = glm::transpose(environment_from_world_) * light.direction;
+  LightSample light = sampleFarAway(u);
   if (proxy_.kind == ProxyKind::none) return light;
   const formula::ProxyHit there = hitOf(proxy_, proxy_.captured_at, light.direction);
-  const bool is_far = there.normal == glm::vec3(0.0f);
-  const glm::vec3 direction = is_far ? light.direction : there.place - proxy_.within(origin);
-  if (direction == glm::vec3(0.0f)) return {};
-  light.direction = glm::normalize(direction);
-  const formula::ProxySight sight = sightFrom(proxy_, origin, light.direction);
-  const bool is_seen = is_far ? sight.direction == light.direction
-                              : glm::distance(sight.place, there.place) <= 1e-3f * glm::length(direction);
-  light.pdf = is_seen ? light.pdf * sight.enlargement : 0.0f;
+  if (there.normal != glm::vec3(0.0f)) {
+    const glm::vec3 towards = there.place - proxy_.within(origin);
+    if (towards == glm::vec3(0.0f)) return {};
+    light.direction = glm::normalize(towards);
+  }
+  const formula::ProxyHit here = hitOf(proxy_, origin, light.direction);
+  const formula::ProxySight sight = formula::sightOfProxy(here, proxy_.captured_at, light.direction);
+  light.pdf *= isSame(here, there) ? sight.enlargement : 0.0f;
   return light;
 }
 
 float Surroundings::pdf(glm::vec3 origin, glm::vec3 direction) const {
-  if (proxy_.kind == ProxyKind::none) return lights_.pdf(glm::normalize(environment_from_world_ * direction));
-  const formula::ProxySight sight = sightFrom(proxy_, origin, direction);
-  if (!isSeenFromCapture(sight)) return 0.0f;
-  return lights_.pdf(glm::normalize(environment_from_world_ * sight.direction)) * sight.enlargement;
+  if (proxy_.kind == ProxyKind::none) return pdfFarAway(direction);
+  const formula::ProxyHit here = hitOf(proxy_, origin, direction);
+  const formula::ProxySight sight = formula::sightOfProxy(here, proxy_.captured_at, direction);
+  if (proxy_.kind == ProxyKind::mesh && !isSame(here, hitOf(proxy_, proxy_.captured_at, sight.direction))) return 0.0f;
+  return pdfFarAway(sight.direction) * sight.enlargement;
 }
 
 glm::vec3 Surroundings::originOfEye(glm::vec3 origin, glm::vec3 direction) const {
@@ -84,14 +79,13 @@ glm::vec3 Surroundings::albedoOfGround(glm::vec3 seen) const {
   return glm::min(seen / glm::max(ground_irradiance_, glm::vec3(1e-20f)), glm::vec3(1.0f));
 }
 
-LightSample Surroundings::sampleOnGround(glm::vec2 u) const {
+LightSample Surroundings::sampleFarAway(glm::vec2 u) const {
   LightSample light = lights_.sample(u);
   light.direction = glm::transpose(environment_from_world_) * light.direction;
-  if (glm::dot(light.direction, kUp) <= 0.0f) light.pdf = 0.0f;
   return light;
 }
 
-float Surroundings::pdfOnGround(glm::vec3 direction) const {
+float Surroundings::pdfFarAway(glm::vec3 direction) const {
   return lights_.pdf(glm::normalize(environment_from_world_ * direction));
 }
 

@@ -42,13 +42,13 @@ class Surroundings {
   /// most all of it (shadowedGround).
   glm::vec3 albedoOfGround(glm::vec3 seen) const;
 
-  /// That light: as if it came from infinitely far away, so that the ground is evenly lit.
-  glm::vec3 radianceOnGround(glm::vec3 direction) const;
-  LightSample sampleOnGround(glm::vec2 u) const;
-  float pdfOnGround(glm::vec3 direction) const;
+  // The same of an environment that is infinitely far away, which is what lights the ground.
+  glm::vec3 radianceFarAway(glm::vec3 direction) const;
+  LightSample sampleFarAway(glm::vec2 u) const;
+  float pdfFarAway(glm::vec3 direction) const;
 
  private:
-  bool isSeenFromCapture(const formula::ProxySight& sight) const;
+  bool isSame(const formula::ProxyHit& here, const formula::ProxyHit& there) const;
 
   const Environment& environment_;
   const LightSampler& lights_;

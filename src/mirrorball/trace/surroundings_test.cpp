@@ -97,6 +97,17 @@ TEST(SurroundingsOfScenes, EveryStrategyFindsTheSameLight) {
   }
 }
 
+// Through a hole light comes from far away, and counts once.
+TEST(SurroundingsOfScenes, WhatIsSeenThroughAHoleCountsOnce) {
+  TraceSettings settings = small(400);
+  settings.proxy = *parseProxy("proxy", "plane");
+  settings.proxy.captured_at = glm::vec3(0.3f, 1.0f, 0.2f);
+  settings.shows_environment = false;
+  const float both = meanOf(testing::traced(smallBall(0.8f), lampLight(), settings));
+  settings.strategy = LightStrategy::surface;
+  EXPECT_NEAR(meanOf(testing::traced(smallBall(0.8f), lampLight(), settings)), both, 0.02f * both);
+}
+
 TEST(SurroundingsOfScenes, TheFurnaceIsWhiteOnEveryProxy) {
   for (const std::string& proxy : kEveryProxy) {
     TraceSettings settings = small(64);

@@ -111,7 +111,8 @@ Result<void> checkProxy(const FrameSettings& settings, const Scene& scene) {
   const ProxyOptions& options = settings.proxy;
   if (options.kind == ProxyKind::none && options.captured_at)
     return fail(ErrorCode::usage, "--captured-at is where the map of a --proxy was captured; add --proxy");
-  if (options.kind == ProxyKind::none) return {};
+  // Triangles hold every place, and are read by who draws.
+  if (options.kind == ProxyKind::none || options.kind == ProxyKind::mesh) return {};
   MIRRORBALL_TRY(proxy, placedProxy(options, scene));
   MIRRORBALL_TRY(camera, framedCamera(scene, boundingSphere(scene), settings.camera, settings.size));
   if (proxy.kind == ProxyKind::ground && camera.position.y < proxy.ground)

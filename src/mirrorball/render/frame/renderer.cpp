@@ -87,7 +87,7 @@ struct Renderer::State {
   Background background = {};
   ProxyUniforms proxy = {};
   std::optional<LightSampler> ground_sampler = {};   ///< of the environment, made when a frame first has a ground
-  std::optional<GroundShadow> ground_shadow = {};    ///< likewise
+  std::optional<GroundShadow> ground_shadow = {};    ///< of the scene, likewise
   std::optional<glm::mat3> shadow_environment = {};  ///< environment_from_world that it was drawn for; none: redraw it
   std::optional<GpuPrefilter> gpu_prefilter = {};    ///< made when BlurKind::gpu first asks for it
   std::optional<FlatLight> flat_light = {};          ///< made when LightLookUp::flat first asks for it
@@ -158,6 +158,7 @@ Result<void> Renderer::setScene(Scene scene) {
   state.body_tree.reset();
   state.bodies.reset();
   state.proxy.forgetScene();
+  state.ground_shadow.reset();
   state.shadow_environment.reset();
   if (state.surfaces) state.surfaces->forgetScene();
   return {};
@@ -365,10 +366,9 @@ Result<void> Renderer::State::makeGroundShadow() {
     ground_sampler = std::move(sampler);
   }
   if (!ground_shadow) {
-    MIRRORBALL_TRY(made, GroundShadow::make(context.api()));
+    MIRRORBALL_TRY(made, GroundShadow::make(context.api(), scene, bounds));
     ground_shadow = std::move(made);
   }
-  ground_shadow->setScene(scene);
   const GroundLights lights = groundLights(*environment, *ground_sampler, environment_from_world, kLights);
   ground_shadow->draw(scene, proxy.proxy(), lights);
   proxy.setShadow(*ground_shadow, lights.irradiance / light->unit());

@@ -50,27 +50,23 @@ GroundLights groundLights(const Environment& environment, const LightSampler& sa
   return ground;
 }
 
-Result<GroundShadow> GroundShadow::make(gl::Api api) {
+Result<GroundShadow> GroundShadow::make(gl::Api api, const Scene& scene, const BoundingSphere& bounds) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "ground_shadow.vert", "ground_shadow.frag"));
   MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(gl::Format::rgba16f, kSize, kSize, true));
-  return GroundShadow(std::move(program), std::move(framebuffer));
-}
-
-void GroundShadow::setScene(const Scene& scene) {
+  GroundShadow shadow(std::move(program), std::move(framebuffer));
+  shadow.area_ = {bounds.center.x, bounds.center.z, kModelRadii * bounds.radius};
   constexpr std::size_t kTriangles = 1000;
-  casters_.clear();
   for (const Mesh& mesh : scene.meshes) {
     const CoarseMesh coarse = coarseMesh(mesh, kTriangles);
     constexpr gl::Attribute kPosition{0, 3, 0};
-    casters_.push_back(
+    shadow.casters_.push_back(
         {gl::VertexArray(gl::Buffer(coarse.positions), sizeof(glm::vec3), {&kPosition, 1}, gl::Buffer(coarse.indices)),
          coarse.indices.size()});
   }
+  return Result<GroundShadow>(std::move(shadow));
 }
 
 void GroundShadow::draw(const Scene& scene, const Proxy& ground, const GroundLights& lights) {
-  const BoundingSphere bounds = boundingSphere(scene);
-  area_ = {bounds.center.x, bounds.center.z, kModelRadii * bounds.radius};
   framebuffer_.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -43,11 +43,11 @@ class GroundShadow {
   static constexpr int kSize = 512;        ///< texels
   static constexpr float kModelRadii = 4;  ///< from the middle to each side
 
+  /// Takes the shapes of a scene, each by few triangles.
+  ///
+  /// bounds   of the scene
   /// errors   unsupported, no_gl
-  static Result<GroundShadow> make(gl::Api api);
-
-  /// Takes the shapes of another scene, each by few triangles.
-  void setScene(const Scene& scene);
+  static Result<GroundShadow> make(gl::Api api, const Scene& scene, const BoundingSphere& bounds);
 
   /// Glass lets through what it lets through straight on; what is cut away or blended is taken as solid.
   ///

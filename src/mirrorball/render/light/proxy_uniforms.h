@@ -20,8 +20,11 @@ class ProxyUniforms {
   /// errors   as placedProxy's; too_large (its triangles for this driver)
   Result<void> place(const ProxyOptions& options, const Scene& scene);
   bool isOther(const ProxyOptions& options) const { return options_ != options; }
-  /// Must be called when the scene is another one.
-  void forgetScene() { options_.reset(); }
+  /// Must be called when the scene is another one, whose shadow is, too.
+  void forgetScene() {
+    options_.reset();
+    shadow_ = nullptr;
+  }
 
   const Proxy& proxy() const { return proxy_; }
 

@@ -107,10 +107,14 @@ Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given)
   return {};
 }
 
+Result<void> checkCapturedAt(const ProxyOptions& proxy) {
+  if (proxy.kind != ProxyKind::none || !proxy.captured_at) return {};
+  return fail(ErrorCode::usage, "--captured-at is where the map of a --proxy was captured; add --proxy");
+}
+
 Result<void> checkProxy(const FrameSettings& settings, const Scene& scene) {
   const ProxyOptions& options = settings.proxy;
-  if (options.kind == ProxyKind::none && options.captured_at)
-    return fail(ErrorCode::usage, "--captured-at is where the map of a --proxy was captured; add --proxy");
+  MIRRORBALL_TRY_VOID(checkCapturedAt(options));
   // Triangles hold every place, and are read by who draws.
   if (options.kind == ProxyKind::none || options.kind == ProxyKind::mesh) return {};
   MIRRORBALL_TRY(proxy, placedProxy(options, scene));

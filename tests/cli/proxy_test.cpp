@@ -48,6 +48,7 @@ TEST_F(ProxyOptionTest, WhatCannotBeIsOneLine) {
     EXPECT_THAT(outcome.err, HasSubstr(says)) << options;
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
   }
+  EXPECT_THAT(run("capture sphere --at 0,0,2 --captured-at 0,0,0 -o no.exr").err, HasSubstr("add --proxy"));
   EXPECT_THAT(files(), IsEmpty());
 }
 

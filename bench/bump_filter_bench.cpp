@@ -136,9 +136,7 @@ glm::vec2 random2(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 }
 
 /// The i-th point of the R2 sequence, moved.
-glm::vec2 shiftOf(glm::vec2 shift, int i) {
-  return glm::fract(shift + (float(i) + 0.5f) * glm::vec2(0.754877666f, 0.569840291f));
-}
+glm::vec2 shiftOf(glm::vec2 shift, int i) { return formula::evenPoint(shift, float(i) + 0.5f); }
 
 /// The light of a round lobe about the mirrored ray, as prefiltered cubes hold it: of an eye along the normal.
 float roundLobe(const Light& light, glm::vec3 v, glm::vec3 n, float variance, glm::vec2 shift, int count) {

@@ -1,12 +1,16 @@
 // Where in a pixel or texel the samples lie.
 
-// The i-th of `count` points in [0, 1)² that cover the square evenly: the R2 sequence (Martin Roberts 2018), whose
-// steps are 1/g and 1/g² with g the real root of x³ = x + 1. Each point is followed by its mirror image, and an odd
-// count has one in the centre, so that their mean is the centre itself and no picture is shifted.
+// Points in [0, 1)² that cover the square evenly, however many there are: the R2 sequence (Martin Roberts 2018), whose
+// steps are 1/g and 1/g² with g the real root of x³ = x + 1.
+//   from   where it begins
+FN vec2 evenPoint(vec2 from, float i) { return fract(from + i * vec2(0.754877666f, 0.569840291f)); }
+
+// The i-th of `count` of them. Each point is followed by its mirror image, and an odd count has one in the centre, so
+// that their mean is the centre itself and no picture is shifted.
 FN vec2 sampleOffset(int i, int count) {
   int in_pairs = i - count % 2;
   if (in_pairs < 0) return vec2(0.5f, 0.5f);
-  vec2 p = fract(vec2(0.5f, 0.5f) + (float(in_pairs / 2) + 0.5f) * vec2(0.754877666f, 0.569840291f));
+  vec2 p = evenPoint(vec2(0.5f, 0.5f), float(in_pairs / 2) + 0.5f);
   return in_pairs % 2 == 0 ? p : vec2(1.0f, 1.0f) - p;
 }
 
@@ -18,7 +22,7 @@ const int kPieces = kPiecesAcross * kPiecesAcross;
 //   random   in [0, 1)², of the sample
 FN vec2 placeOfPiece(int i, vec2 random) {
   vec2 corner = vec2(float(i % kPiecesAcross), float(i / kPiecesAcross));
-  vec2 inside = fract(random + float(i) * vec2(0.754877666f, 0.569840291f));
+  vec2 inside = evenPoint(random, float(i));
   return (corner + inside) / float(kPiecesAcross) - 0.5f;
 }
 

@@ -157,6 +157,7 @@ const Case kCases[] = {
     PARITY(nearestToCapture, direction, kTight, vec4(nearestToCapture(vec3(q), vec3(p), vec3(r)), 0.0f)),
 
     // sampling
+    PARITY(evenPoint, unit, kTight, vec4(evenPoint(vec2(p), 64.0f * q.x), 0.0f, 0.0f)),
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),
     PARITY(placeOfPiece, unit, kTight, vec4(placeOfPiece(int(15.9375f * p.x), vec2(q)), 0.0f, 0.0f)),
     PARITY(sampleFootprint, direction, kTight,

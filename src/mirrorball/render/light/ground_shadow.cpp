@@ -6,6 +6,7 @@
 #include <epoxy/gl.h>
 
 #include "formula/bsdf.h"
+#include "formula/prefilter.h"
 #include "mirrorball/scene/coarse_mesh.h"
 
 namespace mirrorball {
@@ -35,9 +36,7 @@ GroundLights groundLights(const Environment& environment, const LightSampler& sa
   int last = 0;
   for (int i = 0; i < tried && int(ground.lights.size()) < count; ++i) {
     last = i + 1;
-    // The points of an endless sequence, so that those that are taken are spread evenly.
-    const glm::vec2 u = glm::fract(0.5f + float(i) * glm::vec2(0.754877666f, 0.569840291f));
-    const LightSample light = sampler.sample(u);
+    const LightSample light = sampler.sample(formula::evenPoint(glm::vec2(0.5f), float(i)));
     const glm::vec3 direction = glm::normalize(glm::transpose(environment_from_world) * light.direction);
     constexpr float kLeastHeight = 0.02f;  // of light along the ground, whose shadows are endless
     if (light.pdf <= 0.0f || direction.y < kLeastHeight) continue;

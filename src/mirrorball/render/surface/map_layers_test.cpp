@@ -16,6 +16,7 @@
 
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/light/proxy_uniforms.h"
 #include "mirrorball/render/render_testing.h"
 #include "mirrorball/render/surface/surface_program.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
@@ -98,6 +99,7 @@ class Drawing {
     FrameUniforms frame;
     frame.prefiltered = {&light_.prefiltered(), 1};
     frame.camera = makeCamera({}, boundingSphere(scene), 1.0f);
+    frame.proxy = &far_away_;
     FrameSettings settings;
     settings.samples = 1;
     settings.texture_filter = filter;
@@ -117,6 +119,7 @@ class Drawing {
 
   EnvironmentLight light_;
   SurfacePrograms programs_;
+  ProxyUniforms far_away_;
   gl::Framebuffer framebuffer_;
 };
 

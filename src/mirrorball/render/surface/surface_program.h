@@ -70,7 +70,7 @@ struct FrameUniforms {
   const BackFaces* back_faces = nullptr;  ///< drawn with this camera; null: the frame's refraction does without
   const gl::Texture* relief_hits = nullptr;  ///< ReliefHits of this camera; null: none is found exactly
   int sample = 0;                            ///< number of the sample of the frame
-  ProxyUniforms* proxy = nullptr;            ///< placed as the settings say
+  ProxyUniforms* proxy = nullptr;            ///< placed as the settings say; must be set
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf

@@ -42,8 +42,8 @@ Result<void> Background::make(gl::Api api, ProxyUniforms& proxy) {
   return {};
 }
 
-void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame, const Camera& camera,
-                      const FrameSettings& settings) {
+void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings) {
+  const Camera& camera = frame.camera;
   gl::Program& program = programs_.find(settings.proxy.kind)->second;
   const bool blurred = settings.background == BackgroundKind::blur;
   glDisable(GL_CULL_FACE);

@@ -27,10 +27,7 @@ class Background {
   Result<void> make(gl::Api api, ProxyUniforms& proxy);
 
   /// Draws it, sharp or blurred as the settings say, where nothing else has been drawn yet.
-  ///
-  /// camera   of the sample
-  void draw(const EnvironmentLight& light, const FrameUniforms& frame, const Camera& camera,
-            const FrameSettings& settings);
+  void draw(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
 
  private:
   std::map<ProxyKind, gl::Program> programs_;

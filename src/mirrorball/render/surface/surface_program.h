@@ -99,6 +99,8 @@ class SurfacePrograms {
   Result<void> begin(const Scene& scene, const SceneBuffers& buffers, const EnvironmentLight& light,
                      const FrameUniforms& frame, const FrameSettings& settings);
 
+  gl::Api api() const { return api_; }
+
   /// Must be called when the scene is another one, or its materials or instances have changed.
   void forgetScene();
 

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/buffer.h"
+#include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/gl/program.h"
+#include "mirrorball/image/image.h"
+#include "mirrorball/render/frame/frame_settings.h"
+
+namespace mirrorball {
+
+/// The samples of a frame's pixels: the picture that each is drawn into, their mean, and the mean as a display shows it.
+class SampleSum {
+ public:
+  /// errors   unsupported (the driver does not compile a shader)
+  static Result<SampleSum> make(gl::Api api);
+
+  /// Begins a frame, of that size and with that many samples.
+  ///
+  /// errors   too_large; no_gl (the driver cannot draw floats)
+  Result<void> begin(const FrameSettings& settings);
+
+  /// What a sample is drawn into: 32-bit floats with depth.
+  const gl::Framebuffer& sample() const { return *sample_; }
+  /// Takes the picture that is in `sample()` into the mean.
+  void add();
+  int count() const { return count_; }  ///< of the samples that were added
+
+  /// Tone maps the mean of the samples that there are into what is bound.
+  void show();
+  /// The mean as linear radiance over its backdrop. Not of a frame whose mean is of a display's light.
+  Image radiance() const;
+  /// errors   as begin's
+  Result<Image8> picture();
+
+ private:
+  SampleSum(gl::Program accumulate, gl::Program tone_map)
+      : accumulate_(std::move(accumulate)), tone_map_(std::move(tone_map)) {}
+  const gl::Framebuffer& result() const { return settings_.samples > 1 ? *sum_ : *sample_; }
+
+  gl::Program accumulate_;
+  gl::Program tone_map_;
+  gl::VertexArray screen_;
+  std::optional<gl::Framebuffer> sample_;
+  std::optional<gl::Framebuffer> sum_;  ///< when there is more than one sample
+  std::optional<gl::Framebuffer> display_;
+  FrameSettings settings_;
+  int count_ = 0;
+};
+
+}  // namespace mirrorball

@@ -1,0 +1,187 @@
+#include "mirrorball/render/frame/scene_drawing.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <epoxy/gl.h>
+
+#include "formula/surface.h"
+#include "mirrorball/scene/bodies/surrounding_media.h"
+
+namespace mirrorball {
+namespace {
+
+/// The middle of the box around a mesh, in its own frame.
+glm::vec3 centerOf(const Mesh& mesh) {
+  if (mesh.vertices.empty()) return glm::vec3(0.0f);
+  Box box;
+  for (const Vertex& vertex : mesh.vertices) box.include({vertex.position, vertex.position});
+  return box.center();
+}
+
+}  // namespace
+
+Result<void> SceneDrawing::setScene(Scene scene) {
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(scene, TextureUnit::of_material));
+  scene_ = std::move(scene);
+  buffers_ = std::move(buffers);
+  bounds_ = boundingSphere(scene_);
+  centers_.clear();
+  for (const Mesh& mesh : scene_.meshes) centers_.push_back(centerOf(mesh));
+  body_tree_.reset();
+  bodies_.reset();
+  if (surfaces_) surfaces_->forgetScene();
+  return {};
+}
+
+Result<void> SceneDrawing::begin(const gl::Context& context, const FrameSettings& settings, FrameUniforms& frame) {
+  MIRRORBALL_TRY_VOID(makeSurfaces(context.api()));
+  MIRRORBALL_TRY_VOID(makePrisms(settings.relief));
+  MIRRORBALL_TRY_VOID(background_.make(context.api(), *frame.proxy));
+  MIRRORBALL_TRY_VOID(filterMaps(context, settings.texture_filter));
+  MIRRORBALL_TRY_VOID(makeBodies(settings, frame));
+  MIRRORBALL_TRY(coordinates, coordinateMatrices(scene_, bounds_, frame.camera, settings));
+  frame.coordinates = coordinates;
+  return {};
+}
+
+Result<void> SceneDrawing::makeSurfaces(gl::Api api) {
+  if (surfaces_) return {};
+  MIRRORBALL_TRY(table, brdf_table_.get());
+  MIRRORBALL_TRY(made, SurfacePrograms::make(api, table));
+  surfaces_ = std::move(made);
+  return {};
+}
+
+/// Tells the textures how they are read; the rest the shaders know.
+Result<void> SceneDrawing::filterMaps(const gl::Context& context, TextureFilter filter) {
+  const float anisotropy = std::min(context.largestAnisotropy(), static_cast<float>(formula::kMostReads));
+  if (filter == TextureFilter::anisotropic && anisotropy <= 1.0f)
+    return fail(ErrorCode::unsupported, "the graphics driver (" + context.renderer() +
+                                            ") has no anisotropic filter (EXT_texture_filter_anisotropic); choose the "
+                                            "trilinear one");
+  buffers_.filterMaps(scene_, filter, anisotropy);
+  return {};
+}
+
+/// Of the meshes whose relief is found exactly.
+Result<void> SceneDrawing::makePrisms(ReliefKind relief) {
+  if (relief != ReliefKind::exact) return {};
+  for (const Mesh& mesh : scene_.meshes)
+    if (showsHeightTexture(scene_.materials[std::size_t(mesh.material)], relief))
+      MIRRORBALL_TRY_VOID(buffers_.makePrisms(scene_, static_cast<int>(&mesh - scene_.meshes.data())));
+  return {};
+}
+
+/// Whether light passes so through some body.
+bool SceneDrawing::someRefract(RefractionKind kind, RefractionKind chosen) const {
+  for (std::size_t i = 0; i < scene_.materials.size(); ++i)
+    if (isBody(scene_.materials[i]) && refractionOf(scene_, static_cast<int>(i), chosen) == kind) return true;
+  return false;
+}
+
+/// The bodies for a frame that traces them, and those that its camera is in.
+Result<void> SceneDrawing::makeBodies(const FrameSettings& settings, FrameUniforms& frame) {
+  frame.bodies = nullptr;
+  frame.eye_media = {};
+  if (!someRefract(RefractionKind::traced, settings.refraction)) return {};
+  if (!body_tree_) {
+    MIRRORBALL_TRY(tree, bodyTree(scene_));
+    if (!tree) return {};
+    MIRRORBALL_TRY(made, withName("the triangles of glass", gl::Texture::fromWords(tree->words)));
+    body_tree_ = std::move(tree);
+    bodies_ = std::move(made);
+  }
+  frame.bodies = &*bodies_;
+  // The rays of an orthographic camera begin far away.
+  if (!frame.camera.orthographic) frame.eye_media = surroundingMedia(scene_, frame.camera.position, *body_tree_);
+  return {};
+}
+
+Result<void> SceneDrawing::drawBackFaces(const FrameSettings& settings, FrameUniforms& frame) {
+  frame.back_faces = nullptr;
+  if (!someRefract(RefractionKind::image_space, settings.refraction)) return {};
+  if (!back_faces_) {
+    MIRRORBALL_TRY(made, BackFaces::make(surfaces_->api()));
+    back_faces_ = std::move(made);
+  }
+  frame.back_faces = &*back_faces_;
+  return back_faces_->draw(scene_, buffers_, frame.camera, settings.size);
+}
+
+Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, FrameUniforms& frame) {
+  frame.relief_hits = nullptr;
+  if (settings.relief != ReliefKind::exact || scene_.height_textures.empty()) return {};
+  if (!relief_hits_) {
+    MIRRORBALL_TRY(made, ReliefHits::make(surfaces_->api()));
+    relief_hits_ = std::move(made);
+  }
+  frame.relief_hits = &relief_hits_->picture();
+  return relief_hits_->draw(scene_, buffers_, frame.camera, settings.size);
+}
+
+Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
+                                const FrameSettings& settings) {
+  MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
+  MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
+  MIRRORBALL_TRY_VOID(surfaces_->begin(scene_, buffers_, light, frame, settings));
+  frame.proxy->bind();
+  target.bind();
+  const bool has_color = settings.background == BackgroundKind::radiance;
+  const glm::vec3 color = has_color ? settings.background_color : glm::vec3(0.0f);
+  glClearColor(color.x, color.y, color.z, has_color ? 1.0f : 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glDisable(GL_BLEND);
+  // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  for (const int instance : byDistance(frame.camera, false)) drawInstance(instance, frame, settings);
+  if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
+    background_.draw(light, frame, settings);
+  drawBlended(frame, settings);
+  return {};
+}
+
+void SceneDrawing::drawInstance(int instance, const FrameUniforms& frame, const FrameSettings& settings) {
+  const Material& material = materialOf(scene_, std::size_t(instance));
+  const bool shows_inside = frame.eye_media.count > 0 && isBody(material);
+  if (material.double_sided || shows_inside)
+    glDisable(GL_CULL_FACE);
+  else
+    glEnable(GL_CULL_FACE);
+  surfaces_->draw(scene_, instance, buffers_, settings);
+}
+
+/// The instances of opaque surfaces, the nearest first, since what is near hides what is behind it, which then need not
+/// be lit; or of those that shine through, the farthest first, since they are drawn over each other.
+///
+/// The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
+std::vector<int> SceneDrawing::byDistance(const Camera& camera, bool is_blended) const {
+  std::vector<std::pair<float, int>> order;
+  for (int index = 0; index < static_cast<int>(scene_.instances.size()); ++index) {
+    if ((materialOf(scene_, std::size_t(index)).alpha_mode == AlphaMode::blend) != is_blended) continue;
+    const Instance& instance = scene_.instances[std::size_t(index)];
+    const glm::vec4 center(centers_[std::size_t(instance.mesh)], 1.0f);
+    const glm::vec3 from_eye = glm::vec3(instance.world_from_object * center) - camera.position;
+    const float distance = camera.orthographic ? glm::dot(from_eye, camera.forward) : glm::length(from_eye);
+    order.emplace_back(is_blended ? -distance : distance, index);
+  }
+  std::ranges::stable_sort(order, {}, &std::pair<float, int>::first);
+  std::vector<int> instances;
+  for (const auto& [distance, index] : order) instances.push_back(index);
+  return instances;
+}
+
+void SceneDrawing::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
+  const std::vector<int> blended = byDistance(frame.camera, true);
+  if (blended.empty()) return;
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthMask(GL_FALSE);
+  for (const int instance : blended) drawInstance(instance, frame, settings);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace mirrorball

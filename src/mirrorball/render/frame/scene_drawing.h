@@ -1,0 +1,73 @@
+#pragma once
+
+#include <future>
+#include <optional>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/context.h"
+#include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/image/image.h"
+#include "mirrorball/render/frame/background.h"
+#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/surface/back_faces.h"
+#include "mirrorball/render/surface/relief_hits.h"
+#include "mirrorball/render/surface/scene_buffers.h"
+#include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/scene/bodies/body_tree.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// A scene on the GPU, and how one sample of its picture is drawn: the surfaces, and the environment behind them.
+class SceneDrawing {
+ public:
+  /// brdf_table   surfaceBrdfTable(); waited for at the first frame
+  explicit SceneDrawing(std::future<Result<Image>> brdf_table) : brdf_table_(std::move(brdf_table)) {}
+
+  /// errors   too_large (a texture for this driver); then the scene is as before
+  Result<void> setScene(Scene scene);
+  const Scene& scene() const { return scene_; }
+  const BoundingSphere& bounds() const { return bounds_; }
+
+  /// Makes what a frame needs, and says it in `frame`, whose camera and proxy must be set.
+  ///
+  /// errors   too_large; unsupported (the driver has no anisotropic filter, or does not compile a shader)
+  Result<void> begin(const gl::Context& context, const FrameSettings& settings, FrameUniforms& frame);
+
+  /// Draws one sample of all pixels, into a framebuffer of floats with depth and of the settings' size.
+  ///
+  /// frame    of `begin`, but with the sample's own camera and number
+  /// errors   unsupported
+  Result<void> draw(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
+                    const FrameSettings& settings);
+
+ private:
+  Result<void> makeSurfaces(gl::Api api);
+  Result<void> filterMaps(const gl::Context& context, TextureFilter filter);
+  Result<void> makePrisms(ReliefKind relief);
+  bool someRefract(RefractionKind kind, RefractionKind chosen) const;
+  Result<void> makeBodies(const FrameSettings& settings, FrameUniforms& frame);
+  Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
+  Result<void> drawReliefHits(const FrameSettings& settings, FrameUniforms& frame);
+  std::vector<int> byDistance(const Camera& camera, bool is_blended) const;
+  void drawInstance(int instance, const FrameUniforms& frame, const FrameSettings& settings);
+  void drawBlended(const FrameUniforms& frame, const FrameSettings& settings);
+
+  std::future<Result<Image>> brdf_table_;
+  std::optional<SurfacePrograms> surfaces_;  ///< made for the first frame
+  Background background_;
+  Scene scene_;
+  SceneBuffers buffers_;
+  BoundingSphere bounds_;
+  std::vector<glm::vec3> centers_;       ///< of the meshes, each in its own frame
+  std::optional<BodyTree> body_tree_;    ///< of the scene, made when it is first traced
+  std::optional<gl::Texture> bodies_;    ///< its words
+  std::optional<BackFaces> back_faces_;  ///< made when a frame first needs them
+  std::optional<ReliefHits> relief_hits_;
+};
+
+}  // namespace mirrorball

@@ -1,6 +1,7 @@
 #include "mirrorball/render/frame/scene_drawing.h"
 
 #include <algorithm>
+#include <cassert>
 #include <string>
 #include <utility>
 
@@ -24,6 +25,7 @@ glm::vec3 centerOf(const Mesh& mesh) {
 
 Result<void> SceneDrawing::setScene(Scene scene) {
   MIRRORBALL_TRY(buffers, SceneBuffers::make(scene, TextureUnit::of_material));
+  ++version_;
   scene_ = std::move(scene);
   buffers_ = std::move(buffers);
   bounds_ = boundingSphere(scene_);
@@ -33,6 +35,26 @@ Result<void> SceneDrawing::setScene(Scene scene) {
   bodies_.reset();
   if (surfaces_) surfaces_->forgetScene();
   return {};
+}
+
+Result<void> SceneDrawing::drawNearness(gl::Api api, const FrameUniforms& frame, float unit, int size) {
+  if (!nearness_) {
+    MIRRORBALL_TRY(made, NearnessPicture::make(api));
+    nearness_ = std::move(made);
+  }
+  return nearness_->draw(api, scene_, buffers_, frame, unit, size);
+}
+
+const gl::Texture& SceneDrawing::nearness() const { return nearness_->picture(); }
+
+void SceneDrawing::moveInstances(const std::vector<Instance>& instances) {
+  assert(instances.size() == scene_.instances.size());
+  ++version_;
+  scene_.instances = instances;
+  bounds_ = boundingSphere(scene_);
+  body_tree_.reset();
+  bodies_.reset();
+  if (surfaces_) surfaces_->forgetScene();
 }
 
 Result<void> SceneDrawing::begin(const gl::Context& context, const FrameSettings& settings, FrameUniforms& frame) {
@@ -96,6 +118,8 @@ Result<void> SceneDrawing::makeBodies(const FrameSettings& settings, FrameUnifor
   frame.bodies = &*bodies_;
   // The rays of an orthographic camera begin far away.
   if (!frame.camera.orthographic) frame.eye_media = surroundingMedia(scene_, frame.camera.position, *body_tree_);
+  for (const int hidden : frame.hidden)
+    while (formula::timesEntered(frame.eye_media, hidden) > 0) frame.eye_media = formula::left(frame.eye_media, hidden);
   return {};
 }
 
@@ -107,7 +131,7 @@ Result<void> SceneDrawing::drawBackFaces(const FrameSettings& settings, FrameUni
     back_faces_ = std::move(made);
   }
   frame.back_faces = &*back_faces_;
-  return back_faces_->draw(scene_, buffers_, frame.camera, settings.size);
+  return back_faces_->draw(scene_, buffers_, frame.camera, settings.size, frame.hidden);
 }
 
 Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, FrameUniforms& frame) {
@@ -118,7 +142,7 @@ Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, FrameUn
     relief_hits_ = std::move(made);
   }
   frame.relief_hits = &relief_hits_->picture();
-  return relief_hits_->draw(scene_, buffers_, frame.camera, settings.size);
+  return relief_hits_->draw(scene_, buffers_, frame.camera, settings.size, frame.hidden);
 }
 
 Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
@@ -136,7 +160,7 @@ Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const Environment
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  for (const int instance : byDistance(frame.camera, false)) drawInstance(instance, frame, settings);
+  for (const int instance : byDistance(frame, false)) drawInstance(instance, frame, settings);
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
     background_.draw(light, frame, settings);
   drawBlended(frame, settings);
@@ -157,10 +181,12 @@ void SceneDrawing::drawInstance(int instance, const FrameUniforms& frame, const 
 /// be lit; or of those that shine through, the farthest first, since they are drawn over each other.
 ///
 /// The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
-std::vector<int> SceneDrawing::byDistance(const Camera& camera, bool is_blended) const {
+std::vector<int> SceneDrawing::byDistance(const FrameUniforms& frame, bool is_blended) const {
+  const Camera& camera = frame.camera;
   std::vector<std::pair<float, int>> order;
   for (int index = 0; index < static_cast<int>(scene_.instances.size()); ++index) {
     if ((materialOf(scene_, std::size_t(index)).alpha_mode == AlphaMode::blend) != is_blended) continue;
+    if (isAmong(frame.hidden, std::size_t(index))) continue;
     const Instance& instance = scene_.instances[std::size_t(index)];
     const glm::vec4 center(centers_[std::size_t(instance.mesh)], 1.0f);
     const glm::vec3 from_eye = glm::vec3(instance.world_from_object * center) - camera.position;
@@ -174,7 +200,7 @@ std::vector<int> SceneDrawing::byDistance(const Camera& camera, bool is_blended)
 }
 
 void SceneDrawing::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
-  const std::vector<int> blended = byDistance(frame.camera, true);
+  const std::vector<int> blended = byDistance(frame, true);
   if (blended.empty()) return;
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -14,6 +14,7 @@
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/surface/back_faces.h"
+#include "mirrorball/render/surface/nearness_picture.h"
 #include "mirrorball/render/surface/relief_hits.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_program.h"
@@ -32,6 +33,10 @@ class SceneDrawing {
   Result<void> setScene(Scene scene);
   const Scene& scene() const { return scene_; }
   const BoundingSphere& bounds() const { return bounds_; }
+  /// Puts the instances elsewhere: as many, of the same meshes.
+  void moveInstances(const std::vector<Instance>& instances);
+  /// Another number for each scene, and wherever its instances are put.
+  int version() const { return version_; }
 
   /// Makes what a frame needs, and says it in `frame`, whose camera and proxy must be set.
   ///
@@ -45,6 +50,12 @@ class SceneDrawing {
   Result<void> draw(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
                     const FrameSettings& settings);
 
+  /// Draws how near all is that a frame shows, into a square picture (NearnessPicture).
+  ///
+  /// errors   as NearnessPicture's
+  Result<void> drawNearness(gl::Api api, const FrameUniforms& frame, float unit, int size);
+  const gl::Texture& nearness() const;
+
  private:
   Result<void> makeSurfaces(gl::Api api);
   Result<void> filterMaps(const gl::Context& context, TextureFilter filter);
@@ -53,7 +64,7 @@ class SceneDrawing {
   Result<void> makeBodies(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> drawReliefHits(const FrameSettings& settings, FrameUniforms& frame);
-  std::vector<int> byDistance(const Camera& camera, bool is_blended) const;
+  std::vector<int> byDistance(const FrameUniforms& frame, bool is_blended) const;
   void drawInstance(int instance, const FrameUniforms& frame, const FrameSettings& settings);
   void drawBlended(const FrameUniforms& frame, const FrameSettings& settings);
 
@@ -68,6 +79,8 @@ class SceneDrawing {
   std::optional<gl::Texture> bodies_;    ///< its words
   std::optional<BackFaces> back_faces_;  ///< made when a frame first needs them
   std::optional<ReliefHits> relief_hits_;
+  std::optional<NearnessPicture> nearness_;
+  int version_ = 0;
 };
 
 }  // namespace mirrorball

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mirrorball/base/result.h"
@@ -11,6 +14,11 @@
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
+
+/// Whether a list has an instance.
+inline bool isAmong(std::span<const int> instances, std::size_t instance) {
+  return std::ranges::find(instances, static_cast<int>(instance)) != instances.end();
+}
 
 /// A scene's meshes and textures on the GPU.
 class SceneBuffers {

@@ -25,8 +25,8 @@ constexpr auto kAnisotropy = std::to_array<Names>({"anisotropy_none.glsl", "anis
 constexpr auto kSheen = std::to_array<Names>({"sheen_none.glsl", "sheen_cloth.glsl"});
 constexpr auto kMaterial =
     std::to_array<Names>({"material_core.glsl", "material_unlit.glsl", "material_from_inside.glsl"});
-constexpr auto kProxy = std::to_array<Names>(
-    {"proxy_none.glsl", "proxy_box.glsl", "proxy_sphere.glsl", "proxy_ground.glsl", "proxy_triangles.glsl"});
+constexpr auto kProxy = std::to_array<Names>({"proxy_none.glsl", "proxy_box.glsl", "proxy_sphere.glsl",
+                                              "proxy_ground.glsl", "proxy_triangles.glsl", "proxy_captured.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp = std::to_array<Names>(
@@ -269,11 +269,15 @@ std::string answeredText(const SurfaceVariant& variant) {
 
 std::span<const SurfaceQuestion, kParts> surfaceQuestions() { return kQuestions; }
 
-std::string answered(Part part, std::size_t answer_number, std::string_view text) {
-  const SurfaceQuestion& question = kQuestions[static_cast<std::size_t>(part)];
-  std::string with_answer(text);
-  answer(with_answer, question.name, question.answers[answer_number]);
-  return with_answer;
+Result<gl::ShaderSource> withProxy(gl::Api api, std::string_view entry, ProxyKind kind) {
+  const SurfaceQuestion& question = kQuestions[static_cast<std::size_t>(Part::proxy)];
+  std::string text(embeddedText(entry).value());
+  answer(text, question.name, question.answers[static_cast<std::size_t>(kind)]);
+  const gl::FindText find = [&](std::string_view name) -> std::optional<std::string_view> {
+    if (name == entry) return text;
+    return embeddedText(name);
+  };
+  return gl::shaderSource(api, entry, {}, find);
 }
 
 bool stretchesLobes(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
@@ -312,7 +316,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   // A prism has no corners that the surface has.
   if (!variant.has(Part::point, PointPart::exact))
     variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
-  variant.choose(Part::proxy, settings.proxy.kind);        // the same choices
+  variant.choose(Part::proxy, settings.proxy.kind);        // its choices come first
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
   chooseLayers(variant, material);

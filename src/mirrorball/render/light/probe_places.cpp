@@ -31,7 +31,7 @@ bool isFlat(const Box& box) {
   return std::min({side.x, side.y, side.z}) <= kFlat * std::max({side.x, side.y, side.z});
 }
 
-/// Whether a box lies in another for more than a half on each axis.
+/// Whether what a box is around is a part of what is in another.
 bool liesIn(const Box& inner, const Box& outer) {
   const glm::vec3 middle = inner.center();
   return glm::all(glm::greaterThanEqual(middle, outer.low)) && glm::all(glm::lessThanEqual(middle, outer.high)) &&
@@ -45,6 +45,14 @@ bool isReflective(const Material& material) {
   if (material.unlit) return false;
   return material.transmission > 0.0f || material.metallic >= 0.5f || material.clearcoat > 0.0f ||
          material.perceptual_roughness <= kGlossy;
+}
+
+std::vector<int> withParts(const Scene& scene, int instance) {
+  const std::vector<Box> boxes = boxesOf(scene);
+  std::vector<int> parts;
+  for (int part = 0; part < static_cast<int>(boxes.size()); ++part)
+    if (part == instance || liesIn(boxes[std::size_t(part)], boxes[std::size_t(instance)])) parts.push_back(part);
+  return parts;
 }
 
 ProbePlaces probePlaces(const Scene& scene, int most) {

@@ -24,6 +24,9 @@ struct ProbePlaces {
 /// Whether a material reflects so that one may tell of what: metal, glass, lacquer, and whatever else is glossy.
 bool isReflective(const Material& material);
 
+/// An instance and those that lie in it: whose boxes' middles are in its box, and which are no larger.
+std::vector<int> withParts(const Scene& scene, int instance);
+
 /// Deals probes out to the largest objects of reflective materials. Flat ones get none: from one place it is not known
 /// what the whole of a plane sees.
 ///

@@ -10,6 +10,7 @@ layout(std140) uniform FrameBlock {
   vec3 camera_position;
   float orthographic;      // 1: all rays go along camera_forward
   vec3 camera_forward;
+  float screen_unit;       // world units; of the distances in the picture of opaque surfaces
   float samples_per_pixel;
   float sample_phase;      // of the sample that is drawn: (its number + ½) / samples_per_pixel
   int texture_filter;      // of filter_kind.glsl

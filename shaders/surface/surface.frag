@@ -27,6 +27,7 @@
 #include "part: material"
 #include "part: look-up"
 #include "part: dispersion"
+#include "part: behind"
 #include "part: transmission"
 #include "part: sky"
 #include "part: lamps"

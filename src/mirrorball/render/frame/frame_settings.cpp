@@ -376,6 +376,13 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
           "takes image-space for others",
       .group = "Look"},
      choiceField<&FrameSettings::refraction>},
+    {{.name = "behind",
+      .choices = "far|probes|screen",
+      .help = "what is seen through glass: the environment far away; with --probes what was captured around it; or the "
+              "opaque surfaces in the picture, where the ray that leaves the glass meets them there, and else that "
+              "light. far leaves glass without a probe",
+      .group = "Look"},
+     choiceField<&FrameSettings::behind>},
     {{.name = "inner-bounces",
       .value = "N",
       .minimum = 1,

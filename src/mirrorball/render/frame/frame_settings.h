@@ -45,6 +45,13 @@ enum class DispersionKind {
   spectral,  ///< FrameSettings::wavelengths, each with its own index
 };
 
+/// What is seen through glass and other surfaces that let light through.
+enum class BehindKind {
+  far,     ///< the environment, even if the surface has a probe
+  probes,  ///< what it reflects, too: its probe's light, or without one the environment
+  screen,  ///< opaque surfaces that are in the picture, and that light where the ray meets none
+};
+
 enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
 
 /// What is averaged over the samples of a pixel.
@@ -70,6 +77,7 @@ struct FrameSettings {
   int probes = 0;           ///< that are captured at reflective objects at most, 0 … kMostProbes or kAutoProbes
   int probe_size = 0;       ///< side of their faces [texels], 8 … 1024; 0: by the picture's height
   int probe_bounces = 2;    ///< how often light goes from object to object in what they capture, 1 … 8
+  BehindKind behind = BehindKind::probes;
   BackgroundKind background = BackgroundKind::environment;
   glm::vec3 background_color{0.0f};  ///< linear: radiance, or a display's light in [0, 1]
   int samples = 4;                   ///< of each pixel, 1 … 4096

@@ -29,6 +29,8 @@ FrameSettings settingsOfFace(const FrameSettings& settings) {
   of_face.resolve = Resolve::radiance;
   of_face.background = BackgroundKind::environment;
   of_face.background_color = glm::vec3(0.0f);
+  if (of_face.behind == BehindKind::screen)
+    of_face.behind = BehindKind::probes;  // a face does not show what is beside it
   return of_face;
 }
 
@@ -110,8 +112,8 @@ Result<void> Probes::capture(std::size_t probe, const gl::Context& context, Scen
     MIRRORBALL_TRY_VOID(drawing.begin(context, settings, frame));
     MIRRORBALL_TRY_VOID(drawing.draw(*picture_, light, frame, settings));
     filter_->setFace(lights_[probe], face, picture_->color());
-    MIRRORBALL_TRY_VOID(drawing.drawNearness(context.api(), frame, drawing.bounds().radius, filter_->size()));
-    filter_->setNearness(lights_[probe], face, drawing.nearness());
+    MIRRORBALL_TRY(nearness, drawing.drawNearness(frame, settings.size));
+    filter_->setNearness(lights_[probe], face, *nearness);
   }
   filter_->finish(lights_[probe]);
   ++captures_;
@@ -131,8 +133,11 @@ void Probes::tell(const SceneDrawing& drawing, const FrameSettings& settings) {
   uniforms_.lights.clear();
   uniforms_.light_of_instance.assign(drawing.scene().instances.size(), -1);
   const auto add = [&](const SurfaceLight& light, const ReflectiveObject& object) {
-    for (const int instance : object.instances)
+    for (const int instance : object.instances) {
+      const bool is_seen_through = materialOf(drawing.scene(), std::size_t(instance)).transmission > 0.0f;
+      if (settings.behind == BehindKind::far && is_seen_through) continue;
       uniforms_.light_of_instance[std::size_t(instance)] = static_cast<int>(uniforms_.lights.size());
+    }
     uniforms_.lights.push_back(light);
   };
   for (std::size_t probe = 0; probe < lights_.size(); ++probe) {

@@ -37,15 +37,41 @@ Result<void> SceneDrawing::setScene(Scene scene) {
   return {};
 }
 
-Result<void> SceneDrawing::drawNearness(gl::Api api, const FrameUniforms& frame, float unit, int size) {
-  if (!nearness_) {
-    MIRRORBALL_TRY(made, NearnessPicture::make(api));
-    nearness_ = std::move(made);
-  }
-  return nearness_->draw(api, scene_, buffers_, frame, unit, size);
+Result<void> SceneDrawing::makeNearness() {
+  if (nearness_) return {};
+  MIRRORBALL_TRY(made, NearnessPicture::make(surfaces_->api()));
+  nearness_ = std::move(made);
+  return {};
 }
 
-const gl::Texture& SceneDrawing::nearness() const { return nearness_->picture(); }
+Result<const gl::Texture*> SceneDrawing::drawNearness(const FrameUniforms& frame, glm::ivec2 size) {
+  MIRRORBALL_TRY_VOID(makeNearness());
+  MIRRORBALL_TRY_VOID(nearness_->draw(scene_, buffers_, frame, bounds_.radius, size));
+  MIRRORBALL_TRY_VOID(nearness_->drawProxy(surfaces_->api(), frame, bounds_.radius));
+  return &nearness_->picture();
+}
+
+/// What has been drawn until now, for the surfaces that see it through themselves.
+Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light,
+                                      FrameUniforms& frame, const FrameSettings& settings) {
+  MIRRORBALL_TRY_VOID(makeNearness());
+  if (!opaque_picture_) {
+    MIRRORBALL_TRY(made, OpaquePicture::make(surfaces_->api()));
+    opaque_picture_ = std::move(made);
+  }
+  std::vector<int> left_out(frame.hidden.begin(), frame.hidden.end());
+  for (std::size_t i = 0; i < scene_.instances.size(); ++i)
+    if (seesScreen(materialOf(scene_, i), settings)) left_out.push_back(static_cast<int>(i));
+  FrameUniforms of_opaque = frame;
+  of_opaque.hidden = left_out;
+  MIRRORBALL_TRY_VOID(nearness_->draw(scene_, buffers_, of_opaque, bounds_.radius, settings.size));
+  MIRRORBALL_TRY_VOID(opaque_picture_->take(target.color(), nearness_->picture()));
+  frame.opaque_picture = &opaque_picture_->picture();
+  frame.screen_unit = bounds_.radius;
+  target.bind();
+  glEnable(GL_DEPTH_TEST);
+  return surfaces_->begin(scene_, buffers_, light, frame, settings);
+}
 
 void SceneDrawing::moveInstances(const std::vector<Instance>& instances) {
   assert(instances.size() == scene_.instances.size());
@@ -160,9 +186,17 @@ Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const Environment
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  for (const int instance : byDistance(frame, false)) drawInstance(instance, frame, settings);
+  std::vector<int> seeing_screen;
+  for (const int instance : byDistance(frame, false)) {
+    if (seesScreen(materialOf(scene_, std::size_t(instance)), settings))
+      seeing_screen.push_back(instance);
+    else
+      drawInstance(instance, frame, settings);
+  }
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
     background_.draw(light, frame, settings);
+  if (!seeing_screen.empty()) MIRRORBALL_TRY_VOID(copyScreen(target, light, frame, settings));
+  for (const int instance : seeing_screen) drawInstance(instance, frame, settings);
   drawBlended(frame, settings);
   return {};
 }

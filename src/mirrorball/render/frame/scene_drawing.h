@@ -15,6 +15,7 @@
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/nearness_picture.h"
+#include "mirrorball/render/surface/opaque_picture.h"
 #include "mirrorball/render/surface/relief_hits.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_program.h"
@@ -50,11 +51,12 @@ class SceneDrawing {
   Result<void> draw(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
                     const FrameSettings& settings);
 
-  /// Draws how near all is that a frame shows, into a square picture (NearnessPicture).
+  /// Draws how near all is that a frame shows, the environment's proxy too (NearnessPicture), in distances of the
+  /// scene's radius.
   ///
-  /// errors   as NearnessPicture's
-  Result<void> drawNearness(gl::Api api, const FrameUniforms& frame, float unit, int size);
-  const gl::Texture& nearness() const;
+  /// returns  valid until the next call
+  /// errors   too_large; unsupported
+  Result<const gl::Texture*> drawNearness(const FrameUniforms& frame, glm::ivec2 size);
 
  private:
   Result<void> makeSurfaces(gl::Api api);
@@ -63,6 +65,9 @@ class SceneDrawing {
   bool someRefract(RefractionKind kind, RefractionKind chosen) const;
   Result<void> makeBodies(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
+  Result<void> makeNearness();
+  Result<void> copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms& frame,
+                          const FrameSettings& settings);
   Result<void> drawReliefHits(const FrameSettings& settings, FrameUniforms& frame);
   std::vector<int> byDistance(const FrameUniforms& frame, bool is_blended) const;
   void drawInstance(int instance, const FrameUniforms& frame, const FrameSettings& settings);
@@ -80,6 +85,7 @@ class SceneDrawing {
   std::optional<BackFaces> back_faces_;  ///< made when a frame first needs them
   std::optional<ReliefHits> relief_hits_;
   std::optional<NearnessPicture> nearness_;
+  std::optional<OpaquePicture> opaque_picture_;
   int version_ = 0;
 };
 

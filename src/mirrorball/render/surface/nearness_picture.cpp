@@ -17,10 +17,10 @@ Result<NearnessPicture> NearnessPicture::make(gl::Api api) {
   return NearnessPicture(std::move(program));
 }
 
-Result<void> NearnessPicture::draw(gl::Api api, const Scene& scene, const SceneBuffers& buffers,
-                                   const FrameUniforms& frame, float unit, int size) {
-  if (!framebuffer_ || framebuffer_->width() != size) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size, size, true));
+Result<void> NearnessPicture::draw(const Scene& scene, const SceneBuffers& buffers, const FrameUniforms& frame,
+                                   float unit, glm::ivec2 size) {
+  if (!framebuffer_ || framebuffer_->width() != size.x || framebuffer_->height() != size.y) {
+    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, true));
     framebuffer_ = std::move(made);
   }
   framebuffer_->bind();
@@ -43,7 +43,7 @@ Result<void> NearnessPicture::draw(gl::Api api, const Scene& scene, const SceneB
     program_.set("world_from_object", scene.instances[i].world_from_object);
     buffers.drawMesh(scene.instances[i].mesh);
   }
-  return drawProxy(api, frame, unit);
+  return {};
 }
 
 /// Where nothing else is.

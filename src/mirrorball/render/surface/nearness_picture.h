@@ -20,8 +20,7 @@ namespace mirrorball {
 Result<gl::ShaderSource> nearnessShader(gl::Api api, ProxyKind kind);
 
 /// A picture of how near all is that a camera sees: 1 / distance from the camera's place, as
-/// formula/proxy/captured_sight.glsl reads it. Surfaces that are blended are left out, and relief does not move places;
-/// behind all is the environment's proxy.
+/// formula/proxy/captured_sight.glsl reads it. Surfaces that are blended are left out, and relief does not move places.
 class NearnessPicture {
  public:
   /// errors   unsupported (the driver does not compile a shader)
@@ -30,17 +29,21 @@ class NearnessPicture {
   /// Draws it. The framebuffer is another one then; blending is off.
   ///
   /// unit     of length, in world units
-  /// size     of the square picture
-  /// errors   too_large; unsupported
+  /// size     of the picture
+  /// errors   too_large
   /// cost     as a frame without light
-  Result<void> draw(gl::Api api, const Scene& scene, const SceneBuffers& buffers, const FrameUniforms& frame,
-                    float unit, int size);
+  Result<void> draw(const Scene& scene, const SceneBuffers& buffers, const FrameUniforms& frame, float unit,
+                    glm::ivec2 size);
+
+  /// Draws the proxy, behind what has been drawn.
+  ///
+  /// errors   unsupported
+  Result<void> drawProxy(gl::Api api, const FrameUniforms& frame, float unit);
 
   const gl::Texture& picture() const { return framebuffer_->color(); }
 
  private:
   explicit NearnessPicture(gl::Program program) : program_(std::move(program)) {}
-  Result<void> drawProxy(gl::Api api, const FrameUniforms& frame, float unit);
 
   gl::Program program_;
   std::map<ProxyKind, gl::Program> of_proxy_;

@@ -165,6 +165,7 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
   program.set("irradiance" + form, TextureUnit::irradiance);
   if (variant.has(Part::proxy, ProxyPart::captured)) program.set("captured_nearness", TextureUnit::nearness);
   if (variant.has(Part::transmission, TransmissionPart::traced)) program.set("bodies", TextureUnit::bodies);
+  if (variant.has(Part::behind, BehindPart::screen)) program.set("opaque_picture", TextureUnit::opaque_picture);
   if (variant.has(Part::transmission, TransmissionPart::image_space))
     program.set("back_faces", TextureUnit::back_faces);
   if (variant.has(Part::normal, NormalPart::heights)) {
@@ -235,6 +236,7 @@ void SurfacePrograms::setFrame(const FrameUniforms& frame, const FrameSettings& 
   block.set("camera_position", frame.camera.position);
   block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
   block.set("camera_forward", frame.camera.forward);
+  block.set("screen_unit", frame.screen_unit);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
   block.set("sample_phase", (static_cast<float>(frame.sample) + 0.5f) / static_cast<float>(settings.samples));
   block.set("texture_filter", static_cast<int>(settings.texture_filter));
@@ -328,6 +330,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   bodies_ = frame.bodies;
   back_faces_ = frame.back_faces;
   relief_hits_ = frame.relief_hits;
+  opaque_picture_ = frame.opaque_picture;
   return {};
 }
 
@@ -354,6 +357,8 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
   if (bodies_ && variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
   if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
     back_faces_->picture().bind(TextureUnit::back_faces);
+  if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))
+    opaque_picture_->bind(TextureUnit::opaque_picture);
   frame_->bind(frame_point);
   bindLight(lightOf(instance));
   instanceBlock(scene, instance).bind(instance_point);

@@ -42,6 +42,7 @@ struct TextureUnit {
   static constexpr int prefiltered = 4;
   static constexpr int irradiance = 5;
   static constexpr int first_of_material = 6;
+  static constexpr int opaque_picture = first_of_material + kUnitsBesideScreen;
   static constexpr int of_material = gl::Texture::kUnits - first_of_material;
   static constexpr int relief_hits = gl::Texture::kUnits - 5;
   static constexpr int horizons = gl::Texture::kUnits - 4;
@@ -90,11 +91,13 @@ struct FrameUniforms {
   const gl::Texture* bodies = nullptr;    ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
   formula::Media eye_media;               ///< of traced bodies, those that the camera is inside of
   const BackFaces* back_faces = nullptr;  ///< drawn with this camera; null: the frame's refraction does without
-  const gl::Texture* relief_hits = nullptr;  ///< ReliefHits of this camera; null: none is found exactly
-  int sample = 0;                            ///< number of the sample of the frame
-  ProxyUniforms* proxy = nullptr;            ///< placed as the settings say; must be set
-  const ProbeUniforms* probes = nullptr;     ///< null: there are none
-  std::span<const int> hidden = {};          ///< instances that are not drawn
+  const gl::Texture* relief_hits = nullptr;     ///< ReliefHits of this camera; null: none is found exactly
+  int sample = 0;                               ///< number of the sample of the frame
+  ProxyUniforms* proxy = nullptr;               ///< placed as the settings say; must be set
+  const gl::Texture* opaque_picture = nullptr;  ///< OpaquePicture of this camera; null: nothing reads it
+  float screen_unit = 1.0f;                     ///< of its distances [world units]
+  const ProbeUniforms* probes = nullptr;        ///< null: there are none
+  std::span<const int> hidden = {};             ///< instances that are not drawn
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
@@ -158,6 +161,7 @@ class SurfacePrograms {
   const gl::Texture* bodies_ = nullptr;       ///< null: the scene has none
   const BackFaces* back_faces_ = nullptr;     ///< of the sample
   const gl::Texture* relief_hits_ = nullptr;  ///< likewise
+  const gl::Texture* opaque_picture_ = nullptr;
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
   std::optional<gl::UniformBlock> frame_;
   std::vector<SurfaceLight> lights_;            ///< of the sample: the environment's, then those of probes

@@ -32,6 +32,7 @@ constexpr auto kArrivingLight = std::to_array<Names>(
 constexpr auto kLookUp = std::to_array<Names>(
     {"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl", "look_up_pieces.glsl"});
 constexpr auto kDispersion = std::to_array<Names>({"dispersion_channels.glsl", "dispersion_spectral.glsl"});
+constexpr auto kBehind = std::to_array<Names>({"behind_light.glsl", "behind_screen.glsl"});
 constexpr auto kTransmission =
     std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl",
                           "transmission_image_space.glsl", "transmission_traced.glsl"});
@@ -53,6 +54,7 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
     {"arriving light", kArrivingLight},
     {"look-up", kLookUp},
     {"dispersion", kDispersion},
+    {"behind", kBehind},
     {"transmission", kTransmission},
     {"sky", kSky},
     {"lamps", kLamps},
@@ -130,6 +132,13 @@ DispersionPart dispersionPart(const Material& material, const FrameSettings& set
 CoatPart coatPart(const Material& material) {
   if (material.clearcoat <= 0.0f) return CoatPart::none;
   return material.clearcoat_normal_map.texture >= 0 ? CoatPart::clear_mapped : CoatPart::clear;
+}
+
+/// The copy of the screen takes a texture unit that few bodies have a picture in.
+BehindPart behindPart(const Material& material, const std::vector<MapSource>& maps, const FrameSettings& settings) {
+  const bool is_free =
+      std::ranges::none_of(maps, [](const MapSource& source) { return source.unit >= kUnitsBesideScreen; });
+  return seesScreen(material, settings) && is_free ? BehindPart::screen : BehindPart::light;
 }
 
 bool reflectsAtFragment(const FrameSettings& settings, const CoordinateChoice& coordinates) {
@@ -290,6 +299,10 @@ bool readsPieces(const Material& material, const FrameSettings& settings, const 
   return has_bumps && !stretchesLobes(material, settings, coordinates) && reflectsAtFragment(settings, coordinates);
 }
 
+bool seesScreen(const Material& material, const FrameSettings& settings) {
+  return settings.behind == BehindKind::screen && material.transmission > 0.0f && !material.unlit;
+}
+
 RefractionKind refractionOf(const Scene& scene, int material, RefractionKind asked) {
   if (asked != RefractionKind::automatic) return asked;
   std::size_t triangles = 0;
@@ -321,6 +334,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
   chooseLayers(variant, material);
   variant.choose(Part::dispersion, dispersionPart(material, settings));
+  variant.choose(Part::behind, behindPart(material, variant.maps, settings));
   variant.choose(Part::transmission, transmissionPart(material, settings));
   variant.choose(Part::sky, variant.has(Part::point, PointPart::raster) ? SkyPart::open : SkyPart::over_horizons);
   variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);

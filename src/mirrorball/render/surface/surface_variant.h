@@ -40,13 +40,14 @@ enum class Part {
   arriving_light,
   look_up,
   dispersion,
+  behind,
   transmission,
   sky,
   lamps,
   coat,
   alpha
 };
-constexpr std::size_t kParts = 17;
+constexpr std::size_t kParts = 18;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 
 /// A shader of shaders/ that asks for the part "proxy" alone.
@@ -68,6 +69,7 @@ enum class ProxyPart : std::uint8_t { none, box, sphere, ground, mesh, captured 
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
 enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched, pieces };
 enum class DispersionPart : std::uint8_t { channels, spectral };
+enum class BehindPart : std::uint8_t { light, screen };
 enum class TransmissionPart : std::uint8_t { none, single, thin, image_space, traced };
 enum class SkyPart : std::uint8_t { open, over_horizons };
 enum class LampsPart : std::uint8_t { none, listed };
@@ -91,6 +93,12 @@ struct SurfaceVariant {
   }
   auto operator<=>(const SurfaceVariant&) const = default;
 };
+
+/// Units of a material's textures up to which a body can read the copy of the screen (TextureUnit::opaque_picture).
+constexpr int kUnitsBesideScreen = 3;
+
+/// Whether what is behind a surface is looked for in a picture of the opaque ones, after which it is then drawn.
+bool seesScreen(const Material& material, const FrameSettings& settings);
 
 /// How light passes through a material's bodies, where the settings leave it to their size.
 RefractionKind refractionOf(const Scene& scene, int material, RefractionKind asked);

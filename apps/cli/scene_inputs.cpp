@@ -107,14 +107,16 @@ Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given)
   return {};
 }
 
-Result<void> checkCapturedAt(const ProxyOptions& proxy) {
+Result<void> checkProxyOptions(const ProxyOptions& proxy) {
+  if (proxy.ground_roughness < 1.0f && proxy.kind != ProxyKind::ground)
+    return fail(ErrorCode::usage, "--ground-roughness is of the ground below the model; add --proxy ground");
   if (proxy.kind != ProxyKind::none || !proxy.captured_at) return {};
   return fail(ErrorCode::usage, "--captured-at is where the map of a --proxy was captured; add --proxy");
 }
 
 Result<void> checkProxy(const FrameSettings& settings, const Scene& scene) {
   const ProxyOptions& options = settings.proxy;
-  MIRRORBALL_TRY_VOID(checkCapturedAt(options));
+  MIRRORBALL_TRY_VOID(checkProxyOptions(options));
   // Triangles hold every place, and are read by who draws.
   if (options.kind == ProxyKind::none || options.kind == ProxyKind::mesh) return {};
   MIRRORBALL_TRY(proxy, placedProxy(options, scene));

@@ -154,9 +154,18 @@ constexpr Field kProxy{[](const FrameSettings& s) { return writtenProxy(s.proxy)
                        [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
                          MIRRORBALL_TRY(proxy, parseProxy(text.name, written));
                          proxy.captured_at = s.proxy.captured_at;
+                         proxy.ground_roughness = s.proxy.ground_roughness;
                          s.proxy = std::move(proxy);
                          return {};
                        }};
+
+constexpr Field kGroundRoughness{
+    [](const FrameSettings& s) { return formatNumber(s.proxy.ground_roughness); },
+    [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+      MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+      s.proxy.ground_roughness = numbers.front();
+      return {};
+    }};
 
 constexpr Field kCapturedAt{[](const FrameSettings& s) {
                               return s.proxy.captured_at ? writeNumbers({&s.proxy.captured_at->x, 3}) : std::string();
@@ -294,6 +303,14 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "the model's middle",
       .group = "Environment"},
      kCapturedAt},
+    {{.name = "ground-roughness",
+      .value = "ROUGHNESS",
+      .minimum = 0,
+      .maximum = 1,
+      .help = "with --proxy ground, how rough the ground is: below 1 it is polished and shows the mirror image of the "
+              "model; 1 is matt",
+      .group = "Environment"},
+     kGroundRoughness},
     {{.name = "blur",
       .choices = "exact|gpu|mip|cone",
       .help = "how the environment is blurred for rough surfaces: prefiltered exactly, prefiltered on the GPU in a few "

@@ -20,12 +20,18 @@ glm::vec3 centerOf(const Mesh& mesh) {
   return box.center();
 }
 
+/// Whether the ground behind the scene is seen, and polished.
+bool showsGroundMirror(const FrameUniforms& frame, const FrameSettings& settings) {
+  return settings.background == BackgroundKind::environment && frame.proxy->proxy().mirrorsScene();
+}
+
 }  // namespace
 
 Result<void> SceneDrawing::setScene(Scene scene) {
   MIRRORBALL_TRY(buffers, SceneBuffers::make(scene, TextureUnit::of_material));
   scene_ = std::move(scene);
   buffers_ = std::move(buffers);
+  box_ = boundingBox(scene_);
   bounds_ = boundingSphere(scene_);
   centers_.clear();
   for (const Mesh& mesh : scene_.meshes) centers_.push_back(centerOf(mesh));
@@ -121,8 +127,33 @@ Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, FrameUn
   return relief_hits_->draw(scene_, buffers_, frame.camera, settings.size);
 }
 
-Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
-                                const FrameSettings& settings) {
+Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const EnvironmentLight& light,
+                                const FrameUniforms& frame, const FrameSettings& settings) {
+  if (showsGroundMirror(frame, settings)) MIRRORBALL_TRY_VOID(drawMirrored(light, frame, settings));
+  return drawOnce(target, light, frame, settings);
+}
+
+/// The picture that a polished ground reads.
+Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUniforms frame, FrameSettings settings) {
+  if (!ground_mirror_) {
+    MIRRORBALL_TRY(made, GroundMirror::make(surfaces_->api(), *frame.proxy));
+    ground_mirror_ = std::move(made);
+  }
+  // A rough ground blurs the picture of the first sample for all others.
+  constexpr float kRough = 0.1f;
+  if (frame.sample > 0 && settings.proxy.ground_roughness >= kRough) return {};
+  const float ground = frame.proxy->proxy().ground;
+  MIRRORBALL_TRY(picture, ground_mirror_->begin(frame.camera, ground, bounds_, settings.size));
+  frame.camera = ground_mirror_->below();
+  frame.eye_media = {};
+  settings.background = BackgroundKind::transparent;
+  return drawOnce(*picture, light, frame, settings);
+}
+
+Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
+                                    const FrameSettings& settings) {
+  const bool is_mirrored = glm::determinant(glm::mat3(frame.camera.view_from_world)) < 0.0f;
+  glFrontFace(is_mirrored ? GL_CW : GL_CCW);
   MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
   MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
   MIRRORBALL_TRY_VOID(surfaces_->begin(scene_, buffers_, light, frame, settings));
@@ -139,6 +170,7 @@ Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const Environment
   for (const int instance : byDistance(frame.camera, false)) drawInstance(instance, frame, settings);
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
     background_.draw(light, frame, settings);
+  if (showsGroundMirror(frame, settings)) ground_mirror_->draw(frame, settings, box_);
   drawBlended(frame, settings);
   return {};
 }

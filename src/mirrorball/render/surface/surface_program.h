@@ -38,6 +38,8 @@ struct TextureUnit {
   static constexpr int brdf_table = 3;
   static constexpr int prefiltered = 4;
   static constexpr int irradiance = 5;
+  static constexpr int mirror_picture = 6;  ///< read when no material is bound
+  static constexpr int mirror_depths = 7;
   static constexpr int first_of_material = 6;
   static constexpr int of_material = gl::Texture::kUnits - first_of_material;
   static constexpr int relief_hits = gl::Texture::kUnits - 5;

@@ -11,7 +11,7 @@ namespace mirrorball {
 namespace {
 
 /// Of a pixel, of all its samples together, and the fewest of one sample.
-constexpr int kTapsOfPixel = 64;
+constexpr int kTapsOfPixel = 16;
 constexpr int kLeastTaps = 4;
 
 constexpr int kLevels = 7;  // of the picture: the last has texels of 64 pixels
@@ -51,14 +51,15 @@ void GroundMirror::draw(const FrameUniforms& frame, const FrameSettings& setting
   program_.set("camera_position", camera.position);
   program_.set("camera_forward", camera.forward);
   program_.set("orthographic", camera.orthographic ? 1.0f : 0.0f);
-  program_.set("picture_from_world", texelsFromClip(settings.size) * below_.clip_from_view * below_.view_from_world);
+  program_.set("picture_from_world", texelsFromClip({picture_->width(), picture_->height()}) * below_.clip_from_view *
+                                         below_.view_from_world);
   program_.set("scene_low", scene.low);
   program_.set("scene_high", scene.high);
   program_.set("alpha", alpha);
   program_.set("taps", taps);
   program_.set("first_tap", frame.sample * taps);
   program_.set("taps_of_pixel", static_cast<float>(taps * settings.samples));
-  program_.set("pixels_per_slope", 0.5f * static_cast<float>(settings.size.y) * camera.clip_from_view[1][1]);
+  program_.set("pixels_per_slope", 0.5f * static_cast<float>(picture_->height()) * camera.clip_from_view[1][1]);
   if (alpha > 0.0f) picture_->makeLevels();
   picture_->color().bind(TextureUnit::mirror_picture);
   picture_->depth().bind(TextureUnit::mirror_depths);

@@ -26,6 +26,7 @@ class GroundMirror {
   ///
   /// camera   of the sample
   /// bounds   of the scene
+  /// size     pixels; a blurred image needs fewer than the frame has
   /// errors   too_large; no_gl
   Result<const gl::Framebuffer*> begin(const Camera& camera, float ground, const BoundingSphere& bounds,
                                        glm::ivec2 size);

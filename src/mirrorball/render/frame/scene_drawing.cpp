@@ -139,9 +139,11 @@ Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUnif
     MIRRORBALL_TRY(made, GroundMirror::make(surfaces_->api(), *frame.proxy));
     ground_mirror_ = std::move(made);
   }
-  // A rough ground blurs the picture of the first sample for all others.
+  // A rough ground blurs the picture: that of the first sample does for all others, with fewer pixels.
   constexpr float kRough = 0.1f;
-  if (frame.sample > 0 && settings.proxy.ground_roughness >= kRough) return {};
+  const bool is_blurred = settings.proxy.ground_roughness >= kRough;
+  if (is_blurred && frame.sample > 0) return {};
+  if (is_blurred) settings.size = (settings.size + 1) / 2;
   const float ground = frame.proxy->proxy().ground;
   MIRRORBALL_TRY(picture, ground_mirror_->begin(frame.camera, ground, bounds_, settings.size));
   frame.camera = ground_mirror_->below();

@@ -237,6 +237,7 @@ Command renderCommand() {
   command.action = [request] {
     setTheStage(*request);
     request->scene.relief = request->frame.relief;
+    request->scene.occlusion = request->frame.occlusion;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });
   };

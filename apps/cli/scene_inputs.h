@@ -19,6 +19,7 @@ struct SceneRequest {
   std::string from = {};
   UpAxis up = UpAxis::y;
   ReliefKind relief = ReliefKind::bump;  ///< of the frame: the scene is prepared for it
+  OcclusionKind occlusion = OcclusionKind::none;  ///< likewise
   bool repair = false;
   bool is_uncached = false;
   bool timings = false;

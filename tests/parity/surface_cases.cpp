@@ -283,6 +283,14 @@ const Case kCases[] = {
                           r.y, vec3(1.0f, 2.0f, 3.0f), vec3(r)),
                 0.0f)),
 
+    // self_occlusion
+    PARITY(openingOf, direction, kTranscendental,
+           vec4(openingOf(vec3(p), 0.25f * vec3(q), r.x).axis, openingOf(vec3(p), 0.25f * vec3(q), r.x).angle)),
+    PARITY(lobeInOpening, direction, kTranscendental,
+           vec4(lobeInOpening(Opening(vec3(p), 1.5f * r.x), vec3(p), vec3(q), r.y))),
+    PARITY(roughnessOfOpening, unit, kTranscendental, vec4(roughnessOfOpening(Opening(vec3(0.0f), 1.5f * p.x)))),
+    PARITY(lightThroughOpening, unit, kTight, vec4(lightThroughOpening(vec3(p), vec3(q), r.x), 0.0f)),
+
     // shading
     PARITY(hasConductorIndex, direction, kExact,
            vec4(hasConductorIndex(testSurface(p, q, r).material) ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f)),

@@ -385,6 +385,12 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "prism bends it can be measured; the light keeps the environment's colours, and metals their own",
       .group = "Look"},
      kWavelength},
+    {{.name = "occlusion",
+      .choices = "none|vertex",
+      .help = "whether the model hides the environment from itself: not at all, or as each vertex knows by rays, which "
+              "are traced once for the model; what is hidden shows the model's own light",
+      .group = "Look"},
+     choiceField<&FrameSettings::occlusion>},
     {{.name = "lookup",
       .choices = "cube|flat|flat-nearest",
       .help = "how surfaces find the light of a direction: by a cube sampler, or by face and texels computed in the "

@@ -179,11 +179,13 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
   }
 }
 
-SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
+SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
                                           const FrameSettings& settings) const {
+  const int material = materialOf(scene, instance);
   const Material& from_outside = scene.materials[std::size_t(material)];
   FrameSettings decided = settings;
   decided.refraction = refractionOf(scene, material, settings.refraction);
+  if (scene.instances[std::size_t(instance)].occlusion.empty()) decided.occlusion = OcclusionKind::none;
   const auto variant = [&](const Material& seen) {
     return surfaceVariant(seen, buffers.mapsOf(material), decided, settings.lights.size() + scene.lights.size(),
                           coordinates_);
@@ -270,7 +272,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
   const auto eye_media = mediaRows(frame.eye_media);
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    const SurfaceVariant variant = variantOf(scene, materialOf(scene, instance), buffers, settings);
+    const SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
     MIRRORBALL_TRY(program, programFor(variant, *frame.proxy));
     if (variant.has(Part::sheen, SheenPart::cloth)) MIRRORBALL_TRY_VOID(addClothToBrdfTable());
     if (variant.lamp_count > 0) program->set("lamp_rows", std::span<const glm::vec4>(lamps));
@@ -293,10 +295,9 @@ void SurfacePrograms::forgetScene() {
   materials_.clear();
 }
 
-void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers& buffers,
-                           const FrameSettings& settings) {
+void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings) {
   const int material = materialOf(scene, instance);
-  const SurfaceVariant variant = variantOf(scene, material, buffers, settings);
+  const SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
   gl::Program& program = programs_.find(variant)->second;
   const bool shows_heights = variant.has(Part::normal, NormalPart::heights);
   buffers.bindMaps(scene, material, TextureUnit::first_of_material, shows_heights);
@@ -316,6 +317,7 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
   materialBlock(scene, material).bind(material_point);
   program.use();
   const int mesh = scene.instances[std::size_t(instance)].mesh;
+  if (variant.has(Part::sky, SkyPart::past_scene)) return buffers.drawMeshWithOcclusion(scene, instance);
   if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(mesh);
   glDisable(GL_CULL_FACE);
   buffers.bindPrisms(mesh, TextureUnit::prisms);

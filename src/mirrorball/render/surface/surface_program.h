@@ -107,7 +107,7 @@ class SurfacePrograms {
   void forgetScene();
 
   /// Draws an instance of the scene.
-  void draw(const Scene& scene, int instance, const SceneBuffers& buffers, const FrameSettings& settings);
+  void draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings);
 
  private:
   /// The binding points of the uniform blocks.
@@ -116,7 +116,7 @@ class SurfacePrograms {
   SurfacePrograms(gl::Api api, gl::Texture brdf_table) : api_(api), brdf_table_(std::move(brdf_table)) {}
 
   Result<void> addClothToBrdfTable();
-  SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
+  SurfaceVariant variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) const;
   Result<gl::Program*> programFor(const SurfaceVariant& variant, ProxyUniforms& proxy);
   void connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy);

@@ -35,7 +35,7 @@ constexpr auto kDispersion = std::to_array<Names>({"dispersion_channels.glsl", "
 constexpr auto kTransmission =
     std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl",
                           "transmission_image_space.glsl", "transmission_traced.glsl"});
-constexpr auto kSky = std::to_array<Names>({"sky_open.glsl", "sky_over_horizons.glsl"});
+constexpr auto kSky = std::to_array<Names>({"sky_open.glsl", "sky_over_horizons.glsl", "sky_past_scene.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
 constexpr auto kCoat = std::to_array<Names>({"coat_none.glsl", "coat_clear.glsl", "coat_clear_mapped.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
@@ -121,6 +121,12 @@ TransmissionPart transmissionPart(const Material& material, const FrameSettings&
       break;
   }
   return TransmissionPart::single;
+}
+
+/// What vertices know is said of the triangles; relief in them tells of more.
+SkyPart skyPart(const SurfaceVariant& variant, const FrameSettings& settings) {
+  if (!variant.has(Part::point, PointPart::raster)) return SkyPart::over_horizons;
+  return settings.occlusion == OcclusionKind::vertex ? SkyPart::past_scene : SkyPart::open;
 }
 
 DispersionPart dispersionPart(const Material& material, const FrameSettings& settings) {
@@ -318,7 +324,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   chooseLayers(variant, material);
   variant.choose(Part::dispersion, dispersionPart(material, settings));
   variant.choose(Part::transmission, transmissionPart(material, settings));
-  variant.choose(Part::sky, variant.has(Part::point, PointPart::raster) ? SkyPart::open : SkyPart::over_horizons);
+  variant.choose(Part::sky, skyPart(variant, settings));
   variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
   variant.lamp_count = static_cast<std::uint8_t>(lamps);
   return variant;

@@ -151,10 +151,10 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
     names.cache = std::move(of_user);
   }
   if (request.occlusion == OcclusionKind::vertex)
-    names.finish = [&clock](Scene& scene) {
-      return clock.time("model: occlusion", [&scene]() -> Result<void> {
+    names.finish = [&clock, finds_looks = request.self_reflection](Scene& scene) {
+      return clock.time("model: occlusion", [&]() -> Result<void> {
         MIRRORBALL_TRY(geometry, Geometry::make(scene));
-        return findOcclusion(scene, geometry, {}, progressBar("occlusion"));
+        return findOcclusion(scene, geometry, {.finds_looks = finds_looks}, progressBar("occlusion"));
       });
     };
   return checkedInputs(loadRenderInputs(names, clock.observing(terminalObserver())), request, outputs);

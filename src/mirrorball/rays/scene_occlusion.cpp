@@ -49,8 +49,8 @@ glm::vec3 cosineDirection(glm::vec2 place) {
   return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0f - place.y)};
 }
 
-/// How much a surface reflects of even light, all together: of a dielectric, its colour below what Schlick's term reflects
-/// on average, which is f0 + (1 − f0) / 21.
+/// How much a surface reflects of even light, all together: of a dielectric, its colour below what Schlick's term
+/// reflects on average, which is f0 + (1 − f0) / 21.
 glm::vec3 albedoOf(const formula::Material& m) {
   const glm::vec3 f0 = formula::smoothDielectric(m, 1.0f);
   const glm::vec3 reflects = f0 + (m.specular - f0) / 21.0f;
@@ -73,6 +73,7 @@ class Finder {
 
   Result<void> trace(const ProgressFunction& progress);
   void findAlbedos();
+  void findLooks();
   void followReflections();
   void smooth();
   void give(Scene& scene) const;
@@ -80,7 +81,7 @@ class Finder {
  private:
   void traceVertex(std::size_t vertex);
   Hider hiderOf(glm::vec3 origin, glm::vec3 direction, std::uint32_t random) const;
-  glm::vec3 albedoOfTriangle(std::uint32_t triangle) const;
+  formula::Material materialOfTriangle(std::uint32_t triangle) const;
 
   const Scene& scene_;
   const Geometry& geometry_;
@@ -91,6 +92,7 @@ class Finder {
   std::vector<Hider> hiders_;                  // of each vertex's rays
   std::vector<glm::vec3> albedos_;             // of the triangles that hide something
   std::vector<VertexOcclusion> found_;         // of each vertex
+  std::vector<VertexLook> looks_;              // likewise, if they are asked for
 };
 
 /// The first surface that hides what is behind it.
@@ -160,12 +162,12 @@ Result<void> Finder::trace(const ProgressFunction& progress) {
 }
 
 /// In the middle of a triangle.
-glm::vec3 Finder::albedoOfTriangle(std::uint32_t triangle) const {
+formula::Material Finder::materialOfTriangle(std::uint32_t triangle) const {
   const auto after = std::ranges::upper_bound(first_triangle_, triangle);
   const auto instance = static_cast<std::uint32_t>(after - first_triangle_.begin()) - 1;
   const Hit middle{
       .instance = instance, .triangle = triangle - first_triangle_[instance], .barycentric = glm::vec2(1.0f / 3.0f)};
-  return albedoOf(surfacePointAt(scene_, world_from_normal_[instance], middle, ReliefKind::none).material);
+  return surfacePointAt(scene_, world_from_normal_[instance], middle, ReliefKind::none).material;
 }
 
 void Finder::findAlbedos() {
@@ -175,8 +177,36 @@ void Finder::findAlbedos() {
   albedos_.resize(first_triangle_.back());
   parallelFor(albedos_.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (hides[i] != 0) albedos_[i] = albedoOfTriangle(static_cast<std::uint32_t>(i));
+      if (hides[i] != 0) albedos_[i] = albedoOf(materialOfTriangle(static_cast<std::uint32_t>(i)));
   });
+}
+
+/// The mean of the triangles around each vertex.
+void Finder::findLooks() {
+  std::vector<formula::Material> materials(first_triangle_.back());
+  parallelFor(materials.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) materials[i] = materialOfTriangle(static_cast<std::uint32_t>(i));
+  });
+  looks_.assign(places_.size(), {glm::vec3(0.0f), 0.0f, glm::vec3(0.0f), 0.0f});
+  std::vector<float> counts(places_.size(), 0.0f);
+  for (std::size_t instance = 0; instance < scene_.instances.size(); ++instance) {
+    const std::vector<std::uint32_t>& indices = scene_.meshes[std::size_t(scene_.instances[instance].mesh)].indices;
+    for (std::size_t i = 0; i / 3 < indices.size() / 3; ++i) {
+      const formula::Material& material = materials[first_triangle_[instance] + i / 3];
+      const std::uint32_t vertex = places_.vertexOf(instance, indices[i]);
+      VertexLook& sum = looks_[vertex];
+      sum.base_color += material.base_color;
+      sum.metallic += material.metallic;
+      sum.emission += material.emission;
+      sum.perceptual_roughness += material.perceptual_roughness;
+      counts[vertex] += 1.0f;
+    }
+  }
+  for (std::size_t v = 0; v < looks_.size(); ++v) {
+    const float part = 1.0f / std::max(counts[v], 1.0f);
+    const VertexLook& sum = looks_[v];
+    looks_[v] = {part * sum.base_color, part * sum.metallic, part * sum.emission, part * sum.perceptual_roughness};
+  }
 }
 
 /// From light that is all there, each step counts one reflection more; so white light in a white scene stays.
@@ -241,8 +271,12 @@ void Finder::give(Scene& scene) const {
     Instance& instance = scene.instances[i];
     const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
     instance.occlusion.resize(vertices);
-    for (std::size_t v = 0; v < vertices; ++v)
-      instance.occlusion[v] = found_[places_.vertexOf(i, static_cast<std::uint32_t>(v))];
+    instance.looks.resize(looks_.empty() ? 0 : vertices);
+    for (std::size_t v = 0; v < vertices; ++v) {
+      const std::uint32_t number = places_.vertexOf(i, static_cast<std::uint32_t>(v));
+      instance.occlusion[v] = found_[number];
+      if (!looks_.empty()) instance.looks[v] = looks_[number];
+    }
   }
 }
 
@@ -255,6 +289,7 @@ Result<void> findOcclusion(Scene& scene, const Geometry& geometry, const SceneOc
   finder.findAlbedos();
   finder.followReflections();
   finder.smooth();
+  if (settings.finds_looks) finder.findLooks();
   finder.give(scene);
   return {};
 }

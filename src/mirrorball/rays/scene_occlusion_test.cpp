@@ -82,8 +82,8 @@ TEST(SceneOcclusion, ABallHidesItsFormFactorFromAPlane) {
   }
 }
 
-// All of the inside of a hollow ball sees the same share of its opening, and each light is the same at all places (Jacquez
-// & Kuppenheim 1955): E = s + ρ (1 − s) E.
+// All of the inside of a hollow ball sees the same share of its opening, and each light is the same at all places
+// (Jacquez & Kuppenheim 1955): E = s + ρ (1 − s) E.
 TEST(SceneOcclusion, ABowlsInsideSeesItsOpeningAndItself) {
   constexpr float kAlbedo = 0.6f;
   Scene bowl = bowlScene();

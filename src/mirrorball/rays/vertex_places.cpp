@@ -8,8 +8,8 @@
 namespace mirrorball {
 namespace {
 
-/// Of a triangle's corners, the place that lies between them; the part of the triangle that is nearer to this vertex than
-/// to its other two.
+/// Of a triangle's corners, the place that lies between them; the part of the triangle that is nearer to this vertex
+/// than to its other two.
 constexpr float kFarthestAway = 1.0f / 3.0f;
 
 glm::vec3 cornerOf(const Scene& scene, std::size_t instance, std::size_t index) {

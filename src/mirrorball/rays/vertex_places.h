@@ -17,9 +17,9 @@ struct PlaceByVertex {
   glm::vec3 geometric_normal{0.0f};  ///< world, unit, on the side of the vertex's normal
 };
 
-/// The vertices of a scene where its instances put them, those of one instance once that share place and normal, with the
-/// triangles around each. What is true of a vertex is asked at places of these triangles: at the vertex itself, where they
-/// meet, a fold counts as seen from neither side.
+/// The vertices of a scene where its instances put them, those of one instance once that share place and normal, with
+/// the triangles around each. What is true of a vertex is asked at places of these triangles: at the vertex itself,
+/// where they meet, a fold counts as seen from neither side.
 class VertexPlaces {
  public:
   explicit VertexPlaces(const Scene& scene);

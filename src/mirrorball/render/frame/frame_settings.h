@@ -85,6 +85,8 @@ struct FrameSettings {
   int wavelengths = 12;        ///< that a sample of a pixel is drawn of where dispersion is spectral, 8 … 16
   float wavelength_nm = 0.0f;  ///< TraceSettings::wavelength_nm, 380 … 780; 0: none
   OcclusionKind occlusion = OcclusionKind::none;
+  bool self_reflection =
+      false;  ///< surfaces reflect the scene by a ray; with OcclusionKind::vertex, where looks are known
   LightLookUp look_up = LightLookUp::cube;
   TextureFilter texture_filter = TextureFilter::trilinear;
   Texgen texgen = Texgen::none;         ///< for base_color_map where the scene has one, else for the environment

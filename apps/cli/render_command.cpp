@@ -237,6 +237,9 @@ Command renderCommand() {
   command.action = [request] {
     setTheStage(*request);
     request->scene.relief = request->frame.relief;
+    if (request->frame.self_reflection) request->frame.occlusion = OcclusionKind::vertex;
+    request->scene.self_reflection = request->frame.self_reflection;
+    request->scene.occlusion = request->frame.occlusion;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });
   };

@@ -10,6 +10,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/rays/scene_occlusion.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/proxy/proxy.h"
@@ -149,6 +150,13 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
     MIRRORBALL_TRY(of_user, PrefilterCache::ofUser());
     names.cache = std::move(of_user);
   }
+  if (request.occlusion == OcclusionKind::vertex)
+    names.finish = [&clock, finds_looks = request.self_reflection](Scene& scene) {
+      return clock.time("model: occlusion", [&]() -> Result<void> {
+        MIRRORBALL_TRY(geometry, Geometry::make(scene));
+        return findOcclusion(scene, geometry, {.finds_looks = finds_looks}, progressBar("occlusion"));
+      });
+    };
   return checkedInputs(loadRenderInputs(names, clock.observing(terminalObserver())), request, outputs);
 }
 

@@ -18,7 +18,9 @@ struct SceneRequest {
   std::string environment = "studio";
   std::string from = {};
   UpAxis up = UpAxis::y;
-  ReliefKind relief = ReliefKind::bump;  ///< of the frame: the scene is prepared for it
+  ReliefKind relief = ReliefKind::bump;           ///< of the frame: the scene is prepared for it
+  OcclusionKind occlusion = OcclusionKind::none;  ///< likewise
+  bool self_reflection = false;
   bool repair = false;
   bool is_uncached = false;
   bool timings = false;

@@ -15,10 +15,10 @@
 #include "formula/tangent.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
 #include "mirrorball/bake/brdf/sheen_albedo.h"
+#include "mirrorball/rays/surface_point.h"
 #include "mirrorball/scene/bodies/surrounding_media.h"
 #include "mirrorball/trace/bsdf.h"
 #include "mirrorball/trace/layered_bsdf.h"
-#include "mirrorball/trace/surface_point.h"
 
 namespace mirrorball {
 namespace {

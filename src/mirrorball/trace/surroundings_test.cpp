@@ -8,8 +8,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include "mirrorball/rays/sample_sequence.h"
 #include "mirrorball/trace/path_tracer_testing.h"
-#include "mirrorball/trace/sample_sequence.h"
 
 namespace mirrorball {
 namespace {

@@ -385,6 +385,16 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "prism bends it can be measured; the light keeps the environment's colours, and metals their own",
       .group = "Look"},
      kWavelength},
+    {{.name = "occlusion",
+      .choices = "none|vertex",
+      .help = "whether the model hides the environment from itself: not at all, or as each vertex knows by rays, which "
+              "are traced once for the model; what is hidden shows the model's own light",
+      .group = "Look"},
+     choiceField<&FrameSettings::occlusion>},
+    {{.name = "self-reflection",
+      .help = "smooth surfaces reflect the model itself, by a ray a sample of each pixel; also sets --occlusion vertex",
+      .group = "Look"},
+     &FrameSettings::self_reflection},
     {{.name = "lookup",
       .choices = "cube|flat|flat-nearest",
       .help = "how surfaces find the light of a direction: by a cube sampler, or by face and texels computed in the "

@@ -37,6 +37,7 @@ Result<void> SceneDrawing::setScene(Scene scene) {
   for (const Mesh& mesh : scene_.meshes) centers_.push_back(centerOf(mesh));
   body_tree_.reset();
   bodies_.reset();
+  scene_triangles_.reset();
   if (surfaces_) surfaces_->forgetScene();
   return {};
 }
@@ -47,6 +48,7 @@ Result<void> SceneDrawing::begin(const gl::Context& context, const FrameSettings
   MIRRORBALL_TRY_VOID(background_.make(context.api(), *frame.proxy));
   MIRRORBALL_TRY_VOID(filterMaps(context, settings.texture_filter));
   MIRRORBALL_TRY_VOID(makeBodies(settings, frame));
+  MIRRORBALL_TRY_VOID(makeSceneTriangles(settings, frame));
   MIRRORBALL_TRY(coordinates, coordinateMatrices(scene_, bounds_, frame.camera, settings));
   frame.coordinates = coordinates;
   return {};
@@ -102,6 +104,20 @@ Result<void> SceneDrawing::makeBodies(const FrameSettings& settings, FrameUnifor
   frame.bodies = &*bodies_;
   // The rays of an orthographic camera begin far away.
   if (!frame.camera.orthographic) frame.eye_media = surroundingMedia(scene_, frame.camera.position, *body_tree_);
+  return {};
+}
+
+/// The scene for a frame that reflects it.
+Result<void> SceneDrawing::makeSceneTriangles(const FrameSettings& settings, FrameUniforms& frame) {
+  frame.scene_triangles = nullptr;
+  if (!settings.self_reflection) return {};
+  if (!scene_triangles_) {
+    MIRRORBALL_TRY(tree, sceneTree(scene_));
+    if (!tree) return {};
+    MIRRORBALL_TRY(made, withName("the triangles that reflections show", gl::Texture::fromWords(tree->words)));
+    scene_triangles_ = std::move(made);
+  }
+  frame.scene_triangles = &*scene_triangles_;
   return {};
 }
 

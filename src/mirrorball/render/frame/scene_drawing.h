@@ -55,6 +55,7 @@ class SceneDrawing {
   Result<void> makePrisms(ReliefKind relief);
   bool someRefract(RefractionKind kind, RefractionKind chosen) const;
   Result<void> makeBodies(const FrameSettings& settings, FrameUniforms& frame);
+  Result<void> makeSceneTriangles(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> drawReliefHits(const FrameSettings& settings, FrameUniforms& frame);
   std::vector<int> byDistance(const Camera& camera, bool is_blended) const;
@@ -68,10 +69,11 @@ class SceneDrawing {
   SceneBuffers buffers_;
   Box box_;
   BoundingSphere bounds_;
-  std::vector<glm::vec3> centers_;       ///< of the meshes, each in its own frame
-  std::optional<BodyTree> body_tree_;    ///< of the scene, made when it is first traced
-  std::optional<gl::Texture> bodies_;    ///< its words
-  std::optional<BackFaces> back_faces_;  ///< made when a frame first needs them
+  std::vector<glm::vec3> centers_;              ///< of the meshes, each in its own frame
+  std::optional<BodyTree> body_tree_;           ///< of the scene, made when it is first traced
+  std::optional<gl::Texture> bodies_;           ///< its words
+  std::optional<gl::Texture> scene_triangles_;  ///< sceneTree(), made for the first frame that reflects it
+  std::optional<BackFaces> back_faces_;         ///< made when a frame first needs them
   std::optional<ReliefHits> relief_hits_;
   std::optional<GroundMirror> ground_mirror_;
 };

@@ -35,6 +35,7 @@ struct TextureUnit {
   static constexpr int background = 2;  ///< no shader reads two of these
   static constexpr int bodies = 2;
   static constexpr int back_faces = 2;
+  static constexpr int scene_triangles = 2;
   static constexpr int brdf_table = 3;
   static constexpr int prefiltered = 4;
   static constexpr int irradiance = 5;
@@ -66,13 +67,14 @@ struct FrameUniforms {
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
   CoordinateMatrices coordinates;
-  const FlatLight* flat = nullptr;        ///< where FrameSettings::look_up reads it
-  const gl::Texture* bodies = nullptr;    ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
-  formula::Media eye_media;               ///< of traced bodies, those that the camera is inside of
-  const BackFaces* back_faces = nullptr;  ///< drawn with this camera; null: the frame's refraction does without
-  const gl::Texture* relief_hits = nullptr;  ///< ReliefHits of this camera; null: none is found exactly
-  int sample = 0;                            ///< number of the sample of the frame
-  ProxyUniforms* proxy = nullptr;            ///< placed as the settings say; must be set
+  const FlatLight* flat = nullptr;      ///< where FrameSettings::look_up reads it
+  const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  const gl::Texture* scene_triangles = nullptr;  ///< sceneTree(); null: none are reflected
+  formula::Media eye_media;                      ///< of traced bodies, those that the camera is inside of
+  const BackFaces* back_faces = nullptr;         ///< drawn with this camera; null: the frame's refraction does without
+  const gl::Texture* relief_hits = nullptr;      ///< ReliefHits of this camera; null: none is found exactly
+  int sample = 0;                                ///< number of the sample of the frame
+  ProxyUniforms* proxy = nullptr;                ///< placed as the settings say; must be set
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
@@ -107,7 +109,7 @@ class SurfacePrograms {
   void forgetScene();
 
   /// Draws an instance of the scene.
-  void draw(const Scene& scene, int instance, const SceneBuffers& buffers, const FrameSettings& settings);
+  void draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings);
 
  private:
   /// The binding points of the uniform blocks.
@@ -116,7 +118,7 @@ class SurfacePrograms {
   SurfacePrograms(gl::Api api, gl::Texture brdf_table) : api_(api), brdf_table_(std::move(brdf_table)) {}
 
   Result<void> addClothToBrdfTable();
-  SurfaceVariant variantOf(const Scene& scene, int material, const SceneBuffers& buffers,
+  SurfaceVariant variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) const;
   Result<gl::Program*> programFor(const SurfaceVariant& variant, ProxyUniforms& proxy);
   void connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy);
@@ -128,8 +130,9 @@ class SurfacePrograms {
   gl::Texture brdf_table_;
   bool brdf_table_has_cloth_ = false;
   std::map<SurfaceVariant, gl::Program> programs_;
-  CoordinateChoice coordinates_;              ///< of the frame
-  bool eye_is_inside_ = false;                ///< of it: of bodies that are traced
+  CoordinateChoice coordinates_;  ///< of the frame
+  bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
+  const gl::Texture* scene_triangles_ = nullptr;
   const gl::Texture* bodies_ = nullptr;       ///< null: the scene has none
   const BackFaces* back_faces_ = nullptr;     ///< of the sample
   const gl::Texture* relief_hits_ = nullptr;  ///< likewise

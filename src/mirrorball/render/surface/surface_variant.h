@@ -69,7 +69,7 @@ enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
 enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched, pieces };
 enum class DispersionPart : std::uint8_t { channels, spectral };
 enum class TransmissionPart : std::uint8_t { none, single, thin, image_space, traced };
-enum class SkyPart : std::uint8_t { open, over_horizons };
+enum class SkyPart : std::uint8_t { open, over_horizons, past_scene, past_scene_traced };
 enum class LampsPart : std::uint8_t { none, listed };
 enum class CoatPart : std::uint8_t { none, clear, clear_mapped };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };

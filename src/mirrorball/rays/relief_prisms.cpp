@@ -1,4 +1,4 @@
-#include "mirrorball/trace/relief_prisms.h"
+#include "mirrorball/rays/relief_prisms.h"
 
 #include <algorithm>
 #include <cmath>

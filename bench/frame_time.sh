@@ -27,6 +27,8 @@ argumentsOf() {
     proxy_box) echo "sphere --material mirror --proxy box:-3,-2,-3,3,2,3" ;;
     proxy_sphere) echo "sphere --material mirror --proxy sphere:0,0,0,3" ;;
     proxy_ground) echo "sphere --material mirror --proxy ground:2" ;;
+    ground_mirror) echo "sphere --material mirror --proxy ground:2 --ground-roughness 0" ;;
+    ground_rough_mirror) echo "sphere --material mirror --proxy ground:2 --ground-roughness 0.3" ;;
     proxy_mesh) echo "sphere --material mirror --proxy cube" ;;
     rough_metal) echo "sphere --material rough-metal" ;;
     flat_look_up) echo "sphere --material mirror --lookup flat" ;;
@@ -48,7 +50,7 @@ argumentsOf() {
 }
 
 shift "$(($# < 4 ? $# : 4))"
-techniques=${*:-mirror proxy_box proxy_sphere proxy_ground proxy_mesh rough_metal flat_look_up thin_wall single single_dispersion single_spectral image_space \
+techniques=${*:-mirror proxy_box proxy_sphere proxy_ground ground_mirror ground_rough_mirror proxy_mesh rough_metal flat_look_up thin_wall single single_dispersion single_spectral image_space \
   image_space_dispersion traced_flat_sides traced_curved traced_dispersion traced_spectral relief_none relief_bump \
   relief_parallax relief_steep relief_occlusion relief_linear_binary relief_cone relief_exact relief_geometry}
 

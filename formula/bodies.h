@@ -15,6 +15,8 @@ namespace mirrorball::formula {
 #include "formula/bodies/beam.glsl"
 #include "formula/bodies/media.glsl"
 #include "formula/bodies/triangle_tree.glsl"
+//
+#include "formula/bodies/scene_surface.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

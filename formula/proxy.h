@@ -4,6 +4,7 @@
 /// map was captured. How these files are read: formula/formula.h.
 
 #include "formula/bodies.h"
+#include "formula/box.h"
 #include "formula/bsdf.h"
 #include "formula/constants.h"
 //
@@ -13,6 +14,7 @@ namespace mirrorball::formula {
 #include "formula/proxy/proxy_sight.glsl"
 //
 #include "formula/proxy/captured_sight.glsl"
+#include "formula/proxy/glossy_ground.glsl"
 #include "formula/proxy/proxy_mesh.glsl"
 #include "formula/proxy/proxy_shape.glsl"
 }  // namespace mirrorball::formula

@@ -4,6 +4,7 @@
 /// formula/formula.h.
 
 #include "formula/constants.h"
+#include "formula/box.h"
 #include "formula/grid_random.h"
 #include "formula/surface.h"
 //

@@ -27,6 +27,7 @@ namespace mirrorball::formula {
 //
 #include "formula/surface/clear_coat.glsl"
 #include "formula/surface/lamp_shading.glsl"
+#include "formula/surface/self_occlusion.glsl"
 }  // namespace mirrorball::formula
 
 #include "formula/glsl_end.inc"

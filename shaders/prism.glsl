@@ -1,5 +1,6 @@
 // The prisms of a mesh's relief as a list of texels (scene/relief/prism_list.h): five for each corner of a
 // triangle, and one of its sides and heights.
+#include "box.glsl"
 #include "relief_prism.glsl"
 
 uniform highp usampler2D prisms;

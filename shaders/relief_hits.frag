@@ -24,7 +24,7 @@ void main() {
   vec3 ray = is_parallel ? camera_forward : normalize(world_position - camera_position);
   vec3 eye = is_parallel ? world_position - camera_forward * dot(world_position - camera_position, camera_forward)
                          : camera_position;
-  vec2 passed = wayThroughBox(boxOfPrism(p), eye, ray);
+  vec2 passed = wayThroughPrismBox(boxOfPrism(p), eye, ray);
   ReliefHit hit = hitOfPrism(heights, heightMap(), p, eye, ray, max(passed.x, 0.0), passed.y);
   if (hit.distance < 0.0) discard;
   vec4 clip = clip_from_world * vec4(eye + hit.distance * ray, 1.0);

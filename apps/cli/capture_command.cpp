@@ -173,7 +173,7 @@ Result<void> capture(const CaptureRequest& request) {
   CaptureSettings settings{.position = {options.at[0], options.at[1], options.at[2]}};
   if (options.nearest > 0.0f) settings.nearest = options.nearest;
   MIRRORBALL_TRY_VOID(checkLook(request.look));
-  MIRRORBALL_TRY_VOID(checkCapturedAt(request.look.proxy));
+  MIRRORBALL_TRY_VOID(checkProxyOptions(request.look.proxy));
   settings.frame = request.look;
   MIRRORBALL_TRY(to, projectionOf(request));
   MIRRORBALL_TRY_VOID(checkFolder(request.output.output));

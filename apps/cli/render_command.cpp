@@ -187,7 +187,12 @@ void setTheStage(RenderRequest& request) {
   if (request.scene.model != "showcase" || !isFree("env")) return;
   request.scene.environment = "sunset";
   if (isFree("env-rotation")) request.frame.env_rotation_deg = glm::vec3(270.0f, 0.0f, 0.0f);
-  if (isFree("proxy")) request.frame.proxy = {.kind = ProxyKind::ground, .height = 2.5f};
+  ProxyOptions& ground = request.frame.proxy;
+  if (isFree("proxy")) {
+    ground.kind = ProxyKind::ground;
+    ground.height = 2.5f;
+    if (isFree("ground-roughness")) ground.ground_roughness = 0.2f;
+  }
   if (isFree("refraction")) request.frame.refraction = RefractionKind::automatic;
   if (isFree("camera")) request.frame.camera.elevation_deg = 12.0f;
 }
@@ -246,6 +251,9 @@ Command renderCommand() {
   command.action = [request] {
     setTheStage(*request);
     request->scene.relief = request->frame.relief;
+    if (request->frame.self_reflection) request->frame.occlusion = OcclusionKind::vertex;
+    request->scene.self_reflection = request->frame.self_reflection;
+    request->scene.occlusion = request->frame.occlusion;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });
   };

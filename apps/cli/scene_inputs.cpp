@@ -10,6 +10,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/rays/scene_occlusion.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/proxy/proxy.h"
@@ -107,14 +108,16 @@ Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given)
   return {};
 }
 
-Result<void> checkCapturedAt(const ProxyOptions& proxy) {
+Result<void> checkProxyOptions(const ProxyOptions& proxy) {
+  if (proxy.ground_roughness < 1.0f && proxy.kind != ProxyKind::ground)
+    return fail(ErrorCode::usage, "--ground-roughness is of the ground below the model; add --proxy ground");
   if (proxy.kind != ProxyKind::none || !proxy.captured_at) return {};
   return fail(ErrorCode::usage, "--captured-at is where the map of a --proxy was captured; add --proxy");
 }
 
 Result<void> checkProxy(const FrameSettings& settings, const Scene& scene) {
   const ProxyOptions& options = settings.proxy;
-  MIRRORBALL_TRY_VOID(checkCapturedAt(options));
+  MIRRORBALL_TRY_VOID(checkProxyOptions(options));
   // Triangles hold every place, and are read by who draws.
   if (options.kind == ProxyKind::none || options.kind == ProxyKind::mesh) return {};
   MIRRORBALL_TRY(proxy, placedProxy(options, scene));
@@ -147,6 +150,13 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
     MIRRORBALL_TRY(of_user, PrefilterCache::ofUser());
     names.cache = std::move(of_user);
   }
+  if (request.occlusion == OcclusionKind::vertex)
+    names.finish = [&clock, finds_looks = request.self_reflection](Scene& scene) {
+      return clock.time("model: occlusion", [&]() -> Result<void> {
+        MIRRORBALL_TRY(geometry, Geometry::make(scene));
+        return findOcclusion(scene, geometry, {.finds_looks = finds_looks}, progressBar("occlusion"));
+      });
+    };
   return checkedInputs(loadRenderInputs(names, clock.observing(terminalObserver())), request, outputs);
 }
 

@@ -18,7 +18,9 @@ struct SceneRequest {
   std::string environment = "studio";
   std::string from = {};
   UpAxis up = UpAxis::y;
-  ReliefKind relief = ReliefKind::bump;  ///< of the frame: the scene is prepared for it
+  ReliefKind relief = ReliefKind::bump;           ///< of the frame: the scene is prepared for it
+  OcclusionKind occlusion = OcclusionKind::none;  ///< likewise
+  bool self_reflection = false;
   bool repair = false;
   bool is_uncached = false;
   bool timings = false;
@@ -34,12 +36,12 @@ void addModel(Command& command, std::string_view name, SceneRequest& request);
 /// errors   usage: an option was given that a model's own camera leaves nothing to
 Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given);
 
-/// errors   usage: the place of a capture was given without a proxy
-Result<void> checkCapturedAt(const ProxyOptions& proxy);
+/// errors   usage: the place of a capture was given without a proxy, or how rough a ground is without one
+Result<void> checkProxyOptions(const ProxyOptions& proxy);
 
 /// Says what is doubtful about where the environment is: a model or a camera that its proxy does not hold.
 ///
-/// errors   usage: a camera below the ground; as checkCapturedAt's and placedProxy's
+/// errors   usage: a camera below the ground; as checkProxyOptions's and placedProxy's
 Result<void> checkProxy(const FrameSettings& settings, const Scene& scene);
 
 /// Loads the model alone, and changes its materials; says what its file has that is left out.

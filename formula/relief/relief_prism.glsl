@@ -3,7 +3,7 @@
 //   place = a + x (b − a) + y (c − a) + (h − 1) n(x, y),   n(x, y) = n_a + x (n_b − n_a) + y (n_c − n_a).
 // Prisms of a smooth mesh touch without gaps (Hirche et al. 2004, "Hardware accelerated per-pixel displacement
 // mapping").
-// Needs: height_map, exact_search.
+// Needs: box, height_map, exact_search.
 
 struct ReliefPrism {
   vec3 a;
@@ -197,16 +197,9 @@ FN PrismBox boxOfPrism(ReliefPrism p) {
 }
 
 // The distances along a ray between which it is in the box; the first is greater: nowhere.
-FN vec2 wayThroughBox(PrismBox box, vec3 origin, vec3 direction) {
+FN vec2 wayThroughPrismBox(PrismBox box, vec3 origin, vec3 direction) {
   vec3 from = origin - box.origin;
   vec3 start = vec3(dot(from, box.axis_x), dot(from, box.axis_y), dot(from, box.axis_z));
   vec3 way = vec3(dot(direction, box.axis_x), dot(direction, box.axis_y), dot(direction, box.axis_z));
-  // A way along a side never reaches it.
-  vec3 slow = vec3(abs(way.x) < 1e-12f ? 1e-12f : way.x, abs(way.y) < 1e-12f ? 1e-12f : way.y,
-                   abs(way.z) < 1e-12f ? 1e-12f : way.z);
-  vec3 to_low = (box.low - start) / slow;
-  vec3 to_high = (box.high - start) / slow;
-  vec3 enter = min(to_low, to_high);
-  vec3 leave = max(to_low, to_high);
-  return vec2(max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+  return wayThroughBox(box.low, box.high, start, way);
 }

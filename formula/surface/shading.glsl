@@ -191,6 +191,23 @@ FN Material unlitMaterial(Material m, vec3 color) {
   return m;
 }
 
+// A material of the core of glTF alone.
+FN Material coreMaterial(Material m, vec3 base_color, float metallic, float perceptual_roughness, vec3 emission) {
+  m = unlitMaterial(m, emission);
+  m.base_color = base_color;
+  m.metallic = metallic;
+  m.perceptual_roughness = perceptual_roughness;
+  m.specular = 1.0f;
+  m.specular_color = vec3(1.0f);
+  m.ior = 1.5f;
+  m.dispersion = 0.0f;
+  m.conductor_k = vec3(0.0f);
+  m.fresnel = kFresnelSchlick;
+  m.anisotropy = 0.0f;
+  m.iridescence = 0.0f;
+  return m;
+}
+
 // A material that shows what is seen through it, and nothing else.
 FN Material openMaterial(Material m) {
   m = unlitMaterial(m, vec3(0.0f));

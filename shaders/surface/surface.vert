@@ -10,6 +10,8 @@ layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 uv_0;
 layout(location = 4) in vec2 uv_1;
 layout(location = 5) in vec4 color;
+layout(location = 6) in vec4 hidden;
+layout(location = 7) in vec3 shown;
 
 out vec3 object_position;
 out vec3 object_normal;
@@ -19,6 +21,8 @@ out vec4 world_tangent;
 out vec2 texture_uv_0;
 out vec2 texture_uv_1;
 out vec4 vertex_color;
+out vec4 vertex_hidden;
+out vec3 vertex_shown;
 out vec4 vertex_look_up;
 out vec4 vertex_picture;
 flat out vec4 triangle_look_up;
@@ -34,6 +38,8 @@ void main() {
   texture_uv_0 = uv_0;
   texture_uv_1 = uv_1;
   vertex_color = color;
+  vertex_hidden = hidden;
+  vertex_shown = shown;
   // What is interpolated are the coordinates of each corner: not those of the interpolated normal.
   vec3 ray = orthographic > 0.5 ? camera_forward : normalize(world.xyz - camera_position);
   TexgenPoint corner = TexgenPoint(position, world.xyz, normalize(world_normal), ray, eye_from_world);

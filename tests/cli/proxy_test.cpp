@@ -42,6 +42,8 @@ TEST_F(ProxyOptionTest, WhatCannotBeIsOneLine) {
            {"--proxy no_such_room.glb", "no_such_room"},
            {"--proxy box:-3,-3,-3,3,3,3 --captured-at 9,0,0", "not within its proxy"},
            {"--captured-at 0,0,0", "add --proxy"},
+           {"--ground-roughness 0.2", "add --proxy ground"},
+           {"--proxy ground --ground-roughness 1.2", "0 … 1"},
            {"--proxy ground --camera 0,-40", "the camera is below the ground"}}) {
     const Outcome outcome = run("render sphere --size 16x16 -o no.png " + options);
     EXPECT_NE(outcome.exit_code, 0) << options;

@@ -89,8 +89,10 @@ constexpr auto kCases = std::to_array<Case>({
     // The environment near by.
     {"proxy_box", "render sphere --material mirror -e uv --proxy box:-3,-1.5,-4,5,3,4 --camera 20,10,4 --size 72x54",
      &kOutlined, "--captured-at 1,0.75,0.02", Truth{35.5, kExact, "--proxy sphere:1,0.75,0,4.5", 16, 16}},
-    {"ground", "render sphere --material gold -e sunset --proxy ground:2 --camera 30,20 --size 72x54", &kOutlined,
-     "--proxy ground:2.02", Truth{30.7, kBesideShadow, "--proxy ground:2.5", 16, 64}},
+    {"ground",
+     "render sphere --material gold -e sunset --proxy ground:2 --ground-roughness 0.25 --camera "
+     "30,20 --size 72x54",
+     &kOutlined, "--proxy ground:2.02", Truth{30.7, kBesideShadow, "--proxy ground:2.5", 16, 64}},
 
     // Every material, on a shape that shows it.
     {"mirror", "render sphere --material mirror --size 96x96", &kOutlined, "--env-rotation 0.5",

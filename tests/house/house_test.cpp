@@ -39,8 +39,9 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"height_field", {"image"}},
     {"scene", {"codec", "height_field"}},
     {"gl", {"image"}},
-    {"trace", {"scene", "bake"}},
-    {"transfer", {"trace", "height_field"}},
+    {"rays", {"scene"}},
+    {"trace", {"rays", "bake"}},
+    {"transfer", {"rays", "height_field"}},
     {"render", {"gl", "scene", "bake"}},
     {"study", {"render", "trace", "metric"}},
 };

@@ -19,6 +19,10 @@ const Case kCases[] = {
            blurredLight(Blur(int(1.9375f * r.w), 1.0f, 6.0f, 32.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p),
                         r.x, 4.0f * r.y)),
 
+    // box
+    PARITY(wayThroughBox, direction, kTight,
+           vec4(wayThroughBox(vec3(-0.5f), vec3(0.25f), vec3(q), normalize(vec3(p) + vec3(3.0f))), 0.0f, 0.0f)),
+
     // bright_light
     PARITY(brightness, light, kExact, vec4(brightness(vec3(p)), 0.0f, 0.0f, 0.0f)),
     // The difference of two nearly equal lights.
@@ -125,6 +129,23 @@ const Case kCases[] = {
     PARITY(angularPosition, direction, kTranscendental, vec4(angularPosition(vec3(p)), 0.0f, 0.0f)),
     PARITY(angularDirection, unit, kTranscendental, vec4(angularDirection(vec2(p)), 0.0f)),
     PARITY(insideDisc, unit, kExact, vec4(float(insideDisc(vec2(p))), 0.0f, 0.0f, 0.0f)),
+
+    // glossy_ground
+    PARITY(aboveGround, direction, kExact, vec4(aboveGround(vec3(p)), 0.0f)),
+    PARITY(mirroredByGround, unit, kTranscendental,
+           vec4(mirroredByGround(normalize(vec3(p.x, -0.1f - p.y, p.z)), 0.1f + 0.5f * q.z, vec2(q)), 0.0f)),
+    PARITY(shareMirroredByGround, unit, kTranscendental,
+           vec4(shareMirroredByGround(normalize(vec3(p.x, -0.1f - p.y, p.z)), normalize(vec3(q.x, 0.1f + q.y, q.z)),
+                                      r.x))),
+    PARITY(solidAngleMirroredByGround, unit, kTranscendental,
+           vec4(solidAngleMirroredByGround(normalize(vec3(p.x, -0.1f - p.y, p.z)),
+                                           normalize(vec3(q.x, 0.1f + q.y, q.z)), 0.25f + r.x, 64.0f))),
+    // The map's depth grows from the left to the right.
+    PARITY(isBehindPicture, unit, kExact,
+           vec4(float(isBehindPicture(SmoothMap(64.0f), vec3(64.0f * p.x, 32.0f * p.y, q.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(
+        hitInMirrorPicture, unit, kTight,
+        vec4(hitInMirrorPicture(SmoothMap(64.0f), vec3(8.5f, 8.5f, 0.0625f * p.x), vec3(24.5f, 12.5f, 0.75f)), 0.0f)),
 
     // captured_sight, proxy_mesh, proxy_shape, proxy_sight
     PARITY(

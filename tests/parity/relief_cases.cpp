@@ -159,9 +159,9 @@ const Case kCases[] = {
                            normalize(vec3(0.2f * r.x - 0.1f, 0.2f * r.y - 0.1f, -1.0f)), 0.5f, 2.0f)
                     .distance)),
     PARITY(boxOfPrism, unit, kTight, vec4(boxOfPrism(testPrism(p)).high, boxOfPrism(testPrism(p)).low.x)),
-    PARITY(wayThroughBox, unit, kTight,
-           vec4(wayThroughBox(boxOfPrism(testPrism(p)), vec3(q) + vec3(0.0f, 0.0f, 2.0f),
-                              normalize(vec3(r.x - 0.47f, r.y - 0.47f, -1.0f))),
+    PARITY(wayThroughPrismBox, unit, kTight,
+           vec4(wayThroughPrismBox(boxOfPrism(testPrism(p)), vec3(q) + vec3(0.0f, 0.0f, 2.0f),
+                                   normalize(vec3(r.x - 0.47f, r.y - 0.47f, -1.0f))),
                 0.0f, 0.0f)),
 };
 

@@ -283,6 +283,15 @@ const Case kCases[] = {
                           r.y, vec3(1.0f, 2.0f, 3.0f), vec3(r)),
                 0.0f)),
 
+    // self_occlusion
+    PARITY(openingOf, direction, kTranscendental,
+           vec4(openingOf(vec3(p), 0.25f * vec3(q), r.x).axis, openingOf(vec3(p), 0.25f * vec3(q), r.x).angle)),
+    PARITY(angleBetween, direction, kTranscendental, vec4(angleBetween(vec3(p), vec3(q)))),
+    PARITY(lobeInOpening, direction, kTranscendental,
+           vec4(lobeInOpening(Opening(vec3(p), 1.5f * r.x), vec3(p), vec3(q), r.y))),
+    PARITY(roughnessOfOpening, unit, kTranscendental, vec4(roughnessOfOpening(Opening(vec3(0.0f), 1.5f * p.x)))),
+    PARITY(lightThroughOpening, unit, kTight, vec4(lightThroughOpening(vec3(p), vec3(q), r.x), 0.0f)),
+
     // shading
     PARITY(hasConductorIndex, direction, kExact,
            vec4(hasConductorIndex(testSurface(p, q, r).material) ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f)),
@@ -338,6 +347,10 @@ const Case kCases[] = {
                 seenAlong(testSurface(p, q, r), vec3(p)).diffuse_albedo.x,
                 seenAlong(testSurface(p, q, r), vec3(p)).diffuse_albedo.z)),
     PARITY(underSheen, unit, kTight, vec4(underSheen(testSurface(p, q, r), vec3(r), vec3(q)), 0.0f)),
+    PARITY(coreMaterial, direction, kExact,
+           vec4(coreMaterial(testSurface(p, q, r).material, vec3(p), q.w, r.x, vec3(r)).base_color, q.w) +
+               vec4(coreMaterial(testSurface(p, q, r).material, vec3(p), q.w, r.x, vec3(r)).emission,
+                    coreMaterial(testSurface(p, q, r).material, vec3(p), q.w, r.x, vec3(r)).transmission)),
     PARITY(unlitMaterial, direction, kExact,
            vec4(unlitMaterial(testSurface(p, q, r).material, vec3(r)).emission,
                 unlitMaterial(testSurface(p, q, r).material, vec3(r)).specular)),
@@ -382,6 +395,12 @@ const Case kCases[] = {
                              Lamp(int(3.9375f * r.z), vec3(1.5f, 2.0f, 0.75f), vec3(-0.6f, -0.64f, -0.48f),
                                   vec3(1.0f, 2.0f, 3.0f), 4.0f, 0.9f, 0.3f)),
                 0.0f)),
+
+    // scene_surface
+    PARITY(halvesOf, unit, kExact, halvesOf(floatBitsToUint(p.x) & 0x3bff3bffu, floatBitsToUint(p.y) & 0x3bff3bffu)),
+    PARITY(sceneSurfaceAt, unit, kTight,
+           vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).shown, 1.0f) +
+               sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).hidden),
 
     // triangle_tree
     PARITY(leafOf, unit, kExact, vec4(float(leafOf(int(1000.0f * p.x), 1 + int(7.0f * p.y))), 0.0f, 0.0f, 0.0f)),

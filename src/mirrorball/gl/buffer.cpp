@@ -36,15 +36,21 @@ VertexArray::VertexArray(Buffer vertices, std::size_t stride, std::span<const At
     : VertexArray() {
   vertices_ = std::move(vertices);
   indices_ = std::move(indices);
+  read(*vertices_, stride, attributes);
   glBindVertexArray(handle_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_->name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_->name());
+  glBindVertexArray(0);
+}
+
+void VertexArray::read(const Buffer& buffer, std::size_t stride, std::span<const Attribute> attributes) {
+  glBindVertexArray(handle_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
   for (const Attribute& attribute : attributes) {
     assert(attribute.components >= 1 && attribute.components <= 4);
     glEnableVertexAttribArray(attribute.location);
     glVertexAttribPointer(attribute.location, attribute.components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
                           reinterpret_cast<const void*>(attribute.offset));
   }
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_->name());
   glBindVertexArray(0);
 }
 

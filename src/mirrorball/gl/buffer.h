@@ -47,6 +47,12 @@ class VertexArray {
   /// indices  32-bit, three a triangle
   VertexArray(Buffer vertices, std::size_t stride, std::span<const Attribute> attributes, Buffer indices);
 
+  /// Reads more attributes from a second buffer, which must outlive the drawing and is not owned; or in place of
+  /// another such buffer.
+  ///
+  /// stride   bytes from one vertex to the next
+  void read(const Buffer& buffer, std::size_t stride, std::span<const Attribute> attributes);
+
   /// Draws `count` indices from the first, as triangles.
   void drawIndexed(std::size_t count) const;
 

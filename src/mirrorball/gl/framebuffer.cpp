@@ -1,6 +1,7 @@
 #include "mirrorball/gl/framebuffer.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -21,9 +22,11 @@ void flipRows(ImageOf<Sample>& image) {
 
 }  // namespace
 
-Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool depth) {
-  MIRRORBALL_TRY(texture, Texture::make2d(color, width, height));
-  texture.setSampling({.filter = color == Format::rgba32f ? Sampling::Filter::nearest : Sampling::Filter::linear});
+Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool depth, int levels) {
+  MIRRORBALL_TRY(texture, Texture::make2d(color, width, height, levels));
+  texture.setSampling({.filter = color == Format::rgba32f ? Sampling::Filter::nearest
+                                 : texture.levels() > 1   ? Sampling::Filter::trilinear
+                                                          : Sampling::Filter::linear});
   Framebuffer framebuffer(std::move(texture));
   GLuint name = 0;
   glGenFramebuffers(1, &name);
@@ -31,12 +34,9 @@ Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool 
   glBindFramebuffer(GL_FRAMEBUFFER, name);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, framebuffer.color_.name(), 0);
   if (depth) {
-    GLuint depth_name = 0;
-    glGenRenderbuffers(1, &depth_name);
-    framebuffer.depth_ = Handle<destroyRenderbuffer>(depth_name);
-    glBindRenderbuffer(GL_RENDERBUFFER, depth_name);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_name);
+    MIRRORBALL_TRY(depths, Texture::make2d(Format::depth24, width, height));
+    framebuffer.depth_ = std::make_unique<Texture>(std::move(depths));
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, framebuffer.depth_->name(), 0);
   }
   if (glGetError() == GL_OUT_OF_MEMORY) {
     return fail(ErrorCode::too_large, "a picture of " + std::to_string(width) + " × " + std::to_string(height) +
@@ -51,7 +51,6 @@ Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool 
 }
 
 void Framebuffer::destroyFramebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
-void Framebuffer::destroyRenderbuffer(unsigned name) { glDeleteRenderbuffers(1, &name); }
 
 void Framebuffer::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, handle_.name());

@@ -1,23 +1,31 @@
 #pragma once
 
+#include <memory>
+
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/texture.h"
 
 namespace mirrorball::gl {
 
-/// A picture to draw into: one colour texture, and a 24-bit depth buffer if wanted.
+/// A picture to draw into: one colour texture, and a texture of 24-bit depths if wanted.
 class Framebuffer {
  public:
+  /// levels   of the colour texture (Texture::make2d), of which the first is drawn into
   /// errors   too_large; no_gl: this driver cannot draw into such a format (floats in OpenGL ES need the extension
   ///          EXT_color_buffer_float)
-  static Result<Framebuffer> make(Format color, int width, int height, bool depth);
+  static Result<Framebuffer> make(Format color, int width, int height, bool depth, int levels = 1);
 
   /// Draws go here from now on, over the whole picture.
   void bind() const;
 
-  /// The colour texture, one level, filtered linearly; row 0 is the picture's bottom, as OpenGL
-  /// draws.
+  /// The colour texture, filtered linearly, and between its levels if it has more than one; row 0 is the picture's
+  /// bottom, as OpenGL draws.
   const Texture& color() const { return color_; }
+  /// Makes its further levels of the first, each texel the mean of four.
+  void makeLevels() { color_.makeLevels(); }
+
+  /// The depths, 0 the nearest; of a framebuffer that has them.
+  const Texture& depth() const { return *depth_; }
 
   int width() const { return color_.width(); }
   int height() const { return color_.height(); }
@@ -30,12 +38,11 @@ class Framebuffer {
 
  private:
   static void destroyFramebuffer(unsigned name);
-  static void destroyRenderbuffer(unsigned name);
   explicit Framebuffer(Texture color) : color_(std::move(color)) {}
 
   Texture color_;
   Handle<destroyFramebuffer> handle_;
-  Handle<destroyRenderbuffer> depth_;
+  std::unique_ptr<Texture> depth_;
 };
 
 }  // namespace mirrorball::gl

@@ -35,6 +35,8 @@ GLenum internalFormat(Format format) {
       return GL_R32F;
     case Format::rg32f:
       return GL_RG32F;
+    case Format::depth24:
+      return GL_DEPTH_COMPONENT24;
     case Format::rgba32ui:
       return GL_RGBA32UI;
   }
@@ -42,11 +44,14 @@ GLenum internalFormat(Format format) {
   return GL_RGBA8;
 }
 
-int channelsOf(Format format) { return format == Format::r32f ? 1 : format == Format::rg32f ? 2 : 4; }
+int channelsOf(Format format) {
+  return format == Format::r32f || format == Format::depth24 ? 1 : format == Format::rg32f ? 2 : 4;
+}
 
 /// Whether OpenGL ES cannot filter it.
-bool isOfFloatsOrWords(Format format) {
-  return format == Format::rgba32f || format == Format::r32f || format == Format::rg32f || format == Format::rgba32ui;
+bool isUnfiltered(Format format) {
+  return format == Format::rgba32f || format == Format::r32f || format == Format::rg32f || format == Format::depth24 ||
+         format == Format::rgba32ui;
 }
 
 bool isEightBit(Format format) { return format == Format::rgba8 || format == Format::srgb8_alpha8; }
@@ -184,7 +189,7 @@ Texture::Texture(Format format, Shape shape, int width, int height, int layers, 
   else
     glTexStorage2D(target(), levels, internalFormat(format), width, height);
   Sampling sampling;
-  if (isOfFloatsOrWords(format)) sampling.filter = Sampling::Filter::nearest;
+  if (isUnfiltered(format)) sampling.filter = Sampling::Filter::nearest;
   setSampling(sampling);
 }
 
@@ -194,6 +199,11 @@ std::size_t Texture::bytes() const {
   for (int level = 0; level < levels_; ++level)
     texels += std::size_t(std::max(width_ >> level, 1)) * std::size_t(std::max(height_ >> level, 1));
   return texels * std::size_t(layers_) * std::size_t(channelsOf(format_)) * of_component;
+}
+
+void Texture::makeLevels() {
+  bindForWork();
+  glGenerateMipmap(target());
 }
 
 void Texture::destroy(unsigned name) { glDeleteTextures(1, &name); }

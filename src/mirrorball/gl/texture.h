@@ -19,6 +19,7 @@ enum class Format {
   rgba32f,       ///< floats; OpenGL ES interpolates them only where Context::filtersFloats says so
   r32f,          ///< floats, the first channel alone; not filtered; not drawn into
   rg32f,         ///< likewise the first two
+  depth24,       ///< depths, 0 to 1, of a Framebuffer: read by single texels
   rgba32ui,      ///< words that shaders take for what they like; of no mip levels, and not to be filtered
 };
 
@@ -95,6 +96,9 @@ class Texture {
 
   /// Replaces all images by those of a set of as many levels and faces.
   void upload(const ImageSet& images);
+
+  /// Makes the further levels of the first by the driver's own filter. Of a picture, not of light that must stay exact.
+  void makeLevels();
 
   void setSampling(const Sampling& sampling);
 

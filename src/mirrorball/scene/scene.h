@@ -28,10 +28,29 @@ struct Texture {
   bool nearest = false;  ///< magnified without interpolation
 };
 
+/// What the scene hides of the environment from a vertex, and what it shows there instead: each weighted by the cosine
+/// to the vertex's normal. The GPU reads it as it is.
+struct VertexOcclusion {
+  glm::vec3 hidden{0.0f};  ///< world: the mean of the directions that are hidden, those that are open counting as 0
+  float open = 1.0f;       ///< the share of an even sky's irradiance that arrives
+  glm::vec3 shown{0.0f};   ///< what the scene sends instead under that sky: red, green, blue; with `open` at most 1
+  float unused = 0.0f;
+};
+
+/// What a vertex looks like to reflections of the scene in itself: its material, with what textures hold around it.
+struct VertexLook {
+  glm::vec3 base_color{0.8f};
+  float metallic = 0.0f;
+  glm::vec3 emission{0.0f};
+  float perceptual_roughness = 0.5f;
+};
+
 /// A mesh that is placed in the world, without mirroring: for a mirror image, mirror the mesh.
 struct Instance {
   int mesh = 0;
   glm::mat4 world_from_object{1.0f};
+  std::vector<VertexOcclusion> occlusion = {};  ///< of the mesh's vertices; empty: not known (rays/scene_occlusion.h)
+  std::vector<VertexLook> looks = {};           ///< likewise
 };
 
 /// A ball that encloses everything; what "model radii" on the command line means.

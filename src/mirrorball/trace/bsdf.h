@@ -7,7 +7,7 @@
 
 #include "formula/surface.h"
 #include "mirrorball/bake/light_sampler.h"
-#include "mirrorball/trace/sample_sequence.h"
+#include "mirrorball/rays/sample_sequence.h"
 
 namespace mirrorball {
 

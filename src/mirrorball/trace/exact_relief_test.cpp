@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "mirrorball/rays/surface_point.h"
 #include "mirrorball/scene/relief/displaced_mesh.h"
 #include "mirrorball/scene/relief/relief.h"
 #include "mirrorball/trace/camera_rays.h"
 #include "mirrorball/trace/path_tracer_testing.h"
-#include "mirrorball/trace/surface_point.h"
 
 namespace mirrorball {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/rays/frame.h"
 #include "mirrorball/trace/bsdf.h"
-#include "mirrorball/trace/frame.h"
 
 namespace mirrorball {
 

@@ -4,19 +4,21 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "formula/bodies.h"
 #include "formula/bsdf.h"
 #include "formula/color.h"
+#include "formula/proxy.h"
 #include "formula/surface.h"
 #include "formula/tangent.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
 #include "mirrorball/bake/brdf/sheen_albedo.h"
+#include "mirrorball/rays/surface_point.h"
 #include "mirrorball/scene/bodies/surrounding_media.h"
 #include "mirrorball/trace/bsdf.h"
 #include "mirrorball/trace/layered_bsdf.h"
-#include "mirrorball/trace/surface_point.h"
 
 namespace mirrorball {
 namespace {
@@ -25,6 +27,8 @@ namespace {
 constexpr int kMaxPassed = 512;
 /// From this surface on, dark paths are ended at random (Russian roulette).
 constexpr int kFirstRoulette = 4;
+/// The share of paths that go on from a polished ground as its mirror image.
+constexpr float kMirroredPaths = 0.5f;
 /// In place of an instance: the ground of the environment.
 constexpr std::uint32_t kGround = ~std::uint32_t{0};
 
@@ -87,6 +91,10 @@ class Path {
   void seeEnvironment(const Ray& ray);
   std::optional<float> groundBefore(const Ray& ray, const std::optional<Hit>& hit) const;
   Ray scatterOnGround(const Ray& ray, float distance);
+  Ray scatterOnMattGround(Ray next, glm::vec3 photographed);
+  Ray mirrorOnGround(const Ray& ray, Ray next, glm::vec3 photographed);
+  glm::vec3 hiddenFromGround(Ray next, bool is_alone);
+  bool leavesGround(const Ray& ray, bool meets_surface);
   glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, const Frame& frame);
   glm::vec3 coatNormal(const Vertex& vertex) const;
   Ray leaving(const Vertex& vertex, glm::vec3 direction) const;
@@ -99,10 +107,12 @@ class Path {
   SampleSequence& samples_;
   glm::vec3 sum_{0.0f};
   glm::vec3 throughput_{1.0f};
-  float pdf_ = 0.0f;             // of the ray's direction; 0: nothing else could have chosen it
-  float wavelength_;             // µm, that of the settings, or once light is dispersed; 0: all are there
-  int inner_surfaces_ = 0;       // that were met from within bodies
-  bool is_from_ground_ = false;  // where the light of the environment counts already
+  float pdf_ = 0.0f;        // of the ray's direction; 0: nothing else could have chosen it
+  float wavelength_;        // µm, that of the settings, or once light is dispersed; 0: all are there
+  int inner_surfaces_ = 0;  // that were met from within bodies
+  /// How the ray leaves the ground, where the light of the environment counts already.
+  enum class FromGround { none, scattered, mirrored } from_ground_ = FromGround::none;
+  glm::vec3 replaced_{0.0f};  // by what a ray finds that the ground mirrors
 };
 
 /// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
@@ -363,30 +373,70 @@ std::optional<float> Path::groundBefore(const Ray& ray, const std::optional<Hit>
   return distance && !(hit && hit->distance <= *distance) ? distance : std::nullopt;
 }
 
+/// The light of the environment that the scene hides from a matt white ground, as one light sample tells it.
+///
+/// is_alone   no other strategy looks for it
+glm::vec3 Path::hiddenFromGround(Ray next, bool is_alone) {
+  const LightSample light = surroundings_.sampleFarAway(samples_.next());
+  if (light.pdf <= 0.0f || light.direction.y <= 0.0f) return glm::vec3(0.0f);
+  next.direction = light.direction;
+  const float cosine = light.direction.y / formula::kPi;
+  const float weight = is_alone ? 1.0f : balanceHeuristic(light.pdf, cosine);
+  const glm::vec3 hidden = 1.0f - shareThatArrives(next, INFINITY);
+  return hidden * surroundings_.radianceFarAway(light.direction) * (weight * cosine / light.pdf);
+}
+
 /// The panorama shows the ground as it is without the scene. What the scene changes is added: the light that it hides,
 /// below 0, and its own ("differential rendering": Debevec 1998, "Rendering synthetic objects into real scenes").
 Ray Path::scatterOnGround(const Ray& ray, float distance) {
   const glm::vec3 up(0.0f, 1.0f, 0.0f);
   const glm::vec3 place = ray.origin + distance * ray.direction;
-  throughput_ *= surroundings_.albedoOfGround(surroundings_.radiance(ray.origin, ray.direction));
+  const glm::vec3 photographed = surroundings_.radiance(ray.origin, ray.direction);
   // From below the ground it meets also what lies flat on it.
-  Ray next{
+  const Ray next{
       .origin = formula::besideSurface(place, distance, -up), .from = Hit{.instance = kGround}, .media = ray.media};
-  const LightSample light = surroundings_.sampleFarAway(samples_.next());
-  if (light.pdf > 0.0f && light.direction.y > 0.0f && settings_.strategy != LightStrategy::surface) {
-    next.direction = light.direction;
-    const float cosine = light.direction.y / formula::kPi;
-    const float weight = settings_.strategy == LightStrategy::both ? balanceHeuristic(light.pdf, cosine) : 1.0f;
-    const glm::vec3 hidden = 1.0f - shareThatArrives(next, INFINITY);
-    sum_ -= throughput_ * hidden * surroundings_.radianceFarAway(light.direction) * (weight * cosine / light.pdf);
+  if (surroundings_.groundRoughness() < 1.0f) {
+    if (samples_.nextIndependent() < kMirroredPaths) return mirrorOnGround(ray, next, photographed);
+    throughput_ /= 1.0f - kMirroredPaths;
   }
+  return scatterOnMattGround(next, photographed);
+}
+
+Ray Path::scatterOnMattGround(Ray next, glm::vec3 photographed) {
+  throughput_ *= surroundings_.albedoOfGround(photographed);
+  if (settings_.strategy != LightStrategy::surface)
+    sum_ -= throughput_ * hiddenFromGround(next, settings_.strategy == LightStrategy::light);
   const glm::vec2 u = samples_.next();
   const float radius = std::sqrt(u.x);
   const float angle = formula::kTwoPi * u.y;
   next.direction = {radius * std::cos(angle), std::sqrt(1.0f - u.x), radius * std::sin(angle)};
   pdf_ = next.direction.y / formula::kPi;
-  is_from_ground_ = true;
+  from_ground_ = FromGround::scattered;
   return next;
+}
+
+/// A ray to what a polished ground may show of the scene, in place of a share of what is there.
+Ray Path::mirrorOnGround(const Ray& ray, Ray next, glm::vec3 photographed) {
+  const float alpha = formula::alphaFromPerceptualRoughness(surroundings_.groundRoughness());
+  next.direction = formula::mirroredByGround(ray.direction, alpha, samples_.next());
+  throughput_ *= formula::shareMirroredByGround(ray.direction, next.direction, alpha) / kMirroredPaths;
+  replaced_ = photographed - surroundings_.albedoOfGround(photographed) * hiddenFromGround(next, true);
+  pdf_ = 0.0f;
+  from_ground_ = FromGround::mirrored;
+  return next;
+}
+
+/// Adds what light from the ground's place changes there.
+///
+/// returns  whether the path goes on to the surface that it has met
+bool Path::leavesGround(const Ray& ray, bool meets_surface) {
+  const FromGround left = std::exchange(from_ground_, FromGround::none);
+  if (!meets_surface) return left == FromGround::none;
+  if (left == FromGround::scattered)
+    sum_ -= throughput_ * weightBeside(surroundings_.pdfFarAway(ray.direction)) *
+            surroundings_.radianceFarAway(ray.direction);
+  if (left == FromGround::mirrored) sum_ -= throughput_ * replaced_;
+  return true;
 }
 
 PathLight Path::follow(Ray ray) {
@@ -399,12 +449,7 @@ PathLight Path::follow(Ray ray) {
     const bool meets = surfaces == 0 || meetsSurfaces(ray);
     if (surfaces > 0 && formula::fillingBody(ray.media) >= 0) ++inner_surfaces_;
     const auto hit = meets ? firstHit(ray, INFINITY, throughput_) : std::nullopt;
-    if (is_from_ground_) {
-      if (!hit) return ended();
-      const float weight = weightBeside(surroundings_.pdfFarAway(ray.direction));
-      sum_ -= throughput_ * weight * surroundings_.radianceFarAway(ray.direction);
-      is_from_ground_ = false;
-    }
+    if (!leavesGround(ray, hit.has_value())) return ended();
     const auto ground = groundBefore(ray, hit);
     if (!hit || ground) {
       if (surfaces == 0 && !settings_.shows_environment) {

@@ -6,10 +6,10 @@
 
 #include "mirrorball/bake/light_sampler.h"
 #include "mirrorball/environment/environment.h"
+#include "mirrorball/rays/geometry.h"
+#include "mirrorball/rays/sample_sequence.h"
 #include "mirrorball/scene/scene.h"
-#include "mirrorball/trace/geometry.h"
 #include "mirrorball/trace/ray.h"
-#include "mirrorball/trace/sample_sequence.h"
 #include "mirrorball/trace/surroundings.h"
 #include "mirrorball/trace/trace_settings.h"
 

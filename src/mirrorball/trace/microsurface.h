@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "mirrorball/trace/sample_sequence.h"
+#include "mirrorball/rays/sample_sequence.h"
 
 namespace mirrorball {
 

@@ -9,10 +9,10 @@
 
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/rays/surface_point.h"
 #include "mirrorball/trace/camera_rays.h"
 #include "mirrorball/trace/film.h"
 #include "mirrorball/trace/light_path.h"
-#include "mirrorball/trace/surface_point.h"
 
 namespace mirrorball {
 namespace {

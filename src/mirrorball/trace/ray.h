@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "formula/bodies.h"
-#include "mirrorball/trace/geometry.h"
+#include "mirrorball/rays/geometry.h"
 
 namespace mirrorball {
 

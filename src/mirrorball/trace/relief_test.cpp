@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mirrorball/rays/geometry.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
-#include "mirrorball/trace/geometry.h"
 #include "mirrorball/trace/path_tracer_testing.h"
 
 namespace mirrorball {

@@ -11,7 +11,7 @@
 
 namespace mirrorball {
 
-/// The environment as places of a scene see it: turned, scaled, and near where it has a proxy. Its ground is matt.
+/// The environment as places of a scene see it: turned, scaled, and near where it has a proxy.
 class Surroundings {
  public:
   /// environment, lights   of each other; they must outlive this
@@ -41,6 +41,9 @@ class Surroundings {
   /// The share of the arriving light that the ground sends back, of which so much is to be seen in the panorama: at
   /// most all of it (shadowedGround).
   glm::vec3 albedoOfGround(glm::vec3 seen) const;
+
+  /// Perceptual; 1: it is matt and mirrors nothing.
+  float groundRoughness() const { return proxy_.ground_roughness; }
 
   // The same of an environment that is infinitely far away, which is what lights the ground.
   glm::vec3 radianceFarAway(glm::vec3 direction) const;

@@ -8,8 +8,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include "mirrorball/rays/sample_sequence.h"
 #include "mirrorball/trace/path_tracer_testing.h"
-#include "mirrorball/trace/sample_sequence.h"
 
 namespace mirrorball {
 namespace {
@@ -131,6 +131,32 @@ TEST(SurroundingsOfScenes, AnEmptyGroundIsItsPhotograph) {
   const Image image = tracedOnGround({}, lampLight(), small(16));
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) ASSERT_EQ(image.texel(x, y)[0], 0.1f) << x << ", " << y;
+}
+
+// A polished ground shows a ball in a dark room as far as Fresnel says, where the mirrored ray meets it, over the light
+// that the ball throws on it.
+TEST(SurroundingsOfScenes, APolishedGroundMirrorsAShiningBall) {
+  TraceSettings settings = small(512);
+  settings.size = {32, 32};
+  settings.proxy = *parseProxy("proxy", "ground:20");
+  Material lamp = matt(0.0f);
+  lamp.emission = glm::vec3(1.0f);
+  const Scene scene = testing::shapeOf("sphere", lamp);
+  const Camera camera = makeCamera({.azimuth_deg = 0.0f, .elevation_deg = 40.0f, .orthographic_height = 4.0f},
+                                   boundingSphere(scene), 1.0f);
+  const auto tracer = PathTracer::make(scene, lightOf(1e-4f));
+  const Image matt_ground = tracer->render(camera, settings)->radiance;
+  settings.proxy.ground_roughness = 0.0f;
+  const Image polished = tracer->render(camera, settings)->radiance;
+  const auto added = [&](int begin, int end, int y) {
+    double sum = 0.0;
+    for (int x = begin; x < end; ++x) sum += double(polished.texel(x, y)[1] - matt_ground.texel(x, y)[1]);
+    return sum / (end - begin);
+  };
+  // Row 27 is 1.4 below the middle: the mirrored ray passes the ball's centre at |2 cos 40° − 1.4|.
+  const double share = double(formula::fresnelDielectric(std::sin(glm::radians(40.0f)), formula::kGroundIor));
+  EXPECT_NEAR(added(12, 20, 27), share, 0.1 * share);
+  EXPECT_NEAR(added(0, 3, 27), 0.0, 0.2 * share) << "beside the ball's image";
 }
 
 // The ground darkens by the light that a black ball hides: below it nearly all, far beside it nothing.

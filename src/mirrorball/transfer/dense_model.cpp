@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "mirrorball/trace/frame.h"
-#include "mirrorball/trace/surface_point.h"
+#include "mirrorball/rays/frame.h"
+#include "mirrorball/rays/surface_point.h"
 
 namespace mirrorball {
 namespace {

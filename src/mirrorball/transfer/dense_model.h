@@ -6,9 +6,9 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/rays/geometry.h"
+#include "mirrorball/rays/sample_sequence.h"
 #include "mirrorball/scene/scene.h"
-#include "mirrorball/trace/geometry.h"
-#include "mirrorball/trace/sample_sequence.h"
 
 namespace mirrorball {
 

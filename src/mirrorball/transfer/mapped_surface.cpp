@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "formula/tangent.h"
+#include "mirrorball/rays/surface_point.h"
 #include "mirrorball/scene/equal_vertices.h"
-#include "mirrorball/trace/surface_point.h"
 
 namespace mirrorball {
 namespace {

@@ -154,9 +154,18 @@ constexpr Field kProxy{[](const FrameSettings& s) { return writtenProxy(s.proxy)
                        [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
                          MIRRORBALL_TRY(proxy, parseProxy(text.name, written));
                          proxy.captured_at = s.proxy.captured_at;
+                         proxy.ground_roughness = s.proxy.ground_roughness;
                          s.proxy = std::move(proxy);
                          return {};
                        }};
+
+constexpr Field kGroundRoughness{
+    [](const FrameSettings& s) { return formatNumber(s.proxy.ground_roughness); },
+    [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+      MIRRORBALL_TRY(numbers, parseNumbers(text, written));
+      s.proxy.ground_roughness = numbers.front();
+      return {};
+    }};
 
 constexpr Field kCapturedAt{[](const FrameSettings& s) {
                               return s.proxy.captured_at ? writeNumbers({&s.proxy.captured_at->x, 3}) : std::string();
@@ -307,6 +316,14 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "the model's middle",
       .group = "Environment"},
      kCapturedAt},
+    {{.name = "ground-roughness",
+      .value = "ROUGHNESS",
+      .minimum = 0,
+      .maximum = 1,
+      .help = "with --proxy ground, how rough the ground is: below 1 it is polished and shows the mirror image of the "
+              "model; 1 is matt",
+      .group = "Environment"},
+     kGroundRoughness},
     {{.name = "probes",
       .value = "N|auto",
       .minimum = 0,
@@ -414,6 +431,16 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "prism bends it can be measured; the light keeps the environment's colours, and metals their own",
       .group = "Look"},
      kWavelength},
+    {{.name = "occlusion",
+      .choices = "none|vertex",
+      .help = "whether the model hides the environment from itself: not at all, or as each vertex knows by rays, which "
+              "are traced once for the model; what is hidden shows the model's own light",
+      .group = "Look"},
+     choiceField<&FrameSettings::occlusion>},
+    {{.name = "self-reflection",
+      .help = "smooth surfaces reflect the model itself, by a ray a sample of each pixel; also sets --occlusion vertex",
+      .group = "Look"},
+     &FrameSettings::self_reflection},
     {{.name = "lookup",
       .choices = "cube|flat|flat-nearest",
       .help = "how surfaces find the light of a direction: by a cube sampler, or by face and texels computed in the "

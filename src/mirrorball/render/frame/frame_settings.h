@@ -39,6 +39,12 @@ enum class RefractionKind {
   automatic,  ///< traced through bodies of few triangles, image_space through others: refractionOf()
 };
 
+/// What hides the environment from surfaces, beside their own relief and textures.
+enum class OcclusionKind {
+  none,
+  vertex,  ///< the scene itself, as far as its vertices know: Instance::occlusion
+};
+
 /// Which kinds of light go their own ways through glass that disperses.
 enum class DispersionKind {
   channels,  ///< red, green and blue, each with one index
@@ -92,6 +98,9 @@ struct FrameSettings {
   DispersionKind dispersion = DispersionKind::channels;
   int wavelengths = 12;        ///< that a sample of a pixel is drawn of where dispersion is spectral, 8 … 16
   float wavelength_nm = 0.0f;  ///< TraceSettings::wavelength_nm, 380 … 780; 0: none
+  OcclusionKind occlusion = OcclusionKind::none;
+  bool self_reflection =
+      false;  ///< surfaces reflect the scene by a ray; with OcclusionKind::vertex, where looks are known
   LightLookUp look_up = LightLookUp::cube;
   TextureFilter texture_filter = TextureFilter::trilinear;
   Texgen texgen = Texgen::none;         ///< for base_color_map where the scene has one, else for the environment

@@ -57,8 +57,10 @@ Result<PreparedLight> prepareLight(const RenderInputNames& names, const Observer
 
 std::future<Result<Scene>> sceneLater(const RenderInputNames& names, const Observer& observer,
                                       const std::function<int()>& largest_texture) {
-  return std::async(besideOthers(), [&names, &observer, largest_texture] {
-    return observer.timed("model: read", [&] { return loadScene(names, largest_texture); });
+  return std::async(besideOthers(), [&names, &observer, largest_texture]() -> Result<Scene> {
+    MIRRORBALL_TRY(scene, observer.timed("model: read", [&] { return loadScene(names, largest_texture); }));
+    if (names.finish) MIRRORBALL_TRY_VOID(names.finish(scene));
+    return scene;
   });
 }
 

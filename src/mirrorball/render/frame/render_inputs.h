@@ -23,6 +23,9 @@ struct RenderInputNames {
   std::string environment = "studio";        ///< a file or a built-in: loadEnvironment
   EnvironmentLoadOptions load = {};          ///< of the environment
   std::optional<PrefilterCache> cache = {};  ///< where prefiltered environments are kept, if they are
+  /// What is done to the model last, beside the loading of the environment, as findOcclusion (rays/scene_occlusion.h)
+  /// is.
+  std::function<Result<void>(Scene&)> finish = {};
 };
 
 /// What there is to draw.

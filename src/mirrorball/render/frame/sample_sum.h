@@ -11,7 +11,8 @@
 
 namespace mirrorball {
 
-/// The samples of a frame's pixels: the picture that each is drawn into, their mean, and the mean as a display shows it.
+/// The samples of a frame's pixels: the picture that each is drawn into, their mean, and that mean as a display shows
+/// it.
 class SampleSum {
  public:
   /// errors   unsupported (the driver does not compile a shader)

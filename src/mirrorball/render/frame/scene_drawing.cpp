@@ -21,6 +21,11 @@ glm::vec3 centerOf(const Mesh& mesh) {
   return box.center();
 }
 
+/// Whether the ground behind the scene is seen, and polished.
+bool showsGroundMirror(const FrameUniforms& frame, const FrameSettings& settings) {
+  return settings.background == BackgroundKind::environment && frame.proxy->proxy().mirrorsScene();
+}
+
 }  // namespace
 
 Result<void> SceneDrawing::setScene(Scene scene) {
@@ -28,11 +33,13 @@ Result<void> SceneDrawing::setScene(Scene scene) {
   ++version_;
   scene_ = std::move(scene);
   buffers_ = std::move(buffers);
+  box_ = boundingBox(scene_);
   bounds_ = boundingSphere(scene_);
   centers_.clear();
   for (const Mesh& mesh : scene_.meshes) centers_.push_back(centerOf(mesh));
   body_tree_.reset();
   bodies_.reset();
+  scene_triangles_.reset();
   if (surfaces_) surfaces_->forgetScene();
   return {};
 }
@@ -77,7 +84,9 @@ void SceneDrawing::moveInstances(const std::vector<Instance>& instances) {
   assert(instances.size() == scene_.instances.size());
   ++version_;
   scene_.instances = instances;
+  box_ = boundingBox(scene_);
   bounds_ = boundingSphere(scene_);
+  scene_triangles_.reset();
   body_tree_.reset();
   bodies_.reset();
   if (surfaces_) surfaces_->forgetScene();
@@ -89,6 +98,7 @@ Result<void> SceneDrawing::begin(const gl::Context& context, const FrameSettings
   MIRRORBALL_TRY_VOID(background_.make(context.api(), *frame.proxy));
   MIRRORBALL_TRY_VOID(filterMaps(context, settings.texture_filter));
   MIRRORBALL_TRY_VOID(makeBodies(settings, frame));
+  MIRRORBALL_TRY_VOID(makeSceneTriangles(settings, frame));
   MIRRORBALL_TRY(coordinates, coordinateMatrices(scene_, bounds_, frame.camera, settings));
   frame.coordinates = coordinates;
   return {};
@@ -149,6 +159,20 @@ Result<void> SceneDrawing::makeBodies(const FrameSettings& settings, FrameUnifor
   return {};
 }
 
+/// The scene for a frame that reflects it.
+Result<void> SceneDrawing::makeSceneTriangles(const FrameSettings& settings, FrameUniforms& frame) {
+  frame.scene_triangles = nullptr;
+  if (!settings.self_reflection) return {};
+  if (!scene_triangles_) {
+    MIRRORBALL_TRY(tree, sceneTree(scene_));
+    if (!tree) return {};
+    MIRRORBALL_TRY(made, withName("the triangles that reflections show", gl::Texture::fromWords(tree->words)));
+    scene_triangles_ = std::move(made);
+  }
+  frame.scene_triangles = &*scene_triangles_;
+  return {};
+}
+
 Result<void> SceneDrawing::drawBackFaces(const FrameSettings& settings, FrameUniforms& frame) {
   frame.back_faces = nullptr;
   if (!someRefract(RefractionKind::image_space, settings.refraction)) return {};
@@ -171,8 +195,35 @@ Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, FrameUn
   return relief_hits_->draw(scene_, buffers_, frame.camera, settings.size, frame.hidden);
 }
 
-Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
-                                const FrameSettings& settings) {
+Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const EnvironmentLight& light,
+                                const FrameUniforms& frame, const FrameSettings& settings) {
+  if (showsGroundMirror(frame, settings)) MIRRORBALL_TRY_VOID(drawMirrored(light, frame, settings));
+  return drawOnce(target, light, frame, settings);
+}
+
+/// The picture that a polished ground reads.
+Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUniforms frame, FrameSettings settings) {
+  if (!ground_mirror_) {
+    MIRRORBALL_TRY(made, GroundMirror::make(surfaces_->api(), *frame.proxy));
+    ground_mirror_ = std::move(made);
+  }
+  // A rough ground blurs the picture: that of the first sample does for all others, with fewer pixels.
+  constexpr float kRough = 0.1f;
+  const bool is_blurred = settings.proxy.ground_roughness >= kRough;
+  if (is_blurred && frame.sample > 0) return {};
+  if (is_blurred) settings.size = (settings.size + 1) / 2;
+  const float ground = frame.proxy->proxy().ground;
+  MIRRORBALL_TRY(picture, ground_mirror_->begin(frame.camera, ground, bounds_, settings.size));
+  frame.camera = ground_mirror_->below();
+  frame.eye_media = {};
+  settings.background = BackgroundKind::transparent;
+  return drawOnce(*picture, light, frame, settings);
+}
+
+Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
+                                    const FrameSettings& settings) {
+  const bool is_mirrored = glm::determinant(glm::mat3(frame.camera.view_from_world)) < 0.0f;
+  glFrontFace(is_mirrored ? GL_CW : GL_CCW);
   MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
   MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
   MIRRORBALL_TRY_VOID(surfaces_->begin(scene_, buffers_, light, frame, settings));
@@ -195,6 +246,7 @@ Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const Environment
   }
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
     background_.draw(light, frame, settings);
+  if (showsGroundMirror(frame, settings)) ground_mirror_->draw(frame, settings, box_);
   if (!seeing_screen.empty()) MIRRORBALL_TRY_VOID(copyScreen(target, light, frame, settings));
   for (const int instance : seeing_screen) drawInstance(instance, frame, settings);
   drawBlended(frame, settings);

@@ -12,6 +12,7 @@
 #include "mirrorball/image/image.h"
 #include "mirrorball/render/frame/background.h"
 #include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/frame/ground_mirror.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/nearness_picture.h"
@@ -48,7 +49,7 @@ class SceneDrawing {
   ///
   /// frame    of `begin`, but with the sample's own camera and number
   /// errors   unsupported
-  Result<void> draw(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
+  Result<void> draw(const gl::Framebuffer& target, const EnvironmentLight& light, const FrameUniforms& frame,
                     const FrameSettings& settings);
 
   /// Draws how near all is that a frame shows, the environment's proxy too (NearnessPicture), in distances of the
@@ -59,11 +60,15 @@ class SceneDrawing {
   Result<const gl::Texture*> drawNearness(const FrameUniforms& frame, glm::ivec2 size);
 
  private:
+  Result<void> drawMirrored(const EnvironmentLight& light, FrameUniforms frame, FrameSettings settings);
+  Result<void> drawOnce(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
+                        const FrameSettings& settings);
   Result<void> makeSurfaces(gl::Api api);
   Result<void> filterMaps(const gl::Context& context, TextureFilter filter);
   Result<void> makePrisms(ReliefKind relief);
   bool someRefract(RefractionKind kind, RefractionKind chosen) const;
   Result<void> makeBodies(const FrameSettings& settings, FrameUniforms& frame);
+  Result<void> makeSceneTriangles(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> makeNearness();
   Result<void> copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms& frame,
@@ -78,12 +83,15 @@ class SceneDrawing {
   Background background_;
   Scene scene_;
   SceneBuffers buffers_;
+  Box box_;
   BoundingSphere bounds_;
-  std::vector<glm::vec3> centers_;       ///< of the meshes, each in its own frame
-  std::optional<BodyTree> body_tree_;    ///< of the scene, made when it is first traced
-  std::optional<gl::Texture> bodies_;    ///< its words
-  std::optional<BackFaces> back_faces_;  ///< made when a frame first needs them
+  std::vector<glm::vec3> centers_;              ///< of the meshes, each in its own frame
+  std::optional<BodyTree> body_tree_;           ///< of the scene, made when it is first traced
+  std::optional<gl::Texture> bodies_;           ///< its words
+  std::optional<gl::Texture> scene_triangles_;  ///< sceneTree(), made for the first frame that reflects it
+  std::optional<BackFaces> back_faces_;         ///< made when a frame first needs them
   std::optional<ReliefHits> relief_hits_;
+  std::optional<GroundMirror> ground_mirror_;
   std::optional<NearnessPicture> nearness_;
   std::optional<OpaquePicture> opaque_picture_;
   int version_ = 0;

@@ -23,10 +23,14 @@ Result<void> ProxyUniforms::place(const ProxyOptions& options, const Scene& scen
 
 void ProxyUniforms::connect(gl::Program& program, ProxyKind kind) {
   if (kind == ProxyKind::none) return;
-  const auto layout = program.connect("ProxyBlock", kPoint);
-  if (layout && !layout_) layout_ = std::make_shared<gl::BlockLayout>(*layout);
+  connectBlock(program);
   if (kind == ProxyKind::mesh) program.set("proxy_mesh", TextureUnit::proxy);
   if (kind == ProxyKind::ground) program.set("ground_shadow", TextureUnit::proxy);
+}
+
+void ProxyUniforms::connectBlock(gl::Program& program) {
+  const auto layout = program.connect("ProxyBlock", kPoint);
+  if (layout && !layout_) layout_ = std::make_shared<gl::BlockLayout>(*layout);
 }
 
 void ProxyUniforms::setShadow(const GroundShadow& shadow, const glm::vec3& irradiance) {

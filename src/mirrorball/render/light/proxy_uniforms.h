@@ -35,6 +35,8 @@ class ProxyUniforms {
 
   /// Says where a program reads the proxy that has this kind's part.
   void connect(gl::Program& program, ProxyKind kind);
+  /// Says it of the block alone, for a program that reads no textures of a proxy.
+  void connectBlock(gl::Program& program);
   /// Makes it what programs read.
   void bind();
 

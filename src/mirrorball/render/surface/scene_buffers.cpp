@@ -28,6 +28,12 @@ constexpr std::array<gl::Attribute, 6> kAttributes{{
     {5, 4, offsetof(Vertex, color)},
 }};
 
+constexpr std::array<gl::Attribute, 2> kOcclusionAttributes{{
+    {6, 4, offsetof(VertexOcclusion, hidden)},  // and `open` after it
+    {7, 3, offsetof(VertexOcclusion, shown)},
+}};
+static_assert(offsetof(VertexOcclusion, open) == offsetof(VertexOcclusion, hidden) + sizeof(glm::vec3));
+
 gl::Sampling::Wrap samplingWrap(Wrap wrap) {
   switch (wrap) {
     case Wrap::repeat:
@@ -248,6 +254,12 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
     buffers.meshes_.push_back({gl::VertexArray(gl::Buffer(std::span(mesh.vertices)), sizeof(Vertex), kAttributes,
                                                gl::Buffer(std::span(mesh.indices))),
                                mesh.indices.size()});
+  for (const Instance& instance : scene.instances) {
+    assert(instance.occlusion.empty() ||
+           instance.occlusion.size() == scene.meshes[std::size_t(instance.mesh)].vertices.size());
+    auto& occlusion = buffers.occlusions_.emplace_back();
+    if (!instance.occlusion.empty()) occlusion.emplace(instance.occlusion);
+  }
   const std::vector<MipLevels> levels = makeMipLevels(scene);
   buffers.textures_.resize(scene.textures.size());
   for (const Material& material : scene.materials) {
@@ -342,6 +354,13 @@ void SceneBuffers::drawPrisms(int mesh, int unit) const {
 void SceneBuffers::drawMesh(int index) const {
   const MeshBuffers& mesh = meshes_[std::size_t(index)];
   mesh.vertices.drawIndexed(mesh.index_count);
+}
+
+void SceneBuffers::drawMeshWithOcclusion(const Scene& scene, int instance) {
+  const int mesh = scene.instances[std::size_t(instance)].mesh;
+  meshes_[std::size_t(mesh)].vertices.read(*occlusions_[std::size_t(instance)], sizeof(VertexOcclusion),
+                                           kOcclusionAttributes);
+  drawMesh(mesh);
 }
 
 }  // namespace mirrorball

@@ -28,6 +28,8 @@ class SceneBuffers {
   static Result<SceneBuffers> make(const Scene& scene, int units);
 
   void drawMesh(int index) const;
+  /// Of an instance whose occlusion is known.
+  void drawMeshWithOcclusion(const Scene& scene, int instance);
 
   /// Makes what drawPrisms needs, once.
   ///
@@ -86,7 +88,8 @@ class SceneBuffers {
     std::optional<gl::Texture> layers;
   };
   std::vector<MeshBuffers> meshes_;
-  std::vector<std::optional<gl::Texture>> textures_;  // those that have a unit of their own
+  std::vector<std::optional<gl::Buffer>> occlusions_;  // of instances
+  std::vector<std::optional<gl::Texture>> textures_;   // those that have a unit of their own
   std::vector<MaterialMaps> materials_;
   std::vector<Heights> heights_;  // of Scene::height_textures
   std::vector<Slopes> slopes_;    // of Scene::slope_textures

@@ -172,6 +172,10 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
     program.set("heights", TextureUnit::heights);
     program.set("slopes", TextureUnit::slopes);
   }
+  if (variant.has(Part::sky, SkyPart::past_scene_traced)) {
+    program.set("scene_triangles", TextureUnit::scene_triangles);
+    program.set("brdf_table", TextureUnit::brdf_table);
+  }
   if (variant.has(Part::sky, SkyPart::over_horizons)) program.set("horizons", TextureUnit::horizons);
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_map", TextureUnit::slopes);
   if (variant.has(Part::point, PointPart::exact)) {
@@ -195,6 +199,8 @@ SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int instance, cons
   const Material& from_outside = scene.materials[std::size_t(material)];
   FrameSettings decided = settings;
   decided.refraction = refractionOf(scene, material, settings.refraction);
+  if (scene.instances[std::size_t(instance)].occlusion.empty()) decided.occlusion = OcclusionKind::none;
+  decided.self_reflection = settings.self_reflection && scene_triangles_ != nullptr;
   const auto variant = [&](const Material& seen) {
     SurfaceVariant made = surfaceVariant(seen, buffers.mapsOf(material), decided,
                                          settings.lights.size() + scene.lights.size(), coordinates_);
@@ -314,6 +320,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   coordinates_ = coordinateChoice(scene, settings);
   eye_is_inside_ = frame.eye_media.count > 0;
   setLights(light, frame, settings);
+  scene_triangles_ = frame.scene_triangles;
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
   const auto eye_media = mediaRows(frame.eye_media);
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
@@ -339,8 +346,7 @@ void SurfacePrograms::forgetScene() {
   materials_.clear();
 }
 
-void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers& buffers,
-                           const FrameSettings& settings) {
+void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings) {
   const int material = materialOf(scene, instance);
   const SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
   gl::Program& program = programs_.find(variant)->second;
@@ -355,6 +361,7 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_unit", buffers.slopesOf(scene, material)->unit);
   // One unit for both, which the background takes too.
   if (bodies_ && variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
+  if (variant.has(Part::sky, SkyPart::past_scene_traced)) scene_triangles_->bind(TextureUnit::scene_triangles);
   if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
     back_faces_->picture().bind(TextureUnit::back_faces);
   if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))
@@ -365,6 +372,8 @@ void SurfacePrograms::draw(const Scene& scene, int instance, const SceneBuffers&
   materialBlock(scene, material).bind(material_point);
   program.use();
   const int mesh = scene.instances[std::size_t(instance)].mesh;
+  if (variant.has(Part::sky, SkyPart::past_scene) || variant.has(Part::sky, SkyPart::past_scene_traced))
+    return buffers.drawMeshWithOcclusion(scene, instance);
   if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(mesh);
   glDisable(GL_CULL_FACE);
   buffers.bindPrisms(mesh, TextureUnit::prisms);

@@ -38,9 +38,12 @@ struct TextureUnit {
   static constexpr int background = 2;  ///< no shader reads two of these
   static constexpr int bodies = 2;
   static constexpr int back_faces = 2;
+  static constexpr int scene_triangles = 2;
   static constexpr int brdf_table = 3;
   static constexpr int prefiltered = 4;
   static constexpr int irradiance = 5;
+  static constexpr int mirror_picture = 6;  ///< read when no material is bound
+  static constexpr int mirror_depths = 7;
   static constexpr int first_of_material = 6;
   static constexpr int opaque_picture = first_of_material + kUnitsBesideScreen;
   static constexpr int of_material = gl::Texture::kUnits - first_of_material;
@@ -87,17 +90,18 @@ struct FrameUniforms {
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
   CoordinateMatrices coordinates;
-  const FlatLight* flat = nullptr;        ///< where FrameSettings::look_up reads it
-  const gl::Texture* bodies = nullptr;    ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
-  formula::Media eye_media;               ///< of traced bodies, those that the camera is inside of
-  const BackFaces* back_faces = nullptr;  ///< drawn with this camera; null: the frame's refraction does without
-  const gl::Texture* relief_hits = nullptr;     ///< ReliefHits of this camera; null: none is found exactly
-  int sample = 0;                               ///< number of the sample of the frame
-  ProxyUniforms* proxy = nullptr;               ///< placed as the settings say; must be set
-  const gl::Texture* opaque_picture = nullptr;  ///< OpaquePicture of this camera; null: nothing reads it
-  float screen_unit = 1.0f;                     ///< of its distances [world units]
-  const ProbeUniforms* probes = nullptr;        ///< null: there are none
-  std::span<const int> hidden = {};             ///< instances that are not drawn
+  const FlatLight* flat = nullptr;      ///< where FrameSettings::look_up reads it
+  const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  const gl::Texture* scene_triangles = nullptr;  ///< sceneTree(); null: none are reflected
+  formula::Media eye_media;                      ///< of traced bodies, those that the camera is inside of
+  const BackFaces* back_faces = nullptr;         ///< drawn with this camera; null: the frame's refraction does without
+  const gl::Texture* relief_hits = nullptr;      ///< ReliefHits of this camera; null: none is found exactly
+  int sample = 0;                                ///< number of the sample of the frame
+  ProxyUniforms* proxy = nullptr;                ///< placed as the settings say; must be set
+  const gl::Texture* opaque_picture = nullptr;   ///< OpaquePicture of this camera; null: nothing reads it
+  float screen_unit = 1.0f;                      ///< of its distances [world units]
+  const ProbeUniforms* probes = nullptr;         ///< null: there are none
+  std::span<const int> hidden = {};              ///< instances that are not drawn
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
@@ -132,7 +136,7 @@ class SurfacePrograms {
   void forgetScene();
 
   /// Draws an instance of the scene.
-  void draw(const Scene& scene, int instance, const SceneBuffers& buffers, const FrameSettings& settings);
+  void draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings);
 
  private:
   /// The binding points of the uniform blocks.
@@ -156,8 +160,9 @@ class SurfacePrograms {
   gl::Texture brdf_table_;
   bool brdf_table_has_cloth_ = false;
   std::map<SurfaceVariant, gl::Program> programs_;
-  CoordinateChoice coordinates_;              ///< of the frame
-  bool eye_is_inside_ = false;                ///< of it: of bodies that are traced
+  CoordinateChoice coordinates_;  ///< of the frame
+  bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
+  const gl::Texture* scene_triangles_ = nullptr;
   const gl::Texture* bodies_ = nullptr;       ///< null: the scene has none
   const BackFaces* back_faces_ = nullptr;     ///< of the sample
   const gl::Texture* relief_hits_ = nullptr;  ///< likewise

@@ -36,7 +36,8 @@ constexpr auto kBehind = std::to_array<Names>({"behind_light.glsl", "behind_scre
 constexpr auto kTransmission =
     std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl",
                           "transmission_image_space.glsl", "transmission_traced.glsl"});
-constexpr auto kSky = std::to_array<Names>({"sky_open.glsl", "sky_over_horizons.glsl"});
+constexpr auto kSky = std::to_array<Names>(
+    {"sky_open.glsl", "sky_over_horizons.glsl", "sky_past_scene.glsl", "sky_past_scene_traced.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
 constexpr auto kCoat = std::to_array<Names>({"coat_none.glsl", "coat_clear.glsl", "coat_clear_mapped.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
@@ -144,6 +145,16 @@ BehindPart behindPart(const Material& material, const std::vector<MapSource>& ma
 bool reflectsAtFragment(const FrameSettings& settings, const CoordinateChoice& coordinates) {
   const bool is_reflection = coordinates.look_up == Generated::reflection && settings.reflect_at == ReflectAt::fragment;
   return is_reflection && !coordinates.is_sphere_map;
+}
+
+/// What vertices know is said of the triangles; relief in them tells of more. What transmits reads its bodies where
+/// others read the scene.
+SkyPart skyPart(const SurfaceVariant& variant, const FrameSettings& settings, const CoordinateChoice& coordinates) {
+  if (!variant.has(Part::point, PointPart::raster)) return SkyPart::over_horizons;
+  if (settings.occlusion == OcclusionKind::none) return SkyPart::open;
+  const bool is_traced = settings.self_reflection && reflectsAtFragment(settings, coordinates) &&
+                         variant.has(Part::transmission, TransmissionPart::none);
+  return is_traced ? SkyPart::past_scene_traced : SkyPart::past_scene;
 }
 
 LookUpPart lookUpPart(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
@@ -336,7 +347,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::dispersion, dispersionPart(material, settings));
   variant.choose(Part::behind, behindPart(material, variant.maps, settings));
   variant.choose(Part::transmission, transmissionPart(material, settings));
-  variant.choose(Part::sky, variant.has(Part::point, PointPart::raster) ? SkyPart::open : SkyPart::over_horizons);
+  variant.choose(Part::sky, skyPart(variant, settings, coordinates));
   variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
   variant.lamp_count = static_cast<std::uint8_t>(lamps);
   return variant;

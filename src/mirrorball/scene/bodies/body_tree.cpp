@@ -39,6 +39,7 @@ struct PlacedTriangle {
   std::array<glm::vec3, 3> corners;
   std::array<glm::vec2, 3> normals;  ///< octahedral
   std::uint32_t instance;
+  std::uint32_t first;  ///< of its corners in the indices of its mesh
 
   Box box() const {
     Box all;
@@ -56,7 +57,7 @@ void addTriangles(const Scene& scene, std::uint32_t number, std::vector<PlacedTr
   const glm::mat4& world_from_object = instance.world_from_object;
   const glm::mat3 world_from_normal = glm::transpose(glm::inverse(glm::mat3(world_from_object)));
   for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
-    PlacedTriangle triangle{.corners = {}, .normals = {}, .instance = number};
+    PlacedTriangle triangle{.corners = {}, .normals = {}, .instance = number, .first = std::uint32_t(first)};
     bool is_finite = true;
     for (std::size_t i = 0; i < 3; ++i) {
       const glm::vec3& position = mesh.vertices[mesh.indices[first + i]].position;
@@ -115,18 +116,25 @@ void writeBody(const Material& material, std::vector<Texel>& words) {
   words.push_back(glm::floatBitsToUint(material.sellmeier_c));
 }
 
-/// A tree of the triangles of the instances whose material is wanted.
+/// A tree, and its triangles in its order.
+struct SortedTriangles {
+  BodyTree tree;
+  std::vector<PlacedTriangle> triangles;
+};
+
+using IsWanted = bool (*)(const Scene& scene, std::size_t instance);
+
+/// A tree of the triangles of the instances that are wanted.
 ///
 /// name   of the triangles, for messages
-Result<std::optional<BodyTree>> treeOf(const Scene& scene, const std::string& name,
-                                       bool (*is_wanted)(const Material&)) {
+Result<std::optional<SortedTriangles>> sortedTriangles(const Scene& scene, const std::string& name,
+                                                       IsWanted is_wanted) {
   std::uint64_t count = 0;
   bool disperses = false;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const Material& material = materialOf(scene, i);
-    if (!is_wanted(material)) continue;
+    if (!is_wanted(scene, i)) continue;
     count += scene.meshes[std::size_t(scene.instances[i].mesh)].indices.size() / 3;
-    disperses = disperses || material.dispersion > 0.0f;
+    disperses = disperses || materialOf(scene, i).dispersion > 0.0f;
   }
   if (count > std::uint64_t{1} << 27)
     return fail(ErrorCode::too_large, name + " are more than the 134 million that can be traced");
@@ -135,8 +143,8 @@ Result<std::optional<BodyTree>> treeOf(const Scene& scene, const std::string& na
   std::vector<PlacedTriangle> triangles;
   triangles.reserve(count);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
-    if (is_wanted(materialOf(scene, i))) addTriangles(scene, i, triangles);
-  if (triangles.empty()) return std::optional<BodyTree>();
+    if (is_wanted(scene, i)) addTriangles(scene, i, triangles);
+  if (triangles.empty()) return std::optional<SortedTriangles>();
 
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
@@ -152,17 +160,72 @@ Result<std::optional<BodyTree>> treeOf(const Scene& scene, const std::string& na
   bodies.words.push_back(texelOf(sizeOf(tree.root.box), 0));
   for (const BoxTree::Node& node : tree.nodes)
     for (const BoxTree::Child& child : node.children) bodies.words.push_back(childTexel(child, tree.root.box));
-  for (const std::uint32_t item : tree.items) writeTriangle(triangles[item], bodies.words);
+  std::vector<PlacedTriangle> sorted;
+  sorted.reserve(triangles.size());
+  for (const std::uint32_t item : tree.items) sorted.push_back(triangles[item]);
+  for (const PlacedTriangle& triangle : sorted) writeTriangle(triangle, bodies.words);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) writeBody(materialOf(scene, i), bodies.words);
-  return std::optional<BodyTree>(std::move(bodies));
+  return SortedTriangles{std::move(bodies), std::move(sorted)};
+}
+
+Result<std::optional<BodyTree>> treeOf(const Scene& scene, const std::string& name, IsWanted is_wanted) {
+  MIRRORBALL_TRY(sorted, sortedTriangles(scene, name, is_wanted));
+  return sorted ? std::optional<BodyTree>(std::move(sorted->tree)) : std::nullopt;
+}
+
+/// As many as half floats hold.
+std::uint32_t halves(float a, float b) {
+  return glm::packHalf2x16(glm::clamp(glm::vec2(a, b), glm::vec2(-65504.0f), glm::vec2(65504.0f)));
+}
+
+void writeLook(const VertexOcclusion& occlusion, const VertexLook& look, std::vector<Texel>& words) {
+  const auto& [hidden, open, shown, unused] = occlusion;
+  words.emplace_back(halves(hidden.x, hidden.y), halves(hidden.z, open), halves(shown.x, shown.y),
+                     halves(shown.z, look.metallic));
+  words.emplace_back(halves(look.base_color.x, look.base_color.y), halves(look.base_color.z, look.perceptual_roughness),
+                     halves(look.emission.x, look.emission.y), halves(look.emission.z, 0.0f));
 }
 
 }  // namespace
 
-Result<std::optional<BodyTree>> bodyTree(const Scene& scene) { return treeOf(scene, "the triangles of glass", isBody); }
+Result<std::optional<BodyTree>> bodyTree(const Scene& scene) {
+  return treeOf(scene, "the triangles of glass",
+                [](const Scene& of, std::size_t instance) { return isBody(materialOf(of, instance)); });
+}
 
 Result<std::optional<BodyTree>> triangleTree(const Scene& scene) {
-  return treeOf(scene, "its triangles", [](const Material&) { return true; });
+  return treeOf(scene, "its triangles", [](const Scene&, std::size_t) { return true; });
+}
+
+Result<std::optional<BodyTree>> sceneTree(const Scene& scene) {
+  const IsWanted is_wanted = [](const Scene& of, std::size_t instance) {
+    const Material& material = materialOf(of, instance);
+    return material.transmission <= 0.0f && material.alpha_mode != AlphaMode::blend &&
+           !of.instances[instance].looks.empty();
+  };
+  MIRRORBALL_TRY(sorted, sortedTriangles(scene, "the triangles that reflections show", is_wanted));
+  if (!sorted) return std::optional<BodyTree>();
+  std::vector<Texel>& words = sorted->tree.words;
+  // Two texels a vertex of all instances with looks, and where those of an instance begin.
+  std::vector<std::uint32_t> first_vertex;
+  std::uint32_t vertices = 0;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    first_vertex.push_back(vertices);
+    if (is_wanted(scene, i)) vertices += static_cast<std::uint32_t>(scene.instances[i].looks.size());
+  }
+  words[1].w = static_cast<std::uint32_t>(words.size());
+  words[2].w = static_cast<std::uint32_t>(words.size() + sorted->triangles.size());
+  for (const PlacedTriangle& triangle : sorted->triangles) {
+    const Mesh& mesh = scene.meshes[std::size_t(scene.instances[triangle.instance].mesh)];
+    const std::uint32_t* const corner = mesh.indices.data() + triangle.first;
+    words.emplace_back(glm::uvec3(first_vertex[triangle.instance]) + glm::uvec3(corner[0], corner[1], corner[2]), 0u);
+  }
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    if (!is_wanted(scene, i)) continue;
+    for (std::size_t v = 0; v < instance.looks.size(); ++v) writeLook(instance.occlusion[v], instance.looks[v], words);
+  }
+  return std::optional<BodyTree>(std::move(sorted->tree));
 }
 
 }  // namespace mirrorball

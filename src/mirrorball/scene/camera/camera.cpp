@@ -92,6 +92,26 @@ Camera cameraOf(const ModelCamera& of_model, const BoundingSphere& bounds, float
   return camera;
 }
 
+Camera mirroredBelow(const Camera& camera, float ground, const BoundingSphere& bounds) {
+  const glm::mat4 mirror =
+      glm::translate(glm::scale(glm::mat4(1.0f), glm::vec3(1.0f, -1.0f, 1.0f)), glm::vec3(0.0f, -2.0f * ground, 0.0f));
+  Camera below = camera;
+  below.view_from_world = camera.view_from_world * mirror;
+  below.position = glm::vec3(mirror * glm::vec4(camera.position, 1.0f));
+  below.forward = glm::vec3(mirror * glm::vec4(camera.forward, 0.0f));
+  const float center_depth = glm::dot(bounds.center - below.position, below.forward);
+  const float margin = bounds.radius * 1.01f;
+  const float far_depth = std::max(center_depth + margin, bounds.radius * 0.01f);
+  const float near_depth = center_depth - margin;
+  // The depths of glm::ortho and glm::perspective; all else of the projection stays.
+  const glm::mat4 depths =
+      camera.orthographic ? glm::ortho(-1.0f, 1.0f, -1.0f, 1.0f, near_depth, far_depth)
+                          : glm::perspective(1.0f, 1.0f, std::max(near_depth, far_depth * kMinNearOverFar), far_depth);
+  below.clip_from_view[2][2] = depths[2][2];
+  below.clip_from_view[3][2] = depths[3][2];
+  return below;
+}
+
 DepthRange depthsAround(glm::vec3 position, const BoundingSphere& bounds, std::optional<float> nearest) {
   const float distance = glm::distance(position, bounds.center);
   const float margin = bounds.radius * 1.01f;

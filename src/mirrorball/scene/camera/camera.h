@@ -45,6 +45,13 @@ Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, fl
 /// aspect   width over height of the picture
 Camera cameraOf(const ModelCamera& camera, const BoundingSphere& bounds, float aspect);
 
+/// The mirror image of a camera in a level ground: from below, it sees the scene as the ground shows it, each place at
+/// the same pixel. Its view mirrors, so that triangles that are counter-clockwise become clockwise.
+///
+/// ground   height of the plane [world units]
+/// bounds   of the scene, all of which its depths hold
+Camera mirroredBelow(const Camera& camera, float ground, const BoundingSphere& bounds);
+
 /// The range of depths that a camera sees, in world units; both are above 0.
 struct DepthRange {
   float nearest;

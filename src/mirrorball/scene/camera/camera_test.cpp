@@ -115,5 +115,26 @@ TEST(DepthsAround, BeginWhereTheyAreTold) {
   EXPECT_GT(beyond.farthest, beyond.nearest) << "nothing is seen, but the camera is a camera";
 }
 
+// A mirror image is seen at the pixel of what the mirror camera sees.
+TEST(MirroredBelow, SeesEachPlaceWhereTheGroundShowsIt) {
+  const BoundingSphere bounds{{0.5f, 1.0f, -0.25f}, 1.5f};
+  constexpr float kGround = -0.5f;
+  for (const bool is_orthographic : {false, true}) {
+    CameraOptions options{.azimuth_deg = 20.0f, .elevation_deg = 25.0f};
+    if (is_orthographic) options.orthographic_height = 3.0f;
+    const Camera camera = makeCamera(options, bounds, 1.5f);
+    const Camera below = mirroredBelow(camera, kGround, bounds);
+    for (const glm::vec3 place : {glm::vec3(0.1f, 0.3f, 0.2f), glm::vec3(1.2f, 1.9f, -0.5f)}) {
+      const glm::vec3 image(place.x, 2.0f * kGround - place.y, place.z);
+      const auto pixel = [](const Camera& of, glm::vec3 at) {
+        const glm::vec4 clip = of.clip_from_view * of.view_from_world * glm::vec4(at, 1.0f);
+        return glm::vec3(clip) / clip.w;
+      };
+      EXPECT_NEAR(glm::distance(glm::vec2(pixel(below, place)), glm::vec2(pixel(camera, image))), 0.0f, 1e-5f);
+      EXPECT_LT(std::abs(pixel(below, place).z), 1.0f) << "within its depths";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mirrorball

@@ -57,7 +57,9 @@ Result<Proxy> placedGround(const ProxyOptions& options, const Scene& scene) {
   const Box box = boundingBox(scene);
   const glm::vec3 middle = box.isEmpty() ? glm::vec3(0.0f) : box.center();
   const float height = options.height > 0.0f ? options.height : kRadiiOfHeight * boundingSphere(scene).radius;
-  Proxy proxy{.kind = ProxyKind::ground, .ground = box.isEmpty() ? 0.0f : box.low.y};
+  Proxy proxy{.kind = ProxyKind::ground,
+              .ground = box.isEmpty() ? 0.0f : box.low.y,
+              .ground_roughness = options.ground_roughness};
   proxy.captured_at = options.captured_at.value_or(glm::vec3(middle.x, proxy.ground + height, middle.z));
   proxy.center = proxy.captured_at;
   const float above = proxy.center.y - proxy.ground;

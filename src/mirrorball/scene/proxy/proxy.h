@@ -30,6 +30,7 @@ struct ProxyOptions {
   glm::vec3 center{0.0f};                     ///< of a sphere
   float radius = 0.0f;                        ///< of a sphere or a dome; 0: ten times the height
   float height = 0.0f;                        ///< of the panorama's camera above the ground; 0: two model radii
+  float ground_roughness = 1.0f;              ///< perceptual: of a ground; below 1 it mirrors the scene
   std::string file = {};                      ///< of a mesh, or the name of a built-in model
   std::optional<glm::vec3> captured_at = {};  ///< where the map was; without it the middle, or above the model
 
@@ -42,7 +43,7 @@ struct ProxyOptions {
 /// errors   usage
 Result<ProxyOptions> parseProxy(std::string_view option, std::string_view written);
 
-/// As parseProxy reads it; without where the map was captured.
+/// As parseProxy reads it; without where the map was captured and how rough its ground is.
 std::string writtenProxy(const ProxyOptions& proxy);
 
 /// The surface where it is in a scene.
@@ -51,13 +52,16 @@ struct Proxy {
   glm::vec3 low{0.0f}, high{0.0f};
   glm::vec3 center{0.0f};
   float radius = 0.0f;
-  float ground = 0.0f;  ///< its height in the world
+  float ground = 0.0f;            ///< its height in the world
+  float ground_roughness = 1.0f;  ///< perceptual; 1: it is matt
   glm::vec3 captured_at{0.0f};
   std::shared_ptr<const BodyTree> mesh = {};
 
   /// The nearest place within, which what is seen from there is right for; of a mesh the place itself.
   glm::vec3 within(glm::vec3 place) const;
   bool holds(glm::vec3 place) const { return within(place) == place; }
+  /// Whether its ground is polished, so that it shows the scene (formula/proxy/glossy_ground.glsl).
+  bool mirrorsScene() const { return kind == ProxyKind::ground && ground_roughness < 1.0f; }
 };
 
 /// The ground lies below the scene's lowest point, and its panorama's camera stands above the middle of the scene.

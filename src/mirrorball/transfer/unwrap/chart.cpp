@@ -9,8 +9,8 @@
 #include <queue>
 #include <tuple>
 
+#include "mirrorball/rays/frame.h"
 #include "mirrorball/scene/equal_vertices.h"
-#include "mirrorball/trace/frame.h"
 #include "mirrorball/transfer/unwrap/flat_triangles.h"
 
 namespace mirrorball {

@@ -6,9 +6,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include "mirrorball/rays/geometry.h"
+#include "mirrorball/rays/surface_point.h"
 #include "mirrorball/scene/bumpy_pair_testing.h"
-#include "mirrorball/trace/geometry.h"
-#include "mirrorball/trace/surface_point.h"
 
 namespace mirrorball {
 namespace {

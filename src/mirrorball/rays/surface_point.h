@@ -5,9 +5,9 @@
 #include <glm/glm.hpp>
 
 #include "formula/material.h"
+#include "mirrorball/rays/geometry.h"
 #include "mirrorball/scene/relief/relief.h"
 #include "mirrorball/scene/scene.h"
-#include "mirrorball/trace/geometry.h"
 
 namespace mirrorball {
 

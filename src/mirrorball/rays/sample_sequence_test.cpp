@@ -1,4 +1,4 @@
-#include "mirrorball/trace/sample_sequence.h"
+#include "mirrorball/rays/sample_sequence.h"
 
 #include <cmath>
 #include <set>

@@ -1,4 +1,4 @@
-#include "mirrorball/trace/surface_point.h"
+#include "mirrorball/rays/surface_point.h"
 
 #include <algorithm>
 #include <array>

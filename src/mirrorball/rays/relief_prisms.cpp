@@ -1,4 +1,4 @@
-#include "mirrorball/trace/relief_prisms.h"
+#include "mirrorball/rays/relief_prisms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +128,7 @@ std::optional<ReliefPlace> ReliefPrisms::placeOn(bool from_above, const formula:
 std::optional<ReliefPlace> ReliefPrisms::hit(std::size_t triangle, glm::vec3 origin, glm::vec3 direction, float nearest,
                                              float farthest) const {
   const Placed& prism = prisms_[triangle];
-  const glm::vec2 way = formula::wayThroughBox(prism.box, origin, direction);
+  const glm::vec2 way = formula::wayThroughPrismBox(prism.box, origin, direction);
   const glm::vec2 between(std::max(way.x, nearest), std::min(way.y, farthest));
   const auto above = placeOn(true, prism.from_above, origin, direction, between, nearest);
   if (!has_back_) return above;

@@ -1,4 +1,4 @@
-#include "mirrorball/trace/geometry.h"
+#include "mirrorball/rays/geometry.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,8 +10,8 @@
 #include <embree3/rtcore.h>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/rays/relief_prisms.h"
 #include "mirrorball/scene/relief/relief.h"
-#include "mirrorball/trace/relief_prisms.h"
 
 namespace mirrorball {
 namespace {

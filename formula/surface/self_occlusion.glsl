@@ -1,0 +1,47 @@
+// What the objects of a scene hide of the environment from a place of a surface, and show there instead: known for each
+// vertex by rays (rays/scene_occlusion.h), as a share and a mean direction.
+// Needs: constants.
+
+// The part of the hemisphere that is open, as a cone (ambient aperture lighting: Oat & Sander 2007).
+struct Opening {
+  vec3 axis;    // unit: the mean direction of the light of an even sky, the bent normal (Landis 2002)
+  float angle;  // half of its aperture [rad]
+};
+
+// A cone of half the aperture b, all above the surface, whose axis is tilted by t, lets through the share sin² b cos t
+// of an even sky's irradiance. The open hemisphere is one too, and what is hidden is missing in its mean direction, 2/3
+// n.
+//   n        unit
+//   hidden   the mean of the directions that are hidden, those that are open counting as 0
+//   open     share of the irradiance, in [0, 1]
+FN Opening openingOf(vec3 n, vec3 hidden, float open) {
+  vec3 mean = (2.0f / 3.0f) * n - hidden;
+  vec3 axis = dot(mean, mean) > 1e-6f ? normalize(mean) : n;
+  float squared_sine = clamp(open / max(dot(axis, n), 0.05f), 0.0f, 1.0f);
+  return Opening(axis, atan(sqrt(squared_sine), sqrt(1.0f - squared_sine)));
+}
+
+// Of unit vectors; also exact where they are nearly the same, unlike the inverse of the cosine.
+FN float angleBetween(vec3 a, vec3 b) { return atan(length(cross(a, b)), dot(a, b)); }
+
+// How much of what a surface reflects around a direction is in the opening, of all that is above the surface.
+//   direction   unit
+//   alpha       of the facets: half of the lobe lies within twice the angle whose tangent that is (GGX)
+FN float lobeInOpening(Opening opening, vec3 n, vec3 direction, float alpha) {
+  float width = 0.02f + 2.0f * atan(alpha);
+  float above = 0.5f * kPi - angleBetween(direction, n);
+  float inside = opening.angle - angleBetween(direction, opening.axis);
+  return clamp(smoothstep(-width, width, inside) / max(smoothstep(-width, width, above), 1e-3f), 0.0f, 1.0f);
+}
+
+// The roughness of a GGX lobe along the normal that has half of its weight within the same angle as an even light in
+// the opening, weighted by its cosine: sin² of that is half of the aperture's. A fit of the inverse of ggxHalfAngle, by
+// 1.5°.
+FN float roughnessOfOpening(Opening opening) { return pow(clamp(opening.angle / (0.5f * kPi), 0.0f, 1.0f), 0.7f); }
+
+// What arrives through the opening, over its share. The light of a lobe as wide as it is shows where the sky is bright,
+// but knows nothing of the cosine to the normal; the light on a surface along its axis knows too much of what is beside
+// it. Halfway between them errs least, and where nothing is hidden the latter is exact.
+FN vec3 lightThroughOpening(vec3 of_lobe, vec3 on_surface, float open) {
+  return mix(of_lobe, on_surface, 0.5f + 0.5f * open);
+}

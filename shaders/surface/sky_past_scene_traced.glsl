@@ -1,0 +1,68 @@
+// Part "sky" (sky_open.glsl). Here: as in sky_past_scene.glsl, and what a surface reflects of the scene is found by a
+// ray into its lobe, and lit by the environment as it is drawn.
+#include "brdf_look_up.glsl"
+#include "ggx.glsl"
+#include "grid_random.glsl"
+#include "octahedral.glsl"
+#include "triangle_tree.glsl"
+#include "scene_surface.glsl"
+#include "past_scene.glsl"
+#include "sampling.glsl"
+
+in vec4 vertex_hidden;
+in vec3 vertex_shown;
+
+uniform highp usampler2D scene_triangles;
+
+// The light of what a ray meets.
+//   direction   of the ray
+vec3 lightOfScene(vec3 place, vec3 direction, SceneSurface met) {
+  Surface s;
+  s.material = coreMaterial(material, met.base_color, met.metallic, met.perceptual_roughness, met.emission);
+  s.own_roughness = met.perceptual_roughness;
+  bool sees_front = dot(direction, met.geometric_normal) < 0.0;
+  s.normal = facingNormal(sees_front ? met.normal : -met.normal, direction);
+  s.tangent = anyTangent(s.normal);
+  s.occlusion = 1.0;
+  s.environment_brdf =
+      environmentBrdf(brdf_table, met.perceptual_roughness, clamp(-dot(direction, s.normal), 0.0, 1.0));
+  s.stretched_share = 1.0;
+  s.sheen_albedo = 0.0;
+  s = seenAlong(s, direction);
+  LightPastScene light = lightPastScene(place, s.normal, sees_front ? met.hidden : vec4(0.0, 0.0, 0.0, 1.0),
+                                        sees_front ? met.shown : vec3(0.0));
+  vec3 mirrored = reflect(direction, s.normal);
+  vec3 reflected = reflectedPastScene(light, s, mirrored,
+                                      incomingLight(place, mirrored, met.perceptual_roughness, 0.0));
+  return shadedPastScene(light, s, reflected, vec3(0.0), vec3(0.0));
+}
+
+// A direction that facets of the surface reflect towards the eye, another one for each sample of a pixel.
+vec3 sampledReflection(Surface s, SurfacePoint point) {
+  vec2 random = evenPoint(gridRandom(ivec3(ivec2(gl_FragCoord.xy), 0)).xy, floor(sample_phase * samples_per_pixel));
+  vec2 alpha = stretchedAlpha(s.material.perceptual_roughness, s.material.anisotropy);
+  vec3 facet = sampleVisibleNormal(alpha, eyeInFrame(s, point.ray), random);
+  return reflect(point.ray, facet.x * s.tangent + facet.y * cross(s.normal, s.tangent) + facet.z * s.normal);
+}
+
+// What the ray from the surface meets of the scene in a direction.
+//   across   along the flat triangle's normal, of any length
+//   found    becomes that light; stays as it is where nothing is met
+void reflectScene(SurfacePoint point, vec3 across, vec3 direction, inout vec3 found) {
+  vec3 up = normalize(dot(across, point.ray) > 0.0 ? -across : across);
+  // What a smooth normal reflects below its flat triangle, no ray from there meets.
+  direction -= 2.0 * min(dot(direction, up), 0.0) * up;
+  vec3 size = floatsOf(fetchWords(scene_triangles, 2));
+  vec3 origin = besideSurface(point.position, max(max(size.x, size.y), size.z), up);
+  TriangleHit hit = nearestTriangle(scene_triangles, origin, direction, 0.0, -1, kNarrowMargin);
+  if (hit.triangle >= 0)
+    found = lightOfScene(origin + hit.distance * direction, direction, sceneSurfaceAt(scene_triangles, hit));
+}
+
+vec3 litByEnvironment(Surface s, SurfacePoint point, vec3 transmitted, vec3 on_cloth) {
+  vec3 across = cross(dFdx(point.position), dFdy(point.position));
+  vec3 reflected = reflectedLight(s, point);
+  if (dot(across, across) > 0.0) reflectScene(point, across, sampledReflection(s, point), reflected);
+  LightPastScene light = lightAtPoint(s, point, vertex_hidden, vertex_shown);
+  return shadedPastScene(light, s, reflected, transmitted, on_cloth);
+}

@@ -1,0 +1,297 @@
+#include "mirrorball/rays/scene_occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "formula/bsdf.h"
+#include "formula/constants.h"
+#include "formula/surface.h"
+#include "mirrorball/base/memory.h"
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/rays/frame.h"
+#include "mirrorball/rays/surface_point.h"
+#include "mirrorball/rays/vertex_places.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr std::size_t kRaysInAll = 1'600'000;
+constexpr std::size_t kFewestRays = 8;
+constexpr std::size_t kMostRays = 256;
+constexpr std::uint32_t kOpen = ~std::uint32_t{0};
+/// Surfaces that one ray may pass, then the next counts as solid.
+constexpr int kMostPassed = 32;
+
+/// What hides the environment on one ray: the nearest vertex of the surface there; kOpen: nothing does.
+struct Hider {
+  std::uint32_t vertex = kOpen;
+  std::uint32_t triangle = 0;  ///< counted through all instances
+};
+
+/// Well mixed bits of two numbers (Jarzynski & Olano 2020, "Hash functions for GPU rendering", PCG).
+std::uint32_t mixed(std::uint32_t a, std::uint32_t b) {
+  std::uint32_t state = (a * 747796405u + 2891336453u) ^ (b * 0x9E3779B9u + 0x7F4A7C15u);
+  state = state * 747796405u + 2891336453u;
+  const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+/// Two numbers in [0, 1) of 16 bits each.
+glm::vec2 sharesOf(std::uint32_t bits) { return glm::vec2(bits & 0xFFFFu, bits >> 16u) / 65536.0f; }
+
+/// As dense as the cosine to +Z (Lambert's law).
+glm::vec3 cosineDirection(glm::vec2 place) {
+  const float angle = 2.0f * formula::kPi * place.x;
+  const float radius = std::sqrt(place.y);
+  return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0f - place.y)};
+}
+
+/// How much a surface reflects of even light, all together: of a dielectric, its colour below what Schlick's term
+/// reflects on average, which is f0 + (1 − f0) / 21.
+glm::vec3 albedoOf(const formula::Material& m) {
+  const glm::vec3 f0 = formula::smoothDielectric(m, 1.0f);
+  const glm::vec3 reflects = f0 + (m.specular - f0) / 21.0f;
+  const glm::vec3 dielectric = reflects + (1.0f - reflects) * m.base_color * (1.0f - m.transmission);
+  return glm::clamp(glm::mix(dielectric, formula::metalReflectance(m, 1.0f), m.metallic), 0.0f, 1.0f);
+}
+
+class Finder {
+ public:
+  Finder(const Scene& scene, const Geometry& geometry, int rays)
+      : scene_(scene), geometry_(geometry), places_(scene), world_from_normal_(normalMatrices(scene)) {
+    const std::size_t share = kRaysInAll / std::max<std::size_t>(places_.size(), 1);
+    rays_ = rays > 0 ? std::size_t(rays) : std::clamp(share, kFewestRays, kMostRays);
+    first_triangle_.push_back(0);
+    for (const Instance& instance : scene.instances)
+      first_triangle_.push_back(
+          first_triangle_.back() +
+          static_cast<std::uint32_t>(scene.meshes[std::size_t(instance.mesh)].indices.size() / 3));
+  }
+
+  Result<void> trace(const ProgressFunction& progress);
+  void findAlbedos();
+  void findLooks();
+  void followReflections();
+  void smooth();
+  void give(Scene& scene) const;
+
+ private:
+  void traceVertex(std::size_t vertex);
+  Hider hiderOf(glm::vec3 origin, glm::vec3 direction, std::uint32_t random) const;
+  formula::Material materialOfTriangle(std::uint32_t triangle) const;
+
+  const Scene& scene_;
+  const Geometry& geometry_;
+  VertexPlaces places_;
+  std::vector<glm::mat3> world_from_normal_;
+  std::size_t rays_;
+  std::vector<std::uint32_t> first_triangle_;  // of each instance, counted through all
+  std::vector<Hider> hiders_;                  // of each vertex's rays
+  std::vector<glm::vec3> albedos_;             // of the triangles that hide something
+  std::vector<VertexOcclusion> found_;         // of each vertex
+  std::vector<VertexLook> looks_;              // likewise, if they are asked for
+};
+
+/// The first surface that hides what is behind it.
+///
+/// random   decides whether one that hides a part does
+Hider Finder::hiderOf(glm::vec3 origin, glm::vec3 direction, std::uint32_t random) const {
+  float nearest = 0.0f;
+  for (int passed = 0; passed <= kMostPassed; ++passed) {
+    const std::optional<Hit> hit = geometry_.hit(origin, direction, nearest);
+    if (!hit) return {};
+    const Material& material = materialOf(scene_, hit->instance);
+    const float hides = opacityAt(scene_, *hit) * (1.0f - material.transmission);
+    if (hides >= 1.0f || passed == kMostPassed || sharesOf(mixed(random, std::uint32_t(passed))).x < hides) {
+      const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[hit->instance].mesh)];
+      const glm::vec2 b = hit->barycentric;
+      const float first = 1.0f - b.x - b.y;
+      const std::size_t corner = first >= std::max(b.x, b.y) ? 0 : (b.x >= b.y ? 1 : 2);
+      return {places_.vertexOf(hit->instance, mesh.indices[std::size_t{3} * hit->triangle + corner]),
+              first_triangle_[hit->instance] + hit->triangle};
+    }
+    nearest = hit->distance * (1.0f + 1e-5f);
+  }
+  return {};
+}
+
+void Finder::traceVertex(std::size_t vertex) {
+  const glm::vec3 normal = places_.normal(vertex);
+  const std::size_t triangles = places_.triangles(vertex);
+  VertexOcclusion& found = found_[vertex];
+  if (triangles == 0 || normal == glm::vec3(0.0f)) return;
+  const Frame frame(normal);
+  const auto number = static_cast<std::uint32_t>(vertex);
+  const glm::vec2 from = sharesOf(mixed(number, 0));
+  std::size_t open = 0;
+  for (std::size_t ray = 0; ray < rays_; ++ray) {
+    const std::uint32_t random = mixed(number, static_cast<std::uint32_t>(ray) + 1);
+    const PlaceByVertex place = places_.place(vertex, ray * triangles / rays_, sharesOf(random));
+    glm::vec3 direction = frame.toWorld(cosineDirection(formula::evenPoint(from, static_cast<float>(ray))));
+    // What a smooth normal sees below its flat triangle, light cannot reach from there.
+    if (const float below = glm::dot(direction, place.geometric_normal); below < 0.0f)
+      direction -= 2.0f * below * place.geometric_normal;
+    const Hider hider =
+        hiderOf(formula::besideSurface(place.position, 0.0f, place.geometric_normal), direction, random);
+    hiders_[vertex * rays_ + ray] = hider;
+    if (hider.vertex == kOpen)
+      ++open;
+    else
+      found.hidden += direction;
+  }
+  found.hidden /= static_cast<float>(rays_);
+  found.open = static_cast<float>(open) / static_cast<float>(rays_);
+}
+
+Result<void> Finder::trace(const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(
+      withName("the rays of the model's vertices", checkMemory(places_.size() * rays_ * sizeof(Hider))));
+  hiders_.resize(places_.size() * rays_);
+  found_.resize(places_.size());
+  constexpr std::size_t kGrain = 256;
+  ProgressCounter counter(progress, (places_.size() + kGrain - 1) / kGrain);
+  parallelFor(places_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    if (counter.stopped()) return;
+    for (std::size_t vertex = begin; vertex < end; ++vertex) traceVertex(vertex);
+    counter.advance();
+  });
+  return counter.result();
+}
+
+/// In the middle of a triangle.
+formula::Material Finder::materialOfTriangle(std::uint32_t triangle) const {
+  const auto after = std::ranges::upper_bound(first_triangle_, triangle);
+  const auto instance = static_cast<std::uint32_t>(after - first_triangle_.begin()) - 1;
+  const Hit middle{
+      .instance = instance, .triangle = triangle - first_triangle_[instance], .barycentric = glm::vec2(1.0f / 3.0f)};
+  return surfacePointAt(scene_, world_from_normal_[instance], middle, ReliefKind::none).material;
+}
+
+void Finder::findAlbedos() {
+  std::vector<std::uint8_t> hides(first_triangle_.back(), 0);
+  for (const Hider& hider : hiders_)
+    if (hider.vertex != kOpen) hides[hider.triangle] = 1;
+  albedos_.resize(first_triangle_.back());
+  parallelFor(albedos_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (hides[i] != 0) albedos_[i] = albedoOf(materialOfTriangle(static_cast<std::uint32_t>(i)));
+  });
+}
+
+/// The mean of the triangles around each vertex.
+void Finder::findLooks() {
+  std::vector<formula::Material> materials(first_triangle_.back());
+  parallelFor(materials.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) materials[i] = materialOfTriangle(static_cast<std::uint32_t>(i));
+  });
+  looks_.assign(places_.size(), {glm::vec3(0.0f), 0.0f, glm::vec3(0.0f), 0.0f});
+  std::vector<float> counts(places_.size(), 0.0f);
+  for (std::size_t instance = 0; instance < scene_.instances.size(); ++instance) {
+    const std::vector<std::uint32_t>& indices = scene_.meshes[std::size_t(scene_.instances[instance].mesh)].indices;
+    for (std::size_t i = 0; i / 3 < indices.size() / 3; ++i) {
+      const formula::Material& material = materials[first_triangle_[instance] + i / 3];
+      const std::uint32_t vertex = places_.vertexOf(instance, indices[i]);
+      VertexLook& sum = looks_[vertex];
+      sum.base_color += material.base_color;
+      sum.metallic += material.metallic;
+      sum.emission += material.emission;
+      sum.perceptual_roughness += material.perceptual_roughness;
+      counts[vertex] += 1.0f;
+    }
+  }
+  for (std::size_t v = 0; v < looks_.size(); ++v) {
+    const float part = 1.0f / std::max(counts[v], 1.0f);
+    const VertexLook& sum = looks_[v];
+    looks_[v] = {part * sum.base_color, part * sum.metallic, part * sum.emission, part * sum.perceptual_roughness};
+  }
+}
+
+/// From light that is all there, each step counts one reflection more; so white light in a white scene stays.
+void Finder::followReflections() {
+  constexpr int kMostSteps = 64;
+  constexpr float kEnough = 2e-3f;
+  std::vector<glm::vec3> light(found_.size(), glm::vec3(1.0f));
+  std::vector<glm::vec3> next(light.size());
+  constexpr std::size_t kGrain = 1024;
+  std::vector<float> changes((light.size() + kGrain - 1) / kGrain);
+  for (int step = 0; step < kMostSteps; ++step) {
+    parallelFor(light.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      float change = 0.0f;
+      for (std::size_t vertex = begin; vertex < end; ++vertex) {
+        glm::vec3 shown(0.0f);
+        for (std::size_t ray = vertex * rays_; ray < (vertex + 1) * rays_; ++ray)
+          if (const Hider& hider = hiders_[ray]; hider.vertex != kOpen)
+            shown += albedos_[hider.triangle] * light[hider.vertex];
+        found_[vertex].shown = shown / static_cast<float>(rays_);
+        next[vertex] = found_[vertex].open + found_[vertex].shown;
+        const glm::vec3 changed = glm::abs(next[vertex] - light[vertex]);
+        change = std::max(change, std::max({changed.x, changed.y, changed.z}));
+      }
+      changes[begin / kGrain] = change;
+    });
+    light.swap(next);
+    if (light.empty() || std::ranges::max(changes) < kEnough) return;
+  }
+}
+
+/// Of a vertex and its neighbours over the edges of triangles, where the surface goes on smoothly.
+void Finder::smooth() {
+  constexpr float kSmooth = 0.8f;  // the cosine between their normals, at least
+  // So much the vertex itself counts: neighbours are worth less the less noise there is.
+  const float own = static_cast<float>(rays_) * static_cast<float>(rays_) / 512.0f;
+  std::vector<VertexOcclusion> sums = found_;
+  std::vector<float> weights(found_.size(), own);
+  for (VertexOcclusion& sum : sums) sum = {own * sum.hidden, own * sum.open, own * sum.shown};
+  const auto add = [&](std::uint32_t to, std::uint32_t from) {
+    if (glm::dot(places_.normal(to), places_.normal(from)) < kSmooth) return;
+    sums[to].hidden += found_[from].hidden;
+    sums[to].open += found_[from].open;
+    sums[to].shown += found_[from].shown;
+    weights[to] += 1.0f;
+  };
+  for (std::size_t instance = 0; instance < scene_.instances.size(); ++instance) {
+    const std::vector<std::uint32_t>& indices = scene_.meshes[std::size_t(scene_.instances[instance].mesh)].indices;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+      for (std::size_t edge = 0; edge < 3; ++edge) {
+        const std::uint32_t a = places_.vertexOf(instance, indices[i + edge]);
+        const std::uint32_t b = places_.vertexOf(instance, indices[i + (edge + 1) % 3]);
+        add(a, b);
+        add(b, a);
+      }
+  }
+  for (std::size_t v = 0; v < found_.size(); ++v)
+    found_[v] = {sums[v].hidden / weights[v], sums[v].open / weights[v], sums[v].shown / weights[v]};
+}
+
+void Finder::give(Scene& scene) const {
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    Instance& instance = scene.instances[i];
+    const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
+    instance.occlusion.resize(vertices);
+    instance.looks.resize(looks_.empty() ? 0 : vertices);
+    for (std::size_t v = 0; v < vertices; ++v) {
+      const std::uint32_t number = places_.vertexOf(i, static_cast<std::uint32_t>(v));
+      instance.occlusion[v] = found_[number];
+      if (!looks_.empty()) instance.looks[v] = looks_[number];
+    }
+  }
+}
+
+}  // namespace
+
+Result<void> findOcclusion(Scene& scene, const Geometry& geometry, const SceneOcclusionSettings& settings,
+                           const ProgressFunction& progress) {
+  Finder finder(scene, geometry, settings.rays);
+  MIRRORBALL_TRY_VOID(finder.trace(progress));
+  finder.findAlbedos();
+  finder.followReflections();
+  finder.smooth();
+  if (settings.finds_looks) finder.findLooks();
+  finder.give(scene);
+  return {};
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,216 @@
+#include "mirrorball/rays/scene_occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+#include "mirrorball/scene/shapes/interreflection.h"
+
+namespace mirrorball {
+namespace {
+
+using ::testing::Each;
+using ::testing::SizeIs;
+
+Material matt(float albedo) {
+  Material material;
+  material.base_color = glm::vec3(albedo);
+  material.specular = 0.0f;
+  return material;
+}
+
+/// A scene whose occlusion has been found.
+Scene withOcclusion(Scene scene, int rays) {
+  const auto geometry = Geometry::make(scene);
+  EXPECT_TRUE(geometry);
+  EXPECT_TRUE(findOcclusion(scene, *geometry, {.rays = rays}));
+  return scene;
+}
+
+/// Squares from −half to half on the plane y = 0, its normal upwards.
+Mesh gridMesh(float half, int squares) {
+  Mesh mesh;
+  for (int z = 0; z <= squares; ++z)
+    for (int x = 0; x <= squares; ++x) {
+      const glm::vec2 at = half * (2.0f * glm::vec2(x, z) / static_cast<float>(squares) - 1.0f);
+      mesh.vertices.push_back({.position = {at.x, 0.0f, at.y}, .normal = {0.0f, 1.0f, 0.0f}});
+    }
+  const auto row = static_cast<std::uint32_t>(squares) + 1;
+  for (std::uint32_t z = 0; z + 1 < row; ++z)
+    for (std::uint32_t x = 0; x + 1 < row; ++x) {
+      const std::uint32_t a = z * row + x;
+      for (const std::uint32_t corner : {a, a + row, a + 1, a + 1, a + row, a + row + 1})
+        mesh.indices.push_back(corner);
+    }
+  return mesh;
+}
+
+/// A plane and a ball of that radius above it.
+Scene ballOverPlane(float radius, float height, Material of_ball = matt(0.0f)) {
+  Scene scene = sceneOf(gridMesh(2.0f, 20), matt(0.0f));
+  Mesh ball = sphereMesh(24, 48);
+  ball.material = 1;
+  scene.materials.push_back(std::move(of_ball));
+  scene.meshes.push_back(std::move(ball));
+  const glm::mat4 place = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, height, 0.0f));
+  scene.instances.push_back({.mesh = 1, .world_from_object = glm::scale(place, glm::vec3(radius))});
+  return scene;
+}
+
+// A sphere all above a plane hides the share (R / d)² cos θ of its light, d from its middle, θ from the plane's normal.
+TEST(SceneOcclusion, ABallHidesItsFormFactorFromAPlane) {
+  constexpr float kRadius = 0.5f, kHeight = 0.75f;
+  const Scene scene = withOcclusion(ballOverPlane(kRadius, kHeight), 1024);
+  const std::vector<Vertex>& vertices = scene.meshes[0].vertices;
+  ASSERT_THAT(scene.instances[0].occlusion, SizeIs(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const glm::vec3 way = glm::vec3(0.0f, kHeight, 0.0f) - vertices[i].position;
+    const float distance = glm::length(way);
+    const float hidden = kRadius * kRadius * kHeight / (distance * distance * distance);
+    EXPECT_NEAR(scene.instances[0].occlusion[i].open, 1.0f - hidden, 0.012f) << i;
+    // What is hidden is towards the ball.
+    if (hidden < 0.1f) continue;
+    EXPECT_GT(glm::dot(glm::normalize(scene.instances[0].occlusion[i].hidden), way / distance), 0.97f) << i;
+  }
+}
+
+// All of the inside of a hollow ball sees the same share of its opening, and each light is the same at all places
+// (Jacquez & Kuppenheim 1955): E = s + ρ (1 − s) E.
+TEST(SceneOcclusion, ABowlsInsideSeesItsOpeningAndItself) {
+  constexpr float kAlbedo = 0.6f;
+  Scene bowl = bowlScene();
+  bowl.materials[0] = matt(kAlbedo);
+  bowl = withOcclusion(std::move(bowl), 64);
+  const float light = kBowlOpenShare / (1.0f - kAlbedo * (1.0f - kBowlOpenShare));
+  std::size_t inside = 0;
+  double open = 0.0;
+  for (std::size_t i = 0; i < bowl.meshes[0].vertices.size(); ++i) {
+    const Vertex& vertex = bowl.meshes[0].vertices[i];
+    const VertexOcclusion& occlusion = bowl.instances[0].occlusion[i];
+    if (glm::dot(vertex.position, vertex.normal) < -0.5f) {  // not on the rim
+      ++inside;
+      open += occlusion.open;
+      EXPECT_NEAR(occlusion.open, kBowlOpenShare, 0.07f) << i;
+      EXPECT_NEAR(occlusion.shown.x, light - kBowlOpenShare, 0.07f) << i;
+    } else if (glm::dot(vertex.position, vertex.normal) > 0.9f) {  // outside
+      EXPECT_EQ(occlusion.open, 1.0f) << i;
+      EXPECT_EQ(occlusion.hidden, glm::vec3(0.0f)) << i;
+    }
+  }
+  ASSERT_GT(inside, 1000u);
+  EXPECT_NEAR(open / static_cast<double>(inside), kBowlOpenShare, 0.003);
+}
+
+// The flat triangles of a coarse ball lie below the horizon of its smooth normals.
+TEST(SceneOcclusion, ACoarseBallHidesNothingFromItself) {
+  const Scene ball = withOcclusion(sceneOf(sphereMesh(6, 12), matt(0.5f)), 256);
+  for (const VertexOcclusion& occlusion : ball.instances[0].occlusion) EXPECT_EQ(occlusion.open, 1.0f);
+}
+
+// Where walls meet, a wall's corners see what its places near by see: half of the sky at a right angle.
+TEST(SceneOcclusion, AWallHidesHalfFromTheFloorBesideIt) {
+  Scene scene = sceneOf(gridMesh(1.0f, 20), matt(0.0f));
+  const glm::mat4 upright = glm::rotate(glm::mat4(1.0f), glm::half_pi<float>(), glm::vec3(1.0f, 0.0f, 0.0f));
+  scene.instances.push_back({.mesh = 0,
+                             .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(0, 1, -1)) *
+                                                  glm::scale(upright, glm::vec3(20.0f, 1.0f, 1.0f))});
+  scene = withOcclusion(std::move(scene), 1024);
+  for (std::size_t i = 0; i < scene.meshes[0].vertices.size(); ++i) {
+    const glm::vec3 at = scene.meshes[0].vertices[i].position;
+    // Of a wall of height h at the distance x, infinitely long: (1 − x / √(x² + h²)) / 2 of the light is hidden.
+    const float from_wall = at.z + 1.0f;
+    const float hidden = 0.5f * (1.0f - from_wall / std::hypot(from_wall, 2.0f));
+    EXPECT_NEAR(scene.instances[0].occlusion[i].open, 1.0f - hidden, 0.03f) << at.x << " " << at.z;
+  }
+}
+
+TEST(SceneOcclusion, AWhiteSceneIsWhiteUnderAWhiteSky) {
+  Scene bowl = bowlScene();
+  bowl.materials[0] = Material{};
+  bowl.materials[0].base_color = glm::vec3(1.0f);
+  bowl = withOcclusion(std::move(bowl), 16);
+  for (const VertexOcclusion& occlusion : bowl.instances[0].occlusion)
+    EXPECT_NEAR(occlusion.open + occlusion.shown.x, 1.0f, 1e-5f);
+}
+
+TEST(SceneOcclusion, GlassAndWhatIsCutAwayHideNothing) {
+  Material glass = matt(0.5f);
+  glass.transmission = 1.0f;
+  Material hole = matt(0.5f);
+  hole.alpha_mode = AlphaMode::mask;
+  hole.opacity = 0.0f;
+  Material veil = matt(0.5f);
+  veil.alpha_mode = AlphaMode::blend;
+  veil.opacity = 0.5f;
+  const auto underBall = [](const Material& of_ball) {
+    const Scene scene = withOcclusion(ballOverPlane(0.5f, 0.5f, of_ball), 512);
+    return scene.instances[0].occlusion[10 * 21 + 10].open;  // where it stands
+  };
+  const float solid = underBall(matt(0.5f));
+  EXPECT_LT(solid, 0.1f);
+  EXPECT_EQ(underBall(glass), 1.0f);
+  EXPECT_EQ(underBall(hole), 1.0f);
+  // A ray meets the ball twice.
+  EXPECT_NEAR(underBall(veil), 1.0f - 0.75f * (1.0f - solid), 0.05f);
+}
+
+TEST(SceneOcclusion, AMeshIsHiddenDifferentlyAtEachPlace) {
+  Scene scene = ballOverPlane(0.5f, 0.6f);
+  scene.instances.push_back({.mesh = 0, .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(0, 9, 0))});
+  scene = withOcclusion(std::move(scene), 64);
+  const std::size_t middle = 10 * 21 + 10;
+  EXPECT_LT(scene.instances[0].occlusion[middle].open, 0.4f);
+  EXPECT_EQ(scene.instances[2].occlusion[middle].open, 1.0f);
+}
+
+TEST(SceneOcclusion, IsTheSameForAnyNumberOfThreads) {
+  const int threads = threadLimit();
+  const Scene many = withOcclusion(bowlScene(), 16);
+  setThreadLimit(1);
+  const Scene one = withOcclusion(bowlScene(), 16);
+  setThreadLimit(threads);
+  const auto& a = many.instances[0].occlusion;
+  const auto& b = one.instances[0].occlusion;
+  ASSERT_EQ(a.size(), b.size());
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(VertexOcclusion)), 0);
+}
+
+// Of what no file should have, nothing is hidden, and nothing is no number.
+TEST(SceneOcclusion, TakesMeshesThatAreNotSound) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Mesh mesh = gridMesh(1.0f, 2);
+  mesh.vertices[0].normal = glm::vec3(0.0f);
+  mesh.vertices[1].normal = glm::vec3(nan);
+  mesh.vertices[2].position.x = nan;
+  mesh.vertices[3].position = mesh.vertices[4].position;  // triangles without area
+  mesh.vertices.push_back({});                            // of no triangle
+  const Scene scene = withOcclusion(sceneOf(std::move(mesh), matt(0.5f)), 64);
+  for (const VertexOcclusion& occlusion : scene.instances[0].occlusion) {
+    EXPECT_EQ(occlusion.open, 1.0f);
+    EXPECT_EQ(occlusion.hidden, glm::vec3(0.0f));
+    EXPECT_EQ(occlusion.shown, glm::vec3(0.0f));
+  }
+  EXPECT_TRUE(withOcclusion(Scene(), 0).instances.empty());
+  EXPECT_THAT(withOcclusion(sceneOf(Mesh(), matt(0.5f)), 0).instances[0].occlusion, SizeIs(0));
+}
+
+TEST(SceneOcclusion, StopsWhenTold) {
+  Scene bowl = bowlScene();
+  const auto geometry = Geometry::make(bowl);
+  ASSERT_TRUE(geometry);
+  const auto stopped = findOcclusion(bowl, *geometry, {}, [](std::size_t, std::size_t) { return false; });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+  EXPECT_TRUE(bowl.instances[0].occlusion.empty());
+}
+
+}  // namespace
+}  // namespace mirrorball

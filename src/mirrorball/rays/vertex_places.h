@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// A place of a triangle near one of its corners.
+struct PlaceByVertex {
+  glm::vec3 position{0.0f};          ///< world
+  glm::vec3 geometric_normal{0.0f};  ///< world, unit, on the side of the vertex's normal
+};
+
+/// The vertices of a scene where its instances put them, those of one instance once that share place and normal, with
+/// the triangles around each. What is true of a vertex is asked at places of these triangles: at the vertex itself,
+/// where they meet, a fold counts as seen from neither side.
+class VertexPlaces {
+ public:
+  explicit VertexPlaces(const Scene& scene);
+
+  /// How many different vertices there are in all instances.
+  std::size_t size() const { return normals_.size(); }
+  /// World, unit; 0 where the vertex has none.
+  glm::vec3 normal(std::size_t vertex) const { return normals_[vertex]; }
+  /// Triangles of some area around it.
+  std::size_t triangles(std::size_t vertex) const { return first_[vertex + 1] - first_[vertex]; }
+  /// On one of its triangles.
+  ///
+  /// away     how far from the vertex, towards the two other corners; each in [0, 1]
+  PlaceByVertex place(std::size_t vertex, std::size_t triangle, glm::vec2 away) const;
+
+  /// The number of a mesh's vertex in an instance.
+  std::uint32_t vertexOf(std::size_t instance, std::uint32_t of_mesh) const { return numbers_[instance][of_mesh]; }
+
+ private:
+  void add(const Scene& scene, std::size_t instance);
+
+  struct Corner {
+    std::uint32_t instance;
+    std::uint32_t index;  ///< into the indices of its mesh
+  };
+  const Scene& scene_;
+  std::vector<std::vector<std::uint32_t>> numbers_;  // of each instance's vertices
+  std::vector<glm::vec3> normals_;
+  std::vector<std::uint32_t> first_;  // of each vertex's corners, and the end
+  std::vector<Corner> corners_;
+};
+
+}  // namespace mirrorball

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/buffer.h"
+#include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/gl/program.h"
+#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/scene/box.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// The mirror image of the scene in a polished ground: a picture from below (planar reflection), in which the rays of
+/// rough mirrors are followed (formula/proxy/glossy_ground.glsl).
+class GroundMirror {
+ public:
+  /// proxy    connected to what is made
+  /// errors   unsupported (the driver does not compile a shader)
+  static Result<GroundMirror> make(gl::Api api, ProxyUniforms& proxy);
+
+  /// What the picture from below is to be drawn into, with the camera `below()` and nothing behind the scene.
+  ///
+  /// camera   of the sample
+  /// bounds   of the scene
+  /// size     pixels; a blurred image needs fewer than the frame has
+  /// errors   too_large; no_gl
+  Result<const gl::Framebuffer*> begin(const Camera& camera, float ground, const BoundingSphere& bounds,
+                                       glm::ivec2 size);
+  const Camera& below() const { return below_; }
+
+  /// Lays the mirror image over the ground where nothing is drawn before it.
+  ///
+  /// frame    of the sample; its proxy is bound
+  /// scene    the box around it
+  void draw(const FrameUniforms& frame, const FrameSettings& settings, const Box& scene);
+
+ private:
+  explicit GroundMirror(gl::Program program) : program_(std::move(program)) {}
+
+  gl::Program program_;
+  gl::VertexArray screen_;
+  std::optional<gl::Framebuffer> picture_;
+  Camera below_;
+};
+
+}  // namespace mirrorball

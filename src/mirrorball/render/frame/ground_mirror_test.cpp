@@ -1,0 +1,118 @@
+// The mirror image of a scene in a polished ground; its truth is traced in trace/surroundings_test.cpp.
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "formula/bsdf.h"
+#include "formula/proxy.h"
+#include "mirrorball/render/render_testing.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::set;
+
+/// A ball that shines everywhere alike.
+Scene lampBall(float radiance) {
+  Material material;
+  material.unlit = true;
+  material.emission = glm::vec3(radiance);
+  material.base_color = glm::vec3(radiance);
+  return sceneOf(sphereMesh(), material);
+}
+
+FrameSettings onGround(const std::string& roughness) {
+  FrameSettings settings;
+  settings.size = {80, 80};
+  settings.samples = 4;
+  settings.resolve = Resolve::radiance;
+  settings.camera = {.azimuth_deg = 0.0f, .elevation_deg = 40.0f, .orthographic_height = 4.0f};
+  set(settings, "proxy", "ground:20");
+  set(settings, "ground-roughness", roughness);
+  return settings;
+}
+
+class GroundMirrorTest : public testing::HeadlessTest {
+ protected:
+  static Image drawn(Scene scene, float environment, const FrameSettings& settings) {
+    Environment grey([=](glm::vec3) { return glm::vec3(environment); }, 64);
+    const auto prepared = testing::prepareOnce(grey);
+    auto renderer = testing::rendererOf(std::move(scene), std::move(grey), *prepared);
+    auto image = renderer->renderRadiance(settings);
+    EXPECT_TRUE(image) << image.error().message;
+    return std::move(*image);
+  }
+
+  /// Where a pixel's ray meets the ground below a ball of radius 1 about the origin.
+  static glm::vec3 groundAt(int x, int y) {
+    const float elevation = glm::radians(40.0f);
+    const glm::vec2 across = (glm::vec2(x, 79 - y) + 0.5f) / 80.0f * 4.0f - 2.0f;
+    const glm::vec3 up(0.0f, std::cos(elevation), -std::sin(elevation));
+    const glm::vec3 place = across.x * glm::vec3(1, 0, 0) + across.y * up;
+    return place + kDown * ((place.y + 1.0f) / -kDown.y);
+  }
+  static inline const glm::vec3 kDown{0.0f, -std::sin(glm::radians(40.0f)), -std::cos(glm::radians(40.0f))};
+};
+
+// A smooth ground shows a shining ball by Fresnel's share, exactly where the mirrored ray meets it.
+TEST_F(GroundMirrorTest, APolishedGroundShowsTheBallWhereItsRayMeetsIt) {
+  const Image image = drawn(lampBall(1.0f), 1e-4f, onGround("0"));
+  const float share = formula::fresnelDielectric(-kDown.y, formula::kGroundIor);
+  int shown = 0, dark = 0;
+  for (int y = 45; y < 80; ++y)
+    for (int x = 0; x < 80; ++x) {
+      const glm::vec3 place = groundAt(x, y);
+      const glm::vec3 mirrored = formula::mirroredByGround(kDown, 0.0f, glm::vec2(0.5f));
+      const float along = -glm::dot(place, mirrored);
+      const float beside = glm::length(place + along * mirrored);
+      const float in_front = glm::length(place - glm::dot(place, kDown) * kDown);
+      if (in_front < 1.08f) continue;  // the ball itself, and its edge
+      if (along > 0.0f && beside < 0.94f) {
+        EXPECT_NEAR(image.texel(x, y)[1], share, 0.01f * share) << x << ", " << y;
+        ++shown;
+      } else if (along < 0.0f || beside > 1.06f) {
+        EXPECT_LT(image.texel(x, y)[1], 2e-4f) << x << ", " << y;
+        ++dark;
+      }
+    }
+  EXPECT_GT(shown, 200);
+  EXPECT_GT(dark, 200);
+}
+
+// What a white scene mirrors takes the place of white: nothing gets brighter than all that there is.
+TEST_F(GroundMirrorTest, UnderWhiteLightItIsNeverBrighterThanWhite) {
+  for (const std::string roughness : {"0", "0.3", "0.8"}) {
+    const Image matt = drawn(lampBall(1.0f), 1.0f, onGround("1"));
+    const Image polished = drawn(lampBall(1.0f), 1.0f, onGround(roughness));
+    int brighter = 0;
+    for (int y = 0; y < 80; ++y)
+      for (int x = 0; x < 80; ++x) {
+        EXPECT_LE(polished.texel(x, y)[0], 1.0f + 2e-3f) << roughness << " at " << x << ", " << y;
+        EXPECT_GE(polished.texel(x, y)[0], matt.texel(x, y)[0] - 2e-3f) << roughness << " at " << x << ", " << y;
+        brighter += polished.texel(x, y)[0] > matt.texel(x, y)[0] + 0.01f;
+      }
+    EXPECT_GT(brighter, 100) << roughness;
+  }
+}
+
+// The image of a rough ground is blurred, and has about as much light.
+TEST_F(GroundMirrorTest, ARoughGroundBlursTheImageAndKeepsItsLight) {
+  const Image sharp = drawn(lampBall(1.0f), 1e-4f, onGround("0"));
+  const Image rough = drawn(lampBall(1.0f), 1e-4f, onGround("0.35"));
+  double sums[2] = {0.0, 0.0};
+  int between = 0;
+  for (int y = 60; y < 80; ++y)
+    for (int x = 0; x < 80; ++x) {
+      sums[0] += double(sharp.texel(x, y)[0]);
+      sums[1] += double(rough.texel(x, y)[0]);
+      between += rough.texel(x, y)[0] > 0.01f && rough.texel(x, y)[0] < 0.04f;
+    }
+  EXPECT_NEAR(sums[1], sums[0], 0.25 * sums[0]);
+  EXPECT_GT(between, 100) << "its edge is soft";
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -30,6 +30,7 @@ argumentsOf() {
     ground_mirror) echo "sphere --material mirror --proxy ground:2 --ground-roughness 0" ;;
     ground_rough_mirror) echo "sphere --material mirror --proxy ground:2 --ground-roughness 0.3" ;;
     proxy_mesh) echo "sphere --material mirror --proxy cube" ;;
+    probe) echo "sphere --material mirror --probes 1 --probe-size 256" ;;
     rough_metal) echo "sphere --material rough-metal" ;;
     flat_look_up) echo "sphere --material mirror --lookup flat" ;;
     thin_wall) echo "sphere $clear --set thin_walled=yes" ;;
@@ -37,6 +38,7 @@ argumentsOf() {
     single_dispersion) echo "sphere --material glass" ;;
     single_spectral) echo "sphere --material glass --dispersion spectral" ;;
     image_space) echo "sphere $clear --refraction image-space" ;;
+    image_space_screen) echo "sphere $clear --refraction image-space --behind screen" ;;
     image_space_dispersion) echo "sphere --material glass --refraction image-space" ;;
     traced_flat_sides) echo "brilliant $clear --refraction traced" ;;
     traced_curved) echo "sphere $clear --refraction traced" ;;
@@ -50,8 +52,9 @@ argumentsOf() {
 }
 
 shift "$(($# < 4 ? $# : 4))"
-techniques=${*:-mirror proxy_box proxy_sphere proxy_ground ground_mirror ground_rough_mirror proxy_mesh rough_metal flat_look_up thin_wall single single_dispersion single_spectral image_space \
-  image_space_dispersion traced_flat_sides traced_curved traced_dispersion traced_spectral relief_none relief_bump \
+techniques=${*:-mirror proxy_box proxy_sphere proxy_ground ground_mirror ground_rough_mirror proxy_mesh \
+  probe rough_metal flat_look_up thin_wall single single_dispersion single_spectral image_space \
+  image_space_screen image_space_dispersion traced_flat_sides traced_curved traced_dispersion traced_spectral relief_none relief_bump \
   relief_parallax relief_steep relief_occlusion relief_linear_binary relief_cone relief_exact relief_geometry}
 
 # A software driver needs seconds for what is traced.

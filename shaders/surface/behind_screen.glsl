@@ -1,5 +1,5 @@
-// Part "behind" (behind_light.glsl). Here: the opaque surfaces that are in the picture, which have been drawn before; what
-// the ray does not meet there is the arriving light. So it is only right where the picture shows what the ray meets.
+// Part "behind" (behind_light.glsl). Here: the opaque surfaces that are in the picture, which have been drawn before;
+// where the ray meets none there, the arriving light. So it is only right where the picture shows what the ray meets.
 //
 // The ray is followed in the picture (McGuire & Mara 2014, "Efficient GPU screen-space ray tracing", in even steps of
 // the share s of t = reach · s / (1 − s)); rough glass reads a coarser mip level, as wide as its lobe is there

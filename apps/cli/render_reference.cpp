@@ -106,9 +106,9 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
         return fail(ErrorCode::usage, "--" + std::string(option.text.name) + " is for the reference; add --reference");
     return {};
   }
-  constexpr std::array<std::string_view, 12> kOfRenderer{
-      "resolve", "blur",   "mapping",        "reflect-at",     "turn",       "frames",
-      "texgen",  "lookup", "texture-filter", "texture-matrix", "dispersion", "wavelengths"};
+  constexpr auto kOfRenderer = std::to_array<std::string_view>(
+      {"resolve", "blur", "mapping", "reflect-at", "turn", "frames", "texgen", "lookup", "texture-filter",
+       "texture-matrix", "dispersion", "wavelengths", "occlusion", "self-reflection"});
   for (const std::string_view name : kOfRenderer)
     if (given.contains(name))
       return fail(ErrorCode::usage,

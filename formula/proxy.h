@@ -13,6 +13,7 @@
 namespace mirrorball::formula {
 #include "formula/proxy/proxy_sight.glsl"
 //
+#include "formula/proxy/captured_sight.glsl"
 #include "formula/proxy/glossy_ground.glsl"
 #include "formula/proxy/proxy_mesh.glsl"
 #include "formula/proxy/proxy_shape.glsl"

@@ -1,4 +1,4 @@
-// A vertex of a body, for the picture of back faces (formula/bodies/back_face.glsl).
+// A vertex of a mesh, for pictures of places: of back faces (formula/bodies/back_face.glsl), of how near all is.
 uniform mat4 clip_from_world;
 uniform mat4 world_from_object;
 uniform mat3 normal_matrix;

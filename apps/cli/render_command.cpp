@@ -12,6 +12,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/formatted.h"
 #include "cli/interruption.h"
 #include "cli/render_reference.h"
 #include "cli/scene_inputs.h"
@@ -117,21 +118,32 @@ Result<std::vector<std::string>> outputPaths(const RenderRequest& request) {
   return paths;
 }
 
-Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, Turn turn,
+Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, const Turntable& turntable,
                              const std::vector<std::string>& paths, StageClock& clock) {
   const ProgressFunction progress = progressBar("turntable");
   const ProgressFunction untilInterrupted = [](std::size_t, std::size_t) { return !interrupted(); };
   const std::size_t frames = paths.size();
+  const Scene still = turntable.turn == Turn::object ? renderer.scene() : Scene{};
+  const glm::vec3 axis = settings.camera.target.value_or(renderer.bounds().center);
   for (std::size_t frame = 0; frame < frames; ++frame) {
     const float angle_deg = 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
+    if (turntable.turn == Turn::object) renderer.moveInstances(orbited(still, turntable.object - 1, axis, angle_deg));
     const Result<void> drawn =
-        renderFrame(renderer, turned(settings, turn, angle_deg), paths[frame], clock, untilInterrupted);
+        renderFrame(renderer, turned(settings, turntable.turn, angle_deg), paths[frame], clock, untilInterrupted);
     if (!drawn && drawn.error().code != ErrorCode::interrupted) return drawn;
     const std::size_t whole = drawn ? frame + 1 : frame;
     whenInterrupted(interruptedAfter(whole, frames));
     if (!drawn || !progress(whole, frames)) return fail(ErrorCode::interrupted, interruptedAfter(whole, frames));
   }
   return {};
+}
+
+/// errors   usage: no such object is in the scene
+Result<void> checkObject(const Turntable& turntable, const Scene& scene) {
+  const int objects = static_cast<int>(scene.instances.size());
+  if (turntable.turn != Turn::object || turntable.object <= objects) return {};
+  return fail(ErrorCode::usage, "--turn " + std::to_string(turntable.object) + ": the model has " +
+                                    counted(std::size_t(objects), "object"));
 }
 
 /// errors   usage: a film is asked for
@@ -149,7 +161,8 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
   if (request.turntable.frames == 0 && request.turntable.turn != Turn::camera)
     return fail(ErrorCode::usage,
                 "--turn says what goes round in a turntable, and one picture is none; add --frames N");
-  if (request.turntable.frames > 0 && request.turntable.turn != Turn::environment && !settings.camera.name.empty())
+  const bool turns_view = request.turntable.turn == Turn::camera || request.turntable.turn == Turn::model;
+  if (request.turntable.frames > 0 && turns_view && !settings.camera.name.empty())
     return fail(ErrorCode::usage, "--frames: the camera '" + settings.camera.name +
                                       "' stands still; give --camera AZIMUTH,ELEVATION, or --turn environment");
   MIRRORBALL_TRY_VOID(checkFolder(output));
@@ -201,13 +214,14 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, outputs, clock));
   MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
   MIRRORBALL_TRY_VOID(checkProxy(settings, renderer.scene()));
+  MIRRORBALL_TRY_VOID(checkObject(request.turntable, renderer.scene()));
   if (request.turntable.frames > 0) {
     const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
     settings.camera =
         framed(renderer.scene(), renderer.bounds(), settings.camera, aspect, turningOf(request.turntable.turn));
   }
   Result<void> drawn = request.turntable.frames > 0
-                           ? renderTurntable(renderer, settings, request.turntable.turn, outputs, clock)
+                           ? renderTurntable(renderer, settings, request.turntable, outputs, clock)
                            : renderFrame(renderer, settings, outputs.front(), clock, progressBar("samples"));
   if (request.scene.timings) clock.print();
   if (drawn) announce(outputs.size() == 1 ? outputs.front() : outputs.front() + " … " + outputs.back());

@@ -17,7 +17,6 @@ vec3 incomingLight(vec3 origin, vec3 d, float perceptual_roughness, float footpr
 }
 
 vec3 arrivingIrradiance(vec3 origin, vec3 n) {
-  ProxySight sight = sightFrom(origin, n);
-  vec3 light = sampleLod(irradiance, environment_from_world * sight.direction, 0.0).xyz;
-  return environment_intensity * light;
+  vec3 direction = environment_from_world * directionOfIrradiance(origin, n);
+  return environment_intensity * sampleLod(irradiance, direction, 0.0).xyz;
 }

@@ -7,16 +7,10 @@ layout(std140) uniform FrameBlock {
   mat4 back_faces_from_world;  // to texels of the picture of back faces, and clip space's depth
   mat4 eye_from_back_faces;    // back, to places as seen from the camera's, in the world's axes
   mat3 eye_from_world;
-  mat3 environment_from_world;
   vec3 camera_position;
   float orthographic;      // 1: all rays go along camera_forward
   vec3 camera_forward;
-  float environment_intensity;
-  int blur_kind;           // Blur of blur.glsl
-  float first_level;
-  float last_level;
-  float texels_per_radian;
-  float coarser;
+  float screen_unit;       // world units; of the distances in the picture of opaque surfaces
   float samples_per_pixel;
   float sample_phase;      // of the sample that is drawn: (its number + ½) / samples_per_pixel
   int texture_filter;      // of filter_kind.glsl

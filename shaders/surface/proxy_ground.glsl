@@ -13,6 +13,8 @@ vec3 originOfEye(vec3 origin, vec3 d) {
   return is_within ? origin : nearestToCapture(origin, d, captured_at);
 }
 
+vec3 directionOfIrradiance(vec3 origin, vec3 n) { return sightFrom(origin, n).direction; }
+
 vec3 lightOfProxy(ProxySight sight, vec3 photographed) {
   vec2 from_middle = (sight.place.xz - shadow_area.xy) / shadow_area.z;
   if (!sight.is_ground || max(abs(from_middle.x), abs(from_middle.y)) >= 1.0) return photographed;

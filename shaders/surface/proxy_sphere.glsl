@@ -11,4 +11,6 @@ vec3 originOfEye(vec3 origin, vec3 d) {
   return is_within ? origin : nearestToCapture(origin, d, captured_at);
 }
 
+vec3 directionOfIrradiance(vec3 origin, vec3 n) { return sightFrom(origin, n).direction; }
+
 vec3 lightOfProxy(ProxySight sight, vec3 photographed) { return photographed; }

@@ -12,4 +12,6 @@ ProxySight sightFrom(vec3 origin, vec3 d) { return sightOfProxy(hitOfMesh(proxy_
 
 vec3 originOfEye(vec3 origin, vec3 d) { return origin; }
 
+vec3 directionOfIrradiance(vec3 origin, vec3 n) { return sightFrom(origin, n).direction; }
+
 vec3 lightOfProxy(ProxySight sight, vec3 photographed) { return photographed; }

@@ -2,6 +2,7 @@
 // (render/surface/surface_variant.h). What each part defines stands at the top of its files; docs/architecture.md tells
 // how a part is added.
 #include "frame_block.glsl"
+#include "light_block.glsl"
 #include "instance_block.glsl"
 #include "material_block.glsl"
 
@@ -26,6 +27,7 @@
 #include "part: material"
 #include "part: look-up"
 #include "part: dispersion"
+#include "part: behind"
 #include "part: transmission"
 #include "part: sky"
 #include "part: lamps"

@@ -109,7 +109,7 @@ vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
     vec3 to = is_reflected ? reflect(d, normal) : refractedDirection(d, normal, eta);
     Beam beam = beamBeyond(arriving, is_reflected ? reflectionOfBeam(alpha, cosine, face.curvature)
                                                   : refractionOfBeam(alpha, cosine, eta, face.curvature));
-    light += share * incomingLight(place, to, roughnessOfBeam(beam), footprintOfBeam(beam));
+    light += share * lightBehind(place, to, roughnessOfBeam(beam), footprintOfBeam(beam));
   }
   return light * bodyTransmittance(s.material.attenuation_color, s.material.attenuation_distance, way);
 }

@@ -8,7 +8,7 @@ vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
   float alpha = alphaFromPerceptualRoughness(s.material.perceptual_roughness);
   Beam beam = beamBeyond(Beam(vec3(0.0), vec2(0.0)), refractionOfBeam(alpha, cosine, ior, 0.0));
   float footprint = sampleFootprint(dFdx(d), dFdy(d), samples_per_pixel);
-  return incomingLight(point.position, d, roughnessOfBeam(beam), footprint);
+  return lightBehind(point.position, d, roughnessOfBeam(beam), footprint);
 }
 
 #include "each_kind_of_light.glsl"

@@ -2,5 +2,5 @@
 // reflection is (KHR_materials_transmission).
 
 vec3 transmittedLight(Surface s, SurfacePoint point) {
-  return incomingLight(point.position, point.ray, s.material.perceptual_roughness, 0.0);
+  return lightBehind(point.position, point.ray, s.material.perceptual_roughness, 0.0);
 }

@@ -146,7 +146,7 @@ vec3 lightFromInside(InnerRay ray, int most, int kind) {
     InnerRay ended = ray;
     if (hit.triangle >= 0) stays = passSurface(ray, hit, kind, ended);
     if (ended.throughput != vec3(0.0))
-      light += ended.throughput * incomingLight(ended.origin, ended.direction, roughnessOfBeam(ended.beam),
+      light += ended.throughput * lightBehind(ended.origin, ended.direction, roughnessOfBeam(ended.beam),
                                                 footprintOfBeam(ended.beam));
     if (!stays) break;
   }

@@ -147,7 +147,7 @@ const Case kCases[] = {
         hitInMirrorPicture, unit, kTight,
         vec4(hitInMirrorPicture(SmoothMap(64.0f), vec3(8.5f, 8.5f, 0.0625f * p.x), vec3(24.5f, 12.5f, 0.75f)), 0.0f)),
 
-    // proxy_mesh, proxy_shape, proxy_sight
+    // captured_sight, proxy_mesh, proxy_shape, proxy_sight
     PARITY(
         hitOfMesh, direction, kTranscendental,
         vec4(hitOfMesh(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f), normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)))
@@ -175,6 +175,18 @@ const Case kCases[] = {
                              normalize(vec3(p.x, 0.75f, p.z)))
                     .enlargement)),
     PARITY(roughnessBeyondProxy, unit, kTight, vec4(roughnessBeyondProxy(p.x, 4.0f * p.y))),
+    // Of a smooth cube a ray may graze what it meets, and then its share is a root of rounded numbers.
+    PARITY(behindCaptured, direction, kTight,
+           vec4(behindCaptured(SmoothCube(0.5f), vec3(q), vec3(p), 0.5f + 0.5f * r.x))),
+    PARITY(
+        shareOfHit, direction, kTranscendental,
+        vec4(shareOfHit(SmoothCube(1.0f), vec3(0.25f, 0.125f * p.y, 0.0f), vec3(0.25f, 0.125f * p.x, 0.125f * p.z)))),
+    PARITY(
+        capturedSight, direction, kTranscendental,
+        vec4(
+            capturedSight(SmoothCube(1.0f), vec3(0.25f, 0.125f * q.y, 0.0f), normalize(vec3(1.0f, p.y, p.z))).direction,
+            capturedSight(SmoothCube(1.0f), vec3(0.25f, 0.125f * q.y, 0.0f), normalize(vec3(1.0f, p.y, p.z)))
+                .enlargement)),
     PARITY(nearestToCapture, direction, kTight, vec4(nearestToCapture(vec3(q), vec3(p), vec3(r)), 0.0f)),
 
     // sampling

@@ -18,6 +18,7 @@
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/gl/program.h"
 #include "mirrorball/render/frame/background.h"
+#include "mirrorball/render/surface/nearness_picture.h"
 #include "mirrorball/render/surface/surface_variant.h"
 #include "parity/formula_files.h"
 #include "parity/parity_case.h"
@@ -219,7 +220,7 @@ TEST_P(GlslangTest, TakesEveryShader) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".vert" && extension != ".frag") continue;
     const std::string name = entry.path().filename().string();
-    if (name == "background.frag") continue;  // is put together from parts
+    if (name == "background.frag" || name == "nearness_of_proxy.frag") continue;  // are put together from parts
     const auto source = gl::shaderSource(GetParam(), name);
     ASSERT_TRUE(source) << source.error().message;
     expectGlslangTakes(GetParam(), *source, name);
@@ -229,9 +230,13 @@ TEST_P(GlslangTest, TakesEveryShader) {
 TEST_P(GlslangTest, TakesTheBackgroundOnEveryProxy) {
   for (const ProxyKind kind :
        {ProxyKind::none, ProxyKind::box, ProxyKind::sphere, ProxyKind::ground, ProxyKind::mesh}) {
+    const std::string suffix = "_" + std::to_string(static_cast<int>(kind)) + ".frag";
     const auto source = backgroundShader(GetParam(), kind);
     ASSERT_TRUE(source) << source.error().message;
-    expectGlslangTakes(GetParam(), *source, "background_" + std::to_string(static_cast<int>(kind)) + ".frag");
+    expectGlslangTakes(GetParam(), *source, "background" + suffix);
+    const auto nearness = nearnessShader(GetParam(), kind);
+    ASSERT_TRUE(nearness) << nearness.error().message;
+    expectGlslangTakes(GetParam(), *nearness, "nearness_of_proxy" + suffix);
   }
 }
 

@@ -10,6 +10,8 @@ namespace mirrorball {
 struct PointLight {
   glm::vec3 position{0.0f};  ///< world
   glm::vec3 color{1.0f};     ///< the radiance that a white diffuse surface facing it shows
+
+  bool operator==(const PointLight&) const = default;
 };
 
 /// The same as the formulas take it.

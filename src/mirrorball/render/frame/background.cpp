@@ -1,8 +1,5 @@
 #include "mirrorball/render/frame/background.h"
 
-#include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -10,7 +7,6 @@
 #include "formula/prefilter.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/render/surface/surface_variant.h"
-#include "shaders/embedded_text.h"
 
 namespace mirrorball {
 namespace {
@@ -21,13 +17,7 @@ constexpr float kBackgroundRoughness = 0.35f;
 }  // namespace
 
 Result<gl::ShaderSource> backgroundShader(gl::Api api, ProxyKind kind) {
-  const std::string text =
-      answered(Part::proxy, static_cast<std::size_t>(kind), embeddedText("background.frag").value());
-  const gl::FindText find = [&](std::string_view name) -> std::optional<std::string_view> {
-    if (name == "background.frag") return text;
-    return embeddedText(name);
-  };
-  return gl::shaderSource(api, "background.frag", {}, find);
+  return withProxy(api, "background.frag", kind);
 }
 
 Result<void> Background::make(gl::Api api, ProxyUniforms& proxy) {

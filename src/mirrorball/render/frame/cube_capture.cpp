@@ -24,6 +24,7 @@ Result<EnvironmentMap> captureEnvironment(Renderer& renderer, const CaptureSetti
   FrameSettings frame = settings.frame;
   frame.size = glm::ivec2(settings.size);
   frame.resolve = Resolve::radiance;
+  if (frame.behind == BehindKind::screen) frame.behind = BehindKind::probes;  // a face does not show what is beside it
   for (int face = 0; face < faces.faces(); ++face) {
     const auto ofAllFaces = [&](std::size_t done, std::size_t of_face) {
       return progress(static_cast<std::size_t>(face) * of_face + done, 6 * of_face);

@@ -176,6 +176,19 @@ constexpr Field kCapturedAt{[](const FrameSettings& s) {
                               return {};
                             }};
 
+constexpr Field kProbes{
+    [](const FrameSettings& s) { return s.probes == FrameSettings::kAutoProbes ? "auto" : std::to_string(s.probes); },
+    [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
+      if (written == "auto") {
+        s.probes = FrameSettings::kAutoProbes;
+        return {};
+      }
+      const auto count = parseInteger(text, written);
+      if (!count) return misused(text, "'auto' or a number", written);
+      s.probes = *count;
+      return {};
+    }};
+
 /// As matrices are written, row after row; GLM's are columns.
 constexpr Field kTextureMatrix{[](const FrameSettings& s) {
                                  const glm::mat4 rows = glm::transpose(s.texture_matrix);
@@ -311,6 +324,32 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "model; 1 is matt",
       .group = "Environment"},
      kGroundRoughness},
+    {{.name = "probes",
+      .value = "N|auto",
+      .minimum = 0,
+      .maximum = FrameSettings::kMostProbes,
+      .help = "number of the largest glossy objects, at most, that reflect the others: what is around each is captured "
+              "in a cube map of its own; further ones read a blend of the nearest; auto: 8. Without it objects reflect "
+              "the environment alone",
+      .group = "Environment"},
+     kProbes},
+    {{.name = "probe-size",
+      .value = "N",
+      .unit = "texels",
+      .minimum = 0,
+      .maximum = 1024,
+      .help = "with --probes, side of the faces of their cubes, which a power of two suits best; 0: a quarter of the "
+              "picture's height, but 64 to 256",
+      .group = "Environment"},
+     &FrameSettings::probe_size},
+    {{.name = "probe-bounces",
+      .value = "N",
+      .minimum = 1,
+      .maximum = 8,
+      .help = "with --probes, number of times that they are captured: the second time objects show each other in each "
+              "other",
+      .group = "Environment"},
+     &FrameSettings::probe_bounces},
     {{.name = "blur",
       .choices = "exact|gpu|mip|cone",
       .help = "how the environment is blurred for rough surfaces: prefiltered exactly, prefiltered on the GPU in a few "
@@ -354,6 +393,13 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
           "takes image-space for others",
       .group = "Look"},
      choiceField<&FrameSettings::refraction>},
+    {{.name = "behind",
+      .choices = "far|probes|screen",
+      .help = "what is seen through glass: the environment far away; with --probes what was captured around it; or the "
+              "opaque surfaces in the picture, where the ray that leaves the glass meets them there, and else that "
+              "light. far leaves glass without a probe",
+      .group = "Look"},
+     choiceField<&FrameSettings::behind>},
     {{.name = "inner-bounces",
       .value = "N",
       .minimum = 1,

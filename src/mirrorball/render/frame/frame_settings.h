@@ -51,6 +51,13 @@ enum class DispersionKind {
   spectral,  ///< FrameSettings::wavelengths, each with its own index
 };
 
+/// What is seen through glass and other surfaces that let light through.
+enum class BehindKind {
+  far,     ///< the environment, even if the surface has a probe
+  probes,  ///< what it reflects, too: its probe's light, or without one the environment
+  screen,  ///< opaque surfaces that are in the picture, and that light where the ray meets none
+};
+
 enum class BackgroundKind { environment, blur, radiance, display_color, transparent };
 
 /// What is averaged over the samples of a pixel.
@@ -62,6 +69,9 @@ enum class Resolve {
 /// All settings of one picture of a scene in an environment.
 struct FrameSettings {
   static constexpr std::size_t kMaxLights = 8;
+  static constexpr int kMostProbes = 64;
+  static constexpr int kAutoProbes = -1;  ///< at most kSomeProbes
+  static constexpr int kSomeProbes = 8;
 
   glm::ivec2 size{1280, 720};  ///< pixels
   CameraOptions camera = {};
@@ -70,6 +80,10 @@ struct FrameSettings {
       0.0f};  ///< yaw about +Y, +Z towards +X; before it pitch about +X, before that roll about +Z
   float env_intensity = 1.0f;
   ProxyOptions proxy = {};  ///< what the environment's light comes from
+  int probes = 0;           ///< that are captured at reflective objects at most, 0 … kMostProbes or kAutoProbes
+  int probe_size = 0;       ///< side of their faces [texels], 8 … 1024; 0: by the picture's height
+  int probe_bounces = 2;    ///< how often light goes from object to object in what they capture, 1 … 8
+  BehindKind behind = BehindKind::probes;
   BackgroundKind background = BackgroundKind::environment;
   glm::vec3 background_color{0.0f};  ///< linear: radiance, or a display's light in [0, 1]
   int samples = 4;                   ///< of each pixel, 1 … 4096
@@ -93,6 +107,8 @@ struct FrameSettings {
   glm::mat4 texture_matrix{1.0f};       ///< of these coordinates, or of those that there are without them
   std::vector<PointLight> lights = {};  ///< at most kMaxLights, beside the scene's own
   float light_intensity = 1.0f;         ///< scales the scene's own lights
+
+  bool operator==(const FrameSettings&) const = default;
 
   /// Directions of the environment from those of the world.
   glm::mat3 environmentFromWorld() const;

@@ -25,8 +25,8 @@ TEST(FrameOptions, DefaultsAreWhatTheProjectPromises) {
   for (const auto& option : frameOptions()) defaults += written(option, settings) + " ";
   EXPECT_EQ(
       defaults,
-      "1280x720 4 display 0 neutral env 30,15  35  0 1 none  1 exact reflection fragment bump 64 single 4 channels 12  "
-      "cube trilinear none 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1  1 ");
+      "1280x720 4 display 0 neutral env 30,15  35  0 1 none  1 0 0 2 exact reflection fragment bump 64 single probes 4 "
+      "channels 12  none no cube trilinear none 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1  1 ");
   EXPECT_EQ(settings.display.exposure(), 1.0f);
 }
 
@@ -53,6 +53,8 @@ TEST(FrameOptions, AreWrittenAsTheyAreRead) {
       {"env-rotation", "1,2"},
       {"env-rotation", "1,0,3"},
       {"env-intensity", "0.5"},
+      {"probes", "auto"},
+      {"probes", "64"},
       {"blur", "cone"},
       {"background", "0.5,2,0"},
       {"lookup", "flat-nearest"},
@@ -80,6 +82,14 @@ TEST(FrameOptions, WavelengthsAreThoseOfVisibleLight) {
   EXPECT_EQ(settings.wavelength_nm, 0.0f);
   EXPECT_THAT(set(settings, "wavelengths", "7"), HasSubstr("8 … 16"));
   EXPECT_THAT(set(settings, "wavelengths", "17"), HasSubstr("8 … 16"));
+}
+
+TEST(FrameOptions, ProbesAreCounted) {
+  FrameSettings settings;
+  EXPECT_EQ(set(settings, "probes", "0"), "");
+  for (const char* wrong : {"-1", "65", "1000", "2.5", "all"})
+    EXPECT_THAT(set(settings, "probes", wrong), HasSubstr("probes takes 'auto' or a number (0 … 64)")) << wrong;
+  EXPECT_EQ(settings.probes, 0);
 }
 
 TEST(FrameOptions, SizesAreChecked) {

@@ -10,6 +10,7 @@
 #include "formula/prefilter.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/render/frame/frame_light.h"
+#include "mirrorball/render/frame/probes.h"
 #include "mirrorball/render/frame/sample_sum.h"
 #include "mirrorball/render/frame/scene_drawing.h"
 #include "mirrorball/render/surface/light_reads.h"
@@ -32,6 +33,7 @@ struct Renderer::State {
   SampleSum samples;
   SceneDrawing drawing;  ///< the scene
   FrameLight light = {};
+  Probes probes = {};
   FrameSettings settings = {};  ///< of the last frame
   FrameUniforms frame = {};     ///< of it
 };
@@ -67,6 +69,7 @@ Result<void> Renderer::setEnvironment(Environment environment, const std::option
 }
 
 Result<void> Renderer::setEnvironment(Environment environment, const PreparedEnvironment& prepared) {
+  state_->probes.forgetLight();
   return state_->light.setEnvironment(std::move(environment), prepared, state_->context.filtersFloats());
 }
 
@@ -76,18 +79,26 @@ LightCost Renderer::lightCost() const {
   const State& state = *state_;
   const EnvironmentLight& light = state.light.light();
   const PrefilteredChain& chain = state.frame.prefiltered;
-  const LightReads reads = lightReads(scene(), blurOf(state.settings, light, chain), state.settings);
+  const LightReads reads = lightReads(scene(), blurOf(state.settings, light.cube(), chain), state.settings);
   LightCost cost{.reads = reads.sum()};
   const FlatLight* flat = state.frame.flat;
   if (reads.environment > 0) cost.texture_bytes += (flat ? flat->environment : light.cube()).bytes();
   if (reads.prefiltered > 0) cost.texture_bytes += (flat ? flat->prefiltered : *chain.texture).bytes();
   if (reads.irradiance > 0) cost.texture_bytes += (flat ? flat->irradiance : light.irradiance()).bytes();
+  if (state.frame.probes) cost.texture_bytes += state.probes.bytes();
   if (reads.sphere_map > 0) cost.texture_bytes += state.light.sphereMap().bytes();
   return cost;
 }
 
 const Scene& Renderer::scene() const { return state_->drawing.scene(); }
 const BoundingSphere& Renderer::bounds() const { return state_->drawing.bounds(); }
+
+void Renderer::moveInstances(const std::vector<Instance>& instances) {
+  state_->drawing.moveInstances(instances);
+  state_->light.forgetScene();
+}
+
+int Renderer::probeCaptures() const { return state_->probes.captures(); }
 
 Result<Image8> Renderer::render(const FrameSettings& settings, const ProgressFunction& progress) {
   MIRRORBALL_TRY_VOID(draw(settings, progress));
@@ -136,7 +147,9 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
   state.frame.camera = camera;
   MIRRORBALL_TRY_VOID(state.samples.begin(settings));
   MIRRORBALL_TRY_VOID(state.light.begin(state.context, scene(), bounds(), settings, state.frame));
+  state.frame.probes = nullptr;
   MIRRORBALL_TRY_VOID(state.drawing.begin(state.context, settings, state.frame));
+  MIRRORBALL_TRY_VOID(state.probes.begin(state.context, state.drawing, state.light.light(), settings, state.frame));
   if (coordinateChoice(scene(), settings).is_sphere_map) MIRRORBALL_TRY_VOID(state.light.makeSphereMap(state.frame));
   return {};
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -71,6 +72,10 @@ class Renderer {
   const Scene& scene() const;
   /// Of the scene.
   const BoundingSphere& bounds() const;
+  /// Puts the scene's instances elsewhere: as many, of the same meshes.
+  void moveInstances(const std::vector<Instance>& instances);
+  /// How often a probe was captured until now: only what has changed is captured again.
+  int probeCaptures() const;
 
   /// Draws a frame, exposed and tone mapped as the settings say,
   /// over its background where that is a display's colour, and sRGB-encoded.

@@ -1,6 +1,7 @@
 #include "mirrorball/render/frame/scene_drawing.h"
 
 #include <algorithm>
+#include <cassert>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,7 @@ bool showsGroundMirror(const FrameUniforms& frame, const FrameSettings& settings
 
 Result<void> SceneDrawing::setScene(Scene scene) {
   MIRRORBALL_TRY(buffers, SceneBuffers::make(scene, TextureUnit::of_material));
+  ++version_;
   scene_ = std::move(scene);
   buffers_ = std::move(buffers);
   box_ = boundingBox(scene_);
@@ -40,6 +42,54 @@ Result<void> SceneDrawing::setScene(Scene scene) {
   scene_triangles_.reset();
   if (surfaces_) surfaces_->forgetScene();
   return {};
+}
+
+Result<void> SceneDrawing::makeNearness() {
+  if (nearness_) return {};
+  MIRRORBALL_TRY(made, NearnessPicture::make(surfaces_->api()));
+  nearness_ = std::move(made);
+  return {};
+}
+
+Result<const gl::Texture*> SceneDrawing::drawNearness(const FrameUniforms& frame, glm::ivec2 size) {
+  MIRRORBALL_TRY_VOID(makeNearness());
+  MIRRORBALL_TRY_VOID(nearness_->draw(scene_, buffers_, frame, bounds_.radius, size));
+  MIRRORBALL_TRY_VOID(nearness_->drawProxy(surfaces_->api(), frame, bounds_.radius));
+  return &nearness_->picture();
+}
+
+/// What has been drawn until now, for the surfaces that see it through themselves.
+Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light,
+                                      FrameUniforms& frame, const FrameSettings& settings) {
+  MIRRORBALL_TRY_VOID(makeNearness());
+  if (!opaque_picture_) {
+    MIRRORBALL_TRY(made, OpaquePicture::make(surfaces_->api()));
+    opaque_picture_ = std::move(made);
+  }
+  std::vector<int> left_out(frame.hidden.begin(), frame.hidden.end());
+  for (std::size_t i = 0; i < scene_.instances.size(); ++i)
+    if (seesScreen(materialOf(scene_, i), settings)) left_out.push_back(static_cast<int>(i));
+  FrameUniforms of_opaque = frame;
+  of_opaque.hidden = left_out;
+  MIRRORBALL_TRY_VOID(nearness_->draw(scene_, buffers_, of_opaque, bounds_.radius, settings.size));
+  MIRRORBALL_TRY_VOID(opaque_picture_->take(target.color(), nearness_->picture()));
+  frame.opaque_picture = &opaque_picture_->picture();
+  frame.screen_unit = bounds_.radius;
+  target.bind();
+  glEnable(GL_DEPTH_TEST);
+  return surfaces_->begin(scene_, buffers_, light, frame, settings);
+}
+
+void SceneDrawing::moveInstances(const std::vector<Instance>& instances) {
+  assert(instances.size() == scene_.instances.size());
+  ++version_;
+  scene_.instances = instances;
+  box_ = boundingBox(scene_);
+  bounds_ = boundingSphere(scene_);
+  scene_triangles_.reset();
+  body_tree_.reset();
+  bodies_.reset();
+  if (surfaces_) surfaces_->forgetScene();
 }
 
 Result<void> SceneDrawing::begin(const gl::Context& context, const FrameSettings& settings, FrameUniforms& frame) {
@@ -104,6 +154,8 @@ Result<void> SceneDrawing::makeBodies(const FrameSettings& settings, FrameUnifor
   frame.bodies = &*bodies_;
   // The rays of an orthographic camera begin far away.
   if (!frame.camera.orthographic) frame.eye_media = surroundingMedia(scene_, frame.camera.position, *body_tree_);
+  for (const int hidden : frame.hidden)
+    while (formula::timesEntered(frame.eye_media, hidden) > 0) frame.eye_media = formula::left(frame.eye_media, hidden);
   return {};
 }
 
@@ -129,7 +181,7 @@ Result<void> SceneDrawing::drawBackFaces(const FrameSettings& settings, FrameUni
     back_faces_ = std::move(made);
   }
   frame.back_faces = &*back_faces_;
-  return back_faces_->draw(scene_, buffers_, frame.camera, settings.size);
+  return back_faces_->draw(scene_, buffers_, frame.camera, settings.size, frame.hidden);
 }
 
 Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, FrameUniforms& frame) {
@@ -140,7 +192,7 @@ Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, FrameUn
     relief_hits_ = std::move(made);
   }
   frame.relief_hits = &relief_hits_->picture();
-  return relief_hits_->draw(scene_, buffers_, frame.camera, settings.size);
+  return relief_hits_->draw(scene_, buffers_, frame.camera, settings.size, frame.hidden);
 }
 
 Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const EnvironmentLight& light,
@@ -185,10 +237,18 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  for (const int instance : byDistance(frame.camera, false)) drawInstance(instance, frame, settings);
+  std::vector<int> seeing_screen;
+  for (const int instance : byDistance(frame, false)) {
+    if (seesScreen(materialOf(scene_, std::size_t(instance)), settings))
+      seeing_screen.push_back(instance);
+    else
+      drawInstance(instance, frame, settings);
+  }
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
     background_.draw(light, frame, settings);
   if (showsGroundMirror(frame, settings)) ground_mirror_->draw(frame, settings, box_);
+  if (!seeing_screen.empty()) MIRRORBALL_TRY_VOID(copyScreen(target, light, frame, settings));
+  for (const int instance : seeing_screen) drawInstance(instance, frame, settings);
   drawBlended(frame, settings);
   return {};
 }
@@ -207,10 +267,12 @@ void SceneDrawing::drawInstance(int instance, const FrameUniforms& frame, const 
 /// be lit; or of those that shine through, the farthest first, since they are drawn over each other.
 ///
 /// The distance from the eye is the same whichever way it looks: neighbouring faces of a cube show the same order.
-std::vector<int> SceneDrawing::byDistance(const Camera& camera, bool is_blended) const {
+std::vector<int> SceneDrawing::byDistance(const FrameUniforms& frame, bool is_blended) const {
+  const Camera& camera = frame.camera;
   std::vector<std::pair<float, int>> order;
   for (int index = 0; index < static_cast<int>(scene_.instances.size()); ++index) {
     if ((materialOf(scene_, std::size_t(index)).alpha_mode == AlphaMode::blend) != is_blended) continue;
+    if (isAmong(frame.hidden, std::size_t(index))) continue;
     const Instance& instance = scene_.instances[std::size_t(index)];
     const glm::vec4 center(centers_[std::size_t(instance.mesh)], 1.0f);
     const glm::vec3 from_eye = glm::vec3(instance.world_from_object * center) - camera.position;
@@ -224,7 +286,7 @@ std::vector<int> SceneDrawing::byDistance(const Camera& camera, bool is_blended)
 }
 
 void SceneDrawing::drawBlended(const FrameUniforms& frame, const FrameSettings& settings) {
-  const std::vector<int> blended = byDistance(frame.camera, true);
+  const std::vector<int> blended = byDistance(frame, true);
   if (blended.empty()) return;
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -15,6 +15,8 @@
 #include "mirrorball/render/frame/ground_mirror.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/surface/back_faces.h"
+#include "mirrorball/render/surface/nearness_picture.h"
+#include "mirrorball/render/surface/opaque_picture.h"
 #include "mirrorball/render/surface/relief_hits.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_program.h"
@@ -33,6 +35,10 @@ class SceneDrawing {
   Result<void> setScene(Scene scene);
   const Scene& scene() const { return scene_; }
   const BoundingSphere& bounds() const { return bounds_; }
+  /// Puts the instances elsewhere: as many, of the same meshes.
+  void moveInstances(const std::vector<Instance>& instances);
+  /// Another number for each scene, and wherever its instances are put.
+  int version() const { return version_; }
 
   /// Makes what a frame needs, and says it in `frame`, whose camera and proxy must be set.
   ///
@@ -46,6 +52,13 @@ class SceneDrawing {
   Result<void> draw(const gl::Framebuffer& target, const EnvironmentLight& light, const FrameUniforms& frame,
                     const FrameSettings& settings);
 
+  /// Draws how near all is that a frame shows, the environment's proxy too (NearnessPicture), in distances of the
+  /// scene's radius.
+  ///
+  /// returns  valid until the next call
+  /// errors   too_large; unsupported
+  Result<const gl::Texture*> drawNearness(const FrameUniforms& frame, glm::ivec2 size);
+
  private:
   Result<void> drawMirrored(const EnvironmentLight& light, FrameUniforms frame, FrameSettings settings);
   Result<void> drawOnce(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
@@ -57,8 +70,11 @@ class SceneDrawing {
   Result<void> makeBodies(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> makeSceneTriangles(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
+  Result<void> makeNearness();
+  Result<void> copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms& frame,
+                          const FrameSettings& settings);
   Result<void> drawReliefHits(const FrameSettings& settings, FrameUniforms& frame);
-  std::vector<int> byDistance(const Camera& camera, bool is_blended) const;
+  std::vector<int> byDistance(const FrameUniforms& frame, bool is_blended) const;
   void drawInstance(int instance, const FrameUniforms& frame, const FrameSettings& settings);
   void drawBlended(const FrameUniforms& frame, const FrameSettings& settings);
 
@@ -76,6 +92,9 @@ class SceneDrawing {
   std::optional<BackFaces> back_faces_;         ///< made when a frame first needs them
   std::optional<ReliefHits> relief_hits_;
   std::optional<GroundMirror> ground_mirror_;
+  std::optional<NearnessPicture> nearness_;
+  std::optional<OpaquePicture> opaque_picture_;
+  int version_ = 0;
 };
 
 }  // namespace mirrorball

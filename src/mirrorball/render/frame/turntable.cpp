@@ -1,11 +1,35 @@
 #include "mirrorball/render/frame/turntable.h"
 
 #include <array>
+#include <string>
+#include <string_view>
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "mirrorball/base/text.h"
+#include "mirrorball/render/light/probe_places.h"
+
 namespace mirrorball {
 namespace {
+
+constexpr std::array<std::string_view, 3> kTurns{"camera", "model", "environment"};  // by Turn
+
+constexpr ParsedField<Turntable> kTurn{
+    [](const Turntable& turntable) {
+      return turntable.turn == Turn::object ? std::to_string(turntable.object)
+                                            : std::string(kTurns[static_cast<std::size_t>(turntable.turn)]);
+    },
+    [](const OptionText& text, std::string_view written, Turntable& turntable) -> Result<void> {
+      if (const auto index = indexOfName(written, kTurns)) {
+        turntable.turn = static_cast<Turn>(*index);
+        return {};
+      }
+      const auto object = parseInteger(text, written);
+      if (!object) return misused(text, join(kTurns) + " or an object's number", written);
+      turntable.turn = Turn::object;
+      turntable.object = *object;
+      return {};
+    }};
 
 const auto kTurntableOptions = std::to_array<Option<Turntable>>({
     {{.name = "frames",
@@ -17,11 +41,14 @@ const auto kTurntableOptions = std::to_array<Option<Turntable>>({
       .group = "Picture"},
      &Turntable::frames},
     {{.name = "turn",
-      .choices = "camera|model|environment",
+      .value = "camera|model|environment|N",
+      .minimum = 1,
+      .maximum = 1000000,
       .help = "what turns in a turntable, from +Z towards +X; when the model turns, the lights and the background "
-              "stand still",
+              "stand still; N: the model's object of that number goes round with what lies in it, and all else stands "
+              "still",
       .group = "Picture"},
-     choiceField<&Turntable::turn>},
+     kTurn},
 });
 
 }  // namespace
@@ -32,6 +59,8 @@ FrameSettings turned(FrameSettings settings, Turn what, float angle_deg) {
   switch (what) {
     case Turn::camera:
       settings.camera.azimuth_deg += angle_deg;
+      break;
+    case Turn::object:
       break;
     case Turn::environment:
       settings.env_rotation_deg.x += angle_deg;
@@ -48,6 +77,17 @@ FrameSettings turned(FrameSettings settings, Turn what, float angle_deg) {
     }
   }
   return settings;
+}
+
+std::vector<Instance> orbited(const Scene& scene, int instance, glm::vec3 axis, float angle_deg) {
+  const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), glm::radians(angle_deg), glm::vec3(0, 1, 0));
+  const glm::mat4 about_axis = glm::translate(glm::mat4(1.0f), axis) * turn * glm::translate(glm::mat4(1.0f), -axis);
+  std::vector<Instance> instances = scene.instances;
+  for (const int part : withParts(scene, instance)) {
+    glm::mat4& world_from_object = instances[std::size_t(part)].world_from_object;
+    world_from_object = about_axis * world_from_object;
+  }
+  return instances;
 }
 
 }  // namespace mirrorball

@@ -1,18 +1,21 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "mirrorball/base/option.h"
 #include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
 
-enum class Turn { camera, model, environment };  ///< what turns in a turntable
+enum class Turn { camera, model, environment, object };  ///< what turns in a turntable
 
 /// Pictures of something that makes one full turn.
 struct Turntable {
   int frames = 0;  ///< 0: one picture, and no turntable
   Turn turn = Turn::camera;
+  int object = 0;  ///< of Turn::object: which of Scene::instances, from 1 on
 };
 
 /// The table of a turntable's options.
@@ -22,7 +25,14 @@ std::span<const Option<Turntable>> turntableOptions();
 /// camera about the axis through the camera's target. What is not turned stays in the picture as it was: with
 /// Turn::model the environment and the lights keep their place behind the camera's back.
 ///
+/// An object goes round by orbited(), and nothing else moves.
+///
 /// settings    with a target and a distance (framed(), scene/camera/framing.h), so that all pictures have the same
 FrameSettings turned(FrameSettings settings, Turn what, float angle_deg);
+
+/// The instances of a scene of which one has gone round the upright axis, +Z towards +X, with its parts (withParts).
+///
+/// axis   a place on it; world
+std::vector<Instance> orbited(const Scene& scene, int instance, glm::vec3 axis, float angle_deg);
 
 }  // namespace mirrorball

@@ -1,6 +1,9 @@
 #include "mirrorball/render/frame/turntable.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+
+#include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
 namespace {
@@ -31,6 +34,20 @@ TEST(Turned, TheModelBeforeCameraEnvironmentAndLights) {
   EXPECT_EQ(model.camera.azimuth_deg, -90.0f);
   EXPECT_FLOAT_EQ(model.env_rotation_deg.x, -60.0f);
   EXPECT_LT(glm::distance(model.lights[0].position, glm::vec3(8, 5, 0)), 1e-5f);
+}
+
+// A ball 2 towards +Z goes to +X of the axis, with the smaller one in it; the other stays.
+TEST(Orbited, OneObjectAndWhatLiesInIt) {
+  Scene scene = sceneOf(sphereMesh(8, 16));
+  const auto at = [](glm::vec3 place, float size) {
+    return glm::scale(glm::translate(glm::mat4(1.0f), place), glm::vec3(size));
+  };
+  scene.instances = {{0, at({1, 0, 2}, 1.0f)}, {0, at({1, 0.5f, 2.2f}, 0.3f)}, {0, at({4, 0, 2}, 1.0f)}};
+  const std::vector<Instance> moved = orbited(scene, 0, {1, 7, 0}, 90.0f);
+  const auto placeOf = [&](std::size_t i) { return glm::vec3(moved[i].world_from_object[3]); };
+  EXPECT_LT(glm::distance(placeOf(0), glm::vec3(3, 0, 0)), 1e-5f);
+  EXPECT_LT(glm::distance(placeOf(1), glm::vec3(3.2f, 0.5f, 0)), 1e-5f);
+  EXPECT_LT(glm::distance(placeOf(2), glm::vec3(4, 0, 2)), 1e-5f);
 }
 
 }  // namespace

@@ -119,6 +119,4 @@ void EnvironmentLight::readNearest(bool nearest) {
   cube_.setSampling({.filter = gl::Sampling::Filter::trilinear, .magnify_nearest = nearest});
 }
 
-float EnvironmentLight::texelsPerRadian() const { return texelDensity(Projection::cube, cube_.width()); }
-
 }  // namespace mirrorball

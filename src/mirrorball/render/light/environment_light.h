@@ -51,9 +51,6 @@ class EnvironmentLight {
   /// The radiance for which a 1 in the textures stands.
   float unit() const { return unit_; }
 
-  /// Of level 0, in the middle of a face.
-  float texelsPerRadian() const;
-
  private:
   EnvironmentLight(gl::Texture cube, gl::Texture prefiltered, gl::Texture irradiance, float unit)
       : cube_(std::move(cube)), prefiltered_(std::move(prefiltered)), irradiance_(std::move(irradiance)), unit_(unit) {}

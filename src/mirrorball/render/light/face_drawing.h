@@ -20,6 +20,18 @@ class FaceDrawing {
     }
   }
 
+  /// Fills the levels of a cube from its level 0, by shaders/prefilter_halve.frag.
+  void drawHalves(gl::Program& program, gl::Texture& cube, int unit) const {
+    cube.bind(unit);
+    program.set("cube", unit);
+    for (int level = 1; level < cube.levels(); ++level) {
+      cube.setLevels(level - 1, level - 1);
+      program.set("source_size", levelSide(cube.width(), level - 1));
+      drawFaces(program, cube, level);
+    }
+    cube.setLevels(0, cube.levels() - 1);
+  }
+
   void draw(const gl::Program& program, const gl::Framebuffer& picture) const {
     picture.bind();
     program.use();

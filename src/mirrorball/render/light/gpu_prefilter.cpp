@@ -71,8 +71,7 @@ Result<GpuPrefilter> GpuPrefilter::make(gl::Api api, int size, gl::Format format
     coarse_split = std::move(made);
   }
   MIRRORBALL_TRY(taps, gl::Texture::make2d(gl::Format::rgba32f, kMaxTaps, std::max(last, 1)));
-  MIRRORBALL_TRY(chain, gl::Texture::makeCube(format, size, last + 1));
-  chain.setSampling({.filter = gl::Sampling::Filter::trilinear});
+  MIRRORBALL_TRY(chain, makeChain(size, format));
   GpuPrefilter made(std::move(programs), std::move(split), std::move(coarse_split), std::move(taps), std::move(chain));
   made.drawing_.target().bind(made.chain_, 0, 0);
   if (!made.drawing_.target().isComplete())
@@ -80,6 +79,12 @@ Result<GpuPrefilter> GpuPrefilter::make(gl::Api api, int size, gl::Format format
                 "the graphics driver cannot draw into the faces of a cube of floats (in OpenGL ES that needs its "
                 "extension EXT_color_buffer_float)");
   return made;
+}
+
+Result<gl::Texture> GpuPrefilter::makeChain(int size, gl::Format format) {
+  MIRRORBALL_TRY(chain, gl::Texture::makeCube(format, size, lastLevel(size) + 1));
+  chain.setSampling({.filter = gl::Sampling::Filter::trilinear});
+  return Result<gl::Texture>(std::move(chain));
 }
 
 GpuPrefilter::GpuPrefilter(Programs programs, LightSplit split, std::optional<LightSplit> coarse_split,
@@ -121,14 +126,14 @@ void GpuPrefilter::findTaps() {
   taps_.upload(0, 0, rows);
 }
 
-void GpuPrefilter::run(const gl::Texture& cube) {
-  assert(cube.isCube() && cube.width() == chain_.width());
+void GpuPrefilter::run(const gl::Texture& cube, gl::Texture& chain) {
+  assert(cube.isCube() && cube.width() == chain_.width() && chain.width() == chain_.width());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   cube.bind(kRest);
   programs_.copy.set("cube", kRest);
-  drawing_.drawFaces(programs_.copy, chain_, 0);
+  drawing_.drawFaces(programs_.copy, chain, 0);
   split_.run(programs_.split, drawing_, cube);
   if (coarse_split_) {
     const int level = lastLevel(chain_.width()) - kCoarseBeforeLast;
@@ -136,10 +141,10 @@ void GpuPrefilter::run(const gl::Texture& cube) {
     coarse_split_->run(programs_.split, drawing_, split_.rest());
     split_.rest().setLevels(0, split_.rest().levels() - 1);
   }
-  for (int level = 1; level < chain_.levels(); ++level) drawLevel(level);
+  for (int level = 1; level < chain.levels(); ++level) drawLevel(chain, level);
 }
 
-void GpuPrefilter::drawLevel(int level) {
+void GpuPrefilter::drawLevel(gl::Texture& chain, int level) {
   const Level& made = levels_[static_cast<std::size_t>(level - 1)];
   LightSplit& coarse = made.is_coarse ? *coarse_split_ : split_;
   coarse.rest().bind(kRest);
@@ -160,7 +165,7 @@ void GpuPrefilter::drawLevel(int level) {
   program.set("tap_count", made.taps);
   program.set("alpha", made.alpha);
   program.set("lobe_scale", made.lobe_scale);
-  drawing_.drawFaces(program, chain_, level);
+  drawing_.drawFaces(program, chain, level);
 }
 
 }  // namespace mirrorball

@@ -36,7 +36,14 @@ class GpuPrefilter {
   /// cube     of floats, its side the size given; level 0 is read, filtered or not: finite, at least 0
   /// cost     six reads a texel of level 0; of the others a read a tap and two a point of light.
   ///          The same bits each time
-  void run(const gl::Texture& cube);
+  void run(const gl::Texture& cube) { run(cube, chain_); }
+
+  /// The same into another chain.
+  ///
+  /// chain    as `makeChain` makes it
+  void run(const gl::Texture& cube, gl::Texture& chain);
+  /// errors   too_large
+  static Result<gl::Texture> makeChain(int size, gl::Format format);
 
   /// Levels 0 to lastLevel(size) with the roughnesses of MipMapping::filament, filtered within and between them. Level
   /// 0 is the cube itself; half floats end at 65504.
@@ -61,7 +68,7 @@ class GpuPrefilter {
                gl::Texture chain);
   static Result<Programs> loadPrograms(gl::Api api);
   void findTaps();
-  void drawLevel(int level);
+  void drawLevel(gl::Texture& chain, int level);
 
   Programs programs_;
   LightSplit split_;

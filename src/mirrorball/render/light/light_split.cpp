@@ -70,7 +70,7 @@ void LightSplit::run(LightSplitPrograms& programs, const FaceDrawing& drawing, c
   programs.rest.set("cube", kCube);
   programs.rest.set("chosen", kThresholds);
   drawing.drawFaces(programs.rest, rest_, 0);
-  halveRest(programs.halve, drawing);
+  drawing.drawHalves(programs.halve, rest_, kCube);
 }
 
 void LightSplit::chooseThreshold(LightSplitPrograms& programs, const FaceDrawing& drawing) {
@@ -113,17 +113,6 @@ void LightSplit::listLights(gl::Program& program, const FaceDrawing& drawing) {
   program.set("blocks", kBlocks);
   program.set("chosen", kThresholds);
   drawing.draw(program, lights_);
-}
-
-void LightSplit::halveRest(gl::Program& program, const FaceDrawing& drawing) {
-  rest_.bind(kCube);
-  program.set("cube", kCube);
-  for (int level = 1; level < rest_.levels(); ++level) {
-    rest_.setLevels(level - 1, level - 1);
-    program.set("source_size", levelSide(rest_.width(), level - 1));
-    drawing.drawFaces(program, rest_, level);
-  }
-  rest_.setLevels(0, rest_.levels() - 1);
 }
 
 }  // namespace mirrorball

@@ -51,7 +51,6 @@ class LightSplit {
   void chooseThreshold(LightSplitPrograms& programs, const FaceDrawing& drawing);
   void sum(gl::Program& cells_program, gl::Program& blocks_program, const FaceDrawing& drawing);
   void listLights(gl::Program& program, const FaceDrawing& drawing);
-  void halveRest(gl::Program& program, const FaceDrawing& drawing);
 
   gl::Framebuffer cells_, blocks_;  ///< sums
   gl::Framebuffer coarse_, fine_;   ///< thresholds

@@ -41,7 +41,7 @@ class ProxyUniforms {
   void bind();
 
  private:
-  static constexpr unsigned kPoint = 3;  ///< beside those of SurfacePrograms
+  static constexpr unsigned kPoint = 4;  ///< beside those of SurfacePrograms
 
   std::optional<ProxyOptions> options_;  ///< that `proxy_` was made from
   Proxy proxy_;

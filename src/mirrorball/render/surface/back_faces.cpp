@@ -26,7 +26,8 @@ Result<BackFaces> BackFaces::make(gl::Api api) {
   return BackFaces(std::move(program));
 }
 
-Result<void> BackFaces::draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size) {
+Result<void> BackFaces::draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size,
+                             std::span<const int> hidden) {
   const glm::ivec2 drawn = size + 2 * marginOf(size);
   if (!framebuffer_ || framebuffer_->width() != drawn.x || framebuffer_->height() != drawn.y) {
     MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, drawn.x, drawn.y, true));
@@ -53,7 +54,7 @@ Result<void> BackFaces::draw(const Scene& scene, const SceneBuffers& buffers, co
   program_.set("camera_position", camera.position);
   program_.set("camera_forward", camera.forward);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    if (!isBody(materialOf(scene, i))) continue;
+    if (!isBody(materialOf(scene, i)) || isAmong(hidden, i)) continue;
     const glm::mat4& world_from_object = scene.instances[i].world_from_object;
     program_.set("world_from_object", world_from_object);
     program_.set("normal_matrix", glm::transpose(glm::inverse(glm::mat3(world_from_object))));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/glm.hpp>
 
@@ -24,9 +25,11 @@ class BackFaces {
 
   /// Draws them as a camera sees them in a frame of that size. The framebuffer is another one then; blending is off.
   ///
+  /// hidden   instances that are not drawn
   /// errors   too_large
   /// cost     as a frame of these bodies without light; 16 bytes a texel
-  Result<void> draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size);
+  Result<void> draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size,
+                    std::span<const int> hidden = {});
 
   const gl::Texture& picture() const { return framebuffer_->color(); }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/render/surface/surface_variant.h"
 #include "mirrorball/render/surface/wavelength_sets.h"
 
@@ -76,12 +77,12 @@ LightReads readsOf(const Material& material, const formula::Blur& blur, const Fr
 
 }  // namespace
 
-formula::Blur blurOf(const FrameSettings& settings, const EnvironmentLight& light, const PrefilteredChain& chain) {
+formula::Blur blurOf(const FrameSettings& settings, const gl::Texture& cube, const PrefilteredChain& chain) {
   return {.kind = blurKindOfFormula(settings.blur),
           .first_level = static_cast<float>(chain.first_level),
           .last_level = static_cast<float>(chain.lastLevel()),
-          .texels_per_radian = light.texelsPerRadian(),
-          .coarser = std::log2(static_cast<float>(light.cube().width()) / static_cast<float>(chain.size()))};
+          .texels_per_radian = texelDensity(Projection::cube, cube.width()),
+          .coarser = std::log2(static_cast<float>(cube.width()) / static_cast<float>(chain.size()))};
 }
 
 LightReads lightReads(const Scene& scene, const formula::Blur& blur, const FrameSettings& settings) {

@@ -9,7 +9,10 @@
 namespace mirrorball {
 
 /// How a frame blurs light, for formula/prefilter/blur.glsl.
-formula::Blur blurOf(const FrameSettings& settings, const EnvironmentLight& light, const PrefilteredChain& chain);
+///
+/// cube    the light itself
+/// chain   made of it
+formula::Blur blurOf(const FrameSettings& settings, const gl::Texture& cube, const PrefilteredChain& chain);
 
 /// How often a surface reads each texture of light for one sample of a pixel.
 struct LightReads {

@@ -16,7 +16,8 @@ Result<ReliefHits> ReliefHits::make(gl::Api api) {
   return ReliefHits(std::move(program));
 }
 
-Result<void> ReliefHits::draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size) {
+Result<void> ReliefHits::draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size,
+                              std::span<const int> hidden) {
   if (!framebuffer_ || framebuffer_->width() != size.x || framebuffer_->height() != size.y) {
     MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, true));
     framebuffer_ = std::move(made);
@@ -34,7 +35,8 @@ Result<void> ReliefHits::draw(const Scene& scene, const SceneBuffers& buffers, c
   program_.set("camera_forward", camera.forward);
   program_.set("orthographic", camera.orthographic ? 1.0f : 0.0f);
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
-    if (showsHeightTexture(materialOf(scene, i), ReliefKind::exact)) drawInstance(scene, buffers, i);
+    if (showsHeightTexture(materialOf(scene, i), ReliefKind::exact) && !isAmong(hidden, i))
+      drawInstance(scene, buffers, i);
   glCullFace(GL_BACK);
   return {};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/glm.hpp>
 
@@ -24,8 +25,10 @@ class ReliefHits {
   /// Draws it as a camera sees it in a frame of that size. The framebuffer is another one then; blending is off.
   ///
   /// buffers  with the prisms of all meshes whose material has heights
+  /// hidden   instances that are not drawn
   /// errors   too_large
-  Result<void> draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size);
+  Result<void> draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size,
+                    std::span<const int> hidden = {});
 
   const gl::Texture& picture() const { return framebuffer_->color(); }
 

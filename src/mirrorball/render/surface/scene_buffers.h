@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mirrorball/base/result.h"
@@ -11,6 +14,11 @@
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
+
+/// Whether a list has an instance.
+inline bool isAmong(std::span<const int> instances, std::size_t instance) {
+  return std::ranges::find(instances, static_cast<int>(instance)) != instances.end();
+}
 
 /// A scene's meshes and textures on the GPU.
 class SceneBuffers {
@@ -81,7 +89,7 @@ class SceneBuffers {
   };
   std::vector<MeshBuffers> meshes_;
   std::vector<std::optional<gl::Buffer>> occlusions_;  // of instances
-  std::vector<std::optional<gl::Texture>> textures_;  // those that have a unit of their own
+  std::vector<std::optional<gl::Texture>> textures_;   // those that have a unit of their own
   std::vector<MaterialMaps> materials_;
   std::vector<Heights> heights_;  // of Scene::height_textures
   std::vector<Slopes> slopes_;    // of Scene::slope_textures

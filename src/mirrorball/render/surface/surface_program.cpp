@@ -19,7 +19,8 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::array<const char*, 3> kBlocks{"FrameBlock", "InstanceBlock", "MaterialBlock"};  // by BlockPoint
+constexpr std::array<const char*, 4> kBlocks{"FrameBlock", "InstanceBlock", "MaterialBlock",
+                                             "LightBlock"};  // by BlockPoint
 
 /// Every parameter that the block has; what a choice only chooses a part by, it has not.
 void setParameters(gl::UniformBlock& block, const Material& material) {
@@ -76,6 +77,12 @@ std::vector<glm::vec4> lampRows(const Scene& scene, const FrameSettings& setting
 /// The index of an instance's material.
 int materialOf(const Scene& scene, int instance) {
   return scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)].material;
+}
+
+/// Chooses what reads a probe's light in place of the environment's: by cube samplers, however that is read.
+void readProbe(SurfaceVariant& variant, const SurfaceLight& probe) {
+  variant.choose(Part::proxy, probe.nearness ? ProxyPart::captured : ProxyPart::none);
+  variant.choose(Part::arriving_light, ArrivingLightPart::distant);
 }
 
 /// As shaders/surface/transmission_traced.glsl reads them.
@@ -149,13 +156,16 @@ Result<void> SurfacePrograms::addClothToBrdfTable() {
 
 /// Says which unit and which binding point each sampler and block reads; they are the same in all programs.
 void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy) {
-  proxy.connect(program, static_cast<ProxyKind>(variant.answers[std::size_t(Part::proxy)]));
+  if (!variant.has(Part::proxy, ProxyPart::captured))
+    proxy.connect(program, static_cast<ProxyKind>(variant.answers[std::size_t(Part::proxy)]));
   if (variant.has(Part::material, MaterialPart::core)) program.set("brdf_table", TextureUnit::brdf_table);
   const std::string form = variant.has(Part::arriving_light, ArrivingLightPart::distant) ? "" : "_faces";
   program.set("environment" + form, TextureUnit::environment);
   program.set("prefiltered" + form, TextureUnit::prefiltered);
   program.set("irradiance" + form, TextureUnit::irradiance);
+  if (variant.has(Part::proxy, ProxyPart::captured)) program.set("captured_nearness", TextureUnit::nearness);
   if (variant.has(Part::transmission, TransmissionPart::traced)) program.set("bodies", TextureUnit::bodies);
+  if (variant.has(Part::behind, BehindPart::screen)) program.set("opaque_picture", TextureUnit::opaque_picture);
   if (variant.has(Part::transmission, TransmissionPart::image_space))
     program.set("back_faces", TextureUnit::back_faces);
   if (variant.has(Part::normal, NormalPart::heights)) {
@@ -192,8 +202,10 @@ SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int instance, cons
   if (scene.instances[std::size_t(instance)].occlusion.empty()) decided.occlusion = OcclusionKind::none;
   decided.self_reflection = settings.self_reflection && scene_triangles_ != nullptr;
   const auto variant = [&](const Material& seen) {
-    return surfaceVariant(seen, buffers.mapsOf(material), decided, settings.lights.size() + scene.lights.size(),
-                          coordinates_);
+    SurfaceVariant made = surfaceVariant(seen, buffers.mapsOf(material), decided,
+                                         settings.lights.size() + scene.lights.size(), coordinates_);
+    if (lightOf(instance) > 0 && !seen.unlit) readProbe(made, lights_[std::size_t(lightOf(instance))]);
+    return made;
   };
   if (!eye_is_inside_ || !isBody(from_outside)) return variant(from_outside);
   Material seen = from_outside;
@@ -214,8 +226,7 @@ Result<gl::Program*> SurfacePrograms::programFor(const SurfaceVariant& variant, 
   return &found->second;
 }
 
-void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniforms& frame,
-                               const FrameSettings& settings) {
+void SurfacePrograms::setFrame(const FrameUniforms& frame, const FrameSettings& settings) {
   if (!frame_) frame_.emplace(layouts_[frame_point]);
   gl::UniformBlock& block = *frame_;
   const glm::mat4 clip_from_world = frame.camera.clip_from_view * frame.camera.view_from_world;
@@ -228,17 +239,10 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
     block.set("eye_from_back_faces", frame.back_faces->eyeFromTexels());
   }
   block.set("eye_from_world", glm::mat3(frame.camera.view_from_world));
-  block.set("environment_from_world", frame.environment_from_world);
   block.set("camera_position", frame.camera.position);
   block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
   block.set("camera_forward", frame.camera.forward);
-  block.set("environment_intensity", settings.env_intensity * light.unit());
-  const formula::Blur blur = blurOf(settings, light, frame.prefiltered);
-  block.set("blur_kind", blur.kind);
-  block.set("first_level", blur.first_level);
-  block.set("last_level", blur.last_level);
-  block.set("texels_per_radian", blur.texels_per_radian);
-  block.set("coarser", blur.coarser);
+  block.set("screen_unit", frame.screen_unit);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
   block.set("sample_phase", (static_cast<float>(frame.sample) + 0.5f) / static_cast<float>(settings.samples));
   block.set("texture_filter", static_cast<int>(settings.texture_filter));
@@ -247,6 +251,47 @@ void SurfacePrograms::setFrame(const EnvironmentLight& light, const FrameUniform
   block.set("wavelength_count", lightKindsOf(settings));
   if (isSpectral(settings))
     block.set("wavelengths", std::span<const glm::vec4>(wavelengthSets(settings, frame.sample)));
+}
+
+void SurfacePrograms::setLights(const EnvironmentLight& light, const FrameUniforms& frame,
+                                const FrameSettings& settings) {
+  const FlatLight* flat = frame.flat;
+  lights_ = {{.environment = flat ? &flat->environment : &light.cube(),
+              .prefiltered = flat ? &flat->prefiltered : frame.prefiltered.texture,
+              .irradiance = flat ? &flat->irradiance : &light.irradiance(),
+              .blur = blurOf(settings, light.cube(), frame.prefiltered),
+              .intensity = settings.env_intensity * light.unit(),
+              .environment_from_world = frame.environment_from_world}};
+  light_of_instance_.clear();
+  if (!frame.probes) return;
+  lights_.insert(lights_.end(), frame.probes->lights.begin(), frame.probes->lights.end());
+  light_of_instance_ = frame.probes->light_of_instance;
+}
+
+int SurfacePrograms::lightOf(int instance) const {
+  return light_of_instance_.empty() ? 0 : light_of_instance_[std::size_t(instance)] + 1;
+}
+
+void SurfacePrograms::bindLight(int light) {
+  if (bound_light_ == light) return;
+  bound_light_ = light;
+  while (light_blocks_.size() < lights_.size()) light_blocks_.emplace_back(layouts_[light_point]);
+  const SurfaceLight& read = lights_[std::size_t(light)];
+  gl::UniformBlock& block = light_blocks_[std::size_t(light)];
+  block.set("environment_from_world", read.environment_from_world);
+  block.set("captured_from", read.captured_from);
+  block.set("nearness_unit", read.nearness_unit);
+  block.set("environment_intensity", read.intensity);
+  block.set("blur_kind", read.blur.kind);
+  block.set("first_level", read.blur.first_level);
+  block.set("last_level", read.blur.last_level);
+  block.set("texels_per_radian", read.blur.texels_per_radian);
+  block.set("coarser", read.blur.coarser);
+  block.bind(light_point);
+  read.environment->bind(TextureUnit::environment);
+  read.prefiltered->bind(TextureUnit::prefiltered);
+  read.irradiance->bind(TextureUnit::irradiance);
+  if (read.nearness) read.nearness->bind(TextureUnit::nearness);
 }
 
 gl::UniformBlock& SurfacePrograms::instanceBlock(const Scene& scene, int instance) {
@@ -274,6 +319,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   if (scene.instances.empty()) return {};
   coordinates_ = coordinateChoice(scene, settings);
   eye_is_inside_ = frame.eye_media.count > 0;
+  setLights(light, frame, settings);
   scene_triangles_ = frame.scene_triangles;
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
   const auto eye_media = mediaRows(frame.eye_media);
@@ -285,14 +331,13 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
     if (variant.has(Part::transmission, TransmissionPart::traced))
       program->set("eye_media", std::span<const glm::vec4>(eye_media));
   }
-  setFrame(light, frame, settings);
-  (frame.flat ? frame.flat->environment : light.cube()).bind(TextureUnit::environment);
-  (frame.flat ? frame.flat->prefiltered : *frame.prefiltered.texture).bind(TextureUnit::prefiltered);
-  (frame.flat ? frame.flat->irradiance : light.irradiance()).bind(TextureUnit::irradiance);
+  setFrame(frame, settings);
+  bound_light_ = -1;
   brdf_table_.bind(TextureUnit::brdf_table);
   bodies_ = frame.bodies;
   back_faces_ = frame.back_faces;
   relief_hits_ = frame.relief_hits;
+  opaque_picture_ = frame.opaque_picture;
   return {};
 }
 
@@ -319,7 +364,10 @@ void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffe
   if (variant.has(Part::sky, SkyPart::past_scene_traced)) scene_triangles_->bind(TextureUnit::scene_triangles);
   if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
     back_faces_->picture().bind(TextureUnit::back_faces);
+  if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))
+    opaque_picture_->bind(TextureUnit::opaque_picture);
   frame_->bind(frame_point);
+  bindLight(lightOf(instance));
   instanceBlock(scene, instance).bind(instance_point);
   materialBlock(scene, material).bind(material_point);
   program.use();

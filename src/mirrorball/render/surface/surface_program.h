@@ -2,12 +2,14 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include "formula/bodies.h"
+#include "formula/surface.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/program.h"
@@ -30,7 +32,8 @@ namespace mirrorball {
 struct TextureUnit {
   static constexpr int environment = 0;
   static constexpr int sphere_map = 1;
-  static constexpr int proxy = 1;  ///< a sphere map knows none
+  static constexpr int proxy = 1;     ///< a sphere map knows none
+  static constexpr int nearness = 1;  ///< a probe's, which no proxy lies behind
   static constexpr int picture = 2;
   static constexpr int background = 2;  ///< no shader reads two of these
   static constexpr int bodies = 2;
@@ -42,6 +45,7 @@ struct TextureUnit {
   static constexpr int mirror_picture = 6;  ///< read when no material is bound
   static constexpr int mirror_depths = 7;
   static constexpr int first_of_material = 6;
+  static constexpr int opaque_picture = first_of_material + kUnitsBesideScreen;
   static constexpr int of_material = gl::Texture::kUnits - first_of_material;
   static constexpr int relief_hits = gl::Texture::kUnits - 5;
   static constexpr int horizons = gl::Texture::kUnits - 4;
@@ -61,6 +65,25 @@ struct PrefilteredChain {
   int size() const { return texture->width() << first_level; }
 };
 
+/// The light that some surfaces of a frame read: cubes as EnvironmentLight has them.
+struct SurfaceLight {
+  const gl::Texture* environment = nullptr;
+  const gl::Texture* prefiltered = nullptr;
+  const gl::Texture* irradiance = nullptr;
+  formula::Blur blur = {};
+  float intensity = 1.0f;  ///< radiance for which a 1 in the textures stands
+  glm::mat3 environment_from_world{1.0f};
+  glm::vec3 captured_from{0.0f};  ///< of light that has `nearness`: world, as its unit of length
+  float nearness_unit = 1.0f;
+  const gl::Texture* nearness = nullptr;  ///< formula/proxy/captured_sight.glsl; null: light comes from far away
+};
+
+/// The probes' light of a frame, and which instances read it in place of the environment's.
+struct ProbeUniforms {
+  std::vector<SurfaceLight> lights;
+  std::vector<int> light_of_instance;  ///< index; −1: the environment's. Empty: of all
+};
+
 /// What all surfaces of a frame share.
 struct FrameUniforms {
   PrefilteredChain prefiltered;
@@ -75,6 +98,10 @@ struct FrameUniforms {
   const gl::Texture* relief_hits = nullptr;      ///< ReliefHits of this camera; null: none is found exactly
   int sample = 0;                                ///< number of the sample of the frame
   ProxyUniforms* proxy = nullptr;                ///< placed as the settings say; must be set
+  const gl::Texture* opaque_picture = nullptr;   ///< OpaquePicture of this camera; null: nothing reads it
+  float screen_unit = 1.0f;                      ///< of its distances [world units]
+  const ProbeUniforms* probes = nullptr;         ///< null: there are none
+  std::span<const int> hidden = {};              ///< instances that are not drawn
 };
 
 /// The BRDF table as shaders/surface/ looks it up, on warped axes: in its first two channels Surface::environment_brdf
@@ -113,7 +140,7 @@ class SurfacePrograms {
 
  private:
   /// The binding points of the uniform blocks.
-  enum BlockPoint : unsigned { frame_point, instance_point, material_point, block_points };
+  enum BlockPoint : unsigned { frame_point, instance_point, material_point, light_point, block_points };
 
   SurfacePrograms(gl::Api api, gl::Texture brdf_table) : api_(api), brdf_table_(std::move(brdf_table)) {}
 
@@ -122,7 +149,10 @@ class SurfacePrograms {
                            const FrameSettings& settings) const;
   Result<gl::Program*> programFor(const SurfaceVariant& variant, ProxyUniforms& proxy);
   void connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy);
-  void setFrame(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
+  void setFrame(const FrameUniforms& frame, const FrameSettings& settings);
+  void setLights(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
+  int lightOf(int instance) const;
+  void bindLight(int light);
   gl::UniformBlock& instanceBlock(const Scene& scene, int instance);
   gl::UniformBlock& materialBlock(const Scene& scene, int material);
 
@@ -136,8 +166,13 @@ class SurfacePrograms {
   const gl::Texture* bodies_ = nullptr;       ///< null: the scene has none
   const BackFaces* back_faces_ = nullptr;     ///< of the sample
   const gl::Texture* relief_hits_ = nullptr;  ///< likewise
+  const gl::Texture* opaque_picture_ = nullptr;
   std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
   std::optional<gl::UniformBlock> frame_;
+  std::vector<SurfaceLight> lights_;            ///< of the sample: the environment's, then those of probes
+  std::vector<gl::UniformBlock> light_blocks_;  ///< of these
+  std::vector<int> light_of_instance_;          ///< of the frame's probes
+  int bound_light_ = -1;
   std::map<int, gl::UniformBlock> instances_;
   std::map<int, gl::UniformBlock> materials_;
   gl::VertexArray screen_;

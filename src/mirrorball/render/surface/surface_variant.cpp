@@ -25,13 +25,14 @@ constexpr auto kAnisotropy = std::to_array<Names>({"anisotropy_none.glsl", "anis
 constexpr auto kSheen = std::to_array<Names>({"sheen_none.glsl", "sheen_cloth.glsl"});
 constexpr auto kMaterial =
     std::to_array<Names>({"material_core.glsl", "material_unlit.glsl", "material_from_inside.glsl"});
-constexpr auto kProxy = std::to_array<Names>(
-    {"proxy_none.glsl", "proxy_box.glsl", "proxy_sphere.glsl", "proxy_ground.glsl", "proxy_triangles.glsl"});
+constexpr auto kProxy = std::to_array<Names>({"proxy_none.glsl", "proxy_box.glsl", "proxy_sphere.glsl",
+                                              "proxy_ground.glsl", "proxy_triangles.glsl", "proxy_captured.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp = std::to_array<Names>(
     {"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl", "look_up_pieces.glsl"});
 constexpr auto kDispersion = std::to_array<Names>({"dispersion_channels.glsl", "dispersion_spectral.glsl"});
+constexpr auto kBehind = std::to_array<Names>({"behind_light.glsl", "behind_screen.glsl"});
 constexpr auto kTransmission =
     std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl",
                           "transmission_image_space.glsl", "transmission_traced.glsl"});
@@ -54,6 +55,7 @@ constexpr std::array<SurfaceQuestion, kParts> kQuestions{{
     {"arriving light", kArrivingLight},
     {"look-up", kLookUp},
     {"dispersion", kDispersion},
+    {"behind", kBehind},
     {"transmission", kTransmission},
     {"sky", kSky},
     {"lamps", kLamps},
@@ -131,6 +133,13 @@ DispersionPart dispersionPart(const Material& material, const FrameSettings& set
 CoatPart coatPart(const Material& material) {
   if (material.clearcoat <= 0.0f) return CoatPart::none;
   return material.clearcoat_normal_map.texture >= 0 ? CoatPart::clear_mapped : CoatPart::clear;
+}
+
+/// The copy of the screen takes a texture unit that few bodies have a picture in.
+BehindPart behindPart(const Material& material, const std::vector<MapSource>& maps, const FrameSettings& settings) {
+  const bool is_free =
+      std::ranges::none_of(maps, [](const MapSource& source) { return source.unit >= kUnitsBesideScreen; });
+  return seesScreen(material, settings) && is_free ? BehindPart::screen : BehindPart::light;
 }
 
 bool reflectsAtFragment(const FrameSettings& settings, const CoordinateChoice& coordinates) {
@@ -280,11 +289,15 @@ std::string answeredText(const SurfaceVariant& variant) {
 
 std::span<const SurfaceQuestion, kParts> surfaceQuestions() { return kQuestions; }
 
-std::string answered(Part part, std::size_t answer_number, std::string_view text) {
-  const SurfaceQuestion& question = kQuestions[static_cast<std::size_t>(part)];
-  std::string with_answer(text);
-  answer(with_answer, question.name, question.answers[answer_number]);
-  return with_answer;
+Result<gl::ShaderSource> withProxy(gl::Api api, std::string_view entry, ProxyKind kind) {
+  const SurfaceQuestion& question = kQuestions[static_cast<std::size_t>(Part::proxy)];
+  std::string text(embeddedText(entry).value());
+  answer(text, question.name, question.answers[static_cast<std::size_t>(kind)]);
+  const gl::FindText find = [&](std::string_view name) -> std::optional<std::string_view> {
+    if (name == entry) return text;
+    return embeddedText(name);
+  };
+  return gl::shaderSource(api, entry, {}, find);
 }
 
 bool stretchesLobes(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
@@ -295,6 +308,10 @@ bool readsPieces(const Material& material, const FrameSettings& settings, const 
   const bool has_bumps =
       normalPart(material, settings) != NormalPart::vertex || detailPart(material) != DetailPart::none;
   return has_bumps && !stretchesLobes(material, settings, coordinates) && reflectsAtFragment(settings, coordinates);
+}
+
+bool seesScreen(const Material& material, const FrameSettings& settings) {
+  return settings.behind == BehindKind::screen && material.transmission > 0.0f && !material.unlit;
 }
 
 RefractionKind refractionOf(const Scene& scene, int material, RefractionKind asked) {
@@ -323,11 +340,12 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   // A prism has no corners that the surface has.
   if (!variant.has(Part::point, PointPart::exact))
     variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
-  variant.choose(Part::proxy, settings.proxy.kind);        // the same choices
+  variant.choose(Part::proxy, settings.proxy.kind);        // its choices come first
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
   chooseLayers(variant, material);
   variant.choose(Part::dispersion, dispersionPart(material, settings));
+  variant.choose(Part::behind, behindPart(material, variant.maps, settings));
   variant.choose(Part::transmission, transmissionPart(material, settings));
   variant.choose(Part::sky, skyPart(variant, settings, coordinates));
   variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);

@@ -40,20 +40,20 @@ enum class Part {
   arriving_light,
   look_up,
   dispersion,
+  behind,
   transmission,
   sky,
   lamps,
   coat,
   alpha
 };
-constexpr std::size_t kParts = 17;
+constexpr std::size_t kParts = 18;
 std::span<const SurfaceQuestion, kParts> surfaceQuestions();
 
-/// The text of a shader with the file of an answer in place of a question.
+/// A shader of shaders/ that asks for the part "proxy" alone.
 ///
-/// answer_number   in the question's list
-/// text            has the line `#include "part: NAME"`, or else stays as it is
-std::string answered(Part part, std::size_t answer_number, std::string_view text);
+/// errors   not_found: a part's file (a mistake in the table of parts)
+Result<gl::ShaderSource> withProxy(gl::Api api, std::string_view entry, ProxyKind kind);
 
 // The answers, in the order of the table.
 enum class PointPart : std::uint8_t { raster, parallax, steep, occlusion, linear_binary, cone, exact };
@@ -64,10 +64,12 @@ enum class FilmPart : std::uint8_t { none, thin };
 enum class AnisotropyPart : std::uint8_t { none, stretched };
 enum class SheenPart : std::uint8_t { none, cloth };
 enum class MaterialPart : std::uint8_t { core, unlit, from_inside };
-using ProxyPart = ProxyKind;
+/// ProxyKind's, and what a probe has captured.
+enum class ProxyPart : std::uint8_t { none, box, sphere, ground, mesh, captured };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
 enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched, pieces };
 enum class DispersionPart : std::uint8_t { channels, spectral };
+enum class BehindPart : std::uint8_t { light, screen };
 enum class TransmissionPart : std::uint8_t { none, single, thin, image_space, traced };
 enum class SkyPart : std::uint8_t { open, over_horizons, past_scene, past_scene_traced };
 enum class LampsPart : std::uint8_t { none, listed };
@@ -91,6 +93,12 @@ struct SurfaceVariant {
   }
   auto operator<=>(const SurfaceVariant&) const = default;
 };
+
+/// Units of a material's textures up to which a body can read the copy of the screen (TextureUnit::opaque_picture).
+constexpr int kUnitsBesideScreen = 3;
+
+/// Whether what is behind a surface is looked for in a picture of the opaque ones, after which it is then drawn.
+bool seesScreen(const Material& material, const FrameSettings& settings);
 
 /// How light passes through a material's bodies, where the settings leave it to their size.
 RefractionKind refractionOf(const Scene& scene, int material, RefractionKind asked);

@@ -19,6 +19,8 @@ struct CameraOptions {
   float fov_deg = 35.0f;                 ///< vertical field of view
   /// Of the view, in model radii; turns perspective off. 0: as without a distance.
   std::optional<float> orthographic_height = {};
+
+  bool operator==(const CameraOptions&) const = default;
 };
 
 /// A camera as the renderer needs it: right-handed view space, looking along −Z, +Y up.

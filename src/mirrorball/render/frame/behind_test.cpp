@@ -1,0 +1,200 @@
+// What is seen through glass.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "formula/bsdf.h"
+#include "mirrorball/environment/environment_testing.h"
+#include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/render_testing.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::set;
+
+constexpr float kIor = 1.5f;
+constexpr float kWide = 2.6f;  ///< what pictures show, in world units
+
+struct Lamp {
+  glm::vec3 middle;
+  float radius;
+  glm::vec3 light;
+};
+
+/// Behind the unit ball of glass, and beside its refracted picture.
+const std::vector<Lamp> kLamps{{{0.5f, 0.3f, -2.6f}, 0.9f, {2.0f, 0.3f, 0.1f}},
+                               {{-0.9f, -0.5f, -2.2f}, 0.5f, {0.1f, 0.4f, 2.0f}}};
+
+/// The distance to a ball from outside, or from inside if it is at the origin of the ray; infinite: it is not met.
+float distanceTo(glm::vec3 middle, float radius, glm::vec3 origin, glm::vec3 d) {
+  const glm::vec3 to = origin - middle;
+  const float along = glm::dot(to, d);
+  const float root = along * along - glm::dot(to, to) + radius * radius;
+  if (root <= 0.0f) return INFINITY;
+  for (const float distance : {-along - std::sqrt(root), -along + std::sqrt(root)})
+    if (distance > 1e-4f) return distance;
+  return INFINITY;
+}
+
+glm::vec3 lightOutside(glm::vec3 origin, glm::vec3 d) {
+  float nearest = INFINITY;
+  glm::vec3 light = testing::smoothRadiance(d);
+  for (const Lamp& lamp : kLamps) {
+    const float distance = distanceTo(lamp.middle, lamp.radius, origin, d);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    light = lamp.light;
+  }
+  return light;
+}
+
+/// The light that comes through the ball of glass along a ray in it, and what it reflects to and fro.
+glm::vec3 lightInside(glm::vec3 origin, glm::vec3 d, int bounces) {
+  const glm::vec3 place = origin + distanceTo(glm::vec3(0.0f), 1.0f, origin, d) * d;
+  const glm::vec3 n = -glm::normalize(place);
+  const float fresnel = formula::fresnelDielectric(-glm::dot(d, n), 1.0f / kIor);
+  glm::vec3 light(0.0f);
+  if (fresnel < 1.0f) light += (1.0f - fresnel) * lightOutside(place, glm::refract(d, n, kIor));
+  if (bounces > 0) light += fresnel * lightInside(place, glm::reflect(d, n), bounces - 1);
+  return light;
+}
+
+/// What the eye sees of the ball in a parallel ray; nothing beside it.
+glm::vec3 lightOfBall(glm::vec2 across) {
+  const glm::vec3 n(across, std::sqrt(1.0f - glm::dot(across, across)));
+  const glm::vec3 d(0, 0, -1);
+  const float fresnel = formula::fresnelDielectric(n.z, kIor);
+  return fresnel * lightOutside(n, glm::reflect(d, n)) +
+         (1.0f - fresnel) * lightInside(n, glm::refract(d, n, 1.0f / kIor), 4);
+}
+
+Scene glassBeforeLamps() {
+  Scene scene;
+  const auto add = [&](glm::vec3 middle, float radius, const Material& material) {
+    Mesh mesh = sphereMesh(48, 96);
+    mesh.material = static_cast<int>(scene.materials.size());
+    const glm::mat4 placed = glm::scale(glm::translate(glm::mat4(1.0f), middle), glm::vec3(radius));
+    scene.instances.push_back({static_cast<int>(scene.meshes.size()), placed});
+    scene.meshes.push_back(std::move(mesh));
+    scene.materials.push_back(material);
+  };
+  Material glass;
+  glass.base_color = glm::vec3(1.0f);
+  glass.transmission = 1.0f;
+  glass.perceptual_roughness = 0.0f;
+  glass.ior = kIor;
+  add(glm::vec3(0.0f), 1.0f, glass);
+  for (const Lamp& lamp : kLamps) {
+    Material shining;
+    shining.base_color = glm::vec3(0.0f);
+    shining.specular = 0.0f;
+    shining.perceptual_roughness = 1.0f;
+    shining.emission = lamp.light;
+    add(lamp.middle, lamp.radius, shining);
+  }
+  return scene;
+}
+
+class BehindTest : public gl::GlTest {
+ protected:
+  static Renderer rendererFor(Scene scene, Environment environment) {
+    const auto prepared = testing::prepareOnce(environment);
+    auto renderer = testing::rendererOf(std::move(scene), std::move(environment), *prepared);
+    EXPECT_TRUE(renderer) << renderer.error().message;
+    return std::move(*renderer);
+  }
+  static FrameSettings frontOf(const Renderer& renderer) {
+    FrameSettings settings;
+    settings.size = {64, 64};
+    settings.samples = 4;
+    settings.resolve = Resolve::radiance;
+    settings.camera = {.azimuth_deg = 0.0f,
+                       .elevation_deg = 0.0f,
+                       .target = glm::vec3(0.0f),
+                       .orthographic_height = kWide / renderer.bounds().radius};
+    return settings;
+  }
+};
+
+MIRRORBALL_WITH_BOTH_APIS(BehindTest);
+
+/// Of the ball but for its rim.
+double psnrToTruth(const Image& image) {
+  double squares = 0.0;
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const auto placeOf = [&](glm::vec2 within) {
+        return ((glm::vec2(x, image.height() - 1 - y) + within) / float(image.width()) - 0.5f) * kWide;
+      };
+      if (glm::length(placeOf(glm::vec2(0.5f))) > 0.9f) continue;
+      glm::vec3 truth(0.0f);
+      for (int sample = 0; sample < 16; ++sample)
+        truth += lightOfBall(placeOf((glm::vec2(sample % 4, sample / 4) + 0.5f) / 4.0f)) / 16.0f;
+      const glm::vec3 difference = rgbAt(image, x, y) - truth;
+      squares += double(glm::dot(difference, difference)) / 3.0;
+      ++count;
+    }
+  return -10.0 * std::log10(squares / count);
+}
+
+TEST_P(BehindTest, GlassShowsWhatIsBehindIt) {
+  Renderer renderer = rendererFor(glassBeforeLamps(), Environment(testing::smoothRadiance, 256));
+  FrameSettings settings = frontOf(renderer);
+  set(settings, "refraction", "image-space");
+  set(settings, "probe-size", "64");
+  set(settings, "probe-bounces", "1");
+  const auto psnr = [&](const char* behind, const char* probes) {
+    set(settings, "behind", behind);
+    set(settings, "probes", probes);
+    const auto image = renderer.renderRadiance(settings);
+    EXPECT_TRUE(image) << image.error().message;
+    return psnrToTruth(*image);
+  };
+  EXPECT_LT(psnr("probes", "0"), 3.0) << "without probes, what is far away";
+  EXPECT_LT(psnr("far", "1"), 3.0);
+  EXPECT_GT(psnr("probes", "1"), 16.5);
+  EXPECT_GT(psnr("screen", "0"), 24.0);
+}
+
+// Beside the picture there is nothing that a copy of it could show.
+TEST_P(BehindTest, WhatIsNotInThePictureIsNotSeenThroughGlass) {
+  Renderer renderer = rendererFor(glassBeforeLamps(), Environment(testing::smoothRadiance, 64));
+  FrameSettings settings = frontOf(renderer);
+  settings.size = {24, 24};
+  settings.camera.orthographic_height = 0.3f / renderer.bounds().radius;
+  settings.camera.target = glm::vec3(-0.1f, 0.7f, 0.0f);
+  settings.camera.elevation_deg = 20.0f;
+  set(settings, "refraction", "image-space");
+  const auto far = renderer.renderRadiance(settings);
+  set(settings, "behind", "screen");
+  const auto screen = renderer.renderRadiance(settings);
+  ASSERT_TRUE(far && screen);
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < 24; ++x)
+      ASSERT_LT(glm::distance(rgbAt(*far, x, y), rgbAt(*screen, x, y)), 1e-5f) << x << ", " << y;
+}
+
+TEST_P(BehindTest, TheFurnaceIsWhite) {
+  Scene scene = glassBeforeLamps();
+  for (std::size_t i = 1; i < scene.materials.size(); ++i) scene.materials[i].emission = glm::vec3(1.0f);
+  for (const float roughness : {0.0f, 0.5f}) {
+    scene.materials[0].perceptual_roughness = roughness;
+    Renderer renderer = rendererFor(scene, Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
+    FrameSettings settings = frontOf(renderer);
+    settings.size = {32, 32};
+    set(settings, "behind", "screen");
+    set(settings, "refraction", "image-space");
+    testing::expectFurnaceWhite(*renderer.renderRadiance(settings), "roughness " + std::to_string(roughness), 3e-3f);
+  }
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,330 @@
+// Objects that show each other. Where probes stand is tested in light/probe_places_test.cpp.
+
+#include "mirrorball/render/frame/probes.h"
+
+#include <cmath>
+#include <future>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "mirrorball/environment/environment_testing.h"
+#include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/render/frame/cube_capture.h"
+#include "mirrorball/render/frame/frame_light.h"
+#include "mirrorball/render/render_testing.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::set;
+
+struct Ball {
+  glm::vec3 middle;
+  float radius;
+  glm::vec3 color;  ///< of a mirror
+};
+
+Material mirror(glm::vec3 color, float roughness = 0.0f) {
+  Material material;
+  material.base_color = color;
+  material.metallic = 1.0f;
+  material.perceptual_roughness = roughness;
+  return material;
+}
+
+void add(Scene& scene, const Ball& ball, const Material& material, int rows = 96) {
+  Mesh mesh = sphereMesh(rows, 2 * rows);
+  mesh.material = static_cast<int>(scene.materials.size());
+  const glm::mat4 placed = glm::scale(glm::translate(glm::mat4(1.0f), ball.middle), glm::vec3(ball.radius));
+  scene.instances.push_back({static_cast<int>(scene.meshes.size()), placed});
+  scene.meshes.push_back(std::move(mesh));
+  scene.materials.push_back(material);
+}
+
+Scene sceneOfBalls(const std::vector<Ball>& balls) {
+  Scene scene;
+  for (const Ball& ball : balls) add(scene, ball, mirror(ball.color));
+  return scene;
+}
+
+/// What a ray sees among mirror balls, the truth, and how many of them it meets.
+struct Seen {
+  glm::vec3 light;
+  int met;
+};
+
+Seen traced(const std::vector<Ball>& balls, const RadianceFunction& far, glm::vec3 origin, glm::vec3 d, int bounces) {
+  float nearest = INFINITY;
+  const Ball* met = nullptr;
+  for (const Ball& ball : balls) {
+    const glm::vec3 to = origin - ball.middle;
+    const float along = glm::dot(to, d);
+    const float root = along * along - glm::dot(to, to) + ball.radius * ball.radius;
+    if (root < 0.0f) continue;
+    const float distance = -along - std::sqrt(root);
+    if (distance < 1e-4f || distance >= nearest) continue;
+    nearest = distance;
+    met = &ball;
+  }
+  if (!met) return {far(d), 0};
+  if (bounces == 0) return {glm::vec3(0.0f), 0};
+  const glm::vec3 place = origin + nearest * d;
+  const glm::vec3 n = (place - met->middle) / met->radius;
+  const glm::vec3 r = glm::reflect(d, n);
+  // Schlick's metal, as the default material of this base colour is.
+  const float grazing = std::pow(1.0f - std::max(-glm::dot(d, n), 0.0f), 5.0f);
+  const glm::vec3 reflectance = met->color + (1.0f - met->color) * grazing;
+  const Seen seen = traced(balls, far, place, r, bounces - 1);
+  return {reflectance * seen.light, seen.met + 1};
+}
+
+const std::vector<Ball> kPair{{{-1.1f, 0.0f, 0.0f}, 1.0f, {1.0f, 0.75f, 0.35f}},
+                              {{1.1f, 0.0f, 0.3f}, 1.0f, {0.6f, 0.8f, 1.0f}}};
+
+constexpr const char* kRoom = "box:-5,-5,-5,5,5,5";
+
+class ProbesTest : public gl::GlTest {
+ protected:
+  static Renderer rendererFor(Scene scene, Environment environment) {
+    const auto prepared = testing::prepareOnce(environment);
+    auto renderer = testing::rendererOf(std::move(scene), std::move(environment), *prepared);
+    EXPECT_TRUE(renderer) << renderer.error().message;
+    return std::move(*renderer);
+  }
+  static Image drawn(Renderer& renderer, const FrameSettings& settings) {
+    auto image = renderer.renderRadiance(settings);
+    EXPECT_TRUE(image) << image.error().message;
+    return std::move(*image);
+  }
+};
+
+MIRRORBALL_WITH_BOTH_APIS(ProbesTest);
+
+/// From +Z, parallel rays over `kWide` world units.
+constexpr float kWide = 4.6f;
+FrameSettings frontOf(const Renderer& renderer, int size) {
+  FrameSettings settings;
+  settings.size = {size, size};
+  settings.samples = 4;
+  settings.resolve = Resolve::radiance;
+  settings.camera = {.azimuth_deg = 0.0f,
+                     .elevation_deg = 0.0f,
+                     .target = glm::vec3(0.0f),
+                     .orthographic_height = kWide / renderer.bounds().radius};
+  return settings;
+}
+
+/// Of the pixels whose rays meet at least so many balls.
+double psnrToTruth(const Image& image, const std::vector<Ball>& balls, int at_least) {
+  double squares = 0.0;
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      glm::vec3 truth(0.0f);
+      int least = 16;
+      for (int sample = 0; sample < 16; ++sample) {
+        const glm::vec2 within = (glm::vec2(sample % 4, sample / 4) + 0.5f) / 4.0f;
+        const glm::vec2 across =
+            ((glm::vec2(x, image.height() - 1 - y) + within) / float(image.width()) - 0.5f) * kWide;
+        const Seen seen = traced(balls, testing::smoothRadiance, glm::vec3(across, 10.0f), glm::vec3(0, 0, -1), 16);
+        truth += seen.light / 16.0f;
+        least = std::min(least, seen.met);
+      }
+      if (least < at_least) continue;
+      ++count;
+      const glm::vec3 difference = rgbAt(image, x, y) - truth;
+      squares += double(glm::dot(difference, difference)) / 3.0;
+    }
+  EXPECT_GT(count, 100) << at_least;
+  return -10.0 * std::log10(squares / count);
+}
+
+TEST_P(ProbesTest, TwoMirrorBallsShowEachOther) {
+  Renderer renderer = rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 256));
+  FrameSettings settings = frontOf(renderer, 96);
+  const Image without = drawn(renderer, settings);
+  set(settings, "probes", "auto");
+  set(settings, "probe-size", "128");
+  set(settings, "probe-bounces", "1");
+  const Image once = drawn(renderer, settings);
+  set(settings, "probe-bounces", "2");
+  const Image twice = drawn(renderer, settings);
+  EXPECT_LT(psnrToTruth(without, kPair, 0), 23.0);
+  EXPECT_GT(psnrToTruth(once, kPair, 0), 31.5) << "23.0 if what a probe sees is infinitely far away";
+  EXPECT_GT(psnrToTruth(twice, kPair, 0), 32.4);
+  // Where the balls show each other in each other.
+  EXPECT_LT(psnrToTruth(without, kPair, 2), 5.0);
+  EXPECT_GT(psnrToTruth(once, kPair, 2), 15.0);
+  EXPECT_GT(psnrToTruth(twice, kPair, 2), psnrToTruth(once, kPair, 2) + 1.0);
+}
+
+// Of a scene without the object that the probe stands in: the same picture but for half floats.
+TEST_P(ProbesTest, AProbeIsWhatCaptureCaptures) {
+  const Environment light(testing::smoothRadiance, 256);
+  const auto prepared = testing::prepareOnce(light);
+  SceneDrawing drawing(std::async(std::launch::deferred, surfaceBrdfTable));
+  FrameLight frame_light;
+  ASSERT_TRUE(frame_light.setEnvironment(light, *prepared, context().filtersFloats()));
+  ASSERT_TRUE(drawing.setScene(sceneOfBalls(kPair)));
+  FrameSettings settings;
+  set(settings, "probes", "2");
+  set(settings, "probe-size", "32");
+  set(settings, "probe-bounces", "1");
+  set(settings, "proxy", kRoom);
+  FrameUniforms frame;
+  Probes probes;
+  ASSERT_TRUE(frame_light.begin(context(), drawing.scene(), drawing.bounds(), settings, frame));
+  ASSERT_TRUE(drawing.begin(context(), settings, frame));
+  ASSERT_TRUE(probes.begin(context(), drawing, frame_light.light(), settings, frame));
+  ASSERT_NE(frame.probes, nullptr);
+  ASSERT_EQ(frame.probes->lights.size(), 2u);
+
+  for (std::size_t own = 0; own < 2; ++own) {
+    const SurfaceLight& probe = frame.probes->lights[std::size_t(frame.probes->light_of_instance[own])];
+    CaptureSettings at{.position = kPair[own].middle, .size = 32};
+    at.frame.samples = 1;
+    set(at.frame, "proxy", kRoom);
+    Renderer renderer = rendererFor(sceneOfBalls({kPair[1 - own]}), light);
+    const auto captured = captureEnvironment(renderer, at);
+    ASSERT_TRUE(captured) << captured.error().message;
+    for (int face = 0; face < 6; ++face) {
+      const Image made = probe.environment->read(0, face);
+      for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x)
+          ASSERT_LT(glm::distance(rgbAt(made, x, y), rgbAt(captured->face(face), x, y)), 2e-3f)
+              << "ball " << own << " face " << face << " at " << x << ", " << y;
+    }
+  }
+}
+
+TEST_P(ProbesTest, AreCapturedAgainOnlyIfWhatTheySeeHasChanged) {
+  Renderer renderer = rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 64));
+  FrameSettings settings = frontOf(renderer, 16);
+  settings.samples = 1;
+  const auto capturesOf = [&](const FrameSettings& changed) {
+    const int before = renderer.probeCaptures();
+    drawn(renderer, changed);
+    return renderer.probeCaptures() - before;
+  };
+  EXPECT_EQ(capturesOf(settings), 0) << "none was asked for";
+  set(settings, "probes", "auto");
+  EXPECT_EQ(capturesOf(settings), 4) << "two, for two bounces";
+  EXPECT_EQ(capturesOf(settings), 0);
+  testing::aim(settings, 70.0f, 20.0f);
+  settings.display.exposure_ev = 1.0f;
+  settings.background = BackgroundKind::transparent;
+  settings.samples = 2;
+  EXPECT_EQ(capturesOf(settings), 0) << "the eye has moved, and not what they see";
+  set(settings, "env-rotation", "30");
+  EXPECT_EQ(capturesOf(settings), 4);
+  const Image before = drawn(renderer, settings);
+  std::vector<Instance> instances = renderer.scene().instances;
+  instances[1].world_from_object[3].y += 0.5f;
+  renderer.moveInstances(instances);
+  EXPECT_EQ(capturesOf(settings), 4);
+  Scene scene = renderer.scene();
+  ASSERT_TRUE(renderer.setScene(scene));
+  EXPECT_EQ(capturesOf(settings), 4) << "another scene";
+  const Environment light(testing::smoothRadiance, 64);
+  ASSERT_TRUE(renderer.setEnvironment(light, *testing::prepareOnce(light)));
+  EXPECT_EQ(capturesOf(settings), 4) << "another environment";
+}
+
+// What is moved is as if it had been made there: in its own picture, and in that of the other ball.
+TEST_P(ProbesTest, AMovedBallIsSeenWhereItIs) {
+  const Environment light(testing::smoothRadiance, 64);
+  std::vector<Ball> moved = kPair;
+  moved[1].middle = {0.4f, 1.9f, -0.2f};
+  Renderer renderer = rendererFor(sceneOfBalls(kPair), light);
+  Renderer there = rendererFor(sceneOfBalls(moved), light);
+  FrameSettings settings = frontOf(renderer, 48);
+  settings.camera.orthographic_height.reset();
+  settings.camera.distance = 3.0f;
+  set(settings, "probes", "2");
+  set(settings, "proxy", kRoom);
+  drawn(renderer, settings);
+  renderer.moveInstances(there.scene().instances);
+  const Image image = drawn(renderer, settings);
+  const Image expected = drawn(there, settings);
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 48; ++x) ASSERT_EQ(rgbaAt(image, x, y), rgbaAt(expected, x, y)) << x << ", " << y;
+}
+
+TEST_P(ProbesTest, WithoutProbesNothingChanges) {
+  Renderer renderer = rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 64));
+  FrameSettings settings = frontOf(renderer, 32);
+  const Image before = drawn(renderer, settings);
+  set(settings, "probes", "1");
+  drawn(renderer, settings);
+  set(settings, "probes", "0");
+  const Image after = drawn(renderer, settings);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) ASSERT_EQ(rgbaAt(before, x, y), rgbaAt(after, x, y)) << x << ", " << y;
+}
+
+TEST_P(ProbesTest, TheFurnaceIsWhite) {
+  Scene scene;
+  add(scene, kPair[0], mirror(glm::vec3(1.0f)), 16);
+  add(scene, kPair[1], mirror(glm::vec3(1.0f), 0.4f), 16);
+  Material glass;
+  glass.base_color = glm::vec3(1.0f);
+  glass.transmission = 1.0f;
+  glass.perceptual_roughness = 0.0f;
+  add(scene, {{0.0f, 1.8f, 0.0f}, 0.8f, {}}, glass, 16);
+  Material glossy;
+  glossy.base_color = glm::vec3(1.0f);
+  glossy.perceptual_roughness = 0.3f;
+  add(scene, {{0.0f, -1.8f, 0.0f}, 0.8f, {}}, glossy, 16);
+  Renderer renderer = rendererFor(std::move(scene), Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
+  FrameSettings settings = frontOf(renderer, 32);
+  settings.background = BackgroundKind::transparent;
+  set(settings, "probe-size", "16");
+  for (const char* probes : {"auto", "2"})
+    for (const char* refraction : {"single", "image-space", "traced"}) {
+      set(settings, "probes", probes);
+      set(settings, "refraction", refraction);
+      testing::expectFurnaceWhite(drawn(renderer, settings), std::string(probes) + " " + refraction, 4e-3f);
+    }
+}
+
+// A blend is the sum of its shares: on a ball without a probe amid two, what they show at the same direction.
+TEST_P(ProbesTest, AnObjectWithoutOneReadsABlendOfTheNearest) {
+  const Environment light(testing::smoothRadiance, 64);
+  const auto prepared = testing::prepareOnce(light);
+  SceneDrawing drawing(std::async(std::launch::deferred, surfaceBrdfTable));
+  FrameLight frame_light;
+  ASSERT_TRUE(frame_light.setEnvironment(light, *prepared, context().filtersFloats()));
+  std::vector<Ball> balls = kPair;
+  balls.push_back({{0.0f, 1.5f, 0.0f}, 0.3f, glm::vec3(1.0f)});
+  ASSERT_TRUE(drawing.setScene(sceneOfBalls(balls)));
+  FrameSettings settings;
+  set(settings, "probes", "2");
+  set(settings, "probe-size", "16");
+  FrameUniforms frame;
+  Probes probes;
+  ASSERT_TRUE(frame_light.begin(context(), drawing.scene(), drawing.bounds(), settings, frame));
+  ASSERT_TRUE(drawing.begin(context(), settings, frame));
+  ASSERT_TRUE(probes.begin(context(), drawing, frame_light.light(), settings, frame));
+  ASSERT_EQ(frame.probes->lights.size(), 3u);
+  const ReflectiveObject small{balls[2].middle, 0.3f, {}};
+  const std::vector<float> shares = probeShares(
+      small, {{frame.probes->lights[0].captured_from, 1.0f, {}}, {frame.probes->lights[1].captured_from, 1.0f, {}}});
+  const SurfaceLight& blend = frame.probes->lights[std::size_t(frame.probes->light_of_instance[2])];
+  EXPECT_EQ(blend.nearness, nullptr);
+  using Cube = const gl::Texture* SurfaceLight::*;
+  for (const Cube cube : {&SurfaceLight::environment, &SurfaceLight::prefiltered, &SurfaceLight::irradiance})
+    for (int face = 0; face < 6; ++face) {
+      const int level = (blend.*cube)->levels() - 1;
+      const Image a = (frame.probes->lights[0].*cube)->read(level, face);
+      const Image b = (frame.probes->lights[1].*cube)->read(level, face);
+      const glm::vec3 expected = shares[0] * rgbAt(a, 0, 0) + shares[1] * rgbAt(b, 0, 0);
+      EXPECT_LT(glm::distance(rgbAt((blend.*cube)->read(level, face), 0, 0), expected), 3e-3f) << face;
+    }
+}
+
+}  // namespace
+}  // namespace mirrorball

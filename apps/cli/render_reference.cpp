@@ -106,10 +106,10 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
         return fail(ErrorCode::usage, "--" + std::string(option.text.name) + " is for the reference; add --reference");
     return {};
   }
-  constexpr std::array<std::string_view, 16> kOfRenderer{
-      "resolve", "blur",       "mapping",        "reflect-at",     "turn",       "frames",
-      "texgen",  "lookup",     "texture-filter", "texture-matrix", "dispersion", "wavelengths",
-      "probes",  "probe-size", "probe-bounces",  "behind"};
+  constexpr auto kOfRenderer =
+      std::to_array<std::string_view>({"resolve", "blur", "mapping", "reflect-at", "turn", "frames", "texgen", "lookup",
+                                       "texture-filter", "texture-matrix", "dispersion", "wavelengths", "occlusion",
+                                       "self-reflection", "probes", "probe-size", "probe-bounces", "behind"});
   for (const std::string_view name : kOfRenderer)
     if (given.contains(name))
       return fail(ErrorCode::usage,

@@ -135,6 +135,7 @@ TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refuse(2, line + "--blur mip"), HasSubstr("--blur is for the renderer"));
   EXPECT_THAT(refuse(2, line + "--texture-filter nearest"), HasSubstr("--texture-filter is for the renderer"));
   EXPECT_THAT(refuse(2, line + "--texgen sphere"), HasSubstr("--texgen is for the renderer"));
+  EXPECT_THAT(refuse(2, line + "--occlusion vertex"), HasSubstr("--occlusion is for the renderer"));
   EXPECT_THAT(refuse(2, line + "--layers"), HasSubstr("write an .exr"));
   EXPECT_THAT(refuse(2, line + "--noise 0"), HasSubstr("noise"));
   EXPECT_THAT(refuse(2, line + "--time 0"), HasSubstr("time"));

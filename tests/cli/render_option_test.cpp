@@ -167,6 +167,21 @@ TEST_F(RenderOptionTest, EnvIntensityScalesAllOfTheLight) {
     EXPECT_NEAR(three.samples()[i], (i % 4 == 3 ? 1.0f : 3.0f) * one.samples()[i], 1e-3f * three.samples()[i]);
 }
 
+// In the middle of a matt bowl under a white sky: E = s + ρ (1 − s) E, of which it shows ρ E.
+TEST_F(RenderOptionTest, OcclusionIsWhatABowlSeesOfItself) {
+  const auto middle = [&](const std::string& options) {
+    succeed(
+        "render bowl -e white --camera 0,90 --size 33x33 --samples 1 --set base_color=0.5 --set specular=0 "
+        "--set occlusion_strength=0 -o bowl.exr " +
+        options);
+    return rgbAt(image("bowl.exr"), 16, 16).x;
+  };
+  EXPECT_NEAR(middle(""), 0.5f, 0.002f);
+  const float expected = 0.5f * 0.4f / (1.0f - 0.5f * (1.0f - 0.4f));
+  EXPECT_NEAR(middle("--occlusion vertex"), expected, 0.025f);
+  EXPECT_NEAR(middle("--self-reflection"), expected, 0.025f);
+}
+
 TEST_F(RenderOptionTest, TheBackgroundIsWhatItIsToldToBe) {
   const auto corner = [&](const std::string& background) {
     return rgbaAt(drawBall("--background " + background), 0, 0);

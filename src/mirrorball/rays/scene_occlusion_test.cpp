@@ -212,5 +212,29 @@ TEST(SceneOcclusion, StopsWhenTold) {
   EXPECT_TRUE(bowl.instances[0].occlusion.empty());
 }
 
+// A texture of two halves: what lies in one of them looks as that does, and on their border between both.
+TEST(SceneOcclusion, LooksAreWhatTexturesHoldAroundAVertex) {
+  Scene scene = sceneOf(gridMesh(1.0f, 4), matt(0.5f));
+  for (Vertex& vertex : scene.meshes[0].vertices)
+    vertex.uv[0] = 0.5f + 0.5f * glm::vec2(vertex.position.x, vertex.position.z);
+  Texture halves{.image = Image8(64, 1, 4)};
+  for (int x = 0; x < 64; ++x)
+    for (int channel = 0; channel < 4; ++channel) halves.image.texel(x, 0)[channel] = x < 32 ? 0 : 255;
+  scene.textures.push_back(std::move(halves));
+  scene.materials[0].base_color_map.texture = 0;
+  scene.materials[0].emission = glm::vec3(3.0f);
+  const auto geometry = Geometry::make(scene);
+  ASSERT_TRUE(geometry);
+  ASSERT_TRUE(findOcclusion(scene, *geometry, {.rays = 1, .finds_looks = true}));
+  ASSERT_THAT(scene.instances[0].looks, SizeIs(scene.meshes[0].vertices.size()));
+  for (std::size_t v = 0; v < scene.meshes[0].vertices.size(); ++v) {
+    const VertexLook& look = scene.instances[0].looks[v];
+    const float x = scene.meshes[0].vertices[v].position.x;
+    const float expected = x < -0.1f ? 0.0f : (x > 0.1f ? 0.5f : 0.25f);
+    EXPECT_NEAR(look.base_color.x, expected, x > -0.1f && x < 0.1f ? 0.13f : 0.01f) << x;
+    EXPECT_EQ(look.emission, glm::vec3(3.0f));
+  }
+}
+
 }  // namespace
 }  // namespace mirrorball

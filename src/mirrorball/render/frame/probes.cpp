@@ -29,6 +29,7 @@ FrameSettings settingsOfFace(const FrameSettings& settings) {
   of_face.resolve = Resolve::radiance;
   of_face.background = BackgroundKind::environment;
   of_face.background_color = glm::vec3(0.0f);
+  of_face.proxy.ground_roughness = 1.0f;  // objects see no image in the ground that they reflect
   if (of_face.behind == BehindKind::screen)
     of_face.behind = BehindKind::probes;  // a face does not show what is beside it
   return of_face;
@@ -136,6 +137,7 @@ void Probes::tell(const SceneDrawing& drawing, const FrameSettings& settings) {
     for (const int instance : object.instances) {
       const bool is_seen_through = materialOf(drawing.scene(), std::size_t(instance)).transmission > 0.0f;
       if (settings.behind == BehindKind::far && is_seen_through) continue;
+      if (settings.self_reflection && !is_seen_through) continue;  // its rays meet the others themselves
       uniforms_.light_of_instance[std::size_t(instance)] = static_cast<int>(uniforms_.lights.size());
     }
     uniforms_.lights.push_back(light);

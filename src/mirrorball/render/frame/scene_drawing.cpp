@@ -22,8 +22,8 @@ glm::vec3 centerOf(const Mesh& mesh) {
 }
 
 /// Whether the ground behind the scene is seen, and polished.
-bool showsGroundMirror(const FrameUniforms& frame, const FrameSettings& settings) {
-  return settings.background == BackgroundKind::environment && frame.proxy->proxy().mirrorsScene();
+bool showsGroundMirror(const FrameSettings& settings) {
+  return settings.background == BackgroundKind::environment && settings.proxy.mirrorsScene();
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ Result<void> SceneDrawing::drawReliefHits(const FrameSettings& settings, FrameUn
 
 Result<void> SceneDrawing::draw(const gl::Framebuffer& target, const EnvironmentLight& light,
                                 const FrameUniforms& frame, const FrameSettings& settings) {
-  if (showsGroundMirror(frame, settings)) MIRRORBALL_TRY_VOID(drawMirrored(light, frame, settings));
+  if (showsGroundMirror(settings)) MIRRORBALL_TRY_VOID(drawMirrored(light, frame, settings));
   return drawOnce(target, light, frame, settings);
 }
 
@@ -246,7 +246,7 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   }
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
     background_.draw(light, frame, settings);
-  if (showsGroundMirror(frame, settings)) ground_mirror_->draw(frame, settings, box_);
+  if (showsGroundMirror(settings)) ground_mirror_->draw(frame, settings, box_);
   if (!seeing_screen.empty()) MIRRORBALL_TRY_VOID(copyScreen(target, light, frame, settings));
   for (const int instance : seeing_screen) drawInstance(instance, frame, settings);
   drawBlended(frame, settings);

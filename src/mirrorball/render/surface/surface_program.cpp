@@ -79,10 +79,12 @@ int materialOf(const Scene& scene, int instance) {
   return scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)].material;
 }
 
-/// Chooses what reads a probe's light in place of the environment's: by cube samplers, however that is read.
+/// Chooses what reads a probe's light in place of the environment's: by cube samplers, however that is read. What a
+/// probe shows of other objects does not hide the environment once more.
 void readProbe(SurfaceVariant& variant, const SurfaceLight& probe) {
   variant.choose(Part::proxy, probe.nearness ? ProxyPart::captured : ProxyPart::none);
   variant.choose(Part::arriving_light, ArrivingLightPart::distant);
+  if (variant.has(Part::sky, SkyPart::past_scene)) variant.choose(Part::sky, SkyPart::open);
 }
 
 /// As shaders/surface/transmission_traced.glsl reads them.

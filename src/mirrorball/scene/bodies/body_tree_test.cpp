@@ -132,5 +132,71 @@ TEST(BodyTree, HasBodiesAloneAndWhatIsFinite) {
   EXPECT_LT(formula::nearestTriangle(words, glm::vec3(0.0f), {0, 1, 0}, 0.0f, -1, formula::kNarrowMargin).triangle, 0);
 }
 
+/// A knot and a cube whose vertices each know something else.
+Scene withLooks() {
+  Scene scene = sceneOf(knotMesh(24, 8));
+  scene.meshes.push_back(cubeMesh());
+  scene.instances.push_back({.mesh = 1, .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(3, 0, 0))});
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  const auto any = [&] { return glm::vec3(unit(random), unit(random), unit(random)); };
+  for (Instance& instance : scene.instances)
+    for (std::size_t v = 0; v < scene.meshes[std::size_t(instance.mesh)].vertices.size(); ++v) {
+      instance.occlusion.push_back({any(), unit(random), any()});
+      instance.looks.push_back({any(), unit(random), 9.0f * any(), unit(random)});
+    }
+  return scene;
+}
+
+// What the tree tells at a corner of a triangle is what its vertex knows, as half floats hold it.
+TEST(SceneTree, TellsWhatVerticesKnow) {
+  const Scene scene = withLooks();
+  const auto tree = sceneTree(scene);
+  ASSERT_TRUE(tree && *tree);
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+    for (std::size_t first = 0; first < mesh.indices.size(); first += 30) {
+      const auto corner = [&](std::size_t k) { return mesh.indices[first + k]; };
+      const auto place = [&](std::size_t k) {
+        return glm::vec3(instance.world_from_object * glm::vec4(mesh.vertices[corner(k)].position, 1.0f));
+      };
+      const glm::vec3 normal = glm::normalize(glm::cross(place(1) - place(0), place(2) - place(0)));
+      const glm::vec3 beside_corner = glm::mix((place(0) + place(1) + place(2)) / 3.0f, place(2), 0.98f);
+      const auto hit =
+          formula::nearestTriangle(**tree, beside_corner + 1e-3f * normal, -normal, 0.0f, -1, formula::kNarrowMargin);
+      ASSERT_GE(hit.triangle, 0);
+      const formula::SceneSurface met = formula::sceneSurfaceAt(**tree, hit);
+      const VertexOcclusion& occlusion = instance.occlusion[corner(2)];
+      const VertexLook& look = instance.looks[corner(2)];
+      const float near = 0.02f;  // of values up to 1
+      EXPECT_NEAR(glm::distance(glm::vec3(met.hidden), occlusion.hidden), 0.0f, near);
+      EXPECT_NEAR(met.hidden.w, occlusion.open, near);
+      EXPECT_NEAR(glm::distance(met.shown, occlusion.shown), 0.0f, near);
+      EXPECT_NEAR(glm::distance(met.base_color, look.base_color), 0.0f, near);
+      EXPECT_NEAR(glm::distance(met.emission, look.emission), 0.0f, 9.0f * near);
+      EXPECT_NEAR(met.metallic, look.metallic, near);
+      EXPECT_NEAR(met.perceptual_roughness, look.perceptual_roughness, near);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 10u);
+}
+
+TEST(SceneTree, LeavesOutWhatIsSeenThroughAndWhatIsNotKnown) {
+  Scene scene = withLooks();
+  scene.instances[0].looks.clear();
+  const auto of_cube = sceneTree(scene);
+  ASSERT_TRUE(of_cube && *of_cube);
+  const auto hit =
+      formula::nearestTriangle(**of_cube, glm::vec3(-9, 0, 0), glm::vec3(1, 0, 0), 0.0f, -1, formula::kNarrowMargin);
+  EXPECT_NEAR(hit.distance, 12.0f - 1.0f / std::sqrt(3.0f), 1e-4f);
+  scene.materials[0].transmission = 1.0f;
+  const auto nothing = sceneTree(scene);
+  ASSERT_TRUE(nothing);
+  EXPECT_FALSE(*nothing);
+}
+
 }  // namespace
 }  // namespace mirrorball

@@ -35,6 +35,8 @@ struct ProxyOptions {
   std::optional<glm::vec3> captured_at = {};  ///< where the map was; without it the middle, or above the model
 
   bool operator==(const ProxyOptions&) const = default;
+  /// Whether its ground is polished, so that it shows the scene (formula/proxy/glossy_ground.glsl).
+  bool mirrorsScene() const { return kind == ProxyKind::ground && ground_roughness < 1.0f; }
 };
 
 /// "box:-2,0,-2,2,3,2", "sphere:0,0,0,5", "ground", "ground:1.6", "ground:1.6,20", "room.glb", "none".
@@ -60,8 +62,6 @@ struct Proxy {
   /// The nearest place within, which what is seen from there is right for; of a mesh the place itself.
   glm::vec3 within(glm::vec3 place) const;
   bool holds(glm::vec3 place) const { return within(place) == place; }
-  /// Whether its ground is polished, so that it shows the scene (formula/proxy/glossy_ground.glsl).
-  bool mirrorsScene() const { return kind == ProxyKind::ground && ground_roughness < 1.0f; }
 };
 
 /// The ground lies below the scene's lowest point, and its panorama's camera stands above the middle of the scene.

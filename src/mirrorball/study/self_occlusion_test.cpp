@@ -1,0 +1,153 @@
+// What objects hide from themselves and show to themselves, drawn, against paths.
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/gl/gl_testing.h"
+#include "mirrorball/metric/image_error.h"
+#include "mirrorball/rays/scene_occlusion.h"
+#include "mirrorball/render/render_testing.h"
+#include "mirrorball/scene/camera/framing.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+#include "mirrorball/scene/shapes/interreflection.h"
+#include "mirrorball/study/traced_frame.h"
+#include "mirrorball/trace/path_tracer.h"
+
+namespace mirrorball {
+namespace {
+
+class SelfOcclusion : public testing::HeadlessTest {
+ protected:
+  static Image drawn(Scene scene, const Environment& environment, const FrameSettings& frame) {
+    const auto draw = [&]() -> Result<Image> {
+      MIRRORBALL_TRY(geometry, Geometry::make(scene));
+      MIRRORBALL_TRY_VOID(findOcclusion(scene, geometry, {.rays = 24, .finds_looks = true}));
+      MIRRORBALL_TRY(prepared, testing::prepareOnce(environment));
+      MIRRORBALL_TRY(renderer, testing::rendererOf(std::move(scene), environment, prepared));
+      return renderer.renderRadiance(frame);
+    };
+    return valueOf(draw());
+  }
+
+  static Image traced(const Scene& scene, const Environment& environment, const FrameSettings& frame) {
+    const auto trace = [&]() -> Result<Image> {
+      MIRRORBALL_TRY(camera, framedCamera(scene, boundingSphere(scene), frame.camera, frame.size));
+      MIRRORBALL_TRY(tracer, PathTracer::make(scene, environment));
+      MIRRORBALL_TRY(picture, tracer.render(camera, tracedFrame(frame, {.samples = 64})));
+      return std::move(picture.radiance);
+    };
+    return valueOf(trace());
+  }
+
+  static double rmse(const Image& a, const Image& b) { return std::sqrt(imageError(a, b).mean_square); }
+
+ private:
+  static Image valueOf(Result<Image> image) {
+    if (image) return std::move(*image);
+    ADD_FAILURE() << image.error().message;
+    return Image(1, 1, 4);
+  }
+};
+
+/// Into a bowl from above.
+FrameSettings shotIntoBowl() {
+  FrameSettings frame;
+  frame.size = {48, 48};
+  frame.samples = 16;
+  testing::aim(frame, 30.0f, 50.0f);
+  return frame;
+}
+
+FrameSettings with(FrameSettings frame, OcclusionKind occlusion, bool reflects) {
+  frame.occlusion = occlusion;
+  frame.self_reflection = reflects;
+  return frame;
+}
+
+Environment studioLight() { return *builtinEnvironment("studio"); }
+
+// Of what it sees, the inside of the bowl sees more than half of itself.
+TEST_F(SelfOcclusion, ABowlIsNearerToThePathsByAFactor) {
+  const Environment light = studioLight();
+  const FrameSettings frame = shotIntoBowl();
+  const Image truth = traced(bowlScene(), light, frame);
+  const double without = rmse(drawn(bowlScene(), light, with(frame, OcclusionKind::none, false)), truth);
+  const double known = rmse(drawn(bowlScene(), light, with(frame, OcclusionKind::vertex, false)), truth);
+  EXPECT_LT(known, 0.4 * without) << known << " after " << without;
+}
+
+TEST_F(SelfOcclusion, MirrorsThatReflectEachOtherAreNearerToThePaths) {
+  const Environment light = studioLight();
+  FrameSettings frame = shotIntoBowl();
+  testing::aim(frame, 30.0f, 15.0f);
+  const Image truth = traced(spheresScene(), light, frame);
+  const double without = rmse(drawn(spheresScene(), light, with(frame, OcclusionKind::none, false)), truth);
+  const double known = rmse(drawn(spheresScene(), light, with(frame, OcclusionKind::vertex, false)), truth);
+  const double reflected = rmse(drawn(spheresScene(), light, with(frame, OcclusionKind::vertex, true)), truth);
+  EXPECT_LT(known, 1.02 * without) << "what vertices know must not harm a mirror";
+  EXPECT_LT(reflected, 0.5 * without) << reflected << " after " << without;
+}
+
+TEST_F(SelfOcclusion, RoughMetalReflectsItself) {
+  const Environment light = studioLight();
+  const FrameSettings frame = shotIntoBowl();
+  Scene bowl = bowlScene();
+  bowl.materials[0] = *materialNamed("gold");
+  bowl.materials[0].perceptual_roughness = 0.5f;
+  const Image truth = traced(bowl, light, frame);
+  const double without = rmse(drawn(bowl, light, with(frame, OcclusionKind::none, false)), truth);
+  const double reflected = rmse(drawn(bowl, light, with(frame, OcclusionKind::vertex, true)), truth);
+  EXPECT_LT(reflected, 0.6 * without) << reflected << " after " << without;
+}
+
+// The light of a bowl that reflects all of it has nowhere else to go.
+TEST_F(SelfOcclusion, AWhiteBowlIsWhiteInTheFurnace) {
+  const Environment white = *builtinEnvironment("white");
+  for (const float metallic : {0.0f, 1.0f})
+    for (const float roughness : {0.0f, 0.6f})
+      for (const bool reflects : {false, true}) {
+        Scene bowl = bowlScene();
+        bowl.materials[0] = Material{};
+        bowl.materials[0].base_color = glm::vec3(1.0f);
+        bowl.materials[0].metallic = metallic;
+        bowl.materials[0].perceptual_roughness = roughness;
+        FrameSettings frame = with(shotIntoBowl(), OcclusionKind::vertex, reflects);
+        frame.background = BackgroundKind::transparent;
+        frame.samples = 1;
+        testing::expectFurnaceWhite(drawn(bowl, white, frame),
+                                    "metallic " + std::to_string(metallic) + " roughness " + std::to_string(roughness) +
+                                        (reflects ? " reflecting itself" : ""),
+                                    4e-3f);
+      }
+}
+
+// A scene of which nothing is known is drawn as ever.
+TEST_F(SelfOcclusion, NothingIsHiddenWhereNothingIsKnown) {
+  const Environment light = studioLight();
+  const FrameSettings frame = shotIntoBowl();
+  const auto draw = [&](const FrameSettings& settings) {
+    const auto prepared = testing::prepareOnce(light);
+    auto renderer = testing::rendererOf(bowlScene(), light, *prepared);
+    return *renderer->renderRadiance(settings);
+  };
+  EXPECT_EQ(rmse(draw(with(frame, OcclusionKind::vertex, true)), draw(with(frame, OcclusionKind::none, false))), 0.0);
+}
+
+// The shaders are the same text, and ES 3.0 has room for what vertices tell; only the drivers' arithmetic may differ.
+TEST_F(SelfOcclusion, Es30DrawsTheSameAsDesktop) {
+  Image pictures[2];
+  for (const gl::Api api : {gl::Api::desktop43, gl::Api::es30}) {
+    MIRRORBALL_NEEDS_GL(context, api);
+    FrameSettings frame = with(shotIntoBowl(), OcclusionKind::vertex, true);
+    frame.samples = 1;
+    pictures[api == gl::Api::es30] = drawn(bowlScene(), studioLight(), frame);
+  }
+  EXPECT_LT(rmse(pictures[0], pictures[1]), 1e-3);
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -31,8 +31,8 @@ TEST_F(OutputTest, RenderAloneDrawsTheShowcase) {
   EXPECT_EQ(picture.width(), 1280);
   EXPECT_EQ(picture.height(), 720);
   succeed(
-      "render showcase -e sunset --env-rotation 270 --proxy ground:2.5 --refraction auto -o told.png --camera 30,12 "
-      "--size 1280x720");
+      "render showcase -e sunset --env-rotation 270 --proxy ground:2.5 --ground-roughness 0.2 --refraction auto "
+      "-o told.png --camera 30,12 --size 1280x720");
   EXPECT_TRUE(bytes("told.png") == bytes("mirrorball.png"));
 }
 

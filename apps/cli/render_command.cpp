@@ -193,6 +193,8 @@ void setTheStage(RenderRequest& request) {
     ground.height = 2.5f;
     if (isFree("ground-roughness")) ground.ground_roughness = 0.2f;
   }
+  // The mirror ball and the teapot show their neighbours.
+  if (isFree("self-reflection") && isFree("occlusion") && isFree("probes")) request.frame.self_reflection = true;
   if (isFree("refraction")) request.frame.refraction = RefractionKind::automatic;
   if (isFree("camera")) request.frame.camera.elevation_deg = 12.0f;
 }

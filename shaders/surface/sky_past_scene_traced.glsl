@@ -59,10 +59,22 @@ void reflectScene(SurfacePoint point, vec3 across, vec3 direction, inout vec3 fo
     found = lightOfScene(origin + hit.distance * direction, direction, sceneSurfaceAt(scene_triangles, hit));
 }
 
+// From so many samples on, the rays of rough surfaces make no speckles.
+const float kSamplesOfRough = 16.0;
+
+// How much the rays count beside what the vertices know.
+float shareOfRays(Surface s) {
+  if (samples_per_pixel >= kSamplesOfRough) return 1.0;
+  return 1.0 - smoothstep(0.15, 0.3, s.material.perceptual_roughness);
+}
+
 vec3 litByEnvironment(Surface s, SurfacePoint point, vec3 transmitted, vec3 on_cloth) {
   vec3 across = cross(dFdx(point.position), dFdy(point.position));
-  vec3 reflected = reflectedLight(s, point);
-  if (dot(across, across) > 0.0) reflectScene(point, across, sampledReflection(s, point), reflected);
   LightPastScene light = lightAtPoint(s, point, vertex_hidden, vertex_shown);
-  return shadedPastScene(light, s, reflected, transmitted, on_cloth);
+  vec3 of_environment = reflectedLight(s, point);
+  vec3 found = of_environment;
+  float share = dot(across, across) > 0.0 ? shareOfRays(s) : 0.0;
+  if (share > 0.0) reflectScene(point, across, sampledReflection(s, point), found);
+  vec3 reflected = reflectedPastScene(light, s, reflect(point.ray, s.normal), of_environment);
+  return shadedPastScene(light, s, mix(reflected, found, share), transmitted, on_cloth);
 }

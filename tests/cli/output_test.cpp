@@ -32,6 +32,7 @@ TEST_F(OutputTest, RenderAloneDrawsTheShowcase) {
   EXPECT_EQ(picture.height(), 720);
   succeed(
       "render showcase -e sunset --env-rotation 270 --proxy ground:2.5 --ground-roughness 0.2 --refraction auto "
+      "--self-reflection "
       "-o told.png --camera 30,12 --size 1280x720");
   EXPECT_TRUE(bytes("told.png") == bytes("mirrorball.png"));
 }

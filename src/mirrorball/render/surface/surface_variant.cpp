@@ -147,13 +147,22 @@ bool reflectsAtFragment(const FrameSettings& settings, const CoordinateChoice& c
   return is_reflection && !coordinates.is_sphere_map;
 }
 
+/// Rays into wide lobes are speckles until there are many, and cost as much as others.
+bool raysAreCalm(const Material& material, const FrameSettings& settings) {
+  constexpr int kSamplesOfRough = 16;
+  constexpr float kSmooth = 0.3f;  // sky_past_scene_traced.glsl has no rays from there on
+  const bool is_rough = material.perceptual_roughness >= kSmooth && material.roughness_map.texture < 0;
+  return settings.samples >= kSamplesOfRough || !is_rough;
+}
+
 /// What vertices know is said of the triangles; relief in them tells of more. What transmits reads its bodies where
 /// others read the scene.
-SkyPart skyPart(const SurfaceVariant& variant, const FrameSettings& settings, const CoordinateChoice& coordinates) {
+SkyPart skyPart(const SurfaceVariant& variant, const Material& material, const FrameSettings& settings,
+                const CoordinateChoice& coordinates) {
   if (!variant.has(Part::point, PointPart::raster)) return SkyPart::over_horizons;
   if (settings.occlusion == OcclusionKind::none) return SkyPart::open;
   const bool is_traced = settings.self_reflection && reflectsAtFragment(settings, coordinates) &&
-                         variant.has(Part::transmission, TransmissionPart::none);
+                         variant.has(Part::transmission, TransmissionPart::none) && raysAreCalm(material, settings);
   return is_traced ? SkyPart::past_scene_traced : SkyPart::past_scene;
 }
 
@@ -347,7 +356,7 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   variant.choose(Part::dispersion, dispersionPart(material, settings));
   variant.choose(Part::behind, behindPart(material, variant.maps, settings));
   variant.choose(Part::transmission, transmissionPart(material, settings));
-  variant.choose(Part::sky, skyPart(variant, settings, coordinates));
+  variant.choose(Part::sky, skyPart(variant, material, settings, coordinates));
   variant.choose(Part::lamps, lamps == 0 ? LampsPart::none : LampsPart::listed);
   variant.lamp_count = static_cast<std::uint8_t>(lamps);
   return variant;

@@ -191,12 +191,13 @@ void setTheStage(RenderRequest& request) {
   if (isFree("proxy")) {
     ground.kind = ProxyKind::ground;
     ground.height = 2.5f;
-    if (isFree("ground-roughness")) ground.ground_roughness = 0.2f;
+    if (isFree("ground-roughness")) ground.ground_roughness = 0.3f;
   }
   // The mirror ball and the teapot show their neighbours.
   if (isFree("self-reflection") && isFree("occlusion") && isFree("probes")) request.frame.self_reflection = true;
+  if (isFree("behind")) request.frame.behind = BehindKind::screen;
   if (isFree("refraction")) request.frame.refraction = RefractionKind::automatic;
-  if (isFree("camera")) request.frame.camera.elevation_deg = 12.0f;
+  if (isFree("camera")) request.frame.camera.elevation_deg = 9.0f;
 }
 
 Result<void> render(const RenderRequest& request) {

@@ -61,6 +61,12 @@ Result<const gl::Texture*> SceneDrawing::drawNearness(const FrameUniforms& frame
 /// What has been drawn until now, for the surfaces that see it through themselves.
 Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light,
                                       FrameUniforms& frame, const FrameSettings& settings) {
+  frame.screen_unit = bounds_.radius;
+  // The first sample's does for all: the next are shifted by less than a pixel.
+  if (frame.sample > 0) {
+    frame.opaque_picture = &opaque_picture_->picture();
+    return surfaces_->begin(scene_, buffers_, light, frame, settings);
+  }
   MIRRORBALL_TRY_VOID(makeNearness());
   if (!opaque_picture_) {
     MIRRORBALL_TRY(made, OpaquePicture::make(surfaces_->api()));
@@ -74,7 +80,6 @@ Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const Envir
   MIRRORBALL_TRY_VOID(nearness_->draw(scene_, buffers_, of_opaque, bounds_.radius, settings.size));
   MIRRORBALL_TRY_VOID(opaque_picture_->take(target.color(), nearness_->picture()));
   frame.opaque_picture = &opaque_picture_->picture();
-  frame.screen_unit = bounds_.radius;
   target.bind();
   glEnable(GL_DEPTH_TEST);
   return surfaces_->begin(scene_, buffers_, light, frame, settings);
@@ -217,6 +222,7 @@ Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUnif
   frame.camera = ground_mirror_->below();
   frame.eye_media = {};
   settings.background = BackgroundKind::transparent;
+  if (settings.behind == BehindKind::screen) settings.behind = BehindKind::probes;  // which is another camera's
   return drawOnce(*picture, light, frame, settings);
 }
 

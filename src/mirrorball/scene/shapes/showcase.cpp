@@ -54,12 +54,12 @@ Scene shapeOf(Mesh mesh, std::string_view material) { return sceneOf(std::move(m
 
 Scene showcaseScene() {
   Scene all;
-  addStanding(all, shapeOf(sphereMesh(), "mirror"), {{-0.05f, -0.55f}, 0.74f});
-  addStanding(all, shapeOf(teapotMesh(), "gold"), {{-1.02f, 0.15f}, 0.66f, turned(-155.0f, kY)});
-  addStanding(all, shapeOf(knotMesh(), "rough-metal"), {{-1.22f, -0.85f}, 0.66f, turned(25.0f, kY)});
+  addStanding(all, shapeOf(sphereMesh(), "mirror"), {{0.05f, -0.80f}, 0.74f});
+  addStanding(all, shapeOf(teapotMesh(), "gold"), {{-1.20f, 0.30f}, 0.66f, turned(-155.0f, kY)});
+  addStanding(all, shapeOf(knotMesh(), "rough-metal"), {{1.25f, -0.60f}, 0.66f, turned(25.0f, kY)});
   Scene tumbler = tumblerWaterScene();
   for (Material& material : tumbler.materials) material.dispersion = 0.0f;  // which is not to be seen, and costs
-  addStanding(all, std::move(tumbler), {{0.92f, 0.30f}, 0.42f});
+  addStanding(all, std::move(tumbler), {{0.86f, 0.52f}, 0.42f});
   addStanding(all, shapeOf(sphereMesh(), "orange"), {{0.10f, 0.72f}, 0.26f, turned(30.0f, kX)});
   // It lies on its pavilion and the edge of its girdle.
   addStanding(all, shapeOf(brilliantMesh(), "diamond"),

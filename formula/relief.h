@@ -3,8 +3,8 @@
 /// Height fields: the built-in bumpy surfaces, slopes and normals, and where rays meet them. How these files are read:
 /// formula/formula.h.
 
-#include "formula/constants.h"
 #include "formula/box.h"
+#include "formula/constants.h"
 #include "formula/grid_random.h"
 #include "formula/surface.h"
 //

@@ -89,7 +89,7 @@ TEST_F(InterruptRenderTest, ATurntableLeavesWholePictures) {
 }
 
 TEST_F(InterruptRenderTest, ATurntableThatHasNoPictureYetSaysSo) {
-  const std::string line = "render showcase --size 512x512 --samples 4096 --frames 200 -o turn.png";
+  const std::string line = "render showcase -e white --size 512x512 --samples 4096 --frames 200 -o turn.png";
   Program program({.arguments = Arguments(line).words, .folder = path(""), .cores = 1});
   program.waitUntilItCatchesInterrupts();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -50,6 +50,13 @@ void main() {
     if (share <= 0.0 || way.x >= way.y) continue;
     vec4 from = texelOf(ground.place + way.x * mirrored);
     vec4 to = texelOf(ground.place + way.y * mirrored);
+    // A ray that comes back towards the eye is followed until it is beside the picture's camera.
+    float least = 1e-3 * abs(from.w);
+    if (from.w <= 0.0) continue;
+    if (to.w < least) {
+      way.y = mix(way.x, way.y, (from.w - least) / (from.w - to.w));
+      to = texelOf(ground.place + way.y * mirrored);
+    }
     vec3 met = hitInMirrorPicture(mirror_depths, from.xyz, to.xyz);
     if (met.z < 0.0) continue;
     // What lies between the rays is seen by them through mip levels (Křivánek & Colbert 2008).

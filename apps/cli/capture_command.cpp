@@ -231,7 +231,7 @@ Command captureCommand() {
   addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {
-    request->scene.relief = request->look.relief;
+    prepareFor(request->look, request->scene);
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->output.output,
                                [&] { return capture(*request); });
   };

@@ -253,10 +253,7 @@ Command renderCommand() {
   addOptions(command, materialOptions(), request->materials, &request->given);
   command.action = [request] {
     setTheStage(*request);
-    request->scene.relief = request->frame.relief;
-    if (request->frame.self_reflection) request->frame.occlusion = OcclusionKind::vertex;
-    request->scene.self_reflection = request->frame.self_reflection;
-    request->scene.occlusion = request->frame.occlusion;
+    prepareFor(request->frame, request->scene);
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });
   };

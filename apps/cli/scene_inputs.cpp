@@ -108,6 +108,13 @@ Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given)
   return {};
 }
 
+void prepareFor(FrameSettings& settings, SceneRequest& scene) {
+  if (settings.self_reflection) settings.occlusion = OcclusionKind::vertex;
+  scene.relief = settings.relief;
+  scene.self_reflection = settings.self_reflection;
+  scene.occlusion = settings.occlusion;
+}
+
 Result<void> checkProxyOptions(const ProxyOptions& proxy) {
   if (proxy.ground_roughness < 1.0f && proxy.kind != ProxyKind::ground)
     return fail(ErrorCode::usage, "--ground-roughness is of the ground below the model; add --proxy ground");

@@ -36,6 +36,9 @@ void addModel(Command& command, std::string_view name, SceneRequest& request);
 /// errors   usage: an option was given that a model's own camera leaves nothing to
 Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given);
 
+/// Says of a scene what is to be prepared of it for pictures that look so.
+void prepareFor(FrameSettings& settings, SceneRequest& scene);
+
 /// errors   usage: the place of a capture was given without a proxy, or how rough a ground is without one
 Result<void> checkProxyOptions(const ProxyOptions& proxy);
 

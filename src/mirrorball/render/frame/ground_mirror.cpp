@@ -29,17 +29,36 @@ Result<GroundMirror> GroundMirror::make(gl::Api api, ProxyUniforms& proxy) {
   proxy.connectBlock(program);
   program.set("mirror_picture", TextureUnit::mirror_picture);
   program.set("mirror_depths", TextureUnit::mirror_depths);
-  return GroundMirror(std::move(program));
+  MIRRORBALL_TRY(to_halves, gl::Program::load(api, "screen.vert", "half_picture.frag"));
+  to_halves.set("picture", TextureUnit::mirror_picture);
+  return GroundMirror(std::move(program), std::move(to_halves));
 }
 
 Result<const gl::Framebuffer*> GroundMirror::begin(const Camera& camera, float ground, const BoundingSphere& bounds,
                                                    glm::ivec2 size) {
   below_ = mirroredBelow(camera, ground, bounds);
   if (!picture_ || picture_->width() != size.x || picture_->height() != size.y) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba16f, size.x, size.y, true, kLevels));
+    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, true));
     picture_ = std::move(made);
   }
   return &*picture_;
+}
+
+Result<void> GroundMirror::finish(bool is_blurred) {
+  if (!halves_ || halves_->width() != picture_->width() || halves_->height() != picture_->height()) {
+    MIRRORBALL_TRY(made,
+                   gl::Framebuffer::make(gl::Format::rgba16f, picture_->width(), picture_->height(), false, kLevels));
+    halves_ = std::move(made);
+  }
+  halves_->bind();
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  picture_->color().bind(TextureUnit::mirror_picture);
+  to_halves_.use();
+  screen_.draw(3);
+  if (is_blurred) halves_->makeLevels();
+  return {};
 }
 
 void GroundMirror::draw(const FrameUniforms& frame, const FrameSettings& settings, const Box& scene) {
@@ -60,8 +79,7 @@ void GroundMirror::draw(const FrameUniforms& frame, const FrameSettings& setting
   program_.set("first_tap", frame.sample * taps);
   program_.set("taps_of_pixel", static_cast<float>(taps * settings.samples));
   program_.set("pixels_per_slope", 0.5f * static_cast<float>(picture_->height()) * camera.clip_from_view[1][1]);
-  if (alpha > 0.0f) picture_->makeLevels();
-  picture_->color().bind(TextureUnit::mirror_picture);
+  halves_->color().bind(TextureUnit::mirror_picture);
   picture_->depth().bind(TextureUnit::mirror_depths);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);

@@ -31,6 +31,10 @@ class GroundMirror {
   Result<const gl::Framebuffer*> begin(const Camera& camera, float ground, const BoundingSphere& bounds,
                                        glm::ivec2 size);
   const Camera& below() const { return below_; }
+  /// Makes what is read of that picture, with mip levels if it is to be blurred.
+  ///
+  /// errors   too_large
+  Result<void> finish(bool is_blurred);
 
   /// Lays the mirror image over the ground where nothing is drawn before it.
   ///
@@ -39,11 +43,14 @@ class GroundMirror {
   void draw(const FrameUniforms& frame, const FrameSettings& settings, const Box& scene);
 
  private:
-  explicit GroundMirror(gl::Program program) : program_(std::move(program)) {}
+  GroundMirror(gl::Program program, gl::Program to_halves)
+      : program_(std::move(program)), to_halves_(std::move(to_halves)) {}
 
   gl::Program program_;
+  gl::Program to_halves_;
   gl::VertexArray screen_;
-  std::optional<gl::Framebuffer> picture_;
+  std::optional<gl::Framebuffer> picture_;  ///< of floats, with depths
+  std::optional<gl::Framebuffer> halves_;   ///< the same light, filtered
   Camera below_;
 };
 

@@ -1,5 +1,6 @@
 // The mirror image of a scene in a polished ground; its truth is traced in trace/surroundings_test.cpp.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -112,6 +113,19 @@ TEST_F(GroundMirrorTest, ARoughGroundBlursTheImageAndKeepsItsLight) {
     }
   EXPECT_NEAR(sums[1], sums[0], 0.25 * sums[0]);
   EXPECT_GT(between, 100) << "its edge is soft";
+}
+
+// Light above the largest half float stays a number where it is blurred.
+TEST_F(GroundMirrorTest, AMirroredSunIsFinite) {
+  const Image image = drawn(lampBall(1e6f), 1e-4f, onGround("0.35"));
+  float brightest = 0.0f;
+  for (int y = 60; y < 80; ++y)
+    for (int x = 0; x < 80; ++x) {
+      ASSERT_TRUE(std::isfinite(image.texel(x, y)[0])) << x << ", " << y;
+      brightest = std::max(brightest, image.texel(x, y)[0]);
+    }
+  EXPECT_GT(brightest, 1e3f);
+  EXPECT_LE(brightest, 65504.0f);
 }
 
 }  // namespace

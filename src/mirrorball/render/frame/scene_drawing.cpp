@@ -82,7 +82,9 @@ Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const Envir
   frame.opaque_picture = &opaque_picture_->picture();
   target.bind();
   glEnable(GL_DEPTH_TEST);
-  return surfaces_->begin(scene_, buffers_, light, frame, settings);
+  MIRRORBALL_TRY_VOID(surfaces_->begin(scene_, buffers_, light, frame, settings));
+  frame.proxy->bind();  // whose unit the copying has taken
+  return {};
 }
 
 void SceneDrawing::moveInstances(const std::vector<Instance>& instances) {
@@ -223,7 +225,8 @@ Result<void> SceneDrawing::drawMirrored(const EnvironmentLight& light, FrameUnif
   frame.eye_media = {};
   settings.background = BackgroundKind::transparent;
   if (settings.behind == BehindKind::screen) settings.behind = BehindKind::probes;  // which is another camera's
-  return drawOnce(*picture, light, frame, settings);
+  MIRRORBALL_TRY_VOID(drawOnce(*picture, light, frame, settings));
+  return ground_mirror_->finish(is_blurred);
 }
 
 Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,

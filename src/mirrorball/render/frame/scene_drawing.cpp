@@ -62,11 +62,6 @@ Result<const gl::Texture*> SceneDrawing::drawNearness(const FrameUniforms& frame
 Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light,
                                       FrameUniforms& frame, const FrameSettings& settings) {
   frame.screen_unit = bounds_.radius;
-  // The first sample's does for all: the next are shifted by less than a pixel.
-  if (frame.sample > 0) {
-    frame.opaque_picture = &opaque_picture_->picture();
-    return surfaces_->begin(scene_, buffers_, light, frame, settings);
-  }
   MIRRORBALL_TRY_VOID(makeNearness());
   if (!opaque_picture_) {
     MIRRORBALL_TRY(made, OpaquePicture::make(surfaces_->api()));

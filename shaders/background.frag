@@ -2,17 +2,12 @@
 #include "filter_kind.glsl"
 #include "reflection_lobe.glsl"
 #include "sampling.glsl"
+#include "eye_ray.glsl"
 #include "part: proxy"
-
-in vec2 screen;
 
 uniform samplerCube environment;
 uniform mat3 environment_from_world;
 uniform float environment_intensity;
-uniform mat4 world_from_clip;
-uniform vec3 camera_position;
-uniform vec3 camera_forward;
-uniform float orthographic;
 uniform float texels_per_radian;
 uniform float samples_per_pixel;
 uniform int texture_filter;    // of filter_kind.glsl
@@ -22,13 +17,8 @@ uniform float lobe_roughness;  // blurs by the mip levels; 0: not
 out vec4 fragment;
 
 void main() {
-  vec4 near_point = world_from_clip * vec4(screen, -1.0, 1.0);
-  vec4 far_point = world_from_clip * vec4(screen, 1.0, 1.0);
-  vec3 ray = orthographic > 0.5 ? camera_forward : far_point.xyz / far_point.w - near_point.xyz / near_point.w;
-  vec3 d = normalize(ray);
-  vec3 origin = camera_position;
-  if (orthographic > 0.5) origin += near_point.xyz;
-  ProxySight sight = sightFrom(originOfEye(origin, d), d);
+  vec3 d = eyeDirection();
+  ProxySight sight = sightFrom(originOfEye(eyeOrigin(), d), d);
   float footprint = sampleFootprint(dFdx(d), dFdy(d), samples_per_pixel) * sight.enlargement;
   float minified = readsMipLevels(texture_filter) ? footprintLod(footprint, texels_per_radian) : 0.0;
   vec3 seen = environment_from_world * sight.direction;

@@ -5,16 +5,11 @@
 #include "sampling.glsl"
 #include "optics.glsl"
 #include "ggx.glsl"
+#include "eye_ray.glsl"
 #include "proxy_block.glsl"
 #include "proxy_shape.glsl"
 #include "glossy_ground.glsl"
 
-in vec2 screen;
-
-uniform mat4 world_from_clip;  // of directions where the camera has a perspective
-uniform vec3 camera_position;
-uniform vec3 camera_forward;
-uniform float orthographic;
 uniform mat4 picture_from_world;  // of the mirror image: texels and depth, 0 to 1
 uniform highp sampler2D mirror_picture;
 uniform highp sampler2D mirror_depths;
@@ -35,10 +30,8 @@ vec4 texelOf(vec3 place) {
 }
 
 void main() {
-  vec4 near_point = world_from_clip * vec4(screen, -1.0, 1.0);
-  vec4 far_point = world_from_clip * vec4(screen, 1.0, 1.0);
-  vec3 d = normalize(orthographic > 0.5 ? camera_forward : far_point.xyz / far_point.w - near_point.xyz / near_point.w);
-  vec3 origin = orthographic > 0.5 ? camera_position + near_point.xyz : camera_position;
+  vec3 d = eyeDirection();
+  vec3 origin = eyeOrigin();
   ProxyHit ground = hitOfGround(captured_at, proxy_radius, proxy_ground, origin, d);
   fragment = vec4(0.0);
   if (!ground.is_ground) return;

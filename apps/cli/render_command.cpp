@@ -124,12 +124,17 @@ Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, 
   const ProgressFunction untilInterrupted = [](std::size_t, std::size_t) { return !interrupted(); };
   const std::size_t frames = paths.size();
   const Scene still = turntable.turn == Turn::object ? renderer.scene() : Scene{};
-  const glm::vec3 axis = settings.camera.target.value_or(renderer.bounds().center);
+  const BoundingSphere still_bounds = renderer.bounds();
+  const glm::vec3 axis = settings.camera.target.value_or(still_bounds.center);
   for (std::size_t frame = 0; frame < frames; ++frame) {
     const float angle_deg = 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
-    if (turntable.turn == Turn::object) renderer.moveInstances(orbited(still, turntable.object - 1, axis, angle_deg));
-    const Result<void> drawn =
-        renderFrame(renderer, turned(settings, turntable.turn, angle_deg), paths[frame], clock, untilInterrupted);
+    FrameSettings of_frame = turned(settings, turntable.turn, angle_deg);
+    if (turntable.turn == Turn::object) {
+      renderer.moveInstances(orbited(still, turntable.object - 1, axis, angle_deg));
+      MIRRORBALL_TRY(standing, standingStill(of_frame, still, still_bounds, renderer.bounds()));
+      of_frame = standing;
+    }
+    const Result<void> drawn = renderFrame(renderer, of_frame, paths[frame], clock, untilInterrupted);
     if (!drawn && drawn.error().code != ErrorCode::interrupted) return drawn;
     const std::size_t whole = drawn ? frame + 1 : frame;
     whenInterrupted(interruptedAfter(whole, frames));
@@ -191,7 +196,7 @@ void setTheStage(RenderRequest& request) {
   if (isFree("proxy")) {
     ground.kind = ProxyKind::ground;
     ground.height = 2.5f;
-    if (isFree("ground-roughness")) ground.ground_roughness = 0.3f;
+    if (isFree("ground-roughness") && isFree("background")) ground.ground_roughness = 0.3f;
   }
   // The mirror ball and the teapot show their neighbours.
   if (isFree("self-reflection") && isFree("occlusion") && isFree("probes")) request.frame.self_reflection = true;

@@ -132,6 +132,8 @@ Result<void> checkProxy(const FrameSettings& settings, const Scene& scene) {
   if (proxy.kind == ProxyKind::ground && camera.position.y < proxy.ground)
     return fail(ErrorCode::usage, "--proxy " + writtenProxy(options) +
                                       ": the camera is below the ground; raise it by --camera AZIMUTH,ELEVATION");
+  if (options.mirrorsScene() && settings.background != BackgroundKind::environment)
+    remark("--ground-roughness: the ground's mirror image is shown with the environment behind the model alone");
   if (!camera.orthographic && !proxy.holds(camera.position))
     remark("the camera is outside of the proxy " + writtenProxy(options) + ", and looks into it as through a window");
   const Box box = boundingBox(scene);

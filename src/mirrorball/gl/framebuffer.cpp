@@ -50,6 +50,19 @@ Result<Framebuffer> Framebuffer::make(Format color, int width, int height, bool 
   return framebuffer;
 }
 
+Result<void> resize(std::optional<Framebuffer>& framebuffer, Format color, glm::ivec2 size, bool depth, int levels) {
+  if (framebuffer && framebuffer->width() == size.x && framebuffer->height() == size.y) return {};
+  MIRRORBALL_TRY(made, Framebuffer::make(color, size.x, size.y, depth, levels));
+  framebuffer = std::move(made);
+  return {};
+}
+
+void drawOverAll() {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+}
+
 void Framebuffer::destroyFramebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
 
 void Framebuffer::bind() const {

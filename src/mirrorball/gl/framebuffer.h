@@ -1,6 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+
+#include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/texture.h"
@@ -44,5 +47,13 @@ class Framebuffer {
   Handle<destroyFramebuffer> handle_;
   std::unique_ptr<Texture> depth_;
 };
+
+/// Makes a framebuffer of that size, unless there is one; all else is to be the same at each call.
+///
+/// errors   as Framebuffer::make's
+Result<void> resize(std::optional<Framebuffer>& framebuffer, Format color, glm::ivec2 size, bool depth, int levels = 1);
+
+/// From now on all that is drawn counts: without depth test, blending and culling.
+void drawOverAll();
 
 }  // namespace mirrorball::gl

@@ -5,6 +5,8 @@
 
 namespace mirrorball::gl {
 
+constexpr float kLargestHalf = 65504.0f;
+
 /// Converts a row of floats to half floats (IEEE 754 binary16), rounding to the nearest and ties to
 /// even. Beyond ±65504, the largest half, it clamps; NaN becomes that too, with an unknown sign.
 ///

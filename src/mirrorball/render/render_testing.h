@@ -7,11 +7,13 @@
 #include <string_view>
 #include <utility>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball::testing {
 
@@ -52,6 +54,31 @@ inline Result<Renderer> rendererOf(Scene scene, Environment environment, const P
   MIRRORBALL_TRY_VOID(renderer.setEnvironment(std::move(environment), prepared));
   MIRRORBALL_TRY_VOID(renderer.setScene(std::move(scene)));
   return renderer;
+}
+
+/// The same, in an environment that was prepared once; expected to be made.
+inline Renderer rendererFor(Scene scene, Environment environment) {
+  const auto prepared = prepareOnce(environment);
+  auto renderer = rendererOf(std::move(scene), std::move(environment), *prepared);
+  EXPECT_TRUE(renderer) << renderer.error().message;
+  return std::move(*renderer);
+}
+
+/// Its radiance in a frame; expected to be drawn.
+inline Image drawn(Renderer& renderer, const FrameSettings& settings) {
+  auto image = renderer.renderRadiance(settings);
+  EXPECT_TRUE(image) << image.error().message;
+  return std::move(*image);
+}
+
+/// Puts a ball into a scene.
+inline void addBall(Scene& scene, glm::vec3 middle, float radius, const Material& material, int rows = 96) {
+  Mesh mesh = sphereMesh(rows, 2 * rows);
+  mesh.material = static_cast<int>(scene.materials.size());
+  const glm::mat4 placed = glm::scale(glm::translate(glm::mat4(1.0f), middle), glm::vec3(radius));
+  scene.instances.push_back({static_cast<int>(scene.meshes.size()), placed});
+  scene.meshes.push_back(std::move(mesh));
+  scene.materials.push_back(material);
 }
 
 /// Every texel that the object covers wholly is 1, within 0.1 % if nothing else is said.

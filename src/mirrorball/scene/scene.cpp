@@ -51,22 +51,28 @@ namespace {
 struct DoubleBox {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  void include(glm::dvec3 position) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+  Box rounded() const { return {glm::vec3(low), glm::vec3(high)}; }
 };
 
 DoubleBox exactBox(const Scene& scene) {
   DoubleBox box;
-  forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) {
-    box.low = glm::min(box.low, position);
-    box.high = glm::max(box.high, position);
-  });
+  forEachPosition(scene, glm::dmat4(1.0), [&](glm::dvec3 position) { box.include(position); });
   return box;
 }
 
 }  // namespace
 
-Box boundingBox(const Scene& scene) {
-  const DoubleBox box = exactBox(scene);
-  return {glm::vec3(box.low), glm::vec3(box.high)};
+Box boundingBox(const Scene& scene) { return exactBox(scene).rounded(); }
+
+Box boundingBox(const Scene& scene, const Instance& instance) {
+  DoubleBox box;
+  forEachPosition(scene, instance, glm::dmat4(1.0), [&](glm::dvec3 position) { box.include(position); });
+  return box.rounded();
 }
 
 BoundingSphere boundingSphere(const Scene& scene) {

@@ -97,6 +97,8 @@ void standUpright(Scene& scene, UpAxis up);
 
 /// The box around everything; empty for an empty scene.
 Box boundingBox(const Scene& scene);
+/// The box around what one instance places; relief is left out.
+Box boundingBox(const Scene& scene, const Instance& instance);
 
 /// The sphere about the middle of the bounding box through the farthest vertex; radius 1 about the origin for an empty
 /// scene, and never 0. Exact for a sphere about its own centre.

@@ -15,8 +15,7 @@ CameraRays raysOf(const Camera& camera, glm::ivec2 size, const formula::Media& m
       return Ray{.origin = glm::vec3(origin) / origin.w, .direction = forward, .media = media};
     };
   }
-  // Without the camera's place, directions are exact however far away from the origin it stands.
-  const glm::mat4 directions = glm::inverse(camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world)));
+  const glm::mat4 directions = directionsFromClip(camera);
   const auto farPoint = [&](glm::vec2 ndc) {
     const glm::vec4 point = directions * glm::vec4(ndc, 1.0f, 1.0f);
     return glm::vec3(point) / point.w;

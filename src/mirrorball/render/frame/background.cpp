@@ -6,6 +6,7 @@
 
 #include "formula/prefilter.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
+#include "mirrorball/render/surface/eye_ray.h"
 #include "mirrorball/render/surface/surface_variant.h"
 
 namespace mirrorball {
@@ -33,7 +34,6 @@ Result<void> Background::make(gl::Api api, ProxyUniforms& proxy) {
 }
 
 void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings) {
-  const Camera& camera = frame.camera;
   gl::Program& program = programs_.find(settings.proxy.kind)->second;
   const bool blurred = settings.background == BackgroundKind::blur;
   glDisable(GL_CULL_FACE);
@@ -44,12 +44,7 @@ void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame,
   cube.bind(TextureUnit::background);
   program.set("environment_from_world", frame.environment_from_world);
   program.set("environment_intensity", settings.env_intensity * light.unit());
-  // Without the camera's place, directions are exact however far away from the origin it stands.
-  const glm::mat4 clip_from_directions = camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world));
-  program.set("world_from_clip", glm::inverse(clip_from_directions));
-  program.set("camera_position", camera.position);
-  program.set("camera_forward", camera.forward);
-  program.set("orthographic", camera.orthographic ? 1.0f : 0.0f);
+  setEyeRay(program, frame.camera);
   program.set("texels_per_radian", texelDensity(Projection::cube, cube.width()));
   program.set("samples_per_pixel", static_cast<float>(settings.samples));
   program.set("texture_filter", static_cast<int>(settings.texture_filter));

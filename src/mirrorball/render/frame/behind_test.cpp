@@ -77,39 +77,25 @@ glm::vec3 lightOfBall(glm::vec2 across) {
 
 Scene glassBeforeLamps() {
   Scene scene;
-  const auto add = [&](glm::vec3 middle, float radius, const Material& material) {
-    Mesh mesh = sphereMesh(48, 96);
-    mesh.material = static_cast<int>(scene.materials.size());
-    const glm::mat4 placed = glm::scale(glm::translate(glm::mat4(1.0f), middle), glm::vec3(radius));
-    scene.instances.push_back({static_cast<int>(scene.meshes.size()), placed});
-    scene.meshes.push_back(std::move(mesh));
-    scene.materials.push_back(material);
-  };
   Material glass;
   glass.base_color = glm::vec3(1.0f);
   glass.transmission = 1.0f;
   glass.perceptual_roughness = 0.0f;
   glass.ior = kIor;
-  add(glm::vec3(0.0f), 1.0f, glass);
+  testing::addBall(scene, glm::vec3(0.0f), 1.0f, glass, 48);
   for (const Lamp& lamp : kLamps) {
     Material shining;
     shining.base_color = glm::vec3(0.0f);
     shining.specular = 0.0f;
     shining.perceptual_roughness = 1.0f;
     shining.emission = lamp.light;
-    add(lamp.middle, lamp.radius, shining);
+    testing::addBall(scene, lamp.middle, lamp.radius, shining, 48);
   }
   return scene;
 }
 
 class BehindTest : public gl::GlTest {
  protected:
-  static Renderer rendererFor(Scene scene, Environment environment) {
-    const auto prepared = testing::prepareOnce(environment);
-    auto renderer = testing::rendererOf(std::move(scene), std::move(environment), *prepared);
-    EXPECT_TRUE(renderer) << renderer.error().message;
-    return std::move(*renderer);
-  }
   static FrameSettings frontOf(const Renderer& renderer) {
     FrameSettings settings;
     settings.size = {64, 64};
@@ -146,7 +132,7 @@ double psnrToTruth(const Image& image) {
 }
 
 TEST_P(BehindTest, GlassShowsWhatIsBehindIt) {
-  Renderer renderer = rendererFor(glassBeforeLamps(), Environment(testing::smoothRadiance, 256));
+  Renderer renderer = testing::rendererFor(glassBeforeLamps(), Environment(testing::smoothRadiance, 256));
   FrameSettings settings = frontOf(renderer);
   set(settings, "refraction", "image-space");
   set(settings, "probe-size", "64");
@@ -166,7 +152,7 @@ TEST_P(BehindTest, GlassShowsWhatIsBehindIt) {
 
 // Beside the picture there is nothing that a copy of it could show.
 TEST_P(BehindTest, WhatIsNotInThePictureIsNotSeenThroughGlass) {
-  Renderer renderer = rendererFor(glassBeforeLamps(), Environment(testing::smoothRadiance, 64));
+  Renderer renderer = testing::rendererFor(glassBeforeLamps(), Environment(testing::smoothRadiance, 64));
   FrameSettings settings = frontOf(renderer);
   settings.size = {24, 24};
   settings.camera.orthographic_height = 0.3f / renderer.bounds().radius;
@@ -187,7 +173,7 @@ TEST_P(BehindTest, TheFurnaceIsWhite) {
   for (std::size_t i = 1; i < scene.materials.size(); ++i) scene.materials[i].emission = glm::vec3(1.0f);
   for (const float roughness : {0.0f, 0.5f}) {
     scene.materials[0].perceptual_roughness = roughness;
-    Renderer renderer = rendererFor(scene, Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
+    Renderer renderer = testing::rendererFor(scene, Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
     FrameSettings settings = frontOf(renderer);
     settings.size = {32, 32};
     set(settings, "behind", "screen");

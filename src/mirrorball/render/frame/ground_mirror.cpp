@@ -6,6 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "formula/bsdf.h"
+#include "mirrorball/gl/half.h"
+#include "mirrorball/render/surface/eye_ray.h"
 
 namespace mirrorball {
 namespace {
@@ -29,31 +31,25 @@ Result<GroundMirror> GroundMirror::make(gl::Api api, ProxyUniforms& proxy) {
   proxy.connectBlock(program);
   program.set("mirror_picture", TextureUnit::mirror_picture);
   program.set("mirror_depths", TextureUnit::mirror_depths);
-  MIRRORBALL_TRY(to_halves, gl::Program::load(api, "screen.vert", "half_picture.frag"));
+  MIRRORBALL_TRY(to_halves, gl::Program::load(api, "screen.vert", "limited_picture.frag"));
   to_halves.set("picture", TextureUnit::mirror_picture);
+  to_halves.set("factor", 1.0f);
+  to_halves.set("most", gl::kLargestHalf);
   return GroundMirror(std::move(program), std::move(to_halves));
 }
 
 Result<const gl::Framebuffer*> GroundMirror::begin(const Camera& camera, float ground, const BoundingSphere& bounds,
                                                    glm::ivec2 size) {
   below_ = mirroredBelow(camera, ground, bounds);
-  if (!picture_ || picture_->width() != size.x || picture_->height() != size.y) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, true));
-    picture_ = std::move(made);
-  }
+  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, size, true));
   return &*picture_;
 }
 
 Result<void> GroundMirror::finish(bool is_blurred) {
-  if (!halves_ || halves_->width() != picture_->width() || halves_->height() != picture_->height()) {
-    MIRRORBALL_TRY(made,
-                   gl::Framebuffer::make(gl::Format::rgba16f, picture_->width(), picture_->height(), false, kLevels));
-    halves_ = std::move(made);
-  }
+  MIRRORBALL_TRY_VOID(
+      gl::resize(halves_, gl::Format::rgba16f, {picture_->width(), picture_->height()}, false, kLevels));
   halves_->bind();
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
+  gl::drawOverAll();
   picture_->color().bind(TextureUnit::mirror_picture);
   to_halves_.use();
   screen_.draw(3);
@@ -65,11 +61,7 @@ void GroundMirror::draw(const FrameUniforms& frame, const FrameSettings& setting
   const Camera& camera = frame.camera;
   const float alpha = formula::alphaFromPerceptualRoughness(settings.proxy.ground_roughness);
   const int taps = alpha > 0.0f ? std::max(kTapsOfPixel / settings.samples, kLeastTaps) : 1;
-  const glm::mat4 clip_from_directions = camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world));
-  program_.set("world_from_clip", glm::inverse(clip_from_directions));
-  program_.set("camera_position", camera.position);
-  program_.set("camera_forward", camera.forward);
-  program_.set("orthographic", camera.orthographic ? 1.0f : 0.0f);
+  setEyeRay(program_, camera);
   program_.set("picture_from_world", texelsFromClip({picture_->width(), picture_->height()}) * below_.clip_from_view *
                                          below_.view_from_world);
   program_.set("scene_low", scene.low);

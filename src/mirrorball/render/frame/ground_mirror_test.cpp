@@ -39,12 +39,9 @@ FrameSettings onGround(const std::string& roughness) {
 class GroundMirrorTest : public testing::HeadlessTest {
  protected:
   static Image drawn(Scene scene, float environment, const FrameSettings& settings) {
-    Environment grey([=](glm::vec3) { return glm::vec3(environment); }, 64);
-    const auto prepared = testing::prepareOnce(grey);
-    auto renderer = testing::rendererOf(std::move(scene), std::move(grey), *prepared);
-    auto image = renderer->renderRadiance(settings);
-    EXPECT_TRUE(image) << image.error().message;
-    return std::move(*image);
+    Renderer renderer =
+        testing::rendererFor(std::move(scene), Environment([=](glm::vec3) { return glm::vec3(environment); }, 64));
+    return testing::drawn(renderer, settings);
   }
 
   /// Where a pixel's ray meets the ground below a ball of radius 1 about the origin.

@@ -86,10 +86,7 @@ Result<void> Probes::makeLights(const gl::Context& context, const EnvironmentLig
     MIRRORBALL_TRY(made, ProbeFilter::make(context.api(), size, format, unit));
     filter_ = std::move(made);
   }
-  if (!picture_ || picture_->width() != size) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size, size, true));
-    picture_ = std::move(made);
-  }
+  MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, glm::ivec2(size), true));
   const auto fill = [&](std::vector<ProbeLight>& lights, std::size_t count) -> Result<void> {
     while (lights.size() > count) lights.pop_back();
     while (lights.size() < count) {
@@ -137,7 +134,6 @@ void Probes::tell(const SceneDrawing& drawing, const FrameSettings& settings) {
     for (const int instance : object.instances) {
       const bool is_seen_through = materialOf(drawing.scene(), std::size_t(instance)).transmission > 0.0f;
       if (settings.behind == BehindKind::far && is_seen_through) continue;
-      if (settings.self_reflection && !is_seen_through) continue;  // its rays meet the others themselves
       uniforms_.light_of_instance[std::size_t(instance)] = static_cast<int>(uniforms_.lights.size());
     }
     uniforms_.lights.push_back(light);

@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/frame/cube_capture.h"
@@ -37,12 +35,7 @@ Material mirror(glm::vec3 color, float roughness = 0.0f) {
 }
 
 void add(Scene& scene, const Ball& ball, const Material& material, int rows = 96) {
-  Mesh mesh = sphereMesh(rows, 2 * rows);
-  mesh.material = static_cast<int>(scene.materials.size());
-  const glm::mat4 placed = glm::scale(glm::translate(glm::mat4(1.0f), ball.middle), glm::vec3(ball.radius));
-  scene.instances.push_back({static_cast<int>(scene.meshes.size()), placed});
-  scene.meshes.push_back(std::move(mesh));
-  scene.materials.push_back(material);
+  testing::addBall(scene, ball.middle, ball.radius, material, rows);
 }
 
 Scene sceneOfBalls(const std::vector<Ball>& balls) {
@@ -87,21 +80,7 @@ const std::vector<Ball> kPair{{{-1.1f, 0.0f, 0.0f}, 1.0f, {1.0f, 0.75f, 0.35f}},
 
 constexpr const char* kRoom = "box:-5,-5,-5,5,5,5";
 
-class ProbesTest : public gl::GlTest {
- protected:
-  static Renderer rendererFor(Scene scene, Environment environment) {
-    const auto prepared = testing::prepareOnce(environment);
-    auto renderer = testing::rendererOf(std::move(scene), std::move(environment), *prepared);
-    EXPECT_TRUE(renderer) << renderer.error().message;
-    return std::move(*renderer);
-  }
-  static Image drawn(Renderer& renderer, const FrameSettings& settings) {
-    auto image = renderer.renderRadiance(settings);
-    EXPECT_TRUE(image) << image.error().message;
-    return std::move(*image);
-  }
-};
-
+class ProbesTest : public gl::GlTest {};
 MIRRORBALL_WITH_BOTH_APIS(ProbesTest);
 
 /// From +Z, parallel rays over `kWide` world units.
@@ -144,15 +123,15 @@ double psnrToTruth(const Image& image, const std::vector<Ball>& balls, int at_le
 }
 
 TEST_P(ProbesTest, TwoMirrorBallsShowEachOther) {
-  Renderer renderer = rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 256));
+  Renderer renderer = testing::rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 256));
   FrameSettings settings = frontOf(renderer, 96);
-  const Image without = drawn(renderer, settings);
+  const Image without = testing::drawn(renderer, settings);
   set(settings, "probes", "auto");
   set(settings, "probe-size", "128");
   set(settings, "probe-bounces", "1");
-  const Image once = drawn(renderer, settings);
+  const Image once = testing::drawn(renderer, settings);
   set(settings, "probe-bounces", "2");
-  const Image twice = drawn(renderer, settings);
+  const Image twice = testing::drawn(renderer, settings);
   EXPECT_LT(psnrToTruth(without, kPair, 0), 23.0);
   EXPECT_GT(psnrToTruth(once, kPair, 0), 31.5) << "23.0 if what a probe sees is infinitely far away";
   EXPECT_GT(psnrToTruth(twice, kPair, 0), 32.4);
@@ -190,7 +169,7 @@ TEST_P(ProbesTest, AProbeIsWhatCaptureCaptures) {
     CaptureSettings at{.position = kPair[own].middle, .size = 32};
     at.frame.samples = 1;
     set(at.frame, "proxy", kRoom);
-    Renderer renderer = rendererFor(sceneOfBalls({kPair[1 - own]}), light);
+    Renderer renderer = testing::rendererFor(sceneOfBalls({kPair[1 - own]}), light);
     const auto captured = captureEnvironment(renderer, at);
     ASSERT_TRUE(captured) << captured.error().message;
     for (int face = 0; face < 6; ++face) {
@@ -204,12 +183,12 @@ TEST_P(ProbesTest, AProbeIsWhatCaptureCaptures) {
 }
 
 TEST_P(ProbesTest, AreCapturedAgainOnlyIfWhatTheySeeHasChanged) {
-  Renderer renderer = rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 64));
+  Renderer renderer = testing::rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 64));
   FrameSettings settings = frontOf(renderer, 16);
   settings.samples = 1;
   const auto capturesOf = [&](const FrameSettings& changed) {
     const int before = renderer.probeCaptures();
-    drawn(renderer, changed);
+    testing::drawn(renderer, changed);
     return renderer.probeCaptures() - before;
   };
   EXPECT_EQ(capturesOf(settings), 0) << "none was asked for";
@@ -223,7 +202,7 @@ TEST_P(ProbesTest, AreCapturedAgainOnlyIfWhatTheySeeHasChanged) {
   EXPECT_EQ(capturesOf(settings), 0) << "the eye has moved, and not what they see";
   set(settings, "env-rotation", "30");
   EXPECT_EQ(capturesOf(settings), 4);
-  const Image before = drawn(renderer, settings);
+  const Image before = testing::drawn(renderer, settings);
   std::vector<Instance> instances = renderer.scene().instances;
   instances[1].world_from_object[3].y += 0.5f;
   renderer.moveInstances(instances);
@@ -241,29 +220,29 @@ TEST_P(ProbesTest, AMovedBallIsSeenWhereItIs) {
   const Environment light(testing::smoothRadiance, 64);
   std::vector<Ball> moved = kPair;
   moved[1].middle = {0.4f, 1.9f, -0.2f};
-  Renderer renderer = rendererFor(sceneOfBalls(kPair), light);
-  Renderer there = rendererFor(sceneOfBalls(moved), light);
+  Renderer renderer = testing::rendererFor(sceneOfBalls(kPair), light);
+  Renderer there = testing::rendererFor(sceneOfBalls(moved), light);
   FrameSettings settings = frontOf(renderer, 48);
   settings.camera.orthographic_height.reset();
   settings.camera.distance = 3.0f;
   set(settings, "probes", "2");
   set(settings, "proxy", kRoom);
-  drawn(renderer, settings);
+  testing::drawn(renderer, settings);
   renderer.moveInstances(there.scene().instances);
-  const Image image = drawn(renderer, settings);
-  const Image expected = drawn(there, settings);
+  const Image image = testing::drawn(renderer, settings);
+  const Image expected = testing::drawn(there, settings);
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 48; ++x) ASSERT_EQ(rgbaAt(image, x, y), rgbaAt(expected, x, y)) << x << ", " << y;
 }
 
 TEST_P(ProbesTest, WithoutProbesNothingChanges) {
-  Renderer renderer = rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 64));
+  Renderer renderer = testing::rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 64));
   FrameSettings settings = frontOf(renderer, 32);
-  const Image before = drawn(renderer, settings);
+  const Image before = testing::drawn(renderer, settings);
   set(settings, "probes", "1");
-  drawn(renderer, settings);
+  testing::drawn(renderer, settings);
   set(settings, "probes", "0");
-  const Image after = drawn(renderer, settings);
+  const Image after = testing::drawn(renderer, settings);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x) ASSERT_EQ(rgbaAt(before, x, y), rgbaAt(after, x, y)) << x << ", " << y;
 }
@@ -281,7 +260,8 @@ TEST_P(ProbesTest, TheFurnaceIsWhite) {
   glossy.base_color = glm::vec3(1.0f);
   glossy.perceptual_roughness = 0.3f;
   add(scene, {{0.0f, -1.8f, 0.0f}, 0.8f, {}}, glossy, 16);
-  Renderer renderer = rendererFor(std::move(scene), Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
+  Renderer renderer =
+      testing::rendererFor(std::move(scene), Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
   FrameSettings settings = frontOf(renderer, 32);
   settings.background = BackgroundKind::transparent;
   set(settings, "probe-size", "16");
@@ -289,7 +269,7 @@ TEST_P(ProbesTest, TheFurnaceIsWhite) {
     for (const char* refraction : {"single", "image-space", "traced"}) {
       set(settings, "probes", probes);
       set(settings, "refraction", refraction);
-      testing::expectFurnaceWhite(drawn(renderer, settings), std::string(probes) + " " + refraction, 4e-3f);
+      testing::expectFurnaceWhite(testing::drawn(renderer, settings), std::string(probes) + " " + refraction, 4e-3f);
     }
 }
 

@@ -63,12 +63,8 @@ FrameSettings frontOf(int size) {
 class ProxyTest : public testing::HeadlessTest {
  protected:
   static Image drawn(Scene scene, Environment environment, const FrameSettings& settings) {
-    const auto prepared = testing::prepareOnce(environment);
-    auto renderer = testing::rendererOf(std::move(scene), std::move(environment), *prepared);
-    EXPECT_TRUE(renderer) << renderer.error().message;
-    auto image = renderer->renderRadiance(settings);
-    EXPECT_TRUE(image) << image.error().message;
-    return std::move(*image);
+    Renderer renderer = testing::rendererFor(std::move(scene), std::move(environment));
+    return testing::drawn(renderer, settings);
   }
 };
 

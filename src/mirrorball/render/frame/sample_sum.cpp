@@ -28,15 +28,6 @@ void setDisplay(gl::Program& program, const FrameSettings& settings) {
   program.set("tone_map", static_cast<int>(settings.display.tone_map));
 }
 
-bool hasSize(const std::optional<gl::Framebuffer>& framebuffer, glm::ivec2 size) {
-  return framebuffer && framebuffer->width() == size.x && framebuffer->height() == size.y;
-}
-
-void drawNothingBehind() {
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-}
-
 }  // namespace
 
 Result<SampleSum> SampleSum::make(gl::Api api) {
@@ -48,27 +39,17 @@ Result<SampleSum> SampleSum::make(gl::Api api) {
 Result<void> SampleSum::begin(const FrameSettings& settings) {
   settings_ = settings;
   count_ = 0;
-  const glm::ivec2 size = settings.size;
-  if (!hasSize(sample_, size)) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, true));
-    sample_ = std::move(made);
-    sum_.reset();
-  }
-  if (settings.samples > 1 && !sum_) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, false));
-    sum_ = std::move(made);
-  }
-  return {};
+  MIRRORBALL_TRY_VOID(gl::resize(sample_, gl::Format::rgba32f, settings.size, true));
+  if (settings.samples == 1) return {};
+  return gl::resize(sum_, gl::Format::rgba32f, settings.size, false);
 }
 
 void SampleSum::add() {
   const bool is_first = count_++ == 0;
   if (settings_.samples == 1) return;
   sum_->bind();
-  drawNothingBehind();
-  if (is_first) {
-    glDisable(GL_BLEND);
-  } else {
+  gl::drawOverAll();
+  if (!is_first) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
   }
@@ -81,8 +62,7 @@ void SampleSum::add() {
 }
 
 void SampleSum::show() {
-  drawNothingBehind();
-  glDisable(GL_BLEND);
+  gl::drawOverAll();
   result().color().bind(TextureUnit::picture);
   tone_map_.set("picture", TextureUnit::picture);
   tone_map_.set("share",
@@ -100,11 +80,7 @@ Image SampleSum::radiance() const {
 }
 
 Result<Image8> SampleSum::picture() {
-  const glm::ivec2 size = settings_.size;
-  if (!hasSize(display_, size)) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba8, size.x, size.y, false));
-    display_ = std::move(made);
-  }
+  MIRRORBALL_TRY_VOID(gl::resize(display_, gl::Format::rgba8, settings_.size, false));
   display_->bind();
   show();
   return display_->readBytes();

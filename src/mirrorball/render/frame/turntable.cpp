@@ -79,6 +79,20 @@ FrameSettings turned(FrameSettings settings, Turn what, float angle_deg) {
   return settings;
 }
 
+Result<FrameSettings> standingStill(FrameSettings settings, const Scene& scene, const BoundingSphere& bounds,
+                                    const BoundingSphere& other_bounds) {
+  const float radii = bounds.radius / other_bounds.radius;
+  settings.camera.target = settings.camera.target.value_or(bounds.center);
+  if (settings.camera.distance) *settings.camera.distance *= radii;
+  if (settings.camera.orthographic_height) *settings.camera.orthographic_height *= radii;
+  if (settings.proxy.kind == ProxyKind::ground) {
+    MIRRORBALL_TRY(ground, placedProxy(settings.proxy, scene));
+    settings.proxy.captured_at = ground.captured_at;
+    settings.proxy.radius = ground.radius;
+  }
+  return settings;
+}
+
 std::vector<Instance> orbited(const Scene& scene, int instance, glm::vec3 axis, float angle_deg) {
   const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), glm::radians(angle_deg), glm::vec3(0, 1, 0));
   const glm::mat4 about_axis = glm::translate(glm::mat4(1.0f), axis) * turn * glm::translate(glm::mat4(1.0f), -axis);

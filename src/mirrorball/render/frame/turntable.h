@@ -30,6 +30,13 @@ std::span<const Option<Turntable>> turntableOptions();
 /// settings    with a target and a distance (framed(), scene/camera/framing.h), so that all pictures have the same
 FrameSettings turned(FrameSettings settings, Turn what, float angle_deg);
 
+/// The settings of a picture of a scene, for another scene in which camera and ground stay where they are: what counts
+/// in model radii, or from the model's middle, is said in numbers.
+///
+/// errors   as placedProxy's
+Result<FrameSettings> standingStill(FrameSettings settings, const Scene& scene, const BoundingSphere& bounds,
+                                    const BoundingSphere& other_bounds);
+
 /// The instances of a scene of which one has gone round the upright axis, +Z towards +X, with its parts (withParts).
 ///
 /// axis   a place on it; world

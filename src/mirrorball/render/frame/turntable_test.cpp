@@ -36,6 +36,28 @@ TEST(Turned, TheModelBeforeCameraEnvironmentAndLights) {
   EXPECT_LT(glm::distance(model.lights[0].position, glm::vec3(8, 5, 0)), 1e-5f);
 }
 
+// The camera and the ground stay where they are while the model grows by what goes round.
+TEST(StandingStill, CameraAndGroundStayWhereTheyAre) {
+  const Scene scene = sceneOf(sphereMesh(8, 16));
+  Scene grown = scene;
+  grown.instances.push_back({0, glm::translate(glm::mat4(1.0f), glm::vec3(5, 0, 0))});
+  FrameSettings settings;
+  settings.camera.distance = 4.0f;
+  settings.camera.target = glm::vec3(0.1f, 0.2f, 0.3f);
+  settings.proxy = *parseProxy("proxy", "ground");
+  const BoundingSphere bounds = boundingSphere(scene), others = boundingSphere(grown);
+  const auto still = standingStill(settings, scene, bounds, others);
+  ASSERT_TRUE(still) << still.error().message;
+  EXPECT_LT(glm::distance(makeCamera(still->camera, others, 1.5f).position,
+                          makeCamera(settings.camera, bounds, 1.5f).position),
+            1e-4f);
+  const Proxy before = *placedProxy(settings.proxy, scene), after = *placedProxy(still->proxy, grown);
+  EXPECT_EQ(before.captured_at, after.captured_at);
+  EXPECT_EQ(before.ground, after.ground);
+  EXPECT_EQ(before.radius, after.radius);
+  EXPECT_NE(before.captured_at, placedProxy(settings.proxy, grown)->captured_at) << "else nothing is tested";
+}
+
 // A ball 2 towards +Z goes to +X of the axis, with the smaller one in it; the other stays.
 TEST(Orbited, OneObjectAndWhatLiesInIt) {
   Scene scene = sceneOf(sphereMesh(8, 16));

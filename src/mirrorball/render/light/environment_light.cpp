@@ -12,11 +12,10 @@
 #include "mirrorball/bake/prefilter/prefilter.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
+#include "mirrorball/gl/half.h"
 
 namespace mirrorball {
 namespace {
-
-constexpr float kLargestHalf = 65504.0f;
 
 float maxSample(const ImageSet& chain) {
   float max = 0.0f;
@@ -94,7 +93,7 @@ Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
     MIRRORBALL_TRY(cube, convert(environment, Projection::cube, cubeSideFor(environment.texelDensity())));
     prepared.chain = mipChain(cube);
   }
-  prepared.needs_floats = maxSample(prepared.chain) > kLargestHalf;
+  prepared.needs_floats = maxSample(prepared.chain) > gl::kLargestHalf;
   MIRRORBALL_TRY(blurred, cache ? prefilteredOnce(environment, prepared, *cache)
                                 : prefiltered(environment, prefilteredSide(environment)));
   prepared.prefiltered = std::move(blurred.chain);
@@ -107,7 +106,7 @@ Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepa
   const gl::Format format = are_floats ? gl::Format::rgba32f : gl::Format::rgba16f;
   // A power of two: nothing is rounded but what becomes too small for a half.
   const float unit = prepared.needs_floats && !are_floats
-                         ? std::exp2(std::ceil(std::log2(maxSample(prepared.chain) / kLargestHalf)))
+                         ? std::exp2(std::ceil(std::log2(maxSample(prepared.chain) / gl::kLargestHalf)))
                          : 1.0f;
   MIRRORBALL_TRY(cube, cubeTexture(format, prepared.chain, unit));
   MIRRORBALL_TRY(prefiltered, cubeTexture(format, prepared.prefiltered, unit));

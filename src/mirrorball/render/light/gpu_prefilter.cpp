@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <utility>
 
-#include <epoxy/gl.h>
 #include <glm/vec4.hpp>
 
 #include "mirrorball/bake/prefilter/prefilter.h"
@@ -128,9 +127,7 @@ void GpuPrefilter::findTaps() {
 
 void GpuPrefilter::run(const gl::Texture& cube, gl::Texture& chain) {
   assert(cube.isCube() && cube.width() == chain_.width() && chain.width() == chain_.width());
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
+  gl::drawOverAll();
   cube.bind(kRest);
   programs_.copy.set("cube", kRest);
   drawing_.drawFaces(programs_.copy, chain, 0);

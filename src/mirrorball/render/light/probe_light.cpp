@@ -6,6 +6,7 @@
 
 #include <epoxy/gl.h>
 
+#include "mirrorball/gl/half.h"
 #include "mirrorball/image/image_set.h"
 
 namespace mirrorball {
@@ -15,13 +16,6 @@ constexpr int kUnit = 0;
 constexpr int kIrradianceSide = 16;
 /// Of the level that irradiance is the sum of: the lobe is wide, and in white light the sum is exact.
 constexpr int kSummedSide = 8;
-constexpr float kLargestHalf = 65504.0f;
-
-void drawOverAll() {
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-}
 
 Result<gl::Texture> cubeOf(gl::Format format, int size, int levels, gl::Sampling::Filter filter) {
   MIRRORBALL_TRY(cube, gl::Texture::makeCube(format, size, levels));
@@ -33,7 +27,7 @@ Result<gl::Texture> cubeOf(gl::Format format, int size, int levels, gl::Sampling
 
 Result<ProbeFilter> ProbeFilter::make(gl::Api api, int size, gl::Format format, float unit) {
   MIRRORBALL_TRY(prefilter, GpuPrefilter::make(api, size, format));
-  MIRRORBALL_TRY(face, gl::Program::load(api, "screen.vert", "probe_face.frag"));
+  MIRRORBALL_TRY(face, gl::Program::load(api, "screen.vert", "limited_picture.frag"));
   MIRRORBALL_TRY(halve, gl::Program::load(api, "screen.vert", "prefilter_halve.frag"));
   MIRRORBALL_TRY(irradiance, gl::Program::load(api, "screen.vert", "probe_irradiance.frag"));
   MIRRORBALL_TRY(share, gl::Program::load(api, "screen.vert", "probe_share.frag"));
@@ -54,16 +48,16 @@ Result<ProbeLight> ProbeFilter::makeLight() const {
 }
 
 void ProbeFilter::setFace(ProbeLight& light, int face, const gl::Texture& picture) {
-  const float most = format_ == gl::Format::rgba16f ? kLargestHalf : std::numeric_limits<float>::max();
+  const float most = format_ == gl::Format::rgba16f ? gl::kLargestHalf : std::numeric_limits<float>::max();
   drawFace(light.cube, face, picture, 1.0f / unit_, most);
 }
 
 void ProbeFilter::setNearness(ProbeLight& light, int face, const gl::Texture& picture) {
-  drawFace(light.nearness, face, picture, 1.0f, kLargestHalf);
+  drawFace(light.nearness, face, picture, 1.0f, gl::kLargestHalf);
 }
 
 void ProbeFilter::drawFace(const gl::Texture& cube, int face, const gl::Texture& picture, float factor, float most) {
-  drawOverAll();
+  gl::drawOverAll();
   picture.bind(kUnit);
   programs_.face.set("picture", kUnit);
   programs_.face.set("factor", factor);
@@ -73,7 +67,7 @@ void ProbeFilter::drawFace(const gl::Texture& cube, int face, const gl::Texture&
 }
 
 void ProbeFilter::finish(ProbeLight& light) {
-  drawOverAll();
+  gl::drawOverAll();
   drawing_.drawHalves(programs_.halve, light.cube, kUnit);
   light.cube.bind(kUnit);
   const int level = std::max(levelCount(size_) - levelCount(kSummedSide), 0);
@@ -95,7 +89,7 @@ void ProbeFilter::clear(ProbeLight& light) {
 }
 
 void ProbeFilter::add(ProbeLight& light, const ProbeLight& other, float share) {
-  drawOverAll();
+  gl::drawOverAll();
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   programs_.share.set("cube", kUnit);

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "mirrorball/scene/box.h"
-#include "mirrorball/scene/mesh_file/positions.h"
 
 namespace mirrorball {
 namespace {
@@ -12,14 +11,7 @@ namespace {
 /// The boxes around the instances, in the world.
 std::vector<Box> boxesOf(const Scene& scene) {
   std::vector<Box> boxes;
-  for (const Instance& instance : scene.instances) {
-    Box box;
-    for (const Vertex& vertex : scene.meshes[std::size_t(instance.mesh)].vertices) {
-      const glm::vec3 place(instance.world_from_object * glm::vec4(vertex.position, 1.0f));
-      box.include({place, place});
-    }
-    boxes.push_back(box);
-  }
+  for (const Instance& instance : scene.instances) boxes.push_back(boundingBox(scene, instance));
   return boxes;
 }
 

@@ -29,10 +29,7 @@ Result<BackFaces> BackFaces::make(gl::Api api) {
 Result<void> BackFaces::draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size,
                              std::span<const int> hidden) {
   const glm::ivec2 drawn = size + 2 * marginOf(size);
-  if (!framebuffer_ || framebuffer_->width() != drawn.x || framebuffer_->height() != drawn.y) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, drawn.x, drawn.y, true));
-    framebuffer_ = std::move(made);
-  }
+  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, drawn, true));
   const glm::dvec3 shown(glm::dvec2(size) / glm::dvec2(drawn), 1.0);
   const glm::dmat4 clip_from_view = glm::scale(glm::dmat4(1.0), shown) * glm::dmat4(camera.clip_from_view);
   const glm::dvec3 half(glm::dvec2(drawn) / 2.0, 1.0);

@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include "mirrorball/render/surface/eye_ray.h"
 #include "mirrorball/render/surface/surface_variant.h"
 
 namespace mirrorball {
@@ -19,10 +20,7 @@ Result<NearnessPicture> NearnessPicture::make(gl::Api api) {
 
 Result<void> NearnessPicture::draw(const Scene& scene, const SceneBuffers& buffers, const FrameUniforms& frame,
                                    float unit, glm::ivec2 size) {
-  if (!framebuffer_ || framebuffer_->width() != size.x || framebuffer_->height() != size.y) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, true));
-    framebuffer_ = std::move(made);
-  }
+  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, size, true));
   framebuffer_->bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -59,9 +57,7 @@ Result<void> NearnessPicture::drawProxy(gl::Api api, const FrameUniforms& frame,
     found = of_proxy_.emplace(kind, std::move(program)).first;
   }
   gl::Program& program = found->second;
-  const Camera& camera = frame.camera;
-  program.set("world_from_clip", glm::inverse(camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world))));
-  program.set("camera_position", camera.position);
+  setEyeRay(program, frame.camera);
   program.set("unit", unit);
   frame.proxy->bind();
   glDisable(GL_CULL_FACE);

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <epoxy/gl.h>
+#include "mirrorball/gl/framebuffer.h"
 
 namespace mirrorball {
 namespace {
@@ -24,16 +24,13 @@ Result<void> OpaquePicture::take(const gl::Texture& picture, const gl::Texture& 
         made, gl::Texture::make2d(gl::Format::rgba16f, picture.width(), picture.height(), gl::Texture::kAllLevels));
     picture_ = std::move(made);
   }
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
+  gl::drawOverAll();
   picture.bind(kPicture);
   nearness.bind(kNearness);
   target_.bind(*picture_, 0, 0);
   program_.use();
   screen_.draw(3);
-  picture_->bind(kPicture);
-  glGenerateMipmap(GL_TEXTURE_2D);
+  picture_->makeLevels();
   return {};
 }
 

@@ -18,10 +18,7 @@ Result<ReliefHits> ReliefHits::make(gl::Api api) {
 
 Result<void> ReliefHits::draw(const Scene& scene, const SceneBuffers& buffers, const Camera& camera, glm::ivec2 size,
                               std::span<const int> hidden) {
-  if (!framebuffer_ || framebuffer_->width() != size.x || framebuffer_->height() != size.y) {
-    MIRRORBALL_TRY(made, gl::Framebuffer::make(gl::Format::rgba32f, size.x, size.y, true));
-    framebuffer_ = std::move(made);
-  }
+  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, size, true));
   framebuffer_->bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -206,7 +206,8 @@ SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int instance, cons
   const auto variant = [&](const Material& seen) {
     SurfaceVariant made = surfaceVariant(seen, buffers.mapsOf(material), decided,
                                          settings.lights.size() + scene.lights.size(), coordinates_);
-    if (lightOf(instance) > 0 && !seen.unlit) readProbe(made, lights_[std::size_t(lightOf(instance))]);
+    if (const int light = lightRead(made, instance); light > 0 && !seen.unlit)
+      readProbe(made, lights_[std::size_t(light)]);
     return made;
   };
   if (!eye_is_inside_ || !isBody(from_outside)) return variant(from_outside);
@@ -270,8 +271,10 @@ void SurfacePrograms::setLights(const EnvironmentLight& light, const FrameUnifor
   light_of_instance_ = frame.probes->light_of_instance;
 }
 
-int SurfacePrograms::lightOf(int instance) const {
-  return light_of_instance_.empty() ? 0 : light_of_instance_[std::size_t(instance)] + 1;
+int SurfacePrograms::lightRead(const SurfaceVariant& variant, int instance) const {
+  // Rays meet the other objects themselves.
+  if (light_of_instance_.empty() || variant.has(Part::sky, SkyPart::past_scene_traced)) return 0;
+  return light_of_instance_[std::size_t(instance)] + 1;
 }
 
 void SurfacePrograms::bindLight(int light) {
@@ -369,7 +372,7 @@ void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffe
   if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))
     opaque_picture_->bind(TextureUnit::opaque_picture);
   frame_->bind(frame_point);
-  bindLight(lightOf(instance));
+  bindLight(lightRead(variant, instance));
   instanceBlock(scene, instance).bind(instance_point);
   materialBlock(scene, material).bind(material_point);
   program.use();

@@ -151,7 +151,8 @@ class SurfacePrograms {
   void connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy);
   void setFrame(const FrameUniforms& frame, const FrameSettings& settings);
   void setLights(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
-  int lightOf(int instance) const;
+  /// Which of the lights: 0 is the environment's.
+  int lightRead(const SurfaceVariant& variant, int instance) const;
   void bindLight(int light);
   gl::UniformBlock& instanceBlock(const Scene& scene, int instance);
   gl::UniformBlock& materialBlock(const Scene& scene, int material);

@@ -37,6 +37,10 @@ float framingDistance(float fov_rad, float aspect) {
 
 }  // namespace
 
+glm::mat4 directionsFromClip(const Camera& camera) {
+  return glm::inverse(camera.clip_from_view * glm::mat4(glm::mat3(camera.view_from_world)));
+}
+
 Camera makeCamera(const CameraOptions& options, const BoundingSphere& bounds, float aspect) {
   const float azimuth = glm::radians(options.azimuth_deg);
   const float elevation = glm::radians(options.elevation_deg);

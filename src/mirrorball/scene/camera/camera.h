@@ -33,6 +33,9 @@ struct Camera {
   float nearest = 0.0f;  ///< depth before which it sees nothing on purpose: not where depths merely begin
 };
 
+/// From clip space to the world as if the camera stood at the origin: so directions are exact however far away it does.
+glm::mat4 directionsFromClip(const Camera& camera);
+
 /// Puts a camera in front of a model. framed() (framing.h) chooses target and distance by the model's own outline.
 ///
 /// bounds   the model's bounding sphere

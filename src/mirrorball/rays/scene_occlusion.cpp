@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "formula/bsdf.h"
-#include "formula/constants.h"
 #include "formula/surface.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
@@ -41,13 +40,6 @@ std::uint32_t mixed(std::uint32_t a, std::uint32_t b) {
 
 /// Two numbers in [0, 1) of 16 bits each.
 glm::vec2 sharesOf(std::uint32_t bits) { return glm::vec2(bits & 0xFFFFu, bits >> 16u) / 65536.0f; }
-
-/// As dense as the cosine to +Z (Lambert's law).
-glm::vec3 cosineDirection(glm::vec2 place) {
-  const float angle = 2.0f * formula::kPi * place.x;
-  const float radius = std::sqrt(place.y);
-  return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1.0f - place.y)};
-}
 
 /// How much a surface reflects of even light, all together: of a dielectric, its colour below what Schlick's term
 /// reflects on average, which is f0 + (1 − f0) / 21.
@@ -130,7 +122,8 @@ void Finder::traceVertex(std::size_t vertex) {
   for (std::size_t ray = 0; ray < rays_; ++ray) {
     const std::uint32_t random = mixed(number, static_cast<std::uint32_t>(ray) + 1);
     const PlaceByVertex place = places_.place(vertex, ray * triangles / rays_, sharesOf(random));
-    glm::vec3 direction = frame.toWorld(cosineDirection(formula::evenPoint(from, static_cast<float>(ray))));
+    const glm::vec2 even = formula::evenPoint(from, static_cast<float>(ray));
+    glm::vec3 direction = frame.toWorld(formula::sampleDiffuse({even.y, even.x}));
     // What a smooth normal sees below its flat triangle, light cannot reach from there.
     if (const float below = glm::dot(direction, place.geometric_normal); below < 0.0f)
       direction -= 2.0f * below * place.geometric_normal;
@@ -147,8 +140,11 @@ void Finder::traceVertex(std::size_t vertex) {
 }
 
 Result<void> Finder::trace(const ProgressFunction& progress) {
-  MIRRORBALL_TRY_VOID(
-      withName("the rays of the model's vertices", checkMemory(places_.size() * rays_ * sizeof(Hider))));
+  // Beside the rays what is found of vertices, here and in the scene, and of triangles.
+  const std::size_t of_vertex = rays_ * sizeof(Hider) + 4 * sizeof(VertexOcclusion) + 2 * sizeof(VertexLook);
+  const std::size_t of_triangle = sizeof(VertexLook) + sizeof(glm::vec3);
+  MIRRORBALL_TRY_VOID(withName("the rays of the model's vertices",
+                               checkMemory(places_.size() * of_vertex + first_triangle_.back() * of_triangle)));
   hiders_.resize(places_.size() * rays_);
   found_.resize(places_.size());
   constexpr std::size_t kGrain = 256;
@@ -183,22 +179,25 @@ void Finder::findAlbedos() {
 
 /// The mean of the triangles around each vertex.
 void Finder::findLooks() {
-  std::vector<formula::Material> materials(first_triangle_.back());
-  parallelFor(materials.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) materials[i] = materialOfTriangle(static_cast<std::uint32_t>(i));
+  std::vector<VertexLook> of_triangles(first_triangle_.back());
+  parallelFor(of_triangles.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const formula::Material material = materialOfTriangle(static_cast<std::uint32_t>(i));
+      of_triangles[i] = {material.base_color, material.metallic, material.emission, material.perceptual_roughness};
+    }
   });
   looks_.assign(places_.size(), {glm::vec3(0.0f), 0.0f, glm::vec3(0.0f), 0.0f});
   std::vector<float> counts(places_.size(), 0.0f);
   for (std::size_t instance = 0; instance < scene_.instances.size(); ++instance) {
     const std::vector<std::uint32_t>& indices = scene_.meshes[std::size_t(scene_.instances[instance].mesh)].indices;
     for (std::size_t i = 0; i / 3 < indices.size() / 3; ++i) {
-      const formula::Material& material = materials[first_triangle_[instance] + i / 3];
+      const VertexLook& look = of_triangles[first_triangle_[instance] + i / 3];
       const std::uint32_t vertex = places_.vertexOf(instance, indices[i]);
       VertexLook& sum = looks_[vertex];
-      sum.base_color += material.base_color;
-      sum.metallic += material.metallic;
-      sum.emission += material.emission;
-      sum.perceptual_roughness += material.perceptual_roughness;
+      sum.base_color += look.base_color;
+      sum.metallic += look.metallic;
+      sum.emission += look.emission;
+      sum.perceptual_roughness += look.perceptual_roughness;
       counts[vertex] += 1.0f;
     }
   }
@@ -233,8 +232,9 @@ void Finder::followReflections() {
       changes[begin / kGrain] = change;
     });
     light.swap(next);
-    if (light.empty() || std::ranges::max(changes) < kEnough) return;
+    if (light.empty() || std::ranges::max(changes) < kEnough) break;
   }
+  hiders_ = std::vector<Hider>();  // the most of the memory
 }
 
 /// Of a vertex and its neighbours over the edges of triangles, where the surface goes on smoothly.

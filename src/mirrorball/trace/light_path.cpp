@@ -406,11 +406,9 @@ Ray Path::scatterOnMattGround(Ray next, glm::vec3 photographed) {
   throughput_ *= surroundings_.albedoOfGround(photographed);
   if (settings_.strategy != LightStrategy::surface)
     sum_ -= throughput_ * hiddenFromGround(next, settings_.strategy == LightStrategy::light);
-  const glm::vec2 u = samples_.next();
-  const float radius = std::sqrt(u.x);
-  const float angle = formula::kTwoPi * u.y;
-  next.direction = {radius * std::cos(angle), std::sqrt(1.0f - u.x), radius * std::sin(angle)};
-  pdf_ = next.direction.y / formula::kPi;
+  const glm::vec3 scattered = formula::sampleDiffuse(samples_.next());
+  pdf_ = formula::pdfDiffuse(scattered);
+  next.direction = formula::aboveGround(scattered);
   from_ground_ = FromGround::scattered;
   return next;
 }

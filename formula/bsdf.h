@@ -18,6 +18,7 @@ namespace mirrorball::formula {
 //
 #include "formula/bsdf/brdf_table.glsl"
 #include "formula/bsdf/charlie.glsl"
+#include "formula/bsdf/lobe_row.glsl"
 #include "formula/bsdf/stretched_lobe.glsl"
 #include "formula/bsdf/thin_film.glsl"
 }  // namespace mirrorball::formula

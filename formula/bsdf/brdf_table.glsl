@@ -17,15 +17,20 @@ FN vec2 brdfTableCoordinates(float perceptual_roughness, float cosine, float siz
   return (place * (size - 1.0f) + 0.5f) / size;
 }
 
-// What such a table holds, in its first two channels.
+// A texel of such a table, which is the left square of a map.
+FN vec4 brdfTexel(MAP_SAMPLER table, float perceptual_roughness, float cosine) {
+  ivec2 size = mapSize(table, 0);
+  vec2 place = brdfTableCoordinates(perceptual_roughness, cosine, float(size.y));
+  return sampleMap(table, vec2(place.x * float(size.y) / float(size.x), place.y));
+}
+
+// What it holds in its first two channels.
 FN vec2 environmentBrdf(MAP_SAMPLER table, float perceptual_roughness, float cosine) {
-  float size = float(mapSize(table, 0).x);
-  vec4 texel = sampleMap(table, brdfTableCoordinates(perceptual_roughness, cosine, size));
+  vec4 texel = brdfTexel(table, perceptual_roughness, cosine);
   return vec2(texel.x, texel.y);
 }
 
 // And in its third: the albedo of white cloth (formula/bsdf/charlie.glsl).
 FN float sheenAlbedo(MAP_SAMPLER table, float sheen_roughness, float cosine) {
-  float size = float(mapSize(table, 0).x);
-  return sampleMap(table, brdfTableCoordinates(sheen_roughness, cosine, size)).z;
+  return brdfTexel(table, sheen_roughness, cosine).z;
 }

@@ -6,6 +6,7 @@
 struct Reflectance {
   vec3 single_scattering;    // of the light around the mirror direction, after one bounce
   vec3 multiple_scattering;  // of the light from all sides, after several bounces between the facets of a rough surface
+  vec3 grazing;              // of single_scattering, what facets do not reflect at normal incidence
 };
 
 struct Surface {
@@ -159,6 +160,11 @@ FN Reflectance dielectricOf(Surface s, Material tint, FacetShares facets) {
                           tintedReflectance(tint, facets.mean, facets.normal));
 }
 
+// How much of what facets reflect they do not reflect at normal incidence: nothing where a film makes it less.
+FN vec3 grazingShare(vec3 seen, vec3 normal) {
+  return clamp(vec3(1.0f) - normal / max(seen, vec3(1e-6f)), vec3(0.0f), vec3(1.0f));
+}
+
 // A surface with what it does with the light around it. glTF mixes its metal and its dielectric, not their parts
 // (appendix B.3.5).
 //   ray          unit, from the eye to the surface
@@ -174,6 +180,9 @@ FN Surface seenAlong(Surface s, vec3 ray) {
   Reflectance metal = roughReflectance(s, of_metal.seen, of_metal.mean);
   s.reflectance.single_scattering = mix(dielectric.single_scattering, metal.single_scattering, m.metallic);
   s.reflectance.multiple_scattering = mix(dielectric.multiple_scattering, metal.multiple_scattering, m.metallic);
+  vec3 seen = mix(tintedReflectance(m, facets.seen, facets.normal), of_metal.seen, m.metallic);
+  vec3 normal = mix(tintedReflectance(m, facets.normal, facets.normal), of_metal.normal, m.metallic);
+  s.reflectance.grazing = grazingShare(seen, normal);
   vec3 enters = vec3(1.0f) - kept_out.single_scattering - kept_out.multiple_scattering;
   s.diffuse_albedo = m.base_color * (1.0f - m.metallic) * enters;
   return s;

@@ -2,7 +2,7 @@
 // they all reflect. Pieces of it have normals of their own. Each is read as if it were a quarter as wide as it is: what
 // one lobe tells of it is little, and others lie beside it.
 #include "grid_random.glsl"
-#include "light_of_patch.glsl"
+#include "row_of_lobes.glsl"
 
 const float kReadOfPiece = 0.25;
 
@@ -17,7 +17,7 @@ vec3 reflectedLight(Surface s, SurfacePoint point) {
   vec3 smooth_d = lookUpDirection(point, point.normal);
   float footprint = sampleFootprint(dFdx(smooth_d), dFdy(smooth_d), samples_per_pixel * float(kPieces));
   if (s.material.perceptual_roughness <= kFeltWidening * s.own_roughness)
-    return lightOfPatch(point, d, across, down, s.material.perceptual_roughness);
+    return lightOfRow(s, point, across, down);
   ivec3 sample_place = ivec3(ivec2(gl_FragCoord.xy), int(sample_phase * samples_per_pixel));
   vec2 random = gridRandom(sample_place).xy;
   vec3 light = vec3(0.0);

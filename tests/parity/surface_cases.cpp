@@ -32,6 +32,7 @@ const Case kCases[] = {
     PARITY(brdfTableCoordinates, unit, kTight, vec4(brdfTableCoordinates(p.x, p.y, 128.0f), 0.0f, 0.0f)),
 
     PARITY(sheenAlbedo, unit, kTight, vec4(sheenAlbedo(SmoothMap(16.0f), p.x, p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(brdfTexel, unit, kTight, brdfTexel(SmoothMap(32.0f), p.x, p.y)),
     PARITY(environmentBrdf, unit, kTight, vec4(environmentBrdf(SmoothMap(32.0f), p.x, p.y), 0.0f, 0.0f)),
 
     // diffuse
@@ -63,6 +64,13 @@ const Case kCases[] = {
                        normalize(vec3(q.x, q.y, abs(q.z) + 0.0625f))))),
 
     PARITY(stretchedAlpha, unit, kTight, vec4(stretchedAlpha(p.x, q.x), 0.0f, 0.0f)),
+
+    // lobe_row
+    PARITY(firstOfRow, unit, kTight, vec4(float(firstOfRow(2 * int(2.5f * p.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(placeInLobeRows, unit, kTight, vec4(placeInLobeRows(int(8.0f * r.x), p.x, p.y), 0.0f, 0.0f)),
+    PARITY(lobeOfRow, direction, kTight,
+           vec4(lobeOfRow(4.0f * q, r.x, vec3(0.0f, 0.0f, 1.0f), normalize(vec3(p.x, p.y, abs(p.z)))).direction,
+                lobeOfRow(4.0f * abs(q), r.x, vec3(0.0f, 0.0f, 1.0f), vec3(p)).perceptual_roughness)),
 
     // stretched_lobe
     PARITY(tapOfStretchedLobe, direction, kTranscendental,
@@ -341,6 +349,7 @@ const Case kCases[] = {
                     .multiple_scattering.x)),
     PARITY(inFrame, direction, kTight, vec4(inFrame(testSurface(p, q, r), vec3(p)), 0.0f)),
     PARITY(eyeInFrame, direction, kTight, vec4(eyeInFrame(testSurface(p, q, r), vec3(p)), 0.0f)),
+    PARITY(grazingShare, unit, kTight, vec4(grazingShare(vec3(p), vec3(q)), 0.0f)),
     PARITY(seenAlong, direction, kTranscendental,
            vec4(seenAlong(testSurface(p, q, r), vec3(p)).reflectance.single_scattering.x,
                 seenAlong(testSurface(p, q, r), vec3(p)).reflectance.multiple_scattering.y,

@@ -356,6 +356,12 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "milliseconds, by a coarser mip level, or by the mean of 64 rays in a cone",
       .group = "Look"},
      choiceField<&FrameSettings::blur>},
+    {{.name = "lobe-taps",
+      .choices = "1|2|4|6",
+      .help = "with --blur exact or gpu, number of places at which the prefiltered environment is read for one rough "
+              "reflection; with 1 it is right only where the surface is seen from above",
+      .group = "Look"},
+     choiceField<&FrameSettings::lobe_taps>},
     {{.name = "mapping",
       .choices = "reflection|normal|sphere",
       .help = "what addresses the environment map: the reflected ray, the surface normal, or the normal as texture "
@@ -493,6 +499,12 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
 }  // namespace
 
 std::span<const Option<FrameSettings>> frameOptions() { return kOptions; }
+
+int lobesOf(const FrameSettings& settings) {
+  constexpr std::array<int, 4> kLobes{1, 2, 4, 6};
+  const bool is_prefiltered = settings.blur == BlurKind::exact || settings.blur == BlurKind::gpu;
+  return is_prefiltered ? kLobes[static_cast<std::size_t>(settings.lobe_taps)] : 1;
+}
 
 glm::mat3 FrameSettings::environmentFromWorld() const {
   const glm::vec3 turn = glm::radians(env_rotation_deg);

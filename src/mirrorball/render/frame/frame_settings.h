@@ -32,6 +32,7 @@ enum class LightLookUp {
 enum class TextureFilter { nearest, bilinear, trilinear, anisotropic };
 
 enum class BlurKind { exact, gpu, mip, cone };
+enum class LobeTaps { one, two, four, six };
 enum class RefractionKind {
   single,
   image_space,
@@ -89,6 +90,7 @@ struct FrameSettings {
   int samples = 4;                   ///< of each pixel, 1 … 4096
   Resolve resolve = Resolve::display;
   BlurKind blur = BlurKind::exact;
+  LobeTaps lobe_taps = LobeTaps::four;  ///< that make up what a rough surface reflects
   Mapping mapping = Mapping::reflection;
   ReflectAt reflect_at = ReflectAt::fragment;
   ReliefKind relief = ReliefKind::bump;
@@ -113,6 +115,9 @@ struct FrameSettings {
   /// Directions of the environment from those of the world.
   glm::mat3 environmentFromWorld() const;
 };
+
+/// How many lobes make up what a rough surface reflects: of prefiltered light as many as the settings say, else one.
+int lobesOf(const FrameSettings& settings);
 
 /// The table of these settings.
 std::span<const Option<FrameSettings>> frameOptions();

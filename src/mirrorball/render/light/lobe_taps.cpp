@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "mirrorball/base/linear_system.h"
+
 namespace mirrorball {
 namespace {
 
@@ -134,25 +136,6 @@ Expectations expectationsOf(const std::vector<Ring>& rings, int points, const Lo
     }
   }
   return expectations;
-}
-
-/// Solves a linear system by Gauss and Jordan, `rows` holding the right side as their last column.
-std::vector<double> solved(std::vector<std::vector<double>> rows) {
-  const std::size_t count = rows.size();
-  for (std::size_t column = 0; column < count; ++column) {
-    const auto pivot =
-        std::max_element(rows.begin() + static_cast<std::ptrdiff_t>(column), rows.end(),
-                         [&](const auto& a, const auto& b) { return std::abs(a[column]) < std::abs(b[column]); });
-    std::swap(*pivot, rows[column]);
-    for (std::size_t row = 0; row < count; ++row) {
-      if (row == column) continue;
-      const double factor = rows[row][column] / rows[column][column];
-      for (std::size_t k = column; k <= count; ++k) rows[row][k] -= factor * rows[column][k];
-    }
-  }
-  std::vector<double> solution;
-  for (std::size_t row = 0; row < count; ++row) solution.push_back(rows[row][count] / rows[row][row]);
-  return solution;
 }
 
 /// The weights with the sum 1 and the least expected square error, of the rings given only: where its gradient is the

@@ -49,7 +49,8 @@ int transmittedRays(const Material& material, const FrameSettings& settings, boo
 /// How many directions reflected light is read from at most.
 int readsOfReflection(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
   if (stretchesLobes(material, settings, coordinates)) return formula::kTapsOfStretchedLobe;
-  return readsPieces(material, settings, coordinates) ? formula::kPieces : 1;
+  if (readsPieces(material, settings, coordinates)) return formula::kPieces;
+  return readsLobeRow(material, settings, coordinates) ? lobesOf(settings) : 1;
 }
 
 LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings,

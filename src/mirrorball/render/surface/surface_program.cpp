@@ -11,6 +11,7 @@
 #include "mirrorball/bake/brdf/brdf_table.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
 #include "mirrorball/bake/brdf/sheen_albedo.h"
+#include "mirrorball/bake/lobe_row/lobe_row_table.h"
 #include "mirrorball/image/image_set.h"
 #include "mirrorball/render/surface/height_map_uniform.h"
 #include "mirrorball/render/surface/light_reads.h"
@@ -122,11 +123,28 @@ Result<Image> withCloth(const Result<Image>& table) {
   return shares;
 }
 
-/// OpenGL ES filters no more than half floats, which keep each share to 5e-4 of itself.
+void copyInto(Image& target, int left, const Image& source) {
+  for (int y = 0; y < source.height(); ++y)
+    for (int x = 0; x < source.width(); ++x)
+      std::copy_n(source.texel(x, y), source.channels(), target.texel(left + x, y));
+}
+
+/// The BRDF table and, on its right, the rows of lobes: shaders are short of textures. OpenGL ES filters no more than
+/// half floats, which keep each share to 5e-4 of itself.
 Result<gl::Texture> brdfTexture(const Image& table) {
-  MIRRORBALL_TRY(texture, gl::Texture::fromImages(gl::Format::rgba16f, ImageSet(table)));
+  MIRRORBALL_TRY(rows, lobeRowTable());
+  Image both(table.width() + rows.width(), table.height(), 4);
+  copyInto(both, 0, table);
+  copyInto(both, table.width(), rows);
+  MIRRORBALL_TRY(texture, gl::Texture::fromImages(gl::Format::rgba16f, ImageSet(std::move(both))));
   texture.setSampling({.filter = gl::Sampling::Filter::linear});
   return texture;
+}
+
+/// The parts that include brdf_look_up.glsl.
+bool readsBrdfTable(const SurfaceVariant& variant) {
+  return variant.has(Part::material, MaterialPart::core) || variant.has(Part::sky, SkyPart::past_scene_traced) ||
+         variant.has(Part::look_up, LookUpPart::lobe_row) || variant.has(Part::look_up, LookUpPart::pieces);
 }
 
 }  // namespace
@@ -160,7 +178,7 @@ Result<void> SurfacePrograms::addClothToBrdfTable() {
 void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy) {
   if (!variant.has(Part::proxy, ProxyPart::captured))
     proxy.connect(program, static_cast<ProxyKind>(variant.answers[std::size_t(Part::proxy)]));
-  if (variant.has(Part::material, MaterialPart::core)) program.set("brdf_table", TextureUnit::brdf_table);
+  if (readsBrdfTable(variant)) program.set("brdf_table", TextureUnit::brdf_table);
   const std::string form = variant.has(Part::arriving_light, ArrivingLightPart::distant) ? "" : "_faces";
   program.set("environment" + form, TextureUnit::environment);
   program.set("prefiltered" + form, TextureUnit::prefiltered);
@@ -174,10 +192,7 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
     program.set("heights", TextureUnit::heights);
     program.set("slopes", TextureUnit::slopes);
   }
-  if (variant.has(Part::sky, SkyPart::past_scene_traced)) {
-    program.set("scene_triangles", TextureUnit::scene_triangles);
-    program.set("brdf_table", TextureUnit::brdf_table);
-  }
+  if (variant.has(Part::sky, SkyPart::past_scene_traced)) program.set("scene_triangles", TextureUnit::scene_triangles);
   if (variant.has(Part::sky, SkyPart::over_horizons)) program.set("horizons", TextureUnit::horizons);
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_map", TextureUnit::slopes);
   if (variant.has(Part::point, PointPart::exact)) {
@@ -249,6 +264,7 @@ void SurfacePrograms::setFrame(const FrameUniforms& frame, const FrameSettings& 
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
   block.set("sample_phase", (static_cast<float>(frame.sample) + 0.5f) / static_cast<float>(settings.samples));
   block.set("texture_filter", static_cast<int>(settings.texture_filter));
+  block.set("lobe_taps", lobesOf(settings));
   block.set("inner_bounces", settings.inner_bounces);
   block.set("only_wavelength", settings.wavelength_nm / 1000.0f);
   block.set("wavelength_count", lightKindsOf(settings));

@@ -29,8 +29,9 @@ constexpr auto kProxy = std::to_array<Names>({"proxy_none.glsl", "proxy_box.glsl
                                               "proxy_ground.glsl", "proxy_triangles.glsl", "proxy_captured.glsl"});
 constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
-constexpr auto kLookUp = std::to_array<Names>(
-    {"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl", "look_up_pieces.glsl"});
+constexpr auto kLookUp =
+    std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl",
+                          "look_up_pieces.glsl", "look_up_lobe_row.glsl"});
 constexpr auto kDispersion = std::to_array<Names>({"dispersion_channels.glsl", "dispersion_spectral.glsl"});
 constexpr auto kBehind = std::to_array<Names>({"behind_light.glsl", "behind_screen.glsl"});
 constexpr auto kTransmission =
@@ -169,7 +170,8 @@ SkyPart skyPart(const SurfaceVariant& variant, const Material& material, const F
 LookUpPart lookUpPart(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
   if (coordinates.is_sphere_map) return LookUpPart::sphere_map;
   if (stretchesLobes(material, settings, coordinates)) return LookUpPart::stretched;
-  return readsPieces(material, settings, coordinates) ? LookUpPart::pieces : LookUpPart::environment;
+  if (readsPieces(material, settings, coordinates)) return LookUpPart::pieces;
+  return readsLobeRow(material, settings, coordinates) ? LookUpPart::lobe_row : LookUpPart::environment;
 }
 
 /// What glTF's extensions lay on the surface.
@@ -317,6 +319,12 @@ bool readsPieces(const Material& material, const FrameSettings& settings, const 
   const bool has_bumps =
       normalPart(material, settings) != NormalPart::vertex || detailPart(material) != DetailPart::none;
   return has_bumps && !stretchesLobes(material, settings, coordinates) && reflectsAtFragment(settings, coordinates);
+}
+
+bool readsLobeRow(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
+  const bool is_rough = material.perceptual_roughness > 0.0f || material.clearcoat_roughness > 0.0f;
+  return is_rough && lobesOf(settings) > 1 && !stretchesLobes(material, settings, coordinates) &&
+         reflectsAtFragment(settings, coordinates);
 }
 
 bool seesScreen(const Material& material, const FrameSettings& settings) {

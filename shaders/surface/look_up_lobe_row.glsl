@@ -1,0 +1,8 @@
+// Part "look-up" (look_up_environment.glsl). Here: from a row of round lobes, which is right where the surface is seen
+// aslant.
+#include "row_of_lobes.glsl"
+
+vec3 reflectedLight(Surface s, SurfacePoint point) {
+  vec3 d = lookUpDirection(point, s.normal);
+  return lightOfRow(s, point, dFdx(d), dFdy(d));
+}

@@ -45,9 +45,7 @@ Result<void> showOrClear(const std::string& what) {
 Command cacheCommand() {
   auto what = std::make_shared<std::string>("show");
   Command command{.name = "cache",
-                  .help =
-                      "Shows or clears the cache of what render and capture need again: prefiltered environments, "
-                      "and the occlusion of models",
+                  .help = "Shows or clears the cache of prefiltered environments and of the occlusion of models",
                   .about = "ACTION is `show` (the default) or `clear`.",
                   .examples = {{"cache show", "where it is, and how large"}, {"cache clear", "removes all of it"}}};
   addArgument(command, {.name = "ACTION", .help = "show or clear (default show)", .names = cacheActionNames}, *what);

@@ -49,7 +49,7 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
       .group = "Files"},
      &SceneRequest::repair},
     {{.name = "no-cache",
-      .help = "prefilter the environment and find the model's --occlusion anew, without the user's cache folder",
+      .help = "make the prefiltered environment and the model's occlusion anew, without the user's cache folder",
       .group = "Files"},
      &SceneRequest::is_uncached},
     {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &SceneRequest::timings},

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -242,6 +243,20 @@ TEST_F(OcclusionCacheTest, AFileOfAnotherSceneIsMadeAgain) {
   ASSERT_TRUE(writeFile(path, *of_other)) << "of the same counts, under the name of the other";
   Scene scene = twoBalls();
   EXPECT_FALSE(OcclusionCache(*cache_).find(OcclusionCache::keyOf(scene, kSettings), true, scene));
+}
+
+// Where these change, findOcclusion finds something else: raise OcclusionCache::kVersion, so that nobody is shown what
+// was kept before, and write both down here.
+TEST(OcclusionCacheVersion, GoesUpWithOtherValues) {
+  const Scene scene = found(twoBalls(), kSettings);
+  std::vector<float> values;
+  for (const std::size_t vertex : {140u, 165u, 190u}) {
+    const VertexOcclusion& occlusion = scene.instances[0].occlusion[vertex];
+    values.insert(values.end(), {occlusion.hidden.x, occlusion.open, occlusion.shown.y});
+  }
+  EXPECT_EQ(OcclusionCache::kVersion, 1u);
+  EXPECT_THAT(values, ::testing::Pointwise(::testing::FloatNear(1e-3f), {0.1976f, 0.5862f, 0.1820f, 0.2300f, 0.5026f,
+                                                                         0.2188f, 0.2263f, 0.4798f, 0.2254f}));
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "cli/commands.h"
+#include "mirrorball/base/cache_folder.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/render/light/prefilter_cache.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kActions{"show", "clear"};
 std::span<const std::string_view> cacheActionNames() { return kActions; }
 
-std::string contentsText(const PrefilterCache::Contents& contents) {
+std::string contentsText(const CacheFolder::Contents& contents) {
   if (contents.files == 0) return "nothing";
   return std::to_string(contents.files) + (contents.files == 1 ? " file, " : " files, ") + textOfBytes(contents.bytes);
 }
@@ -23,7 +23,7 @@ std::string contentsText(const PrefilterCache::Contents& contents) {
 Result<void> showOrClear(const std::string& what) {
   const auto action = indexOfName(what, kActions);
   if (!action) return tl::unexpected<Error>(unknownName("action of cache", what, kActions));
-  MIRRORBALL_TRY(cache, PrefilterCache::ofUser());
+  MIRRORBALL_TRY(cache, CacheFolder::ofUser());
   if (!cache) {
     std::puts("there is no cache: MIRRORBALL_CACHE is empty, or there is no home folder");
     return {};
@@ -45,7 +45,7 @@ Result<void> showOrClear(const std::string& what) {
 Command cacheCommand() {
   auto what = std::make_shared<std::string>("show");
   Command command{.name = "cache",
-                  .help = "Shows or clears the cache of environments that render and capture have prefiltered",
+                  .help = "Shows or clears the cache of prefiltered environments and of the occlusion of models",
                   .about = "ACTION is `show` (the default) or `clear`.",
                   .examples = {{"cache show", "where it is, and how large"}, {"cache clear", "removes all of it"}}};
   addArgument(command, {.name = "ACTION", .help = "show or clear (default show)", .names = cacheActionNames}, *what);

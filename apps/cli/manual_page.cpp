@@ -53,7 +53,7 @@ std::string commandText(const Command& command) {
 
 constexpr std::string_view kEnvironment[][2] = {
     {"MIRRORBALL_CACHE",
-     "the folder for prefiltered environments; empty: none are kept. If it is not set: "
+     "the folder for prefiltered environments and the occlusion of models; empty: none are kept. If it is not set: "
      "$XDG_CACHE_HOME/mirrorball or ~/.cache/mirrorball."},
     {"MIRRORBALL_CACHE_SIZE",
      "maximum size of that folder, as in 500M or 2G; 0: nothing is kept. If it is not set: 1G. What was not used for "

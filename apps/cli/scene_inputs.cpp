@@ -10,7 +10,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
-#include "mirrorball/rays/scene_occlusion.h"
+#include "mirrorball/rays/occlusion_cache.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/proxy/proxy.h"
@@ -48,7 +48,9 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
       .help = "replace NaN and infinite texels of the environment by the mean of their neighbours",
       .group = "Files"},
      &SceneRequest::repair},
-    {{.name = "no-cache", .help = "prefilter the environment anew, without the user's cache folder", .group = "Files"},
+    {{.name = "no-cache",
+      .help = "make the prefiltered environment and the model's occlusion anew, without the user's cache folder",
+      .group = "Files"},
      &SceneRequest::is_uncached},
     {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &SceneRequest::timings},
     {kMaxMemoryText, &SceneRequest::max_memory},
@@ -156,14 +158,13 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
                                 std::span<const std::string> outputs, StageClock& clock) {
   MIRRORBALL_TRY(names, namesOf(request, materials));
   if (!request.is_uncached) {
-    MIRRORBALL_TRY(of_user, PrefilterCache::ofUser());
+    MIRRORBALL_TRY(of_user, CacheFolder::ofUser());
     names.cache = std::move(of_user);
   }
   if (request.occlusion == OcclusionKind::vertex)
-    names.finish = [&clock, finds_looks = request.self_reflection](Scene& scene) {
-      return clock.time("model: occlusion", [&]() -> Result<void> {
-        MIRRORBALL_TRY(geometry, Geometry::make(scene));
-        return findOcclusion(scene, geometry, {.finds_looks = finds_looks}, progressBar("occlusion"));
+    names.finish = [&clock, cache = names.cache, finds_looks = request.self_reflection](Scene& scene) {
+      return clock.time("model: occlusion", [&] {
+        return findOcclusionOnce(scene, {.finds_looks = finds_looks}, cache, progressBar("occlusion"));
       });
     };
   return checkedInputs(loadRenderInputs(names, clock.observing(terminalObserver())), request, outputs);

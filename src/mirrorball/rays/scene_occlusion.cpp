@@ -52,10 +52,12 @@ glm::vec3 albedoOf(const formula::Material& m) {
 
 class Finder {
  public:
-  Finder(const Scene& scene, const Geometry& geometry, int rays)
-      : scene_(scene), geometry_(geometry), places_(scene), world_from_normal_(normalMatrices(scene)) {
-    const std::size_t share = kRaysInAll / std::max<std::size_t>(places_.size(), 1);
-    rays_ = rays > 0 ? std::size_t(rays) : std::clamp(share, kFewestRays, kMostRays);
+  Finder(const Scene& scene, const Geometry& geometry, const SceneOcclusionSettings& settings)
+      : scene_(scene),
+        geometry_(geometry),
+        places_(scene),
+        world_from_normal_(normalMatrices(scene)),
+        rays_(occlusionRaysOfVertex(places_.size(), settings)) {
     first_triangle_.push_back(0);
     for (const Instance& instance : scene.instances)
       first_triangle_.push_back(
@@ -282,9 +284,14 @@ void Finder::give(Scene& scene) const {
 
 }  // namespace
 
+std::size_t occlusionRaysOfVertex(std::size_t vertices, const SceneOcclusionSettings& settings) {
+  const std::size_t share = kRaysInAll / std::max<std::size_t>(vertices, 1);
+  return settings.rays > 0 ? std::size_t(settings.rays) : std::clamp(share, kFewestRays, kMostRays);
+}
+
 Result<void> findOcclusion(Scene& scene, const Geometry& geometry, const SceneOcclusionSettings& settings,
                            const ProgressFunction& progress) {
-  Finder finder(scene, geometry, settings.rays);
+  Finder finder(scene, geometry, settings);
   MIRRORBALL_TRY_VOID(finder.trace(progress));
   finder.findAlbedos();
   finder.followReflections();

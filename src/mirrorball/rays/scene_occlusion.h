@@ -14,6 +14,9 @@ struct SceneOcclusionSettings {
   bool finds_looks = false;  ///< Instance::looks too
 };
 
+/// The rays from each of so many different vertices.
+std::size_t occlusionRaysOfVertex(std::size_t vertices, const SceneOcclusionSettings& settings);
+
 /// Finds what each vertex of a scene sees of the environment and what of the scene (Instance::occlusion), by rays from
 /// the triangles around it. Surfaces hide by their opacity, and less by what they transmit; light that they reflect is
 /// followed to its end as if they were matt, by their colour: under a white sky all of a white scene is white.

@@ -31,7 +31,7 @@ inline Result<PreparedEnvironment> prepareOnce(const Environment& environment) {
     }
   };
   static const Folder folder;
-  return prepareEnvironment(environment, PrefilterCache(folder.path));
+  return prepareEnvironment(environment, CacheFolder(folder.path));
 }
 
 /// Tests with a context of OpenGL without a window; skipped where there is none.

@@ -2,23 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "formula/bodies.h"
-#include "formula/bsdf.h"
 #include "formula/color.h"
-#include "formula/proxy.h"
 #include "formula/surface.h"
 #include "formula/tangent.h"
-#include "mirrorball/bake/brdf/directional_albedo.h"
-#include "mirrorball/bake/brdf/sheen_albedo.h"
 #include "mirrorball/rays/surface_point.h"
 #include "mirrorball/scene/bodies/surrounding_media.h"
 #include "mirrorball/trace/bsdf.h"
+#include "mirrorball/trace/carried_light.h"
+#include "mirrorball/trace/lamp_surface.h"
 #include "mirrorball/trace/layered_bsdf.h"
+#include "mirrorball/trace/path_on_ground.h"
 
 namespace mirrorball {
 namespace {
@@ -27,10 +24,6 @@ namespace {
 constexpr int kMaxPassed = 512;
 /// From this surface on, dark paths are ended at random (Russian roulette).
 constexpr int kFirstRoulette = 4;
-/// The share of paths that go on from a polished ground as its mirror image.
-constexpr float kMirroredPaths = 0.5f;
-/// In place of an instance: the ground of the environment.
-constexpr std::uint32_t kGround = ~std::uint32_t{0};
 
 /// The colour of a surface: its base colour, or a metal's reflectance at normal incidence.
 glm::vec3 albedoOf(const formula::Material& material) {
@@ -58,6 +51,7 @@ class Path {
         surroundings_(surroundings),
         settings_(settings),
         samples_(samples),
+        on_ground_(surroundings, settings.strategy, samples),
         wavelength_(settings.wavelength_nm / 1000.0f) {}
 
   PathLight follow(Ray ray);
@@ -87,14 +81,8 @@ class Path {
   float iorBeyond(const Vertex& vertex) const;
   formula::Material materialAt(const Vertex& vertex) const;
   LightSample sampleLight(glm::vec3 place);
-  float weightBeside(float pdf_of_light) const;
   void seeEnvironment(const Ray& ray);
   std::optional<float> groundBefore(const Ray& ray, const std::optional<Hit>& hit) const;
-  Ray scatterOnGround(const Ray& ray, float distance);
-  Ray scatterOnMattGround(Ray next, glm::vec3 photographed);
-  Ray mirrorOnGround(const Ray& ray, Ray next, glm::vec3 photographed);
-  glm::vec3 hiddenFromGround(Ray next, bool is_alone);
-  bool leavesGround(const Ray& ray, bool meets_surface);
   glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, const Frame& frame);
   glm::vec3 coatNormal(const Vertex& vertex) const;
   Ray leaving(const Vertex& vertex, glm::vec3 direction) const;
@@ -105,14 +93,10 @@ class Path {
   const Surroundings& surroundings_;
   const TraceSettings& settings_;
   SampleSequence& samples_;
-  glm::vec3 sum_{0.0f};
-  glm::vec3 throughput_{1.0f};
-  float pdf_ = 0.0f;        // of the ray's direction; 0: nothing else could have chosen it
+  CarriedLight light_;
+  PathOnGround on_ground_;
   float wavelength_;        // µm, that of the settings, or once light is dispersed; 0: all are there
   int inner_surfaces_ = 0;  // that were met from within bodies
-  /// How the ray leaves the ground, where the light of the environment counts already.
-  enum class FromGround { none, scattered, mirrored } from_ground_ = FromGround::none;
-  glm::vec3 replaced_{0.0f};  // by what a ray finds that the ground mirrors
 };
 
 /// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
@@ -254,39 +238,16 @@ glm::vec3 Path::lightOfLamps(const Vertex& vertex, const formula::Material& mate
   const std::vector<ModelLight>& of_model = world_.scene.lights;
   const bool is_inside = vertex.is_body && !vertex.is_outside;
   if ((settings_.lights.empty() && of_model.empty()) || is_inside) return glm::vec3(0.0f);
-  const Ray& arriving = vertex.arriving;
-  const auto cosineTo = [&](glm::vec3 normal) { return std::clamp(-glm::dot(arriving.direction, normal), 0.0f, 1.0f); };
-  const auto environmentBrdf = [&](float perceptual_roughness, glm::vec3 normal) -> glm::vec2 {
-    const DirectionalAlbedo albedo = directionalAlbedo(Distribution::ggx, perceptual_roughness, cosineTo(normal));
-    return {1.0f - albedo.total(), albedo.grazing()};
-  };
-  formula::Surface surface;
-  surface.material = material;
-  surface.normal = frame.n;
-  surface.tangent = frame.t;
-  surface.environment_brdf = environmentBrdf(material.perceptual_roughness, frame.n);
-  if (material.anisotropy > 0.0f) {
-    const glm::vec2 alpha = formula::stretchedAlpha(material.perceptual_roughness, material.anisotropy);
-    surface.environment_brdf.y = environmentBrdf(std::sqrt(0.5f * (alpha.x + alpha.y)), frame.n).y;
-    surface.stretched_share = formula::stretchedShare(alpha, frame.toLocal(-arriving.direction));
-  }
-  const bool has_sheen = material.sheen_color != glm::vec3(0.0f);
-  surface.sheen_albedo = has_sheen ? sheenAlbedo(material.sheen_roughness, cosineTo(frame.n)) : 0.0f;
-  surface = formula::seenAlong(surface, arriving.direction);
-  const Frame coat_frame(material.clearcoat > 0.0f ? coatNormal(vertex) : frame.n);
-  const formula::Surface coat = formula::coatOf(surface, arriving.direction, coat_frame.n, coat_frame.t,
-                                                environmentBrdf(material.clearcoat_roughness, coat_frame.n));
-  const glm::vec3 place = arriving.origin + vertex.hit.distance * arriving.direction;
+  const glm::vec3 ray = vertex.arriving.direction;
+  const LampSurface surface(material, frame, material.clearcoat > 0.0f ? coatNormal(vertex) : frame.n, ray);
+  const glm::vec3 place = vertex.arriving.origin + vertex.hit.distance * ray;
   glm::vec3 light(0.0f);
   const auto add = [&](const formula::Lamp& lamp, float factor) {
-    glm::vec3 shaded = factor * formula::shadedByLamp(surface, arriving.direction, place, lamp);
-    if (material.clearcoat > 0.0f)
-      shaded = formula::underCoat(coat, material.clearcoat, shaded,
-                                  factor * formula::shadedByLamp(coat, arriving.direction, place, lamp));
-    if (shaded == glm::vec3(0.0f)) return;
+    const glm::vec3 shown = surface.shownOf(lamp, place, factor);
+    if (shown == glm::vec3(0.0f)) return;
     const bool is_far = lamp.kind == formula::kLampDirectional;
     const float distance = is_far ? INFINITY : glm::distance(lamp.position, place);
-    light += shaded * shareThatArrives(leaving(vertex, formula::towardsLamp(lamp, place)), distance);
+    light += shown * shareThatArrives(leaving(vertex, formula::towardsLamp(lamp, place)), distance);
   };
   for (const PointLight& lamp : settings_.lights) add(lampOf(lamp), 1.0f);
   for (const ModelLight& lamp : of_model) add(lamp, settings_.light_intensity);
@@ -312,10 +273,10 @@ Ray Path::leaving(const Vertex& vertex, glm::vec3 direction) const {
 
 /// Ends dark paths at random; the others count for those that are ended.
 bool Path::survivesRoulette() {
-  const glm::vec3 carried = glm::abs(throughput_);  // of a wavelength, some may be negative
+  const glm::vec3 carried = glm::abs(light_.throughput);  // of a wavelength, some may be negative
   const float survives = std::min(std::max({carried.x, carried.y, carried.z}), 1.0f);
   if (survives <= 0.0f || samples_.nextIndependent() >= survives) return false;
-  throughput_ /= survives;
+  light_.throughput /= survives;
   return true;
 }
 
@@ -327,7 +288,7 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   float new_wavelength = disperses ? formula::sampleWavelength(samples_.next().x) : 0.0f;
   if (needsWavelength(vertex)) {
     wavelength_ = disperses ? new_wavelength : formula::sampleWavelength(samples_.next().x);
-    throughput_ *= formula::shareOfWavelength(wavelength_);
+    light_.throughput *= formula::shareOfWavelength(wavelength_);
     new_wavelength = 0.0f;
   }
   const formula::Material material = materialAt(vertex);
@@ -344,26 +305,21 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   const LayeredScattering scattered = bsdf.scatter(-vertex.arriving.direction, light, samples_);
   const auto& [direct, next, enters] = scattered.scattering;
   if (direct != glm::vec3(0.0f))
-    sum_ += throughput_ * direct * shareThatArrives(leaving(vertex, light.direction), INFINITY) *
-            surroundings_.radiance(place, light.direction);
-  sum_ += throughput_ * (lightOfLamps(vertex, material, frame) + scattered.share_below * material.emission);
+    light_.sum += light_.throughput * direct * shareThatArrives(leaving(vertex, light.direction), INFINITY) *
+                  surroundings_.radiance(place, light.direction);
+  light_.sum += light_.throughput * (lightOfLamps(vertex, material, frame) + scattered.share_below * material.emission);
   if (!next) return std::nullopt;
   if (next->is_refracted && new_wavelength > 0.0f) wavelength_ = new_wavelength;
-  throughput_ *= next->weight;
-  pdf_ = next->pdf;
+  light_.throughput *= next->weight;
+  light_.pdf = next->pdf;
   return leaving(vertex, glm::normalize(next->direction));
-}
-
-/// How much the environment counts where the path has found it: what of this light was chosen directly counts there.
-float Path::weightBeside(float pdf_of_light) const {
-  if (pdf_ <= 0.0f || settings_.strategy == LightStrategy::surface) return 1.0f;
-  return settings_.strategy == LightStrategy::both ? balanceHeuristic(pdf_, pdf_of_light) : 0.0f;
 }
 
 void Path::seeEnvironment(const Ray& ray) {
   const glm::vec3 origin = ray.from ? ray.origin : surroundings_.originOfEye(ray.origin, ray.direction);
-  const float weight = weightBeside(pdf_ > 0.0f ? surroundings_.pdf(origin, ray.direction) : 0.0f);
-  sum_ += throughput_ * weight * surroundings_.radiance(origin, ray.direction);
+  const float weight =
+      light_.weightBeside(light_.pdf > 0.0f ? surroundings_.pdf(origin, ray.direction) : 0.0f, settings_.strategy);
+  light_.sum += light_.throughput * weight * surroundings_.radiance(origin, ray.direction);
 }
 
 /// Where a ray meets the ground of the environment before anything else.
@@ -373,90 +329,27 @@ std::optional<float> Path::groundBefore(const Ray& ray, const std::optional<Hit>
   return distance && !(hit && hit->distance <= *distance) ? distance : std::nullopt;
 }
 
-/// The light of the environment that the scene hides from a matt white ground, as one light sample tells it.
-///
-/// is_alone   no other strategy looks for it
-glm::vec3 Path::hiddenFromGround(Ray next, bool is_alone) {
-  const LightSample light = surroundings_.sampleFarAway(samples_.next());
-  if (light.pdf <= 0.0f || light.direction.y <= 0.0f) return glm::vec3(0.0f);
-  next.direction = light.direction;
-  const float cosine = light.direction.y / formula::kPi;
-  const float weight = is_alone ? 1.0f : balanceHeuristic(light.pdf, cosine);
-  const glm::vec3 hidden = 1.0f - shareThatArrives(next, INFINITY);
-  return hidden * surroundings_.radianceFarAway(light.direction) * (weight * cosine / light.pdf);
-}
-
-/// The panorama shows the ground as it is without the scene. What the scene changes is added: the light that it hides,
-/// below 0, and its own ("differential rendering": Debevec 1998, "Rendering synthetic objects into real scenes").
-Ray Path::scatterOnGround(const Ray& ray, float distance) {
-  const glm::vec3 up(0.0f, 1.0f, 0.0f);
-  const glm::vec3 place = ray.origin + distance * ray.direction;
-  const glm::vec3 photographed = surroundings_.radiance(ray.origin, ray.direction);
-  // From below the ground it meets also what lies flat on it.
-  const Ray next{
-      .origin = formula::besideSurface(place, distance, -up), .from = Hit{.instance = kGround}, .media = ray.media};
-  if (surroundings_.groundRoughness() < 1.0f) {
-    if (samples_.nextIndependent() < kMirroredPaths) return mirrorOnGround(ray, next, photographed);
-    throughput_ /= 1.0f - kMirroredPaths;
-  }
-  return scatterOnMattGround(next, photographed);
-}
-
-Ray Path::scatterOnMattGround(Ray next, glm::vec3 photographed) {
-  throughput_ *= surroundings_.albedoOfGround(photographed);
-  if (settings_.strategy != LightStrategy::surface)
-    sum_ -= throughput_ * hiddenFromGround(next, settings_.strategy == LightStrategy::light);
-  const glm::vec3 scattered = formula::sampleDiffuse(samples_.next());
-  pdf_ = formula::pdfDiffuse(scattered);
-  next.direction = formula::aboveGround(scattered);
-  from_ground_ = FromGround::scattered;
-  return next;
-}
-
-/// A ray to what a polished ground may show of the scene, in place of a share of what is there.
-Ray Path::mirrorOnGround(const Ray& ray, Ray next, glm::vec3 photographed) {
-  const float alpha = formula::alphaFromPerceptualRoughness(surroundings_.groundRoughness());
-  next.direction = formula::mirroredByGround(ray.direction, alpha, samples_.next());
-  throughput_ *= formula::shareMirroredByGround(ray.direction, next.direction, alpha) / kMirroredPaths;
-  replaced_ = photographed - surroundings_.albedoOfGround(photographed) * hiddenFromGround(next, true);
-  pdf_ = 0.0f;
-  from_ground_ = FromGround::mirrored;
-  return next;
-}
-
-/// Adds what light from the ground's place changes there.
-///
-/// returns  whether the path goes on to the surface that it has met
-bool Path::leavesGround(const Ray& ray, bool meets_surface) {
-  const FromGround left = std::exchange(from_ground_, FromGround::none);
-  if (!meets_surface) return left == FromGround::none;
-  if (left == FromGround::scattered)
-    sum_ -= throughput_ * weightBeside(surroundings_.pdfFarAway(ray.direction)) *
-            surroundings_.radianceFarAway(ray.direction);
-  if (left == FromGround::mirrored) sum_ -= throughput_ * replaced_;
-  return true;
-}
-
 PathLight Path::follow(Ray ray) {
   PathLight result;
   const auto ended = [&] {
-    result.radiance = glm::vec4(sum_, 1.0f);
+    result.radiance = glm::vec4(light_.sum, 1.0f);
     return result;
   };
+  const auto arrives = [this](const Ray& towards) { return shareThatArrives(towards, INFINITY); };
   for (int surfaces = 0;; ++surfaces) {
     const bool meets = surfaces == 0 || meetsSurfaces(ray);
     if (surfaces > 0 && formula::fillingBody(ray.media) >= 0) ++inner_surfaces_;
-    const auto hit = meets ? firstHit(ray, INFINITY, throughput_) : std::nullopt;
-    if (!leavesGround(ray, hit.has_value())) return ended();
+    const auto hit = meets ? firstHit(ray, INFINITY, light_.throughput) : std::nullopt;
+    if (!on_ground_.goesOn(ray, hit.has_value(), light_)) return ended();
     const auto ground = groundBefore(ray, hit);
     if (!hit || ground) {
       if (surfaces == 0 && !settings_.shows_environment) {
-        if (settings_.background) result.radiance = glm::vec4(throughput_ * *settings_.background, 1.0f);
+        if (settings_.background) result.radiance = glm::vec4(light_.throughput * *settings_.background, 1.0f);
         return result;
       }
       seeEnvironment(ray);
       if (!ground || surfaces == settings_.bounces) return ended();
-      ray = scatterOnGround(ray, *ground);
+      ray = on_ground_.scatter(ray, *ground, arrives, light_);
       continue;
     }
     if (surfaces == settings_.bounces && !settings_.is_unoccluded) return ended();
@@ -470,7 +363,7 @@ PathLight Path::follow(Ray ray) {
       result.normal = facing * normal;
     }
     if (vertex.surface.unlit) {
-      sum_ += throughput_ * vertex.point.material.emission;
+      light_.sum += light_.throughput * vertex.point.material.emission;
       return ended();
     }
     const auto next = scatter(vertex, normal);

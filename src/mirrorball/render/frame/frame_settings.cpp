@@ -1,228 +1,19 @@
 #include "mirrorball/render/frame/frame_settings.h"
 
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <optional>
-#include <string>
 
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 #include "formula/color.h"
-#include "mirrorball/base/text.h"
 #include "mirrorball/environment/convert/convert.h"
+#include "mirrorball/render/frame/frame_fields.h"
 
 namespace mirrorball {
 namespace {
 
-using Field = ParsedField<FrameSettings>;
-
-constexpr int kLongestSide = 16384;
-
-constexpr Field kSize{[](const FrameSettings& s) { return std::to_string(s.size.x) + "x" + std::to_string(s.size.y); },
-                      [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                        const auto sides =
-                            split(std::string(written), written.find('X') == std::string_view::npos ? 'x' : 'X');
-                        glm::ivec2 size(0);
-                        for (int side = 0; side < 2 && side < static_cast<int>(sides.size()); ++side) {
-                          const auto number = parseNumber(sides[static_cast<std::size_t>(side)]);
-                          if (number && *number == std::floor(*number) && *number >= 1 && *number <= kLongestSide)
-                            size[side] = static_cast<int>(*number);
-                        }
-                        OptionText bounded = text;
-                        bounded.minimum = 1;
-                        bounded.maximum = kLongestSide;
-                        if (sides.size() != 2 || size.x == 0 || size.y == 0)
-                          return misused(bounded, "WIDTHxHEIGHT", written);
-                        s.size = size;
-                        return {};
-                      }};
-
-/// "#rrggbb" as linear light.
-std::optional<glm::vec3> parseHexColor(std::string_view text) {
-  if (text.size() != 7 || text[0] != '#') return std::nullopt;
-  unsigned bits = 0;
-  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, bits, 16);
-  if (error != std::errc{} || end != text.data() + 7) return std::nullopt;
-  const glm::vec3 encoded((bits >> 16) & 255u, (bits >> 8) & 255u, bits & 255u);
-  return formula::linearFromSrgb(encoded / 255.0f);
-}
-
-/// "336699", which is a number too.
-bool lacksHash(std::string_view text) {
-  return text.size() == 6 && text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
-}
-
-constexpr std::array<std::string_view, 3> kBackgroundNames{"env", "blur", "transparent"};
-constexpr std::array<BackgroundKind, 3> kBackgroundKinds{BackgroundKind::environment, BackgroundKind::blur,
-                                                         BackgroundKind::transparent};
-
-Result<void> parseBackground(const OptionText& text, std::string_view written, FrameSettings& settings) {
-  const std::string name(text.name);
-  if (lacksHash(written))
-    return fail(ErrorCode::usage, name + " " + std::string(written) + ": a colour begins with #, in quotes: '#" +
-                                      std::string(written) + "'");
-  if (const auto index = indexOfName(written, kBackgroundNames)) {
-    settings.background = kBackgroundKinds[*index];
-    return {};
-  }
-  if (const auto color = parseHexColor(written)) {
-    settings.background = BackgroundKind::display_color;
-    settings.background_color = *color;
-    return {};
-  }
-  constexpr OptionText kRadiance{.name = "background", .minimum = 0, .maximum = 1e6};
-  if (const auto numbers = parseVector(kRadiance, written)) {
-    settings.background = BackgroundKind::radiance;
-    settings.background_color = *numbers;
-    return {};
-  }
-  const auto meant = nearestWord(written, kBackgroundNames);
-  return fail(ErrorCode::usage, name + " takes " + join(kBackgroundNames) + ", #rrggbb or R,G,B (" +
-                                    rangeText(kRadiance) + "); it was given '" + std::string(written) + "'" +
-                                    (meant ? "; did you mean '" + std::string(*meant) + "'?" : ""));
-}
-
-std::string writtenBackground(const FrameSettings& settings) {
-  for (std::size_t i = 0; i < kBackgroundKinds.size(); ++i)
-    if (settings.background == kBackgroundKinds[i]) return std::string(kBackgroundNames[i]);
-  return writeNumbers({&settings.background_color.x, 3});
-}
-
-constexpr Field kBackground{writtenBackground, parseBackground};
-
-/// Whether a text cannot be meant as numbers.
-bool isName(std::string_view text) { return text.find_first_not_of("0123456789+-.,eE ") != std::string_view::npos; }
-
-Result<void> parseOrbit(const OptionText& text, std::string_view written, FrameSettings& settings) {
-  if (isName(written)) {
-    settings.camera.name = written;
-    return {};
-  }
-  MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-  if (std::abs(numbers[1]) > 90.0f) return misused({.name = text.name}, "an elevation from -90 to 90 degrees", written);
-  if (numbers.size() > 2 && numbers[2] <= 0.0f)
-    return misused({.name = text.name}, "a distance above 0, in model radii", written);
-  settings.camera.azimuth_deg = numbers[0];
-  settings.camera.elevation_deg = numbers[1];
-  settings.camera.distance = numbers.size() > 2 ? std::optional(numbers[2]) : std::nullopt;
-  return {};
-}
-
-std::string writtenOrbit(const FrameSettings& settings) {
-  if (!settings.camera.name.empty()) return settings.camera.name;
-  std::vector<float> numbers{settings.camera.azimuth_deg, settings.camera.elevation_deg};
-  if (settings.camera.distance) numbers.push_back(*settings.camera.distance);
-  return writeNumbers(numbers);
-}
-
-constexpr Field kOrbit{writtenOrbit, parseOrbit};
-
-constexpr Field kTarget{[](const FrameSettings& s) {
-                          return s.camera.target ? writeNumbers({&s.camera.target->x, 3}) : std::string();
-                        },
-                        [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                          MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-                          s.camera.target = glm::vec3(numbers[0], numbers[1], numbers[2]);
-                          return {};
-                        }};
-
-constexpr Field kOrthographic{[](const FrameSettings& s) {
-                                return s.camera.orthographic_height ? formatNumber(*s.camera.orthographic_height) : "";
-                              },
-                              [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                                MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-                                s.camera.orthographic_height = numbers[0];
-                                return {};
-                              }};
-
-constexpr Field kRotation{[](const FrameSettings& s) {
-                            const glm::vec3& turn = s.env_rotation_deg;
-                            return writeNumbers({&turn.x, turn.z != 0.0f   ? std::size_t{3}
-                                                          : turn.y != 0.0f ? std::size_t{2}
-                                                                           : std::size_t{1}});
-                          },
-                          [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                            MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-                            numbers.resize(3, 0.0f);
-                            s.env_rotation_deg = glm::vec3(numbers[0], numbers[1], numbers[2]);
-                            return {};
-                          }};
-
-constexpr Field kProxy{[](const FrameSettings& s) { return writtenProxy(s.proxy); },
-                       [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                         MIRRORBALL_TRY(proxy, parseProxy(text.name, written));
-                         proxy.captured_at = s.proxy.captured_at;
-                         proxy.ground_roughness = s.proxy.ground_roughness;
-                         s.proxy = std::move(proxy);
-                         return {};
-                       }};
-
-constexpr Field kGroundRoughness{
-    [](const FrameSettings& s) { return formatNumber(s.proxy.ground_roughness); },
-    [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-      MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-      s.proxy.ground_roughness = numbers.front();
-      return {};
-    }};
-
-constexpr Field kCapturedAt{[](const FrameSettings& s) {
-                              return s.proxy.captured_at ? writeNumbers({&s.proxy.captured_at->x, 3}) : std::string();
-                            },
-                            [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                              MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-                              s.proxy.captured_at = glm::vec3(numbers[0], numbers[1], numbers[2]);
-                              return {};
-                            }};
-
-constexpr Field kProbes{
-    [](const FrameSettings& s) { return s.probes == FrameSettings::kAutoProbes ? "auto" : std::to_string(s.probes); },
-    [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-      if (written == "auto") {
-        s.probes = FrameSettings::kAutoProbes;
-        return {};
-      }
-      const auto count = parseInteger(text, written);
-      if (!count) return misused(text, "'auto' or a number", written);
-      s.probes = *count;
-      return {};
-    }};
-
-/// As matrices are written, row after row; GLM's are columns.
-constexpr Field kTextureMatrix{[](const FrameSettings& s) {
-                                 const glm::mat4 rows = glm::transpose(s.texture_matrix);
-                                 return writeNumbers({&rows[0].x, 16});
-                               },
-                               [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                                 MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-                                 s.texture_matrix = glm::transpose(glm::make_mat4(numbers.data()));
-                                 return {};
-                               }};
-
-constexpr Field kWavelength{
-    [](const FrameSettings& s) { return s.wavelength_nm > 0.0f ? formatNumber(s.wavelength_nm) : std::string(); },
-    [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-      MIRRORBALL_TRY(numbers, parseNumbers(text, written));
-      s.wavelength_nm = numbers[0];
-      return {};
-    }};
-
-constexpr Field kLight{[](const FrameSettings&) { return std::string(); },
-                       [](const OptionText& text, std::string_view written, FrameSettings& s) -> Result<void> {
-                         MIRRORBALL_TRY(n, parseNumbers(text, written));
-                         if (s.lights.size() == FrameSettings::kMaxLights)
-                           return fail(ErrorCode::usage, std::string(text.name) + " may be given " +
-                                                             std::to_string(FrameSettings::kMaxLights) +
-                                                             " times at most");
-                         s.lights.push_back({{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
-                         return {};
-                       },
-                       true};
-
 const auto kOptions = std::to_array<Option<FrameSettings>>({
     {{.name = "size", .value = "WxH", .unit = "pixels", .help = "width and height of the picture", .group = "Picture"},
-     kSize},
+     frame_fields::kSize},
     {{.name = "samples",
       .value = "N",
       .minimum = 1,
@@ -244,7 +35,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "what is shown behind the model; COLOR is #rrggbb, a colour that the picture shows unchanged (maps and "
               "radiance files hold its linear light), or R,G,B, a radiance that is exposed and tone mapped",
       .group = "Picture"},
-     kBackground},
+     frame_fields::kBackground},
 
     {{.name = "camera",
       .value = "AZIMUTH,ELEVATION[,DISTANCE]|NAME",
@@ -255,7 +46,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "elevation 90 is on +Y; without DISTANCE the model fills the picture and is centred in it; or the name "
               "of one of the model's own cameras, which `mirrorball info` lists",
       .group = "Camera"},
-     kOrbit},
+     frame_fields::kOrbit},
     {{.name = "target",
       .value = "X,Y,Z",
       .unit = "world units",
@@ -264,7 +55,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help =
           "point that the camera looks at; without it, the model's centre, or the middle of its outline in the picture",
       .group = "Camera"},
-     kTarget},
+     frame_fields::kTarget},
     {{.name = "fov",
       .value = "DEG",
       .unit = "degrees",
@@ -281,7 +72,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "use an orthographic projection of this height; 2 just fits a sphere; 0: the model fills the picture",
       .implied = "0",
       .group = "Camera"},
-     kOrthographic},
+     frame_fields::kOrthographic},
 
     {{.name = "env-rotation",
       .value = "YAW[,PITCH[,ROLL]]",
@@ -290,7 +81,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "turn the environment about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, from +Z towards +X",
       .group = "Environment",
       .also = "rotate"},
-     kRotation},
+     frame_fields::kRotation},
     {{.name = "env-intensity",
       .value = "FACTOR",
       .minimum = 0,
@@ -306,7 +97,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "stood at HEIGHT and which bends up into a dome at RADIUS; without it, light comes from infinitely far "
               "away",
       .group = "Environment"},
-     kProxy},
+     frame_fields::kProxy},
     {{.name = "captured-at",
       .value = "X,Y,Z",
       .unit = "world units",
@@ -315,7 +106,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "with --proxy, where the environment map was captured; without it in the middle, or on the ground above "
               "the model's middle",
       .group = "Environment"},
-     kCapturedAt},
+     frame_fields::kCapturedAt},
     {{.name = "ground-roughness",
       .value = "ROUGHNESS",
       .minimum = 0,
@@ -323,7 +114,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "with --proxy ground, how rough the ground is: below 1 it is polished and shows the mirror image of the "
               "model; 1 is matt",
       .group = "Environment"},
-     kGroundRoughness},
+     frame_fields::kGroundRoughness},
     {{.name = "probes",
       .value = "N|auto",
       .minimum = 0,
@@ -332,7 +123,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
               "in a cube map of its own; further ones read a blend of the nearest; auto: 8. Without it objects reflect "
               "the environment alone",
       .group = "Environment"},
-     kProbes},
+     frame_fields::kProbes},
     {{.name = "probe-size",
       .value = "N",
       .unit = "texels",
@@ -436,7 +227,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "refract all light as this one wavelength, by each material's index there: the directions in which a "
               "prism bends it can be measured; the light keeps the environment's colours, and metals their own",
       .group = "Look"},
-     kWavelength},
+     frame_fields::kWavelength},
     {{.name = "occlusion",
       .choices = "none|vertex",
       .help = "whether the model hides the environment from itself: not at all, or as each vertex knows by rays, which "
@@ -477,7 +268,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "matrix, row after row, by which the texture coordinates (s,t,r,q) are multiplied that address "
               "base_color_map, or where no material has one the environment; s and t are then divided by q",
       .group = "Look"},
-     kTextureMatrix},
+     frame_fields::kTextureMatrix},
     {{.name = "light",
       .value = "X,Y,Z,R,G,B",
       .unit = "world units and radiance",
@@ -485,7 +276,7 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .max_count = 6,
       .help = "add a point light (Phong's model) by its position and its colour; may be repeated",
       .group = "Environment"},
-     kLight},
+     frame_fields::kLight},
     {{.name = "light-intensity",
       .value = "FACTOR",
       .minimum = 0,

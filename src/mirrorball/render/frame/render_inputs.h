@@ -19,10 +19,10 @@ struct RenderInputNames {
   std::string model = "showcase";  ///< a file or a built-in: loadModel
   UpAxis up = UpAxis::y;
   MaterialChanges materials = {};
-  ReliefKind relief = ReliefKind::bump;      ///< that will be drawn
-  std::string environment = "studio";        ///< a file or a built-in: loadEnvironment
-  EnvironmentLoadOptions load = {};          ///< of the environment
-  std::optional<PrefilterCache> cache = {};  ///< where prefiltered environments are kept, if they are
+  ReliefKind relief = ReliefKind::bump;   ///< that will be drawn
+  std::string environment = "studio";     ///< a file or a built-in: loadEnvironment
+  EnvironmentLoadOptions load = {};       ///< of the environment
+  std::optional<CacheFolder> cache = {};  ///< where prefiltered environments are kept, if they are
   /// What is done to the model last, beside the loading of the environment, as findOcclusion (rays/scene_occlusion.h)
   /// is.
   std::function<Result<void>(Scene&)> finish = {};

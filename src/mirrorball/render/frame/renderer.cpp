@@ -62,7 +62,7 @@ Result<void> Renderer::setScene(Scene scene) {
   return {};
 }
 
-Result<void> Renderer::setEnvironment(Environment environment, const std::optional<PrefilterCache>& cache) {
+Result<void> Renderer::setEnvironment(Environment environment, const std::optional<CacheFolder>& cache) {
   if (EnvironmentMap* map = environment.map()) raiseNegativeLight(*map);
   MIRRORBALL_TRY(prepared, prepareEnvironment(environment, cache));
   return setEnvironment(std::move(environment), prepared);

@@ -58,7 +58,7 @@ class Renderer {
   /// errors   too_large
   /// cost     about a second on two cores, for a panorama of 1024 rows that is not in the cache;
   ///          some 50 ms for one that is
-  Result<void> setEnvironment(Environment environment, const std::optional<PrefilterCache>& cache = {});
+  Result<void> setEnvironment(Environment environment, const std::optional<CacheFolder>& cache = {});
   /// The same for an environment that was prepared elsewhere, for instance in another thread.
   ///
   /// errors   too_large (a texture for this driver)

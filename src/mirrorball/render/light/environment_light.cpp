@@ -13,6 +13,7 @@
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
 #include "mirrorball/gl/half.h"
+#include "mirrorball/render/light/prefilter_cache.h"
 
 namespace mirrorball {
 namespace {
@@ -66,7 +67,8 @@ Result<Prefiltered> prefiltered(const Environment& environment, int side) {
 
 /// From the cache, or else made and kept there. Either way it has the values that a texture will hold.
 Result<Prefiltered> prefilteredOnce(const Environment& environment, const PreparedEnvironment& prepared,
-                                    const PrefilterCache& cache) {
+                                    const CacheFolder& folder) {
+  const PrefilterCache cache(folder);
   const int side = prefilteredSide(environment);
   const std::string key = PrefilterCache::keyOf(prepared.chain);
   if (std::optional<Prefiltered> found = cache.find(key, prefilteredShape(side))) return std::move(*found);
@@ -85,7 +87,7 @@ int cubeSideFor(float texels_per_radian) {
 }
 
 Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
-                                               const std::optional<PrefilterCache>& cache) {
+                                               const std::optional<CacheFolder>& cache) {
   PreparedEnvironment prepared;
   if (const EnvironmentMap* map = environment.map(); map && map->projection() == Projection::cube) {
     prepared.chain = mipChain(*map);

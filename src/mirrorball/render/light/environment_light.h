@@ -4,11 +4,11 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/base/cache_folder.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/gl/texture.h"
 #include "mirrorball/image/image_set.h"
-#include "mirrorball/render/light/prefilter_cache.h"
 
 namespace mirrorball {
 
@@ -32,7 +32,7 @@ int cubeSideFor(float texels_per_radian);
 /// cache    where prefiltered environments are kept; optional
 /// errors   too_large
 Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
-                                               const std::optional<PrefilterCache>& cache = {});
+                                               const std::optional<CacheFolder>& cache = {});
 
 /// The light of an environment on the GPU.
 class EnvironmentLight {

@@ -1,8 +1,7 @@
 #include "mirrorball/render/light/prefilter_cache.h"
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
+#include <filesystem>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -68,7 +67,7 @@ Environment roomWithLamp(float lamp) {
 }
 
 TEST_F(PrefilterCacheTest, FindsWhatWasKeptForTheSameCube) {
-  const PrefilterCache cache(folder_);
+  const PrefilterCache cache{CacheFolder(folder_)};
   EXPECT_FALSE(cache.find(keyOfValue(1.0f), kShape));
   cache.keep(keyOfValue(1.0f), {cubeOfValue(0.25f), cubeOfValue(0.5f)}, TexelFormat::half);
   const auto found = cache.find(keyOfValue(1.0f), kShape);
@@ -79,7 +78,7 @@ TEST_F(PrefilterCacheTest, FindsWhatWasKeptForTheSameCube) {
 }
 
 TEST_F(PrefilterCacheTest, KeepsLightThatHalfFloatsDoNotHold) {
-  const PrefilterCache cache(folder_);
+  const PrefilterCache cache{CacheFolder(folder_)};
   cache.keep(keyOfValue(2.0f), {cubeOfValue(1e5f), cubeOfValue(0.1f)}, TexelFormat::float32);
   const auto found = cache.find(keyOfValue(2.0f), kShape);
   ASSERT_TRUE(found);
@@ -88,14 +87,14 @@ TEST_F(PrefilterCacheTest, KeepsLightThatHalfFloatsDoNotHold) {
 }
 
 TEST_F(PrefilterCacheTest, ADamagedFileIsMadeAnew) {
-  const PrefilterCache cache(folder_);
+  const PrefilterCache cache{CacheFolder(folder_)};
   cache.keep(keyOfValue(1.0f), {cubeOfValue(0.25f), cubeOfValue(0.5f)}, TexelFormat::half);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) fs::resize_file(entry.path(), 40);
   EXPECT_FALSE(cache.find(keyOfValue(1.0f), kShape));
 }
 
 TEST_F(PrefilterCacheTest, AnotherShapeIsMadeAnew) {
-  const PrefilterCache cache(folder_);
+  const PrefilterCache cache{CacheFolder(folder_)};
   const std::string key = keyOfValue(1.0f);
   cache.keep(key, {cubeOfValue(0.25f), cubeOfValue(0.5f)}, TexelFormat::half);
   EXPECT_TRUE(cache.find(key, kShape));
@@ -106,7 +105,7 @@ TEST_F(PrefilterCacheTest, AnotherShapeIsMadeAnew) {
 }
 
 TEST_F(PrefilterCacheTest, WhatIsNotOneCubeIsMadeAnew) {
-  const PrefilterCache cache(folder_);
+  const PrefilterCache cache{CacheFolder(folder_)};
   const std::string key = keyOfValue(1.0f);
   ImageSet several(1, 6, 2);
   forEachImage(several, [](Image& image) { image = Image(4, 4, 3, 0.25f); });
@@ -116,36 +115,16 @@ TEST_F(PrefilterCacheTest, WhatIsNotOneCubeIsMadeAnew) {
   }
 }
 
-TEST_F(PrefilterCacheTest, AFolderThatCannotBeMadeDoesNoHarm) {
-  std::ofstream(folder_) << "a file";
-  const PrefilterCache cache(folder_ / "below");
-  cache.keep(keyOfValue(1.0f), {cubeOfValue(0.25f), cubeOfValue(0.5f)}, TexelFormat::half);
-  EXPECT_FALSE(cache.find(keyOfValue(1.0f), kShape));
-}
-
-TEST_F(PrefilterCacheTest, WhatWasNotUsedForLongestIsDroppedAndNothingElse) {
-  fs::create_directories(folder_);
-  std::ofstream(folder_ / "mine.ktx2") << std::string(5000, 'x');
-  const PrefilterCache cache(folder_, 4000);  // about one cube of 4² and its irradiance
-  for (const float value : {1.0f, 2.0f, 3.0f}) {
-    cache.keep(keyOfValue(value), {cubeOfValue(value), cubeOfValue(value)}, TexelFormat::half);
-    fs::last_write_time(folder_ / "mine.ktx2", fs::file_time_type::min());
-  }
-  EXPECT_TRUE(cache.find(keyOfValue(3.0f), kShape));
-  EXPECT_FALSE(cache.find(keyOfValue(1.0f), kShape));
-  EXPECT_TRUE(fs::exists(folder_ / "mine.ktx2"));
-}
-
 // A texture holds half floats, unless the light does not fit them; so does the cache.
 TEST_F(PrefilterCacheTest, AnEnvironmentIsPreparedTheSameFromIt) {
   for (const bool needs_floats : {false, true}) {
     const Environment room = roomWithLamp(needs_floats ? 1e6f : 100.0f);
     const std::size_t before = files();
-    const auto made = prepareEnvironment(room, PrefilterCache(folder_));
+    const auto made = prepareEnvironment(room, CacheFolder(folder_));
     ASSERT_TRUE(made);
     EXPECT_EQ(made->needs_floats, needs_floats);
     EXPECT_EQ(files(), before + 2);
-    const auto found = prepareEnvironment(room, PrefilterCache(folder_));
+    const auto found = prepareEnvironment(room, CacheFolder(folder_));
     ASSERT_TRUE(found);
     const auto asInTexture = [needs_floats](float sample) {
       return needs_floats ? sample : floatFromHalf(halfFromFloat(sample));
@@ -159,58 +138,13 @@ TEST_F(PrefilterCacheTest, AnEnvironmentIsMadeAnewWhereFilesOfItsNameHoldAnother
   const Environment room = roomWithLamp(100.0f);
   const auto made = prepareEnvironment(room);
   ASSERT_TRUE(made);
-  const PrefilterCache cache(folder_);
+  const PrefilterCache cache{CacheFolder(folder_)};
   cache.keep(PrefilterCache::keyOf(made->chain), {cubeOfValue(7.0f, 64), cubeOfValue(7.0f, 16)}, TexelFormat::half);
-  const auto prepared = prepareEnvironment(room, cache);
+  const auto prepared = prepareEnvironment(room, CacheFolder(folder_));
   ASSERT_TRUE(prepared);
   const auto itself = [](float sample) { return sample; };
   expectSameTexels(prepared->prefiltered, made->prefiltered, itself);
   expectSameTexels(prepared->irradiance, made->irradiance, itself);
-}
-
-TEST_F(PrefilterCacheTest, ClearRemovesWhatItKeptAndNothingElse) {
-  const PrefilterCache cache(folder_);
-  EXPECT_EQ(cache.contents().files, 0u) << "there is no folder yet";
-  ASSERT_TRUE(cache.clear());
-  cache.keep(keyOfValue(1.0f), {cubeOfValue(1.0f), cubeOfValue(2.0f)}, TexelFormat::half);
-  const std::string unfinished = keyOfValue(2.0f) + "-chain.ktx2.part123";
-  std::ofstream(folder_ / unfinished) << "half of it";
-  std::ofstream(folder_ / "holiday.ktx2") << "mine";
-  const auto contents = cache.contents();
-  EXPECT_EQ(contents.files, 3u);
-  EXPECT_GT(contents.bytes, 2u * 6 * 16 * 8);
-  const auto removed = cache.clear();
-  ASSERT_TRUE(removed) << removed.error().message;
-  EXPECT_EQ(removed->files, 3u);
-  EXPECT_EQ(removed->bytes, contents.bytes);
-  EXPECT_EQ(files(), 1u);
-  EXPECT_TRUE(fs::exists(folder_ / "holiday.ktx2"));
-}
-
-TEST_F(PrefilterCacheTest, TheUserSaysHowLargeItMayGrow) {
-  ::setenv("MIRRORBALL_CACHE", folder_.c_str(), 1);
-  const auto ofSize = [](const char* written) {
-    ::setenv("MIRRORBALL_CACHE_SIZE", written, 1);
-    return PrefilterCache::ofUser();
-  };
-  for (const auto& [written, bytes] : {std::pair<const char*, std::uintmax_t>{"500M", std::uintmax_t{500} << 20},
-                                       {"2G", std::uintmax_t{2} << 30},
-                                       {"0", 0},
-                                       {"", PrefilterCache::kMaxBytes}}) {
-    const auto cache = ofSize(written);
-    ASSERT_TRUE(cache && *cache) << written;
-    EXPECT_EQ((*cache)->maxBytes(), bytes) << written;
-    EXPECT_EQ((*cache)->folder(), folder_);
-  }
-  const auto wrong = ofSize("much");
-  ASSERT_FALSE(wrong);
-  EXPECT_EQ(wrong.error().code, ErrorCode::usage);
-  EXPECT_NE(wrong.error().message.find("MIRRORBALL_CACHE_SIZE"), std::string::npos);
-  const auto none = ofSize("0");
-  (*none)->keep(keyOfValue(1.0f), {cubeOfValue(1.0f), cubeOfValue(2.0f)}, TexelFormat::half);
-  EXPECT_EQ(files(), 0u) << "of size 0 nothing is kept";
-  ::unsetenv("MIRRORBALL_CACHE_SIZE");
-  ::unsetenv("MIRRORBALL_CACHE");
 }
 
 // Means of smooth light under lobes are the same to 1e-4 however they are computed. Where these change, it is for

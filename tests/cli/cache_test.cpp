@@ -1,8 +1,11 @@
-// Prefiltered environments in the user's cache folder: `render` takes them from there, `bake` never does.
+// What `render` keeps in the user's cache folder and takes from there: prefiltered environments, which `bake` never
+// does, and the occlusion of models.
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "cli/cli_testing.h"
 
@@ -11,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class PrefilterCacheCliTest : public RenderCliTest {
+class CacheCliTest : public RenderCliTest {
  protected:
   /// Gives the program a cache folder of that name.
   Start withCache(const std::string& name) const {
@@ -49,7 +52,7 @@ class PrefilterCacheCliTest : public RenderCliTest {
   }
 };
 
-TEST_F(PrefilterCacheCliTest, RenderReadsItUnlessToldNotTo) {
+TEST_F(CacheCliTest, RenderReadsItUnlessToldNotTo) {
   write("map.exr", smoothPanorama());
   const glm::vec3 fresh = drawMetal();
   EXPECT_EQ(filesOf("cache").size(), 2u);
@@ -61,7 +64,7 @@ TEST_F(PrefilterCacheCliTest, RenderReadsItUnlessToldNotTo) {
   EXPECT_EQ(drawMetal("--no-cache"), fresh);
 }
 
-TEST_F(PrefilterCacheCliTest, CacheShowsAndClearsIt) {
+TEST_F(CacheCliTest, CacheShowsAndClearsIt) {
   using ::testing::AllOf;
   using ::testing::HasSubstr;
   write("map.exr", smoothPanorama());
@@ -85,7 +88,34 @@ TEST_F(PrefilterCacheCliTest, CacheShowsAndClearsIt) {
   EXPECT_THAT(succeed("cache", {.environment = {{"MIRRORBALL_CACHE", ""}}}), HasSubstr("there is no cache"));
 }
 
-TEST_F(PrefilterCacheCliTest, BakeNeitherReadsNorFillsIt) {
+TEST_F(CacheCliTest, RenderKeepsTheOcclusionOfAModel) {
+  write("map.exr", smoothPanorama());
+  const auto draw = [&](const std::string& options = {}) {
+    succeed("render teapot -e map.exr --size 33x33 --samples 1 --occlusion vertex -o teapot.exr " + options,
+            withCache("cache"));
+    return bytes("teapot.exr");
+  };
+  const auto occlusionFiles = [&] {
+    std::vector<fs::path> found;
+    for (const auto& [name, unused] : filesOf("cache"))
+      if (name.ends_with("-occlusion.bin")) found.push_back(path("cache") / name);
+    return found;
+  };
+  const Bytes without = draw("--no-cache");
+  EXPECT_FALSE(fs::exists(path("cache")));
+  draw();
+  ASSERT_EQ(occlusionFiles().size(), 1u);
+  const fs::path file = occlusionFiles().front();
+  const fs::file_time_type long_ago = fs::last_write_time(file) - std::chrono::hours(24);
+  fs::last_write_time(file, long_ago);
+  EXPECT_TRUE(draw() == without);
+  EXPECT_GT(fs::last_write_time(file), long_ago) << "it is used";
+  draw("--self-reflection");
+  EXPECT_EQ(occlusionFiles().size(), 2u) << "which asks for more";
+  EXPECT_THAT(succeed("cache clear", withCache("cache")), ::testing::HasSubstr("removed      4 files, "));
+}
+
+TEST_F(CacheCliTest, BakeNeitherReadsNorFillsIt) {
   write("map.exr", smoothPanorama());
   const std::string bake = "bake map.exr --size 32 --irradiance-size 8 --brdf-size 8 -o ";
   succeed(bake + "before", withCache("unused"));

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/trace/bsdf.h"
+#include "mirrorball/trace/trace_settings.h"
+
+namespace mirrorball {
+
+/// What a path from the eye has found, and what it carries of the light that it still finds.
+struct CarriedLight {
+  glm::vec3 sum{0.0f};
+  glm::vec3 throughput{1.0f};
+  float pdf = 0.0f;  ///< of the ray's direction [1/sr]; 0: nothing else could have chosen it
+
+  /// How much the environment counts where the path has found it: what of this light was chosen directly counts there.
+  float weightBeside(float pdf_of_light, LightStrategy strategy) const {
+    if (pdf <= 0.0f || strategy == LightStrategy::surface) return 1.0f;
+    return strategy == LightStrategy::both ? balanceHeuristic(pdf, pdf_of_light) : 0.0f;
+  }
+};
+
+}  // namespace mirrorball

@@ -48,6 +48,11 @@ constexpr auto kBlurs = std::to_array<Technique>({{"exact prefiltering", "blur=e
                                                   {"coarser mip level", "blur=mip"},
                                                   {"cone of 64 rays", "blur=cone"}});
 
+constexpr auto kLobeTaps = std::to_array<Technique>({{"one round lobe", "blur=exact lobe-taps=1"},
+                                                     {"a row of 2", "blur=exact lobe-taps=2"},
+                                                     {"a row of 4", "blur=exact lobe-taps=4"},
+                                                     {"a row of 6", "blur=exact lobe-taps=6"}});
+
 constexpr auto kSteps = std::to_array<Technique>({{"distant map, drawn"},
                                                   {"what a map can know", kKnownToMap, "", path_tracer},
                                                   {"and occlusion", "bounces=1", "", path_tracer},
@@ -188,14 +193,27 @@ constexpr std::array kSubjects{
             .applies = always},
     Subject{.id = "blur",
             .title = "Rough reflections and the split sum",
-            .teaches = "Four ways to blur the map for a rough surface. All share the split sum: one blurred look-up "
-                       "times one number for the BRDF, as if the lobe were round. It stretches at grazing angles, so "
-                       "a rough metal is most wrong where n·v is small.",
+            .teaches = "Four ways to blur the map for a rough surface. All share the split sum: blurred light times "
+                       "one number for the BRDF. Mip levels and cones take the lobe to be round. It stretches at "
+                       "grazing angles, so a rough metal is most wrong where n·v is small.",
             .models = kSphere,
             .material = "rough-metal",
             .reference = kKnownToMap,
             .held_to = kHeldToMap,
             .techniques = kBlurs,
+            .series = Series{"perceptual roughness", kRoughnesses, setRoughness, true},
+            .by_angle = true,
+            .applies = always},
+    Subject{.id = "lobes",
+            .title = "A round lobe, or a row of them",
+            .teaches = "What a rough surface reflects is a round spot of light only where it is seen from above. "
+                       "Aslant, the spot is as long as ever but n·v as narrow, and bends away from the horizon. A row "
+                       "of narrower round lobes in the plane of incidence is nearly that.",
+            .models = kSphere,
+            .material = "rough-metal",
+            .reference = kKnownToMap,
+            .held_to = kHeldToMap,
+            .techniques = kLobeTaps,
             .series = Series{"perceptual roughness", kRoughnesses, setRoughness, true},
             .by_angle = true,
             .applies = always},

@@ -67,10 +67,18 @@ RowMixture mixtureOfLobes(const RoughLobe& lobe, const std::vector<RowLobe>& row
   return mixture;
 }
 
+/// What patches of directions send counts as a whole, beside the distance: light changes slowly from place to place,
+/// and sees the sum of a long tail rather than the height of a peak.
+constexpr double kPatches = 2.0;
+
 /// The sum that is to be least, and what its steps need.
 class RowProblem {
  public:
-  RowProblem(const RoughLobe& lobe, const RowPrior& prior) : lobe_(lobe), prior_(prior) {
+  RowProblem(const RoughLobe& lobe, const RowPrior& prior)
+      : lobe_(lobe),
+        prior_(prior),
+        metal_shares_(sharesOfPatches(lobe, lobe.of_metal)),
+        dielectric_shares_(sharesOfPatches(lobe, lobe.of_dielectric)) {
     double metal = 0.0;
     double dielectric = 0.0;
     for (std::size_t i = 0; i < lobe.size(); ++i) {
@@ -87,10 +95,15 @@ class RowProblem {
   std::vector<double> residuals(const RowParameters& row) const {
     const RowMixture mixture = mixtureOfLobes(lobe_, lobesOf(row));
     std::vector<double> left;
-    left.reserve(2 * lobe_.size() + 2 * row.values.size());
     for (std::size_t i = 0; i < lobe_.size(); ++i) {
       left.push_back(metal_scales_[i] * (lobe_.of_metal[i] - mixture.of_metal[i]));
       left.push_back(dielectric_scales_[i] * (lobe_.of_dielectric[i] - mixture.of_dielectric[i]));
+    }
+    const std::vector<double> metal = sharesOfPatches(lobe_, mixture.of_metal);
+    const std::vector<double> dielectric = sharesOfPatches(lobe_, mixture.of_dielectric);
+    for (std::size_t i = 0; i < metal.size(); ++i) {
+      left.push_back(kPatches * (metal_shares_[i] - metal[i]));
+      left.push_back(kPatches * (dielectric_shares_[i] - dielectric[i]));
     }
     for (std::size_t k = 0; k < row.values.size(); ++k) {
       // Weights of lobes that do not count would go on and on.
@@ -104,6 +117,7 @@ class RowProblem {
  private:
   const RoughLobe& lobe_;
   RowPrior prior_;
+  std::vector<double> metal_shares_, dielectric_shares_;
   std::vector<double> metal_scales_, dielectric_scales_;
 };
 

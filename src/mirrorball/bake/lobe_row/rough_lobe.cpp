@@ -35,7 +35,7 @@ void scale(std::vector<double>& values, double factor) {
 
 /// With s = sin²(θ/2) of the angle to the mirror direction, solid angles are 4π ds.
 void placeDirections(RoughLobe& lobe, int circles) {
-  const int points = circles / 3;
+  const int points = lobe.points = circles / 3;
   const double begin = double(lobe.alpha) * double(lobe.alpha) / 4.0;
   const double growth = std::log(1.0 + 1.0 / begin);
   const glm::dvec3 up(lobe.cosine, 0.0, std::sqrt(1.0 - lobe.cosine * lobe.cosine));  // across it, towards the normal
@@ -77,6 +77,20 @@ RoughLobe RoughLobe::make(float perceptual_roughness, double cosine, int circles
   scale(lobe.of_dielectric, 1.0 / of_dielectric);
   lobe.grazing = 1.0 - kDielectric / of_dielectric;
   return lobe;
+}
+
+std::vector<double> sharesOfPatches(const RoughLobe& lobe, const std::vector<double>& values) {
+  constexpr int kAround = 3;
+  constexpr int kOutwards = 7;
+  const auto patchOf = [](std::size_t index, std::size_t count, int patches) {
+    return index * std::size_t(patches) / count;
+  };
+  const auto points = std::size_t(lobe.points);
+  std::vector<double> shares(std::size_t(kAround * kOutwards), 0.0);
+  for (std::size_t i = 0; i < lobe.size(); ++i)
+    shares[patchOf(i / points, lobe.size() / points, kOutwards) * kAround + patchOf(i % points, points, kAround)] +=
+        lobe.solid_angles[i] * values[i];
+  return shares;
 }
 
 double relativeDistance(const RoughLobe& lobe, const std::vector<double>& target, const std::vector<double>& mixture) {

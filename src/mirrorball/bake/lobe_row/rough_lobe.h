@@ -27,6 +27,8 @@ struct RoughLobe {
   /// What they reflect at normal incidence.
   static constexpr double kDielectric = 0.04;
 
+  int points = 0;  ///< on half of a circle: directions go circle by circle
+
   std::size_t size() const { return directions.size(); }
 
   /// perceptual_roughness  in [0.05, 1]
@@ -34,6 +36,9 @@ struct RoughLobe {
   /// circles               of directions; points on half of each: a third as many
   static RoughLobe make(float perceptual_roughness, double cosine, int circles);
 };
+
+/// What each of some 20 patches of directions has of an integral.
+std::vector<double> sharesOfPatches(const RoughLobe& lobe, const std::vector<double>& values);
 
 /// The relative L2 distance of a mixture of lobes from one of the two: √(∫ (K − M)² / ∫ K²).
 double relativeDistance(const RoughLobe& lobe, const std::vector<double>& target, const std::vector<double>& mixture);

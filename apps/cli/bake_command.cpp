@@ -78,19 +78,20 @@ Result<void> refuseGiven(const GivenOptions& given, std::span<const std::string_
 ///
 /// errors   usage
 Result<void> refuseIdleOptions(const BakeRequest& request) {
-  constexpr std::array<std::string_view, 9> kOfFolders{"irradiance-size", "sh-degree",   "brdf-size",
-                                                       "brdf-channels",   "brdf-axes",   "brdf-extension",
-                                                       "skybox",          "skybox-size", "extension"};
+  constexpr std::array<std::string_view, 10> kOfFolders{
+      "irradiance-size", "sh-degree", "brdf-size", "brdf-channels", "brdf-axes",
+      "brdf-extension",  "lobe-rows", "skybox",    "skybox-size",   "extension"};
   if (isOneFile(request.options.output))
     return refuseGiven(request.given, kOfFolders,
                        {request.options.output + ": holds the specular chain only, and ",
                         " is for what lies beside it; name a folder, without an extension"});
   MIRRORBALL_TRY(set, engineSetFor(request.settings.file.program));
   if (set.files != SetFiles::cmgens) return {};
-  return refuseGiven(request.given, std::span(kOfFolders).first(6),
-                     {"",
-                      ": Filament has a BRDF table of its own, and irradiance from harmonics of three bands; leave it "
-                      "out"});
+  return refuseGiven(
+      request.given, std::span(kOfFolders).first(7),
+      {"",
+       ": Filament has a BRDF table of its own, looks reflections up once, and has irradiance from harmonics of "
+       "three bands; leave it out"});
 }
 
 /// terminalObserver, which also says what an interruption leaves in a folder that was there before.

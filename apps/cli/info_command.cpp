@@ -95,6 +95,8 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
                          std::optional<glm::vec3> direction, bool json) {
   MIRRORBALL_TRY(table, brdfTableIn(input));
   if (table) return InputInfo{shown(input), std::move(*table)};
+  MIRRORBALL_TRY(rows, lobeRowsIn(input));
+  if (rows) return InputInfo{shown(input), std::move(*rows)};
   if (const auto format = modelFormatOf(input); format && !direction) {
     MIRRORBALL_TRY(scene, loadModel(input));
     return InputInfo{shown(input), ModelInfo{std::string(*format).substr(format->find(' ') + 1), std::move(scene)}};
@@ -167,7 +169,7 @@ Command infoCommand() {
   Command command{
       .name = "info",
       .help = "Describes environment maps and models, or tells where a direction is in a map",
-      .about = "FILE is a map, a BRDF table of `bake`, a built-in environment, a model (" + modelExtensions() +
+      .about = "FILE is a map, a table of `bake`, a built-in environment, a model (" + modelExtensions() +
                "), or - for standard input.",
       .examples = {{"info room.hdr", "format, size, projection and what told it, range and mean of the light"},
                    {"info shoe.glb", "its variants, cameras and lights by their names, and what of it is left out"}}};

@@ -100,6 +100,13 @@ void add(const FoundBrdfTable& table, Json& json) {
   json["channels"] = table.facts.channels;
 }
 
+void add(const FoundLobeRows& rows, Json& json) {
+  json["kind"] = "lobe_rows";
+  json["format"] = rows.format;
+  json["size"] = {rows.size.x, rows.size.y};
+  json["lobes"] = rows.lobes;
+}
+
 void add(const Error& error, Json& json) { json["error"] = error.message; }
 
 }  // namespace

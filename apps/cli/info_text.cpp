@@ -135,6 +135,13 @@ std::string textOf(const FoundBrdfTable& table) {
          line("axes", table.facts.axes + ": n.v to the right, perceptual roughness downwards");
 }
 
+std::string textOf(const FoundLobeRows& rows) {
+  return line("format", rows.format) + line("size", sizeText(rows.size)) +
+         line("what", "rows of " + std::to_string(rows.lobes) +
+                          " lobes of bake, no map of light: where to look a rough reflection up at any angle") +
+         line("axes", "lobes beside each other, in each sqrt(n.v) to the right, perceptual roughness downwards");
+}
+
 std::string textOf(const Error& error) { return line("error", error.message); }
 
 }  // namespace

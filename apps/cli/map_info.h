@@ -13,6 +13,7 @@
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/environment/statistics.h"
 #include "mirrorball/output/baked/brdf_file.h"
+#include "mirrorball/output/baked/lobe_row_files.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball::cli {
@@ -54,7 +55,7 @@ std::size_t triangleCount(const Scene& scene);
 /// What is known of one input.
 struct InputInfo {
   std::string name;
-  std::variant<MapInfo, ModelInfo, FoundBrdfTable, Error> what;
+  std::variant<MapInfo, ModelInfo, FoundBrdfTable, FoundLobeRows, Error> what;
 };
 
 /// As text for a reader: each line ends, and the first is the name.

@@ -40,9 +40,11 @@ TEST_F(BadMapTest, AFolder) {
   everyCommandRefuses("folder.hdr", "is a folder");
 }
 
-TEST_F(BadMapTest, ABrdfTable) {
+TEST_F(BadMapTest, ATable) {
   succeed("bake white --size 8 --brdf-size 16 -o room/");
   EXPECT_THAT(refuse(1, "convert room/brdf.ktx2 --to cube -o out.exr"), HasSubstr("room/brdf.ktx2: is a BRDF table"));
+  EXPECT_THAT(refuse(1, "convert room/lobe_rows.ktx2 --to cube -o out.exr"),
+              HasSubstr("room/lobe_rows.ktx2: is a table of lobe rows"));
   succeed("bake white --size 8 --brdf-size 16 --extension exr -o pictures/");
   EXPECT_THAT(refuse(1, "convert pictures/brdf.exr --to cube -o out.exr"),
               HasSubstr("pictures/brdf.exr: is a BRDF table"));

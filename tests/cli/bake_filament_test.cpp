@@ -166,7 +166,8 @@ TEST_F(BakeFilamentTest, PicturesAreCmgensToo) {
 
 TEST_F(BakeFilamentTest, WhatFilamentHasNoUseForIsRefused) {
   const std::string line = "bake white --for filament -o room ";
-  for (const std::string option : {"--brdf-size 64", "--irradiance-size 16", "--sh-degree 3", "--brdf-extension exr"})
+  for (const std::string option :
+       {"--brdf-size 64", "--irradiance-size 16", "--sh-degree 3", "--brdf-extension exr", "--lobe-rows 4"})
     EXPECT_THAT(refuse(2, line + option), AllOf(HasSubstr(option.substr(0, option.find(' '))),
                                                 HasSubstr("Filament has a BRDF table of its own")));
   EXPECT_THAT(refuse(2, line + "--extension ktx2"),

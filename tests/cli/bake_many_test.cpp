@@ -22,7 +22,8 @@ TEST_F(BakeManyTest, EachGetsAFolderWithWhatItGetsAlone) {
   write("room.exr", smoothPanorama());
   succeed("bake room.exr white -o out/" + std::string(kSmall));
   succeed("bake room.exr -o alone" + std::string(kSmall));
-  for (const std::string file : {"specular.ktx2", "irradiance.ktx2", "brdf.ktx2", "sh.json", "sh.h", "manifest.json"}) {
+  for (const std::string file : {"specular.ktx2", "irradiance.ktx2", "brdf.ktx2", "lobe_rows.ktx2", "lobe_rows.json",
+                                 "sh.json", "sh.h", "manifest.json"}) {
     EXPECT_TRUE(bytes("out/room/" + file) == bytes("alone/" + file)) << file;
     EXPECT_TRUE(std::filesystem::exists(path("out/white/" + file))) << file;
   }

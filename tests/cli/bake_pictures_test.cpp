@@ -76,7 +76,7 @@ TEST_F(BakePicturesTest, TheManifestNamesEachOfThem) {
   succeed(kSmall + std::string("--extension exr --format half --skybox -o out"));
   const nlohmann::json manifest = json("out/manifest.json");
   EXPECT_EQ(manifest["specular"]["format"], "three channels of half floats");
-  std::vector<std::string> named{"brdf.exr", "manifest.json", "sh.h", "sh.json"};
+  std::vector<std::string> named{"brdf.exr", "lobe_rows.json", "lobe_rows.ktx2", "manifest.json", "sh.h", "sh.json"};
   const auto add = [&](const nlohmann::json& map) {
     for (const nlohmann::json& file : map["files"]) named.push_back(file);
   };
@@ -109,8 +109,9 @@ TEST_F(BakePicturesTest, PicturesOfAnOlderSetGo) {
                              Not(Contains("out/skybox_nz.exr"))));
   std::filesystem::remove(path("out/m7_px.exr"));
   succeed(kSmall + std::string("-o out"));
-  EXPECT_THAT(files(), ElementsAre("map.exr", "out/", "out/brdf.ktx2", "out/irradiance.ktx2", "out/manifest.json",
-                                   "out/sh.h", "out/sh.json", "out/specular.ktx2"));
+  EXPECT_THAT(files(),
+              ElementsAre("map.exr", "out/", "out/brdf.ktx2", "out/irradiance.ktx2", "out/lobe_rows.json",
+                          "out/lobe_rows.ktx2", "out/manifest.json", "out/sh.h", "out/sh.json", "out/specular.ktx2"));
 }
 
 TEST_F(BakePicturesTest, NoPictureOverwritesTheInput) {

@@ -33,7 +33,8 @@ TEST_F(BakeTest, AFolderHasAllThatAnEngineLoads) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(path("out"))) names.push_back(entry.path().filename());
   std::ranges::sort(names);
-  EXPECT_THAT(names, ElementsAre("brdf.ktx2", "irradiance.ktx2", "manifest.json", "sh.h", "sh.json", "specular.ktx2"));
+  EXPECT_THAT(names, ElementsAre("brdf.ktx2", "irradiance.ktx2", "lobe_rows.json", "lobe_rows.ktx2", "manifest.json",
+                                 "sh.h", "sh.json", "specular.ktx2"));
 
   const ImageSet specular = texture("out/specular.ktx2");
   ASSERT_EQ(specular.faces(), 6);
@@ -210,7 +211,7 @@ TEST_F(BakeTest, LightThatCannotBeSummedIsRefused) {
 TEST_F(BakeTest, NoFileOfASetOverwritesTheInput) {
   write("map.exr", smoothPanorama());
   std::filesystem::create_directory(path("out"));
-  for (const std::string name : {"sh.json", "sh.h", "manifest.json"}) {
+  for (const std::string name : {"sh.json", "sh.h", "lobe_rows.json", "manifest.json"}) {
     std::filesystem::copy_file(path("map.exr"), path("out/" + name));
     EXPECT_THAT(refuse(2, "bake out/" + name + " --size 8 --brdf-size 8 -o out"), HasSubstr("is the input itself"));
     std::filesystem::remove(path("out/" + name));
@@ -226,6 +227,10 @@ TEST_F(BakeTest, WrongWishesAreToldBeforeAnythingIsMade) {
   EXPECT_THAT(refuse(2, "bake map.exr -o out --sh-degree 7"), HasSubstr("sh-degree"));
   EXPECT_THAT(refuse(2, "bake map.exr -o out --distribution charlie --brdf-axes warped"), HasSubstr("charlie"));
   EXPECT_THAT(refuse(2, "bake map.exr -o chain.ktx2 --brdf-size 64"), HasSubstr("--brdf-size"));
+  EXPECT_THAT(refuse(2, "bake map.exr -o chain.ktx2 --lobe-rows 4"), HasSubstr("--lobe-rows"));
+  EXPECT_THAT(refuse(2, "bake map.exr -o out --lobe-rows 3"), HasSubstr("--lobe-rows"));
+  EXPECT_THAT(refuse(2, "bake map.exr -o out --lobe-rows 4 --distribution charlie"),
+              HasSubstr("rows of lobes are known for ggx only, not for charlie"));
   write("file", "not a folder");
   EXPECT_THAT(refuse(2, "bake map.exr -o file"), HasSubstr("is a file"));
   EXPECT_THAT(refuse(1, "bake missing.exr -o out"), HasSubstr("missing.exr"));

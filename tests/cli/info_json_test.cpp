@@ -1,4 +1,4 @@
-// info for programs, for many files, for BRDF tables, and for files that are no maps.
+// info for programs, for many files, for tables, and for files that are no maps.
 
 #include <string>
 #include <vector>
@@ -103,6 +103,21 @@ TEST_F(InfoJsonTest, ABrdfTableIsKnown) {
   EXPECT_EQ(warped["axes"], "warped");
   EXPECT_EQ(warped["channels"], 3);
   EXPECT_EQ(json::parse(succeed("info warped/specular.dds --json"))["kind"], "map");
+}
+
+TEST_F(InfoJsonTest, LobeRowsAreKnown) {
+  for (const int lobes : {2, 4, 6}) {
+    const std::string count = std::to_string(lobes);
+    succeed("bake white -o out --size 8 --brdf-size 8 --lobe-rows " + count);
+    const std::string width = std::to_string(24 * lobes);
+    EXPECT_THAT(succeed("info out/lobe_rows.ktx2"),
+                AllOf(HasSubstr("what         rows of " + count + " lobes of bake, no map of light"),
+                      HasSubstr("size         " + width + "x24\n")));
+    const json object = json::parse(succeed("info out/lobe_rows.ktx2 --json"));
+    EXPECT_EQ(object["kind"], "lobe_rows");
+    EXPECT_EQ(object["lobes"], lobes);
+    EXPECT_EQ(object["size"], json::array({24 * lobes, 24}));
+  }
 }
 
 TEST_F(InfoJsonTest, AModelIsNamedWithTheCommandThatShowsIt) {

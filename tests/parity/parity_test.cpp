@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -9,17 +7,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/gl/buffer.h"
-#include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/gl_testing.h"
-#include "mirrorball/gl/program.h"
 #include "mirrorball/render/frame/background.h"
 #include "mirrorball/render/surface/nearness_picture.h"
 #include "mirrorball/render/surface/surface_variant.h"
+#include "parity/evaluation.h"
 #include "parity/formula_files.h"
 #include "parity/parity_case.h"
 
@@ -28,14 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kVertexShader =
-    "void main() {\n"
-    "  gl_Position = vec4(float(gl_VertexID % 2) * 4.0 - 1.0,\n"
-    "                     float(gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);\n"
-    "}\n";
-
-/// A fragment shader that evaluates a case at input number x in the pixel of column x.
-std::string fragmentShader(const Case& formula, const std::string& includes) {
+/// What a case's expression needs: the formulas, and maps that are the same on both sides.
+std::string textBefore(const Case& formula, const std::string& includes) {
   std::string text =
       "#include \"smooth_cube.glsl\"\n"
       "#include \"smooth_map.glsl\"\n"
@@ -51,53 +39,7 @@ std::string fragmentShader(const Case& formula, const std::string& includes) {
   if (formula.glsl.find("testGround") != std::string_view::npos) text += "#include \"test_ground.glsl\"\n";
   if (formula.glsl.find("testPrism") != std::string_view::npos) text += "#include \"test_prism.glsl\"\n";
   if (formula.glsl.find("testMedia") != std::string_view::npos) text += "#include \"test_media.glsl\"\n";
-  return text +
-         "uniform sampler2D inputs;\n"
-         "out vec4 result;\n"
-         "void main() {\n"
-         "  int column = int(gl_FragCoord.x);\n"
-         "  vec4 p = texelFetch(inputs, ivec2(column, 0), 0);\n"
-         "  vec4 q = texelFetch(inputs, ivec2(column, 1), 0);\n"
-         "  vec4 r = texelFetch(inputs, ivec2(column, 2), 0);\n"
-         "  result = " +
-         std::string(formula.glsl) + ";\n}\n";
-}
-
-Image imageOf(const std::vector<Input>& inputs) {
-  Image image(static_cast<int>(inputs.size()), 3, 4);
-  for (int x = 0; x < image.width(); ++x) {
-    const Input& input = inputs[static_cast<std::size_t>(x)];
-    const std::array<glm::vec4, 3> rows = {input.p, input.q, input.r};
-    for (int y = 0; y < 3; ++y) {
-      for (int channel = 0; channel < 4; ++channel) {
-        image.texel(x, y)[channel] = rows[static_cast<std::size_t>(y)][channel];
-      }
-    }
-  }
-  return image;
-}
-
-/// The results of a case on the GPU, one texel an input.
-Result<Image> evaluate(gl::Api api, const Case& formula, const std::string& includes,
-                       const std::vector<Input>& inputs) {
-  const std::string fragment_text = fragmentShader(formula, includes);
-  const auto find = [&](std::string_view name) -> std::optional<std::string_view> {
-    if (name == "parity.vert") return kVertexShader;
-    if (name == "parity.frag") return fragment_text;
-    return findParityText(name);
-  };
-  MIRRORBALL_TRY(vertex, gl::shaderSource(api, "parity.vert", {}, find));
-  MIRRORBALL_TRY(fragment, gl::shaderSource(api, "parity.frag", {}, find));
-  MIRRORBALL_TRY(program, gl::Program::build(vertex, fragment, std::string(formula.function)));
-  const int count = static_cast<int>(inputs.size());
-  MIRRORBALL_TRY(texture, gl::Texture::make2d(gl::Format::rgba32f, count, 3));
-  MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(gl::Format::rgba32f, count, 1, false));
-  texture.upload(0, 0, imageOf(inputs));
-  texture.bind(0);
-  framebuffer.bind();
-  program.set("inputs", 0);
-  gl::VertexArray().draw(3);
-  return framebuffer.readFloat();
+  return text;
 }
 
 /// The difference of two results in units of max(1, |expected|); infinite if one is no number.
@@ -118,7 +60,8 @@ std::string show(glm::vec4 v) {
 
 void expectParity(gl::Api api, const Case& formula, const std::string& includes) {
   const std::vector<Input> inputs = inputsOf(formula.domain);
-  const auto results = evaluate(api, formula, includes, inputs);
+  const auto results =
+      evaluate(api, textBefore(formula, includes), std::string(formula.glsl), std::string(formula.function), inputs);
   ASSERT_TRUE(results) << results.error().message;
   float worst = 0.0f;
   std::string where;
@@ -181,24 +124,10 @@ TEST(Parity, EveryFormulaHasACase) {
   EXPECT_EQ(functions, allCases().size()) << "a row of cases.cpp names no formula, or one twice";
 }
 
-/// Whether glslang, the reference compiler, takes a shader.
-void expectGlslangTakes(gl::Api api, const gl::ShaderSource& source, const fs::path& name) {
-  // CTest runs the cases of this program at the same time, each in a process of its own.
-  const fs::path path = fs::path(::testing::TempDir()) / (std::to_string(::getpid()) + "_" + name.string());
-  const auto bytes = std::span(reinterpret_cast<const std::uint8_t*>(source.text.data()), source.text.size());
-  const auto written = writeFile(path, bytes);
-  ASSERT_TRUE(written) << written.error().message;
-  const std::string command = "glslangValidator '" + path.string() + "'";
-  EXPECT_EQ(std::system(command.c_str()), 0) << name << " as " << gl::nameOf(api);
-  fs::remove(path);
-}
-
 class GlslangTest : public ::testing::TestWithParam<gl::Api> {
  protected:
   void SetUp() override {
-    if (std::system("glslangValidator --version > /dev/null 2>&1") != 0) {
-      GTEST_SKIP() << "glslangValidator is not installed (Debian's package glslang-tools)";
-    }
+    if (!hasGlslang()) GTEST_SKIP() << kNoGlslang;
   }
 };
 
@@ -211,7 +140,7 @@ TEST_P(GlslangTest, TakesEveryFormulaFile) {
     };
     const auto source = gl::shaderSource(GetParam(), "entry", {}, find);
     ASSERT_TRUE(source) << source.error().message;
-    expectGlslangTakes(GetParam(), *source, "formula_" + file.name + ".frag");
+    expectGlslangTakes(source->text, "formula_" + file.name + ".frag", GetParam());
   }
 }
 
@@ -223,7 +152,7 @@ TEST_P(GlslangTest, TakesEveryShader) {
     if (name == "background.frag" || name == "nearness_of_proxy.frag") continue;  // are put together from parts
     const auto source = gl::shaderSource(GetParam(), name);
     ASSERT_TRUE(source) << source.error().message;
-    expectGlslangTakes(GetParam(), *source, name);
+    expectGlslangTakes(source->text, name, GetParam());
   }
 }
 
@@ -233,10 +162,10 @@ TEST_P(GlslangTest, TakesTheBackgroundOnEveryProxy) {
     const std::string suffix = "_" + std::to_string(static_cast<int>(kind)) + ".frag";
     const auto source = backgroundShader(GetParam(), kind);
     ASSERT_TRUE(source) << source.error().message;
-    expectGlslangTakes(GetParam(), *source, "background" + suffix);
+    expectGlslangTakes(source->text, "background" + suffix, GetParam());
     const auto nearness = nearnessShader(GetParam(), kind);
     ASSERT_TRUE(nearness) << nearness.error().message;
-    expectGlslangTakes(GetParam(), *nearness, "nearness_of_proxy" + suffix);
+    expectGlslangTakes(nearness->text, "nearness_of_proxy" + suffix, GetParam());
   }
 }
 
@@ -298,8 +227,8 @@ TEST_P(GlslangTest, TakesEveryPairOfPartsOfTheSurface) {
   for (const SurfaceVariant& variant : pairsOfParts()) {
     const auto shaders = surfaceShaders(GetParam(), variant);
     ASSERT_TRUE(shaders) << shaders.error().message;
-    if (variant == SurfaceVariant{}) expectGlslangTakes(GetParam(), shaders->vertex, "surface.vert");
-    expectGlslangTakes(GetParam(), shaders->fragment, "surface.frag");
+    if (variant == SurfaceVariant{}) expectGlslangTakes(shaders->vertex.text, "surface.vert", GetParam());
+    expectGlslangTakes(shaders->fragment.text, "surface.frag", GetParam());
   }
 }
 

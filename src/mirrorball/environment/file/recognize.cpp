@@ -18,6 +18,12 @@ constexpr const char* kTexelsOnEdges = "on-edges";
 constexpr const char* kEnvmapKey = "envmap";
 constexpr const char* kSheetKey = "mirrorball:sheet";
 constexpr const char* kBrdfTableValue = "brdf";
+constexpr const char* kLobeRowsValue = "lobe rows";
+
+bool isTable(const Metadata& metadata, std::string_view value) {
+  const auto said = metadata.find(kTableKey);
+  return said != metadata.end() && said->second == value;
+}
 
 std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
@@ -199,12 +205,11 @@ Metadata metadataOf(const MapForm& form) {
 
 Metadata metadataOfLevelSheet() { return {{kSheetKey, "mip levels"}}; }
 
-Metadata metadataOfBrdfTable() { return {{kBrdfTableKey, kBrdfTableValue}}; }
+Metadata metadataOfBrdfTable() { return {{kTableKey, kBrdfTableValue}}; }
+bool isBrdfTable(const Metadata& metadata) { return isTable(metadata, kBrdfTableValue); }
 
-bool isBrdfTable(const Metadata& metadata) {
-  const auto said = metadata.find(kBrdfTableKey);
-  return said != metadata.end() && said->second == kBrdfTableValue;
-}
+Metadata metadataOfLobeRows() { return {{kTableKey, kLobeRowsValue}}; }
+bool isLobeRows(const Metadata& metadata) { return isTable(metadata, kLobeRowsValue); }
 
 bool isRecognizedUnsaid(const MapForm& form) {
   if (form.has_texels_on_edges) return false;
@@ -235,6 +240,8 @@ Result<Recognition> recognize(int width, int height, const Metadata& metadata, c
                 Remedy::take_one_level);
   if (isBrdfTable(metadata))
     return fail(ErrorCode::bad_shape, "is a BRDF table, no map; `mirrorball info` tells what it holds");
+  if (isLobeRows(metadata))
+    return fail(ErrorCode::bad_shape, "is a table of lobe rows, no map; `mirrorball info` tells what it holds");
   MIRRORBALL_TRY(stated, hintOfMetadata(metadata));
   if (stated.layout == CubeLayout::faces)
     return fail(ErrorCode::bad_shape,

@@ -47,7 +47,13 @@ Metadata metadataOfLevelSheet();
 /// The same for a BRDF table, which is square like a sphere map.
 Metadata metadataOfBrdfTable();
 bool isBrdfTable(const Metadata& metadata);
-inline constexpr const char* kBrdfTableKey = "mirrorball:table";
+
+/// The same for a table of lobe rows (bake/lobe_row/lobe_row_table.h).
+Metadata metadataOfLobeRows();
+bool isLobeRows(const Metadata& metadata);
+
+/// What the metadata of either begins with.
+inline constexpr const char* kTableKey = "mirrorball:table";
 
 /// Whether a texture without metadata is recognised as a map of that form: by its six faces and how their edges meet,
 /// or by its shape.

@@ -35,6 +35,7 @@ TEST(Recognize, MetadataComesBeforeTheShape) {
 
 TEST(Recognize, WhatSaysThatItIsNoMapIsNone) {
   EXPECT_THAT(recognize(64, 64, metadataOfBrdfTable()).error().message, HasSubstr("is a BRDF table"));
+  EXPECT_THAT(recognize(96, 24, metadataOfLobeRows()).error().message, HasSubstr("is a table of lobe rows"));
   EXPECT_THAT(recognize(64, 32, metadataOfLevelSheet()).error().message, HasSubstr("is a sheet of mip levels"));
   EXPECT_EQ(textOf(recognize(64, 64, metadataOfBrdfTable(), *formHintNamed("sphere"))->form), "sphere");
 }

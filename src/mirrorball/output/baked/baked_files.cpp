@@ -49,13 +49,27 @@ BrdfFile brdfFile(const std::string& stem, std::string_view extension, const Bak
   return file;
 }
 
+/// The lobes of a set's rows; 0: it has none.
+///
+/// errors   usage: no such rows are known
+Result<int> lobesOf(const BakedSetSettings& settings) {
+  const bool is_ggx = settings.distribution == Distribution::ggx;
+  const int lobes = settings.lobe_rows.value_or(is_ggx ? BakedSetSettings::kUsualLobes : 0);
+  if (lobes != 0 && lobes != 2 && lobes != 4 && lobes != 6)
+    return fail(ErrorCode::usage, "rows have 2, 4 or 6 lobes, or 0 for no such table, not " + std::to_string(lobes));
+  if (lobes > 0 && !is_ggx)
+    return fail(ErrorCode::usage, "rows of lobes are known for ggx only, not for " +
+                                      writtenSetting(settings, "distribution") + "; leave --lobe-rows out");
+  return lobes;
+}
+
 /// A folder's own name, also of "." and "..".
 std::string nameOfFolder(const std::string& folder) {
   const fs::path path = fs::absolute(folder).lexically_normal();
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
-/// The files of irradiance and of the BRDF table, which a program may have none of.
+/// The files of irradiance and of the tables, which a program may have none of.
 Result<void> addOurFiles(const BakedSetSettings& settings, std::string_view extension, const Observer& observer,
                          BakedFiles& files) {
   MIRRORBALL_TRY(irradiance,
@@ -65,6 +79,8 @@ Result<void> addOurFiles(const BakedSetSettings& settings, std::string_view exte
       settings.brdf_extension.empty() ? std::string(extension == "hdr" ? "exr" : extension) : settings.brdf_extension;
   MIRRORBALL_TRY(brdf_extension, extensionNamed(brdf, bakedBrdfExtensions()));
   files.brdf = brdfFile(files.folder + "/brdf", brdf_extension, settings);
+  MIRRORBALL_TRY(lobes, lobesOf(settings));
+  if (lobes > 0) files.lobe_rows = LobeRowFiles{files.folder, lobes, settings.file.zstandard_level};
   return {};
 }
 
@@ -125,6 +141,7 @@ std::vector<std::string> BakedFiles::paths() const {
   if (irradiance) add(irradiance->paths());
   if (skybox) add(skybox->paths());
   if (brdf) add({brdf->path});
+  if (lobe_rows) add({lobe_rows->texture(), lobe_rows->text()});
   if (set.files == SetFiles::cmgens)
     add({folder + "/sh.txt"});
   else

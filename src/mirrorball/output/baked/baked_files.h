@@ -8,6 +8,7 @@
 #include "mirrorball/output/baked/brdf_file.h"
 #include "mirrorball/output/baked/cube_files.h"
 #include "mirrorball/output/baked/engine_set.h"
+#include "mirrorball/output/baked/lobe_row_files.h"
 
 namespace mirrorball {
 
@@ -26,6 +27,7 @@ struct BakedFiles {
   std::optional<CubeFiles> irradiance = {};
   std::optional<CubeFiles> skybox = {};
   std::optional<BrdfFile> brdf = {};
+  std::optional<LobeRowFiles> lobe_rows = {};
 
   /// output, settings   as BakedSet::resolve's, levels and format settled
   /// errors             usage: no such folder can be, or no such files

@@ -96,6 +96,14 @@ Json brdfJson(const BrdfFile& file, const BakedSetSettings& settings) {
   return json;
 }
 
+Json lobeRowsJson(const LobeRowFiles& files) {
+  Json json{{"file", LobeRowFiles::kTextureName},
+            {"json", LobeRowFiles::kTextName},
+            {"format", nameOf(storedFormat(TexelFormat::half))}};
+  json.update(lobeRowFacts(files.lobes));
+  return json;
+}
+
 Json harmonicsJson(const EngineSet& set, const BakedSetSettings& settings) {
   if (set.files == SetFiles::cmgens)
     return {{"file", "sh.txt"}, {"degree", 2}, {"what", "irradiance / pi, as coefficients of Filament's polynomial"}};
@@ -108,7 +116,8 @@ void collectFiles(const Json& json, std::vector<std::string>& names) {
     for (const Json& element : json) collectFiles(element, names);
   if (!json.is_object()) return;
   for (const auto& [key, value] : json.items()) {
-    if (value.is_string() && (key == "file" || key == "header")) names.push_back(value.get<std::string>());
+    if (value.is_string() && (key == "file" || key == "header" || key == "json"))
+      names.push_back(value.get<std::string>());
     if (value.is_array() && key == "files")
       for (const Json& name : value)
         if (name.is_string()) names.push_back(name.get<std::string>());
@@ -122,6 +131,7 @@ bool isOurs(const fs::path& name) {
   const std::string stem = name.stem().string();
   const std::string extension = extensionOf(name);
   if (stem == "sh") return extension == "json" || extension == "h" || extension == "txt";
+  if (name == LobeRowFiles::kTextureName || name == LobeRowFiles::kTextName) return true;
   if (!formatToWrite(name, {Holds::light, Holds::texture})) return false;
   if (isTexturePath(name) && (stem.ends_with("_ibl") || stem.ends_with("_skybox"))) return true;
   if (stem == "specular" || stem == "irradiance" || stem == "skybox" || stem == "brdf") return true;
@@ -153,6 +163,7 @@ std::string manifestOf(const BakedFacts& facts, const BakedFiles& files, const B
     json["skybox"] =
         cubeJson(*files.skybox, facts.formats.skybox, facts.skybox_size, "radiance: the environment as it is");
   if (files.brdf) json["brdf"] = brdfJson(*files.brdf, settings);
+  if (files.lobe_rows) json["lobe_rows"] = lobeRowsJson(*files.lobe_rows);
   json["harmonics"] = harmonicsJson(files.set, settings);
   // File names need not be UTF-8, which JSON is.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

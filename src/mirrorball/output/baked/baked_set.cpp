@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mirrorball/bake/bake.h"
+#include "mirrorball/bake/lobe_row/lobe_row_table.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/folder.h"
 #include "mirrorball/base/memory.h"
@@ -126,6 +127,15 @@ class SetWriter {
     MIRRORBALL_TRY_VOID(ofSet(writeBrdf(std::move(table), *file)));
     observer_.tellWritten(file->path);
     return {};
+  }
+
+  Result<void> writeRows(const std::optional<LobeRowFiles>& files) {
+    if (!files) return {};
+    MIRRORBALL_TRY_VOID(goOn());
+    MIRRORBALL_TRY(rows, lobeRowTable(files->lobes));
+    MIRRORBALL_TRY_VOID(ofSet(writeLobeRows(rows, *files)));
+    observer_.tellWritten(files->texture());
+    return writeText(LobeRowFiles::kTextName, lobeRowText(rows));
   }
 
   Result<void> writeText(const std::string& name, const std::string& text) {
@@ -250,6 +260,7 @@ Result<void> BakedSet::Parts::writeFolder(BakedMaps maps, Image brdf, const Load
   MIRRORBALL_TRY(skybox, writer.writeCube(files.skybox, std::move(maps.skybox).takeImages(), {}));
   formats.skybox = skybox;
   MIRRORBALL_TRY_VOID(writer.writeTable(files.brdf, std::move(brdf)));
+  MIRRORBALL_TRY_VOID(writer.writeRows(files.lobe_rows));
   BakedSetSettings named = settings;
   if (named.source.empty()) named.source = of.name;
   if (files.set.files == SetFiles::cmgens) {

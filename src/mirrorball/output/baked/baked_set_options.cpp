@@ -32,6 +32,11 @@ constexpr ChoiceField<BakedSetSettings> kMipMappingField{
       settings.mip_mapping = index > 0 ? std::optional(static_cast<MipMapping>(index - 1)) : std::nullopt;
     }};
 
+/// Rows have an even number of lobes.
+constexpr ChoiceField<BakedSetSettings> kLobeRowsField{
+    [](const BakedSetSettings& settings) { return settings.lobe_rows.value_or(BakedSetSettings::kUsualLobes) / 2; },
+    [](BakedSetSettings& settings, int index) { settings.lobe_rows = 2 * index; }};
+
 const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
     {{.name = "size",
       .value = "N",
@@ -89,6 +94,11 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
       .help = "extension of the BRDF table's file; without it, that of --extension, but .exr in place of .hdr",
       .names = bakedBrdfExtensions},
      &BakedSetSettings::brdf_extension},
+    {{.name = "lobe-rows",
+      .choices = "0|2|4|6",
+      .help = "number of look-ups in the chain that the table lobe_rows.ktx2 is for, with which rough reflections are "
+              "right at every angle; 0: no such table. Other distributions than ggx have none"},
+     kLobeRowsField},
     {{.name = "skybox", .help = "also write the environment itself, for the background; filament always gets it"},
      &BakedSetSettings::skybox},
     {{.name = "skybox-size",

@@ -34,7 +34,8 @@ TEST_F(BakedSetTest, AFolderHasTheMapsOfTheEngine) {
   EXPECT_THAT(saved->remarks, IsEmpty());
   EXPECT_THAT(saved->paths,
               UnorderedElementsAre(path("set/specular.ktx2"), path("set/irradiance.ktx2"), path("set/brdf.ktx2"),
-                                   path("set/sh.json"), path("set/sh.h"), path("set/manifest.json")));
+                                   path("set/lobe_rows.ktx2"), path("set/lobe_rows.json"), path("set/sh.json"),
+                                   path("set/sh.h"), path("set/manifest.json")));
   for (const std::string& file : saved->paths) EXPECT_TRUE(std::filesystem::exists(file)) << file;
   const auto specular = loadEnvironment(path("set/specular.ktx2"));
   ASSERT_TRUE(specular);

@@ -1,16 +1,14 @@
 #include "mirrorball/output/baked/brdf_file.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/file/recognize.h"
+#include "mirrorball/output/baked/table_file.h"
 
 namespace mirrorball {
 namespace {
@@ -55,17 +53,6 @@ std::optional<BrdfTableFacts> factsBeside(const std::filesystem::path& path) {
   return BrdfTableFacts{word("distribution"), axes.substr(0, axes.find(':')), has_two ? 2 : 3};
 }
 
-/// Whether a file says near its beginning, where formats have their words, that it is a table.
-bool saysThatItIsATable(const std::string& path) {
-  constexpr std::size_t kBeginning = std::size_t{1} << 16;
-  const auto file = FileReader::open(path);
-  if (!file) return false;
-  std::vector<std::uint8_t> bytes(std::min<std::uint64_t>(file->size(), kBeginning));
-  if (!file->readAt(0, bytes)) return false;
-  return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).find(kBrdfTableKey) !=
-         std::string_view::npos;
-}
-
 /// Pictures have one or three channels: of two, the third is black.
 Image withThreeChannels(const Image& image) {
   if (image.channels() == 3) return image;
@@ -91,20 +78,11 @@ Result<void> writeBrdf(Image table, const BrdfFile& file) {
 }
 
 Result<std::optional<FoundBrdfTable>> brdfTableIn(const std::string& path) {
-  if (saysThatItIsATable(path)) {
-    std::vector<std::uint8_t> begin(16);
-    MIRRORBALL_TRY(file, FileReader::open(path));
-    MIRRORBALL_TRY_VOID(file.readAt(0, begin));
-    if (isImageSet(begin)) {
-      MIRRORBALL_TRY(texture, readImageSet(path));
-      if (auto facts = factsIn(texture.metadata))
-        return FoundBrdfTable{std::move(*facts), texture.format, std::move(texture.images.at(0, 0))};
-      return std::nullopt;
-    }
-    MIRRORBALL_TRY(picture, readImage(path));
-    if (auto facts = factsIn(picture.metadata))
-      return FoundBrdfTable{std::move(*facts), picture.format, std::move(picture.image)};
-    return std::nullopt;
+  MIRRORBALL_TRY(file, tableFileIn(path));
+  if (file) {
+    auto facts = factsIn(file->metadata);
+    if (!facts) return std::nullopt;
+    return FoundBrdfTable{std::move(*facts), std::move(file->format), std::move(file->table)};
   }
   if (extensionOf(path) != "dds") return std::nullopt;
   auto facts = factsBeside(path);

@@ -12,7 +12,7 @@ namespace mirrorball {
 
 /// What lies in a folder of baked maps.
 enum class SetFiles {
-  ours,    ///< mip chain, irradiance, BRDF table, sh.json, sh.h; a skybox if it is asked for
+  ours,    ///< mip chain, irradiance, BRDF table, lobe rows, sh.json, sh.h; a skybox if it is asked for
   cmgens,  ///< as Filament's cmgen deploys it: FOLDER_ibl, which has the harmonics too, FOLDER_skybox and sh.txt
 };
 

@@ -32,6 +32,7 @@ argumentsOf() {
     proxy_mesh) echo "sphere --material mirror --proxy cube" ;;
     probe) echo "sphere --material mirror --probes 1 --probe-size 256" ;;
     rough_metal) echo "sphere --material rough-metal" ;;
+    lobe_taps_*) echo "sphere --material rough-metal --lobe-taps ${1#lobe_taps_}" ;;
     flat_look_up) echo "sphere --material mirror --lookup flat" ;;
     thin_wall) echo "sphere $clear --set thin_walled=yes" ;;
     single) echo "sphere $clear" ;;
@@ -53,7 +54,7 @@ argumentsOf() {
 
 shift "$(($# < 4 ? $# : 4))"
 techniques=${*:-mirror proxy_box proxy_sphere proxy_ground ground_mirror ground_rough_mirror proxy_mesh \
-  probe rough_metal flat_look_up thin_wall single single_dispersion single_spectral image_space \
+  probe rough_metal lobe_taps_1 lobe_taps_2 lobe_taps_6 flat_look_up thin_wall single single_dispersion single_spectral image_space \
   image_space_screen image_space_dispersion traced_flat_sides traced_curved traced_dispersion traced_spectral relief_none relief_bump \
   relief_parallax relief_steep relief_occlusion relief_linear_binary relief_cone relief_exact relief_geometry}
 

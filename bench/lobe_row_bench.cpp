@@ -1,7 +1,8 @@
 // How far the light that rows of lobes reflect is from the sum over all texels of an environment under GGX's own lobe:
-// run build/release/bench/lobe_row_bench ENV…
+// run build/release/bench/lobe_row_bench [PLOT.svg] ENV…
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -11,11 +12,12 @@
 
 #include "formula/bsdf.h"
 #include "mirrorball/bake/lobe_row/lobe_row_table.h"
+#include "mirrorball/base/file.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
-#include "mirrorball/image/filter.h"
+#include "plot.h"
 
 namespace mirrorball::bench {
 namespace {
@@ -160,33 +162,56 @@ void printShares(const char* angles, const std::vector<Errors>& errors) {
   std::printf("\n");
 }
 
-Result<void> printErrors(const std::string& environment) {
+/// The curves over n·v, for the root mean square over the roughnesses.
+std::string plotOf(const std::string& environment, const std::vector<std::vector<Errors>>& by_roughness) {
+  std::vector<Curve> curves;
+  for (std::size_t row = 0; row < kRows.size(); ++row) {
+    Curve curve{.name = kRows[row] == 1 ? "one look-up" : std::to_string(kRows[row]) + " lobes", .points = {}};
+    for (std::size_t angle = 0; angle < kCosines.size(); ++angle) {
+      double sum = 0.0;
+      for (const std::vector<Errors>& errors : by_roughness) sum += errors[angle][row] * errors[angle][row];
+      curve.points.emplace_back(kCosines[angle], std::sqrt(sum / double(by_roughness.size())));
+    }
+    curves.push_back(std::move(curve));
+  }
+  const std::string file = environment.substr(environment.rfind('/') + 1);
+  return svgPlot("Reflected light in " + file + ", roughness 0.2 to 0.9", {"n·v", false}, {"relative RMS error", true},
+                 curves);
+}
+
+Result<void> printErrors(const std::string& environment, const std::string& plot) {
   MIRRORBALL_TRY(points, pointsOf(environment));
   MIRRORBALL_TRY(table, lobeRowTable());
   std::printf("%s: relative RMS error with 1, 2, 4 and 6 lobes\nroughness", environment.c_str());
   for (const float cosine : kCosines) std::printf("  n.v %-21.2f", cosine);
   std::printf("\n");
   std::vector<Errors> steep, flat;
+  std::vector<std::vector<Errors>> by_roughness;
   for (const float roughness : kRoughnesses) {
     std::printf("%-9.2f", roughness);
+    by_roughness.emplace_back();
     for (const float cosine : kCosines) {
       const Errors errors = errorsAt(points, table, roughness, cosine);
       (cosine >= 0.5f ? steep : flat).push_back(errors);
+      by_roughness.back().push_back(errors);
       std::printf("  %.3f %.3f %.3f %.3f  ", errors[0], errors[1], errors[2], errors[3]);
     }
     std::printf("\n");
   }
   printShares("n.v from 0.5 on:", steep);
   printShares("n.v from 0.15 to 0.35:", flat);
-  return {};
+  if (plot.empty()) return {};
+  const std::string text = plotOf(environment, by_roughness);
+  return writeFile(plot, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 }  // namespace
 }  // namespace mirrorball::bench
 
 int main(int count, char** arguments) {
-  for (int i = 1; i < count; ++i)
-    if (const auto printed = mirrorball::bench::printErrors(arguments[i]); !printed) {
+  const bool has_plot = count > 1 && std::string(arguments[1]).ends_with(".svg");
+  for (int i = has_plot ? 2 : 1; i < count; ++i)
+    if (const auto printed = mirrorball::bench::printErrors(arguments[i], has_plot ? arguments[1] : ""); !printed) {
       std::fprintf(stderr, "%s\n", printed.error().message.c_str());
       return EXIT_FAILURE;
     }

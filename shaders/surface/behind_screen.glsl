@@ -1,8 +1,8 @@
-// Part "behind" (behind_light.glsl). Here: the surfaces that are in the picture, which have been drawn before; where the
-// ray meets none there, the arriving light. So it is only right where the picture shows what the ray meets.
+// Part "behind" (behind_light.glsl). Here: the surfaces that are in the picture, which have been drawn before; where
+// the ray meets none there, the arriving light. So it is only right where the picture shows what the ray meets.
 //
-// The ray is followed in the picture (McGuire & Mara 2014, "Efficient GPU screen-space ray tracing"), in even steps of a
-// share s of it; where it has an end, place = mix(origin, end, s), and where it has none, its distance is
+// The ray is followed in the picture (McGuire & Mara 2014, "Efficient GPU screen-space ray tracing"), in even steps of
+// a share s of it; where it has an end, place = mix(origin, end, s), and where it has none, its distance is
 // screen_unit · s / (1 − s). Times 1 − s, that is linear in s, too, and so is what the camera makes of it. Rough glass
 // reads a coarser mip level, as wide as its lobe is there (Filament and three.js do so for KHR_materials_transmission).
 #include "box.glsl"
@@ -12,8 +12,8 @@ uniform highp sampler2D opaque_picture;  // light, and how near the surface is t
 const float kScreenSteps = 32.0;  // of a ray without an end
 const float kStepsInside = 6.0;   // of one with an end
 const int kScreenRefinements = 5;
-// What is farther behind the surface than these shares of the distance, passes behind its edge: of a ray without an end,
-// and of one with an end, beside some of its last steps: the picture holds half floats.
+// What is farther behind the surface than these shares of the distance, passes behind its edge: of a ray without an
+// end, and of one with an end, beside some of its last steps: the picture holds half floats.
 const float kMet = 0.05;
 const float kMetInside = 3e-3;
 

@@ -11,8 +11,8 @@
 
 namespace mirrorball {
 
-/// A copy of a picture of opaque surfaces with how near they are, 1 / distance from the camera's place, for what is seen
-/// through those that are drawn after them.
+/// A copy of a picture of opaque surfaces with how near they are, 1 / distance from the camera's place, for what is
+/// seen through those that are drawn after them.
 class OpaquePicture {
  public:
   /// errors   unsupported (the driver does not compile a shader)

@@ -135,7 +135,8 @@ class SurfacePrograms {
 
   gl::Api api() const { return api_; }
 
-  /// Whether an instance's light is searched for along rays, at each fragment, and its place is the mesh's: after `begin`.
+  /// Whether an instance's light is searched for along rays, at each fragment, and its place is the mesh's. To be asked
+  /// after `begin`.
   bool isCostly(const Scene& scene, int instance, const SceneBuffers& buffers, const FrameSettings& settings) const;
 
   /// Must be called when the scene is another one, or its materials or instances have changed.

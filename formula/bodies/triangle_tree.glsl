@@ -93,8 +93,9 @@ FN TriangleHit nearestOfLeaf(WORD_SAMPLER tree, int triangles, int leaf, vec3 or
 //
 // direction  unit
 // excluded   a triangle that is not met: the one that the ray leaves; −1: none
-FN TriangleHit nearestTriangle(WORD_SAMPLER tree, vec3 origin, vec3 direction, float nearest, int excluded,
-                               float margin) {
+// unseen     a child that is not visited, nor what is in it; 0: none
+FN TriangleHit nearestTriangleBeside(WORD_SAMPLER tree, vec3 origin, vec3 direction, float nearest, int excluded,
+                                     int unseen, float margin) {
   uvec4 head = fetchWords(tree, 0);
   vec3 size = floatsOf(fetchWords(tree, 2));
   vec3 inverse = inverseDirection(direction) * size;
@@ -111,6 +112,8 @@ FN TriangleHit nearestTriangle(WORD_SAMPLER tree, vec3 origin, vec3 direction, f
       uvec4 child_b = fetchWords(tree, node + 1);
       float a = entryOfBox(child_a, origin_in_all, inverse, nearest, best.distance);
       float b = entryOfBox(child_b, origin_in_all, inverse, nearest, best.distance);
+      if (int(child_a.w) == unseen) a = kBeyondAll;
+      if (int(child_b.w) == unseen) b = kBeyondAll;
       node = a <= b ? int(child_a.w) : int(child_b.w);
       if (max(a, b) < kBeyondAll) waiting[count++] = a <= b ? int(child_b.w) : int(child_a.w);
       if (min(a, b) < kBeyondAll) continue;
@@ -122,6 +125,11 @@ FN TriangleHit nearestTriangle(WORD_SAMPLER tree, vec3 origin, vec3 direction, f
     node = waiting[--count];
   }
   return best;
+}
+
+FN TriangleHit nearestTriangle(WORD_SAMPLER tree, vec3 origin, vec3 direction, float nearest, int excluded,
+                               float margin) {
+  return nearestTriangleBeside(tree, origin, direction, nearest, excluded, 0, margin);
 }
 
 // The surface of a body where a ray meets it.

@@ -11,6 +11,8 @@ layout(std140) uniform FrameBlock {
   float orthographic;      // 1: all rays go along camera_forward
   vec3 camera_forward;
   float screen_unit;       // world units; of the distances in the picture of opaque surfaces
+  vec3 shown_low;          // the box around all that the picture of opaque surfaces shows
+  vec3 shown_high;
   float samples_per_pixel;
   float sample_phase;      // of the sample that is drawn: (its number + ½) / samples_per_pixel
   int texture_filter;      // of filter_kind.glsl

@@ -13,6 +13,7 @@ in vec4 vertex_hidden;
 in vec3 vertex_shown;
 
 uniform highp usampler2D scene_triangles;
+uniform int unseen_by_itself;  // a child of the tree that the surface sees nothing of, from its outside
 
 // The light of what a ray meets.
 //   direction   of the ray
@@ -54,7 +55,8 @@ void reflectScene(SurfacePoint point, vec3 across, vec3 direction, inout vec3 fo
   direction -= 2.0 * min(dot(direction, up), 0.0) * up;
   vec3 size = floatsOf(fetchWords(scene_triangles, 2));
   vec3 origin = besideSurface(point.position, max(max(size.x, size.y), size.z), up);
-  TriangleHit hit = nearestTriangle(scene_triangles, origin, direction, 0.0, -1, kNarrowMargin);
+  TriangleHit hit = nearestTriangleBeside(scene_triangles, origin, direction, 0.0, -1,
+                                          seesFront() ? unseen_by_itself : 0, kNarrowMargin);
   if (hit.triangle >= 0)
     found = lightOfScene(origin + hit.distance * direction, direction, sceneSurfaceAt(scene_triangles, hit));
 }

@@ -93,6 +93,9 @@ vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
   vec3 d = refractedDirection(point.ray, s.normal, ior);
   BackFace face;
   float way = wayOut(point.position, d, face);
+  vec3 met;
+  if (meetsInside(point.position, d, s.material.perceptual_roughness, way, met))
+    return met * bodyTransmittance(s.material.attenuation_color, s.material.attenuation_distance, way);
   vec3 place = point.position + way * d;
   vec3 normal = facingNormal(-normalAt(face, place), d);
   float cosine = min(-dot(d, normal), 1.0);
@@ -109,7 +112,9 @@ vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
     vec3 to = is_reflected ? reflect(d, normal) : refractedDirection(d, normal, eta);
     Beam beam = beamBeyond(arriving, is_reflected ? reflectionOfBeam(alpha, cosine, face.curvature)
                                                   : refractionOfBeam(alpha, cosine, eta, face.curvature));
-    light += share * lightBehind(place, to, roughnessOfBeam(beam), footprintOfBeam(beam));
+    // What is reflected is still inside.
+    light += share * (is_reflected ? incomingLight(place, to, roughnessOfBeam(beam), footprintOfBeam(beam))
+                                   : lightBehind(place, to, roughnessOfBeam(beam), footprintOfBeam(beam)));
   }
   return light * bodyTransmittance(s.material.attenuation_color, s.material.attenuation_distance, way);
 }

@@ -441,6 +441,11 @@ const Case kCases[] = {
                              normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, q.w < 0.5f ? -1 : 0, kNarrowMargin)
                  .barycentric,
              0.0f)),
+    PARITY(nearestTriangleBeside, direction, kTranscendental,
+           vec4(nearestTriangleBeside(SmallTree(0.5f + p.w), vec3(0.0f, 0.0f, -3.0f),
+                                      normalize(vec3(0.25f * p.x, 0.25f * p.y, 2.0f)), 0.0f, -1,
+                                      q.w < 0.5f ? 0 : leafOf(0, 1), kNarrowMargin)
+                    .distance)),
     PARITY(curvatureAlong, direction, kTight, vec4(curvatureAlong(vec3(p) + vec3(2.0f), vec3(q)), 0.0f, 0.0f, 0.0f)),
     PARITY(bodySurfaceAt, unit, kTight,
            vec4(bodySurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).normal,

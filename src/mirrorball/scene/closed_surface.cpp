@@ -2,10 +2,12 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/scene/box.h"
 
 namespace mirrorball {
 namespace {
@@ -47,6 +49,23 @@ bool isClosed(const Mesh& mesh) {
     sum += of_piece;
   });
   return sum == 0;
+}
+
+bool isBall(const Mesh& mesh) {
+  constexpr float kOff = 1e-4f;
+  constexpr float kLeastMiddle = 0.97f;  // of triangles whose edges are up to 0.4 long
+  Box box;
+  for (const Vertex& vertex : mesh.vertices) box.include({vertex.position, vertex.position});
+  const glm::vec3 middle = box.center();
+  const float radius = (box.high.x - box.low.x) / 2.0f;
+  if (mesh.indices.empty() || !(radius > 0.0f)) return false;
+  const auto place = [&](std::size_t corner) { return mesh.vertices[mesh.indices[corner]].position - middle; };
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    for (std::size_t corner = i; corner < i + 3; ++corner)
+      if (!(std::abs(glm::length(place(corner)) - radius) <= kOff * radius)) return false;
+    if (glm::length(place(i) + place(i + 1) + place(i + 2)) < 3.0f * kLeastMiddle * radius) return false;
+  }
+  return true;
 }
 
 std::vector<std::string> openBodies(const Scene& scene) {

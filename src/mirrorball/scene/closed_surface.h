@@ -14,6 +14,12 @@ namespace mirrorball {
 /// cost     O(triangles), without memory, on all cores: 0.3 s of the processors' time for ten million triangles
 bool isClosed(const Mesh& mesh);
 
+/// Whether a mesh's triangles are those of a ball, to 1e-4 of its radius, none of which reaches into its inside: then
+/// no ray from its outside that has left it meets it again, however it is stretched.
+///
+/// cost     O(triangles)
+bool isBall(const Mesh& mesh);
+
 /// What to say of transmitting materials whose bodies are not closed (and not thin_walled): one line for each.
 ///
 /// cost     isClosed of each mesh of such a material

@@ -64,6 +64,18 @@ TEST(ClosedSurface, EveryTriangleFromBothSidesIsClosed) {
   EXPECT_FALSE(isClosed(sheet));
 }
 
+TEST(IsBall, KnowsBallsByTheirTriangles) {
+  EXPECT_TRUE(isBall(sphereMesh()));
+  EXPECT_TRUE(isBall(sphereMesh(24, 48)));
+  EXPECT_FALSE(isBall(sphereMesh(4, 8))) << "whose middles lie deep";
+  EXPECT_FALSE(isBall(torusMesh()));
+  EXPECT_FALSE(isBall(cubeMesh())) << "all its corners are on a ball";
+  EXPECT_FALSE(isBall(Mesh{}));
+  Mesh dented = sphereMesh();
+  dented.vertices[5000].position *= 0.999f;
+  EXPECT_FALSE(isBall(dented));
+}
+
 TEST(OpenBodies, AreThoseThatTransmitAndHaveAnInside) {
   Scene scene = *loadModel("plane");
   EXPECT_TRUE(openBodies(scene).empty()) << "it is opaque";

@@ -94,20 +94,19 @@ Scene glassBeforeLamps() {
   return scene;
 }
 
-class BehindTest : public gl::GlTest {
- protected:
-  static FrameSettings frontOf(const Renderer& renderer) {
-    FrameSettings settings;
-    settings.size = {64, 64};
-    settings.samples = 4;
-    settings.resolve = Resolve::radiance;
-    settings.camera = {.azimuth_deg = 0.0f,
-                       .elevation_deg = 0.0f,
-                       .target = glm::vec3(0.0f),
-                       .orthographic_height = kWide / renderer.bounds().radius};
-    return settings;
-  }
-};
+FrameSettings frontOf(const Renderer& renderer) {
+  FrameSettings settings;
+  settings.size = {64, 64};
+  settings.samples = 4;
+  settings.resolve = Resolve::radiance;
+  settings.camera = {.azimuth_deg = 0.0f,
+                     .elevation_deg = 0.0f,
+                     .target = glm::vec3(0.0f),
+                     .orthographic_height = kWide / renderer.bounds().radius};
+  return settings;
+}
+
+class BehindTest : public gl::GlTest {};
 
 MIRRORBALL_WITH_BOTH_APIS(BehindTest);
 
@@ -166,6 +165,50 @@ TEST_P(BehindTest, WhatIsNotInThePictureIsNotSeenThroughGlass) {
   for (int y = 0; y < 24; ++y)
     for (int x = 0; x < 24; ++x)
       ASSERT_LT(glm::distance(rgbAt(*far, x, y), rgbAt(*screen, x, y)), 1e-5f) << x << ", " << y;
+}
+
+/// The middle of a picture of a ball of glass in white light, with another half as large in it.
+glm::vec3 middleWithin(const Material& inner, const char* behind) {
+  Scene scene = glassBeforeLamps();
+  scene.instances.resize(1);
+  testing::addBall(scene, glm::vec3(0.0f), 0.5f, inner, 48);
+  Renderer renderer = testing::rendererFor(scene, Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
+  FrameSettings settings = frontOf(renderer);
+  settings.size = {33, 33};
+  set(settings, "refraction", "image-space");
+  set(settings, "behind", behind);
+  const auto image = renderer.renderRadiance(settings);
+  EXPECT_TRUE(image) << image.error().message;
+  return rgbAt(*image, 16, 16);
+}
+
+TEST_P(BehindTest, GlassShowsWhatIsInIt) {
+  Material shining;
+  shining.base_color = glm::vec3(0.0f);
+  shining.specular = 0.0f;
+  shining.perceptual_roughness = 1.0f;
+  shining.emission = {3.0f, 0.0f, 0.0f};
+  EXPECT_NEAR(middleWithin(shining, "far").g, 1.0f, 1e-2f) << "which the picture alone knows of";
+  const glm::vec3 lit = middleWithin(shining, "screen");
+  const float fresnel = formula::fresnelDielectric(1.0f, kIor);
+  EXPECT_NEAR(lit.r, fresnel + (1.0f - fresnel) * 3.0f, 2e-2f);
+  EXPECT_NEAR(lit.g, fresnel, 1e-2f);
+}
+
+// As water in a glass: it is drawn first, though it is no nearer.
+TEST_P(BehindTest, ABodyIsSeenThroughTheOneThatItLiesIn) {
+  Material red;
+  red.base_color = glm::vec3(1.0f);
+  red.transmission = 1.0f;
+  red.perceptual_roughness = 0.0f;
+  red.ior = 1.01f;
+  red.attenuation_color = {0.5f, 0.1f, 0.1f};
+  red.attenuation_distance = 1.0f;
+  EXPECT_NEAR(middleWithin(red, "far").g, 1.0f, 1e-2f);
+  const glm::vec3 seen = middleWithin(red, "screen");
+  const float fresnel = formula::fresnelDielectric(1.0f, kIor);
+  EXPECT_NEAR(seen.r, fresnel + (1.0f - fresnel) * 0.5f, 2e-2f);
+  EXPECT_NEAR(seen.g, fresnel + (1.0f - fresnel) * 0.1f, 2e-2f);
 }
 
 TEST_P(BehindTest, TheFurnaceIsWhite) {

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <string>
 #include <utility>
 
 #include <epoxy/gl.h>
 
 #include "formula/surface.h"
+#include "mirrorball/render/light/probe_places.h"
 #include "mirrorball/scene/bodies/surrounding_media.h"
 
 namespace mirrorball {
@@ -34,6 +36,7 @@ Result<void> SceneDrawing::setScene(Scene scene) {
   scene_ = std::move(scene);
   buffers_ = std::move(buffers);
   box_ = boundingBox(scene_);
+  boxes_.clear();
   bounds_ = boundingSphere(scene_);
   centers_.clear();
   for (const Mesh& mesh : scene_.meshes) centers_.push_back(centerOf(mesh));
@@ -44,36 +47,33 @@ Result<void> SceneDrawing::setScene(Scene scene) {
   return {};
 }
 
-Result<void> SceneDrawing::makeNearness() {
-  if (nearness_) return {};
-  MIRRORBALL_TRY(made, NearnessPicture::make(surfaces_->api()));
-  nearness_ = std::move(made);
-  return {};
-}
-
 Result<const gl::Texture*> SceneDrawing::drawNearness(const FrameUniforms& frame, glm::ivec2 size) {
-  MIRRORBALL_TRY_VOID(makeNearness());
+  if (!nearness_) {
+    MIRRORBALL_TRY(made, NearnessPicture::make(surfaces_->api()));
+    nearness_ = std::move(made);
+  }
   MIRRORBALL_TRY_VOID(nearness_->draw(scene_, buffers_, frame, bounds_.radius, size));
   MIRRORBALL_TRY_VOID(nearness_->drawProxy(surfaces_->api(), frame, bounds_.radius));
   return &nearness_->picture();
+}
+
+/// Whether mip levels of what is seen through surfaces are read.
+bool SceneDrawing::someSeeScreenRoughly(const FrameSettings& settings) const {
+  return std::ranges::any_of(scene_.materials, [&](const Material& each) {
+    return seesScreen(each, settings) && each.perceptual_roughness > 0.0f;
+  });
 }
 
 /// What has been drawn until now, for the surfaces that see it through themselves.
 Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light,
                                       FrameUniforms& frame, const FrameSettings& settings) {
   frame.screen_unit = bounds_.radius;
-  MIRRORBALL_TRY_VOID(makeNearness());
   if (!opaque_picture_) {
     MIRRORBALL_TRY(made, OpaquePicture::make(surfaces_->api()));
     opaque_picture_ = std::move(made);
   }
-  std::vector<int> left_out(frame.hidden.begin(), frame.hidden.end());
-  for (std::size_t i = 0; i < scene_.instances.size(); ++i)
-    if (seesScreen(materialOf(scene_, i), settings)) left_out.push_back(static_cast<int>(i));
-  FrameUniforms of_opaque = frame;
-  of_opaque.hidden = left_out;
-  MIRRORBALL_TRY_VOID(nearness_->draw(scene_, buffers_, of_opaque, bounds_.radius, settings.size));
-  MIRRORBALL_TRY_VOID(opaque_picture_->take(target.color(), nearness_->picture()));
+  const int levels = someSeeScreenRoughly(settings) ? gl::Texture::kAllLevels : 1;
+  MIRRORBALL_TRY_VOID(opaque_picture_->take(target, frame.camera, frame.screen_unit, levels));
   frame.opaque_picture = &opaque_picture_->picture();
   target.bind();
   glEnable(GL_DEPTH_TEST);
@@ -82,11 +82,33 @@ Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const Envir
   return {};
 }
 
+/// Draws what sees the screen, on what has been drawn.
+Result<void> SceneDrawing::drawLayers(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
+                                      const FrameSettings& settings, const std::vector<ScreenLayer>& layers) {
+  const std::span<const int> hidden = frame.hidden;
+  for (const ScreenLayer& layer : layers) {
+    if (layers.size() > 1) {
+      // The nearest back face is to be of the layer's bodies.
+      std::vector<int> others(hidden.begin(), hidden.end());
+      for (const ScreenLayer& other : layers)
+        if (&other != &layer) others.insert(others.end(), other.instances.begin(), other.instances.end());
+      frame.hidden = others;
+      MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
+      frame.hidden = hidden;
+    }
+    frame.shown = layer.shown;
+    MIRRORBALL_TRY_VOID(copyScreen(target, light, frame, settings));
+    drawInstances(layer.instances, frame, settings);
+  }
+  return {};
+}
+
 void SceneDrawing::moveInstances(const std::vector<Instance>& instances) {
   assert(instances.size() == scene_.instances.size());
   ++version_;
   scene_.instances = instances;
   box_ = boundingBox(scene_);
+  boxes_.clear();
   bounds_ = boundingSphere(scene_);
   scene_triangles_.reset();
   body_tree_.reset();
@@ -110,7 +132,9 @@ Result<void> SceneDrawing::makeSurfaces(gl::Api api) {
   if (surfaces_) return {};
   MIRRORBALL_TRY(table, brdf_table_.get());
   MIRRORBALL_TRY(made, SurfacePrograms::make(api, table));
+  MIRRORBALL_TRY(depth_pass, DepthPass::make(api));
   surfaces_ = std::move(made);
+  depth_pass_ = std::move(depth_pass);
   return {};
 }
 
@@ -170,8 +194,10 @@ Result<void> SceneDrawing::makeSceneTriangles(const FrameSettings& settings, Fra
     if (!tree) return {};
     MIRRORBALL_TRY(made, withName("the triangles that reflections show", gl::Texture::fromWords(tree->words)));
     scene_triangles_ = std::move(made);
+    unseen_by_itself_ = std::move(tree->unseen_by_itself);
   }
   frame.scene_triangles = &*scene_triangles_;
+  frame.unseen_by_itself = unseen_by_itself_;
   return {};
 }
 
@@ -228,7 +254,13 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
                                     const FrameSettings& settings) {
   const bool is_mirrored = glm::determinant(glm::mat3(frame.camera.view_from_world)) < 0.0f;
   glFrontFace(is_mirrored ? GL_CW : GL_CCW);
-  MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
+  const std::vector<int> order = byDistance(frame, false);
+  std::vector<ScreenLayer> layers;
+  if (settings.behind == BehindKind::screen) {
+    if (boxes_.empty()) boxes_ = boxesOf(scene_);
+    layers = screenLayers(scene_, boxes_, order, settings);
+  }
+  if (layers.size() <= 1) MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
   MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
   MIRRORBALL_TRY_VOID(surfaces_->begin(scene_, buffers_, light, frame, settings));
   frame.proxy->bind();
@@ -241,30 +273,41 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
-  std::vector<int> seeing_screen;
-  for (const int instance : byDistance(frame, false)) {
-    if (seesScreen(materialOf(scene_, std::size_t(instance)), settings))
-      seeing_screen.push_back(instance);
-    else
-      drawInstance(instance, frame, settings);
-  }
+  std::vector<int> seeing_nothing;
+  std::ranges::copy_if(order, std::back_inserter(seeing_nothing),
+                       [&](int instance) { return !seesScreen(materialOf(scene_, std::size_t(instance)), settings); });
+  drawInstances(seeing_nothing, frame, settings);
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
     background_.draw(light, frame, settings);
   if (showsGroundMirror(settings)) ground_mirror_->draw(frame, settings, box_);
-  if (!seeing_screen.empty()) MIRRORBALL_TRY_VOID(copyScreen(target, light, frame, settings));
-  for (const int instance : seeing_screen) drawInstance(instance, frame, settings);
+  MIRRORBALL_TRY_VOID(drawLayers(target, light, frame, settings, layers));
   drawBlended(frame, settings);
   return {};
 }
 
+/// Draws opaque ones; of those whose light is costly, the depths first.
+void SceneDrawing::drawInstances(const std::vector<int>& instances, const FrameUniforms& frame,
+                                 const FrameSettings& settings) {
+  for (const int instance : instances) {
+    if (!surfaces_->isCostly(scene_, instance, buffers_, settings)) continue;
+    chooseCulling(instance, frame);
+    depth_pass_->draw(scene_, instance, buffers_, frame.camera);
+  }
+  for (const int instance : instances) drawInstance(instance, frame, settings);
+}
+
 void SceneDrawing::drawInstance(int instance, const FrameUniforms& frame, const FrameSettings& settings) {
+  chooseCulling(instance, frame);
+  surfaces_->draw(scene_, instance, buffers_, settings);
+}
+
+void SceneDrawing::chooseCulling(int instance, const FrameUniforms& frame) const {
   const Material& material = materialOf(scene_, std::size_t(instance));
   const bool shows_inside = frame.eye_media.count > 0 && isBody(material);
   if (material.double_sided || shows_inside)
     glDisable(GL_CULL_FACE);
   else
     glEnable(GL_CULL_FACE);
-  surfaces_->draw(scene_, instance, buffers_, settings);
 }
 
 /// The instances of opaque surfaces, the nearest first, since what is near hides what is behind it, which then need not

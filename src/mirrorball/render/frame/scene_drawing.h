@@ -13,8 +13,10 @@
 #include "mirrorball/render/frame/background.h"
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/frame/ground_mirror.h"
+#include "mirrorball/render/frame/screen_layers.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/surface/back_faces.h"
+#include "mirrorball/render/surface/depth_pass.h"
 #include "mirrorball/render/surface/nearness_picture.h"
 #include "mirrorball/render/surface/opaque_picture.h"
 #include "mirrorball/render/surface/relief_hits.h"
@@ -70,12 +72,16 @@ class SceneDrawing {
   Result<void> makeBodies(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> makeSceneTriangles(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
-  Result<void> makeNearness();
+  bool someSeeScreenRoughly(const FrameSettings& settings) const;
   Result<void> copyScreen(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms& frame,
                           const FrameSettings& settings);
+  Result<void> drawLayers(const gl::Framebuffer& target, const EnvironmentLight& light, FrameUniforms frame,
+                          const FrameSettings& settings, const std::vector<ScreenLayer>& layers);
   Result<void> drawReliefHits(const FrameSettings& settings, FrameUniforms& frame);
   std::vector<int> byDistance(const FrameUniforms& frame, bool is_blended) const;
+  void drawInstances(const std::vector<int>& instances, const FrameUniforms& frame, const FrameSettings& settings);
   void drawInstance(int instance, const FrameUniforms& frame, const FrameSettings& settings);
+  void chooseCulling(int instance, const FrameUniforms& frame) const;
   void drawBlended(const FrameUniforms& frame, const FrameSettings& settings);
 
   std::future<Result<Image>> brdf_table_;
@@ -84,16 +90,19 @@ class SceneDrawing {
   Scene scene_;
   SceneBuffers buffers_;
   Box box_;
+  std::vector<Box> boxes_;  ///< of the instances, found for the first frame whose surfaces see the screen
   BoundingSphere bounds_;
   std::vector<glm::vec3> centers_;              ///< of the meshes, each in its own frame
   std::optional<BodyTree> body_tree_;           ///< of the scene, made when it is first traced
   std::optional<gl::Texture> bodies_;           ///< its words
   std::optional<gl::Texture> scene_triangles_;  ///< sceneTree(), made for the first frame that reflects it
+  std::vector<int> unseen_by_itself_;           ///< its instances
   std::optional<BackFaces> back_faces_;         ///< made when a frame first needs them
   std::optional<ReliefHits> relief_hits_;
   std::optional<GroundMirror> ground_mirror_;
   std::optional<NearnessPicture> nearness_;
   std::optional<OpaquePicture> opaque_picture_;
+  std::optional<DepthPass> depth_pass_;
   int version_ = 0;
 };
 

@@ -3,17 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "mirrorball/scene/box.h"
-
 namespace mirrorball {
 namespace {
-
-/// The boxes around the instances, in the world.
-std::vector<Box> boxesOf(const Scene& scene) {
-  std::vector<Box> boxes;
-  for (const Instance& instance : scene.instances) boxes.push_back(boundingBox(scene, instance));
-  return boxes;
-}
 
 float radiusOf(const Box& box) { return glm::length(box.high - box.low) / 2.0f; }
 
@@ -23,14 +14,19 @@ bool isFlat(const Box& box) {
   return std::min({side.x, side.y, side.z}) <= kFlat * std::max({side.x, side.y, side.z});
 }
 
-/// Whether what a box is around is a part of what is in another.
-bool liesIn(const Box& inner, const Box& outer) {
-  const glm::vec3 middle = inner.center();
-  return glm::all(glm::greaterThanEqual(middle, outer.low)) && glm::all(glm::lessThanEqual(middle, outer.high)) &&
-         radiusOf(inner) <= radiusOf(outer);
+}  // namespace
+
+std::vector<Box> boxesOf(const Scene& scene) {
+  std::vector<Box> boxes;
+  for (const Instance& instance : scene.instances) boxes.push_back(boundingBox(scene, instance));
+  return boxes;
 }
 
-}  // namespace
+bool liesIn(const Box& part, const Box& whole) {
+  const glm::vec3 middle = part.center();
+  return glm::all(glm::greaterThanEqual(middle, whole.low)) && glm::all(glm::lessThanEqual(middle, whole.high)) &&
+         radiusOf(part) <= radiusOf(whole);
+}
 
 bool isReflective(const Material& material) {
   constexpr float kGlossy = 0.5f;  // perceptual roughness

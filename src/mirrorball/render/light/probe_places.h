@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include "mirrorball/scene/box.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -24,7 +25,13 @@ struct ProbePlaces {
 /// Whether a material reflects so that one may tell of what: metal, glass, lacquer, and whatever else is glossy.
 bool isReflective(const Material& material);
 
-/// An instance and those that lie in it: whose boxes' middles are in its box, and which are no larger.
+/// The boxes around the instances.
+std::vector<Box> boxesOf(const Scene& scene);
+
+/// Whether a box belongs to what is in another: its middle is in that, and it is no larger.
+bool liesIn(const Box& part, const Box& whole);
+
+/// An instance and those that lie in it.
 std::vector<int> withParts(const Scene& scene, int instance);
 
 /// Deals probes out to the largest objects of reflective materials. Flat ones get none: from one place it is not known

@@ -2,35 +2,46 @@
 
 #include <utility>
 
-#include "mirrorball/gl/framebuffer.h"
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace mirrorball {
 namespace {
 
-enum Unit { kPicture, kNearness };
+enum Unit { kPicture, kDepths };
+
+/// From texels and depths, 0 to 1, to homogeneous places as seen from the camera's, in the world's axes.
+glm::mat4 eyeFromTexels(const Camera& camera, glm::vec2 size) {
+  const glm::vec3 whole(size, 1.0f);
+  const glm::mat4 clip_from_texels =
+      glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(-1.0f)), glm::vec3(2.0f) / whole);
+  return directionsFromClip(camera) * clip_from_texels;
+}
 
 }  // namespace
 
 Result<OpaquePicture> OpaquePicture::make(gl::Api api) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "screen.vert", "opaque_picture.frag"));
   program.set("picture", kPicture);
-  program.set("nearness", kNearness);
+  program.set("depths", kDepths);
   return OpaquePicture(std::move(program));
 }
 
-Result<void> OpaquePicture::take(const gl::Texture& picture, const gl::Texture& nearness) {
-  if (!picture_ || picture_->width() != picture.width() || picture_->height() != picture.height()) {
-    MIRRORBALL_TRY(
-        made, gl::Texture::make2d(gl::Format::rgba16f, picture.width(), picture.height(), gl::Texture::kAllLevels));
+Result<void> OpaquePicture::take(const gl::Framebuffer& picture, const Camera& camera, float unit, int levels) {
+  const glm::ivec2 size(picture.width(), picture.height());
+  if (!picture_ || size != glm::ivec2(picture_->width(), picture_->height()) || levels_ != levels) {
+    MIRRORBALL_TRY(made, gl::Texture::make2d(gl::Format::rgba16f, size.x, size.y, levels));
     picture_ = std::move(made);
+    levels_ = levels;
   }
   gl::drawOverAll();
-  picture.bind(kPicture);
-  nearness.bind(kNearness);
+  picture.color().bind(kPicture);
+  picture.depth().bind(kDepths);
   target_.bind(*picture_, 0, 0);
+  program_.set("eye_from_texels", eyeFromTexels(camera, size));
+  program_.set("unit", unit);
   program_.use();
   screen_.draw(3);
-  picture_->makeLevels();
+  if (picture_->levels() > 1) picture_->makeLevels();
   return {};
 }
 

@@ -261,6 +261,8 @@ void SurfacePrograms::setFrame(const FrameUniforms& frame, const FrameSettings& 
   block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
   block.set("camera_forward", frame.camera.forward);
   block.set("screen_unit", frame.screen_unit);
+  block.set("shown_low", frame.shown.low);
+  block.set("shown_high", frame.shown.high);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
   block.set("sample_phase", (static_cast<float>(frame.sample) + 0.5f) / static_cast<float>(settings.samples));
   block.set("texture_filter", static_cast<int>(settings.texture_filter));
@@ -342,6 +344,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   eye_is_inside_ = frame.eye_media.count > 0;
   setLights(light, frame, settings);
   scene_triangles_ = frame.scene_triangles;
+  unseen_by_itself_ = frame.unseen_by_itself;
   const std::vector<glm::vec4> lamps = lampRows(scene, settings);
   const auto eye_media = mediaRows(frame.eye_media);
   for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
@@ -360,6 +363,15 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   relief_hits_ = frame.relief_hits;
   opaque_picture_ = frame.opaque_picture;
   return {};
+}
+
+bool SurfacePrograms::isCostly(const Scene& scene, int instance, const SceneBuffers& buffers,
+                               const FrameSettings& settings) const {
+  const SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
+  const bool is_traced = variant.has(Part::sky, SkyPart::past_scene_traced) ||
+                         variant.has(Part::transmission, TransmissionPart::image_space) ||
+                         variant.has(Part::transmission, TransmissionPart::traced);
+  return is_traced && variant.has(Part::point, PointPart::raster) && variant.has(Part::alpha, AlphaPart::opaque);
 }
 
 void SurfacePrograms::forgetScene() {
@@ -382,7 +394,10 @@ void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffe
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_unit", buffers.slopesOf(scene, material)->unit);
   // One unit for both, which the background takes too.
   if (bodies_ && variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
-  if (variant.has(Part::sky, SkyPart::past_scene_traced)) scene_triangles_->bind(TextureUnit::scene_triangles);
+  if (variant.has(Part::sky, SkyPart::past_scene_traced)) {
+    scene_triangles_->bind(TextureUnit::scene_triangles);
+    program.set("unseen_by_itself", unseen_by_itself_[std::size_t(instance)]);
+  }
   if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
     back_faces_->picture().bind(TextureUnit::back_faces);
   if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))

@@ -23,6 +23,7 @@
 #include "mirrorball/render/surface/back_faces.h"
 #include "mirrorball/render/surface/scene_buffers.h"
 #include "mirrorball/render/surface/surface_variant.h"
+#include "mirrorball/scene/box.h"
 #include "mirrorball/scene/camera/camera.h"
 #include "mirrorball/scene/scene.h"
 
@@ -93,6 +94,7 @@ struct FrameUniforms {
   const FlatLight* flat = nullptr;      ///< where FrameSettings::look_up reads it
   const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
   const gl::Texture* scene_triangles = nullptr;  ///< sceneTree(); null: none are reflected
+  std::span<const int> unseen_by_itself = {};    ///< of instances: BodyTree's of that tree
   formula::Media eye_media;                      ///< of traced bodies, those that the camera is inside of
   const BackFaces* back_faces = nullptr;         ///< drawn with this camera; null: the frame's refraction does without
   const gl::Texture* relief_hits = nullptr;      ///< ReliefHits of this camera; null: none is found exactly
@@ -100,6 +102,7 @@ struct FrameUniforms {
   ProxyUniforms* proxy = nullptr;                ///< placed as the settings say; must be set
   const gl::Texture* opaque_picture = nullptr;   ///< OpaquePicture of this camera; null: nothing reads it
   float screen_unit = 1.0f;                      ///< of its distances [world units]
+  Box shown = {};                                ///< around all that it shows
   const ProbeUniforms* probes = nullptr;         ///< null: there are none
   std::span<const int> hidden = {};              ///< instances that are not drawn
 };
@@ -131,6 +134,10 @@ class SurfacePrograms {
                      const FrameUniforms& frame, const FrameSettings& settings);
 
   gl::Api api() const { return api_; }
+
+  /// Whether an instance's light is searched for along rays, at each fragment, and its place is the mesh's. To be asked
+  /// after `begin`.
+  bool isCostly(const Scene& scene, int instance, const SceneBuffers& buffers, const FrameSettings& settings) const;
 
   /// Must be called when the scene is another one, or its materials or instances have changed.
   void forgetScene();
@@ -164,6 +171,7 @@ class SurfacePrograms {
   CoordinateChoice coordinates_;  ///< of the frame
   bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
   const gl::Texture* scene_triangles_ = nullptr;
+  std::span<const int> unseen_by_itself_;
   const gl::Texture* bodies_ = nullptr;       ///< null: the scene has none
   const BackFaces* back_faces_ = nullptr;     ///< of the sample
   const gl::Texture* relief_hits_ = nullptr;  ///< likewise

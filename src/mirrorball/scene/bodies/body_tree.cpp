@@ -12,6 +12,7 @@
 #include "formula/projection.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/scene/bodies/box_tree.h"
+#include "mirrorball/scene/closed_surface.h"
 
 namespace mirrorball {
 namespace {
@@ -124,11 +125,43 @@ struct SortedTriangles {
 
 using IsWanted = bool (*)(const Scene& scene, std::size_t instance);
 
+/// More balls would make the tree too deep.
+constexpr std::size_t kMostBalls = 32;
+
+/// The triangles of a scene that are wanted: those of all but the balls, then each ball's.
+struct WantedTriangles {
+  std::vector<PlacedTriangle> triangles;
+  std::vector<std::size_t> ends;     ///< of these parts, of which none is empty
+  std::vector<std::uint32_t> balls;  ///< instances; the last parts
+};
+
+WantedTriangles wantedTriangles(const Scene& scene, IsWanted is_wanted, bool keeps_balls_apart) {
+  WantedTriangles wanted;
+  std::vector<std::uint32_t> balls;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    if (!is_wanted(scene, i)) continue;
+    const Mesh& mesh = scene.meshes[std::size_t(scene.instances[i].mesh)];
+    if (keeps_balls_apart && balls.size() < kMostBalls && isBall(mesh))
+      balls.push_back(i);
+    else
+      addTriangles(scene, i, wanted.triangles);
+  }
+  if (!wanted.triangles.empty()) wanted.ends.push_back(wanted.triangles.size());
+  for (const std::uint32_t ball : balls) {
+    const std::size_t begin = wanted.triangles.size();
+    addTriangles(scene, ball, wanted.triangles);
+    if (wanted.triangles.size() == begin) continue;
+    wanted.ends.push_back(wanted.triangles.size());
+    wanted.balls.push_back(ball);
+  }
+  return wanted;
+}
+
 /// A tree of the triangles of the instances that are wanted.
 ///
 /// name   of the triangles, for messages
-Result<std::optional<SortedTriangles>> sortedTriangles(const Scene& scene, const std::string& name,
-                                                       IsWanted is_wanted) {
+Result<std::optional<SortedTriangles>> sortedTriangles(const Scene& scene, const std::string& name, IsWanted is_wanted,
+                                                       bool keeps_balls_apart) {
   std::uint64_t count = 0;
   bool disperses = false;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -140,16 +173,15 @@ Result<std::optional<SortedTriangles>> sortedTriangles(const Scene& scene, const
     return fail(ErrorCode::too_large, name + " are more than the 134 million that can be traced");
   MIRRORBALL_TRY_VOID(withName(name, checkMemory(count * kBytesPerTriangle)));
 
-  std::vector<PlacedTriangle> triangles;
-  triangles.reserve(count);
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
-    if (is_wanted(scene, i)) addTriangles(scene, i, triangles);
+  const auto [triangles, ends, balls] = wantedTriangles(scene, is_wanted, keeps_balls_apart);
   if (triangles.empty()) return std::optional<SortedTriangles>();
 
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
   for (const PlacedTriangle& triangle : triangles) boxes.push_back(triangle.box());
-  const BoxTree tree = boxTree(boxes, kTrianglesKept, formula::kDeepestNode);
+  std::vector<BoxTree::Child> roots;
+  const BoxTree tree = ends.size() == 1 ? boxTree(boxes, kTrianglesKept, formula::kDeepestNode)
+                                        : boxTreeOfParts(boxes, ends, kTrianglesKept, formula::kDeepestNode, roots);
 
   BodyTree bodies;
   const std::size_t first_triangle = formula::kTexelsOfHead + tree.nodes.size() * formula::kTexelsOfNode;
@@ -160,6 +192,10 @@ Result<std::optional<SortedTriangles>> sortedTriangles(const Scene& scene, const
   bodies.words.push_back(texelOf(sizeOf(tree.root.box), 0));
   for (const BoxTree::Node& node : tree.nodes)
     for (const BoxTree::Child& child : node.children) bodies.words.push_back(childTexel(child, tree.root.box));
+  bodies.unseen_by_itself.assign(scene.instances.size(), 0);
+  for (std::size_t i = 0; i < roots.size(); ++i)
+    if (i + balls.size() >= roots.size())
+      bodies.unseen_by_itself[balls[i + balls.size() - roots.size()]] = static_cast<int>(childWord(roots[i]));
   std::vector<PlacedTriangle> sorted;
   sorted.reserve(triangles.size());
   for (const std::uint32_t item : tree.items) sorted.push_back(triangles[item]);
@@ -169,7 +205,7 @@ Result<std::optional<SortedTriangles>> sortedTriangles(const Scene& scene, const
 }
 
 Result<std::optional<BodyTree>> treeOf(const Scene& scene, const std::string& name, IsWanted is_wanted) {
-  MIRRORBALL_TRY(sorted, sortedTriangles(scene, name, is_wanted));
+  MIRRORBALL_TRY(sorted, sortedTriangles(scene, name, is_wanted, false));
   return sorted ? std::optional<BodyTree>(std::move(sorted->tree)) : std::nullopt;
 }
 
@@ -203,7 +239,7 @@ Result<std::optional<BodyTree>> sceneTree(const Scene& scene) {
     return material.transmission <= 0.0f && material.alpha_mode != AlphaMode::blend &&
            !of.instances[instance].looks.empty();
   };
-  MIRRORBALL_TRY(sorted, sortedTriangles(scene, "the triangles that reflections show", is_wanted));
+  MIRRORBALL_TRY(sorted, sortedTriangles(scene, "the triangles that reflections show", is_wanted, true));
   if (!sorted) return std::optional<BodyTree>();
   std::vector<Texel>& words = sorted->tree.words;
   // Two texels a vertex of all instances with looks, and where those of an instance begin.

@@ -13,6 +13,9 @@ namespace mirrorball {
 /// The bodies of a scene that light passes through, for rays that are traced in shaders.
 struct BodyTree {
   std::vector<glm::uvec4> words;  ///< texels, as formula/bodies/triangle_tree.glsl reads them
+  /// Of each instance, the child that holds its triangles and no others, where no ray from their outside meets them; 0:
+  /// there is none.
+  std::vector<int> unseen_by_itself;
 };
 
 /// As formulas read it.
@@ -30,7 +33,7 @@ Result<std::optional<BodyTree>> bodyTree(const Scene& scene);
 Result<std::optional<BodyTree>> triangleTree(const Scene& scene);
 
 /// The same of the instances that are not seen through and whose looks are known (Instance::occlusion, looks), with
-/// those: as formula/bodies/scene_surface.glsl reads them too.
+/// those: as formula/bodies/scene_surface.glsl reads them too. Balls (isBall) are kept apart.
 ///
 /// cost     as bodyTree's; 16 bytes a triangle and 32 a vertex more are kept
 Result<std::optional<BodyTree>> sceneTree(const Scene& scene);

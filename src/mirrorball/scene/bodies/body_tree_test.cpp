@@ -198,5 +198,42 @@ TEST(SceneTree, LeavesOutWhatIsSeenThroughAndWhatIsNotKnown) {
   EXPECT_FALSE(*nothing);
 }
 
+// A ball beside a knot that reaches around it: what a ray from the ball meets is the same without the ball's own part.
+TEST(SceneTree, KeepsApartWhatABallDoesNotSeeOfItself) {
+  Scene scene = sceneOf(sphereMesh(48, 96), Material{});
+  scene.meshes.push_back(knotMesh(60, 12));
+  scene.instances.push_back({.mesh = 1, .world_from_object = glm::translate(glm::mat4(1.0f), {1.2f, 0.0f, 0.0f})});
+  for (Instance& instance : scene.instances) {
+    const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
+    instance.occlusion.resize(vertices);
+    instance.looks.resize(vertices);
+  }
+  const auto tree = sceneTree(scene);
+  ASSERT_TRUE(tree && *tree);
+  const std::vector<int>& unseen = (*tree)->unseen_by_itself;
+  ASSERT_EQ(unseen.size(), 2u);
+  EXPECT_NE(unseen[0], 0);
+  EXPECT_EQ(unseen[1], 0) << "a knot sees itself";
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  int met = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const glm::vec3 normal = glm::normalize(glm::vec3(unit(random), unit(random), unit(random)));
+    glm::vec3 d = glm::normalize(glm::vec3(unit(random), unit(random), unit(random)));
+    if (glm::dot(d, normal) < 0.0f) d = -d;
+    const auto nearest = [&](int left_out) {
+      return formula::nearestTriangleBeside(**tree, 1.001f * normal, d, 0.0f, -1, left_out, formula::kNarrowMargin);
+    };
+    ASSERT_EQ(nearest(unseen[0]).triangle, nearest(0).triangle);
+    met += nearest(0).triangle >= 0;
+    const auto from_outside =
+        formula::nearestTriangleBeside(**tree, -3.0f * normal, normal, 0.0f, -1, unseen[0], formula::kNarrowMargin);
+    if (from_outside.triangle >= 0) {
+      ASSERT_EQ(formula::bodySurfaceAt(**tree, from_outside).body, 1);
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
 }  // namespace
 }  // namespace mirrorball

@@ -167,4 +167,39 @@ BoxTree boxTree(std::span<const Box> boxes, std::uint32_t items_of_leaf, int dep
   return tree;
 }
 
+BoxTree boxTreeOfParts(std::span<const Box> boxes, std::span<const std::size_t> ends, std::uint32_t items_of_leaf,
+                       int depth, std::vector<BoxTree::Child>& roots) {
+  const int depth_above = static_cast<int>(std::bit_width(ends.size())) + 2;
+  std::vector<BoxTree> parts;
+  std::vector<Box> boxes_of_parts;
+  std::size_t begin = 0;
+  for (const std::size_t end : ends) {
+    parts.push_back(boxTree(boxes.subspan(begin, end - begin), items_of_leaf, depth - depth_above));
+    boxes_of_parts.push_back(parts.back().root.box);
+    begin = end;
+  }
+  BoxTree whole = boxTree(boxes_of_parts, 1, depth_above);
+  const std::vector<std::uint32_t> order = std::move(whole.items);
+  const std::size_t nodes_above = whole.nodes.size();
+  whole.items.clear();
+  roots.clear();
+  for (const BoxTree& part : parts) {
+    const auto first_node = static_cast<std::uint32_t>(whole.nodes.size());
+    const auto first_item = static_cast<std::uint32_t>(whole.items.size());
+    const auto renumbered = [&](BoxTree::Child child) {
+      child.first += child.count == 0 ? first_node : first_item;
+      return child;
+    };
+    roots.push_back(renumbered(part.root));
+    for (const BoxTree::Node& node : part.nodes)
+      whole.nodes.push_back({{renumbered(node.children[0]), renumbered(node.children[1])}});
+    for (const std::uint32_t item : part.items) whole.items.push_back(first_item + item);
+  }
+  for (std::size_t node = 0; node < nodes_above; ++node)
+    for (BoxTree::Child& child : whole.nodes[node].children)
+      if (child.count > 0) child = roots[order[child.first]];
+  if (whole.root.count > 0) whole.root = roots[order[whole.root.first]];
+  return whole;
+}
+
 }  // namespace mirrorball

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,5 +35,13 @@ struct BoxTree {
 /// depth            at most so many nodes from the root to a leaf, which is one; at least log₂(boxes) + 3
 /// cost             O(n log n) time, 36 bytes an item beside the tree; the same for any number of threads
 BoxTree boxTree(std::span<const Box> boxes, std::uint32_t items_of_leaf, int depth);
+
+/// The same of parts that are kept apart, each with a tree of its own in the whole one.
+///
+/// ends     of each part's boxes, which stand side by side; no part is empty
+/// depth    at least 4 + log₂(parts) more than the largest part needs
+/// roots    becomes those of the parts' trees
+BoxTree boxTreeOfParts(std::span<const Box> boxes, std::span<const std::size_t> ends, std::uint32_t items_of_leaf,
+                       int depth, std::vector<BoxTree::Child>& roots);
 
 }  // namespace mirrorball

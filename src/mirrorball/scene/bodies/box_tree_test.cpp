@@ -97,5 +97,26 @@ TEST(BoxTree, IsTheSameForAnyNumberOfThreads) {
       EXPECT_EQ(one.nodes[i].children[side].first, other.nodes[i].children[side].first);
 }
 
+TEST(BoxTree, OfPartsHasATreeOfEach) {
+  const std::vector<Box> boxes = randomBoxes(1000);
+  for (const std::vector<std::size_t>& ends : {std::vector<std::size_t>{1000}, {1, 400, 403, 1000}}) {
+    std::vector<BoxTree::Child> roots;
+    const BoxTree tree = boxTreeOfParts(boxes, ends, 4, 40, roots);
+    ASSERT_EQ(roots.size(), ends.size());
+    Inspection whole{tree, boxes};
+    whole.visit(tree.root, 1);
+    EXPECT_EQ(std::ranges::count(whole.seen, 1), 1000);
+    EXPECT_LE(whole.most_items, 4u);
+    std::size_t begin = 0;
+    for (std::size_t part = 0; part < ends.size(); ++part) {
+      Inspection inspection{tree, boxes};
+      inspection.visit(roots[part], 1);
+      for (std::size_t i = 0; i < boxes.size(); ++i)
+        ASSERT_EQ(inspection.seen[i], i >= begin && i < ends[part] ? 1 : 0) << "part " << part << ", box " << i;
+      begin = ends[part];
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mirrorball

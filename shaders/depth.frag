@@ -1,0 +1,2 @@
+// Of what only its depth is drawn (render/surface/depth_pass.h).
+void main() {}

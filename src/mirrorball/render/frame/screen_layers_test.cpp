@@ -1,0 +1,49 @@
+#include "mirrorball/render/frame/screen_layers.h"
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/render/light/probe_places.h"
+#include "mirrorball/render/render_testing.h"
+#include "mirrorball/scene/shapes/showcase.h"
+#include "mirrorball/scene/shapes/tumbler.h"
+
+namespace mirrorball {
+namespace {
+
+using testing::set;
+
+std::vector<ScreenLayer> layersOf(const Scene& scene, const char* behind, const char* refraction) {
+  FrameSettings settings;
+  set(settings, "behind", behind);
+  set(settings, "refraction", refraction);
+  std::vector<int> order;
+  for (int i = 0; i < static_cast<int>(scene.instances.size()); ++i) order.push_back(i);
+  return screenLayers(scene, boxesOf(scene), order, settings);
+}
+
+TEST(ScreenLayers, WaterComesBeforeItsGlass) {
+  const Scene scene = tumblerWaterScene();
+  const std::vector<Box> boxes = boxesOf(scene);
+  const std::vector<ScreenLayer> layers = layersOf(scene, "screen", "image-space");
+  ASSERT_EQ(layers.size(), 2u);
+  EXPECT_EQ(layers[0].instances, std::vector{1});
+  EXPECT_TRUE(layers[0].shown.isEmpty());
+  EXPECT_EQ(layers[1].instances, std::vector{0});
+  EXPECT_EQ(layers[1].shown.low, boxes[1].low);
+  EXPECT_EQ(layers[1].shown.high, boxes[1].high);
+}
+
+TEST(ScreenLayers, WhatIsTracedFindsWhatIsInItItself) {
+  EXPECT_EQ(layersOf(tumblerWaterScene(), "screen", "traced").size(), 1u);
+}
+
+TEST(ScreenLayers, AreThoseOfWhatSeesTheScreen) {
+  EXPECT_TRUE(layersOf(tumblerWaterScene(), "probes", "image-space").empty());
+  const std::vector<ScreenLayer> layers = layersOf(showcaseScene(), "screen", "auto");
+  ASSERT_EQ(layers.size(), 2u);
+  EXPECT_EQ(layers[0].instances, std::vector{4});
+  EXPECT_EQ(layers[1].instances, (std::vector{3, 6})) << "the tumbler and the brilliant";
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -49,7 +49,8 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
       .group = "Files"},
      &SceneRequest::repair},
     {{.name = "no-cache",
-      .help = "make the prefiltered environment and the model's occlusion anew, without the user's cache folder",
+      .help = "make what the user's cache folder keeps anew, without that folder: the prefiltered environment and, "
+              "where it is found, the model's occlusion",
       .group = "Files"},
      &SceneRequest::is_uncached},
     {{.name = "timings", .help = "print how long each stage took", .group = "Files"}, &SceneRequest::timings},

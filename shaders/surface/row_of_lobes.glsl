@@ -16,8 +16,7 @@ vec3 lightOfRow(Surface s, SurfacePoint point, vec3 across, vec3 down) {
   float roughness = s.material.perceptual_roughness;
   if (lobe_taps == 1 || roughness <= 0.0)
     return lightOfPatch(point, lookUpDirection(point, s.normal), across, down, roughness);
-  // The lobes are wider than what a pixel sees of the environment, which is read in one piece.
-  float footprint = sampleFootprint(across, down, samples_per_pixel);
+  PatchReads reads = readsOfPatch(across, down);
   vec3 r = reflect(point.ray, s.normal);
   float cosine = clamp(dot(r, s.normal), 0.0, 1.0);
   vec3 light = vec3(0.0);
@@ -27,7 +26,7 @@ vec3 lightOfRow(Surface s, SurfacePoint point, vec3 across, vec3 down) {
     RoundLobe lobe = lobeOfRow(texel, roughness, s.normal, r);
     vec3 weight = mix(vec3(lobe.weight), vec3(lobe.grazing_weight), s.reflectance.grazing);
     vec4 d = look_up_matrix * vec4(lobe.direction, 1.0);
-    light += weight * incomingLight(point.position, normalize(d.xyz), lobe.perceptual_roughness, footprint);
+    light += weight * lightOfReads(point, normalize(d.xyz), reads, lobe.perceptual_roughness);
     weights += weight;
   }
   return light / weights;

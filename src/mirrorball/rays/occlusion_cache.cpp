@@ -24,7 +24,6 @@ std::vector<const TextureSlot*> slotsOf(const Material& m, const SceneOcclusionS
                                         &m.transmission_map};
   if (m.iridescence > 0.0f) slots.insert(slots.end(), {&m.iridescence_map, &m.iridescence_thickness_map});
   if (settings.finds_looks) slots.insert(slots.end(), {&m.roughness_map, &m.emission_map});
-  std::erase_if(slots, [](const TextureSlot* slot) { return slot->texture < 0; });
   return slots;
 }
 
@@ -35,6 +34,7 @@ void addMaterial(const Material& material, const SceneOcclusionSettings& setting
   hash.add(material.unlit);
   for (const TextureSlot* slot : slotsOf(material, settings)) {
     hash.add(slot->texture);
+    if (slot->texture < 0) continue;  // what such a slot holds besides is not read
     hash.add(slot->uv_set);
     hash.add(slot->offset);
     hash.add(slot->scale);
@@ -188,7 +188,8 @@ std::string OcclusionCache::keyOf(const Scene& scene, const SceneOcclusionSettin
     addCounted(mesh.indices, hash);
     const Material& material = scene.materials[std::size_t(mesh.material)];
     addMaterial(material, settings, hash);
-    for (const TextureSlot* slot : slotsOf(material, settings)) used.insert(slot->texture);
+    for (const TextureSlot* slot : slotsOf(material, settings))
+      if (slot->texture >= 0) used.insert(slot->texture);
   }
   const std::vector<int> textures(used.begin(), used.end());
   std::vector<std::string> contents(textures.size());

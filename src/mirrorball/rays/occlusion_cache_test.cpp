@@ -159,6 +159,7 @@ TEST_F(OcclusionCacheTest, AnotherKeyForEachMapThatItReads) {
     const SceneOcclusionSettings settings{.rays = 80, .finds_looks = finds_looks};
     const std::string key = OcclusionCache::keyOf(twoBalls(), settings);
     const std::string bits = bitsOf(found(twoBalls(), settings));
+    std::set<std::string> keys{key};
     for (const MaterialMap& map : materialMaps()) {
       Scene scene = twoBalls();
       (scene.materials[0].*map.slot).texture = 0;
@@ -167,6 +168,7 @@ TEST_F(OcclusionCacheTest, AnotherKeyForEachMapThatItReads) {
       that_count += counts ? 1u : 0u;
       EXPECT_EQ(key_with != key, counts) << map.name << (finds_looks ? " with looks" : "");
       if (!counts) continue;
+      EXPECT_TRUE(keys.insert(key_with).second) << map.name << ": the key of the same texture as another map";
       const std::pair<const char*, std::function<void(Scene&)>> changes[] = {
           {"texel", [](Scene& s) { ++s.textures[0].image.samples()[21]; }},
           {"offset", [&](Scene& s) { (s.materials[0].*map.slot).offset.x = 0.5f; }},

@@ -63,7 +63,10 @@ bool isBall(const Mesh& mesh) {
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     for (std::size_t corner = i; corner < i + 3; ++corner)
       if (!(std::abs(glm::length(place(corner)) - radius) <= kOff * radius)) return false;
-    if (glm::length(place(i) + place(i + 1) + place(i + 2)) < 3.0f * kLeastMiddle * radius) return false;
+    const glm::vec3 middle_of_three = place(i) + place(i + 1) + place(i + 2);
+    if (glm::length(middle_of_three) < 3.0f * kLeastMiddle * radius) return false;
+    const glm::vec3 normal = glm::cross(place(i + 1) - place(i), place(i + 2) - place(i));
+    if (glm::dot(normal, middle_of_three) < 0.0f) return false;  // a hollow ball is seen from inside
   }
   return true;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -71,6 +72,9 @@ TEST(IsBall, KnowsBallsByTheirTriangles) {
   EXPECT_FALSE(isBall(torusMesh()));
   EXPECT_FALSE(isBall(cubeMesh())) << "all its corners are on a ball";
   EXPECT_FALSE(isBall(Mesh{}));
+  Mesh hollow = sphereMesh();
+  for (std::size_t i = 0; i < hollow.indices.size(); i += 3) std::swap(hollow.indices[i], hollow.indices[i + 1]);
+  EXPECT_FALSE(isBall(hollow)) << "it is seen from inside, and sees itself";
   Mesh dented = sphereMesh();
   dented.vertices[5000].position *= 0.999f;
   EXPECT_FALSE(isBall(dented));

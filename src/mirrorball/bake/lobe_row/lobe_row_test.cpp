@@ -11,6 +11,7 @@
 #include "mirrorball/bake/lobe_row/lobe_row_fit.h"
 #include "mirrorball/bake/lobe_row/lobe_row_table.h"
 #include "mirrorball/bake/lobe_row/rough_lobe.h"
+#include "mirrorball/bake/prefilter/lobe.h"
 
 namespace mirrorball {
 namespace {
@@ -34,6 +35,24 @@ std::vector<glm::vec4> rowOf(const Image& table, float perceptual_roughness, flo
   for (int lobe = 0; lobe < table.width() / kSize; ++lobe)
     row.push_back(bilinearTexel(table, formula::placeInLobeRows(lobe, perceptual_roughness, cosine)));
   return row;
+}
+
+// The fit has the formulas in full precision: they are those that the shaders have.
+TEST(LobeRow, FitKnowsTheFormulas) {
+  const RoughLobe lobe = RoughLobe::make(0.5f, 0.4, 56);
+  const std::vector<glm::vec4> row{{-0.5f, 0.7f, 0.25f, 1.0f}, {1.5f, 1.2f, 0.75f, 0.0f}};
+  const RowMixture mixture = mixtureOf(lobe, row);
+  for (std::size_t i = 0; i < lobe.size(); i += 37) {
+    double expected = 0.0;
+    for (const glm::vec4& texel : row) {
+      const formula::RoundLobe one = formula::lobeOfRow(texel, 0.5f, glm::vec3(0, 0, 1), glm::vec3(lobe.mirrored));
+      const glm::vec3 between = glm::vec3(lobe.directions[i]) - one.direction;
+      const float s = glm::dot(between, between) / 4.0f;
+      const Lobe round = Lobe::reflection(Distribution::ggx, one.perceptual_roughness);
+      expected += double(one.weight * round.at(s));
+    }
+    EXPECT_NEAR(mixture.of_metal[i], expected, 1e-4 + 1e-3 * expected) << i;
+  }
 }
 
 /// What an engine does: one look-up in the mirror direction.

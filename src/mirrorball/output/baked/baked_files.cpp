@@ -59,7 +59,7 @@ Result<int> lobesOf(const BakedSetSettings& settings) {
     return fail(ErrorCode::usage, "rows have 2, 4 or 6 lobes, or 0 for no such table, not " + std::to_string(lobes));
   if (lobes > 0 && !is_ggx)
     return fail(ErrorCode::usage, "rows of lobes are known for ggx only, not for " +
-                                      writtenSetting(settings, "distribution") + "; leave --lobe-rows out");
+                                      writtenSetting(settings, "distribution") + "; ask for none");
   return lobes;
 }
 

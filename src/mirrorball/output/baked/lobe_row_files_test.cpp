@@ -169,7 +169,7 @@ TEST_F(LobeRowFilesTest, ThatAreNotKnownAreRefused) {
         std::pair(Distribution::charlie, "charlie")}) {
     settings.distribution = distribution;
     EXPECT_EQ(errorOf(settings),
-              std::string("rows of lobes are known for ggx only, not for ") + name + "; leave --lobe-rows out");
+              std::string("rows of lobes are known for ggx only, not for ") + name + "; ask for none");
   }
   settings.lobe_rows = 0;
   EXPECT_EQ(errorOf(settings), "resolved");

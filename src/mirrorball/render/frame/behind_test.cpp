@@ -211,6 +211,29 @@ TEST_P(BehindTest, ABodyIsSeenThroughTheOneThatItLiesIn) {
   EXPECT_NEAR(seen.g, fresnel + (1.0f - fresnel) * 0.1f, 2e-2f);
 }
 
+// All there is to be seen lies in one plane, and so does its box.
+TEST_P(BehindTest, AFlatWallIsSeenWithoutHoles) {
+  Scene scene = glassBeforeLamps();
+  scene.instances.resize(1);
+  Material shining = scene.materials[1];
+  shining.emission = glm::vec3(2.0f);
+  shining.double_sided = true;
+  Mesh wall = planeMesh();
+  wall.material = static_cast<int>(scene.materials.size());
+  for (Vertex& vertex : wall.vertices) vertex.position = {4.0f * vertex.position.x, 4.0f * vertex.position.z, -2.0f};
+  scene.instances.push_back({static_cast<int>(scene.meshes.size()), glm::mat4(1.0f)});
+  scene.meshes.push_back(std::move(wall));
+  scene.materials.push_back(shining);
+  Renderer renderer = testing::rendererFor(scene, Environment([](glm::vec3) { return glm::vec3(0.0f); }, 64));
+  FrameSettings settings = frontOf(renderer);
+  settings.behind = BehindKind::screen;
+  settings.refraction = RefractionKind::image_space;
+  const auto picture = renderer.renderRadiance(settings);
+  ASSERT_TRUE(picture) << picture.error().message;
+  for (int y = 26; y < 38; ++y)
+    for (int x = 26; x < 38; ++x) ASSERT_GT(picture->texel(x, y)[0], 1.6f) << x << ", " << y;
+}
+
 TEST_P(BehindTest, TheFurnaceIsWhite) {
   Scene scene = glassBeforeLamps();
   for (std::size_t i = 1; i < scene.materials.size(); ++i) scene.materials[i].emission = glm::vec3(1.0f);

@@ -60,7 +60,9 @@ Result<const gl::Texture*> SceneDrawing::drawNearness(const FrameUniforms& frame
 /// Whether mip levels of what is seen through surfaces are read.
 bool SceneDrawing::someSeeScreenRoughly(const FrameSettings& settings) const {
   return std::ranges::any_of(scene_.materials, [&](const Material& each) {
-    return seesScreen(each, settings) && each.perceptual_roughness > 0.0f;
+    const bool has_bumps =
+        showsHeights(each, settings.relief) || each.normal_map.texture >= 0 || each.slope_texture >= 0;
+    return seesScreen(each, settings) && (each.perceptual_roughness > 0.0f || has_bumps);
   });
 }
 

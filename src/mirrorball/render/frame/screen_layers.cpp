@@ -5,6 +5,7 @@
 
 #include "mirrorball/render/light/probe_places.h"
 #include "mirrorball/render/surface/surface_variant.h"
+#include "mirrorball/scene/relief/relief.h"
 
 namespace mirrorball {
 namespace {
@@ -17,16 +18,30 @@ bool showsInside(const Scene& scene, int instance, const FrameSettings& settings
          refractionOf(scene, material, settings.refraction) != RefractionKind::traced;
 }
 
+/// A box that the surfaces lie well inside of, flat ones and those that relief moves, too: a ray finds a surface
+/// between a place before it and one behind it.
+///
+/// radius   of the scene
+Box aroundShown(Box box, const Material& material, const FrameSettings& settings, float radius) {
+  constexpr float kMargin = 0.02f;
+  constexpr float kMarginOfRelief = 0.25f;  // of the box's diagonal
+  const bool is_moved = showsHeights(material, settings.relief) && settings.relief != ReliefKind::bump;
+  const float margin = kMargin * radius + (is_moved ? kMarginOfRelief * glm::distance(box.low, box.high) : 0.0f);
+  return {box.low - margin, box.high + margin};
+}
+
 }  // namespace
 
 std::vector<ScreenLayer> screenLayers(const Scene& scene, std::span<const Box> boxes, std::span<const int> order,
                                       const FrameSettings& settings) {
+  const float radius = boundingSphere(scene).radius;
   Box opaque;
   std::map<std::ptrdiff_t, ScreenLayer> by_depth;  // the innermost first
   for (const int instance : order) {
     const Box& box = boxes[std::size_t(instance)];
-    if (!seesScreen(materialOf(scene, std::size_t(instance)), settings)) {
-      opaque.include(box);
+    const Material& material = materialOf(scene, std::size_t(instance));
+    if (!seesScreen(material, settings)) {
+      opaque.include(aroundShown(box, material, settings, radius));
       continue;
     }
     const auto depth = std::ranges::count_if(order, [&](int other) {
@@ -38,7 +53,9 @@ std::vector<ScreenLayer> screenLayers(const Scene& scene, std::span<const Box> b
   std::vector<ScreenLayer> layers;
   for (auto& [depth, layer] : by_depth) {
     layer.shown = opaque;
-    for (const int instance : layer.instances) opaque.include(boxes[std::size_t(instance)]);
+    for (const int instance : layer.instances)
+      opaque.include(
+          aroundShown(boxes[std::size_t(instance)], materialOf(scene, std::size_t(instance)), settings, radius));
     layers.push_back(std::move(layer));
   }
   return layers;

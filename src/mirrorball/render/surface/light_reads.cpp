@@ -46,11 +46,17 @@ int transmittedRays(const Material& material, const FrameSettings& settings, boo
   return ways * (material.dispersion == 0.0f ? 1 : kinds);
 }
 
+/// How many lobes make up a reflection.
+int lobesOfReflection(float perceptual_roughness, const Material& material, const FrameSettings& settings,
+                      const CoordinateChoice& coordinates) {
+  return perceptual_roughness > 0.0f && readsLobeRow(material, settings, coordinates) ? lobesOf(settings) : 1;
+}
+
 /// How many directions reflected light is read from at most.
 int readsOfReflection(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
   if (stretchesLobes(material, settings, coordinates)) return formula::kTapsOfStretchedLobe;
   if (readsPieces(material, settings, coordinates)) return formula::kPieces;
-  return readsLobeRow(material, settings, coordinates) ? lobesOf(settings) : 1;
+  return lobesOfReflection(material.perceptual_roughness, material, settings, coordinates);
 }
 
 LightReads readsOf(const Material& material, const formula::Blur& blur, const FrameSettings& settings,
@@ -72,7 +78,8 @@ LightReads readsOf(const Material& material, const formula::Blur& blur, const Fr
   };
   read(reflected + refracted, material.perceptual_roughness);
   read(on_cloth, formula::kSheenTapRoughness);
-  read(coordinates.is_sphere_map ? 0 : coats, material.clearcoat_roughness);
+  const int of_coat = lobesOfReflection(material.clearcoat_roughness, material, settings, coordinates);
+  read(coordinates.is_sphere_map ? 0 : coats * of_coat, material.clearcoat_roughness);
   return reads;
 }
 

@@ -261,8 +261,10 @@ void SurfacePrograms::setFrame(const FrameUniforms& frame, const FrameSettings& 
   block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
   block.set("camera_forward", frame.camera.forward);
   block.set("screen_unit", frame.screen_unit);
-  block.set("shown_low", frame.shown.low);
-  block.set("shown_high", frame.shown.high);
+  // One that holds nothing is a point where no ray comes: shaders are not promised infinity.
+  constexpr float kNowhere = 1e30f;
+  block.set("shown_low", frame.shown.isEmpty() ? glm::vec3(kNowhere) : frame.shown.low);
+  block.set("shown_high", frame.shown.isEmpty() ? glm::vec3(kNowhere) : frame.shown.high);
   block.set("samples_per_pixel", static_cast<float>(settings.samples));
   block.set("sample_phase", (static_cast<float>(frame.sample) + 0.5f) / static_cast<float>(settings.samples));
   block.set("texture_filter", static_cast<int>(settings.texture_filter));

@@ -112,9 +112,8 @@ vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
     vec3 to = is_reflected ? reflect(d, normal) : refractedDirection(d, normal, eta);
     Beam beam = beamBeyond(arriving, is_reflected ? reflectionOfBeam(alpha, cosine, face.curvature)
                                                   : refractionOfBeam(alpha, cosine, eta, face.curvature));
-    // What is reflected is still inside.
-    light += share * (is_reflected ? incomingLight(place, to, roughnessOfBeam(beam), footprintOfBeam(beam))
-                                   : lightBehind(place, to, roughnessOfBeam(beam), footprintOfBeam(beam)));
+    // What is reflected is still inside; it is taken to leave there as it goes.
+    light += share * lightBehind(place, to, roughnessOfBeam(beam), footprintOfBeam(beam));
   }
   return light * bodyTransmittance(s.material.attenuation_color, s.material.attenuation_distance, way);
 }

@@ -60,9 +60,7 @@ Result<const gl::Texture*> SceneDrawing::drawNearness(const FrameUniforms& frame
 /// Whether mip levels of what is seen through surfaces are read.
 bool SceneDrawing::someSeeScreenRoughly(const FrameSettings& settings) const {
   return std::ranges::any_of(scene_.materials, [&](const Material& each) {
-    const bool has_bumps =
-        showsHeights(each, settings.relief) || each.normal_map.texture >= 0 || each.slope_texture >= 0;
-    return seesScreen(each, settings) && (each.perceptual_roughness > 0.0f || has_bumps);
+    return seesScreen(each, settings) && (each.perceptual_roughness > 0.0f || hasBumps(each, settings));
   });
 }
 
@@ -260,7 +258,7 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   std::vector<ScreenLayer> layers;
   if (settings.behind == BehindKind::screen) {
     if (boxes_.empty()) boxes_ = boxesOf(scene_);
-    layers = screenLayers(scene_, boxes_, order, settings);
+    layers = screenLayers(scene_, boxes_, bounds_.radius, order, settings);
   }
   if (layers.size() <= 1) MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
   MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));

@@ -32,9 +32,8 @@ Box aroundShown(Box box, const Material& material, const FrameSettings& settings
 
 }  // namespace
 
-std::vector<ScreenLayer> screenLayers(const Scene& scene, std::span<const Box> boxes, std::span<const int> order,
-                                      const FrameSettings& settings) {
-  const float radius = boundingSphere(scene).radius;
+std::vector<ScreenLayer> screenLayers(const Scene& scene, std::span<const Box> boxes, float radius,
+                                      std::span<const int> order, const FrameSettings& settings) {
   Box opaque;
   std::map<std::ptrdiff_t, ScreenLayer> by_depth;  // the innermost first
   for (const int instance : order) {

@@ -18,9 +18,10 @@ struct ScreenLayer {
 /// In which order such surfaces are drawn: what lies in a body before the body, which so shows it.
 ///
 /// boxes    of the instances (boxesOf)
+/// radius   of the scene (boundingSphere)
 /// order    the instances of the frame, those of a layer in the order in which they are here
 /// returns  none where nothing sees what has been drawn
-std::vector<ScreenLayer> screenLayers(const Scene& scene, std::span<const Box> boxes, std::span<const int> order,
-                                      const FrameSettings& settings);
+std::vector<ScreenLayer> screenLayers(const Scene& scene, std::span<const Box> boxes, float radius,
+                                      std::span<const int> order, const FrameSettings& settings);
 
 }  // namespace mirrorball

@@ -18,7 +18,7 @@ std::vector<ScreenLayer> layersOf(const Scene& scene, const char* behind, const 
   set(settings, "refraction", refraction);
   std::vector<int> order;
   for (int i = 0; i < static_cast<int>(scene.instances.size()); ++i) order.push_back(i);
-  return screenLayers(scene, boxesOf(scene), order, settings);
+  return screenLayers(scene, boxesOf(scene), boundingSphere(scene).radius, order, settings);
 }
 
 TEST(ScreenLayers, WaterComesBeforeItsGlass) {

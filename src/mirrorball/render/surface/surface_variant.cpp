@@ -315,10 +315,13 @@ bool stretchesLobes(const Material& material, const FrameSettings& settings, con
   return material.anisotropy > 0.0f && reflectsAtFragment(settings, coordinates);
 }
 
+bool hasBumps(const Material& material, const FrameSettings& settings) {
+  return normalPart(material, settings) != NormalPart::vertex || detailPart(material) != DetailPart::none;
+}
+
 bool readsPieces(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
-  const bool has_bumps =
-      normalPart(material, settings) != NormalPart::vertex || detailPart(material) != DetailPart::none;
-  return has_bumps && !stretchesLobes(material, settings, coordinates) && reflectsAtFragment(settings, coordinates);
+  return hasBumps(material, settings) && !stretchesLobes(material, settings, coordinates) &&
+         reflectsAtFragment(settings, coordinates);
 }
 
 bool readsLobeRow(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {

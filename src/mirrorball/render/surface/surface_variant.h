@@ -113,6 +113,9 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
 /// not where other coordinates are asked for.
 bool stretchesLobes(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates);
 
+/// Whether a surface's normals are not its mesh's alone, so that a pixel may hide some of them.
+bool hasBumps(const Material& material, const FrameSettings& settings);
+
 /// Whether it comes from pieces of what a sample sees of bumps, likewise.
 bool readsPieces(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates);
 

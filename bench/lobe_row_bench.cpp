@@ -84,15 +84,8 @@ glm::mat3 turned(int number) {
 std::vector<formula::RoundLobe> lobesOf(const Image& table, int count, float roughness, glm::vec3 n, glm::vec3 r) {
   if (count == 1) return {{r, roughness, 1.0f, 1.0f}};
   std::vector<formula::RoundLobe> lobes;
-  for (int i = 0; i < count; ++i) {
-    const glm::vec2 place = formula::placeInLobeRows(formula::firstOfRow(count) + i, roughness, glm::dot(n, r));
-    const glm::vec2 corner = glm::floor(place - 0.5f);
-    const glm::vec2 part = place - 0.5f - corner;
-    const auto at = [&](int x, int y) { return rgbaAt(table, int(corner.x) + x, int(corner.y) + y); };
-    const glm::vec4 texel =
-        glm::mix(glm::mix(at(0, 0), at(1, 0), part.x), glm::mix(at(0, 1), at(1, 1), part.x), part.y);
+  for (const glm::vec4& texel : lobeRowIn(table, formula::firstOfRow(count), count, roughness, glm::dot(n, r)))
     lobes.push_back(formula::lobeOfRow(texel, roughness, n, r));
-  }
   return lobes;
 }
 

@@ -108,4 +108,17 @@ inline void aim(FrameSettings& settings, float azimuth_deg, float elevation_deg)
   settings.camera.elevation_deg = elevation_deg;
 }
 
+/// From +Z by parallel rays, over so many world units about the origin; 4 samples, of radiance.
+inline FrameSettings frontOf(const Renderer& renderer, int size, float wide) {
+  FrameSettings settings;
+  settings.size = {size, size};
+  settings.samples = 4;
+  settings.resolve = Resolve::radiance;
+  settings.camera = {.azimuth_deg = 0.0f,
+                     .elevation_deg = 0.0f,
+                     .target = glm::vec3(0.0f),
+                     .orthographic_height = wide / renderer.bounds().radius};
+  return settings;
+}
+
 }  // namespace mirrorball::testing

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <vector>
+
+#include <glm/vec4.hpp>
+
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/image/image.h"
@@ -20,6 +24,13 @@ Result<Image> lobeRowTable();
 ///
 /// lobes    2, 4 or 6
 Result<Image> lobeRowTable(int lobes);
+
+/// The texels of a row between those of a table, as a texture is read: bilinearly.
+///
+/// table                  lobeRowTable(); of one count of lobes or of all
+/// first, count           the row's lobes in it
+/// perceptual_roughness   in [0, 1], as n·v = cosine is
+std::vector<glm::vec4> lobeRowIn(const Image& table, int first, int count, float perceptual_roughness, float cosine);
 
 /// Fits the whole table anew.
 ///

@@ -18,23 +18,8 @@ namespace {
 
 constexpr int kSize = formula::kLobeRowSize;
 
-/// As a texture is read.
-glm::vec4 bilinearTexel(const Image& table, glm::vec2 place) {
-  const auto at = [&](int x, int y) {
-    return rgbaAt(table, std::clamp(x, 0, table.width() - 1), std::clamp(y, 0, table.height() - 1));
-  };
-  const glm::vec2 corner = glm::floor(place - 0.5f);
-  const glm::vec2 part = place - 0.5f - corner;
-  const int x = static_cast<int>(corner.x);
-  const int y = static_cast<int>(corner.y);
-  return glm::mix(glm::mix(at(x, y), at(x + 1, y), part.x), glm::mix(at(x, y + 1), at(x + 1, y + 1), part.x), part.y);
-}
-
 std::vector<glm::vec4> rowOf(const Image& table, float perceptual_roughness, float cosine) {
-  std::vector<glm::vec4> row;
-  for (int lobe = 0; lobe < table.width() / kSize; ++lobe)
-    row.push_back(bilinearTexel(table, formula::placeInLobeRows(lobe, perceptual_roughness, cosine)));
-  return row;
+  return lobeRowIn(table, 0, table.width() / kSize, perceptual_roughness, cosine);
 }
 
 // The fit has the formulas in full precision: they are those that the shaders have.

@@ -94,17 +94,7 @@ Scene glassBeforeLamps() {
   return scene;
 }
 
-FrameSettings frontOf(const Renderer& renderer) {
-  FrameSettings settings;
-  settings.size = {64, 64};
-  settings.samples = 4;
-  settings.resolve = Resolve::radiance;
-  settings.camera = {.azimuth_deg = 0.0f,
-                     .elevation_deg = 0.0f,
-                     .target = glm::vec3(0.0f),
-                     .orthographic_height = kWide / renderer.bounds().radius};
-  return settings;
-}
+FrameSettings frontOf(const Renderer& renderer) { return testing::frontOf(renderer, 64, kWide); }
 
 class BehindTest : public gl::GlTest {};
 

@@ -83,19 +83,9 @@ constexpr const char* kRoom = "box:-5,-5,-5,5,5,5";
 class ProbesTest : public gl::GlTest {};
 MIRRORBALL_WITH_BOTH_APIS(ProbesTest);
 
-/// From +Z, parallel rays over `kWide` world units.
+/// World units over which pictures look.
 constexpr float kWide = 4.6f;
-FrameSettings frontOf(const Renderer& renderer, int size) {
-  FrameSettings settings;
-  settings.size = {size, size};
-  settings.samples = 4;
-  settings.resolve = Resolve::radiance;
-  settings.camera = {.azimuth_deg = 0.0f,
-                     .elevation_deg = 0.0f,
-                     .target = glm::vec3(0.0f),
-                     .orthographic_height = kWide / renderer.bounds().radius};
-  return settings;
-}
+FrameSettings frontOf(const Renderer& renderer, int size) { return testing::frontOf(renderer, size, kWide); }
 
 /// Of the pixels whose rays meet at least so many balls.
 double psnrToTruth(const Image& image, const std::vector<Ball>& balls, int at_least) {

@@ -1,15 +1,14 @@
-# mirrorball_room(NAME [COMPUTES] [UNITY] [HEADERS …] SOURCES … DEPENDS … [TESTS …] [ACCURACY_TESTS …])
+# mirrorball_room(NAME [COMPUTES] [HEADERS …] SOURCES … DEPENDS … [TESTS …] [ACCURACY_TESTS …])
 #
 # One room of the house (docs/architecture.md): the static library mirrorball_NAME, aliased
 # mirrorball::NAME, with its test programs beside it. HEADERS are those that are installed: what a program outside may
-# include. DEPENDS are the targets that the room's own headers or sources use. One that COMPUTES is optimised further. One with UNITY is compiled as a
-# single file, which is for few small files that share most headers. ACCURACY_TESTS hold results to brute force, over many
-# inputs.
+# include. DEPENDS are the targets that the room's own headers or sources use. One that COMPUTES is optimised further. Files
+# of one folder are compiled in groups (MirrorballGroups.cmake). ACCURACY_TESTS compare results with brute force, over many inputs.
 #
 # What is in the rooms, their tests and the packages that they use are collected in the properties MIRRORBALL_…, for the
 # package (MirrorballInstall.cmake) and for the sanitizers (tests/sanitized).
 function(mirrorball_room name)
-  cmake_parse_arguments(ROOM "COMPUTES;UNITY" "" "HEADERS;SOURCES;DEPENDS;TESTS;ACCURACY_TESTS" ${ARGN})
+  cmake_parse_arguments(ROOM "COMPUTES" "" "HEADERS;SOURCES;DEPENDS;TESTS;ACCURACY_TESTS" ${ARGN})
   set(target mirrorball_${name})
   add_library(${target} STATIC ${ROOM_SOURCES})
   add_library(mirrorball::${name} ALIAS ${target})
@@ -19,7 +18,7 @@ function(mirrorball_room name)
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mirrorball>")
   target_link_libraries(${target} PUBLIC ${ROOM_DEPENDS})
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROOM_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+  mirrorball_group_sources(${target} ${MIRRORBALL_GROUP_SIZE} ${ROOM_SOURCES})
   if(ROOM_COMPUTES)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3>)
     mirrorball_use_precompiled_headers(${target} COMPUTES)
@@ -71,6 +70,7 @@ function(mirrorball_test name)
   target_include_directories(${name}_test_code PUBLIC "${PROJECT_SOURCE_DIR}/tests")
   target_compile_definitions(${name}_test_code PRIVATE MIRRORBALL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_compile_options(${name}_test_code PRIVATE ${mirrorball_test_options})
+  mirrorball_group_sources(${name}_test_code ${MIRRORBALL_TEST_GROUP_SIZE} ${TEST_SOURCES})
   mirrorball_use_precompiled_headers(${name}_test_code TEST)
   add_executable(${name}_test $<TARGET_OBJECTS:mirrorball_test_main>)
   target_link_libraries(${name}_test PRIVATE ${name}_test_code)

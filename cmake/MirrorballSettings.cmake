@@ -5,6 +5,9 @@ option(MIRRORBALL_BENCH "Build the benchmarks" ON)
 option(MIRRORBALL_THREADS "Compute on all cores, with oneTBB" ON)
 option(MIRRORBALL_FUZZ "Build the fuzzers (clang with libFuzzer)" OFF)
 option(MIRRORBALL_WARNINGS_AS_ERRORS "Stop at the first compiler warning" OFF)
+set(MIRRORBALL_GROUP_SIZE 60000 CACHE STRING
+    "Characters of neighbouring files that are compiled together (MirrorballGroups.cmake); 0 for each file alone")
+set(MIRRORBALL_TEST_GROUP_SIZE 60000 CACHE STRING "The same of the tests' own code, and of what the sanitizers see")
 set(MIRRORBALL_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
 
 if(NOT CMAKE_BUILD_TYPE)

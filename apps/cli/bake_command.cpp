@@ -77,7 +77,7 @@ Result<void> refuseGiven(const GivenOptions& given, std::span<const std::string_
 /// Refuses options of maps that the output has no place for.
 ///
 /// errors   usage
-Result<void> refuseIdleOptions(const BakeRequest& request) {
+Result<void> refuseIdleBakeOptions(const BakeRequest& request) {
   constexpr std::array<std::string_view, 10> kOfFolders{
       "irradiance-size", "sh-degree", "brdf-size", "brdf-channels", "brdf-axes",
       "brdf-extension",  "lobe-rows", "skybox",    "skybox-size",   "extension"};
@@ -110,7 +110,7 @@ Observer observerFor(const std::string& output) {
 /// errors   usage: what can be refused before anything is made
 Result<BakedSet> resolveSet(const BakeRequest& request, StageClock& clock) {
   const std::string& output = request.options.output;
-  MIRRORBALL_TRY_VOID(refuseIdleOptions(request));
+  MIRRORBALL_TRY_VOID(refuseIdleBakeOptions(request));
   MIRRORBALL_TRY(set, BakedSet::resolve(output, request.settings, clock.observing(observerFor(output))));
   if (isOneFile(output)) MIRRORBALL_TRY_VOID(checkFolder(output));
   return set;

@@ -111,14 +111,14 @@ const auto kCompareOptions = std::to_array<Option<CompareOptions>>({
 });
 
 /// One of the two files.
-struct Side {
+struct ComparedSide {
   std::string name;
   std::string format;
   ImageKind kind;
   ComparedImage image;
 };
 
-Result<Side> readSide(const std::string& path, bool repair) {
+Result<ComparedSide> readComparedSide(const std::string& path, bool repair) {
   MIRRORBALL_TRY(bytes, readFile(path));
   const ImageKind kind = holdsCodes(bytes) ? ImageKind::picture : ImageKind::light;
   MIRRORBALL_TRY(decoded, withName(path, decodeImage(bytes, progressBar("reading " + shown(path)))));
@@ -127,13 +127,13 @@ Result<Side> readSide(const std::string& path, bool repair) {
     remark(path + ": " + textOf(bad) + "; compared as the mean of their neighbours");
   }
   MIRRORBALL_TRY(image, withName(path, comparedImage(std::move(decoded.image), kind)));
-  return Side{path, decoded.format, kind, std::move(image)};
+  return ComparedSide{path, decoded.format, kind, std::move(image)};
 }
 
 /// errors   bad_shape: one is a picture, the other light
-Result<void> refuseDifferentKinds(const Side& test, const Side& reference) {
+Result<void> refuseDifferentKinds(const ComparedSide& test, const ComparedSide& reference) {
   if (test.kind == reference.kind) return {};
-  const auto told = [](const Side& side) {
+  const auto told = [](const ComparedSide& side) {
     return side.name + " is " + (side.kind == ImageKind::light ? "linear light" : "a picture for a display") + " (" +
            side.format + ")";
   };
@@ -142,7 +142,7 @@ Result<void> refuseDifferentKinds(const Side& test, const Side& reference) {
 }
 
 /// errors   usage: an option has nothing to act on
-Result<void> refuseIdleOptions(const CompareOptions& options, const GivenOptions& given) {
+Result<void> refuseIdleCompareOptions(const CompareOptions& options, const GivenOptions& given) {
   const bool has_picture = !options.heat_map.empty() || !options.sheet.empty();
   for (const std::string_view name : {"map", "scale"})
     if (given.contains(name) && !has_picture)
@@ -154,7 +154,7 @@ Result<void> refuseIdleOptions(const CompareOptions& options, const GivenOptions
 }
 
 /// errors   usage: how light is shown is said of pictures
-Result<void> refuseOptionsOfLight(const Side& test, const GivenOptions& given) {
+Result<void> refuseOptionsOfLight(const ComparedSide& test, const GivenOptions& given) {
   for (const std::string_view name : {"exposure", "tone-map"})
     if (given.contains(name) && test.kind == ImageKind::picture)
       return fail(ErrorCode::usage,
@@ -230,10 +230,10 @@ void print(const ToldComparison& told) {
 Result<void> compare(const std::string& test_name, const std::string& reference_name, const CompareOptions& options,
                      const GivenOptions& given) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(options.max_memory));
-  MIRRORBALL_TRY_VOID(refuseIdleOptions(options, given));
+  MIRRORBALL_TRY_VOID(refuseIdleCompareOptions(options, given));
   MIRRORBALL_TRY_VOID(checkOutputs({test_name, reference_name}, options));
-  MIRRORBALL_TRY(test, readSide(test_name, options.repair));
-  MIRRORBALL_TRY(reference, readSide(reference_name, options.repair));
+  MIRRORBALL_TRY(test, readComparedSide(test_name, options.repair));
+  MIRRORBALL_TRY(reference, readComparedSide(reference_name, options.repair));
   MIRRORBALL_TRY_VOID(refuseDifferentKinds(test, reference));
   MIRRORBALL_TRY_VOID(refuseOptionsOfLight(test, given));
 

@@ -68,7 +68,7 @@ Result<FresnelSubject> subjectOf(const FresnelRequest& request) {
   return FresnelSubject{has_ior ? "index " + shortText(double(request.ior)) : material.name, std::move(curves)};
 }
 
-std::string tableText(const FresnelCurves& curves) {
+std::string curveTable(const FresnelCurves& curves) {
   std::string text = formatted("%-10s", "angle");
   for (const std::string_view name : kFresnelFormNames) text += formatted("%-11s", std::string(name).c_str());
   text.erase(text.find_last_not_of(' ') + 1);
@@ -88,7 +88,7 @@ std::string textOf(const FresnelSubject& subject) {
     if (!text.empty()) text += "\n";
     text += subject.title + (curves.name.empty() ? "" : ", " + curves.name) + formatted(": n %.5g", double(curves.n)) +
             (curves.k > 0.0f ? formatted(", k %.5g", double(curves.k)) : "") +
-            formatted(", %.5g at normal incidence\n", double(curves.f0)) + tableText(curves) +
+            formatted(", %.5g at normal incidence\n", double(curves.f0)) + curveTable(curves) +
             formatted("schlick   off by up to %.4f\n", double(curves.schlick_error)) +
             formatted("f82       off by up to %.4f with f82_tint=%.3f\n", double(curves.f82_error),
                       double(curves.f82_tint)) +

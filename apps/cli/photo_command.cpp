@@ -149,7 +149,7 @@ Result<std::vector<double>> parseExposures(const std::string& written) {
 }
 
 /// One side of the ball as the command line gives it.
-struct Side {
+struct BallSide {
   std::vector<std::string> files;
   std::vector<float> circle;
   std::string circle_option;
@@ -174,7 +174,7 @@ std::string pixelsAre(std::size_t count, const std::string& what, bool is_series
 /// Reads and merges a series, and says what there is to say about it.
 ///
 /// curve    the camera's response once a series has shown it: used for later single photographs, set by a series
-Result<Image> readLight(const Side& side, const PhotoOptions& options, Exif& exif, std::optional<Response>& curve) {
+Result<Image> readLight(const BallSide& side, const PhotoOptions& options, Exif& exif, std::optional<Response>& curve) {
   std::vector<Photograph> photographs;
   for (const std::string& file : side.files) {
     MIRRORBALL_TRY(photograph, readPhotograph(file));
@@ -243,7 +243,7 @@ void tellBall(const FoundBall& ball, const Image& light, bool is_given) {
 }
 
 /// Says so where another circle may be the ball's.
-void tellDoubt(const FoundBall& ball, const Side& side) {
+void tellDoubt(const FoundBall& ball, const BallSide& side) {
   if (ball.isSure()) return;
   std::array<char, 128> rival{};
   if (ball.rival)
@@ -267,12 +267,12 @@ void tellBlindCone(const BallView& view) {
 }
 
 /// An error that names the option of its own side of the ball.
-Error ofSide(const Side& side, Error error) {
+Error ofSide(const BallSide& side, Error error) {
   if (error.remedy != Remedy::give_circle) return error;
   return {error.code, error.message + "; give it with " + side.circle_option + " X,Y,R in pixels"};
 }
 
-Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, std::optional<Response>& curve) {
+Result<BallPhotograph> readBallSide(const BallSide& side, const PhotoOptions& options, std::optional<Response>& curve) {
   Exif exif;
   MIRRORBALL_TRY(light, readLight(side, options, exif, curve));
   const Perspective perspective = perspectiveOf(options, exif, light);
@@ -292,8 +292,8 @@ Result<BallPhotograph> readSide(const Side& side, const PhotoOptions& options, s
   return BallPhotograph{std::move(light), ball.view, side.turn_deg};
 }
 
-Result<void> checkFiles(const std::vector<std::string>& inputs, const PhotoOptions& options,
-                        std::vector<std::string> outputs) {
+Result<void> checkPhotoFiles(const std::vector<std::string>& inputs, const PhotoOptions& options,
+                             std::vector<std::string> outputs) {
   if (!options.debug.empty()) {
     MIRRORBALL_TRY_VOID(checkFolder(options.debug));
     MIRRORBALL_TRY_VOID(formatToWrite(options.debug, {Holds::picture}));
@@ -314,18 +314,18 @@ Result<void> photo(const std::vector<std::string>& inputs, const PhotoOptions& o
   MIRRORBALL_TRY(to, projectionToWrite(options.to));
   MIRRORBALL_TRY_VOID(checkFolder(output_options.output));
   MIRRORBALL_TRY(output, mapFileFor(output_options, output_options.output, to));
-  MIRRORBALL_TRY_VOID(checkFiles(inputs, options, output.paths()));
+  MIRRORBALL_TRY_VOID(checkPhotoFiles(inputs, options, output.paths()));
   std::vector<BallPhotograph> sides;
   std::optional<Response> curve;
-  MIRRORBALL_TRY(first,
-                 readSide({inputs, options.circle, "--circle", options.exposures, 0.0, options.debug}, options, curve));
+  MIRRORBALL_TRY(
+      first, readBallSide({inputs, options.circle, "--circle", options.exposures, 0.0, options.debug}, options, curve));
   sides.push_back(std::move(first));
   if (!options.second.empty()) {
     const std::string& exposures = options.second_exposures.empty() ? options.exposures : options.second_exposures;
     const std::string debug = options.debug.empty() ? "" : suffixed(options.debug, "_second");
-    MIRRORBALL_TRY(second, readSide({options.second, options.second_circle, "--second-circle", exposures,
-                                     double(options.second_rotation_deg), debug},
-                                    options, curve));
+    MIRRORBALL_TRY(second, readBallSide({options.second, options.second_circle, "--second-circle", exposures,
+                                         double(options.second_rotation_deg), debug},
+                                        options, curve));
     sides.push_back(std::move(second));
   }
   MIRRORBALL_TRY(unwrapped, unwrapBall(std::move(sides)));

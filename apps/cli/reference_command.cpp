@@ -60,7 +60,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string tableText(std::span<const CommandOption> rows, std::string_view prefix) {
+std::string optionTable(std::span<const CommandOption> rows, std::string_view prefix) {
   std::string table = "| name | value | unit | range | default | meaning |\n|---|---|---|---|---|---|\n";
   for (const CommandOption& row : rows) {
     const OptionText& text = row.text;
@@ -138,12 +138,12 @@ std::string markdownOf(const Reference& reference) {
   for (const Command& command : reference.commands) {
     page += "\n## mirrorball " + synopsisOf(command) + "\n\n" + std::string(command.help) + ". " +
             std::string(command.about) + "\n";
-    if (!command.options.empty()) page += "\n" + tableText(command.options, "--");
+    if (!command.options.empty()) page += "\n" + optionTable(command.options, "--");
   }
   page += formatsText();
   for (const ReferenceTable& table : reference.tables)
     page += "\n## " + std::string(table.title) + "\n\n" + std::string(table.about) + "\n\n" +
-            tableText(table.rows, table.prefix);
+            optionTable(table.rows, table.prefix);
   return page;
 }
 

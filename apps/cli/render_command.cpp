@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <regex>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,7 +40,7 @@ const std::string kPictureHelp = "the picture file, " + writtenExtensions(Holds:
                                  writtenExtensions(Holds::light) +
                                  " (linear radiance); -.png is standard output, likewise with the other extensions";
 
-const auto kFileOptions = std::to_array<Option<RenderFiles>>({
+const auto kRenderFileOptions = std::to_array<Option<RenderFiles>>({
     {{.name = "output", .value = "OUT", .help = kPictureHelp, .letter = "o", .group = "Files", .takes_path = true},
      &RenderFiles::output},
 });
@@ -74,19 +74,30 @@ struct NumberPlace {
   std::size_t digits;
 };
 
+/// The place that begins at `at`, or none.
+std::optional<NumberPlace> numberPlaceAt(std::string_view path, std::size_t at) {
+  const auto isDigit = [&](std::size_t i) { return i < path.size() && path[i] >= '0' && path[i] <= '9'; };
+  const std::size_t hashes = std::min(path.find_first_not_of('#', at), path.size()) - at;
+  if (hashes >= 2) return NumberPlace{at, hashes, hashes};
+  if (path[at] != '%') return std::nullopt;
+  std::size_t end = at + 1;
+  std::size_t digits = 1;
+  if (path.substr(end).starts_with('0') && isDigit(end + 1)) {
+    const std::size_t first = end + 1;
+    end = isDigit(first + 1) ? first + 2 : first + 1;
+    digits = static_cast<std::size_t>(std::stoul(std::string(path.substr(first, end - first))));
+  }
+  if (!path.substr(end).starts_with('d')) return std::nullopt;
+  return NumberPlace{at, end + 1 - at, digits};
+}
+
 std::vector<NumberPlace> numberPlaces(const std::string& path) {
-  static const std::regex kPlace("%(0([0-9]{1,2}))?d|##+");
   std::vector<NumberPlace> places;
   const std::size_t name = path.find_last_of('/') == std::string::npos ? 0 : path.find_last_of('/') + 1;
-  for (std::sregex_iterator found(path.begin() + static_cast<std::ptrdiff_t>(name), path.end(), kPlace), end;
-       found != end; ++found) {
-    const auto length = static_cast<std::size_t>(found->length());
-    const std::string digits = (*found)[2];
-    const bool is_printf = (*found)[0].str().front() == '%';
-    places.push_back({name + static_cast<std::size_t>(found->position()), length,
-                      !is_printf       ? length
-                      : digits.empty() ? std::size_t{1}
-                                       : static_cast<std::size_t>(std::stoul(digits))});
+  for (std::size_t at = name; at < path.size();) {
+    const auto place = numberPlaceAt(path, at);
+    if (place) places.push_back(*place);
+    at += place ? place->length : 1;
   }
   return places;
 }
@@ -251,7 +262,7 @@ Command renderCommand() {
                     "a model under an evening sun, cut out"}}};
   addModel(command, "MODEL", request->scene);
   addOptions(command, sceneOptions(), request->scene, &request->given);
-  addOptions(command, kFileOptions, request->files);
+  addOptions(command, kRenderFileOptions, request->files);
   addOptions(command, frameOptions(), request->frame, &request->given);
   addOptions(command, turntableOptions(), request->turntable, &request->given);
   addReference(command, request->reference, request->given);

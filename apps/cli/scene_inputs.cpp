@@ -74,7 +74,7 @@ void addModel(Command& command, std::string_view name, SceneRequest& request) {
 namespace {
 
 /// errors   usage
-Result<RenderInputNames> namesOf(const SceneRequest& request, const MaterialChanges& materials) {
+Result<RenderInputNames> inputNamesOf(const SceneRequest& request, const MaterialChanges& materials) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
   MIRRORBALL_TRY(hint, formHintNamed(request.from));
   return RenderInputNames{.model = request.model,
@@ -148,7 +148,7 @@ Result<void> checkProxy(const FrameSettings& settings, const Scene& scene) {
 
 Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& materials,
                            std::span<const std::string> outputs) {
-  MIRRORBALL_TRY(names, namesOf(request, materials));
+  MIRRORBALL_TRY(names, inputNamesOf(request, materials));
   MIRRORBALL_TRY(scene, loadScene(names));
   MIRRORBALL_TRY_VOID(refuseOverwritingInputs(request, scene.files, outputs));
   for (const std::string& warning : scene.warnings) remark(warning);
@@ -157,7 +157,7 @@ Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& m
 
 Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
                                 std::span<const std::string> outputs, StageClock& clock) {
-  MIRRORBALL_TRY(names, namesOf(request, materials));
+  MIRRORBALL_TRY(names, inputNamesOf(request, materials));
   if (!request.is_uncached) {
     MIRRORBALL_TRY(of_user, CacheFolder::ofUser());
     names.cache = std::move(of_user);
@@ -173,7 +173,7 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
 
 Result<SceneInputs> loadSceneFor(const SceneRequest& request, const MaterialChanges& materials,
                                  std::span<const std::string> outputs, StageClock& clock) {
-  MIRRORBALL_TRY(names, namesOf(request, materials));
+  MIRRORBALL_TRY(names, inputNamesOf(request, materials));
   return checkedInputs(loadSceneInputs(names, clock.observing(terminalObserver())), request, outputs);
 }
 

@@ -24,7 +24,7 @@ struct StudyFiles {
   std::string output = "study.html";
 };
 
-const auto kFileOptions = std::to_array<Option<StudyFiles>>({
+const auto kStudyFileOptions = std::to_array<Option<StudyFiles>>({
     {{.name = "output",
       .value = "OUT",
       .help = "the page, .html; -.html is standard output",
@@ -140,7 +140,7 @@ Command studyCommand() {
                .takes_path = true},
               request->scene.model);
   addOptions(command, sceneOptions(), request->scene, &request->given);
-  addOptions(command, kFileOptions, request->files);
+  addOptions(command, kStudyFileOptions, request->files);
   addOptions(command, studyFrameOptions(), request->settings.frame, &request->given);
   addOptions(command, studyOptions(), request->settings);
   addOptions(command, materialOptions(), request->materials, &request->given);

@@ -113,7 +113,7 @@ constexpr OptionOfMaps kOptionsOfMaps[]{
 };
 
 /// errors   usage: an option has nothing to act on
-Result<void> refuseIdleOptions(const SurfaceRequest& request) {
+Result<void> refuseIdleSurfaceOptions(const SurfaceRequest& request) {
   const std::string map(choiceAt(kToText, static_cast<int>(request.options.to)));
   for (const auto& [option, maps] : kOptionsOfMaps)
     if (request.given.contains(option) && maps.find(" " + map + " ") == std::string_view::npos)
@@ -122,7 +122,7 @@ Result<void> refuseIdleOptions(const SurfaceRequest& request) {
 }
 
 /// errors   usage; io
-Result<void> checkFiles(const SurfaceRequest& request) {
+Result<void> checkSurfaceFiles(const SurfaceRequest& request) {
   const std::string& output = request.output;
   if (output.empty()) return fail(ErrorCode::usage, "surface needs an output: -o FILE.png, FILE.exr or FILE.ktx2");
   MIRRORBALL_TRY_VOID(numberFormat(output));
@@ -150,8 +150,8 @@ Result<void> surface(SurfaceRequest& request) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.options.max_memory));
   MIRRORBALL_TRY_VOID(checkLadder(request.ladder));
   if (request.ladder.is_wanted) return ladder(request);
-  MIRRORBALL_TRY_VOID(refuseIdleOptions(request));
-  MIRRORBALL_TRY_VOID(checkFiles(request));
+  MIRRORBALL_TRY_VOID(refuseIdleSurfaceOptions(request));
+  MIRRORBALL_TRY_VOID(checkSurfaceFiles(request));
   request.options.has_scale = request.given.contains("scale");
   auto made = makeSurfaceMap(request.input, request.options);
   // A map is as large as its input: there is no --size.

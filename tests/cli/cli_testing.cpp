@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "gl_driver.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/gl/context.h"
@@ -135,7 +136,7 @@ bool CliTest::share(const char* name) const {
 }
 
 void RenderCliTest::SetUp() {
-  if (const auto context = gl::Context::createHeadless(); !context) GTEST_SKIP() << context.error().message;
+  if (const auto context = gl::Context::createHeadless(); !context) MIRRORBALL_END_WITHOUT_GL(context.error().message);
 }
 
 glm::vec3 texelTowards(const ImageSet& cube, int level, glm::vec3 direction) {

@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::optional<std::string_view> findInTest(std::string_view name) {
+std::optional<std::string_view> findProgramShader(std::string_view name) {
   static const std::map<std::string_view, std::string_view> kTexts = {
       {"screen.vert",
        "void main() {\n"
@@ -56,8 +56,8 @@ std::optional<std::string_view> findInTest(std::string_view name) {
 class ProgramTest : public GlTest {
  protected:
   static Result<Program> build(std::string_view fragment_entry) {
-    MIRRORBALL_TRY(vertex, shaderSource(GetParam(), "screen.vert", {}, findInTest));
-    MIRRORBALL_TRY(fragment, shaderSource(GetParam(), fragment_entry, {}, findInTest));
+    MIRRORBALL_TRY(vertex, shaderSource(GetParam(), "screen.vert", {}, findProgramShader));
+    MIRRORBALL_TRY(fragment, shaderSource(GetParam(), fragment_entry, {}, findProgramShader));
     return Program::build(vertex, fragment, "test");
   }
 };

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-std::optional<std::string_view> findInTest(std::string_view name) {
+std::optional<std::string_view> findSourceShader(std::string_view name) {
   static const std::map<std::string_view, std::string_view> kTexts = {
       {"a.glsl", "float a;"},
       {"b.glsl", "float b;\n"},
@@ -30,7 +30,7 @@ std::optional<std::string_view> findInTest(std::string_view name) {
 }
 
 TEST(ShaderSource, PutsEachIncludedFileInOnceAndKeepsTheLines) {
-  const auto source = shaderSource(Api::desktop43, "twice.frag", {}, findInTest);
+  const auto source = shaderSource(Api::desktop43, "twice.frag", {}, findSourceShader);
   ASSERT_TRUE(source) << source.error().message;
   EXPECT_THAT(source->files, ElementsAre("twice.frag", "a.glsl", "b.glsl"));
   EXPECT_THAT(source->text, EndsWith("#line 1 0\none\n"
@@ -40,8 +40,8 @@ TEST(ShaderSource, PutsEachIncludedFileInOnceAndKeepsTheLines) {
 }
 
 TEST(ShaderSource, StartsWithWhatTheApiAsksFor) {
-  const auto desktop = shaderSource(Api::desktop43, "twice.frag", {}, findInTest);
-  const auto embedded = shaderSource(Api::es30, "twice.frag", {}, findInTest);
+  const auto desktop = shaderSource(Api::desktop43, "twice.frag", {}, findSourceShader);
+  const auto embedded = shaderSource(Api::es30, "twice.frag", {}, findSourceShader);
   ASSERT_TRUE(desktop && embedded);
   EXPECT_THAT(desktop->text, StartsWith("#version 430 core\n"));
   EXPECT_THAT(desktop->text, Not(HasSubstr("precision")));
@@ -50,17 +50,17 @@ TEST(ShaderSource, StartsWithWhatTheApiAsksFor) {
 
 TEST(ShaderSource, PutsDefinesBeforeTheEntry) {
   constexpr std::array<std::string_view, 2> kDefines = {"PER_VERTEX", "SIZE 3"};
-  const auto source = shaderSource(Api::es30, "twice.frag", kDefines, findInTest);
+  const auto source = shaderSource(Api::es30, "twice.frag", kDefines, findSourceShader);
   ASSERT_TRUE(source);
   EXPECT_THAT(source->text, HasSubstr("#define PER_VERTEX\n#define SIZE 3\n#line 1 0\none\n"));
 }
 
 TEST(ShaderSource, NamesWhatIsMissing) {
-  const auto entry = shaderSource(Api::es30, "none.frag", {}, findInTest);
+  const auto entry = shaderSource(Api::es30, "none.frag", {}, findSourceShader);
   ASSERT_FALSE(entry);
   EXPECT_EQ(entry.error().code, ErrorCode::not_found);
   EXPECT_EQ(entry.error().message, "none.frag: no such shader");
-  const auto include = shaderSource(Api::es30, "missing.frag", {}, findInTest);
+  const auto include = shaderSource(Api::es30, "missing.frag", {}, findSourceShader);
   ASSERT_FALSE(include);
   EXPECT_EQ(include.error().message, "missing.frag, line 3: no shader text is named c.glsl");
 }

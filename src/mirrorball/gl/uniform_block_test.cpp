@@ -15,7 +15,7 @@
 namespace mirrorball::gl {
 namespace {
 
-std::optional<std::string_view> findInTest(std::string_view name) {
+std::optional<std::string_view> findBlockShader(std::string_view name) {
   static const std::map<std::string_view, std::string_view> kTexts = {
       {"screen.vert",
        "void main() {\n"
@@ -45,8 +45,8 @@ std::optional<std::string_view> findInTest(std::string_view name) {
 class UniformBlockTest : public GlTest {
  protected:
   static Result<Program> build() {
-    MIRRORBALL_TRY(vertex, shaderSource(GetParam(), "screen.vert", {}, findInTest));
-    MIRRORBALL_TRY(fragment, shaderSource(GetParam(), "block.frag", {}, findInTest));
+    MIRRORBALL_TRY(vertex, shaderSource(GetParam(), "screen.vert", {}, findBlockShader));
+    MIRRORBALL_TRY(fragment, shaderSource(GetParam(), "block.frag", {}, findBlockShader));
     return Program::build(vertex, fragment, "test");
   }
 

@@ -15,7 +15,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::size_t kRowsPerPiece = 32;
+constexpr std::size_t kRowsPerTransform = 32;
 constexpr std::size_t kColumnsPerPiece = 16;  // a line of the cache
 
 /// errors   non_finite; out_of_range
@@ -37,9 +37,9 @@ Result<void> checkNormals(const Image& normals) {
 /// Some rows of slopes, with one row before and one behind them and a texel at either end. What is beyond clamped edges
 /// follows from the mirrored heights: differences across the mirror turn their sign (those between a texel and itself
 /// are 0), the others are mirrored too.
-class SlopeRows {
+class PaddedSlopes {
  public:
-  SlopeRows(const Image& normals, const HeightFieldSettings& settings, int begin, int end)
+  PaddedSlopes(const Image& normals, const HeightFieldSettings& settings, int begin, int end)
       : normals_(normals),
         difference_(settings.difference),
         edges_(settings.edges),
@@ -100,7 +100,7 @@ class SlopeRows {
 
 /// D_uᵀ p + D_vᵀ q of a row, where D are heightDifference's (formula/relief/slope.glsl) and ᵀ swaps the places that a
 /// weight reads from and writes to.
-void sumUp(const SlopeRows& slopes, HeightDifference difference, int y, int width, float* to) {
+void sumUp(const PaddedSlopes& slopes, HeightDifference difference, int y, int width, float* to) {
   const float* p = slopes.p(y);
   const float* q = slopes.q(y);
   const float* p_above = slopes.p(y - 1);
@@ -163,7 +163,7 @@ double divisorOf(const AxisEnergies& across, std::size_t x, const AxisEnergies& 
 template <typename Transform>
 void forEachPairOfRows(Image& map, ProgressCounter& counter, const Transform& transformTwo, const MapTransform& rows) {
   const auto height = std::size_t(map.height());
-  parallelFor(height, kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+  parallelFor(height, kRowsPerTransform, [&](std::size_t begin, std::size_t end) {
     if (counter.stopped()) return;
     MapTransform::Work work = rows.makeWork();
     std::vector<float> none(std::size_t(map.width()));
@@ -219,9 +219,9 @@ Result<Image> heightsFromNormals(const Image& normals, const HeightFieldSettings
   MIRRORBALL_TRY_VOID(checkImageMemory(width, height, 1));
   Image map = Image::withoutValues(width, height, 1);
   ProgressCounter counter(progress, 3 * std::size_t(height) + std::size_t(width));
-  parallelFor(std::size_t(height), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+  parallelFor(std::size_t(height), kRowsPerTransform, [&](std::size_t begin, std::size_t end) {
     if (counter.stopped()) return;
-    const SlopeRows slopes(normals, settings, int(begin), int(end));
+    const PaddedSlopes slopes(normals, settings, int(begin), int(end));
     for (int y = int(begin); y < int(end); ++y) sumUp(slopes, settings.difference, y, width, map.row(y).data());
     counter.advance(end - begin);
   });

@@ -13,7 +13,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::size_t kRowsPerPiece = 32;
+constexpr std::size_t kRowsPerReduction = 32;
 
 /// Level 0.
 ///
@@ -26,7 +26,7 @@ Result<Image> patchMaxima(const Image& heights, MapEdges edges, const ProgressFu
   // Each row is looked at while it is near; only where one is bad it is asked which texel that is.
   std::atomic<bool> is_finite = true;
   ProgressCounter counter(progress, std::size_t(height));
-  parallelFor(std::size_t(height), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+  parallelFor(std::size_t(height), kRowsPerReduction, [&](std::size_t begin, std::size_t end) {
     if (counter.stopped()) return;
     for (int y = int(begin); y < int(end); ++y) {
       const float* row = heights.row(y).data();
@@ -56,7 +56,7 @@ Image nextLevel(const Image& level) {
   const int width = level.width();
   const int height = level.height();
   Image next = Image::withoutValues(levelSide(width, 1), levelSide(height, 1), 1);
-  parallelFor(std::size_t(next.height()), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+  parallelFor(std::size_t(next.height()), kRowsPerReduction, [&](std::size_t begin, std::size_t end) {
     for (int y = int(begin); y < int(end); ++y) {
       float* to = next.row(y).data();
       const float* row = level.row(std::min(2 * y, height - 1)).data();

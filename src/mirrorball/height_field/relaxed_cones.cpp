@@ -11,7 +11,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::size_t kRowsPerPiece = 16;
+constexpr std::size_t kRowsPerSearch = 16;
 
 /// How many cells of the finer level a cell has along one axis, with the odd one.
 int childrenOf(int cell, int cells, int finer_cells) { return cell == cells - 1 ? finer_cells - 2 * cell : 2; }
@@ -59,7 +59,7 @@ void RelaxedConeSearch::boundSlopes() {
   const glm::ivec2 size(heights_.width(), heights_.height());
   Image& finest = slopes_.at(0, 0);
   finest = Image::withoutValues(size.x, size.y, 4);
-  parallelFor(std::size_t(size.y), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+  parallelFor(std::size_t(size.y), kRowsPerSearch, [&](std::size_t begin, std::size_t end) {
     for (int y = int(begin); y < int(end); ++y)
       for (int x = 0; x < size.x; ++x) {
         const auto [near, right, below, far] = cornersOf({}, {x, y});
@@ -72,7 +72,7 @@ void RelaxedConeSearch::boundSlopes() {
     const Image& finer = slopes_.at(level - 1, 0);
     Image& cells = slopes_.at(level, 0);
     cells = Image::withoutValues(levelSide(size.x, level), levelSide(size.y, level), 4);
-    parallelFor(std::size_t(cells.height()), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+    parallelFor(std::size_t(cells.height()), kRowsPerSearch, [&](std::size_t begin, std::size_t end) {
       for (int y = int(begin); y < int(end); ++y)
         for (int x = 0; x < cells.width(); ++x) {
           float* to = cells.texel(x, y);

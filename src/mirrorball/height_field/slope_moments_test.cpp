@@ -14,7 +14,7 @@ namespace {
 using testing::kAllEdges;
 using testing::randomHeights;
 
-constexpr glm::ivec2 kSizes[] = {{1, 1}, {1, 7}, {9, 1}, {64, 64}, {37, 21}, {13, 70}};
+constexpr glm::ivec2 kMomentSizes[] = {{1, 1}, {1, 7}, {9, 1}, {64, 64}, {37, 21}, {13, 70}};
 
 glm::vec4 texelOf(const Image& image, int x, int y) {
   const float* const texel = image.texel(x, y);
@@ -49,7 +49,7 @@ TEST(SlopeMoments, AreThoseOfTheSlopesBelowATexel) {
 }
 
 TEST(SlopeMoments, WithoutFinestLevelsAreTheOthers) {
-  for (const glm::ivec2 size : kSizes)
+  for (const glm::ivec2 size : kMomentSizes)
     for (const MapEdges edges : kAllEdges) {
       const Image heights = randomHeights(size.x, size.y);
       const SlopeMoments all = slopeMoments(heights, edges).value();

@@ -11,7 +11,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::size_t kRowsPerPiece = 16;
+constexpr std::size_t kRowsPerDifference = 16;
 
 /// A map of three channels, each row from those of three rows of heights.
 Result<Image> mapOfSlopes(const Image& heights, const HeightFieldSettings& settings, SlopeMap map,
@@ -24,7 +24,7 @@ Result<Image> mapOfSlopes(const Image& heights, const HeightFieldSettings& setti
   // Each row is looked at while it is near; only where one is bad it is asked which texel that is.
   std::atomic<bool> is_finite = true;
   ProgressCounter counter(progress, std::size_t(height));
-  parallelFor(std::size_t(height), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+  parallelFor(std::size_t(height), kRowsPerDifference, [&](std::size_t begin, std::size_t end) {
     if (counter.stopped()) return;
     for (int y = int(begin); y < int(end); ++y) {
       const HeightRows rows{heights.row(texelBeyond(y - 1, height, settings.edges)).data(), heights.row(y).data(),

@@ -11,7 +11,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
 /// 4 × 3 texels of one channel, value x + 10 y.
 Image ramp() {
@@ -42,8 +42,8 @@ TEST(Image, LightAloneHasThreeChannels) {
 TEST(NonFinite, IsCountedByTexelWithTheFirstNamed) {
   Image image(3, 2, 3, 1.0f);
   EXPECT_EQ(findNonFinite(image).count, 0u);
-  image.texel(2, 0)[1] = kNan;
-  image.texel(2, 0)[2] = kNan;
+  image.texel(2, 0)[1] = kNotANumber;
+  image.texel(2, 0)[2] = kNotANumber;
   image.texel(0, 1)[0] = std::numeric_limits<float>::infinity();
   EXPECT_EQ(findNonFinite(image).count, 2u);
   EXPECT_EQ(findNonFinite(image).first, glm::ivec2(2, 0));
@@ -52,16 +52,16 @@ TEST(NonFinite, IsCountedByTexelWithTheFirstNamed) {
 TEST(NonFinite, RepairTakesTheMeanOfTheNeighboursRingByRing) {
   Image image(5, 5, 1, 2.0f);
   for (int y = 1; y < 4; ++y)
-    for (int x = 1; x < 4; ++x) *image.texel(x, y) = kNan;
+    for (int x = 1; x < 4; ++x) *image.texel(x, y) = kNotANumber;
   ASSERT_TRUE(repairNonFinite(image));
   for (const float sample : image.samples()) EXPECT_EQ(sample, 2.0f);
 
   Image edge = ramp();
-  *edge.texel(0, 0) = kNan;
+  *edge.texel(0, 0) = kNotANumber;
   ASSERT_TRUE(repairNonFinite(edge));
   EXPECT_FLOAT_EQ(*edge.texel(0, 0), (1.0f + 10.0f + 11.0f) / 3.0f);
 
-  Image hopeless(2, 2, 1, kNan);
+  Image hopeless(2, 2, 1, kNotANumber);
   EXPECT_EQ(repairNonFinite(hopeless).error().code, ErrorCode::non_finite);
 }
 

@@ -13,7 +13,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::size_t kRowsPerPiece = 16;
+constexpr std::size_t kRowsPerConversion = 16;
 
 static_assert([] {
   for (std::size_t i = 0; i < kMetrics.size(); ++i)
@@ -24,7 +24,7 @@ static_assert([] {
 /// Calls `change(texel)` for the three channels of every texel.
 template <typename Change>
 void changeColors(Image& image, const Change& change) {
-  parallelFor(std::size_t(image.height()), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+  parallelFor(std::size_t(image.height()), kRowsPerConversion, [&](std::size_t begin, std::size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
       for (int x = 0; x < image.width(); ++x) {
         const glm::vec3 changed = change(rgbAt(image, x, y));

@@ -12,9 +12,9 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::size_t kRowsPerPiece = 16;
+constexpr std::size_t kRowsPerSum = 16;
 
-bool areAlike(const Image& a, const Image& b) {
+[[maybe_unused]] bool areAlike(const Image& a, const Image& b) {
   return a.width() == b.width() && a.height() == b.height() && a.channels() == b.channels() && !a.empty();
 }
 
@@ -48,7 +48,7 @@ ImageError imageError(const Image& a, const Image& b) {
   assert(areAlike(a, b));
   // Rows are summed by themselves and then in their order, so that nothing depends on who summed them.
   std::vector<ImageError> rows(std::size_t(a.height()));
-  parallelFor(rows.size(), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+  parallelFor(rows.size(), kRowsPerSum, [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y) rows[y] = sumsOfRow(a, b, static_cast<int>(y));
   });
   ImageError error;
@@ -73,7 +73,7 @@ double peakSignalToNoise_db(double mean_square) {
 Image signedDifference(const Image& a, const Image& b) {
   assert(areAlike(a, b));
   Image differences = Image::withoutValues(a.width(), a.height(), 1);
-  parallelFor(std::size_t(a.height()), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+  parallelFor(std::size_t(a.height()), kRowsPerSum, [&](std::size_t begin, std::size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
       for (int x = 0; x < a.width(); ++x) {
         float farthest = 0.0f;

@@ -13,7 +13,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::size_t kRowsPerPiece = 32;
+constexpr std::size_t kRowsPerWindow = 32;
 constexpr double kC1 = 0.01 * 0.01;
 constexpr double kC2 = 0.03 * 0.03;
 
@@ -79,7 +79,7 @@ Result<std::optional<double>> structuralSimilarity(const Image& a, const Image& 
   const auto columns = std::size_t(a.width() - kSsimWindow + 1);
   std::vector<double> rows(std::size_t(a.height() - kSsimWindow + 1));
   ProgressCounter counter(progress, rows.size());
-  parallelFor(rows.size(), kRowsPerPiece, [&](std::size_t begin, std::size_t end) {
+  parallelFor(rows.size(), kRowsPerWindow, [&](std::size_t begin, std::size_t end) {
     if (counter.stopped()) return;
     const std::size_t needed = end - begin + kSsimWindow - 1;
     std::vector<Moments> pixels(std::size_t(a.width()));

@@ -121,14 +121,14 @@ class Votes {
   std::vector<float> cells_;
 };
 
-struct Candidate {
+struct VotedRim {
   Circle circle;
   float share;
 };
 
 /// The cells that have more than the 26 around them, the best first.
-std::vector<Candidate> peaksOf(const Votes& votes) {
-  std::vector<Candidate> peaks;
+std::vector<VotedRim> peaksOf(const Votes& votes) {
+  std::vector<VotedRim> peaks;
   const auto isPeak = [&](int x, int y, int radius) {
     const float here = votes.at(x, y, radius);
     for (int k = -1; k <= 1; ++k)
@@ -144,7 +144,7 @@ std::vector<Candidate> peaksOf(const Votes& votes) {
         if (share < 0.25f || !isPeak(x, y, radius)) continue;
         peaks.push_back({{glm::dvec2(x, y) + 0.5 - double(kBorder), double(radius + kMinRadius)}, share});
       }
-  std::ranges::stable_sort(peaks, std::greater{}, &Candidate::share);
+  std::ranges::stable_sort(peaks, std::greater{}, &VotedRim::share);
   peaks.resize(std::min(peaks.size(), kMaxCandidates));
   return peaks;
 }
@@ -157,7 +157,7 @@ std::vector<Circle> voteForCircles(const Image& grey) {
   for (double scale = 1.0; std::max(level.width(), level.height()) >= kMinRadius; scale *= 2.0) {
     Votes votes(level.width(), level.height());
     for (const Edge& edge : edgesOf(level)) votes.cast(edge);
-    for (const Candidate& peak : peaksOf(votes.smoothed()))
+    for (const VotedRim& peak : peaksOf(votes.smoothed()))
       circles.push_back({peak.circle.center_px * scale, peak.circle.radius_px * scale});
     if (std::min(level.width(), level.height()) <= kMinRadius) break;
     level = halved(level);

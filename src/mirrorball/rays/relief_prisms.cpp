@@ -15,7 +15,7 @@ namespace {
 constexpr float kOnSurface = 0.02f;
 /// How far a ray goes on from such a place, or from the one that it has just passed, in depths of the relief.
 constexpr float kPassed = 2e-3f;
-constexpr int kMostPassed = 16;
+constexpr int kMostPrismsPassed = 16;
 
 formula::ReliefPrism placed(const formula::ReliefPrism& prism, const glm::mat4& world_from_object) {
   const glm::mat3 linear(world_from_object);
@@ -106,7 +106,7 @@ std::optional<ReliefPlace> ReliefPrisms::placeOn(bool from_above, const formula:
   const HeightTexture& heights = from_above ? heights_.heights : *heights_.depths;
   const formula::ReliefPrism side = from_above ? prism : turnedOver(prism);
   const float step = kPassed * glm::length(prism.up);
-  for (int passed = 0; passed < kMostPassed && between.x < between.y; ++passed) {
+  for (int passed = 0; passed < kMostPrismsPassed && between.x < between.y; ++passed) {
     const formula::ReliefHit found =
         formula::hitOfPrism(heights, heightMapOf(heights), side, origin, direction, between.x, between.y);
     if (found.distance < 0.0f) return std::nullopt;

@@ -11,15 +11,15 @@ namespace {
 
 using glm::dvec3;
 
-struct Corner {
+struct MeshCorner {
   std::size_t vertex;
   dvec3 position;
   double angle;
 };
 
 /// The corners of the triangle that begins at `first` in the indices.
-std::array<Corner, 3> cornersOf(const Mesh& mesh, std::size_t first) {
-  std::array<Corner, 3> corners;
+std::array<MeshCorner, 3> cornersOf(const Mesh& mesh, std::size_t first) {
+  std::array<MeshCorner, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) {
     corners[i].vertex = mesh.indices[first + i];
     corners[i].position = mesh.vertices[corners[i].vertex].position;
@@ -38,10 +38,10 @@ bool hasTextureCoordinates(const Mesh& mesh) {
 void computeNormals(Mesh& mesh) {
   std::vector<dvec3> sums(mesh.vertices.size(), dvec3(0.0));
   for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
-    const std::array<Corner, 3> corners = cornersOf(mesh, first);
+    const std::array<MeshCorner, 3> corners = cornersOf(mesh, first);
     const dvec3 normal = unitOr(
         glm::cross(corners[1].position - corners[0].position, corners[2].position - corners[0].position), dvec3(0.0));
-    for (const Corner& corner : corners) sums[corner.vertex] += corner.angle * normal;
+    for (const MeshCorner& corner : corners) sums[corner.vertex] += corner.angle * normal;
   }
   for (std::size_t i = 0; i < sums.size(); ++i) mesh.vertices[i].normal = glm::vec3(unitOr(sums[i], dvec3(0, 0, 1)));
 }

@@ -86,30 +86,30 @@ std::vector<Triangle> trianglesOf(const Mesh& mesh, int set) {
 }
 
 /// One side of a triangle, by its ends.
-struct Edge {
+struct TangentEdge {
   std::uint32_t low, high;
   std::uint32_t triangle;
   std::uint32_t corner;  ///< at which it begins
 
   auto order() const { return std::tie(low, high, triangle, corner); }
-  bool sameEnds(const Edge& other) const { return low == other.low && high == other.high; }
+  bool sameEnds(const TangentEdge& other) const { return low == other.low && high == other.high; }
 };
 
 /// Finds who lies beyond each edge: of those that run the other way between the same two vertices, the first that has
 /// no neighbour yet.
 void joinNeighbours(std::vector<Triangle>& triangles) {
-  std::vector<Edge> edges;
+  std::vector<TangentEdge> edges;
   edges.reserve(3 * triangles.size());
   for (std::uint32_t i = 0; i < triangles.size(); ++i)
     for (std::uint32_t k = 0; triangles[i].is_sound && k < 3; ++k) {
       const auto [low, high] = std::minmax(triangles[i].vertex[k], triangles[i].vertex[(k + 1) % 3]);
       edges.push_back({low, high, i, k});
     }
-  std::ranges::sort(edges, [](const Edge& a, const Edge& b) { return a.order() < b.order(); });
-  const auto neighbour = [&](const Edge& edge) -> std::uint32_t& {
+  std::ranges::sort(edges, [](const TangentEdge& a, const TangentEdge& b) { return a.order() < b.order(); });
+  const auto neighbour = [&](const TangentEdge& edge) -> std::uint32_t& {
     return triangles[edge.triangle].neighbour[edge.corner];
   };
-  const auto begin = [&](const Edge& edge) { return triangles[edge.triangle].vertex[edge.corner]; };
+  const auto begin = [&](const TangentEdge& edge) { return triangles[edge.triangle].vertex[edge.corner]; };
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (neighbour(edges[i]) != kNone) continue;
     for (std::size_t j = i + 1; j < edges.size() && edges[j].sameEnds(edges[i]); ++j) {

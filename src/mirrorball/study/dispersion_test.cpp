@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gl_driver.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/gl/gl_testing.h"
@@ -91,7 +92,7 @@ class Dispersion : public ::testing::Test {
  protected:
   void SetUp() override {
     auto made = gl::Context::createHeadless();
-    if (!made) GTEST_SKIP() << made.error().message;
+    if (!made) MIRRORBALL_END_WITHOUT_GL(made.error().message);
     context_.emplace(std::move(*made));
   }
 
@@ -188,7 +189,7 @@ TEST_F(Dispersion, WhiteStaysWhite) {
 }
 
 /// The studio in as much detail as small pictures need.
-Environment smallStudio() { return Environment(*convert(*builtinEnvironment("studio"), Projection::cube, 128)); }
+Environment studioOfDispersion() { return Environment(*convert(*builtinEnvironment("studio"), Projection::cube, 128)); }
 
 /// A prism through which a lamp is seen as its spectrum.
 FrameSettings shotOfSpectrum() {
@@ -205,9 +206,9 @@ TEST_F(Dispersion, WhatDoesNotDisperseIsTheSame) {
   frame.samples = 2;
   Scene crown = sceneOf(prismMesh(), *materialNamed("sf11"));
   ASSERT_TRUE(setParameter(crown.materials[0], "dispersion=0"));
-  const Image channels = drawn(crown, smallStudio(), frame);
+  const Image channels = drawn(crown, studioOfDispersion(), frame);
   frame.dispersion = DispersionKind::spectral;
-  const Image spectral = drawn(crown, smallStudio(), frame);
+  const Image spectral = drawn(crown, studioOfDispersion(), frame);
   EXPECT_LT(rmsDifference(spectral, channels), 1e-6);
   for (int y = 0; y < spectral.height(); ++y)
     for (int x = 0; x < spectral.width(); ++x)
@@ -216,7 +217,7 @@ TEST_F(Dispersion, WhatDoesNotDisperseIsTheSame) {
 
 // Three images of a lamp are no spectrum; what the paths of single wavelengths sum up to is.
 TEST_F(Dispersion, TheSpectrumIsTheReferences) {
-  const Environment studio = smallStudio();
+  const Environment studio = studioOfDispersion();
   const Scene prism = sceneOf(prismMesh(), *materialNamed("sf11"));
   FrameSettings frame = shotOfSpectrum();
   frame.samples = 8;

@@ -59,11 +59,11 @@ LayeredBsdf layersOf(const formula::Material& material) {
   return bsdf;
 }
 
-struct Case {
+struct LayeredCase {
   const char* name;
   formula::Material material;
 };
-const auto kCases = std::to_array<Case>({
+const auto kLayeredCases = std::to_array<LayeredCase>({
     {"coat", coated(white(1.0f, 0.4f), 1.0f, 0.0f)},
     {"rough coat over half", coated(white(0.0f, 0.6f), 0.5f, 0.5f)},
     {"cloth", withCloth(white(0.0f, 1.0f), glm::vec3(1.0f), 0.4f)},
@@ -74,7 +74,7 @@ const auto kCases = std::to_array<Case>({
 
 // White layers over white: nothing is lost.
 TEST(LayeredBsdf, NothingIsLostInWhiteLayers) {
-  for (const Case& one : kCases)
+  for (const LayeredCase& one : kLayeredCases)
     for (const float cosine : {0.25f, 0.6f, 1.0f}) {
       const LayeredBsdf bsdf = layersOf(one.material);
       glm::dvec3 sum(0.0);
@@ -94,7 +94,7 @@ TEST(LayeredBsdf, NothingIsLostInWhiteLayers) {
 // Light from all sides, half by light samples and half found by the path: together all of it.
 TEST(LayeredBsdf, LightSamplesAndFoundLightAreBalanced) {
   const float uniform = 1.0f / (4.0f * formula::kPi);
-  for (const Case& one : kCases)
+  for (const LayeredCase& one : kLayeredCases)
     for (const float cosine : {0.25f, 0.9f}) {
       const LayeredBsdf bsdf = layersOf(one.material);
       Estimate light;

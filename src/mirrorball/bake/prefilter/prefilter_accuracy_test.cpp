@@ -16,7 +16,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr int kRows = 192;  // enough for the narrowest lobe of a chain of 64²: 2.5 / 0.018
+constexpr int kPanoramaRows = 192;  // enough for the narrowest lobe of a chain of 64²: 2.5 / 0.018
 
 struct Error {
   double mean = 0.0;
@@ -102,7 +102,7 @@ TEST_P(PrefilterAccuracy, EveryLevelIsTheSumOverAllTexels) {
   const Error limit = reflection.distribution == Distribution::ggx       ? kLimitOfGgx
                       : reflection.distribution == Distribution::charlie ? light.limit_of_charlie
                                                                          : kLimit;
-  const EnvironmentMap panorama = panoramaOf(2 * kRows, kRows, light.at);
+  const EnvironmentMap panorama = panoramaOf(2 * kPanoramaRows, kPanoramaRows, light.at);
   const PrefilterOptions options{.size = 64, .distribution = reflection.distribution};
   const std::vector<PrefilterLevel> levels = prefilterLevels(options);
   const ImageSet chain = chainOf(Environment(panorama), options);
@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(Maps, RegularDetail,
 class IrradianceAccuracy : public testing::TestWithParam<Light> {};
 
 TEST_P(IrradianceAccuracy, IsTheSumOverAllTexels) {
-  const EnvironmentMap panorama = panoramaOf(2 * kRows, kRows, GetParam().at);
+  const EnvironmentMap panorama = panoramaOf(2 * kPanoramaRows, kPanoramaRows, GetParam().at);
   const ImageSet cube = irradianceCubeOf(panorama, 32);
   const Error error = errorOfCube(panorama, cube, 0, cosineKernel());
   EXPECT_LT(error.mean, 1e-3);

@@ -34,7 +34,7 @@ using testing::tiledFile;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-Error failureOf(const Bytes& bytes) {
+Error failureOfExr(const Bytes& bytes) {
   const auto result = decodeExr(bytes);
   if (result) {
     ADD_FAILURE() << "was read";
@@ -126,7 +126,7 @@ TEST(Exr, LayersAreWrittenBesideTheImage) {
 }
 
 TEST(Exr, AFileWithoutColourListsItsChannels) {
-  const Error error = failureOf(foreignFile(Imf::Header(5, 4), gradient(5, 4, 2), {"Z", "id"}));
+  const Error error = failureOfExr(foreignFile(Imf::Header(5, 4), gradient(5, 4, 2), {"Z", "id"}));
   EXPECT_EQ(error.code, ErrorCode::unsupported);
   EXPECT_THAT(error.message, HasSubstr("Z id"));
 }
@@ -141,7 +141,7 @@ TEST(Exr, AFileThatWasNotWrittenToItsEndIsRefused) {
     file.setFrameBuffer(frameOf(image, {"R", "G", "B"}, header.dataWindow()));
     file.writePixels(20);
   }
-  const Error error = failureOf(stream.takeBytes());
+  const Error error = failureOfExr(stream.takeBytes());
   EXPECT_EQ(error.code, ErrorCode::bad_file);
   EXPECT_THAT(error.message, HasSubstr("missing"));
 }
@@ -160,26 +160,26 @@ Bytes withDataWindow(Bytes bytes, std::int32_t x, std::int32_t y) {
 
 TEST(Exr, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
   const Bytes bytes = encoded(gradient(8, 8, 3));
-  EXPECT_EQ(failureOf(withDataWindow(bytes, -1, 7)).code, ErrorCode::bad_file);
-  EXPECT_EQ(failureOf(withDataWindow(bytes, 2147483647, 7)).code, ErrorCode::too_large);
-  EXPECT_EQ(failureOf(withDataWindow(bytes, 1 << 29, 7)).code, ErrorCode::too_large);
-  EXPECT_THAT(failureOf(withDataWindow(bytes, (1 << 26) - 1, 7)).message, HasSubstr("cannot hold"));
+  EXPECT_EQ(failureOfExr(withDataWindow(bytes, -1, 7)).code, ErrorCode::bad_file);
+  EXPECT_EQ(failureOfExr(withDataWindow(bytes, 2147483647, 7)).code, ErrorCode::too_large);
+  EXPECT_EQ(failureOfExr(withDataWindow(bytes, 1 << 29, 7)).code, ErrorCode::too_large);
+  EXPECT_THAT(failureOfExr(withDataWindow(bytes, (1 << 26) - 1, 7)).message, HasSubstr("cannot hold"));
 
   Bytes tiled = tiledFile(Imf::Header(8, 8), gradient(8, 8, 3), {"R", "G", "B"}, Imf::ONE_LEVEL);
   const std::string key = std::string("tiles\0tiledesc\0", 15);
   const auto found = std::search(tiled.begin(), tiled.end(), key.begin(), key.end());
   ASSERT_NE(found, tiled.end());
   *(found + 15 + 4 + 3) = 0x7f;  // the highest byte of a tile's width
-  EXPECT_EQ(failureOf(tiled).code, ErrorCode::too_large);
+  EXPECT_EQ(failureOfExr(tiled).code, ErrorCode::too_large);
 
   Bytes attribute = bytes;
   attribute[8 + std::string("channels.chlist.").size() + 3] = 0x7f;  // of the first attribute's size
-  EXPECT_THAT(failureOf(attribute).message, HasSubstr("attribute at byte 24"));
+  EXPECT_THAT(failureOfExr(attribute).message, HasSubstr("attribute at byte 24"));
 
   // OpenEXR reads a list of channels to its end, whatever its size (found by the fuzzer).
   Bytes list = bytes;
   list[8 + std::string("channels.chlist.").size()] -= 3;
-  EXPECT_THAT(failureOf(list).message, HasSubstr("which its type does not have"));
+  EXPECT_THAT(failureOfExr(list).message, HasSubstr("which its type does not have"));
 }
 
 TEST(Exr, RealFileWithDwab) {

@@ -15,16 +15,16 @@ namespace mirrorball {
 namespace {
 
 using Span = std::span<const std::uint8_t>;
-using Rgba = std::array<std::uint8_t, 4>;
+using BmpColor = std::array<std::uint8_t, 4>;
 
 constexpr std::size_t kFileHeader = 14;
 constexpr std::size_t kCoreHeader = 12;  // OS/2's first
 constexpr std::size_t kInfoHeader = 40;  // Windows 3's, on which all later ones build
 constexpr std::size_t kFifthHeader = 124;
 
-enum Compression : std::uint32_t { kPlain = 0, kRle8 = 1, kRle4 = 2, kMasks = 3, kMasksWithAlpha = 6 };
+enum BmpCompression : std::uint32_t { kPlain = 0, kRle8 = 1, kRle4 = 2, kMasks = 3, kMasksWithAlpha = 6 };
 
-struct Header {
+struct BmpHeader {
   std::size_t size = 0;  ///< of the header behind the file's
   std::size_t texels_at = 0;
   std::int64_t width = 0;
@@ -47,7 +47,7 @@ tl::unexpected<Error> truncated(std::size_t size) {
 }
 
 /// Whether texels of that many bits can be compressed so.
-bool isKnown(const Header& header) {
+bool isKnown(const BmpHeader& header) {
   constexpr std::array<std::uint32_t, 7> kBits{1, 2, 4, 8, 16, 24, 32};
   if (std::ranges::find(kBits, header.bits) == kBits.end()) return false;
   switch (header.compression) {
@@ -66,7 +66,7 @@ bool isKnown(const Header& header) {
 }
 
 /// Where masks are named they lie behind the 40 bytes of the third header, or as a part of later ones.
-Result<void> readMasks(Span bytes, Header& header) {
+Result<void> readMasks(Span bytes, BmpHeader& header) {
   if (header.compression == kPlain) {
     if (header.bits == 16) header.masks = {0x7c00, 0x3e0, 0x1f, 0};
     if (header.bits == 32) header.masks = {0xff0000, 0xff00, 0xff, 0};
@@ -79,9 +79,9 @@ Result<void> readMasks(Span bytes, Header& header) {
   return {};
 }
 
-Result<Header> readHeader(Span bytes) {
+Result<BmpHeader> readBmpHeader(Span bytes) {
   if (bytes.size() < kFileHeader + kCoreHeader) return truncated(bytes.size());
-  Header header{.size = littleU32(&bytes[kFileHeader]), .texels_at = littleU32(&bytes[10])};
+  BmpHeader header{.size = littleU32(&bytes[kFileHeader]), .texels_at = littleU32(&bytes[10])};
   const bool is_core = header.size == kCoreHeader;
   if (!is_core && (header.size < 16 || header.size > 1000))
     return fail(ErrorCode::bad_file, "says that its header has " + std::to_string(header.size) +
@@ -112,7 +112,7 @@ Result<Header> readHeader(Span bytes) {
 }
 
 /// Whether its bytes can be all the texels.
-Result<void> checkTexels(const Header& header, Span bytes) {
+Result<void> checkTexels(const BmpHeader& header, Span bytes) {
   const int width = static_cast<int>(header.width);
   const int height = static_cast<int>(header.height);
   MIRRORBALL_TRY_VOID(checkPictureMemory(width, height, 4, 2));  // palette indices, and codes
@@ -127,8 +127,8 @@ Result<void> checkTexels(const Header& header, Span bytes) {
 }
 
 /// Blue, green and red, and a byte that means nothing but in OS/2's first version, which lacks it.
-Result<std::vector<Rgba>> readPalette(const Header& header, Span bytes) {
-  if (!header.hasPalette()) return std::vector<Rgba>();
+Result<std::vector<BmpColor>> readPalette(const BmpHeader& header, Span bytes) {
+  if (!header.hasPalette()) return std::vector<BmpColor>();
   const std::size_t max = std::size_t{1} << header.bits;
   const std::size_t entry = header.size == kCoreHeader ? 3 : 4;
   const std::size_t at = kFileHeader + header.size;
@@ -139,7 +139,7 @@ Result<std::vector<Rgba>> readPalette(const Header& header, Span bytes) {
     return fail(ErrorCode::bad_file, "says that its palette has " + std::to_string(count) +
                                          " colours, and has room for " + std::to_string(there) +
                                          "; the file is damaged");
-  std::vector<Rgba> palette;
+  std::vector<BmpColor> palette;
   for (std::size_t i = 0; i < std::min(count, there); ++i) {
     const std::uint8_t* color = &bytes[at + i * entry];
     palette.push_back({color[2], color[1], color[0], 255});
@@ -150,7 +150,7 @@ Result<std::vector<Rgba>> readPalette(const Header& header, Span bytes) {
 /// Palette indices out of RLE4 or RLE8; what a file skips has the index 0.
 class RunReader {
  public:
-  RunReader(const Header& header, Span bytes) : header_(header), bytes_(bytes), indices_(header.texelCount(), 0) {}
+  RunReader(const BmpHeader& header, Span bytes) : header_(header), bytes_(bytes), indices_(header.texelCount(), 0) {}
 
   /// Rows as they are stored.
   ///
@@ -216,7 +216,7 @@ class RunReader {
     return true;
   }
 
-  const Header& header_;
+  const BmpHeader& header_;
   Span bytes_;
   std::size_t at_ = 0;
   std::int64_t x_ = 0;
@@ -232,7 +232,7 @@ std::uint8_t underMask(std::uint32_t texel, std::uint32_t mask, std::uint8_t wit
 }
 
 /// A texel of a row that has no palette.
-Rgba colorAt(const Header& header, const std::uint8_t* row, std::size_t x) {
+BmpColor colorAt(const BmpHeader& header, const std::uint8_t* row, std::size_t x) {
   if (header.bits == 24) return {row[3 * x + 2], row[3 * x + 1], row[3 * x], 255};
   const std::uint32_t texel = header.bits == 16 ? littleU16(row + 2 * x) : littleU32(row + 4 * x);
   return {underMask(texel, header.masks[0], 0), underMask(texel, header.masks[1], 0),
@@ -245,15 +245,15 @@ std::uint8_t indexAt(std::uint32_t bits, const std::uint8_t* row, std::size_t x)
   return static_cast<std::uint8_t>(row[bit / 8] >> (8 - bits - bit % 8) & ((1u << bits) - 1));
 }
 
-struct Picture {
-  Header header;
+struct BmpPicture {
+  BmpHeader header;
   CodedPicture codes;
 };
 
 /// The rows of texels, or of a palette's indices, from the top of the picture.
 class Rows {
  public:
-  Rows(const Header& header, Span texels) : header_(header), texels_(texels) {}
+  Rows(const BmpHeader& header, Span texels) : header_(header), texels_(texels) {}
 
   const std::uint8_t* operator[](int y) const {
     const std::int64_t stored = header_.from_top ? y : header_.height - 1 - y;
@@ -262,19 +262,19 @@ class Rows {
   }
 
  private:
-  const Header& header_;
+  const BmpHeader& header_;
   Span texels_;
 };
 
-void fillFromMasks(const Header& header, const Rows& rows, Image8& picture) {
+void fillFromMasks(const BmpHeader& header, const Rows& rows, Image8& picture) {
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) {
-      const Rgba color = colorAt(header, rows[y], std::size_t(x));
+      const BmpColor color = colorAt(header, rows[y], std::size_t(x));
       std::copy_n(color.begin(), picture.channels(), picture.texel(x, y));
     }
 }
 
-Result<void> fillFromPalette(const Header& header, const Rows& rows, const std::vector<Rgba>& palette,
+Result<void> fillFromPalette(const BmpHeader& header, const Rows& rows, const std::vector<BmpColor>& palette,
                              Image8& picture) {
   const std::uint32_t bits = header.isRunLengthCoded() ? 8 : header.bits;  // of an index
   for (int y = 0; y < picture.height(); ++y)
@@ -289,8 +289,8 @@ Result<void> fillFromPalette(const Header& header, const Rows& rows, const std::
   return {};
 }
 
-Result<Picture> readPicture(Span bytes) {
-  MIRRORBALL_TRY(header, readHeader(bytes));
+Result<BmpPicture> readBmpPicture(Span bytes) {
+  MIRRORBALL_TRY(header, readBmpHeader(bytes));
   MIRRORBALL_TRY_VOID(checkTexels(header, bytes));
   MIRRORBALL_TRY(palette, readPalette(header, bytes));
   Span texels = bytes.subspan(header.texels_at);
@@ -308,11 +308,11 @@ Result<Picture> readPicture(Span bytes) {
   } else {
     fillFromMasks(header, rows, picture);
   }
-  return Picture{header, std::move(picture)};
+  return BmpPicture{header, std::move(picture)};
 }
 
 /// What an embedded ICC profile calls itself; empty where there is none.
-std::string readIccDescription(const Header& header, Span bytes) {
+std::string bmpIccDescription(const BmpHeader& header, Span bytes) {
   constexpr std::uint32_t kEmbedded = 0x4d424544;  // "MBED"
   if (header.size < kFifthHeader || littleU32(&bytes[kFileHeader + 56]) != kEmbedded) return {};
   const std::size_t at = kFileHeader + std::size_t{littleU32(&bytes[kFileHeader + 112])};
@@ -329,18 +329,18 @@ bool isBmp(Span bytes) {
 }
 
 Result<DecodedImage> decodeBmp(Span bytes) {
-  MIRRORBALL_TRY(picture, readPicture(bytes));
+  MIRRORBALL_TRY(picture, readBmpPicture(bytes));
   Image light = lightOf(picture.codes);
   std::string format = "BMP, " + std::to_string(picture.header.bits) + " bit";
   if (picture.header.hasPalette()) format += " palette";
   if (picture.header.isRunLengthCoded()) format += ", RLE";
-  const std::string profile = readIccDescription(picture.header, bytes);
+  const std::string profile = bmpIccDescription(picture.header, bytes);
   std::string color = profile.empty() ? describeColor(kSrgbCurve, {}, light.channels()) : describeIccColor(profile);
   return DecodedImage{std::move(light), {}, std::move(format), std::move(color)};
 }
 
 Result<Image8> decodeBmpTexture(Span bytes) {
-  MIRRORBALL_TRY(picture, readPicture(bytes));
+  MIRRORBALL_TRY(picture, readBmpPicture(bytes));
   return textureOf(std::move(picture.codes));
 }
 

@@ -14,7 +14,7 @@ using testing::bmpOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::vector<int> codes(const Bytes& bytes) {
+std::vector<int> codesOfBmp(const Bytes& bytes) {
   const auto texture = decodeBmpTexture(bytes);
   EXPECT_TRUE(texture) << texture.error().message;
   return texture ? std::vector<int>(texture->samples().begin(), texture->samples().end()) : std::vector<int>();
@@ -24,12 +24,12 @@ std::vector<int> codes(const Bytes& bytes) {
 std::vector<int> indices(testing::BmpForm form, const Bytes& texels) {
   for (std::uint32_t i = 0; i < (1u << form.bits); ++i) form.palette.push_back(i << 16);
   std::vector<int> reds;
-  const std::vector<int> all = codes(bmpOf(form, texels));
+  const std::vector<int> all = codesOfBmp(bmpOf(form, texels));
   for (std::size_t i = 0; i < all.size(); i += 4) reds.push_back(all[i]);
   return reds;
 }
 
-Error refused(const Bytes& bytes) {
+Error refusedBmp(const Bytes& bytes) {
   const auto result = decodeBmp(bytes);
   EXPECT_FALSE(result);
   return result ? Error() : result.error();
@@ -37,8 +37,8 @@ Error refused(const Bytes& bytes) {
 
 TEST(Bmp, RowsRunUpUnlessTheHeightIsNegative) {
   const Bytes texels{3, 2, 1, 0, 6, 5, 4, 0};  // each row padded to four bytes
-  EXPECT_THAT(codes(bmpOf({.width = 1, .height = 2}, texels)), ElementsAre(4, 5, 6, 255, 1, 2, 3, 255));
-  EXPECT_THAT(codes(bmpOf({.width = 1, .height = -2}, texels)), ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
+  EXPECT_THAT(codesOfBmp(bmpOf({.width = 1, .height = 2}, texels)), ElementsAre(4, 5, 6, 255, 1, 2, 3, 255));
+  EXPECT_THAT(codesOfBmp(bmpOf({.width = 1, .height = -2}, texels)), ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
   const auto image = decodeBmp(bmpOf({.width = 1, .height = 2}, texels));
   EXPECT_EQ(image->format, "BMP, 24 bit");
   EXPECT_EQ(image->color, "sRGB");
@@ -52,39 +52,40 @@ TEST(Bmp, PalettesOfEveryDepth) {
   EXPECT_THAT(indices({.width = 3, .height = 1, .bits = 4}, {0x1f, 0x80, 0, 0}), ElementsAre(1, 15, 8));
   EXPECT_THAT(indices({.width = 2, .height = 1, .bits = 8}, {200, 3, 0, 0}), ElementsAre(200, 3));
   // OS/2's first version has colours of three bytes.
-  EXPECT_THAT(codes(bmpOf({.header = 12, .width = 1, .height = 1, .bits = 1, .palette = {0x112233, 0x445566}},
-                          {0x80, 0, 0, 0})),
+  EXPECT_THAT(codesOfBmp(bmpOf({.header = 12, .width = 1, .height = 1, .bits = 1, .palette = {0x112233, 0x445566}},
+                               {0x80, 0, 0, 0})),
               ElementsAre(0x44, 0x55, 0x66, 255));
-  EXPECT_THAT(refused(bmpOf({.width = 2, .height = 1, .bits = 8, .palette = {0, 1}}, {1, 2, 0, 0})).message,
+  EXPECT_THAT(refusedBmp(bmpOf({.width = 2, .height = 1, .bits = 8, .palette = {0, 1}}, {1, 2, 0, 0})).message,
               HasSubstr("texel (1, 0) has the colour 2 of a palette of 2"));
 }
 
 TEST(Bmp, MasksOfAnyBits) {
   // 16 bits are 5-5-5 without masks.
-  EXPECT_THAT(codes(bmpOf({.width = 1, .height = 1, .bits = 16}, {0x30, 0x7c, 0, 0})), ElementsAre(255, 8, 132, 255));
-  EXPECT_THAT(codes(bmpOf({.width = 1, .height = 1, .bits = 16, .compression = 3, .masks = {0xf800, 0x7e0, 0x1f}},
-                          {0xe0, 0x07, 0, 0})),
+  EXPECT_THAT(codesOfBmp(bmpOf({.width = 1, .height = 1, .bits = 16}, {0x30, 0x7c, 0, 0})),
+              ElementsAre(255, 8, 132, 255));
+  EXPECT_THAT(codesOfBmp(bmpOf({.width = 1, .height = 1, .bits = 16, .compression = 3, .masks = {0xf800, 0x7e0, 0x1f}},
+                               {0xe0, 0x07, 0, 0})),
               ElementsAre(0, 255, 0, 255));
   // Ten bits a colour and two of alpha.
-  EXPECT_THAT(codes(bmpOf({.header = 56,
-                           .width = 1,
-                           .height = 1,
-                           .bits = 32,
-                           .compression = 3,
-                           .masks = {0x3ff, 0xffc00, 0x3ff00000, 0xc0000000}},
-                          {0xff, 0x03, 0x00, 0x80})),
+  EXPECT_THAT(codesOfBmp(bmpOf({.header = 56,
+                                .width = 1,
+                                .height = 1,
+                                .bits = 32,
+                                .compression = 3,
+                                .masks = {0x3ff, 0xffc00, 0x3ff00000, 0xc0000000}},
+                               {0xff, 0x03, 0x00, 0x80})),
               ElementsAre(255, 0, 0, 170));
 }
 
 TEST(Bmp, OnlyAMaskMakesAlpha) {
-  EXPECT_THAT(codes(bmpOf({.width = 1, .height = 1, .bits = 32}, {3, 2, 1, 9})), ElementsAre(1, 2, 3, 255));
+  EXPECT_THAT(codesOfBmp(bmpOf({.width = 1, .height = 1, .bits = 32}, {3, 2, 1, 9})), ElementsAre(1, 2, 3, 255));
   const testing::BmpForm form{.header = 124,
                               .width = 1,
                               .height = 1,
                               .bits = 32,
                               .compression = 3,
                               .masks = {0xff0000, 0xff00, 0xff, 0xff000000}};
-  EXPECT_THAT(codes(bmpOf(form, {3, 2, 1, 9})), ElementsAre(1, 2, 3, 9));
+  EXPECT_THAT(codesOfBmp(bmpOf(form, {3, 2, 1, 9})), ElementsAre(1, 2, 3, 9));
   EXPECT_EQ(decodeBmp(bmpOf(form, {3, 2, 1, 9}))->image.channels(), 4);
 }
 
@@ -99,7 +100,7 @@ TEST(Bmp, RunsLiteralsAndSkips) {
   EXPECT_THAT(indices(rle4, {0, 5, 0x12, 0x34, 0x50, 0, 0, 1}), ElementsAre(1, 2, 3, 4, 5));
   testing::BmpForm cut = rle8;
   cut.palette = {0, 1, 2};
-  EXPECT_THAT(refused(bmpOf(cut, {2, 1, 0, 0, 0, 3, 1})).message, HasSubstr("before its last texel"));
+  EXPECT_THAT(refusedBmp(bmpOf(cut, {2, 1, 0, 0, 0, 3, 1})).message, HasSubstr("before its last texel"));
   EXPECT_EQ(decodeBmp(bmpOf(cut, {2, 1, 0, 1}))->format, "BMP, 8 bit palette, RLE");
 }
 
@@ -108,7 +109,7 @@ TEST(Bmp, TexelsThatBeginBeforeThePaletteLeaveItNoRoom) {
     Bytes file = bmpOf({.width = 1, .height = 1, .bits = 8, .palette = {7}}, {0, 0, 0, 0});
     file[10] = 20;  // where the texels begin
     file[46] = static_cast<std::uint8_t>(colors);
-    EXPECT_EQ(refused(file).code, ErrorCode::bad_file);
+    EXPECT_EQ(refusedBmp(file).code, ErrorCode::bad_file);
   }
 }
 
@@ -118,20 +119,20 @@ TEST(Bmp, AProfileIsNamed) {
 }
 
 TEST(Bmp, WhatCannotBeReadIsNamed) {
-  EXPECT_EQ(refused(bmpOf({.bits = 24, .compression = 5}, Bytes(24))).code, ErrorCode::unsupported);
-  EXPECT_EQ(refused(bmpOf({.bits = 64}, Bytes(48))).code, ErrorCode::unsupported);
-  EXPECT_EQ(refused(bmpOf({.bits = 24, .compression = 1}, Bytes(24))).code, ErrorCode::unsupported);
-  EXPECT_EQ(refused(bmpOf({.header = 13}, Bytes(24))).code, ErrorCode::bad_file);
-  EXPECT_EQ(refused(bmpOf({.width = -3}, Bytes(24))).code, ErrorCode::bad_file);
+  EXPECT_EQ(refusedBmp(bmpOf({.bits = 24, .compression = 5}, Bytes(24))).code, ErrorCode::unsupported);
+  EXPECT_EQ(refusedBmp(bmpOf({.bits = 64}, Bytes(48))).code, ErrorCode::unsupported);
+  EXPECT_EQ(refusedBmp(bmpOf({.bits = 24, .compression = 1}, Bytes(24))).code, ErrorCode::unsupported);
+  EXPECT_EQ(refusedBmp(bmpOf({.header = 13}, Bytes(24))).code, ErrorCode::bad_file);
+  EXPECT_EQ(refusedBmp(bmpOf({.width = -3}, Bytes(24))).code, ErrorCode::bad_file);
   EXPECT_FALSE(isBmp(testing::bytesOf("BMX is no bitmap but a text")));
 }
 
 TEST(Bmp, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
-  EXPECT_THAT(refused(bmpOf({.width = 20000, .height = 20000}, Bytes(24))).message, HasSubstr("cannot hold"));
-  EXPECT_THAT(
-      refused(bmpOf({.width = 2000, .height = 2000, .bits = 8, .compression = 1, .palette = {0}}, Bytes(24))).message,
-      HasSubstr("cannot hold"));
-  EXPECT_EQ(refused(bmpOf({.width = 0x7fffffff, .height = -0x7fffffff - 1}, Bytes(24))).code, ErrorCode::too_large);
+  EXPECT_THAT(refusedBmp(bmpOf({.width = 20000, .height = 20000}, Bytes(24))).message, HasSubstr("cannot hold"));
+  EXPECT_THAT(refusedBmp(bmpOf({.width = 2000, .height = 2000, .bits = 8, .compression = 1, .palette = {0}}, Bytes(24)))
+                  .message,
+              HasSubstr("cannot hold"));
+  EXPECT_EQ(refusedBmp(bmpOf({.width = 0x7fffffff, .height = -0x7fffffff - 1}, Bytes(24))).code, ErrorCode::too_large);
 }
 
 }  // namespace

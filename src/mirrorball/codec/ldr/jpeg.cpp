@@ -36,7 +36,7 @@ struct ErrorManager {
   int code;
 };
 
-void onError(j_common_ptr codec) {
+void onJpegError(j_common_ptr codec) {
   auto* manager = reinterpret_cast<ErrorManager*>(codec->err);
   manager->code = codec->err->msg_code;
   codec->err->format_message(codec, manager->message);
@@ -54,7 +54,7 @@ void onMessage(j_common_ptr codec, int level) {
     case JWRN_BOGUS_ICC:
       return;
     default:
-      onError(codec);
+      onJpegError(codec);
   }
 }
 
@@ -71,7 +71,7 @@ void onOutput(j_common_ptr) {}
 
 jpeg_error_mgr* install(ErrorManager& manager) {
   jpeg_std_error(&manager.base);
-  manager.base.error_exit = onError;
+  manager.base.error_exit = onJpegError;
   manager.base.emit_message = onMessage;
   manager.base.output_message = onOutput;
   manager.message[0] = '\0';
@@ -84,7 +84,7 @@ jpeg_error_mgr* install(ErrorManager& manager) {
 ///
 /// returns  false after an error; it stands in the manager
 template <typename Body>
-bool guarded(ErrorManager& manager, const Body& body) {
+bool guardedFromJpeg(ErrorManager& manager, const Body& body) {
   if (setjmp(manager.jump)) return false;
   body();
   return true;
@@ -119,7 +119,7 @@ struct Compressor {
   unsigned long size = 0;
 };
 
-tl::unexpected<Error> failure(const Decompressor& decoder, std::size_t size) {
+tl::unexpected<Error> jpegFailure(const Decompressor& decoder, std::size_t size) {
   const std::string text = decoder.errors.message;
   switch (decoder.errors.code) {
     case JERR_BAD_PRECISION:
@@ -145,9 +145,9 @@ Metadata readComments(const jpeg_decompress_struct& codec) {
 }
 
 /// Reads up to the first scan and refuses what cannot be decoded.
-Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> bytes) {
+Result<void> readJpegHeader(Decompressor& decoder, std::span<const std::uint8_t> bytes) {
   jpeg_decompress_struct& codec = decoder.codec;
-  const bool read = guarded(decoder.errors, [&] {
+  const bool read = guardedFromJpeg(decoder.errors, [&] {
     jpeg_create_decompress(&codec);
     codec.progress = &decoder.progress;
     jpeg_mem_src(&codec, bytes.data(), static_cast<unsigned long>(bytes.size()));
@@ -155,7 +155,7 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
     jpeg_save_markers(&codec, JPEG_APP0 + 2, 0xffff);  // parts of an ICC profile
     jpeg_read_header(&codec, TRUE);
   });
-  if (!read) return failure(decoder, bytes.size());
+  if (!read) return jpegFailure(decoder, bytes.size());
   MIRRORBALL_TRY_VOID(checkDimensions(codec.image_width, codec.image_height));
   MIRRORBALL_TRY_VOID(checkImageMemory(static_cast<int>(codec.image_width), static_cast<int>(codec.image_height), 3));
   const std::size_t texels = std::size_t(codec.image_width) * codec.image_height;
@@ -166,11 +166,12 @@ Result<void> readHeader(Decompressor& decoder, std::span<const std::uint8_t> byt
 }
 
 /// What an ICC profile in the file's markers calls itself; empty where there is none.
-std::string readIccDescription(Decompressor& decoder) {
+std::string jpegIccDescription(Decompressor& decoder) {
   JOCTET* profile = nullptr;
   unsigned size = 0;
   boolean found = FALSE;
-  const bool read = guarded(decoder.errors, [&] { found = jpeg_read_icc_profile(&decoder.codec, &profile, &size); });
+  const bool read =
+      guardedFromJpeg(decoder.errors, [&] { found = jpeg_read_icc_profile(&decoder.codec, &profile, &size); });
   const std::unique_ptr<JOCTET, decltype(&std::free)> owner(profile, &std::free);
   return read && found ? iccDescription({profile, size}) : "";
 }
@@ -182,12 +183,12 @@ struct Decoded {
 };
 
 /// texture  RGBA for everything; else grey or RGB as the file has it
-Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, bool texture) {
+Result<Decoded> readJpegPicture(std::span<const std::uint8_t> bytes, bool texture) {
   Decompressor decoder;
-  MIRRORBALL_TRY_VOID(readHeader(decoder, bytes));
+  MIRRORBALL_TRY_VOID(readJpegHeader(decoder, bytes));
   jpeg_decompress_struct& codec = decoder.codec;
   Metadata metadata = readComments(codec);  // which finishing the decoding forgets, as it does the profile
-  std::string icc_description = readIccDescription(decoder);
+  std::string icc_description = jpegIccDescription(decoder);
   const bool grey = codec.num_components == 1;
   codec.out_color_space = texture ? JCS_EXT_RGBA : grey ? JCS_GRAYSCALE : JCS_RGB;
 
@@ -196,7 +197,7 @@ Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, bool texture) {
                                          texture ? 4
                                          : grey  ? 1
                                                  : 3);
-  const bool decoded = guarded(decoder.errors, [&] {
+  const bool decoded = guardedFromJpeg(decoder.errors, [&] {
     jpeg_start_decompress(&codec);
     while (codec.output_scanline < codec.output_height) {
       JSAMPROW row = picture.row(static_cast<int>(codec.output_scanline)).data();
@@ -204,7 +205,7 @@ Result<Decoded> readPicture(std::span<const std::uint8_t> bytes, bool texture) {
     }
     jpeg_finish_decompress(&codec);
   });
-  if (!decoded) return failure(decoder, bytes.size());
+  if (!decoded) return jpegFailure(decoder, bytes.size());
   return Decoded{std::move(picture), std::move(metadata), std::move(icc_description)};
 }
 
@@ -243,14 +244,14 @@ bool isJpeg(std::span<const std::uint8_t> bytes) {
 }
 
 Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(decoded, readPicture(bytes, false));
+  MIRRORBALL_TRY(decoded, readJpegPicture(bytes, false));
   std::string color = decoded.icc_description.empty() ? describeColor(kSrgbCurve, {}, decoded.picture.channels())
                                                       : describeIccColor(decoded.icc_description);
   return DecodedImage{linearFromPicture(decoded.picture), std::move(decoded.metadata), "JPEG, 8 bit", std::move(color)};
 }
 
 Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes) {
-  MIRRORBALL_TRY(decoded, readPicture(bytes, true));
+  MIRRORBALL_TRY(decoded, readJpegPicture(bytes, true));
   return std::move(decoded.picture);
 }
 
@@ -259,7 +260,7 @@ Result<Bytes> encodeJpeg(const Image8& picture, const Metadata& metadata) {
     return fail(ErrorCode::bad_shape,
                 "a JPEG has at most " + std::to_string(JPEG_MAX_DIMENSION) + " texels a side; use .png");
   Compressor encoder;
-  if (!guarded(encoder.errors, [&] { writePixels(encoder, picture, metadata); }))
+  if (!guardedFromJpeg(encoder.errors, [&] { writePixels(encoder, picture, metadata); }))
     return fail(ErrorCode::too_large, "cannot be encoded as JPEG: " + std::string(encoder.errors.message));
   return Bytes(encoder.bytes, encoder.bytes + encoder.size);
 }

@@ -167,7 +167,7 @@ TEST(Jpeg, WhatCannotBeReadIsNamed) {
 }
 
 /// A small picture whose frame header says another size.
-Bytes withSize(int width, int height) {
+Bytes jpegWithSize(int width, int height) {
   Bytes bytes = encoded(photograph(16, 16, 3));
   const std::size_t at = frameHeader(bytes) + 5;
   bytes[at] = static_cast<std::uint8_t>(height >> 8);
@@ -178,7 +178,7 @@ Bytes withSize(int width, int height) {
 }
 
 TEST(Jpeg, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
-  const auto error = [](int width, int height) { return decodeJpeg(withSize(width, height)).error(); };
+  const auto error = [](int width, int height) { return decodeJpeg(jpegWithSize(width, height)).error(); };
   EXPECT_EQ(error(0, 16).code, ErrorCode::bad_file);
   EXPECT_EQ(error(65500, 65500).code, ErrorCode::too_large);
   EXPECT_THAT(error(30000, 30000).message, HasSubstr("cannot hold"));
@@ -195,7 +195,7 @@ TEST(JpegMemory, AnEarlyEndCostsNoMoreThanItsTexels) {
     getrusage(RUSAGE_SELF, &usage);
     return usage.ru_maxrss;
   };
-  Bytes bytes = withSize(30000, 30000);
+  Bytes bytes = jpegWithSize(30000, 30000);
   bytes.resize(150000);
   const long before = peak_kb();
   EXPECT_THAT(decodeJpeg(bytes).error().message, HasSubstr("damaged JPEG"));

@@ -30,7 +30,7 @@ struct PngContext {
   char message[160] = "unknown error";
 };
 
-void onError(png_structp png, png_const_charp message) {
+void onPngError(png_structp png, png_const_charp message) {
   auto* context = static_cast<PngContext*>(png_get_error_ptr(png));
   std::snprintf(context->message, sizeof context->message, "%s", message);
   png_longjmp(png, 1);
@@ -68,22 +68,22 @@ void flushBytes(png_structp) {}
 ///
 /// returns  false after an error; its text is in the PngContext
 template <typename Body>
-bool guarded(png_structp png, const Body& body) {
+bool guardedFromPng(png_structp png, const Body& body) {
   if (setjmp(png_jmpbuf(png))) return false;
   body();
   return true;
 }
 
-struct Reader {
-  explicit Reader(std::span<const std::uint8_t> bytes) {
+struct PngReader {
+  explicit PngReader(std::span<const std::uint8_t> bytes) {
     context.in = bytes;
-    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &context, onError, onWarning);
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &context, onPngError, onWarning);
     if (png) info = png_create_info_struct(png);
     if (info) png_set_read_fn(png, &context, readBytes);
   }
-  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
 
   PngContext context;
   png_structp png = nullptr;
@@ -92,7 +92,7 @@ struct Reader {
 
 struct Writer {
   Writer() {
-    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &context, onError, onWarning);
+    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &context, onPngError, onWarning);
     if (png) info = png_create_info_struct(png);
     if (info) png_set_write_fn(png, &context, writeBytes, flushBytes);
   }
@@ -149,7 +149,7 @@ Metadata readTexts(png_structp png, png_infop info) {
   return metadata;
 }
 
-tl::unexpected<Error> damaged(const Reader& reader) {
+tl::unexpected<Error> damaged(const PngReader& reader) {
   return fail(ErrorCode::bad_file,
               "is a damaged PNG, at byte " + std::to_string(reader.context.at) + ": " + reader.context.message);
 }
@@ -173,8 +173,8 @@ Result<void> checkChunks(std::span<const std::uint8_t> bytes) {
               "has no end chunk before its end at byte " + std::to_string(bytes.size()) + "; the file is truncated");
 }
 
-Result<void> readHeader(Reader& reader, Pixels& pixels) {
-  const bool read = guarded(reader.png, [&] {
+Result<void> readPngHeader(PngReader& reader, Pixels& pixels) {
+  const bool read = guardedFromPng(reader.png, [&] {
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkDimensions decides
     png_read_info(reader.png, reader.info);
   });
@@ -194,12 +194,12 @@ Result<void> readHeader(Reader& reader, Pixels& pixels) {
 
 Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form) {
   MIRRORBALL_TRY_VOID(checkChunks(bytes));
-  Reader reader(bytes);
+  PngReader reader(bytes);
   if (!reader.info) return fail(ErrorCode::too_large, "not enough memory to decode it");
   Pixels pixels;
-  MIRRORBALL_TRY_VOID(readHeader(reader, pixels));
+  MIRRORBALL_TRY_VOID(readPngHeader(reader, pixels));
 
-  const bool prepared = guarded(reader.png, [&] {
+  const bool prepared = guardedFromPng(reader.png, [&] {
     setTransforms(reader.png, reader.info, form);
     png_set_interlace_handling(reader.png);
     png_read_update_info(reader.png, reader.info);
@@ -213,7 +213,7 @@ Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form) {
   pixels.bytes = std::make_unique_for_overwrite<std::uint8_t[]>(pixels.size);
   std::vector<png_bytep> rows(std::size_t(pixels.height));
   for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = pixels.bytes.get() + y * row_size;
-  const bool decoded = guarded(reader.png, [&] {
+  const bool decoded = guardedFromPng(reader.png, [&] {
     png_read_image(reader.png, rows.data());
     png_read_end(reader.png, reader.info);
   });
@@ -293,7 +293,7 @@ Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata) {
     texts.push_back(text);
   }
   writer.context.out.reserve(picture.samples().size() / 2);
-  const bool written = guarded(writer.png, [&] {
+  const bool written = guardedFromPng(writer.png, [&] {
     png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     setCompression(writer.png);
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(picture.width()),

@@ -239,7 +239,7 @@ TEST(PngColor, TexturesAreLeftAsTheyStand) {
 }
 
 /// A PNG whose IHDR says another size, with the right checksum.
-Bytes withSize(Bytes bytes, std::uint32_t width, std::uint32_t height) {
+Bytes pngWithSize(Bytes bytes, std::uint32_t width, std::uint32_t height) {
   png_save_uint_32(bytes.data() + 16, width);
   png_save_uint_32(bytes.data() + 20, height);
   std::uint32_t crc = ~0u;  // PNG's annex D, bit by bit over the chunk's name and its 13 bytes
@@ -253,11 +253,11 @@ Bytes withSize(Bytes bytes, std::uint32_t width, std::uint32_t height) {
 
 TEST(Png, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
   const Bytes bytes = *encodePng(Image8(4, 4, 3), {});
-  ASSERT_TRUE(decodePng(withSize(bytes, 4, 4)));
-  EXPECT_EQ(decodePng(withSize(bytes, 0, 4)).error().code, ErrorCode::bad_file);
-  EXPECT_EQ(decodePng(withSize(bytes, 1u << 31, 4)).error().code, ErrorCode::bad_file);
-  EXPECT_EQ(decodePng(withSize(bytes, 1u << 20, 1u << 20)).error().code, ErrorCode::too_large);
-  EXPECT_THAT(decodePng(withSize(bytes, 10000, 10000)).error().message, HasSubstr("cannot hold"));
+  ASSERT_TRUE(decodePng(pngWithSize(bytes, 4, 4)));
+  EXPECT_EQ(decodePng(pngWithSize(bytes, 0, 4)).error().code, ErrorCode::bad_file);
+  EXPECT_EQ(decodePng(pngWithSize(bytes, 1u << 31, 4)).error().code, ErrorCode::bad_file);
+  EXPECT_EQ(decodePng(pngWithSize(bytes, 1u << 20, 1u << 20)).error().code, ErrorCode::too_large);
+  EXPECT_THAT(decodePng(pngWithSize(bytes, 10000, 10000)).error().message, HasSubstr("cannot hold"));
 }
 
 TEST(Png, DamageNamesTheByte) {

@@ -21,7 +21,7 @@ enum class Coding {
   bytes,  ///< one or two a sample, the high one first
 };
 
-struct Header {
+struct PnmHeader {
   char version = '0';  ///< the digit behind the P
   Coding coding = Coding::bytes;
   int width = 0;
@@ -43,7 +43,7 @@ constexpr std::uint32_t kMaxSide = std::numeric_limits<int>::max();
 constexpr std::uint32_t kMaxCode = 65535;
 
 /// The lines of a PAM's header: a word and its value.
-Result<void> readPamHeader(PnmWords& words, Header& header) {
+Result<void> readPamHeader(PnmWords& words, PnmHeader& header) {
   std::string kind;
   while (true) {
     const std::string_view key = words.word();
@@ -73,10 +73,10 @@ Result<void> readPamHeader(PnmWords& words, Header& header) {
   return {};
 }
 
-Result<Header> readHeader(Span bytes) {
+Result<PnmHeader> readPnmHeader(Span bytes) {
   PnmWords words(bytes);
   words.skip(2);
-  Header header{.version = static_cast<char>(bytes[1])};
+  PnmHeader header{.version = static_cast<char>(bytes[1])};
   if (header.version == '7') {
     MIRRORBALL_TRY_VOID(readPamHeader(words, header));
   } else {
@@ -98,7 +98,7 @@ Result<Header> readHeader(Span bytes) {
 }
 
 /// Before memory is taken. A sample of a text has at least one byte.
-Result<void> checkSize(const Header& header, Span bytes) {
+Result<void> checkSize(const PnmHeader& header, Span bytes) {
   MIRRORBALL_TRY_VOID(checkDimensions(header.width, header.height));
   MIRRORBALL_TRY_VOID(checkPictureMemory(header.width, header.height, header.channels == 2 ? 4 : header.channels,
                                          header.fitsEightBits() ? 1 : 2));
@@ -111,7 +111,8 @@ Result<void> checkSize(const Header& header, Span bytes) {
 /// Reads row after row, in the file's order.
 class PnmRows {
  public:
-  PnmRows(const Header& header, Span bytes) : header_(header), bytes_(bytes.subspan(header.samples_at)), words_(bytes) {
+  PnmRows(const PnmHeader& header, Span bytes)
+      : header_(header), bytes_(bytes.subspan(header.samples_at)), words_(bytes) {
     words_.skip(header.samples_at);
   }
 
@@ -150,13 +151,13 @@ class PnmRows {
     }
   }
 
-  const Header& header_;
+  const PnmHeader& header_;
   Span bytes_;
   PnmWords words_;
 };
 
 template <typename Sample>
-Result<CodedPicture> readSamples(const Header& header, Span bytes) {
+Result<CodedPicture> readSamples(const PnmHeader& header, Span bytes) {
   constexpr std::uint32_t kMax = std::numeric_limits<Sample>::max();
   const bool is_grey_with_alpha = header.channels == 2;
   auto image = ImageOf<Sample>::withoutValues(header.width, header.height, is_grey_with_alpha ? 4 : header.channels);
@@ -173,17 +174,17 @@ Result<CodedPicture> readSamples(const Header& header, Span bytes) {
   return CodedPicture(std::move(image));
 }
 
-struct Picture {
-  Header header;
+struct PnmPicture {
+  PnmHeader header;
   CodedPicture codes;
 };
 
-Result<Picture> readPicture(Span bytes) {
-  MIRRORBALL_TRY(header, readHeader(bytes));
+Result<PnmPicture> readPnmPicture(Span bytes) {
+  MIRRORBALL_TRY(header, readPnmHeader(bytes));
   MIRRORBALL_TRY_VOID(checkSize(header, bytes));
   MIRRORBALL_TRY(codes, header.fitsEightBits() ? readSamples<std::uint8_t>(header, bytes)
                                                : readSamples<std::uint16_t>(header, bytes));
-  return Picture{header, std::move(codes)};
+  return PnmPicture{header, std::move(codes)};
 }
 
 }  // namespace
@@ -194,7 +195,7 @@ bool isPnm(Span bytes) {
 }
 
 Result<DecodedImage> decodePnm(Span bytes) {
-  MIRRORBALL_TRY(picture, readPicture(bytes));
+  MIRRORBALL_TRY(picture, readPnmPicture(bytes));
   constexpr std::string_view kNames[]{"PBM, text", "PGM, text", "PPM, text", "PBM", "PGM", "PPM", "PAM"};
   std::string format(kNames[picture.header.version - '1']);
   if (!picture.header.isBitmap()) format += ", 0 to " + std::to_string(picture.header.max);
@@ -204,12 +205,12 @@ Result<DecodedImage> decodePnm(Span bytes) {
 }
 
 Result<CodedPicture> decodePnmCodes(Span bytes) {
-  MIRRORBALL_TRY(picture, readPicture(bytes));
+  MIRRORBALL_TRY(picture, readPnmPicture(bytes));
   return std::move(picture.codes);
 }
 
 Result<Image8> decodePnmTexture(Span bytes) {
-  MIRRORBALL_TRY(picture, readPicture(bytes));
+  MIRRORBALL_TRY(picture, readPnmPicture(bytes));
   return textureOf(std::move(picture.codes));
 }
 

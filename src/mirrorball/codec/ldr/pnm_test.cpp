@@ -16,19 +16,19 @@ using testing::bytesOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::vector<int> codes(const std::string& file) {
+std::vector<int> codesOfPnm(const std::string& file) {
   const auto texture = decodePnmTexture(bytesOf(file));
   EXPECT_TRUE(texture) << texture.error().message;
   return texture ? std::vector<int>(texture->samples().begin(), texture->samples().end()) : std::vector<int>();
 }
 
-DecodedImage decoded(const std::string& file) {
+DecodedImage decodedPnm(const std::string& file) {
   auto image = decodePnm(bytesOf(file));
   EXPECT_TRUE(image) << image.error().message;
   return image ? std::move(*image) : DecodedImage{};
 }
 
-Error refused(const std::string& file) {
+Error refusedPnm(const std::string& file) {
   const auto result = decodePnm(bytesOf(file));
   EXPECT_FALSE(result) << file;
   if (result) return {};
@@ -36,59 +36,60 @@ Error refused(const std::string& file) {
 }
 
 TEST(Pnm, InABitmapOneIsBlack) {
-  EXPECT_THAT(codes("P1\n# a comment\n3 1\n1 01"), ElementsAre(0, 0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 255));
-  EXPECT_THAT(codes("P4 2 2\n\x40\x80"), ElementsAre(255, 255, 255, 255, 0, 0, 0, 255,  //
-                                                     0, 0, 0, 255, 255, 255, 255, 255));
-  EXPECT_EQ(decoded("P4 2 2\n\x40\x80").format, "PBM");
-  EXPECT_EQ(decoded("P4 2 2\n\x40\x80").image.channels(), 1);
+  EXPECT_THAT(codesOfPnm("P1\n# a comment\n3 1\n1 01"), ElementsAre(0, 0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 255));
+  EXPECT_THAT(codesOfPnm("P4 2 2\n\x40\x80"), ElementsAre(255, 255, 255, 255, 0, 0, 0, 255,  //
+                                                          0, 0, 0, 255, 255, 255, 255, 255));
+  EXPECT_EQ(decodedPnm("P4 2 2\n\x40\x80").format, "PBM");
+  EXPECT_EQ(decodedPnm("P4 2 2\n\x40\x80").image.channels(), 1);
 }
 
 TEST(Pnm, GreyAndColorsAsTextAndAsBytes) {
-  EXPECT_THAT(codes("P2 2 1 15 # greatest\n0 # zero\n 15"), ElementsAre(0, 0, 0, 255, 255, 255, 255, 255));
-  EXPECT_THAT(codes("P3\n1\n1\n255\n1 2\n3\n"), ElementsAre(1, 2, 3, 255));
-  EXPECT_THAT(codes("P5 1 1 255\nA"), ElementsAre(65, 65, 65, 255));
-  EXPECT_THAT(codes("P6 1 1 255\n\n\r "), ElementsAre(10, 13, 32, 255));  // one blank ends the header
-  EXPECT_EQ(decoded("P6 1 1 255\nABC").format, "PPM, 0 to 255");
-  EXPECT_EQ(decoded("P3 1 1 255 1 2 3").format, "PPM, text, 0 to 255");
-  EXPECT_EQ(decoded("P6 1 1 255\nABC").color, "sRGB");
+  EXPECT_THAT(codesOfPnm("P2 2 1 15 # greatest\n0 # zero\n 15"), ElementsAre(0, 0, 0, 255, 255, 255, 255, 255));
+  EXPECT_THAT(codesOfPnm("P3\n1\n1\n255\n1 2\n3\n"), ElementsAre(1, 2, 3, 255));
+  EXPECT_THAT(codesOfPnm("P5 1 1 255\nA"), ElementsAre(65, 65, 65, 255));
+  EXPECT_THAT(codesOfPnm("P6 1 1 255\n\n\r "), ElementsAre(10, 13, 32, 255));  // one blank ends the header
+  EXPECT_EQ(decodedPnm("P6 1 1 255\nABC").format, "PPM, 0 to 255");
+  EXPECT_EQ(decodedPnm("P3 1 1 255 1 2 3").format, "PPM, text, 0 to 255");
+  EXPECT_EQ(decodedPnm("P6 1 1 255\nABC").color, "sRGB");
 }
 
 TEST(Pnm, SixteenBitsComeHighByteFirstAndKeepTheirPrecision) {
-  const float light = decoded("P5 1 1 65535\n\x12\x34").image.samples()[0];
+  const float light = decodedPnm("P5 1 1 65535\n\x12\x34").image.samples()[0];
   const std::uint16_t code = 0x1234;
   EXPECT_EQ(light, linearFromSamples16({&code, 1}, 1, 1, 1).samples()[0]);
   // 500 of 1000 is a half: 32768 of 65535.
   const std::uint16_t half = 32768;
-  EXPECT_EQ(decoded("P2 1 1 1000 500").image.samples()[0], linearFromSamples16({&half, 1}, 1, 1, 1).samples()[0]);
+  EXPECT_EQ(decodedPnm("P2 1 1 1000 500").image.samples()[0], linearFromSamples16({&half, 1}, 1, 1, 1).samples()[0]);
 }
 
 TEST(Pnm, PamHasAlpha) {
-  EXPECT_THAT(codes("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\nABCD"),
+  EXPECT_THAT(codesOfPnm("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\nABCD"),
               ElementsAre(65, 66, 67, 68));
-  EXPECT_THAT(codes("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 2\nMAXVAL 255\n# grey\nTUPLTYPE GRAYSCALE_ALPHA\nENDHDR\nAD"),
+  EXPECT_THAT(codesOfPnm("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 2\nMAXVAL 255\n# grey\nTUPLTYPE GRAYSCALE_ALPHA\nENDHDR\nAD"),
               ElementsAre(65, 65, 65, 68));
-  EXPECT_THAT(codes("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 1\nMAXVAL 1\nTUPLTYPE BLACKANDWHITE\nENDHDR\n\x01"),
+  EXPECT_THAT(codesOfPnm("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 1\nMAXVAL 1\nTUPLTYPE BLACKANDWHITE\nENDHDR\n\x01"),
               ElementsAre(255, 255, 255, 255));
-  EXPECT_EQ(refused("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE CMYK\nENDHDR\nABCD").code,
+  EXPECT_EQ(refusedPnm("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE CMYK\nENDHDR\nABCD").code,
             ErrorCode::unsupported);
-  EXPECT_EQ(refused("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 5\nMAXVAL 255\nENDHDR\nABCDE").code, ErrorCode::unsupported);
+  EXPECT_EQ(refusedPnm("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 5\nMAXVAL 255\nENDHDR\nABCDE").code, ErrorCode::unsupported);
 }
 
 TEST(Pnm, WhatIsWrongIsNamedWithItsPlace) {
-  EXPECT_THAT(refused("P5 x 1 255\nA").message, HasSubstr("at byte 4 the width should be a number"));
-  EXPECT_THAT(refused("P5 1").message, HasSubstr("the height should be a number up to 2147483647, and the file ends"));
-  EXPECT_THAT(refused("P2 2 1 15 1 16").message, HasSubstr("a sample in row 0 is 16, above"));
-  EXPECT_THAT(refused("P1 2 1 1 2").message, HasSubstr("0 or 1"));
-  EXPECT_EQ(refused("P5 1 1 0\nA").code, ErrorCode::bad_file);
-  EXPECT_EQ(refused("P5 1 1 65536\nAA").code, ErrorCode::bad_file);
-  EXPECT_EQ(refused("P5 0 1 255\nA").code, ErrorCode::bad_file);
-  EXPECT_THAT(refused("P7\nWIDTH 1\nLENGTH 1\n").message, HasSubstr("LENGTH"));
+  EXPECT_THAT(refusedPnm("P5 x 1 255\nA").message, HasSubstr("at byte 4 the width should be a number"));
+  EXPECT_THAT(refusedPnm("P5 1").message,
+              HasSubstr("the height should be a number up to 2147483647, and the file ends"));
+  EXPECT_THAT(refusedPnm("P2 2 1 15 1 16").message, HasSubstr("a sample in row 0 is 16, above"));
+  EXPECT_THAT(refusedPnm("P1 2 1 1 2").message, HasSubstr("0 or 1"));
+  EXPECT_EQ(refusedPnm("P5 1 1 0\nA").code, ErrorCode::bad_file);
+  EXPECT_EQ(refusedPnm("P5 1 1 65536\nAA").code, ErrorCode::bad_file);
+  EXPECT_EQ(refusedPnm("P5 0 1 255\nA").code, ErrorCode::bad_file);
+  EXPECT_THAT(refusedPnm("P7\nWIDTH 1\nLENGTH 1\n").message, HasSubstr("LENGTH"));
 }
 
 TEST(Pnm, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
-  EXPECT_THAT(refused("P6 20000 20000 255\nABC").message, HasSubstr("cannot hold"));
-  EXPECT_THAT(refused("P3 20000 20000 255\n1 2 3").message, HasSubstr("cannot hold"));
-  EXPECT_EQ(refused("P6 2147483647 2147483647 255\nABC").code, ErrorCode::too_large);
+  EXPECT_THAT(refusedPnm("P6 20000 20000 255\nABC").message, HasSubstr("cannot hold"));
+  EXPECT_THAT(refusedPnm("P3 20000 20000 255\n1 2 3").message, HasSubstr("cannot hold"));
+  EXPECT_EQ(refusedPnm("P6 2147483647 2147483647 255\nABC").code, ErrorCode::too_large);
 }
 
 /// The bytes of floats in one order.

@@ -14,7 +14,7 @@ namespace mirrorball {
 namespace {
 
 using Span = std::span<const std::uint8_t>;
-using Rgba = std::array<std::uint8_t, 4>;
+using TgaColor = std::array<std::uint8_t, 4>;
 
 constexpr std::size_t kHeaderSize = 18;
 constexpr std::string_view kSignature("TRUEVISION-XFILE.", 18);  // with its closing 0
@@ -25,7 +25,7 @@ constexpr std::size_t kMaxTexelsPerPacket = 128;
 
 enum class Kind { palette = 1, colors = 2, grey = 3 };
 
-struct Header {
+struct TgaHeader {
   std::size_t id_length;
   bool has_palette;
   Kind kind;
@@ -45,23 +45,23 @@ struct Header {
 bool isColorDepth(std::uint32_t bits) { return bits == 15 || bits == 16 || bits == 24 || bits == 32; }
 
 /// The header, if each of its numbers is one that the format has.
-std::optional<Header> readHeader(Span bytes) {
+std::optional<TgaHeader> readTgaHeader(Span bytes) {
   if (bytes.size() < kHeaderSize) return {};
   const std::uint32_t type = bytes[2];
   const std::uint32_t descriptor = bytes[17];
-  const Header header{.id_length = bytes[0],
-                      .has_palette = bytes[1] == 1,
-                      .kind = static_cast<Kind>(type & 7),
-                      .is_run_length_coded = type >= 9,
-                      .palette_first = littleU16(&bytes[3]),
-                      .palette_length = littleU16(&bytes[5]),
-                      .palette_bits = bytes[7],
-                      .width = littleU16(&bytes[12]),
-                      .height = littleU16(&bytes[14]),
-                      .bits = bytes[16],
-                      .alpha_bits = descriptor & 15,
-                      .from_right = (descriptor & 16) != 0,
-                      .from_top = (descriptor & 32) != 0};
+  const TgaHeader header{.id_length = bytes[0],
+                         .has_palette = bytes[1] == 1,
+                         .kind = static_cast<Kind>(type & 7),
+                         .is_run_length_coded = type >= 9,
+                         .palette_first = littleU16(&bytes[3]),
+                         .palette_length = littleU16(&bytes[5]),
+                         .palette_bits = bytes[7],
+                         .width = littleU16(&bytes[12]),
+                         .height = littleU16(&bytes[14]),
+                         .bits = bytes[16],
+                         .alpha_bits = descriptor & 15,
+                         .from_right = (descriptor & 16) != 0,
+                         .from_top = (descriptor & 32) != 0};
   constexpr std::array<std::uint32_t, 6> kTypes{1, 2, 3, 9, 10, 11};
   if (std::ranges::find(kTypes, type) == kTypes.end() || bytes[1] > 1 || (descriptor & 0xc0) != 0) return {};
   if (header.has_palette && !isColorDepth(header.palette_bits)) return {};
@@ -95,7 +95,7 @@ AlphaType readAlphaType(Span bytes) {
 }
 
 /// 15 and 16 bits are ARRRRRGGGGGBBBBB, 24 and 32 are blue, green, red and alpha.
-Rgba colorOf(const std::uint8_t* stored, std::uint32_t bits) {
+TgaColor colorOf(const std::uint8_t* stored, std::uint32_t bits) {
   if (bits >= 24) return {stored[2], stored[1], stored[0], bits == 32 ? stored[3] : std::uint8_t{255}};
   const std::uint32_t all = littleU16(stored);
   const auto widened = [](std::uint32_t code) { return static_cast<std::uint8_t>(rescaledCode(code & 31, 31, 255)); };
@@ -120,9 +120,9 @@ bool unpackRuns(Span packed, std::size_t texel_bytes, std::span<std::uint8_t> te
   return true;
 }
 
-class Reader {
+class TgaReader {
  public:
-  Reader(Span bytes, const Header& header) : bytes_(bytes), header_(header) {}
+  TgaReader(Span bytes, const TgaHeader& header) : bytes_(bytes), header_(header) {}
 
   Result<CodedPicture> read() {
     MIRRORBALL_TRY_VOID(check());
@@ -136,7 +136,7 @@ class Reader {
     std::uint8_t max_alpha = 0;
     for (int y = 0; y < header_.height; ++y)
       for (int x = 0; x < header_.width; ++x) {
-        const Rgba color = colorAt(texelAt(x, y));
+        const TgaColor color = colorAt(texelAt(x, y));
         std::copy_n(color.begin(), channels, picture.texel(x, y));
         max_alpha = std::max(max_alpha, color[3]);
       }
@@ -212,33 +212,33 @@ class Reader {
     return {};
   }
 
-  Rgba colorAt(const std::uint8_t* texel) const {
+  TgaColor colorAt(const std::uint8_t* texel) const {
     if (header_.kind == Kind::colors) return colorOf(texel, header_.bits);
     if (header_.kind == Kind::palette) return palette_[indexOf(texel)];
     return {texel[0], texel[0], texel[0], header_.bits == 16 ? texel[1] : std::uint8_t{255}};
   }
 
   Span bytes_;
-  const Header& header_;
+  const TgaHeader& header_;
   std::unique_ptr<std::uint8_t[]> unpacked_;
   Span texels_;
-  std::vector<Rgba> palette_;
+  std::vector<TgaColor> palette_;
 };
 
-Result<CodedPicture> readPicture(Span bytes) {
-  const auto header = readHeader(bytes);
+Result<CodedPicture> readTgaPicture(Span bytes) {
+  const auto header = readTgaHeader(bytes);
   if (!header) return fail(ErrorCode::bad_file, "is a TGA whose first 18 bytes are not those of one");
-  return Reader(bytes, *header).read();
+  return TgaReader(bytes, *header).read();
 }
 
 }  // namespace
 
-bool isTga(Span bytes) { return hasFooter(bytes) || readHeader(bytes); }
+bool isTga(Span bytes) { return hasFooter(bytes) || readTgaHeader(bytes); }
 
 Result<DecodedImage> decodeTga(Span bytes) {
-  MIRRORBALL_TRY(picture, readPicture(bytes));
+  MIRRORBALL_TRY(picture, readTgaPicture(bytes));
   Image light = lightOf(picture);
-  const auto header = readHeader(bytes);
+  const auto header = readTgaHeader(bytes);
   std::string format = "TGA, " + std::to_string(header->bits) + " bit";
   if (header->kind == Kind::palette) format += " palette";
   if (header->is_run_length_coded) format += ", RLE";
@@ -247,7 +247,7 @@ Result<DecodedImage> decodeTga(Span bytes) {
 }
 
 Result<Image8> decodeTgaTexture(Span bytes) {
-  MIRRORBALL_TRY(picture, readPicture(bytes));
+  MIRRORBALL_TRY(picture, readTgaPicture(bytes));
   return textureOf(std::move(picture));
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using Span = std::span<const std::uint8_t>;
 
-tl::unexpected<Error> failure(VP8StatusCode status, std::size_t size) {
+tl::unexpected<Error> webpFailure(VP8StatusCode status, std::size_t size) {
   switch (status) {
     case VP8_STATUS_OUT_OF_MEMORY:
       return fail(ErrorCode::too_large, "not enough memory to decode it");
@@ -32,9 +32,9 @@ tl::unexpected<Error> failure(VP8StatusCode status, std::size_t size) {
 
 /// texture  RGBA for everything; else RGB where there is no alpha
 /// features become the file's
-Result<Image8> readPicture(Span bytes, bool texture, WebPBitstreamFeatures& features) {
+Result<Image8> readWebpPicture(Span bytes, bool texture, WebPBitstreamFeatures& features) {
   const VP8StatusCode known = WebPGetFeatures(bytes.data(), bytes.size(), &features);
-  if (known != VP8_STATUS_OK) return failure(known, bytes.size());
+  if (known != VP8_STATUS_OK) return webpFailure(known, bytes.size());
   if (features.has_animation != 0)
     return fail(ErrorCode::unsupported, "is an animated WebP; save one of its pictures by itself");
   MIRRORBALL_TRY_VOID(checkDimensions(features.width, features.height));
@@ -51,12 +51,12 @@ Result<Image8> readPicture(Span bytes, bool texture, WebPBitstreamFeatures& feat
   config.output.is_external_memory = 1;
   config.output.u.RGBA = {picture.samples().data(), features.width * channels, picture.samples().size()};
   const VP8StatusCode decoded = WebPDecode(bytes.data(), bytes.size(), &config);
-  if (decoded != VP8_STATUS_OK) return failure(decoded, bytes.size());
+  if (decoded != VP8_STATUS_OK) return webpFailure(decoded, bytes.size());
   return picture;
 }
 
 /// What an ICC profile in the file calls itself; empty where there is none.
-std::string readIccDescription(Span bytes) {
+std::string webpIccDescription(Span bytes) {
   const WebPData data{bytes.data(), bytes.size()};
   const std::unique_ptr<WebPDemuxer, decltype(&WebPDemuxDelete)> demuxer(WebPDemux(&data), &WebPDemuxDelete);
   WebPChunkIterator chunk;
@@ -77,17 +77,17 @@ bool isWebp(Span bytes) {
 
 Result<DecodedImage> decodeWebp(Span bytes) {
   WebPBitstreamFeatures features;
-  MIRRORBALL_TRY(picture, readPicture(bytes, false, features));
+  MIRRORBALL_TRY(picture, readWebpPicture(bytes, false, features));
   constexpr std::string_view kForms[]{"", ", lossy", ", lossless"};
   std::string format = "WebP" + std::string(kForms[std::clamp(features.format, 0, 2)]);
-  const std::string profile = readIccDescription(bytes);
+  const std::string profile = webpIccDescription(bytes);
   std::string color = profile.empty() ? describeColor(kSrgbCurve, {}, picture.channels()) : describeIccColor(profile);
   return DecodedImage{linearFromPicture(picture), {}, std::move(format), std::move(color)};
 }
 
 Result<Image8> decodeWebpTexture(Span bytes) {
   WebPBitstreamFeatures features;
-  return readPicture(bytes, true, features);
+  return readWebpPicture(bytes, true, features);
 }
 
 }  // namespace mirrorball

@@ -19,14 +19,14 @@ using namespace dds;
 using Span = std::span<const std::uint8_t>;
 
 /// What the headers say.
-struct Header {
+struct DdsHeader {
   TextureShape shape;
   StoredFormat format;
   bool encoding_assumed = false;  ///< the file does not say whether it is sRGB
   std::size_t size = 0;           ///< bytes: the texels begin here
 };
 
-constexpr const char* kInstead = "R16G16B16A16_FLOAT";
+constexpr const char* kDdsInstead = "R16G16B16A16_FLOAT";
 
 /// Formats from before DX10 that have a code instead of masks: D3DFORMAT's numbers.
 std::optional<StoredFormat> formatOfCode(std::uint32_t code) {
@@ -81,7 +81,7 @@ Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format) {
   const std::uint32_t code = littleU32(pixel_format + 8);
   if (flags & kPixelFourLetters) {
     const auto format = formatOfCode(code);
-    if (!format) return unsupportedTexture(nameOfCode(code), kInstead);
+    if (!format) return unsupportedTexture(nameOfCode(code), kDdsInstead);
     return *format;
   }
   const std::uint32_t bits = littleU32(pixel_format + 12);
@@ -92,48 +92,49 @@ Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format) {
     for (const MaskRow& row : kMaskRows)
       if (row.bits == bits && row.red == mask(0) && row.green == mask(1) && row.blue == mask(2) && row.alpha == alpha)
         return row.format;
-  return unsupportedTexture("a pixel format of " + std::to_string(bits) + " bits with masks of its own", kInstead);
+  return unsupportedTexture("a pixel format of " + std::to_string(bits) + " bits with masks of its own", kDdsInstead);
 }
 
-Result<void> readDx10Header(const std::uint8_t* dx10, Header& header) {
+Result<void> readDx10Header(const std::uint8_t* dx10, DdsHeader& header) {
   const auto format = formatOfDxgi(littleU32(dx10));
-  if (!format) return unsupportedTexture(nameOfDxgi(littleU32(dx10)), kInstead);
+  if (!format) return unsupportedTexture(nameOfDxgi(littleU32(dx10)), kDdsInstead);
   header.format = *format;
-  if (littleU32(dx10 + 4) != kTexture2d) return unsupportedTexture("a texture that is not two-dimensional", kInstead);
+  if (littleU32(dx10 + 4) != kTexture2d)
+    return unsupportedTexture("a texture that is not two-dimensional", kDdsInstead);
   if (littleU32(dx10 + 8) & kMiscCube) header.shape.faces = 6;
   header.shape.layers = littleU32(dx10 + 12);
   return {};
 }
 
-Result<Header> readHeader(Span bytes) {
-  if (bytes.size() < kHeaderSize)
+Result<DdsHeader> readDdsHeader(Span bytes) {
+  if (bytes.size() < kDdsHeaderSize)
     return fail(ErrorCode::bad_file, "the header ends early, at byte " + std::to_string(bytes.size()) + " of " +
-                                         std::to_string(kHeaderSize) + "; the file is truncated");
+                                         std::to_string(kDdsHeaderSize) + "; the file is truncated");
   const auto u32 = [&](std::size_t at) { return littleU32(bytes.data() + at); };
   // The sizes of DDS_HEADER and of DDS_PIXELFORMAT.
   if (u32(4) != 124 || u32(76) != 32)
     return fail(ErrorCode::bad_file, "the header's sizes at bytes 4 and 76 are not 124 and 32; it is damaged");
-  Header header;
-  header.size = kHeaderSize;
+  DdsHeader header;
+  header.size = kDdsHeaderSize;
   header.shape.height = u32(12);
   header.shape.width = u32(16);
   header.shape.levels = std::max(u32(28), 1u);
   const std::uint32_t caps2 = u32(112);
-  if (caps2 & kCaps2Volume) return unsupportedTexture("a three-dimensional texture", kInstead);
+  if (caps2 & kCaps2Volume) return unsupportedTexture("a three-dimensional texture", kDdsInstead);
   const bool is_dx10 = (u32(80) & kPixelFourLetters) && u32(84) == kDx10;
   if (is_dx10) {
     header.size += kDx10HeaderSize;
     if (bytes.size() < header.size)
       return fail(ErrorCode::bad_file, "the DX10 header ends early, at byte " + std::to_string(bytes.size()) + " of " +
                                            std::to_string(header.size) + "; the file is truncated");
-    MIRRORBALL_TRY_VOID(readDx10Header(bytes.data() + kHeaderSize, header));
+    MIRRORBALL_TRY_VOID(readDx10Header(bytes.data() + kDdsHeaderSize, header));
   } else {
     MIRRORBALL_TRY(format, formatBeforeDx10(bytes.data() + 76));
     header.format = format;
     header.encoding_assumed = format.type == SampleType::srgb8;
     if (caps2 & kCaps2Cube) {
       if ((caps2 & kCaps2AllFaces) != kCaps2AllFaces)
-        return unsupportedTexture("a cube with fewer than six faces", kInstead);
+        return unsupportedTexture("a cube with fewer than six faces", kDdsInstead);
       header.shape.faces = 6;
     }
   }
@@ -149,7 +150,7 @@ std::uint64_t chainSize(const TextureShape& shape, const StoredFormat& format) {
   return size;
 }
 
-ImageSet readImages(const std::uint8_t* texels, const Header& header) {
+ImageSet readImages(const std::uint8_t* texels, const DdsHeader& header) {
   const TextureShape& shape = header.shape;
   ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
   for (int layer = 0; layer < images.layers(); ++layer)
@@ -201,7 +202,7 @@ Bytes encodeHeader(const TextureShape& shape, TexelFormat format, bool has_alpha
 bool isDds(Span bytes) { return bytes.size() >= 4 && littleU32(bytes.data()) == kMagic; }
 
 Result<DecodedImageSet> decodeDds(Span bytes) {
-  MIRRORBALL_TRY(header, readHeader(bytes));
+  MIRRORBALL_TRY(header, readDdsHeader(bytes));
   const std::uint64_t expected = chainSize(header.shape, header.format) * header.shape.imagesPerLevel();
   if (expected > bytes.size() - header.size)
     return fail(ErrorCode::bad_file, "its texels have " + std::to_string(expected) + " bytes from byte " +
@@ -219,7 +220,7 @@ TextureLayout ddsLayout(const TextureShape& shape, bool has_alpha, const Texture
   const StoredFormat format = storedFormat(options.format);
   const std::uint64_t chain = chainSize(shape, format);
   TextureLayout layout{encodeHeader(shape, options.format, format.channels == 4 && has_alpha), {}};
-  std::uint64_t level_offset = kHeaderSize + kDx10HeaderSize;
+  std::uint64_t level_offset = kDdsHeaderSize + kDx10HeaderSize;
   for (int level = 0; level < static_cast<int>(shape.levels); ++level) {
     std::uint64_t offset = level_offset;
     for (int layer = 0; layer < static_cast<int>(shape.layers); ++layer)

@@ -7,7 +7,7 @@ namespace mirrorball::dds {
 
 /// Microsoft's names from ddraw.h and dds.h, in words.
 
-inline constexpr std::size_t kHeaderSize = 128;     ///< magic and DDS_HEADER
+inline constexpr std::size_t kDdsHeaderSize = 128;  ///< magic and DDS_HEADER
 inline constexpr std::size_t kDx10HeaderSize = 20;  ///< DDS_HEADER_DXT10 behind it
 
 /// Four letters as a number.

@@ -8,12 +8,12 @@ namespace mirrorball {
 namespace {
 
 /// One format under its numbers in vulkan_core.h and dxgiformat.h; 0 where it has none.
-struct Row {
+struct FormatNumberRow {
   StoredFormat format;
   std::uint32_t vk_format;
   std::uint32_t dxgi_format;
 };
-constexpr Row kRows[] = {
+constexpr FormatNumberRow kFormatNumberRows[] = {
     {{SampleType::unorm8, 1}, 9, 61},
     {{SampleType::srgb8, 1}, 15, 0},
     {{SampleType::unorm8, 2}, 16, 49},
@@ -47,15 +47,15 @@ constexpr Row kRows[] = {
     {{SampleType::bc6h_unsigned, 3}, 0, 94},  // DXGI_FORMAT_BC6H_TYPELESS, which leaves the sign to whoever uses it
 };
 
-std::optional<StoredFormat> formatOf(std::uint32_t Row::*column, std::uint32_t number) {
-  for (const Row& row : kRows)
+std::optional<StoredFormat> formatOf(std::uint32_t FormatNumberRow::*column, std::uint32_t number) {
+  for (const FormatNumberRow& row : kFormatNumberRows)
     if (number != 0 && row.*column == number) return row.format;
   return {};
 }
 
-std::uint32_t numberOf(std::uint32_t Row::*column, TexelFormat format) {
+std::uint32_t numberOf(std::uint32_t FormatNumberRow::*column, TexelFormat format) {
   const StoredFormat stored = storedFormat(format);
-  return std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& row) {
+  return std::find_if(std::begin(kFormatNumberRows), std::end(kFormatNumberRows), [&](const FormatNumberRow& row) {
            return row.format == stored;
          })->*column;
 }
@@ -101,11 +101,15 @@ std::optional<std::string> blockCompression(std::span<const Family> families, st
 
 }  // namespace
 
-std::optional<StoredFormat> formatOfVulkan(std::uint32_t vk_format) { return formatOf(&Row::vk_format, vk_format); }
-std::optional<StoredFormat> formatOfDxgi(std::uint32_t dxgi_format) { return formatOf(&Row::dxgi_format, dxgi_format); }
+std::optional<StoredFormat> formatOfVulkan(std::uint32_t vk_format) {
+  return formatOf(&FormatNumberRow::vk_format, vk_format);
+}
+std::optional<StoredFormat> formatOfDxgi(std::uint32_t dxgi_format) {
+  return formatOf(&FormatNumberRow::dxgi_format, dxgi_format);
+}
 
-std::uint32_t vulkanNumber(TexelFormat format) { return numberOf(&Row::vk_format, format); }
-std::uint32_t dxgiNumber(TexelFormat format) { return numberOf(&Row::dxgi_format, format); }
+std::uint32_t vulkanNumber(TexelFormat format) { return numberOf(&FormatNumberRow::vk_format, format); }
+std::uint32_t dxgiNumber(TexelFormat format) { return numberOf(&FormatNumberRow::dxgi_format, format); }
 
 std::string nameOfVulkan(std::uint32_t vk_format) {
   return blockCompression(kVulkanFamilies, vk_format).value_or("VkFormat " + std::to_string(vk_format));

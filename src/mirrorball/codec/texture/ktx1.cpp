@@ -47,7 +47,7 @@ constexpr std::uint32_t kSrgbInternalFormats[] = {
     0x8c47,  // GL_SLUMINANCE8
 };
 
-constexpr const char* kInstead = "GL_RGBA16F";
+constexpr const char* kKtx1Instead = "GL_RGBA16F";
 
 std::string hex(std::uint32_t number) {
   std::string digits;
@@ -79,10 +79,10 @@ std::optional<SampleType> sampleType(std::uint32_t gl_type, std::uint32_t gl_int
 }
 
 /// The format that glType and glFormat describe; glInternalFormat tells sRGB and names block compression.
-Result<StoredFormat> texelFormat(std::uint32_t gl_type, std::uint32_t gl_format, std::uint32_t gl_internal_format) {
+Result<StoredFormat> ktx1TexelFormat(std::uint32_t gl_type, std::uint32_t gl_format, std::uint32_t gl_internal_format) {
   if (gl_internal_format == kRgbBptcSignedFloat) return StoredFormat{SampleType::bc6h_signed, 3};
   if (gl_internal_format == kRgbBptcUnsignedFloat) return StoredFormat{SampleType::bc6h_unsigned, 3};
-  if (const auto blocks = blockCompressionOfGl(gl_internal_format)) return unsupportedTexture(*blocks, kInstead);
+  if (const auto blocks = blockCompressionOfGl(gl_internal_format)) return unsupportedTexture(*blocks, kKtx1Instead);
   const auto* row = std::find_if(std::begin(kGlFormats), std::end(kGlFormats),
                                  [&](const GlFormat& known) { return known.number == gl_format; });
   const auto type = sampleType(gl_type, gl_internal_format);
@@ -90,7 +90,7 @@ Result<StoredFormat> texelFormat(std::uint32_t gl_type, std::uint32_t gl_format,
   if (!type || row == std::end(kGlFormats) || (packed && row->channels != 3))
     return unsupportedTexture("texels of glType " + hex(gl_type) + ", glFormat " + hex(gl_format) +
                                   ", glInternalFormat " + hex(gl_internal_format),
-                              kInstead);
+                              kKtx1Instead);
   return StoredFormat{*type, row->channels, row->blue_first};
 }
 
@@ -100,20 +100,20 @@ class Reader {
   explicit Reader(Span bytes) : bytes_(bytes) {}
 
   Result<DecodedImageSet> read() {
-    if (bytes_.size() < kHeaderSize) return truncated("the header");
+    if (bytes_.size() < kKtx1HeaderSize) return truncated("the header");
     big_endian_ = bytes_[12] == 4;
     if (u32(12) != kByteOrder)
       return fail(ErrorCode::bad_file, "has no byte order mark at byte 12; the file is damaged");
     TextureShape shape{u32(36), u32(40), std::max(u32(56), 1u), std::max(u32(48), 1u), u32(52)};
-    if (u32(44) > 1) return unsupportedTexture("a three-dimensional texture", kInstead);
-    if (shape.height == 0 && shape.width > 0) return unsupportedTexture("a one-dimensional texture", kInstead);
+    if (u32(44) > 1) return unsupportedTexture("a three-dimensional texture", kKtx1Instead);
+    if (shape.height == 0 && shape.width > 0) return unsupportedTexture("a one-dimensional texture", kKtx1Instead);
     MIRRORBALL_TRY_VOID(checkTextureShape(shape));
-    MIRRORBALL_TRY(format, texelFormat(u32(16), u32(24), u32(28)));
+    MIRRORBALL_TRY(format, ktx1TexelFormat(u32(16), u32(24), u32(28)));
 
     const std::uint32_t key_value_size = u32(60);
-    if (key_value_size > bytes_.size() - kHeaderSize) return truncated("the key/value data");
-    MIRRORBALL_TRY(values, readKtxKeyValues(bytes_, kHeaderSize, key_value_size, big_endian_));
-    at_ = kHeaderSize + key_value_size;
+    if (key_value_size > bytes_.size() - kKtx1HeaderSize) return truncated("the key/value data");
+    MIRRORBALL_TRY(values, readKtxKeyValues(bytes_, kKtx1HeaderSize, key_value_size, big_endian_));
+    at_ = kKtx1HeaderSize + key_value_size;
     const bool is_array = u32(48) > 0;
     MIRRORBALL_TRY_VOID(checkTotal(shape, format));
     MIRRORBALL_TRY_VOID(checkTextureMemory(shape, format));

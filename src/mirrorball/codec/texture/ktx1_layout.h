@@ -10,7 +10,7 @@ namespace mirrorball::ktx1 {
 inline constexpr std::array<std::uint8_t, 12> kIdentifier = {0xab, 'K',  'T',  'X',  ' ',  '1',
                                                              '1',  0xbb, '\r', '\n', 0x1a, '\n'};
 inline constexpr std::uint32_t kByteOrder = 0x04030201;  ///< as a number: the bytes tell the order of all others
-inline constexpr std::size_t kHeaderSize = 64;
+inline constexpr std::size_t kKtx1HeaderSize = 64;
 inline constexpr std::size_t kAlignment = 4;  ///< of rows, faces and levels
 
 // glType.

@@ -13,7 +13,7 @@ namespace {
 using namespace ktx1;
 
 /// A format under OpenGL's names for it.
-struct Row {
+struct GlFormatRow {
   TexelFormat format;
   std::uint32_t type;
   std::uint32_t type_size;
@@ -21,7 +21,7 @@ struct Row {
   std::uint32_t internal_format;
   std::uint32_t base_internal_format;
 };
-constexpr Row kRows[] = {
+constexpr GlFormatRow kGlFormatRows[] = {
     {TexelFormat::half, kHalfFloat, 2, kRgba, kRgba16F, kRgba},
     {TexelFormat::float32, kFloat, 4, kRgba, kRgba32F, kRgba},
     // The type should be GL_UNSIGNED_INT_10F_11F_11F_REV. Filament, for which such files are, looks for what its cmgen
@@ -40,8 +40,8 @@ std::uint64_t statedSize(const TextureShape& shape, const StoredFormat& format, 
 }
 
 /// All that stands before the texels of the first level.
-Bytes header(const TextureShape& shape, const TextureWriteOptions& options) {
-  const Row& row = *std::ranges::find(kRows, options.format, &Row::format);
+Bytes ktx1Header(const TextureShape& shape, const TextureWriteOptions& options) {
+  const GlFormatRow& row = *std::ranges::find(kGlFormatRows, options.format, &GlFormatRow::format);
   const Bytes key_values = ktxKeyValues(options.metadata, KtxVersion::ktx1);
   LittleEndianWriter writer;
   writer.append(kIdentifier);
@@ -70,7 +70,7 @@ Result<TextureLayout> ktx1Layout(const TextureShape& shape, const TextureWriteOp
   if (statedSize(shape, stored, 0) > std::numeric_limits<std::uint32_t>::max())
     return fail(ErrorCode::too_large, "a level of a KTX file has at most 4 GiB; use .ktx2");
   // All formats that are written have texels of a multiple of four bytes: nothing has to be aligned.
-  TextureLayout layout{header(shape, options), {}};
+  TextureLayout layout{ktx1Header(shape, options), {}};
   std::uint64_t at = layout.header.size();
   for (int level = 0; level < static_cast<int>(shape.levels); ++level) {
     if (level > 0) at += sizeof(std::uint32_t);

@@ -28,14 +28,14 @@ struct Range {
   std::string what;
 };
 
-struct Level {
+struct LevelPlace {
   std::uint64_t offset;
   std::uint64_t size;
   std::uint64_t unpacked_size;
 };
 
 /// The header and the level index, as they stand in the file.
-struct Header {
+struct Ktx2Header {
   std::uint32_t vk_format = 0;
   std::uint32_t depth = 0;
   std::uint32_t scheme = 0;
@@ -43,18 +43,18 @@ struct Header {
   Range descriptor;
   Range key_values;
   Range global_data;
-  std::vector<Level> levels;
+  std::vector<LevelPlace> levels;
 };
 
-constexpr const char* kInstead = "r16g16b16a16 sfloat";
+constexpr const char* kKtx2Instead = "r16g16b16a16 sfloat";
 
-Result<Header> readHeader(Span bytes) {
+Result<Ktx2Header> readKtx2Header(Span bytes) {
   if (bytes.size() < kKtx2HeaderSize)
     return fail(ErrorCode::bad_file, "the header ends early, at byte " + std::to_string(bytes.size()) + " of " +
                                          std::to_string(kKtx2HeaderSize) + "; the file is truncated");
   const auto u32 = [&](std::size_t at) { return littleU32(bytes.data() + at); };
   const auto u64 = [&](std::size_t at) { return littleU64(bytes.data() + at); };
-  Header header;
+  Ktx2Header header;
   header.vk_format = u32(12);
   header.shape.width = u32(20);
   header.shape.height = u32(24);
@@ -66,9 +66,9 @@ Result<Header> readHeader(Span bytes) {
   header.descriptor = {u32(48), u32(52), "the data format descriptor"};
   header.key_values = {u32(56), u32(60), "the key/value data"};
   header.global_data = {u64(64), u64(72), "the supercompression global data"};
-  if (header.depth > 0) return unsupportedTexture("a three-dimensional texture", kInstead);
+  if (header.depth > 0) return unsupportedTexture("a three-dimensional texture", kKtx2Instead);
   if (header.shape.height == 0 && header.shape.width > 0)
-    return unsupportedTexture("a one-dimensional texture", kInstead);
+    return unsupportedTexture("a one-dimensional texture", kKtx2Instead);
   MIRRORBALL_TRY_VOID(checkTextureShape(header.shape));
 
   const std::size_t index_end = kKtx2HeaderSize + header.shape.levels * kKtx2LevelSize;
@@ -81,7 +81,7 @@ Result<Header> readHeader(Span bytes) {
 }
 
 /// All parts lie within the file, and no two of them in the same place.
-Result<void> checkRanges(const Header& header, std::size_t file_size) {
+Result<void> checkRanges(const Ktx2Header& header, std::size_t file_size) {
   std::vector<Range> ranges = {{0, kKtx2HeaderSize + header.levels.size() * kKtx2LevelSize, "the header"},
                                header.descriptor};
   // Where there is nothing of these, their offset means nothing.
@@ -103,19 +103,19 @@ Result<void> checkRanges(const Header& header, std::size_t file_size) {
 }
 
 /// The format of the texels once they are decompressed.
-Result<StoredFormat> texelFormat(const Header& header, const DescribedColor& color) {
+Result<StoredFormat> ktx2TexelFormat(const Ktx2Header& header, const DescribedColor& color) {
   constexpr int kModelEtc1s = 163;
   constexpr int kModelUastc = 166;
   if (header.scheme == 1 || (header.vk_format == 0 && (color.model == kModelEtc1s || color.model == kModelUastc)))
-    return unsupportedTexture("Basis Universal block compression", kInstead);
+    return unsupportedTexture("Basis Universal block compression", kKtx2Instead);
   auto format = formatOfVulkan(header.vk_format);
-  if (!format) return unsupportedTexture(nameOfVulkan(header.vk_format), kInstead);
+  if (!format) return unsupportedTexture(nameOfVulkan(header.vk_format), kKtx2Instead);
   if (header.scheme != kKtx2Plain && header.scheme != kKtx2Zstandard)
-    return unsupportedTexture("supercompression scheme " + std::to_string(header.scheme), kInstead);
+    return unsupportedTexture("supercompression scheme " + std::to_string(header.scheme), kKtx2Instead);
   // Some writers say "unorm" and mean sRGB; the descriptor tells.
   if (color.srgb && format->type == SampleType::unorm8) format->type = SampleType::srgb8;
   if (color.srgb && format->type != SampleType::srgb8)
-    return unsupportedTexture(nameOf(*format) + " encoded as sRGB", kInstead);
+    return unsupportedTexture(nameOf(*format) + " encoded as sRGB", kKtx2Instead);
   return *format;
 }
 
@@ -127,9 +127,9 @@ bool mayUnpackTo(std::uint64_t size, std::uint64_t unpacked_size) {
 }
 
 /// The sizes that the level index states, against what the shape makes them.
-Result<void> checkLevelSizes(const Header& header, const StoredFormat& format) {
+Result<void> checkLevelSizes(const Ktx2Header& header, const StoredFormat& format) {
   for (std::size_t i = 0; i < header.levels.size(); ++i) {
-    const Level& level = header.levels[i];
+    const LevelPlace& level = header.levels[i];
     const std::uint64_t expected = imageSize(header.shape, format, static_cast<int>(i)) * header.shape.imagesPerLevel();
     const std::string place = "level " + std::to_string(i) + " (byte " +
                               std::to_string(kKtx2HeaderSize + i * kKtx2LevelSize) + " of the file)";
@@ -168,11 +168,11 @@ void unpackLevel(const StoredFormat& format, const std::uint8_t* texels, int lev
       images.at(level, face, layer) = unpackTexels(format, texels, row, shape.widthAt(level), shape.heightAt(level));
 }
 
-Result<ImageSet> readLevels(Span bytes, const Header& header, const StoredFormat& format) {
+Result<ImageSet> readLevels(Span bytes, const Ktx2Header& header, const StoredFormat& format) {
   const TextureShape& shape = header.shape;
   ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
   for (int i = 0; i < images.levels(); ++i) {
-    const Level& level = header.levels[std::size_t(i)];
+    const LevelPlace& level = header.levels[std::size_t(i)];
     const Span stored = bytes.subspan(level.offset, level.size);
     if (header.scheme == kKtx2Plain) {
       unpackLevel(format, stored.data(), i, shape, images);
@@ -193,10 +193,10 @@ bool isKtx2(Span bytes) {
 }
 
 Result<DecodedImageSet> decodeKtx2(Span bytes) {
-  MIRRORBALL_TRY(header, readHeader(bytes));
+  MIRRORBALL_TRY(header, readKtx2Header(bytes));
   MIRRORBALL_TRY_VOID(checkRanges(header, bytes.size()));
   MIRRORBALL_TRY(color, readDataFormatDescriptor(bytes, header.descriptor.begin, header.descriptor.size));
-  MIRRORBALL_TRY(format, texelFormat(header, color));
+  MIRRORBALL_TRY(format, ktx2TexelFormat(header, color));
   MIRRORBALL_TRY_VOID(checkLevelSizes(header, format));
   MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, format));
   MIRRORBALL_TRY(values, readKtxKeyValues(bytes, header.key_values.begin, header.key_values.size, false));

@@ -25,7 +25,7 @@ struct Level {
 };
 
 /// All that stands before the texels.
-Bytes header(const TextureShape& shape, const TextureWriteOptions& options, std::span<const Level> levels) {
+Bytes ktx2Header(const TextureShape& shape, const TextureWriteOptions& options, std::span<const Level> levels) {
   const Bytes descriptor = dataFormatDescriptor(options.format);
   const Bytes key_values = ktxKeyValues(options.metadata, KtxVersion::ktx2);
   const std::size_t descriptor_at = kKtx2HeaderSize + levels.size() * kKtx2LevelSize;
@@ -126,14 +126,14 @@ TextureLayout ktx2Layout(const TextureShape& shape, const TextureWriteOptions& o
   const StoredFormat stored = storedFormat(options.format);
   const std::uint64_t alignment = std::lcm(blockSize(stored), std::size_t{4});
   std::vector<Level> levels(shape.levels);
-  std::uint64_t at = header(shape, options, levels).size();
+  std::uint64_t at = ktx2Header(shape, options, levels).size();
   for (std::size_t i = levels.size(); i-- > 0;) {
     at = (at + alignment - 1) / alignment * alignment;
     const std::uint64_t size = imageSize(shape, stored, static_cast<int>(i)) * shape.imagesPerLevel();
     levels[i] = {at, size, size};
     at += size;
   }
-  TextureLayout layout{header(shape, options, levels), {}};
+  TextureLayout layout{ktx2Header(shape, options, levels), {}};
   for (std::size_t i = 0; i < levels.size(); ++i)
     placeLevel(shape, stored, static_cast<int>(i), levels[i].offset, layout.images);
   return layout;
@@ -147,9 +147,9 @@ Result<void> writeKtx2(const ImageSet& images, const TextureWriteOptions& option
     return streamTexels(images, layout.images, options.format, write, options.progress);
   }
   std::vector<Level> levels(shape.levels);
-  const std::uint64_t begin = header(shape, options, levels).size();
+  const std::uint64_t begin = ktx2Header(shape, options, levels).size();
   MIRRORBALL_TRY_VOID(compressLevels(images, shape, options, begin, levels, write));
-  return write(0, header(shape, options, levels));
+  return write(0, ktx2Header(shape, options, levels));
 }
 
 }  // namespace mirrorball

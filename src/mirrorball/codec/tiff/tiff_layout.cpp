@@ -104,7 +104,7 @@ Result<void> readSamples(TIFF* tiff, TiffLayout& layout) {
                                           ", which are not read; save it with 8 or 16 bits, or with floats of 32");
 }
 
-Result<void> readPalette(const TiffFile& file, TiffLayout& layout) {
+Result<void> readPaletteLayout(const TiffFile& file, TiffLayout& layout) {
   std::uint16_t* columns[3]{};
   if (layout.is_float || layout.bits > 16 ||
       TIFFGetField(file.get(), TIFFTAG_COLORMAP, &columns[0], &columns[1], &columns[2]) == 0)
@@ -141,7 +141,7 @@ Result<void> readChannels(const TiffFile& file, TiffLayout& layout) {
   if (layout.samples < layout.colors) return file.damaged();
   if (layout.is_white_zero && layout.is_float)
     return fail(ErrorCode::unsupported, "is a TIFF of floats whose 0 is white; save it with 0 as black");
-  if (photometric == PHOTOMETRIC_PALETTE) MIRRORBALL_TRY_VOID(readPalette(file, layout));
+  if (photometric == PHOTOMETRIC_PALETTE) MIRRORBALL_TRY_VOID(readPaletteLayout(file, layout));
 
   std::uint16_t count = 0;
   std::uint16_t* kinds = nullptr;

@@ -67,7 +67,7 @@ FaceFiles filesOf(const fs::path& file, const std::string& base, FaceNaming nami
   return files;
 }
 
-std::optional<FaceFiles> faceFilesIn(const fs::path& file, const Listing& listing) {
+std::optional<FaceFiles> filesNamedLike(const fs::path& file, const Listing& listing) {
   std::optional<FaceFiles> best;
   for (const FaceNaming naming : kNamings) {
     const auto base = baseOf(file.stem().string(), naming);
@@ -100,7 +100,7 @@ std::optional<FaceFiles> faceFilesBeside(const fs::path& file) {
     return baseOf(file.stem().string(), naming).has_value();
   });
   if (!ends_like_a_face) return std::nullopt;
-  return faceFilesIn(file, listingOf(file.parent_path()));
+  return filesNamedLike(file, listingOf(file.parent_path()));
 }
 
 Result<FaceFiles> faceFilesIn(const fs::path& folder) {
@@ -108,7 +108,7 @@ Result<FaceFiles> faceFilesIn(const fs::path& folder) {
   std::vector<FaceFiles> cubes;
   std::optional<FaceFiles> nearly;
   for (const auto& [name, path] : listing) {
-    auto files = faceFilesIn(path, listing);
+    auto files = filesNamedLike(path, listing);
     const auto is_same = [&](const FaceFiles& other) { return other.paths == files->paths; };
     if (files && files->present == 6 && std::none_of(cubes.begin(), cubes.end(), is_same))
       cubes.push_back(std::move(*files));

@@ -20,7 +20,7 @@ constexpr const char* kDistributionKey = "mirrorball:brdf_distribution";
 constexpr const char* kAxesKey = "mirrorball:brdf_axes";
 constexpr const char* kChannelsKey = "mirrorball:brdf_channels";
 
-Metadata metadataOf(const BrdfTableFacts& facts) {
+Metadata brdfMetadata(const BrdfTableFacts& facts) {
   Metadata metadata = metadataOfBrdfTable();
   metadata[kDistributionKey] = facts.distribution;
   metadata[kAxesKey] = facts.axes;
@@ -66,7 +66,7 @@ Image withThreeChannels(const Image& image) {
 }  // namespace
 
 Result<void> writeBrdf(Image table, const BrdfFile& file) {
-  const Metadata metadata = metadataOf(file.facts);
+  const Metadata metadata = brdfMetadata(file.facts);
   if (file.isTexture())
     MIRRORBALL_TRY_VOID(
         writeImageSet(file.path, ImageSet(std::move(table)),

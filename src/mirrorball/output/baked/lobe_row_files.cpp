@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kDistribution = "ggx";  // that bake/lobe_row/ fits
 
-Metadata metadataOf(int lobes) {
+Metadata lobeRowMetadata(int lobes) {
   Metadata metadata = metadataOfLobeRows();
   metadata["mirrorball:lobe_rows_distribution"] = kDistribution;
   metadata["mirrorball:lobe_rows_lobes"] = std::to_string(lobes);
@@ -64,7 +64,7 @@ Json lobeRowFacts(int lobes) {
 
 Result<void> writeLobeRows(const Image& rows, const LobeRowFiles& files) {
   return writeImageSet(files.texture(), ImageSet(rows),
-                       {.zstandard_level = files.zstandard_level, .metadata = metadataOf(files.lobes)});
+                       {.zstandard_level = files.zstandard_level, .metadata = lobeRowMetadata(files.lobes)});
 }
 
 std::string lobeRowText(const Image& rows) {

@@ -17,20 +17,18 @@
 namespace mirrorball {
 namespace {
 
-using testing::set;
-
 constexpr float kIor = 1.5f;
-constexpr float kWide = 2.6f;  ///< what pictures show, in world units
+constexpr float kGlassWide = 2.6f;  ///< what pictures show, in world units
 
-struct Lamp {
+struct LampBehind {
   glm::vec3 middle;
   float radius;
   glm::vec3 light;
 };
 
 /// Behind the unit ball of glass, and beside its refracted picture.
-const std::vector<Lamp> kLamps{{{0.5f, 0.3f, -2.6f}, 0.9f, {2.0f, 0.3f, 0.1f}},
-                               {{-0.9f, -0.5f, -2.2f}, 0.5f, {0.1f, 0.4f, 2.0f}}};
+const std::vector<LampBehind> kLamps{{{0.5f, 0.3f, -2.6f}, 0.9f, {2.0f, 0.3f, 0.1f}},
+                                     {{-0.9f, -0.5f, -2.2f}, 0.5f, {0.1f, 0.4f, 2.0f}}};
 
 /// The distance to a ball from outside, or from inside if it is at the origin of the ray; infinite: it is not met.
 float distanceTo(glm::vec3 middle, float radius, glm::vec3 origin, glm::vec3 d) {
@@ -46,7 +44,7 @@ float distanceTo(glm::vec3 middle, float radius, glm::vec3 origin, glm::vec3 d) 
 glm::vec3 lightOutside(glm::vec3 origin, glm::vec3 d) {
   float nearest = INFINITY;
   glm::vec3 light = testing::smoothRadiance(d);
-  for (const Lamp& lamp : kLamps) {
+  for (const LampBehind& lamp : kLamps) {
     const float distance = distanceTo(lamp.middle, lamp.radius, origin, d);
     if (distance >= nearest) continue;
     nearest = distance;
@@ -83,7 +81,7 @@ Scene glassBeforeLamps() {
   glass.perceptual_roughness = 0.0f;
   glass.ior = kIor;
   testing::addBall(scene, glm::vec3(0.0f), 1.0f, glass, 48);
-  for (const Lamp& lamp : kLamps) {
+  for (const LampBehind& lamp : kLamps) {
     Material shining;
     shining.base_color = glm::vec3(0.0f);
     shining.specular = 0.0f;
@@ -94,20 +92,20 @@ Scene glassBeforeLamps() {
   return scene;
 }
 
-FrameSettings frontOf(const Renderer& renderer) { return testing::frontOf(renderer, 64, kWide); }
+FrameSettings frontOfGlass(const Renderer& renderer) { return testing::frontOfGlass(renderer, 64, kGlassWide); }
 
 class BehindTest : public gl::GlTest {};
 
 MIRRORBALL_WITH_BOTH_APIS(BehindTest);
 
 /// Of the ball but for its rim.
-double psnrToTruth(const Image& image) {
+double psnrToGlassTruth(const Image& image) {
   double squares = 0.0;
   int count = 0;
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {
       const auto placeOf = [&](glm::vec2 within) {
-        return ((glm::vec2(x, image.height() - 1 - y) + within) / float(image.width()) - 0.5f) * kWide;
+        return ((glm::vec2(x, image.height() - 1 - y) + within) / float(image.width()) - 0.5f) * kGlassWide;
       };
       if (glm::length(placeOf(glm::vec2(0.5f))) > 0.9f) continue;
       glm::vec3 truth(0.0f);
@@ -122,16 +120,16 @@ double psnrToTruth(const Image& image) {
 
 TEST_P(BehindTest, GlassShowsWhatIsBehindIt) {
   Renderer renderer = testing::rendererFor(glassBeforeLamps(), Environment(testing::smoothRadiance, 256));
-  FrameSettings settings = frontOf(renderer);
-  set(settings, "refraction", "image-space");
-  set(settings, "probe-size", "64");
-  set(settings, "probe-bounces", "1");
+  FrameSettings settings = frontOfGlass(renderer);
+  testing::set(settings, "refraction", "image-space");
+  testing::set(settings, "probe-size", "64");
+  testing::set(settings, "probe-bounces", "1");
   const auto psnr = [&](const char* behind, const char* probes) {
-    set(settings, "behind", behind);
-    set(settings, "probes", probes);
+    testing::set(settings, "behind", behind);
+    testing::set(settings, "probes", probes);
     const auto image = renderer.renderRadiance(settings);
     EXPECT_TRUE(image) << image.error().message;
-    return psnrToTruth(*image);
+    return psnrToGlassTruth(*image);
   };
   EXPECT_LT(psnr("probes", "0"), 3.0) << "without probes, what is far away";
   EXPECT_LT(psnr("far", "1"), 3.0);
@@ -142,14 +140,14 @@ TEST_P(BehindTest, GlassShowsWhatIsBehindIt) {
 // Beside the picture there is nothing that a copy of it could show.
 TEST_P(BehindTest, WhatIsNotInThePictureIsNotSeenThroughGlass) {
   Renderer renderer = testing::rendererFor(glassBeforeLamps(), Environment(testing::smoothRadiance, 64));
-  FrameSettings settings = frontOf(renderer);
+  FrameSettings settings = frontOfGlass(renderer);
   settings.size = {24, 24};
   settings.camera.orthographic_height = 0.3f / renderer.bounds().radius;
   settings.camera.target = glm::vec3(-0.1f, 0.7f, 0.0f);
   settings.camera.elevation_deg = 20.0f;
-  set(settings, "refraction", "image-space");
+  testing::set(settings, "refraction", "image-space");
   const auto far = renderer.renderRadiance(settings);
-  set(settings, "behind", "screen");
+  testing::set(settings, "behind", "screen");
   const auto screen = renderer.renderRadiance(settings);
   ASSERT_TRUE(far && screen);
   for (int y = 0; y < 24; ++y)
@@ -163,10 +161,10 @@ glm::vec3 middleWithin(const Material& inner, const char* behind) {
   scene.instances.resize(1);
   testing::addBall(scene, glm::vec3(0.0f), 0.5f, inner, 48);
   Renderer renderer = testing::rendererFor(scene, Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
-  FrameSettings settings = frontOf(renderer);
+  FrameSettings settings = frontOfGlass(renderer);
   settings.size = {33, 33};
-  set(settings, "refraction", "image-space");
-  set(settings, "behind", behind);
+  testing::set(settings, "refraction", "image-space");
+  testing::set(settings, "behind", behind);
   const auto image = renderer.renderRadiance(settings);
   EXPECT_TRUE(image) << image.error().message;
   return rgbAt(*image, 16, 16);
@@ -215,7 +213,7 @@ TEST_P(BehindTest, AFlatWallIsSeenWithoutHoles) {
   scene.meshes.push_back(std::move(wall));
   scene.materials.push_back(shining);
   Renderer renderer = testing::rendererFor(scene, Environment([](glm::vec3) { return glm::vec3(0.0f); }, 64));
-  FrameSettings settings = frontOf(renderer);
+  FrameSettings settings = frontOfGlass(renderer);
   settings.behind = BehindKind::screen;
   settings.refraction = RefractionKind::image_space;
   const auto picture = renderer.renderRadiance(settings);
@@ -230,10 +228,10 @@ TEST_P(BehindTest, TheFurnaceIsWhite) {
   for (const float roughness : {0.0f, 0.5f}) {
     scene.materials[0].perceptual_roughness = roughness;
     Renderer renderer = testing::rendererFor(scene, Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
-    FrameSettings settings = frontOf(renderer);
+    FrameSettings settings = frontOfGlass(renderer);
     settings.size = {32, 32};
-    set(settings, "behind", "screen");
-    set(settings, "refraction", "image-space");
+    testing::set(settings, "behind", "screen");
+    testing::set(settings, "refraction", "image-space");
     testing::expectFurnaceWhite(*renderer.renderRadiance(settings), "roughness " + std::to_string(roughness), 3e-3f);
   }
 }

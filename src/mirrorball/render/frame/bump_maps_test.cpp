@@ -18,9 +18,9 @@ namespace {
 
 using testing::BumpForm;
 
-constexpr glm::ivec2 kSize_px{192, 96};  // three pixels for two texels of the hills
+constexpr glm::ivec2 kHillsSize_px{192, 96};  // three pixels for two texels of the hills
 
-Material mirror() { return *materialNamed("mirror"); }
+Material bumpyMirror() { return *materialNamed("mirror"); }
 
 /// Light whose colour tells its direction.
 Environment compass() {
@@ -48,7 +48,7 @@ class BumpMapsTest : public gl::GlTest {
  protected:
   /// Of a scene that fills the picture, seen from +Z in parallel projection.
   static Image drawn(Scene scene, FrameSettings settings = {}, const Environment& environment = compass()) {
-    settings.size = kSize_px;
+    settings.size = kHillsSize_px;
     settings.samples = 1;
     settings.background = BackgroundKind::transparent;
     testing::aim(settings, 0.0f, 0.0f);
@@ -72,7 +72,7 @@ MIRRORBALL_WITH_BOTH_APIS(BumpMapsTest);
 // Left and right of the middle the texture is mirrored.
 TEST_P(BumpMapsTest, HeightsNormalsAndSlopesShowTheSameHills) {
   for (const BumpForm form : testing::kEveryBumpForm) {
-    const Image image = drawn(testing::bumpyPair(form, mirror()));
+    const Image image = drawn(testing::bumpyPair(form, bumpyMirror()));
     float farthest = 0.0f;
     for (int y = 1; y < image.height() - 1; ++y)
       for (int x = 1; x < image.width() - 1; ++x)
@@ -85,7 +85,7 @@ TEST_P(BumpMapsTest, HeightsNormalsAndSlopesShowTheSameHills) {
 // The picture is its own mirror image, and so is the compass, but for red.
 TEST_P(BumpMapsTest, MirroredCoordinatesShadeWithoutASeam) {
   for (const BumpForm form : testing::kEveryBumpForm) {
-    const Image image = drawn(testing::bumpyPair(form, mirror()));
+    const Image image = drawn(testing::bumpyPair(form, bumpyMirror()));
     for (int y = 0; y < image.height(); ++y)
       for (int x = 0; x < image.width() / 2; ++x) {
         const glm::vec3 left = rgbAt(image, x, y);
@@ -98,7 +98,7 @@ TEST_P(BumpMapsTest, MirroredCoordinatesShadeWithoutASeam) {
 
 TEST_P(BumpMapsTest, SlopesAreScaledAndTurnedOver) {
   const auto shown = [&](float scale, float slope) {
-    Material material = mirror();
+    Material material = bumpyMirror();
     material.slope_texture = 0;
     material.derivative_scale = scale;
     Scene scene = sceneOf(testing::mirroredPair(), material);
@@ -116,7 +116,7 @@ TEST_P(BumpMapsTest, SlopesAreScaledAndTurnedOver) {
 
 // Far away, what a pixel averages away makes the mirror rough: it does not sparkle.
 TEST_P(BumpMapsTest, SlopesThatAPixelAveragesAwayBlur) {
-  Material material = mirror();
+  Material material = bumpyMirror();
   material.slope_texture = 0;
   Scene scene = sceneOf(testing::mirroredPair(), material);
   for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] *= 64.0f;
@@ -128,7 +128,7 @@ TEST_P(BumpMapsTest, SlopesThatAPixelAveragesAwayBlur) {
 
 TEST_P(BumpMapsTest, AnObjectSpaceMapTurnsWithItsInstance) {
   const auto shown = [&](const glm::mat4& world_from_object, float scale) {
-    Material material = mirror();
+    Material material = bumpyMirror();
     material.normal_map.texture = 0;
     material.normal_space = NormalSpace::object;
     material.normal_scale = scale;
@@ -138,7 +138,7 @@ TEST_P(BumpMapsTest, AnObjectSpaceMapTurnsWithItsInstance) {
     normals.texel(0, 0)[2] = 0.8f;
     scene.textures.push_back(testing::textureOfNormals(normals));
     scene.instances[0].world_from_object = world_from_object;
-    return rgbAt(drawn(std::move(scene)), kSize_px.x / 2, kSize_px.y / 2);
+    return rgbAt(drawn(std::move(scene)), kHillsSize_px.x / 2, kHillsSize_px.y / 2);
   };
   const auto expectNear = [](glm::vec3 a, glm::vec3 b) { EXPECT_LT(glm::distance(a, b), 0.012f); };
   const glm::mat4 still(1.0f);
@@ -153,7 +153,7 @@ TEST_P(BumpMapsTest, AnObjectSpaceMapTurnsWithItsInstance) {
 
 TEST_P(BumpMapsTest, HillsOfEveryFormAreWhiteInTheFurnace) {
   const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 8);
-  Material metal = mirror();
+  Material metal = bumpyMirror();
   metal.perceptual_roughness = 0.4f;
   for (const BumpForm form : testing::kEveryBumpForm)
     testing::expectFurnaceWhite(drawn(testing::bumpyPair(form, metal), {}, white), testing::nameOf(form), 2e-3f);
@@ -161,18 +161,18 @@ TEST_P(BumpMapsTest, HillsOfEveryFormAreWhiteInTheFurnace) {
 
 // Without coordinates there is no direction along which a slope could be told.
 TEST_P(BumpMapsTest, SlopesOnAMeshWithoutCoordinatesLeaveItSmooth) {
-  Scene scene = testing::bumpyPair(BumpForm::derivative_map, mirror());
+  Scene scene = testing::bumpyPair(BumpForm::derivative_map, bumpyMirror());
   for (Vertex& vertex : scene.meshes[0].vertices) vertex.uv[0] = glm::vec2(0.0f);
   EXPECT_LT(glm::distance(middle(drawn(std::move(scene))), mirrored({0.0f, 0.0f, 1.0f})), 2e-3f);
 }
 
 // Heights come first, and where they are not shown the slopes do.
 TEST_P(BumpMapsTest, SlopesGiveWayToHeights) {
-  Scene both = testing::bumpyPair(BumpForm::heights, mirror());
+  Scene both = testing::bumpyPair(BumpForm::heights, bumpyMirror());
   both.materials[0].slope_texture = 0;
   both.slope_textures.emplace_back(1, 1, 3);
   both.slope_textures[0].texel(0, 0)[0] = 0.75f;
-  const glm::vec3 of_heights = middle(drawn(testing::bumpyPair(BumpForm::heights, mirror())));
+  const glm::vec3 of_heights = middle(drawn(testing::bumpyPair(BumpForm::heights, bumpyMirror())));
   EXPECT_LT(glm::distance(middle(drawn(both)), of_heights), 1e-5f);
   FrameSettings settings;
   settings.relief = ReliefKind::none;

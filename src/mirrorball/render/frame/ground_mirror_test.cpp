@@ -14,8 +14,6 @@
 namespace mirrorball {
 namespace {
 
-using testing::set;
-
 /// A ball that shines everywhere alike.
 Scene lampBall(float radiance) {
   Material material;
@@ -31,8 +29,8 @@ FrameSettings onGround(const std::string& roughness) {
   settings.samples = 4;
   settings.resolve = Resolve::radiance;
   settings.camera = {.azimuth_deg = 0.0f, .elevation_deg = 40.0f, .orthographic_height = 4.0f};
-  set(settings, "proxy", "ground:20");
-  set(settings, "ground-roughness", roughness);
+  testing::set(settings, "proxy", "ground:20");
+  testing::set(settings, "ground-roughness", roughness);
   return settings;
 }
 

@@ -68,11 +68,11 @@ Scene withoutSpread(Scene scene) {
   return scene;
 }
 
-Material mirror() { return testing::whiteMetal(0.0f); }
+Material whiteMirror() { return testing::whiteMetal(0.0f); }
 
 /// A plane with one normal everywhere, in tangent space: of 8 bits.
 Scene flatPlane(glm::vec3 normal) {
-  Material material = mirror();
+  Material material = whiteMirror();
   material.normal_map.texture = 0;
   Scene scene = sceneOf(testing::tiledPlane(), std::move(material));
   Image normals(testing::kTileSide, testing::kTileSide, 3);
@@ -97,7 +97,7 @@ TEST_F(NormalFilterTest, AFlatMapLeavesAMirrorAsItIs) {
 
 // Between two texels the filter shortens a normal, which is no roughness.
 TEST_F(NormalFilterTest, ASmoothMapSeenFromNearbyLeavesAMirrorAsItIs) {
-  const Scene waves = testing::bumpyPlane(HeightKind::waves, BumpForm::normal_map, mirror());
+  const Scene waves = testing::bumpyPlane(HeightKind::waves, BumpForm::normal_map, whiteMirror());
   EXPECT_EQ(farthest(drawn(waves, 0.2f, 1), drawn(withoutSpread(waves), 0.2f, 1)), 0.0f);
 }
 

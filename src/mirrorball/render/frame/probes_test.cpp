@@ -18,15 +18,13 @@
 namespace mirrorball {
 namespace {
 
-using testing::set;
-
 struct Ball {
   glm::vec3 middle;
   float radius;
   glm::vec3 color;  ///< of a mirror
 };
 
-Material mirror(glm::vec3 color, float roughness = 0.0f) {
+Material coloredMirror(glm::vec3 color, float roughness = 0.0f) {
   Material material;
   material.base_color = color;
   material.metallic = 1.0f;
@@ -34,13 +32,13 @@ Material mirror(glm::vec3 color, float roughness = 0.0f) {
   return material;
 }
 
-void add(Scene& scene, const Ball& ball, const Material& material, int rows = 96) {
+void addBall(Scene& scene, const Ball& ball, const Material& material, int rows = 96) {
   testing::addBall(scene, ball.middle, ball.radius, material, rows);
 }
 
 Scene sceneOfBalls(const std::vector<Ball>& balls) {
   Scene scene;
-  for (const Ball& ball : balls) add(scene, ball, mirror(ball.color));
+  for (const Ball& ball : balls) addBall(scene, ball, coloredMirror(ball.color));
   return scene;
 }
 
@@ -78,7 +76,7 @@ Seen traced(const std::vector<Ball>& balls, const RadianceFunction& far, glm::ve
 const std::vector<Ball> kPair{{{-1.1f, 0.0f, 0.0f}, 1.0f, {1.0f, 0.75f, 0.35f}},
                               {{1.1f, 0.0f, 0.3f}, 1.0f, {0.6f, 0.8f, 1.0f}}};
 
-constexpr const char* kRoom = "box:-5,-5,-5,5,5,5";
+constexpr const char* kProbeRoom = "box:-5,-5,-5,5,5,5";
 
 class ProbesTest : public gl::GlTest {};
 MIRRORBALL_WITH_BOTH_APIS(ProbesTest);
@@ -116,11 +114,11 @@ TEST_P(ProbesTest, TwoMirrorBallsShowEachOther) {
   Renderer renderer = testing::rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 256));
   FrameSettings settings = frontOf(renderer, 96);
   const Image without = testing::drawn(renderer, settings);
-  set(settings, "probes", "auto");
-  set(settings, "probe-size", "128");
-  set(settings, "probe-bounces", "1");
+  testing::set(settings, "probes", "auto");
+  testing::set(settings, "probe-size", "128");
+  testing::set(settings, "probe-bounces", "1");
   const Image once = testing::drawn(renderer, settings);
-  set(settings, "probe-bounces", "2");
+  testing::set(settings, "probe-bounces", "2");
   const Image twice = testing::drawn(renderer, settings);
   EXPECT_LT(psnrToTruth(without, kPair, 0), 23.0);
   EXPECT_GT(psnrToTruth(once, kPair, 0), 31.5) << "23.0 if what a probe sees is infinitely far away";
@@ -142,10 +140,10 @@ TEST_P(ProbesTest, AProbeIsWhatCaptureCaptures) {
   for (Material& material : seen_from_inside.materials) material.double_sided = true;
   ASSERT_TRUE(drawing.setScene(std::move(seen_from_inside)));
   FrameSettings settings;
-  set(settings, "probes", "2");
-  set(settings, "probe-size", "32");
-  set(settings, "probe-bounces", "1");
-  set(settings, "proxy", kRoom);
+  testing::set(settings, "probes", "2");
+  testing::set(settings, "probe-size", "32");
+  testing::set(settings, "probe-bounces", "1");
+  testing::set(settings, "proxy", kProbeRoom);
   FrameUniforms frame;
   Probes probes;
   ASSERT_TRUE(frame_light.begin(context(), drawing.scene(), drawing.bounds(), settings, frame));
@@ -158,7 +156,7 @@ TEST_P(ProbesTest, AProbeIsWhatCaptureCaptures) {
     const SurfaceLight& probe = frame.probes->lights[std::size_t(frame.probes->light_of_instance[own])];
     CaptureSettings at{.position = kPair[own].middle, .size = 32};
     at.frame.samples = 1;
-    set(at.frame, "proxy", kRoom);
+    testing::set(at.frame, "proxy", kProbeRoom);
     Renderer renderer = testing::rendererFor(sceneOfBalls({kPair[1 - own]}), light);
     const auto captured = captureEnvironment(renderer, at);
     ASSERT_TRUE(captured) << captured.error().message;
@@ -182,7 +180,7 @@ TEST_P(ProbesTest, AreCapturedAgainOnlyIfWhatTheySeeHasChanged) {
     return renderer.probeCaptures() - before;
   };
   EXPECT_EQ(capturesOf(settings), 0) << "none was asked for";
-  set(settings, "probes", "auto");
+  testing::set(settings, "probes", "auto");
   EXPECT_EQ(capturesOf(settings), 4) << "two, for two bounces";
   EXPECT_EQ(capturesOf(settings), 0);
   testing::aim(settings, 70.0f, 20.0f);
@@ -190,7 +188,7 @@ TEST_P(ProbesTest, AreCapturedAgainOnlyIfWhatTheySeeHasChanged) {
   settings.background = BackgroundKind::transparent;
   settings.samples = 2;
   EXPECT_EQ(capturesOf(settings), 0) << "the eye has moved, and not what they see";
-  set(settings, "env-rotation", "30");
+  testing::set(settings, "env-rotation", "30");
   EXPECT_EQ(capturesOf(settings), 4);
   const Image before = testing::drawn(renderer, settings);
   std::vector<Instance> instances = renderer.scene().instances;
@@ -215,8 +213,8 @@ TEST_P(ProbesTest, AMovedBallIsSeenWhereItIs) {
   FrameSettings settings = frontOf(renderer, 48);
   settings.camera.orthographic_height.reset();
   settings.camera.distance = 3.0f;
-  set(settings, "probes", "2");
-  set(settings, "proxy", kRoom);
+  testing::set(settings, "probes", "2");
+  testing::set(settings, "proxy", kProbeRoom);
   testing::drawn(renderer, settings);
   renderer.moveInstances(there.scene().instances);
   const Image image = testing::drawn(renderer, settings);
@@ -229,9 +227,9 @@ TEST_P(ProbesTest, WithoutProbesNothingChanges) {
   Renderer renderer = testing::rendererFor(sceneOfBalls(kPair), Environment(testing::smoothRadiance, 64));
   FrameSettings settings = frontOf(renderer, 32);
   const Image before = testing::drawn(renderer, settings);
-  set(settings, "probes", "1");
+  testing::set(settings, "probes", "1");
   testing::drawn(renderer, settings);
-  set(settings, "probes", "0");
+  testing::set(settings, "probes", "0");
   const Image after = testing::drawn(renderer, settings);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x) ASSERT_EQ(rgbaAt(before, x, y), rgbaAt(after, x, y)) << x << ", " << y;
@@ -239,26 +237,26 @@ TEST_P(ProbesTest, WithoutProbesNothingChanges) {
 
 TEST_P(ProbesTest, TheFurnaceIsWhite) {
   Scene scene;
-  add(scene, kPair[0], mirror(glm::vec3(1.0f)), 16);
-  add(scene, kPair[1], mirror(glm::vec3(1.0f), 0.4f), 16);
+  addBall(scene, kPair[0], coloredMirror(glm::vec3(1.0f)), 16);
+  addBall(scene, kPair[1], coloredMirror(glm::vec3(1.0f), 0.4f), 16);
   Material glass;
   glass.base_color = glm::vec3(1.0f);
   glass.transmission = 1.0f;
   glass.perceptual_roughness = 0.0f;
-  add(scene, {{0.0f, 1.8f, 0.0f}, 0.8f, {}}, glass, 16);
+  addBall(scene, {{0.0f, 1.8f, 0.0f}, 0.8f, {}}, glass, 16);
   Material glossy;
   glossy.base_color = glm::vec3(1.0f);
   glossy.perceptual_roughness = 0.3f;
-  add(scene, {{0.0f, -1.8f, 0.0f}, 0.8f, {}}, glossy, 16);
+  addBall(scene, {{0.0f, -1.8f, 0.0f}, 0.8f, {}}, glossy, 16);
   Renderer renderer =
       testing::rendererFor(std::move(scene), Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
   FrameSettings settings = frontOf(renderer, 32);
   settings.background = BackgroundKind::transparent;
-  set(settings, "probe-size", "16");
+  testing::set(settings, "probe-size", "16");
   for (const char* probes : {"auto", "2"})
     for (const char* refraction : {"single", "image-space", "traced"}) {
-      set(settings, "probes", probes);
-      set(settings, "refraction", refraction);
+      testing::set(settings, "probes", probes);
+      testing::set(settings, "refraction", refraction);
       testing::expectFurnaceWhite(testing::drawn(renderer, settings), std::string(probes) + " " + refraction, 4e-3f);
     }
 }
@@ -274,8 +272,8 @@ TEST_P(ProbesTest, AnObjectWithoutOneReadsABlendOfTheNearest) {
   balls.push_back({{-0.8f, 1.6f, 0.0f}, 0.3f, glm::vec3(1.0f)});
   ASSERT_TRUE(drawing.setScene(sceneOfBalls(balls)));
   FrameSettings settings;
-  set(settings, "probes", "2");
-  set(settings, "probe-size", "16");
+  testing::set(settings, "probes", "2");
+  testing::set(settings, "probe-size", "16");
   FrameUniforms frame;
   Probes probes;
   ASSERT_TRUE(frame_light.begin(context(), drawing.scene(), drawing.bounds(), settings, frame));

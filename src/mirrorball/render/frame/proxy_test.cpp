@@ -18,8 +18,6 @@
 namespace mirrorball {
 namespace {
 
-using testing::set;
-
 /// A pattern on the walls of a room, smooth enough for texels.
 glm::vec3 lightOfWall(glm::vec3 place) { return 0.5f + 0.4f * glm::sin(glm::vec3(2.0f, 1.7f, 2.3f) * place); }
 
@@ -34,7 +32,7 @@ Environment capturedRoom() {
                      512);
 }
 
-Material mirror() {
+Material mirrorOfProxy() {
   Material material;
   material.base_color = glm::vec3(1.0f);
   material.metallic = 1.0f;
@@ -74,9 +72,9 @@ TEST_F(ProxyTest, AMirrorBallBesideTheCaptureShowsTheRoom) {
   constexpr float kRadius = 0.6f;
   const glm::vec3 place(1.5f, -0.5f, 0.6f);
   FrameSettings settings = frontOf(kSize);
-  set(settings, "proxy", kRoom);
-  set(settings, "captured-at", "0.5,0.2,-0.3");
-  const Image image = drawn(ballAt(place, kRadius, mirror()), capturedRoom(), settings);
+  testing::set(settings, "proxy", kRoom);
+  testing::set(settings, "captured-at", "0.5,0.2,-0.3");
+  const Image image = drawn(ballAt(place, kRadius, mirrorOfProxy()), capturedRoom(), settings);
   double squares = 0.0, of_far = 0.0;
   int count = 0;
   for (int y = 0; y < kSize; ++y)
@@ -98,13 +96,13 @@ TEST_F(ProxyTest, AMirrorBallBesideTheCaptureShowsTheRoom) {
 
 TEST_F(ProxyTest, TrianglesShowWhatTheBoxDoes) {
   FrameSettings settings = frontOf(48);
-  set(settings, "proxy", "cube");
+  testing::set(settings, "proxy", "cube");
   const Box sides = boundingBox(sceneOf(cubeMesh()));
   const auto room = Environment([](glm::vec3 d) { return 0.5f + 0.5f * d; }, 128);
-  const Image of_triangles = drawn(ballAt({0.1f, 0.1f, 0.0f}, 0.3f, mirror()), room, settings);
+  const Image of_triangles = drawn(ballAt({0.1f, 0.1f, 0.0f}, 0.3f, mirrorOfProxy()), room, settings);
   const auto corner = [](glm::vec3 c) { return writeNumbers({&c.x, 3}); };
-  set(settings, "proxy", "box:" + corner(sides.low) + "," + corner(sides.high));
-  const Image of_box = drawn(ballAt({0.1f, 0.1f, 0.0f}, 0.3f, mirror()), room, settings);
+  testing::set(settings, "proxy", "box:" + corner(sides.low) + "," + corner(sides.high));
+  const Image of_box = drawn(ballAt({0.1f, 0.1f, 0.0f}, 0.3f, mirrorOfProxy()), room, settings);
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 48; ++x)
       EXPECT_NEAR(glm::distance(rgbaAt(of_triangles, x, y), rgbaAt(of_box, x, y)), 0.0f, 5e-3f) << x << ", " << y;
@@ -114,10 +112,10 @@ TEST_F(ProxyTest, TheFurnaceIsWhiteOnEveryProxy) {
   const auto white = Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64);
   for (const std::string proxy : {"box:-2,-2,-2,2,2,2", "sphere:0,0,0,2", "ground:2", "cube"})
     for (const float roughness : {0.0f, 0.4f}) {
-      Material metal = mirror();
+      Material metal = mirrorOfProxy();
       metal.perceptual_roughness = roughness;
       FrameSettings settings = frontOf(32);
-      set(settings, "proxy", proxy);
+      testing::set(settings, "proxy", proxy);
       // On a ground the ball's own shadow is to be seen in it.
       const bool has_shadow = proxy == "ground:2";
       const Image image = drawn(ballAt(glm::vec3(0.0f), 0.3f, metal), white, settings);
@@ -139,8 +137,8 @@ TEST_F(ProxyTest, ABallThrowsItsShadowOnTheGround) {
   settings.samples = 1;
   settings.resolve = Resolve::radiance;
   settings.camera = {.azimuth_deg = 0.0f, .elevation_deg = 90.0f, .distance = 8.0f, .orthographic_height = 8.0f};
-  set(settings, "proxy", "ground:2");
-  const Image image = drawn(ballAt(glm::vec3(0.0f), 1.0f, mirror()), white, settings);
+  testing::set(settings, "proxy", "ground:2");
+  const Image image = drawn(ballAt(glm::vec3(0.0f), 1.0f, mirrorOfProxy()), white, settings);
   for (const int pixel : {44, 48, 52}) {
     double seen = 0.0;
     const int other = 63 - pixel;
@@ -155,11 +153,11 @@ TEST_F(ProxyTest, ABallThrowsItsShadowOnTheGround) {
 // Bad input is one line.
 TEST_F(ProxyTest, AMapThatWasCapturedElsewhereIsRefused) {
   FrameSettings settings = frontOf(16);
-  set(settings, "proxy", kRoom);
-  set(settings, "captured-at", "9,0,0");
+  testing::set(settings, "proxy", kRoom);
+  testing::set(settings, "captured-at", "9,0,0");
   Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 64);
   const auto prepared = testing::prepareOnce(white);
-  auto renderer = testing::rendererOf(ballAt({}, 1.0f, mirror()), std::move(white), *prepared);
+  auto renderer = testing::rendererOf(ballAt({}, 1.0f, mirrorOfProxy()), std::move(white), *prepared);
   const auto image = renderer->renderRadiance(settings);
   ASSERT_FALSE(image);
   EXPECT_THAT(image.error().message, ::testing::HasSubstr("not within its proxy"));

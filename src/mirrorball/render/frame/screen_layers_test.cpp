@@ -10,12 +10,10 @@
 namespace mirrorball {
 namespace {
 
-using testing::set;
-
 std::vector<ScreenLayer> layersOf(const Scene& scene, const char* behind, const char* refraction) {
   FrameSettings settings;
-  set(settings, "behind", behind);
-  set(settings, "refraction", refraction);
+  testing::set(settings, "behind", behind);
+  testing::set(settings, "refraction", refraction);
   std::vector<int> order;
   for (int i = 0; i < static_cast<int>(scene.instances.size()); ++i) order.push_back(i);
   return screenLayers(scene, boxesOf(scene), boundingSphere(scene).radius, order, settings);

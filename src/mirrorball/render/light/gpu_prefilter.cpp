@@ -15,7 +15,7 @@
 namespace mirrorball {
 namespace {
 
-enum Unit { kRest, kLights, kChosen, kCoarseLights, kCoarseChosen, kTaps };
+enum PrefilterUnit { kRest, kLights, kChosen, kCoarseLights, kCoarseChosen, kTaps };
 
 /// The coarse split is that of the mip level so many before the last: of 64² texels where the last has 4².
 constexpr int kCoarseBeforeLast = 4;

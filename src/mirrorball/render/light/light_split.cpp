@@ -12,7 +12,7 @@ constexpr int kCell = 8;  // texels or cells a side, as in the shaders
 
 int partsOf(int side) { return (side + kCell - 1) / kCell; }
 
-enum Unit { kCube, kCells, kBlocks, kThresholds };
+enum SplitUnit { kCube, kCells, kBlocks, kThresholds };
 
 /// What prefilter_threshold.frag makes of the sums.
 enum Stage { kCoarseThresholds, kFineThresholds, kChosenThreshold };

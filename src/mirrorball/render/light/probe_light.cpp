@@ -13,7 +13,7 @@ namespace mirrorball {
 namespace {
 
 constexpr int kUnit = 0;
-constexpr int kIrradianceSide = 16;
+constexpr int kProbeIrradianceSide = 16;
 /// Of the level that irradiance is the sum of: the lobe is wide, and in white light the sum is exact.
 constexpr int kSummedSide = 8;
 
@@ -42,7 +42,7 @@ Result<ProbeLight> ProbeFilter::makeLight() const {
   using Filter = gl::Sampling::Filter;
   MIRRORBALL_TRY(cube, cubeOf(format_, size_, levelCount(size_), Filter::trilinear));
   MIRRORBALL_TRY(chain, GpuPrefilter::makeChain(size_, format_));
-  MIRRORBALL_TRY(irradiance, cubeOf(format_, kIrradianceSide, 1, Filter::linear));
+  MIRRORBALL_TRY(irradiance, cubeOf(format_, kProbeIrradianceSide, 1, Filter::linear));
   MIRRORBALL_TRY(nearness, cubeOf(gl::Format::rgba16f, size_, 1, Filter::linear));
   return ProbeLight{std::move(cube), std::move(chain), std::move(irradiance), std::move(nearness)};
 }

@@ -63,7 +63,7 @@ Material everything() {
   return material;
 }
 
-Environment compass() {
+Environment layerCompass() {
   return Environment([](glm::vec3 d) { return (1.0f + d) / 2.0f; }, 32);
 }
 
@@ -84,7 +84,7 @@ Difference differenceOf(const Image& a, const Image& b) {
 class Drawing {
  public:
   static Result<Drawing> make(gl::Api api, bool filters_floats) {
-    MIRRORBALL_TRY(prepared, testing::prepareOnce(compass()));
+    MIRRORBALL_TRY(prepared, testing::prepareOnce(layerCompass()));
     MIRRORBALL_TRY(light, EnvironmentLight::make(prepared, filters_floats));
     MIRRORBALL_TRY(table, surfaceBrdfTable());
     MIRRORBALL_TRY(programs, SurfacePrograms::make(api, table));

@@ -27,7 +27,7 @@ using ::testing::HasSubstr;
 constexpr int kSide = 48;  ///< pixels of a picture's height and width
 
 /// As bright as its direction: smooth, and different everywhere.
-Environment compass() {
+Environment coordinateCompass() {
   return Environment([](glm::vec3 d) { return d * 0.5f + 0.5f; }, 128);
 }
 
@@ -85,7 +85,7 @@ glm::vec3 pointAt(int x, int y) {
 
 class TexgenTest : public gl::GlTest {
  protected:
-  Image drawn(const Scene& scene, const FrameSettings& frame, const Environment& environment = compass()) {
+  Image drawn(const Scene& scene, const FrameSettings& frame, const Environment& environment = coordinateCompass()) {
     auto renderer = testing::rendererOf(scene, environment, *testing::prepareOnce(environment));
     if (!renderer) return {};
     auto image = renderer->renderRadiance(frame);

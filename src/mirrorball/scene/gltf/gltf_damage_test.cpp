@@ -18,10 +18,10 @@ using testing::GltfMaker;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+const std::vector<float> kDamagedTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 const std::string kPrimitive = "{\"attributes\":{\"POSITION\":0}}";
 
-void expectRefused(const std::string& json, const std::string& part, ErrorCode code = ErrorCode::bad_file) {
+void expectDamageRefused(const std::string& json, const std::string& part, ErrorCode code = ErrorCode::bad_file) {
   const Result<Scene> scene = decodeGltf(Bytes(json.begin(), json.end()), ::testing::TempDir() + "model.gltf");
   ASSERT_FALSE(scene) << part;
   EXPECT_EQ(scene.error().code, code) << scene.error().message;
@@ -34,14 +34,14 @@ void expectRefused(const std::string& json, const std::string& part, ErrorCode c
 /// A file whose primitive, accessor or rest is wrong.
 std::string withPrimitive(const std::string& primitive, const std::string& rest = "") {
   GltfMaker maker;
-  maker.accessor(kTriangle, "VEC3");
+  maker.accessor(kDamagedTriangle, "VEC3");
   maker.accessor(std::vector<std::uint16_t>{0, 1, 3}, "SCALAR");
   return maker.gltf(primitive, rest);
 }
 std::string withRest(const std::string& rest) { return withPrimitive(kPrimitive, rest); }
 std::string withAccessor(const std::string& accessor) {
   GltfMaker maker;
-  maker.view(kTriangle);
+  maker.view(kDamagedTriangle);
   maker.rawAccessor(accessor);
   return maker.gltf(kPrimitive);
 }
@@ -51,25 +51,27 @@ std::string withMaterial(const std::string& rest) {
 }
 
 TEST(GltfDamage, NamesTheKeyOfAWrongAccessor) {
-  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":75,\"type\":\"VEC3\"}"),
-                "accessors[0] reaches byte 900 of bufferViews[0], which has 36");
-  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":9007199254740991,\"type\":\"VEC3\"}"),
-                "brings the model above", ErrorCode::too_large);
-  expectRefused(withAccessor("{\"bufferView\":0,\"byteOffset\":18446744073709551615,\"componentType\":5126,\"count\":3,"
-                             "\"type\":\"VEC3\"}"),
-                "past the end of every buffer");
-  expectRefused(withAccessor("{\"bufferView\":7,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}"),
-                "accessors[0].bufferView is 7, but there are 1 bufferViews");
-  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":-3,\"type\":\"VEC3\"}"),
-                "accessors[0].count is no whole number");
-  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\"}"),
-                "accessors[0].count is missing");
-  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5130,\"count\":1,\"type\":\"VEC3\"}"),
-                "accessors[0] has a type");
-  expectRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":1,\"type\":\"MAT4\"}"),
-                "accessors[0] has a type");
-  expectRefused(withAccessor("{\"componentType\":5126,\"count\":20000000,\"type\":\"VEC3\"}"), "accessors[0].count",
-                ErrorCode::too_large);
+  expectDamageRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":75,\"type\":\"VEC3\"}"),
+                      "accessors[0] reaches byte 900 of bufferViews[0], which has 36");
+  expectDamageRefused(
+      withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":9007199254740991,\"type\":\"VEC3\"}"),
+      "brings the model above", ErrorCode::too_large);
+  expectDamageRefused(
+      withAccessor("{\"bufferView\":0,\"byteOffset\":18446744073709551615,\"componentType\":5126,\"count\":3,"
+                   "\"type\":\"VEC3\"}"),
+      "past the end of every buffer");
+  expectDamageRefused(withAccessor("{\"bufferView\":7,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}"),
+                      "accessors[0].bufferView is 7, but there are 1 bufferViews");
+  expectDamageRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":-3,\"type\":\"VEC3\"}"),
+                      "accessors[0].count is no whole number");
+  expectDamageRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\"}"),
+                      "accessors[0].count is missing");
+  expectDamageRefused(withAccessor("{\"bufferView\":0,\"componentType\":5130,\"count\":1,\"type\":\"VEC3\"}"),
+                      "accessors[0] has a type");
+  expectDamageRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":1,\"type\":\"MAT4\"}"),
+                      "accessors[0] has a type");
+  expectDamageRefused(withAccessor("{\"componentType\":5126,\"count\":20000000,\"type\":\"VEC3\"}"),
+                      "accessors[0].count", ErrorCode::too_large);
 }
 
 TEST(GltfDamage, NamesTheKeyOfAWrongSparseAccessor) {
@@ -77,55 +79,56 @@ TEST(GltfDamage, NamesTheKeyOfAWrongSparseAccessor) {
     return withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"sparse\":" + json +
                         "}");
   };
-  expectRefused(
+  expectDamageRefused(
       sparse("{\"count\":4,\"indices\":{\"bufferView\":0,\"componentType\":5121},\"values\":{\"bufferView\":0}}"),
       "accessors[0].sparse.count is 4");
-  expectRefused(
+  expectDamageRefused(
       sparse("{\"count\":3,\"indices\":{\"bufferView\":0,\"componentType\":5126},\"values\":{\"bufferView\":0}}"),
       "sparse.indices.componentType");
-  expectRefused(
+  expectDamageRefused(
       sparse("{\"count\":3,\"indices\":{\"bufferView\":0,\"byteOffset\":34,\"componentType\":5121},\"values\":"
              "{\"bufferView\":0}}"),
       "accessors[0].sparse.indices reaches byte 37");
-  expectRefused(
+  expectDamageRefused(
       sparse("{\"count\":1,\"indices\":{\"bufferView\":0,\"byteOffset\":14,\"componentType\":5121},\"values\":"
              "{\"bufferView\":0}}"),
       "names element 128 of 3");  // a byte of the float 1
-  expectRefused(sparse("{\"count\":1}"), "sparse.indices is missing");
+  expectDamageRefused(sparse("{\"count\":1}"), "sparse.indices is missing");
 }
 
 TEST(GltfDamage, NamesTheKeyOfAWrongPrimitive) {
-  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"indices\":1}"), "names vertex 3 in element 2");
-  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":5}}"),
-                "meshes[0].primitives[0].attributes.POSITION is 5, but there are 2 accessors");
-  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"indices\":0}"), "accessors[0] has a type");
-  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":1}}"), "attributes.POSITION has 1 components");
-  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"material\":2}"), "primitives[0].material is 2");
-  expectRefused(withPrimitive("{}"), "meshes[0].primitives[0].attributes is missing");
-  expectRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"mode\":1}"), "shows no triangles");
+  expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"indices\":1}"), "names vertex 3 in element 2");
+  expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":5}}"),
+                      "meshes[0].primitives[0].attributes.POSITION is 5, but there are 2 accessors");
+  expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"indices\":0}"), "accessors[0] has a type");
+  expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":1}}"), "attributes.POSITION has 1 components");
+  expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"material\":2}"), "primitives[0].material is 2");
+  expectDamageRefused(withPrimitive("{}"), "meshes[0].primitives[0].attributes is missing");
+  expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"mode\":1}"), "shows no triangles");
 
   GltfMaker maker;
-  maker.accessor(kTriangle, "VEC3");
+  maker.accessor(kDamagedTriangle, "VEC3");
   maker.accessor(std::vector<float>{0, 0, 1}, "VEC3");
-  expectRefused(maker.gltf("{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}}"),
-                "NORMAL has 1 elements, but POSITION has 3");
+  expectDamageRefused(maker.gltf("{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}}"),
+                      "NORMAL has 1 elements, but POSITION has 3");
   GltfMaker not_finite;
   not_finite.accessor(std::vector<float>{0, 0, 0, 1, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 0}, "VEC3");
-  expectRefused(not_finite.gltf(kPrimitive), "holds NaN or infinity in element 1");
+  expectDamageRefused(not_finite.gltf(kPrimitive), "holds NaN or infinity in element 1");
 }
 
 TEST(GltfDamage, NamesTheKeyOfAWrongNode) {
-  expectRefused(withRest("\"nodes\":[{\"mesh\":4}]"), "nodes[0].mesh is 4, but there are 1 meshes");
-  expectRefused(withRest("\"nodes\":[{\"children\":[9]}]"), "nodes[0].children is 9");
-  expectRefused(withRest("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"children\":[1]},{\"children\":[0]}]"),
-                "nodes[0] is reached twice");
-  expectRefused(withRest("\"nodes\":[{\"children\":[1,2]},{\"children\":[2]},{\"mesh\":0}]"), "is reached twice");
-  expectRefused(withRest("\"nodes\":[{\"children\":[0]}]"), "shows no triangles");
-  expectRefused(withRest("\"scene\":1,\"scenes\":[{}]"), "scene is 1");
-  expectRefused(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1,1]}]"), "nodes[0].scale has not 3 numbers");
-  expectRefused(withRest("\"nodes\":[{\"mesh\":0,\"rotation\":[0,0,0,0]}]"), "nodes[0].rotation has no length");
-  expectRefused(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1e300,1,1]}]"),
-                "nodes[0] has a transform that is too large");
+  expectDamageRefused(withRest("\"nodes\":[{\"mesh\":4}]"), "nodes[0].mesh is 4, but there are 1 meshes");
+  expectDamageRefused(withRest("\"nodes\":[{\"children\":[9]}]"), "nodes[0].children is 9");
+  expectDamageRefused(
+      withRest("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"children\":[1]},{\"children\":[0]}]"),
+      "nodes[0] is reached twice");
+  expectDamageRefused(withRest("\"nodes\":[{\"children\":[1,2]},{\"children\":[2]},{\"mesh\":0}]"), "is reached twice");
+  expectDamageRefused(withRest("\"nodes\":[{\"children\":[0]}]"), "shows no triangles");
+  expectDamageRefused(withRest("\"scene\":1,\"scenes\":[{}]"), "scene is 1");
+  expectDamageRefused(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1,1]}]"), "nodes[0].scale has not 3 numbers");
+  expectDamageRefused(withRest("\"nodes\":[{\"mesh\":0,\"rotation\":[0,0,0,0]}]"), "nodes[0].rotation has no length");
+  expectDamageRefused(withRest("\"nodes\":[{\"mesh\":0,\"scale\":[1e300,1,1]}]"),
+                      "nodes[0] has a transform that is too large");
 }
 
 TEST(GltfDamage, ADeepTreeOfNodesIsRead) {
@@ -136,70 +139,72 @@ TEST(GltfDamage, ADeepTreeOfNodesIsRead) {
 }
 
 TEST(GltfDamage, NamesTheKeyOfAWrongTexture) {
-  expectRefused(withMaterial("\"textures\":[]"), "materials[0].normalTexture.index is 0, but there are 0 textures");
-  expectRefused(withMaterial("\"textures\":[{\"source\":1}]"), "textures[0].source is 1, but there are 0 images");
-  expectRefused(withMaterial("\"textures\":[{\"source\":0,\"sampler\":0}],\"images\":[{\"uri\":\"a.png\"}]"),
-                "textures[0].sampler is 0");
-  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"no-such.png\"}]"),
-                "images[0].uri 'no-such.png' is missing; put it beside the model");
-  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"..\"}]"), "images[0].uri '..'");
-  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"bufferView\":3}]"),
-                "images[0].bufferView is 3");
-  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"bufferView\":0}]"), "images[0]");
-  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{}]"), "images[0] has neither");
-  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"data:image/png;base64,*\"}]"),
-                "images[0].uri is no base64 data");
-  expectRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"https://a.b/c.png\"}]"),
-                "lies in a network", ErrorCode::unsupported);
+  expectDamageRefused(withMaterial("\"textures\":[]"),
+                      "materials[0].normalTexture.index is 0, but there are 0 textures");
+  expectDamageRefused(withMaterial("\"textures\":[{\"source\":1}]"), "textures[0].source is 1, but there are 0 images");
+  expectDamageRefused(withMaterial("\"textures\":[{\"source\":0,\"sampler\":0}],\"images\":[{\"uri\":\"a.png\"}]"),
+                      "textures[0].sampler is 0");
+  expectDamageRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"no-such.png\"}]"),
+                      "images[0].uri 'no-such.png' is missing; put it beside the model");
+  expectDamageRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"..\"}]"),
+                      "images[0].uri '..'");
+  expectDamageRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"bufferView\":3}]"),
+                      "images[0].bufferView is 3");
+  expectDamageRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"bufferView\":0}]"), "images[0]");
+  expectDamageRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{}]"), "images[0] has neither");
+  expectDamageRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"data:image/png;base64,*\"}]"),
+                      "images[0].uri is no base64 data");
+  expectDamageRefused(withMaterial("\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"https://a.b/c.png\"}]"),
+                      "lies in a network", ErrorCode::unsupported);
 }
 
 TEST(GltfDamage, NamesTheKeyOfAWrongBuffer) {
   const std::string head = "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[";
-  expectRefused(head + "{\"byteLength\":4,\"uri\":\"no-such.bin\"}]}",
-                "buffers[0].uri 'no-such.bin' is missing; put it beside the model");
-  expectRefused(head + "{\"byteLength\":4,\"uri\":\"data:application/octet-stream;base64,AAA=\"}]}",
-                "buffers[0].byteLength is 4, but 'data:application/octet-stream;base64,AAA=' has 2 bytes");
-  expectRefused(head + "{\"byteLength\":4}]}", "buffers[0].byteLength is 4, but the binary chunk has 0 bytes");
-  expectRefused(head + "{\"uri\":\"a.bin\"}]}", "buffers[0].byteLength is missing");
-  expectRefused(head + "{\"byteLength\":4,\"uri\":\"" + std::string(5000, 'x') + "\"}]}", "is missing");
+  expectDamageRefused(head + "{\"byteLength\":4,\"uri\":\"no-such.bin\"}]}",
+                      "buffers[0].uri 'no-such.bin' is missing; put it beside the model");
+  expectDamageRefused(head + "{\"byteLength\":4,\"uri\":\"data:application/octet-stream;base64,AAA=\"}]}",
+                      "buffers[0].byteLength is 4, but 'data:application/octet-stream;base64,AAA=' has 2 bytes");
+  expectDamageRefused(head + "{\"byteLength\":4}]}", "buffers[0].byteLength is 4, but the binary chunk has 0 bytes");
+  expectDamageRefused(head + "{\"uri\":\"a.bin\"}]}", "buffers[0].byteLength is missing");
+  expectDamageRefused(head + "{\"byteLength\":4,\"uri\":\"" + std::string(5000, 'x') + "\"}]}", "is missing");
 
   GltfMaker maker;
-  maker.accessor(kTriangle, "VEC3");
+  maker.accessor(kDamagedTriangle, "VEC3");
   std::string json = maker.gltf(kPrimitive);
   const std::size_t at = json.find("\"byteLength\":36");
   json.replace(at, 15, "\"byteLength\":99");
-  expectRefused(json, "bufferViews[0] takes 99 bytes from byte 0 of buffers[0], which has 36");
+  expectDamageRefused(json, "bufferViews[0] takes 99 bytes from byte 0 of buffers[0], which has 36");
 }
 
 TEST(GltfDamage, RefusesWhatItCannotRead) {
-  expectRefused("{\"asset\":{\"version\":\"1.0\"}}", "asset.version is '1.0'", ErrorCode::unsupported);
-  expectRefused("{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_texture_basisu\"]}",
-                "extensionsRequired names 'KHR_texture_basisu'", ErrorCode::unsupported);
-  expectRefused("{}", "asset is missing");
-  expectRefused("", "no valid JSON");
-  expectRefused("[1,2]", "is no object");
-  expectRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":7}", "nodes is no array");
-  expectRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[7]}", "nodes[0] is no object");
-  expectRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":1e999}]}", "number out of range");
-  expectRefused("{\"asset\":{\"version\":\"2.0\"}}", "shows no triangles");
-  expectRefused(std::string(1000000, '['), "no valid JSON");
+  expectDamageRefused("{\"asset\":{\"version\":\"1.0\"}}", "asset.version is '1.0'", ErrorCode::unsupported);
+  expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_texture_basisu\"]}",
+                      "extensionsRequired names 'KHR_texture_basisu'", ErrorCode::unsupported);
+  expectDamageRefused("{}", "asset is missing");
+  expectDamageRefused("", "no valid JSON");
+  expectDamageRefused("[1,2]", "is no object");
+  expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":7}", "nodes is no array");
+  expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[7]}", "nodes[0] is no object");
+  expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":1e999}]}", "number out of range");
+  expectDamageRefused("{\"asset\":{\"version\":\"2.0\"}}", "shows no triangles");
+  expectDamageRefused(std::string(1000000, '['), "no valid JSON");
   const std::string deep = std::string(200000, '[') + std::string(200000, ']');
-  expectRefused("{\"asset\":{\"version\":\"2.0\"},\"extras\":" + deep + "}", "shows no triangles");
+  expectDamageRefused("{\"asset\":{\"version\":\"2.0\"},\"extras\":" + deep + "}", "shows no triangles");
 }
 
 TEST(GltfDamage, RefusesAModelThatRepeatsItselfBeyondMemory) {
   GltfMaker maker;
-  maker.accessor(kTriangle, "VEC3");
+  maker.accessor(kDamagedTriangle, "VEC3");
   maker.rawAccessor("{\"componentType\":5125,\"count\":16000000,\"type\":\"SCALAR\"}");
   const std::string zeros = "{\"attributes\":{\"POSITION\":0},\"indices\":1}";
-  expectRefused(maker.gltf(zeros + "," + zeros + "," + zeros + "," + zeros + "," + zeros), "brings the model above",
-                ErrorCode::too_large);
+  expectDamageRefused(maker.gltf(zeros + "," + zeros + "," + zeros + "," + zeros + "," + zeros),
+                      "brings the model above", ErrorCode::too_large);
 }
 
 /// A .glb with indices, a picture and a material.
 Bytes smallGlb() {
   GltfMaker maker;
-  maker.accessor(kTriangle, "VEC3");
+  maker.accessor(kDamagedTriangle, "VEC3");
   maker.accessor(std::vector<std::uint16_t>{0, 1, 2}, "SCALAR");
   const std::string path = ::testing::TempDir() + "gltf_damage.png";
   EXPECT_TRUE(savePicture(path, Image8(2, 2, 3, 50)));

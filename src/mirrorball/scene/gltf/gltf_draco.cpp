@@ -14,7 +14,7 @@ namespace {
 constexpr int kMaxComponents = 4;
 
 /// The attribute's value at every point of the mesh, as floats.
-Result<Numbers> numbersOf(const draco::Mesh& mesh, const draco::PointAttribute& attribute, const std::string& key) {
+Result<Numbers> dracoNumbers(const draco::Mesh& mesh, const draco::PointAttribute& attribute, const std::string& key) {
   Numbers numbers;
   const int components = attribute.num_components();
   if (components < 1 || components > kMaxComponents)
@@ -48,8 +48,8 @@ Result<void> checkCounts(const File& file, const Primitive& primitive, const dra
                                        std::to_string(corners) + " indices, not as many as its accessors' counts say");
 }
 
-Result<DracoMesh> convert(const File& file, const Primitive& primitive, const draco::Mesh& mesh,
-                          const std::string& key) {
+Result<DracoMesh> convertDraco(const File& file, const Primitive& primitive, const draco::Mesh& mesh,
+                               const std::string& key) {
   MIRRORBALL_TRY_VOID(checkCounts(file, primitive, mesh, key));
   DracoMesh converted;
   converted.corners.reserve(std::size_t(mesh.num_faces()) * 3);
@@ -67,7 +67,7 @@ Result<DracoMesh> convert(const File& file, const Primitive& primitive, const dr
     const std::string attribute_key = key + ".attributes." + name;
     if (attribute == nullptr)
       return fail(ErrorCode::bad_file, attribute_key + ": the compressed mesh has no attribute " + std::to_string(id));
-    MIRRORBALL_TRY(numbers, numbersOf(mesh, *attribute, attribute_key));
+    MIRRORBALL_TRY(numbers, dracoNumbers(mesh, *attribute, attribute_key));
     MIRRORBALL_TRY_VOID(checkFinite(numbers, attribute_key));
     converted.attributes[name] = std::move(numbers);
   }
@@ -89,7 +89,7 @@ Result<DracoMesh> decodeDraco(const File& file, const Primitive& primitive, cons
   } catch (const std::exception&) {  // a damaged count that asks for more memory than there is
   }
   if (!mesh) return fail(ErrorCode::bad_file, key + ": the compressed mesh is damaged or of an unknown kind");
-  return convert(file, primitive, *mesh, key);
+  return convertDraco(file, primitive, *mesh, key);
 }
 
 }  // namespace mirrorball::gltf

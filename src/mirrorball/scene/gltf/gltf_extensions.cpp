@@ -35,7 +35,7 @@ constexpr auto kRead = std::to_array<std::string_view>({
 bool isRead(std::string_view extension) { return std::ranges::find(kRead, extension) != kRead.end(); }
 
 /// A name as a message can show it.
-std::string shown(const std::string& name) {
+std::string shownName(const std::string& name) {
   constexpr std::size_t kLongest = 60;
   return name.size() > kLongest ? printable(name.substr(0, kLongest)) + "…" : printable(name);
 }
@@ -45,7 +45,7 @@ std::string shown(const std::string& name) {
 Result<std::vector<std::string>> unreadExtensions(const JsonReader& root) {
   for (const JsonReader& required : root["extensionsRequired"].elements())
     if (const std::string name = required.text(""); !isRead(name))
-      return fail(ErrorCode::unsupported, "extensionsRequired names '" + shown(name) +
+      return fail(ErrorCode::unsupported, "extensionsRequired names '" + shownName(name) +
                                               "', which this program cannot read; export the model without it");
   std::set<std::string> used;
   for (const JsonReader& declared : root["extensionsUsed"].elements()) used.insert(declared.text(""));
@@ -55,7 +55,7 @@ Result<std::vector<std::string>> unreadExtensions(const JsonReader& root) {
   std::vector<std::string> unread;
   for (const std::string& name : used) {
     if (isRead(name)) continue;
-    unread.push_back(unread.size() < kMostNamed ? shown(name) : "…");
+    unread.push_back(unread.size() < kMostNamed ? shownName(name) : "…");
     if (unread.size() > kMostNamed) break;
   }
   return unread;

@@ -113,7 +113,7 @@ std::string percentDecoded(std::string_view text) {
 }
 
 /// A uri as a message can show it: short, and without letters that would break the line.
-std::string shown(std::string_view uri) {
+std::string shownUri(std::string_view uri) {
   constexpr std::size_t kLongest = 100;
   std::string line;
   for (const char letter : uri.substr(0, kLongest)) line += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
@@ -139,7 +139,7 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
     }
     if (bytes.size() < buffer.byte_length)
       return fail(ErrorCode::bad_file, key + ".byteLength is " + std::to_string(buffer.byte_length) + ", but " +
-                                           (buffer.uri ? "'" + shown(*buffer.uri) + "'" : "the binary chunk") +
+                                           (buffer.uri ? "'" + shownUri(*buffer.uri) + "'" : "the binary chunk") +
                                            " has " + std::to_string(bytes.size()) + " bytes");
     file.buffers.push_back(bytes.first(buffer.byte_length));
   }
@@ -169,16 +169,16 @@ Result<Bytes> readUri(const File& file, const std::string& uri, const std::strin
     const std::size_t mark = uri.find(kMark);
     std::optional<Bytes> bytes;
     if (mark != std::string::npos) bytes = decodeBase64(std::string_view(uri).substr(mark + kMark.size()));
-    if (!bytes) return fail(ErrorCode::bad_file, key + " is no base64 data: '" + shown(uri) + "'");
+    if (!bytes) return fail(ErrorCode::bad_file, key + " is no base64 data: '" + shownUri(uri) + "'");
     return std::move(*bytes);
   }
   if (uri.find("://") != std::string::npos)
     return fail(ErrorCode::unsupported,
-                key + " '" + shown(uri) + "' lies in a network; fetch it and put it beside the model");
+                key + " '" + shownUri(uri) + "' lies in a network; fetch it and put it beside the model");
   const std::filesystem::path path = *fileOf(file, uri);
   std::error_code status;
   if (!std::filesystem::is_regular_file(path, status))
-    return fail(ErrorCode::bad_file, key + " '" + shown(uri) + "' is missing; put it beside the model");
+    return fail(ErrorCode::bad_file, key + " '" + shownUri(uri) + "' is missing; put it beside the model");
   return readFile(path);
 }
 

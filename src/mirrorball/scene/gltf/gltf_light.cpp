@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kTypes{"", "point", "spot", "directional"};
 
 /// Beyond it the light on a surface close by is more than floats can add up.
-constexpr double kBrightest = 1e12;
+constexpr double kBrightestLight = 1e12;
 
 }  // namespace
 
@@ -31,7 +31,8 @@ std::optional<ModelLight> parseLight(const JsonReader& json) {
   const double intensity = json["intensity"].number(1.0);
   const std::vector<double> color = json["color"].numbers({1.0, 1.0, 1.0});
   for (int channel = 0; channel < 3; ++channel)
-    light.color[channel] = static_cast<float>(std::clamp(intensity * color[std::size_t(channel)], 0.0, kBrightest));
+    light.color[channel] =
+        static_cast<float>(std::clamp(intensity * color[std::size_t(channel)], 0.0, kBrightestLight));
   light.range = static_cast<float>(std::clamp(json["range"].number(0.0), 0.0, 1e15));
   if (light.kind != formula::kLampSpot) return light;
   const JsonReader spot = json["spot"];

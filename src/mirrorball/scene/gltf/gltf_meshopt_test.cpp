@@ -91,7 +91,7 @@ class CompressedFile {
   int view_count_ = 0, accessor_count_ = 0;
 };
 
-Result<Scene> decode(const std::string& json) { return decodeGltf(Bytes(json.begin(), json.end()), "model.gltf"); }
+Result<Scene> decodeModel(const std::string& json) { return decodeGltf(Bytes(json.begin(), json.end()), "model.gltf"); }
 
 /// The grid, its indices in either mode.
 std::string grid(const std::string& mode) {
@@ -108,7 +108,7 @@ std::string grid(const std::string& mode) {
 
 TEST(GltfMeshopt, ReadsVerticesAndIndicesOfBothModes) {
   for (const std::string mode : {"TRIANGLES", "INDICES"}) {
-    const Result<Scene> scene = decode(grid(mode));
+    const Result<Scene> scene = decodeModel(grid(mode));
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_TRUE(scene->warnings.empty());
     const Mesh& mesh = scene->meshes.at(0);
@@ -144,7 +144,7 @@ TEST(GltfMeshopt, FiltersNormalsAndNumbers) {
   // Three bytes of four are read.
   const std::string length = R"("byteLength":12,)";
   json.replace(json.find(length), length.size(), length + R"("byteStride":4,)");
-  const Result<Scene> scene = decode(json);
+  const Result<Scene> scene = decodeModel(json);
   ASSERT_TRUE(scene) << scene.error().message;
   const std::vector<Vertex>& vertices = scene->meshes.at(0).vertices;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -156,12 +156,12 @@ TEST(GltfMeshopt, FiltersNormalsAndNumbers) {
 }
 
 /// The grid with a part of its JSON replaced.
-void expectRefused(const std::string& part, const std::string& by, const std::string& message,
-                   ErrorCode code = ErrorCode::bad_file) {
+void expectMeshoptRefused(const std::string& part, const std::string& by, const std::string& message,
+                          ErrorCode code = ErrorCode::bad_file) {
   std::string json = grid("TRIANGLES");
   const std::size_t at = json.find(part);
   ASSERT_NE(at, std::string::npos) << part;
-  const Result<Scene> scene = decode(json.replace(at, part.size(), by));
+  const Result<Scene> scene = decodeModel(json.replace(at, part.size(), by));
   ASSERT_FALSE(scene) << by;
   EXPECT_EQ(scene.error().code, code) << scene.error().message;
   EXPECT_THAT(scene.error().message, HasSubstr(message));
@@ -170,25 +170,28 @@ void expectRefused(const std::string& part, const std::string& by, const std::st
 
 TEST(GltfMeshopt, NamesWhatIsWrong) {
   const std::string key = "bufferViews[0].extensions.EXT_meshopt_compression";
-  expectRefused(R"("mode":"ATTRIBUTES")", R"("mode":"A\nB")", key + ".mode is 'A?B', none of ATTRIBUTES");
-  expectRefused(R"("mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES","filter":"SEPIA")", ".filter is 'SEPIA'");
-  expectRefused(R"("mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES","filter":"QUATERNION")", "its filter takes 8");
-  expectRefused(R"("mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES","filter":"OCTAHEDRAL")", "its filter takes 4 or 8");
-  expectRefused(R"("mode":"TRIANGLES")", R"("mode":"TRIANGLES","filter":"EXPONENTIAL")", "for vertices alone");
-  expectRefused(R"("mode":"ATTRIBUTES")", R"("mode":"INDICES")", "indices have 2 or 4 bytes");
-  expectRefused(R"("byteStride":12)", R"("byteStride":0)", "byteStride is 0, no multiple of 4 up to 256");
-  expectRefused(R"("byteStride":12)", R"("byteStride":6)", "no multiple of 4");
-  expectRefused(R"("byteStride":12)", R"("byteStride":512)", "no multiple of 4");
-  expectRefused(R"("byteStride":12)", R"("byteStride":4)", ".count is 400, not the bufferView's byteLength");
-  expectRefused(R"("count":400,"mode")", R"("count":18446744073709551615,"mode")", ".count is 18446744073709551615");
-  expectRefused(R"("buffer":0)", R"("buffer":7)", key + ".buffer is 7, but there are 2 buffers");
-  expectRefused(R"("byteOffset":0)", R"("byteOffset":18446744073709551615)", "bytes from byte 18446744073709551615");
-  expectRefused(R"("byteOffset":0)", R"("byteOffset":1)", "the compressed bytes are damaged");
-  expectRefused(R"("mode":"TRIANGLES")", R"("mode":"INDICES")", "the compressed bytes are damaged");
-  expectRefused(R"("count":400,"mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES")", key + ".count is missing");
-  expectRefused(R"("buffer":1,"byteLength":4800,"extensions":{"EXT_meshopt_compression")",
-                R"("buffer":1,"byteLength":4800,"extensions":{"other")",
-                "buffers[1].byteLength is 1000000000, but the binary chunk has 0 bytes");
+  expectMeshoptRefused(R"("mode":"ATTRIBUTES")", R"("mode":"A\nB")", key + ".mode is 'A?B', none of ATTRIBUTES");
+  expectMeshoptRefused(R"("mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES","filter":"SEPIA")", ".filter is 'SEPIA'");
+  expectMeshoptRefused(R"("mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES","filter":"QUATERNION")", "its filter takes 8");
+  expectMeshoptRefused(R"("mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES","filter":"OCTAHEDRAL")",
+                       "its filter takes 4 or 8");
+  expectMeshoptRefused(R"("mode":"TRIANGLES")", R"("mode":"TRIANGLES","filter":"EXPONENTIAL")", "for vertices alone");
+  expectMeshoptRefused(R"("mode":"ATTRIBUTES")", R"("mode":"INDICES")", "indices have 2 or 4 bytes");
+  expectMeshoptRefused(R"("byteStride":12)", R"("byteStride":0)", "byteStride is 0, no multiple of 4 up to 256");
+  expectMeshoptRefused(R"("byteStride":12)", R"("byteStride":6)", "no multiple of 4");
+  expectMeshoptRefused(R"("byteStride":12)", R"("byteStride":512)", "no multiple of 4");
+  expectMeshoptRefused(R"("byteStride":12)", R"("byteStride":4)", ".count is 400, not the bufferView's byteLength");
+  expectMeshoptRefused(R"("count":400,"mode")", R"("count":18446744073709551615,"mode")",
+                       ".count is 18446744073709551615");
+  expectMeshoptRefused(R"("buffer":0)", R"("buffer":7)", key + ".buffer is 7, but there are 2 buffers");
+  expectMeshoptRefused(R"("byteOffset":0)", R"("byteOffset":18446744073709551615)",
+                       "bytes from byte 18446744073709551615");
+  expectMeshoptRefused(R"("byteOffset":0)", R"("byteOffset":1)", "the compressed bytes are damaged");
+  expectMeshoptRefused(R"("mode":"TRIANGLES")", R"("mode":"INDICES")", "the compressed bytes are damaged");
+  expectMeshoptRefused(R"("count":400,"mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES")", key + ".count is missing");
+  expectMeshoptRefused(R"("buffer":1,"byteLength":4800,"extensions":{"EXT_meshopt_compression")",
+                       R"("buffer":1,"byteLength":4800,"extensions":{"other")",
+                       "buffers[1].byteLength is 1000000000, but the binary chunk has 0 bytes");
 }
 
 TEST(GltfMeshopt, AStreamThatCannotHoldAsManyIsRefusedBeforeMemoryIsTaken) {
@@ -196,7 +199,7 @@ TEST(GltfMeshopt, AStreamThatCannotHoldAsManyIsRefusedBeforeMemoryIsTaken) {
   const std::vector<float> zeros(3 * 16);
   const Bytes bytes = compressedVertices(zeros.data(), 16, 12);
   file.accessor(file.view(bytes, 100'000'000, 12, "ATTRIBUTES"), 16, 5126, "VEC3");
-  const Result<Scene> scene = decode(file.json(R"({"attributes":{"POSITION":0}})"));
+  const Result<Scene> scene = decodeModel(file.json(R"({"attributes":{"POSITION":0}})"));
   ASSERT_FALSE(scene);
   EXPECT_THAT(scene.error().message, HasSubstr("bytes cannot hold 1200000000"));
 }
@@ -209,7 +212,8 @@ TEST(GltfMeshopt, WhatIsAllAlikeIsRead) {
   const Bytes bytes = compressedVertices(zeros.data(), kMany, 12);
   EXPECT_GT(kMany * 12 / bytes.size(), 60u);
   file.accessor(file.view(bytes, kMany, 12, "ATTRIBUTES"), kMany, 5126, "VEC3");
-  EXPECT_THAT(decode(file.json(R"({"attributes":{"POSITION":0}})")).error().message, HasSubstr("shows no triangles"));
+  EXPECT_THAT(decodeModel(file.json(R"({"attributes":{"POSITION":0}})")).error().message,
+              HasSubstr("shows no triangles"));
 }
 
 TEST(GltfMeshopt, CompressedBytesSurviveRandomDamage) {
@@ -224,7 +228,7 @@ TEST(GltfMeshopt, CompressedBytesSurviveRandomDamage) {
     for (int letters = 0; letters < 2; ++letters)
       damaged[first + random() % (size - 4)] =
           "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"[random() % 64];
-    const Result<Scene> scene = decode(damaged);
+    const Result<Scene> scene = decodeModel(damaged);
     if (!scene) continue;
     ++read;
     for (const Mesh& mesh : scene->meshes)

@@ -36,13 +36,13 @@ Scene read(const Result<Scene>& scene) {
   return scene ? *scene : Scene{};
 }
 
-void expectRefused(const Result<Scene>& scene, const std::string& part) {
+void expectSceneRefused(const Result<Scene>& scene, const std::string& part) {
   ASSERT_FALSE(scene) << part;
   EXPECT_EQ(scene.error().code, ErrorCode::bad_file);
   EXPECT_THAT(scene.error().message, HasSubstr(part));
 }
 
-Scene roundTrip(const Scene& scene) {
+Scene sceneRoundTrip(const Scene& scene) {
   const Result<EncodedScene> file = encodeGlb(scene);
   EXPECT_TRUE(file) << file.error().message;
   return read(decodeGltf(file->bytes, "scene.glb"));
@@ -68,7 +68,7 @@ TEST(GltfVariants, GiveAPrimitiveOtherMaterials) {
   Scene scene =
       read(triangleWith(kThreeVariants, mappings(R"([{"material":1,"variants":[0]},{"material":2,"variants":[1]}])")));
   EXPECT_THAT(scene.variants, ElementsAre("Dawn", "dusk light", "Noon"));
-  for (const Scene& each : {scene, roundTrip(scene)}) {
+  for (const Scene& each : {scene, sceneRoundTrip(scene)}) {
     scene = each;
     EXPECT_EQ(nameOfMaterial(scene), "plain");
     ASSERT_TRUE(chooseVariant(scene, "dusk light"));
@@ -85,13 +85,14 @@ TEST(GltfVariants, GiveAPrimitiveOtherMaterials) {
 }
 
 TEST(GltfVariants, WrongMappingsAreRefused) {
-  expectRefused(triangleWith(kThreeVariants, mappings(R"([{"material":3,"variants":[0]}])")),
-                "mappings[0].material is 3, but there are 3 materials");
-  expectRefused(triangleWith(kThreeVariants, mappings(R"([{"material":1,"variants":[9]}])")),
-                "mappings[0].variants is 9, but there are 3 variants");
-  expectRefused(triangleWith(kThreeVariants, mappings(R"([{"variants":[0]}])")), "mappings[0].material is missing");
-  expectRefused(triangleWith(R"("extensions":{"KHR_materials_variants":{"variants":[{}]}})"),
-                "variants[0].name is missing");
+  expectSceneRefused(triangleWith(kThreeVariants, mappings(R"([{"material":3,"variants":[0]}])")),
+                     "mappings[0].material is 3, but there are 3 materials");
+  expectSceneRefused(triangleWith(kThreeVariants, mappings(R"([{"material":1,"variants":[9]}])")),
+                     "mappings[0].variants is 9, but there are 3 variants");
+  expectSceneRefused(triangleWith(kThreeVariants, mappings(R"([{"variants":[0]}])")),
+                     "mappings[0].material is missing");
+  expectSceneRefused(triangleWith(R"("extensions":{"KHR_materials_variants":{"variants":[{}]}})"),
+                     "variants[0].name is missing");
 }
 
 // --- cameras
@@ -131,7 +132,7 @@ TEST(GltfCameras, ComeBack) {
   scene.cameras.push_back({.name = "a", .fov_rad = 0.7f, .aspect = 1.25f, .nearest = 0.01f});
   scene.cameras.push_back({.name = "b", .orthographic = true, .height = 3.0f, .aspect = 0.5f, .nearest = 1.0f});
   scene.cameras[1].world_from_view[3] = {4, 5, 6, 1};
-  const Scene found = roundTrip(scene);
+  const Scene found = sceneRoundTrip(scene);
   ASSERT_EQ(found.cameras.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     const ModelCamera& wanted = scene.cameras[i];
@@ -159,9 +160,9 @@ TEST(GltfCameras, ThatShowNothingAreLeftOut) {
   }
   const std::string right = R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":1}}],)";
   EXPECT_THAT(read(triangleWith(right + nodes(R"("camera":0,"scale":[1,0,1])"))).cameras, IsEmpty());
-  expectRefused(triangleWith(right + nodes(R"("camera":1)")), "nodes[1].camera is 1, but there are 1 cameras");
-  expectRefused(triangleWith(R"("cameras":[{"type":"perspective"}])"), "cameras[0].perspective is missing");
-  expectRefused(triangleWith(R"("cameras":[{}])"), "cameras[0].type is missing");
+  expectSceneRefused(triangleWith(right + nodes(R"("camera":1)")), "nodes[1].camera is 1, but there are 1 cameras");
+  expectSceneRefused(triangleWith(R"("cameras":[{"type":"perspective"}])"), "cameras[0].perspective is missing");
+  expectSceneRefused(triangleWith(R"("cameras":[{}])"), "cameras[0].type is missing");
 }
 
 TEST(GltfCameras, AreFoundByTheirNames) {
@@ -230,7 +231,7 @@ TEST(GltfLights, ComeBack) {
   ModelLight dark;
   dark.color = glm::vec3(0.0f);
   scene.lights = {spot, sun, dark};
-  const Scene found = roundTrip(scene);
+  const Scene found = sceneRoundTrip(scene);
   ASSERT_EQ(found.lights.size(), 3u);
   for (const ModelLight& wanted : scene.lights) {
     const auto is_of_kind = [&](const ModelLight& each) { return each.kind == wanted.kind; };
@@ -252,9 +253,9 @@ TEST(GltfLights, ThatAreDamagedAreToldOrRefused) {
   EXPECT_THAT(unknown.warnings, ElementsAre(HasSubstr("the light of nodes[1], which has no kind or no direction,")));
   const std::string bulb = R"({"type":"point"})";
   EXPECT_THAT(read(triangleWith(lights(bulb) + lightNode(R"(,"scale":[1,1,0])"))).lights, IsEmpty());
-  expectRefused(triangleWith(lights(bulb) + nodes(R"("extensions":{"KHR_lights_punctual":{"light":1}})")),
-                "nodes[1].extensions.KHR_lights_punctual.light is 1, but there are 1 lights");
-  expectRefused(triangleWith(lights("{}") + lightNode()), "lights[0].type is missing");
+  expectSceneRefused(triangleWith(lights(bulb) + nodes(R"("extensions":{"KHR_lights_punctual":{"light":1}})")),
+                     "nodes[1].extensions.KHR_lights_punctual.light is 1, but there are 1 lights");
+  expectSceneRefused(triangleWith(lights("{}") + lightNode()), "lights[0].type is missing");
   const Scene wild = read(triangleWith(lights(R"({"type":"spot","intensity":-5,"color":[1e300,1,1],"range":-1,)"
                                               R"("spot":{"innerConeAngle":9,"outerConeAngle":-9}})") +
                                        lightNode()));

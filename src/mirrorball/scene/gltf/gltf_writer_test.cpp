@@ -29,13 +29,13 @@ EncodedScene encoded(const Scene& scene, const std::optional<Camera>& camera = {
   return file ? std::move(*file) : EncodedScene{};
 }
 
-Scene decoded(const EncodedScene& file) {
+Scene decodedFile(const EncodedScene& file) {
   Result<Scene> scene = decodeGltf(file.bytes, "scene.glb");
   EXPECT_TRUE(scene) << scene.error().message;
   return scene ? std::move(*scene) : Scene{};
 }
 
-Scene roundTrip(const Scene& scene) { return decoded(encoded(scene)); }
+Scene roundTrip(const Scene& scene) { return decodedFile(encoded(scene)); }
 
 /// The JSON's text: its length is the word behind the header's three.
 std::string jsonOf(const EncodedScene& file) {
@@ -111,7 +111,7 @@ TEST(GltfWriter, EveryParameterOfTheTableComesBack) {
     own.normal_map.texture = own.occlusion_map.texture = own.clearcoat_normal_map.texture = 0;
     const EncodedScene file = encoded(scene);
     EXPECT_THAT(file.left_out, IsEmpty()) << name;
-    EXPECT_EQ(parametersOf(decoded(file).materials.at(0)), parametersOf(material)) << name;
+    EXPECT_EQ(parametersOf(decodedFile(file).materials.at(0)), parametersOf(material)) << name;
   }
 }
 
@@ -120,7 +120,7 @@ TEST(GltfWriter, AThinWallComesBack) {
     Material material;
     material.transmission = 1.0f;
     material.thin_walled = is_thin;
-    EXPECT_EQ(decoded(encoded(sceneOf(sphereMesh(), material))).materials.at(0).thin_walled, is_thin);
+    EXPECT_EQ(decodedFile(encoded(sceneOf(sphereMesh(), material))).materials.at(0).thin_walled, is_thin);
   }
 }
 
@@ -129,7 +129,7 @@ TEST(GltfWriter, AnUnlitMaterialComesBackAndLooksMattElsewhere) {
   material.unlit = true;
   const EncodedScene file = encoded(sceneOf(sphereMesh(), material));
   EXPECT_THAT(jsonOf(file), AllOf(HasSubstr("\"KHR_materials_unlit\":{}"), HasSubstr("\"metallicFactor\":0.0")));
-  const Material found = decoded(file).materials.at(0);
+  const Material found = decodedFile(file).materials.at(0);
   EXPECT_TRUE(found.unlit);
   EXPECT_EQ(found.base_color, material.base_color);
 }
@@ -150,7 +150,7 @@ TEST(GltfWriter, ExtensionsThatAreUsedAreNamed) {
   const EncodedScene file = encoded(sceneOf(sphereMesh(), material));
   EXPECT_THAT(jsonOf(file),
               HasSubstr("\"extensionsUsed\":[\"KHR_materials_emissive_strength\",\"KHR_materials_ior\"]"));
-  EXPECT_EQ(decoded(file).materials.at(0).emission, material.emission);
+  EXPECT_EQ(decodedFile(file).materials.at(0).emission, material.emission);
 }
 
 TEST(GltfWriter, AlphaComesBack) {
@@ -232,7 +232,7 @@ TEST(GltfWriter, WhatGltfHasNotIsToldAndApproximated) {
                                          "materials[1] (peel): height, height_scale and height_frequency are "
                                          "left out"));
   const glm::vec3 wanted = formula::fresnelConductor(1.0f, gold.conductor_n, gold.conductor_k);
-  const Scene found = decoded(file);
+  const Scene found = decodedFile(file);
   const auto is_gold = [&](const Material& m) { return glm::distance(m.base_color, wanted) < 1e-6f; };
   EXPECT_TRUE(std::ranges::any_of(found.materials, is_gold));
 }
@@ -248,7 +248,7 @@ TEST(GltfWriter, MapsThatGltfHasNotAreLeftOutAndTold) {
   scene.slope_textures.emplace_back(1, 1, 3);
   const EncodedScene file = encoded(scene);
   EXPECT_THAT(file.left_out, ElementsAre(AllOf(HasSubstr("normal_map"), HasSubstr("derivative_map"))));
-  EXPECT_EQ(decoded(file).materials.at(0).normal_map.texture, -1);
+  EXPECT_EQ(decodedFile(file).materials.at(0).normal_map.texture, -1);
 }
 
 // The depths at which a camera clips: what it sees at −1 and at 1 lies there.

@@ -24,14 +24,14 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Bytes bytesOf(std::string_view text) { return Bytes(text.begin(), text.end()); }
+Bytes objBytes(std::string_view text) { return Bytes(text.begin(), text.end()); }
 
-Result<Scene> decode(std::string_view text) {
-  return decodeObj(bytesOf(text), std::filesystem::path(::testing::TempDir()) / "model.obj");
+Result<Scene> decodeObjText(std::string_view text) {
+  return decodeObj(objBytes(text), std::filesystem::path(::testing::TempDir()) / "model.obj");
 }
 
-void expectRefused(std::string_view text, const std::string& part) {
-  const Result<Scene> scene = decode(text);
+void expectObjRefused(std::string_view text, const std::string& part) {
+  const Result<Scene> scene = decodeObjText(text);
   ASSERT_FALSE(scene) << part;
   EXPECT_EQ(scene.error().code, ErrorCode::bad_file);
   EXPECT_THAT(scene.error().message, Not(HasSubstr("model.obj")));
@@ -39,11 +39,11 @@ void expectRefused(std::string_view text, const std::string& part) {
 }
 
 void writeText(const char* name, std::string_view text) {
-  ASSERT_TRUE(writeFile(std::filesystem::path(::testing::TempDir()) / name, bytesOf(text)));
+  ASSERT_TRUE(writeFile(std::filesystem::path(::testing::TempDir()) / name, objBytes(text)));
 }
 
 TEST(Obj, SharesVerticesAndTurnsV) {
-  const Result<Scene> scene = decode(
+  const Result<Scene> scene = decodeObjText(
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 2\n"
       "f 1/1/1 2/2/1 3/3/1 4/4/1\n");
   ASSERT_TRUE(scene) << scene.error().message;
@@ -57,7 +57,7 @@ TEST(Obj, SharesVerticesAndTurnsV) {
 }
 
 TEST(Obj, CountsBackwardsAndForwards) {
-  const Result<Scene> scene = decode("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 1 2 4\nv 0 0 1\n");
+  const Result<Scene> scene = decodeObjText("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 1 2 4\nv 0 0 1\n");
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_EQ(scene->meshes.at(0).indices.size(), 6u);
   EXPECT_EQ(scene->meshes[0].vertices.back().position, glm::vec3(0, 0, 1));
@@ -65,7 +65,7 @@ TEST(Obj, CountsBackwardsAndForwards) {
 
 TEST(Obj, SmoothsAcrossSeamsOfTheTextureCoordinates) {
   // A fold of two faces that share an edge but not its texture coordinates.
-  const Result<Scene> scene = decode(
+  const Result<Scene> scene = decodeObjText(
       "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 -1\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\ns 1\n"
       "f 1/1 3/2 2/3\nf 1/4 2/2 4/3\n");
   ASSERT_TRUE(scene) << scene.error().message;
@@ -114,27 +114,27 @@ float roundness(const Scene& scene, glm::vec3 center) {
 }
 
 TEST(Obj, WithoutNormalsABoxIsSharpAndABallIsSmooth) {
-  const Scene box = *decode(boxText(""));
+  const Scene box = *decodeObjText(boxText(""));
   EXPECT_EQ(box.meshes.at(0).vertices.size(), 24u);
   for (const Vertex& vertex : box.meshes[0].vertices)
     EXPECT_EQ(std::max({std::abs(vertex.normal.x), std::abs(vertex.normal.y), std::abs(vertex.normal.z)}), 1.0f);
-  const Scene ball = *decode(ballText(""));
+  const Scene ball = *decodeObjText(ballText(""));
   EXPECT_EQ(ball.meshes.at(0).vertices.size(), 11u * 24u + 2u);
   EXPECT_GT(roundness(ball, glm::vec3(0.0f)), 0.9999f);
 }
 
 TEST(Obj, SmoothingGroupsSayWhatIsSmooth) {
-  EXPECT_EQ(decode(boxText("s 7\n"))->meshes.at(0).vertices.size(), 8u) << "one group";
-  EXPECT_GT(roundness(*decode(boxText(" s\t7 \r\n")), glm::vec3(0.5f)), 0.999f);
-  EXPECT_EQ(decode("s 1\n" + boxText("s off\n"))->meshes.at(0).vertices.size(), 24u);
+  EXPECT_EQ(decodeObjText(boxText("s 7\n"))->meshes.at(0).vertices.size(), 8u) << "one group";
+  EXPECT_GT(roundness(*decodeObjText(boxText(" s\t7 \r\n")), glm::vec3(0.5f)), 0.999f);
+  EXPECT_EQ(decodeObjText("s 1\n" + boxText("s off\n"))->meshes.at(0).vertices.size(), 24u);
   const std::size_t triangles = 24u * 22u;
-  EXPECT_EQ(decode(ballText("s off\n"))->meshes.at(0).vertices.size(), 3u * triangles);
-  EXPECT_EQ(decode(ballText("s 0\n"))->meshes.at(0).vertices.size(), 3u * triangles);
-  EXPECT_EQ(decode(ballText("s 2\n"))->meshes.at(0).vertices.size(), 11u * 24u + 2u);
+  EXPECT_EQ(decodeObjText(ballText("s off\n"))->meshes.at(0).vertices.size(), 3u * triangles);
+  EXPECT_EQ(decodeObjText(ballText("s 0\n"))->meshes.at(0).vertices.size(), 3u * triangles);
+  EXPECT_EQ(decodeObjText(ballText("s 2\n"))->meshes.at(0).vertices.size(), 11u * 24u + 2u);
   // The four sides of the box are one group, top and bottom have others; before the first `s` all is off.
   std::string groups = boxText("");
   groups.insert(groups.find("f 1 2 6 5"), "s 3\n");
-  const Scene tube = *decode(groups);
+  const Scene tube = *decodeObjText(groups);
   EXPECT_EQ(tube.meshes.at(0).vertices.size(), 4u + 4u + 8u);
 }
 
@@ -146,7 +146,7 @@ TEST(Obj, ReadsMaterialsAndTheirPictures) {
             "newmtl painted\nKd 1 1 1\nmap_Kd obj_colour.png\nmap_Bump bumps.png\nPr 0.3\nPm 1\n"
             "newmtl broken\nmap_Kd no_such.png\n"
             "newmtl unused\nKd 1 0 0\n");
-  const Result<Scene> scene = decode(
+  const Result<Scene> scene = decodeObjText(
       "mtllib obj_test.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl painted\nf 1 2 3\nusemtl shiny\nf 1 2 3\n"
       "usemtl painted\nf 3 2 1\nusemtl broken\nf 1 2 3\nusemtl unheard\nf 1 2 3\n");
   ASSERT_TRUE(scene) << scene.error().message;
@@ -188,7 +188,8 @@ TEST(Obj, PicturesMayBeTgaTiffBmpOrPpm) {
   for (const auto& [name, bytes] : pictures) {
     ASSERT_TRUE(writeFile(std::filesystem::path(::testing::TempDir()) / name, bytes));
     writeText("obj_formats.mtl", "newmtl painted\nmap_Kd " + name + "\n");
-    const Result<Scene> scene = decode("mtllib obj_formats.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl painted\nf 1 2 3\n");
+    const Result<Scene> scene =
+        decodeObjText("mtllib obj_formats.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl painted\nf 1 2 3\n");
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_THAT(scene->warnings, ::testing::IsEmpty());
     EXPECT_THAT(scene->textures.at(0).image.samples(), ::testing::ElementsAre(1, 2, 3, 255)) << name;
@@ -196,7 +197,7 @@ TEST(Obj, PicturesMayBeTgaTiffBmpOrPpm) {
 }
 
 TEST(Obj, WithoutItsMaterialsIsAWarning) {
-  const Result<Scene> scene = decode("mtllib nowhere.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Result<Scene> scene = decodeObjText("mtllib nowhere.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_THAT(scene->warnings, Contains(HasSubstr("nowhere.mtl")));
   EXPECT_EQ(scene->materials.size(), 1u);
@@ -204,20 +205,20 @@ TEST(Obj, WithoutItsMaterialsIsAWarning) {
 
 TEST(Obj, NamesWhatIsWrong) {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  expectRefused("", "holds no faces");
-  expectRefused("just text\n", "holds no faces");
-  expectRefused(triangle + "f 1 2 4\n", "face 2 uses vertex 4 of 3");
-  expectRefused(triangle + "f 1/1 2/1 3/1\n", "face 2 uses texture coordinate 1 of 0");
-  expectRefused(triangle + "f 1//5 2//5 3//5\n", "face 2 uses normal 5 of 0");
-  expectRefused(triangle + "f -4 2 3\n", "face 2 has an index");
-  expectRefused(triangle + "f 0 2 3\n", "face 2 has an index");
-  expectRefused("v 0 0 1e999\n" + triangle, "vertex 1 is not finite");
-  expectRefused("v 0 0 0\nf 1 1\n", "three corners");
+  expectObjRefused("", "holds no faces");
+  expectObjRefused("just text\n", "holds no faces");
+  expectObjRefused(triangle + "f 1 2 4\n", "face 2 uses vertex 4 of 3");
+  expectObjRefused(triangle + "f 1/1 2/1 3/1\n", "face 2 uses texture coordinate 1 of 0");
+  expectObjRefused(triangle + "f 1//5 2//5 3//5\n", "face 2 uses normal 5 of 0");
+  expectObjRefused(triangle + "f -4 2 3\n", "face 2 has an index");
+  expectObjRefused(triangle + "f 0 2 3\n", "face 2 has an index");
+  expectObjRefused("v 0 0 1e999\n" + triangle, "vertex 1 is not finite");
+  expectObjRefused("v 0 0 0\nf 1 1\n", "three corners");
   // The parser takes what is no number as 0.
-  expectRefused("v nan 0 0\n" + triangle, "line 1: 'nan' is no number");
-  expectRefused(triangle + "# nan\r\nvn 0 -inf 1 # up\r\n", "line 6: '-inf' is no number");
-  expectRefused(triangle + "  vt\t0,5 1\n", "line 5: '0,5' is no number");
-  EXPECT_TRUE(decode("v 0 0 0 # nan\nv +1.5e-3 0 0\nv 0 1E2 0\nvx nan\nf 1 2 3\n"));
+  expectObjRefused("v nan 0 0\n" + triangle, "line 1: 'nan' is no number");
+  expectObjRefused(triangle + "# nan\r\nvn 0 -inf 1 # up\r\n", "line 6: '-inf' is no number");
+  expectObjRefused(triangle + "  vt\t0,5 1\n", "line 5: '0,5' is no number");
+  EXPECT_TRUE(decodeObjText("v 0 0 0 # nan\nv +1.5e-3 0 0\nv 0 1E2 0\nvx nan\nf 1 2 3\n"));
 }
 
 TEST(Obj, SurvivesRandomDamage) {
@@ -231,7 +232,7 @@ TEST(Obj, SurvivesRandomDamage) {
       char& letter = damaged[random() % damaged.size()];
       letter = static_cast<char>(letter ^ (1 << random() % 8));
     }
-    const Result<Scene> scene = decode(damaged);
+    const Result<Scene> scene = decodeObjText(damaged);
     if (!scene) continue;
     for (const Mesh& mesh : scene->meshes)
       for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.vertices.size());

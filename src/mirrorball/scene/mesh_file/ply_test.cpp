@@ -18,24 +18,24 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-Bytes bytesOf(std::string_view text) { return Bytes(text.begin(), text.end()); }
+Bytes plyBytes(std::string_view text) { return Bytes(text.begin(), text.end()); }
 
-Result<Scene> decode(const Bytes& bytes) { return decodePly(bytes); }
+Result<Scene> decodePlyText(const Bytes& bytes) { return decodePly(bytes); }
 
-void expectRefused(const Bytes& bytes, ErrorCode code, const std::string& part) {
-  const Result<Scene> scene = decode(bytes);
+void expectPlyRefused(const Bytes& bytes, ErrorCode code, const std::string& part) {
+  const Result<Scene> scene = decodePlyText(bytes);
   ASSERT_FALSE(scene) << part;
   EXPECT_EQ(scene.error().code, code) << scene.error().message;
   EXPECT_THAT(scene.error().message, HasSubstr(part));
 }
 
 /// A square of two triangles with normals of its own, all values binary.
-Bytes binarySquare(std::endian order) {
-  Bytes bytes = bytesOf(std::string("ply\nformat ") +
-                        (order == std::endian::little ? "binary_little_endian" : "binary_big_endian") +
-                        " 1.0\ncomment by hand\nelement vertex 4\nproperty double x\nproperty float y\n"
-                        "property short z\nproperty float nx\nproperty float ny\nproperty float nz\n"
-                        "element face 1\nproperty uchar flags\nproperty list uchar uint vertex_indices\nend_header\n");
+Bytes binaryPlySquare(std::endian order) {
+  Bytes bytes = plyBytes(std::string("ply\nformat ") +
+                         (order == std::endian::little ? "binary_little_endian" : "binary_big_endian") +
+                         " 1.0\ncomment by hand\nelement vertex 4\nproperty double x\nproperty float y\n"
+                         "property short z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+                         "element face 1\nproperty uchar flags\nproperty list uchar uint vertex_indices\nend_header\n");
   const auto put = [&](auto value) {
     std::uint8_t raw[sizeof value];
     std::memcpy(raw, &value, sizeof value);
@@ -58,7 +58,7 @@ Bytes binarySquare(std::endian order) {
 
 TEST(Ply, ReadsBinaryOfBothByteOrders) {
   for (const std::endian order : {std::endian::little, std::endian::big}) {
-    const Result<Scene> scene = decode(binarySquare(order));
+    const Result<Scene> scene = decodePlyText(binaryPlySquare(order));
     ASSERT_TRUE(scene) << scene.error().message;
     const Mesh& mesh = scene->meshes.at(0);
     ASSERT_EQ(mesh.vertices.size(), 4u);
@@ -69,12 +69,12 @@ TEST(Ply, ReadsBinaryOfBothByteOrders) {
 }
 
 TEST(Ply, ReadsAsciiWithColoursAndTextureCoordinates) {
-  const Result<Scene> scene =
-      decode(bytesOf("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float z\r\nproperty float y\r\n"
-                     "property float x\r\nproperty float s\r\nproperty float t\r\nproperty uchar red\r\n"
-                     "property uchar green\r\nproperty uchar blue\r\nproperty uchar alpha\r\n"
-                     "element face 1\r\nproperty list uchar int vertex_index\r\nend_header\r\n"
-                     "0 0 1 0.25 0.75 255 188 0 51\r\n0 1 0 0 0 0 0 0 255\r\n1 0 0 1 1 0 0 0 255\r\n3 0 1 2\r\n"));
+  const Result<Scene> scene = decodePlyText(
+      plyBytes("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float z\r\nproperty float y\r\n"
+               "property float x\r\nproperty float s\r\nproperty float t\r\nproperty uchar red\r\n"
+               "property uchar green\r\nproperty uchar blue\r\nproperty uchar alpha\r\n"
+               "element face 1\r\nproperty list uchar int vertex_index\r\nend_header\r\n"
+               "0 0 1 0.25 0.75 255 188 0 51\r\n0 1 0 0 0 0 0 0 255\r\n1 0 0 1 1 0 0 0 255\r\n3 0 1 2\r\n"));
   ASSERT_TRUE(scene) << scene.error().message;
   const Vertex& vertex = scene->meshes.at(0).vertices.at(0);
   EXPECT_EQ(vertex.position, glm::vec3(1, 0, 0));
@@ -92,8 +92,8 @@ TEST(Ply, WithoutNormalsABoxIsSharpAndARoundedEdgeIsSmooth) {
       "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 6\nproperty list uchar int vertex_indices\nend_header\n";
   const Result<Scene> box =
-      decode(bytesOf(header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
-                              "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"));
+      decodePlyText(plyBytes(header + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                                      "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"));
   ASSERT_TRUE(box) << box.error().message;
   const Mesh& mesh = box->meshes.at(0);
   EXPECT_EQ(mesh.vertices.size(), 24u) << "three at each of 8 corners";
@@ -102,10 +102,10 @@ TEST(Ply, WithoutNormalsABoxIsSharpAndARoundedEdgeIsSmooth) {
     EXPECT_NEAR(std::max({n.x, n.y, n.z}), 1.0f, 1e-6f) << "along an axis";
     EXPECT_NEAR(glm::dot(vertex.normal, vertex.position - glm::vec3(0.5f)), 0.5f, 1e-6f) << "outwards, of its own face";
   }
-  const Result<Scene> roof =
-      decode(bytesOf("ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
-                     "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
-                     "-1 0 0\n0 0 0.2\n0 1 0.2\n-1 1 0\n1 0 0\n1 1 0\n4 0 1 2 3\n4 1 4 5 2\n"));
+  const Result<Scene> roof = decodePlyText(
+      plyBytes("ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+               "-1 0 0\n0 0 0.2\n0 1 0.2\n-1 1 0\n1 0 0\n1 1 0\n4 0 1 2 3\n4 1 4 5 2\n"));
   ASSERT_TRUE(roof) << roof.error().message;
   EXPECT_EQ(roof->meshes.at(0).vertices.size(), 6u);
   for (const Vertex& vertex : roof->meshes.at(0).vertices)
@@ -115,10 +115,10 @@ TEST(Ply, WithoutNormalsABoxIsSharpAndARoundedEdgeIsSmooth) {
 }
 
 TEST(Ply, ReadsTriangleStrips) {
-  const Result<Scene> scene =
-      decode(bytesOf("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                     "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-                     "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 1 2\n"));
+  const Result<Scene> scene = decodePlyText(
+      plyBytes("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+               "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+               "0 0 0\n1 0 0\n0 1 0\n1 1 0\n8 0 1 2 3 -1 0 1 2\n"));
   ASSERT_TRUE(scene) << scene.error().message;
   const Mesh& mesh = scene->meshes.at(0);
   std::vector<int> corners;
@@ -132,49 +132,51 @@ const std::string kAsciiHeader =
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
 
 TEST(Ply, NamesWhatIsWrong) {
-  expectRefused(bytesOf("solid"), ErrorCode::bad_file, "not a PLY file");
-  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex 3\n"), ErrorCode::bad_file, "header does not end");
-  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex minus\n"), ErrorCode::bad_file, "line 3");
-  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty vector x\nend_header\n"),
-                ErrorCode::bad_file, "line 4: not a valid property");
-  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
-                        "property float z\nend_header\n0 0 0\n"),
-                ErrorCode::bad_file, "more than its 6 bytes of data can hold");
-  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n"), ErrorCode::bad_file,
-                "truncated");
-  expectRefused(bytesOf(kAsciiHeader + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file,
-                "line 2 of its data: no finite number for 'z' of vertex 1");
-  expectRefused(bytesOf(kAsciiHeader + "0 0 0\n1 0 1e300\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file, "too large");
-  expectRefused(bytesOf(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), ErrorCode::bad_file, "uses vertex 3 of 3");
-  expectRefused(bytesOf(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), ErrorCode::bad_file, "uses vertex -1 of 3");
-  expectRefused(bytesOf(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n99999999 0 1 2\n"), ErrorCode::bad_file,
-                "no valid length");
-  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-                        "property float z\nend_header\n0 0 0\n"),
-                ErrorCode::unsupported, "no faces");
+  expectPlyRefused(plyBytes("solid"), ErrorCode::bad_file, "not a PLY file");
+  expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement vertex 3\n"), ErrorCode::bad_file, "header does not end");
+  expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement vertex minus\n"), ErrorCode::bad_file, "line 3");
+  expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement vertex 1\nproperty vector x\nend_header\n"),
+                   ErrorCode::bad_file, "line 4: not a valid property");
+  expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
+                            "property float z\nend_header\n0 0 0\n"),
+                   ErrorCode::bad_file, "more than its 6 bytes of data can hold");
+  expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement vertex 4000000000\nend_header\n"), ErrorCode::bad_file,
+                   "truncated");
+  expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file,
+                   "line 2 of its data: no finite number for 'z' of vertex 1");
+  expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 1e300\n0 1 0\n3 0 1 2\n"), ErrorCode::bad_file, "too large");
+  expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), ErrorCode::bad_file,
+                   "uses vertex 3 of 3");
+  expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"), ErrorCode::bad_file,
+                   "uses vertex -1 of 3");
+  expectPlyRefused(plyBytes(kAsciiHeader + "0 0 0\n1 0 0\n0 1 0\n99999999 0 1 2\n"), ErrorCode::bad_file,
+                   "no valid length");
+  expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                            "property float z\nend_header\n0 0 0\n"),
+                   ErrorCode::unsupported, "no faces");
 }
 
 TEST(Ply, RefusesFacesThatPrecedeVerticesTheyLack) {
-  expectRefused(bytesOf("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
-                        "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
-                        "3 0 1 7\n0 0 0\n1 0 0\n0 1 0\n"),
-                ErrorCode::bad_file, "uses vertex 7 of 3");
+  expectPlyRefused(plyBytes("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n"
+                            "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+                            "3 0 1 7\n0 0 0\n1 0 0\n0 1 0\n"),
+                   ErrorCode::bad_file, "uses vertex 7 of 3");
 }
 
 TEST(Ply, IsRefusedWhenCutAnywhere) {
-  const Bytes whole = binarySquare(std::endian::little);
+  const Bytes whole = binaryPlySquare(std::endian::little);
   for (std::size_t size = 0; size < whole.size(); ++size)
-    EXPECT_FALSE(decode(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
+    EXPECT_FALSE(decodePlyText(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
 }
 
 TEST(Ply, SurvivesRandomDamage) {
-  const Bytes whole = binarySquare(std::endian::big);
+  const Bytes whole = binaryPlySquare(std::endian::big);
   std::mt19937 random(1);
   for (int i = 0; i < 4000; ++i) {
     Bytes damaged = whole;
     for (int flips = 0; flips < 3; ++flips)
       damaged[random() % damaged.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
-    const Result<Scene> scene = decode(damaged);
+    const Result<Scene> scene = decodePlyText(damaged);
     if (!scene) continue;
     for (const std::uint32_t index : scene->meshes.at(0).indices) ASSERT_LT(index, scene->meshes[0].vertices.size());
   }
@@ -183,9 +185,9 @@ TEST(Ply, SurvivesRandomDamage) {
 TEST(Ply, MemoryIsAskedForBeforeItIsTaken) {
   const std::uint64_t before = memoryLimit();
   setMemoryLimit(4 * sizeof(Vertex) - 1);
-  expectRefused(binarySquare(std::endian::little), ErrorCode::too_large, "of memory");
+  expectPlyRefused(binaryPlySquare(std::endian::little), ErrorCode::too_large, "of memory");
   setMemoryLimit(before);
-  EXPECT_TRUE(decode(binarySquare(std::endian::little)));
+  EXPECT_TRUE(decodePlyText(binaryPlySquare(std::endian::little)));
 }
 
 }  // namespace

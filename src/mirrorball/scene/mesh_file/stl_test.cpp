@@ -14,11 +14,11 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Bytes bytesOf(std::string_view text) { return Bytes(text.begin(), text.end()); }
+Bytes stlBytes(std::string_view text) { return Bytes(text.begin(), text.end()); }
 
 /// Two facets of a square in z = 0, beginning with the word of the ascii format, as many binary files do.
-Bytes binarySquare() {
-  Bytes bytes = bytesOf("solid, yet binary");
+Bytes binaryStlSquare() {
+  Bytes bytes = stlBytes("solid, yet binary");
   bytes.resize(80, 0);
   const auto put = [&](auto value) {
     std::uint8_t raw[sizeof value];
@@ -39,7 +39,7 @@ constexpr const char* kAscii =
     "solid made by hand\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1e0 0 0\n   vertex 0 1 0\n"
     "  endloop\n endfacet\nendsolid made by hand\n";
 
-void expectRefused(const Bytes& bytes, const std::string& part) {
+void expectStlRefused(const Bytes& bytes, const std::string& part) {
   const Result<Scene> scene = decodeStl(bytes);
   ASSERT_FALSE(scene) << part;
   EXPECT_EQ(scene.error().code, ErrorCode::bad_file);
@@ -47,7 +47,7 @@ void expectRefused(const Bytes& bytes, const std::string& part) {
 }
 
 TEST(Stl, TellsBinaryBySize) {
-  const Result<Scene> scene = decodeStl(binarySquare());
+  const Result<Scene> scene = decodeStl(binaryStlSquare());
   ASSERT_TRUE(scene) << scene.error().message;
   const Mesh& mesh = scene->meshes.at(0);
   ASSERT_EQ(mesh.indices.size(), 6u);
@@ -56,7 +56,7 @@ TEST(Stl, TellsBinaryBySize) {
 }
 
 TEST(Stl, ReadsAscii) {
-  const Result<Scene> scene = decodeStl(bytesOf(kAscii));
+  const Result<Scene> scene = decodeStl(stlBytes(kAscii));
   ASSERT_TRUE(scene) << scene.error().message;
   ASSERT_EQ(scene->meshes.at(0).vertices.size(), 3u);
   EXPECT_EQ(scene->meshes[0].vertices[1].position, glm::vec3(1, 0, 0));
@@ -64,43 +64,43 @@ TEST(Stl, ReadsAscii) {
 }
 
 TEST(Stl, LeavesOutFacetsWithoutArea) {
-  Bytes bytes = binarySquare();
+  Bytes bytes = binaryStlSquare();
   std::memset(bytes.data() + 84 + 12, 0, 36);
   const Result<Scene> scene = decodeStl(bytes);
   ASSERT_TRUE(scene);
   EXPECT_EQ(scene->meshes.at(0).indices.size(), 3u);
   std::memset(bytes.data() + 84 + 50 + 12, 0, 36);
-  expectRefused(bytes, "no facet with an area");
+  expectStlRefused(bytes, "no facet with an area");
 }
 
 TEST(Stl, NamesWhatIsWrong) {
-  expectRefused({}, "too short");
-  expectRefused(bytesOf("nothing of the kind"), "too short");
-  Bytes wrong_count = binarySquare();
+  expectStlRefused({}, "too short");
+  expectStlRefused(stlBytes("nothing of the kind"), "too short");
+  Bytes wrong_count = binaryStlSquare();
   wrong_count[0] = 'x';
   wrong_count[83] = 0x7f;
-  expectRefused(wrong_count, "it is truncated or no STL file");
-  Bytes not_finite = binarySquare();
+  expectStlRefused(wrong_count, "it is truncated or no STL file");
+  Bytes not_finite = binaryStlSquare();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(not_finite.data() + 84 + 50 + 12 + 4, &nan, sizeof nan);
-  expectRefused(not_finite, "facet 1 (byte 146)");
-  expectRefused(bytesOf("solid\nfacet\nvertex 0 0 nan\n"), "line 3: a corner needs three finite numbers");
-  expectRefused(bytesOf("solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nfacet\n"), "line 5: the facet before it");
-  expectRefused(bytesOf("solid\nfacet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"), "endsolid");
+  expectStlRefused(not_finite, "facet 1 (byte 146)");
+  expectStlRefused(stlBytes("solid\nfacet\nvertex 0 0 nan\n"), "line 3: a corner needs three finite numbers");
+  expectStlRefused(stlBytes("solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nfacet\n"), "line 5: the facet before it");
+  expectStlRefused(stlBytes("solid\nfacet normal 0 0 1\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"), "endsolid");
 }
 
 TEST(Stl, IsRefusedWhenCutAnywhere) {
-  const Bytes binary = binarySquare();
+  const Bytes binary = binaryStlSquare();
   for (std::size_t size = 0; size < binary.size(); ++size)
     EXPECT_FALSE(decodeStl(std::span(binary).first(size))) << size;
-  const Bytes ascii = bytesOf(kAscii);
+  const Bytes ascii = stlBytes(kAscii);
   const std::size_t last_word = std::string_view(kAscii).find("endsolid") + std::strlen("endsolid");
   for (std::size_t size = 0; size < last_word; ++size) EXPECT_FALSE(decodeStl(std::span(ascii).first(size))) << size;
 }
 
 TEST(Stl, SurvivesRandomDamage) {
   std::mt19937 random(2);
-  for (const Bytes& whole : {binarySquare(), bytesOf(kAscii)}) {
+  for (const Bytes& whole : {binaryStlSquare(), stlBytes(kAscii)}) {
     for (int i = 0; i < 3000; ++i) {
       Bytes damaged = whole;
       for (int flips = 0; flips < 3; ++flips)

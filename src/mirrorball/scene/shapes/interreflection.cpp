@@ -13,8 +13,8 @@
 namespace mirrorball {
 namespace {
 
-constexpr int kSegments = 192;  ///< about the bowl's axis
-constexpr int kRings = 96;      ///< of each of its two walls
+constexpr int kBowlSegments = 192;  ///< about the bowl's axis
+constexpr int kRings = 96;          ///< of each of its two walls
 
 /// The light that enters through a cap of a sphere's area's share: cos of its half angle is 1 − 2 share.
 constexpr double kHeightOfOpening = 1.0 - 2.0 * double(kBowlOpenShare);  // in radii of the inner sphere
@@ -41,9 +41,9 @@ std::vector<ProfilePoint> bowlProfile() {
 /// The bowl as one closed surface. In the second set of texture coordinates all of the inside is the middle of an
 /// upper texel, and all else that of a lower one.
 Mesh bowlMesh() {
-  Mesh mesh = revolvedMesh(bowlProfile(), kSegments);
+  Mesh mesh = revolvedMesh(bowlProfile(), kBowlSegments);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-    mesh.vertices[i].uv[1] = {0.5f, i < kInsidePoints * (kSegments + 1) ? 0.25f : 0.75f};
+    mesh.vertices[i].uv[1] = {0.5f, i < kInsidePoints * (kBowlSegments + 1) ? 0.25f : 0.75f};
   return mesh;
 }
 

@@ -22,7 +22,7 @@ constexpr double kFootRadius = 4.0;       ///< of the rounding between the outer
 constexpr double kFloorRadius = 6.0;      ///< of that between the inner wall and the floor
 constexpr double kLevel = 0.6 * kHeight;  ///< of the water
 
-constexpr int kSegments = 192;
+constexpr int kTumblerSegments = 192;
 constexpr int kQuarter = 24;  ///< steps of a rounding by a quarter of a turn
 
 /// The point at that distance outwards from the middle of the wall (prolonged, where there is none) and at that height.
@@ -61,7 +61,7 @@ std::vector<ProfilePoint> waterProfile() {
 }  // namespace
 
 Mesh tumblerMesh() {
-  Mesh mesh = revolvedMesh(glassProfile(), kSegments);
+  Mesh mesh = revolvedMesh(glassProfile(), kTumblerSegments);
   fitToUnitSphere(mesh);
   return mesh;
 }
@@ -69,9 +69,9 @@ Mesh tumblerMesh() {
 Scene tumblerWaterScene() {
   Material glass = *materialNamed("glass");
   glass.priority = 1;
-  Scene scene = sceneOf(revolvedMesh(glassProfile(), kSegments), glass);
+  Scene scene = sceneOf(revolvedMesh(glassProfile(), kTumblerSegments), glass);
   scene.materials.push_back(*materialNamed("water"));
-  scene.meshes.push_back(revolvedMesh(waterProfile(), kSegments));
+  scene.meshes.push_back(revolvedMesh(waterProfile(), kTumblerSegments));
   scene.meshes.back().material = 1;
   scene.instances.push_back({.mesh = 1});
   fitToUnitSphere(scene);

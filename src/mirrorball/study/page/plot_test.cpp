@@ -11,7 +11,7 @@ namespace {
 using ::testing::HasSubstr;
 
 /// What a pattern's first group is, wherever it matches.
-std::vector<std::string> allOf(const std::string& text, const std::string& pattern) {
+std::vector<std::string> allInPlot(const std::string& text, const std::string& pattern) {
   std::vector<std::string> found;
   const std::regex expression(pattern);
   for (std::sregex_iterator it(text.begin(), text.end(), expression), end; it != end; ++it) found.push_back((*it)[1]);
@@ -21,10 +21,10 @@ std::vector<std::string> allOf(const std::string& text, const std::string& patte
 TEST(Plot, EachPointIsWhereItsNumbersAre) {
   const Plot plot{.title = "T", .x_label = "x", .y_label = "y", .curves = {{"a", {{0, 0}, {1, 5}, {2, 10}}}}};
   const std::string svg = svgOf(plot, "p");
-  EXPECT_EQ(allOf(svg, "<title>(a: [^<]+)</title>"),
+  EXPECT_EQ(allInPlot(svg, "<title>(a: [^<]+)</title>"),
             (std::vector<std::string>{"a: 0 at 0", "a: 5 at 1", "a: 10 at 2"}));
-  const auto x = allOf(svg, "<circle cx=\"([0-9.]+)\"");
-  const auto y = allOf(svg, "<circle cx=\"[0-9.]+\" cy=\"([0-9.]+)\"");
+  const auto x = allInPlot(svg, "<circle cx=\"([0-9.]+)\"");
+  const auto y = allInPlot(svg, "<circle cx=\"[0-9.]+\" cy=\"([0-9.]+)\"");
   ASSERT_EQ(x.size(), 3u);
   EXPECT_NEAR(std::stod(x[1]), (std::stod(x[0]) + std::stod(x[2])) / 2, 0.1);
   EXPECT_NEAR(std::stod(y[1]), (std::stod(y[0]) + std::stod(y[2])) / 2, 0.1);
@@ -33,7 +33,7 @@ TEST(Plot, EachPointIsWhereItsNumbersAre) {
 
 TEST(Plot, MarksAreRoundNumbersAroundAllPoints) {
   const Plot plot{.x_label = "x", .y_from_zero = false, .y_label = "y", .curves = {{"a", {{3, 21.5}, {97, 38.2}}}}};
-  const auto marks = allOf(svgOf(plot, "p"), "<text class=\"mark of-y\"[^>]*>([^<]+)<");
+  const auto marks = allInPlot(svgOf(plot, "p"), "<text class=\"mark of-y\"[^>]*>([^<]+)<");
   ASSERT_GE(marks.size(), 3u);
   EXPECT_EQ(marks.front(), "20");
   EXPECT_EQ(marks.back(), "40");

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/ldr/jpeg.h"
+#include "mirrorball/codec/format_signature.h"
 #include "mirrorball/image/upright.h"
 
 namespace mirrorball {

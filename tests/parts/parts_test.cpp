@@ -32,10 +32,12 @@ TEST(Parts, TheSunsetIsThereOrNamed) {
   EXPECT_EQ(sunset.has_value(), hasSunset());
   const auto names = builtinEnvironmentNames();
   EXPECT_EQ(std::ranges::find(names, "sunset") != names.end(), hasSunset());
-  if (!sunset)
+  if (!sunset) {
     EXPECT_EQ(sunset.error().message,
-              "this build has no sunset, which is an OpenEXR file; one with MIRRORBALL_EXR=ON does");
-  EXPECT_THAT(names, Contains("studio"));
+              "this build has no sunset, which is an OpenEXR file;
+  }
+  one with MIRRORBALL_EXR = ON does ");
+      EXPECT_THAT(names, Contains("studio"));
 }
 
 }  // namespace

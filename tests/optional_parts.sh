@@ -7,6 +7,7 @@
 # if one of them failed. It is run by hand: it takes hours at first, where ./test takes minutes.
 #
 #   --quick   only the rooms that know of parts, and tests/parts
+#   JOBS=N    in the environment: number of compilers at a time
 
 set -u
 quick=false

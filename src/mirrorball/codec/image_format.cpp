@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball {
@@ -101,12 +102,12 @@ std::string readFormatNames(Holds what) {
 
 Result<ImageFormatId> formatToWrite(const std::filesystem::path& path, std::initializer_list<Holds> wanted) {
   const std::string extension = extensionOf(path);
-  const auto* const format = std::ranges::find_if(kImageFormats, [&](const ImageFormat& known) {
+  const auto* const format = std::find_if(kImageFormats.begin(), kImageFormats.end(), [&](const ImageFormat& known) {
     const std::vector<std::string> extensions = split(known.extensions, ' ');
-    return std::ranges::find(extensions, extension) != extensions.end();
+    return contains(extensions, extension);
   });
   const bool is_written = format != kImageFormats.end() && format->is_written;
-  if (is_written && std::ranges::find(wanted, format->holds) != wanted.end()) return format->id;
+  if (is_written && contains(wanted, format->holds)) return format->id;
   const std::string what = extension.empty() ? "has no extension to tell its format by"
                            : is_written      ? "would hold " + std::string(textOf(format->holds))
                                              : "is not a format that Mirrorball writes";

@@ -41,7 +41,8 @@ std::uint64_t statedSize(const TextureShape& shape, const StoredFormat& format, 
 
 /// All that stands before the texels of the first level.
 Bytes header(const TextureShape& shape, const TextureWriteOptions& options) {
-  const Row& row = *std::ranges::find(kRows, options.format, &Row::format);
+  const Row& row =
+      *std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& r) { return r.format == options.format; });
   const Bytes key_values = ktxKeyValues(options.metadata, KtxVersion::ktx1);
   LittleEndianWriter writer;
   writer.append(kIdentifier);

@@ -44,14 +44,14 @@ FN Beam beamBeyond(Beam beam, vec3 surface) {
   float b = surface.y;
   vec3 l = beam.lobe;
   vec3 lobe = vec3(a * a * l.x + 2.0f * a * b * l.y + b * b * l.z + surface.z, a * l.y + b * l.z, l.z);
-  return Beam(lobe, vec2(a * beam.pixel.x + b * beam.pixel.y, beam.pixel.y));
+  return MAKE(Beam)(lobe, vec2(a * beam.pixel.x + b * beam.pixel.y, beam.pixel.y));
 }
 
 // And after a distance.
 FN Beam beamAfter(Beam beam, float distance) {
   vec3 l = beam.lobe;
   vec3 lobe = vec3(l.x, l.y + distance * l.x, l.z + distance * (2.0f * l.y + distance * l.x));
-  return Beam(lobe, vec2(beam.pixel.x, beam.pixel.y + distance * beam.pixel.x));
+  return MAKE(Beam)(lobe, vec2(beam.pixel.x, beam.pixel.y + distance * beam.pixel.x));
 }
 
 // Which roughness blurs the environment as the beam does.

@@ -38,6 +38,6 @@ FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit) {
     color += weight * halvesOf(look.x, look.y);
     emission += weight * halvesOf(look.z, look.w);
   }
-  return SceneSurface(surface.normal, surface.geometric_normal, hidden, vec3(shown), shown.w, vec3(color), color.w,
-                      vec3(emission));
+  return MAKE(SceneSurface)(surface.normal, surface.geometric_normal, hidden, vec3(shown), shown.w, vec3(color),
+                            color.w, vec3(emission));
 }

@@ -84,7 +84,7 @@ FN TriangleHit nearestOfLeaf(WORD_SAMPLER tree, int triangles, int leaf, vec3 or
     int texel = triangles + triangle * kTexelsOfTriangle;
     vec3 met = meetingOfTriangle(floatsOf(fetchWords(tree, texel)), floatsOf(fetchWords(tree, texel + 1)),
                                  floatsOf(fetchWords(tree, texel + 2)), origin, direction, margin);
-    if (met.x > nearest && met.x < found.distance) found = TriangleHit(met.x, triangle, vec2(met.y, met.z));
+    if (met.x > nearest && met.x < found.distance) found = MAKE(TriangleHit)(met.x, triangle, vec2(met.y, met.z));
   }
   return found;
 }
@@ -100,7 +100,7 @@ FN TriangleHit nearestTriangleBeside(WORD_SAMPLER tree, vec3 origin, vec3 direct
   vec3 size = floatsOf(fetchWords(tree, 2));
   vec3 inverse = inverseDirection(direction) * size;
   vec3 origin_in_all = (origin - floatsOf(fetchWords(tree, 1))) / size;
-  TriangleHit best = TriangleHit(kBeyondAll, -1, vec2(0.0f));
+  TriangleHit best = MAKE(TriangleHit)(kBeyondAll, -1, vec2(0.0f));
   int waiting[kDeepestNode];
   int count = 0;
   int node = int(head.x);
@@ -160,7 +160,7 @@ FN BodySurface bodySurfaceAt(WORD_SAMPLER tree, TriangleHit hit) {
   vec3 geometric_normal = normalize(cross(e1, e2));
   vec3 n = n0 * (1.0f - b.x - b.y) + n1 * b.x + n2 * b.y;
   vec3 normal = dot(n, n) > 0.0f ? normalize(n) : geometric_normal;  // none where the corners' cancel out
-  return BodySurface(normal, geometric_normal, curvature, int(corner_0.w));
+  return MAKE(BodySurface)(normal, geometric_normal, curvature, int(corner_0.w));
 }
 
 // What fills the inside of closed triangles: the numbers of its material that light needs which passes through.
@@ -180,7 +180,7 @@ FN Body bodyAt(WORD_SAMPLER tree, int body) {
   vec4 attenuation = uintBitsToFloat(fetchWords(tree, texel + 1));
   uvec4 rest = fetchWords(tree, texel + 2);
   vec3 numbers = floatsOf(rest);
-  RefractiveIndex index = RefractiveIndex(color.w, numbers.y, uintBitsToFloat(fetchWords(tree, texel + 3)),
-                                          uintBitsToFloat(fetchWords(tree, texel + 4)));
-  return Body(vec3(color), index, vec3(attenuation), attenuation.w, numbers.x, numbers.z, int(rest.w));
+  RefractiveIndex index = MAKE(RefractiveIndex)(color.w, numbers.y, uintBitsToFloat(fetchWords(tree, texel + 3)),
+                                                uintBitsToFloat(fetchWords(tree, texel + 4)));
+  return MAKE(Body)(vec3(color), index, vec3(attenuation), attenuation.w, numbers.x, numbers.z, int(rest.w));
 }

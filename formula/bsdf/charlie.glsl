@@ -63,5 +63,5 @@ FN SheenTap sheenTap(float alpha, vec3 v, int ring, int spoke) {
   vec2 turned = vec2(side.x * cos(angle) - side.y * sin(angle), side.y * cos(angle) + side.x * sin(angle));
   float sine = sqrt(1.0f - z * z);
   vec3 l = vec3(sine * turned.x, sine * turned.y, z);
-  return SheenTap(l, evalCharlie(alpha, v, l) * z * (high - low));
+  return MAKE(SheenTap)(l, evalCharlie(alpha, v, l) * z * (high - low));
 }

@@ -35,6 +35,6 @@ FN vec2 placeInLobeRows(int lobe, float perceptual_roughness, float cosine) {
 FN RoundLobe lobeOfRow(vec4 texel, float perceptual_roughness, vec3 n, vec3 r) {
   float alpha = alphaFromPerceptualRoughness(perceptual_roughness);
   vec3 towards_normal = n - dot(n, r) * r;
-  return RoundLobe(normalize(r + alpha * texel.x * towards_normal), min(perceptual_roughness * texel.y, 1.0f), texel.z,
-                   texel.w);
+  return MAKE(RoundLobe)(normalize(r + alpha * texel.x * towards_normal), min(perceptual_roughness * texel.y, 1.0f),
+                         texel.z, texel.w);
 }

@@ -32,7 +32,7 @@ FN FacetTap tapOfStretchedLobe(vec2 alpha, vec3 v, float share, float step_of_sh
   // The facets' slopes as angles about h.
   float angle = max(alpha.y * h.z, 0.5f * spacing * h.z * h.z);
   float weight = is_seen ? ggxMaskingShadowing(alpha, v, l) * towards / h.z : 0.0f;
-  return FacetTap(h, clamp(angle, 0.0f, 1.0f), weight);
+  return MAKE(FacetTap)(h, clamp(angle, 0.0f, 1.0f), weight);
 }
 
 // How much of white light such facets send away at the first bounce, over what round ones of the narrow width send.

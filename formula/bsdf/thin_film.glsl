@@ -34,7 +34,7 @@ FN SpectrumMean meanOverSpectrum(float difference) {
   float second = 0.15384f * exp(-4.5282e-3f * phase * phase);
   vec3 cosines = bells * cos(kBellMiddles * phase) + vec3(second * cos(2.2399f * phase), 0.0f, 0.0f);
   vec3 sines = bells * sin(kBellMiddles * phase) + vec3(second * sin(2.2399f * phase), 0.0f, 0.0f);
-  return SpectrumMean(rec709FromXyz(cosines) / white, rec709FromXyz(sines) / white);
+  return MAKE(SpectrumMean)(rec709FromXyz(cosines) / white, rec709FromXyz(sines) / white);
 }
 
 // How one polarisation is reflected: the amplitude a of the upper side, ρ of the lower one, and the phase that the
@@ -102,7 +102,7 @@ FN vec3 filmReflectance(float cosine, float film_ior, float thickness, vec3 n, v
   // Perpendicular: (inner − below) / (inner + below).
   vec3 rho2 = ((inner - re) * (inner - re) + im * im) / max((inner + re) * (inner + re) + im * im, vec3(1e-12f));
   vec3 shift = atan(-2.0f * inner * im, inner * inner - re * re - im * im + kNoAngle);
-  FilmSides s = FilmSides((cosine - inner) / (cosine + inner), sqrt(rho2), shift);
+  FilmSides s = MAKE(FilmSides)((cosine - inner) / (cosine + inner), sqrt(rho2), shift);
   // Parallel: (m² inner − n² below) / (m² inner + n² below), n being the film's index.
   float film2 = film_ior * film_ior;
   vec3 p_re = m_re * inner;
@@ -113,7 +113,7 @@ FN vec3 filmReflectance(float cosine, float film_ior, float thickness, vec3 n, v
   vec3 sum2 = (p_re + q_re) * (p_re + q_re) + (p_im + q_im) * (p_im + q_im);
   rho2 = difference2 / max(sum2, vec3(1e-12f));
   shift = atan(2.0f * (p_im * q_re - p_re * q_im), p_re * p_re + p_im * p_im - q_re * q_re - q_im * q_im + kNoAngle);
-  FilmSides p = FilmSides((film2 * cosine - inner) / (film2 * cosine + inner), sqrt(rho2), shift);
+  FilmSides p = MAKE(FilmSides)((film2 * cosine - inner) / (film2 * cosine + inner), sqrt(rho2), shift);
 
   vec3 sum_s = sumWithoutSpectrum(s, difference);
   vec3 sum_p = sumWithoutSpectrum(p, difference);

@@ -59,10 +59,10 @@ FN float shareOfHit(CUBE_SAMPLER nearness, vec3 from, vec3 to) {
 // returns  its place is of no use
 FN ProxySight capturedSight(CUBE_SAMPLER nearness, vec3 from, vec3 d) {
   float beside = length(from);
-  if (beside <= 0.0f) return ProxySight(d, 1.0f, from, false);
+  if (beside <= 0.0f) return MAKE(ProxySight)(d, 1.0f, from, false);
   vec3 to = beside * d;
   float share = shareOfHit(nearness, from, to);
   vec3 seen = mix(from, to, share);
   float way = share * beside;
-  return ProxySight(normalize(seen), way * way / dot(seen, seen), seen, false);
+  return MAKE(ProxySight)(normalize(seen), way * way / dot(seen, seen), seen, false);
 }

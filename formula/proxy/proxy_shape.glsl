@@ -24,7 +24,7 @@ FN ProxyHit hitOfBox(vec3 low, vec3 high, vec3 origin, vec3 d) {
     normal = vec3(1.0f, 0.0f, 0.0f);
   else if (ways.y <= distance)
     normal = vec3(0.0f, 1.0f, 0.0f);
-  return ProxyHit(from + distance * d, normal, distance, false);
+  return MAKE(ProxyHit)(from + distance * d, normal, distance, false);
 }
 
 FN vec3 withinSphere(vec3 center, float radius, vec3 place) {
@@ -40,7 +40,7 @@ FN ProxyHit hitOfSphere(vec3 center, float radius, vec3 origin, vec3 d) {
   float along = dot(to, d);
   float distance = sqrt(max(along * along - dot(to, to) + radius * radius, 0.0f)) - along;
   vec3 place = from + distance * d;
-  return ProxyHit(place, (place - center) / radius, distance, false);
+  return MAKE(ProxyHit)(place, (place - center) / radius, distance, false);
 }
 
 FN vec3 withinDome(vec3 center, float radius, float ground, vec3 place) {
@@ -56,7 +56,7 @@ FN ProxyHit hitOfGround(vec3 center, float radius, float ground, vec3 origin, ve
   ProxyHit dome = hitOfSphere(center, radius, from, d);
   float distance = d.y < 0.0f ? min((ground - from.y) / d.y, kFarAway) : kFarAway;
   if (distance >= dome.distance) return dome;
-  return ProxyHit(from + distance * d, vec3(0.0f, 1.0f, 0.0f), distance, true);
+  return MAKE(ProxyHit)(from + distance * d, vec3(0.0f, 1.0f, 0.0f), distance, true);
 }
 
 // What is left of the light of a photographed ground where something blocks its light. It is taken as matt: `blocked`

@@ -25,12 +25,12 @@ const float kMostEnlargement = 1e4f;
 FN ProxySight sightOfProxy(ProxyHit hit, vec3 captured_at, vec3 d) {
   vec3 to = hit.place - captured_at;
   float squared = dot(to, to);
-  if (hit.normal == vec3(0.0f) || squared <= 0.0f) return ProxySight(d, 1.0f, hit.place, false);
+  if (hit.normal == vec3(0.0f) || squared <= 0.0f) return MAKE(ProxySight)(d, 1.0f, hit.place, false);
   vec3 direction = to / sqrt(squared);
   float there = abs(dot(direction, hit.normal)) * hit.distance * hit.distance;
   float here = abs(dot(d, hit.normal)) * squared;
   float enlargement = there < kMostEnlargement * here ? there / here : kMostEnlargement;
-  return ProxySight(direction, enlargement, hit.place, hit.is_ground);
+  return MAKE(ProxySight)(direction, enlargement, hit.place, hit.is_ground);
 }
 
 // The roughness whose lobe is so many times larger: its solid angle grows as alpha², and alpha as the square of the

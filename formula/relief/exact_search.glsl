@@ -43,7 +43,7 @@ FN HeightCell heightCellAt(MAP_SAMPLER heights, HeightMap map, vec2 place, int l
   bool is_tiled = map.wrap == kWrapRepeat;
   if (level == 0) {
     vec2 first = floor(place);
-    return HeightCell(first, first + vec2(1.0f), 0.0f);
+    return MAKE(HeightCell)(first, first + vec2(1.0f), 0.0f);
   }
   vec2 origin = is_tiled ? size * floor(place / size) : vec2(0.0f);
   vec2 cells = vec2(sizeOfLevel(map, level));
@@ -57,7 +57,7 @@ FN HeightCell heightCellAt(MAP_SAMPLER heights, HeightMap map, vec2 place, int l
   if (cell.y == cells.y - 1.0f) high.y = origin.y + size.y + beyond;
   if (cell.x == 0.0f) low.x -= beyond;
   if (cell.y == 0.0f) low.y -= beyond;
-  return HeightCell(low, high, fetchMap(heights, placeOfLevel(map, level) + ivec2(cell), 0).x);
+  return MAKE(HeightCell)(low, high, fetchMap(heights, placeOfLevel(map, level) + ivec2(cell), 0).x);
 }
 
 // The share of a way at which it leaves a cell.

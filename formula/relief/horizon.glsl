@@ -41,7 +41,7 @@ struct SkySlice {
 FN SkySlice sliceAbove(ReliefGround ground, vec3 normal, vec3 away, float width, float slope) {
   vec3 slice = visibleSlice(dot(normal, away), max(dot(normal, ground.up), 1e-3f), slope);
   vec3 mean = slice.x * away + slice.y * ground.up;
-  return SkySlice(dot(mean, mean) > 1e-12f ? normalize(mean) : ground.up, max(width * slice.z / kPi, 0.0f));
+  return MAKE(SkySlice)(dot(mean, mean) > 1e-12f ? normalize(mean) : ground.up, max(width * slice.z / kPi, 0.0f));
 }
 
 // With the relief, and as it would be without.
@@ -58,7 +58,8 @@ FN SkySlices slicesOfSky(ReliefGround ground, Horizons h, vec3 normal, int azimu
   vec3 next = normalize(alongAzimuth(ground, azimuth + 1));
   float width = 0.5f * acos(clamp(dot(before, next), -1.0f, 1.0f));
   float slope = horizonSlope(h, azimuth) * ground.depth / length(along);
-  return SkySlices(sliceAbove(ground, normal, away, width, slope), sliceAbove(ground, normal, away, width, -1e6f));
+  return MAKE(SkySlices)(sliceAbove(ground, normal, away, width, slope),
+                         sliceAbove(ground, normal, away, width, -1e6f));
 }
 
 // The slope of the horizon in a direction, between azimuths.

@@ -67,17 +67,17 @@ FN vec2 slabOfPrism(ReliefPrism p) {
 
 // Keeps that at which a number that changes evenly along the way is at least 0.
 FN WayInPrism clippedWay(WayInPrism way, float at_start, float at_end, bool is_joined) {
-  if (at_start < 0.0f && at_end < 0.0f) return WayInPrism(1.0f, 0.0f, false);
+  if (at_start < 0.0f && at_end < 0.0f) return MAKE(WayInPrism)(1.0f, 0.0f, false);
   if (at_start >= 0.0f && at_end >= 0.0f) return way;
   float at = at_start / (at_start - at_end);
-  if (at_start >= 0.0f) return WayInPrism(way.first, min(way.last, at), way.goes_on);
-  return at > way.first ? WayInPrism(at, way.last, is_joined) : way;
+  if (at_start >= 0.0f) return MAKE(WayInPrism)(way.first, min(way.last, at), way.goes_on);
+  return at > way.first ? MAKE(WayInPrism)(at, way.last, is_joined) : way;
 }
 
 //   from, to   in the prism's coordinates
 //   goes_on    whether it comes from another prism where it begins in this one
 FN WayInPrism wayInPrism(ReliefPrism p, vec3 from, vec3 to, bool goes_on) {
-  WayInPrism way = WayInPrism(0.0f, 1.0f, goes_on);
+  WayInPrism way = MAKE(WayInPrism)(0.0f, 1.0f, goes_on);
   vec3 overlap = kOverlap * p.joined;
   way = clippedWay(way, from.x + overlap.x, to.x + overlap.x, p.joined.x > 0.5f);
   way = clippedWay(way, from.y + overlap.y, to.y + overlap.y, p.joined.y > 0.5f);
@@ -124,7 +124,7 @@ FN ReliefHit onBentRay(MAP_SAMPLER heights, HeightMap map, ReliefPrism p, vec3 o
     float closing = change.z - dot(slopeOfPatch(corners, texel - first), across);
     if (closing >= 0.0f) return hit;
     float step = -clearance / closing;
-    hit = ReliefHit(hit.distance + step, q + step * change);
+    hit = MAKE(ReliefHit)(hit.distance + step, q + step * change);
   }
   return hit;
 }
@@ -147,7 +147,7 @@ FN ReliefHit hitOfPrism(MAP_SAMPLER heights, HeightMap map, ReliefPrism p, vec3 
       float hit = exactSearch(heights, map, start, onHeightMap(p, mix(last, next, way.last)), way.goes_on);
       if (hit <= 1.0f) {
         float share = mix(way.first, way.last, hit);
-        ReliefHit met = ReliefHit(mix(last_distance, distance, share), mix(last, next, share));
+        ReliefHit met = MAKE(ReliefHit)(mix(last_distance, distance, share), mix(last, next, share));
         if (p.up_along_x == vec3(0.0f) && p.up_along_y == vec3(0.0f)) return met;
         return onBentRay(heights, map, p, origin, direction, met, (next - last) / (distance - last_distance));
       }
@@ -157,7 +157,7 @@ FN ReliefHit hitOfPrism(MAP_SAMPLER heights, HeightMap map, ReliefPrism p, vec3 
     last = next;
     last_distance = distance;
   }
-  return ReliefHit(-1.0f, vec3(0.0f));
+  return MAKE(ReliefHit)(-1.0f, vec3(0.0f));
 }
 
 // A box around what a ray may meet of a prism: places are origin + x axis_x + y axis_y + z axis_z with (x, y, z) from

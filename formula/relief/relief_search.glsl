@@ -28,15 +28,15 @@ struct ReliefBracket {
 
 // The first of equal steps that is below the surface.
 FN ReliefBracket firstStepBelow(MAP_SAMPLER heights, HeightMap map, ReliefRay ray, int steps) {
-  ReliefBracket b = ReliefBracket(0.0f, 0.0f, depthAt(heights, map, ray, 0.0f), 0.0f);
+  ReliefBracket b = MAKE(ReliefBracket)(0.0f, 0.0f, depthAt(heights, map, ray, 0.0f), 0.0f);
   for (int i = 1; i <= steps; ++i) {
     float depth = float(i) / float(steps);
     float clearance = depthAt(heights, map, ray, depth) - depth;
-    if (clearance <= 0.0f) return ReliefBracket(b.above, depth, b.height_above, -clearance);
+    if (clearance <= 0.0f) return MAKE(ReliefBracket)(b.above, depth, b.height_above, -clearance);
     b.above = depth;
     b.height_above = clearance;
   }
-  return ReliefBracket(b.above, 1.0f, b.height_above, 0.0f);
+  return MAKE(ReliefBracket)(b.above, 1.0f, b.height_above, 0.0f);
 }
 
 // Steep parallax mapping: the step itself (McGuire & McGuire 2005).

@@ -18,7 +18,7 @@ FN Opening openingOf(vec3 n, vec3 hidden, float open) {
   vec3 mean = (2.0f / 3.0f) * n - hidden;
   vec3 axis = dot(mean, mean) > 1e-6f ? normalize(mean) : n;
   float squared_sine = clamp(open / max(dot(axis, n), 0.05f), 0.0f, 1.0f);
-  return Opening(axis, atan(sqrt(squared_sine), sqrt(1.0f - squared_sine)));
+  return MAKE(Opening)(axis, atan(sqrt(squared_sine), sqrt(1.0f - squared_sine)));
 }
 
 // Of unit vectors; also exact where they are nearly the same, unlike the inverse of the cosine.

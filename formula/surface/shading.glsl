@@ -42,7 +42,7 @@ FN vec3 eyeInFrame(Surface s, vec3 ray) {
 FN bool hasConductorIndex(Material m) { return m.conductor_k.x + m.conductor_k.y + m.conductor_k.z > 0.0f; }
 
 FN RefractiveIndex refractiveIndexOf(Material m) {
-  return RefractiveIndex(m.ior, m.dispersion, m.sellmeier_b, m.sellmeier_c);
+  return MAKE(RefractiveIndex)(m.ior, m.dispersion, m.sellmeier_b, m.sellmeier_c);
 }
 
 // A material as light of one wavelength [µm] meets it, for which it has one index; 0: as light of all does.
@@ -135,7 +135,7 @@ struct FacetShares {
 
 // In a loop, so that what a film reflects stands in the shader once.
 FN FacetShares facetShares(Surface s, float cosine, bool is_metal) {
-  FacetShares shares = FacetShares(vec3(0.0f), vec3(0.0f), vec3(0.0f));
+  FacetShares shares = MAKE(FacetShares)(vec3(0.0f), vec3(0.0f), vec3(0.0f));
   vec3 ior = iorOfChannels(s.material.ior, s.material.dispersion);
   for (int i = 0; i < 5; ++i) {
     float at = i == 0 ? cosineOfFacets(s, cosine) : 1.0f;
@@ -171,7 +171,7 @@ FN vec3 grazingShare(vec3 seen, vec3 normal) {
 FN Surface seenAlong(Surface s, vec3 ray) {
   Material m = s.material;
   float cosine = clamp(-dot(ray, s.normal), 0.0f, 1.0f);
-  FacetShares facets = FacetShares(vec3(0.0f), vec3(0.0f), vec3(0.0f));
+  FacetShares facets = MAKE(FacetShares)(vec3(0.0f), vec3(0.0f), vec3(0.0f));
   FacetShares of_metal = facets;
   if (m.metallic < 1.0f) facets = facetShares(s, cosine, false);
   if (m.metallic > 0.0f) of_metal = facetShares(s, cosine, true);

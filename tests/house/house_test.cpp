@@ -122,10 +122,14 @@ Complaints checkRoomRule(const SourceFile& file) {
 Complaints checkFormula(const SourceFile& file) {
   if (!startsWith(file.path, "formula/") || !file.path.ends_with(".glsl")) return {};
   const std::regex directive(R"(^\s*#\s*(include|if|ifdef|ifndef|pragma)\b)");
+  // A type's name is the only one of capital and small letters; in a comment a function of mathematics has one, too.
+  const std::regex parentheses(R"(^(?!\s*//).*\b[A-Z]\w*[a-z]\w*\()");
   Complaints complaints;
   forEachLine(file.text, [&](int number, const std::string& line) {
     if (std::regex_search(line, directive))
       complaints.push_back(place(file, number) + "a formula is the same text for C++ and GLSL: no " + line);
+    if (std::regex_search(line, parentheses))
+      complaints.push_back(place(file, number) + "a struct is made by MAKE(Type)(fields…): " + line);
   });
   return complaints;
 }
@@ -223,9 +227,11 @@ TEST(House, DocumentedTableIsTheOneInForce) {
     EXPECT_TRUE(documented.contains(room)) << "docs/architecture.md has no line for " << room;
 }
 
-TEST(House, FormulasHaveNoDirectivesThatOneSideLacks) {
+TEST(House, FormulasHaveNothingThatOneSideLacks) {
   EXPECT_THAT(checkFormula({"formula/x.glsl", "# ifdef GL_ES\n"}), SizeIs(1));
   EXPECT_THAT(checkFormula({"formula/x.glsl", "#define HALF 0.5f\n"}), IsEmpty());
+  EXPECT_THAT(checkFormula({"formula/x.glsl", "  return Beam(lobe, pixel);\n"}), SizeIs(1));
+  EXPECT_THAT(checkFormula({"formula/x.glsl", "  return MAKE(Beam)(lobe, vec2(0.0f));\n"}), IsEmpty());
   EXPECT_THAT(checkTree(checkFormula), IsEmpty());
 }
 

@@ -54,7 +54,7 @@ double accumulate(std::span<const double> weights, std::span<float> sums) {
 /// The step of running sums in which u falls; u becomes the place within it, from 0 to below 1.
 int stepOf(std::span<const float> sums, float& u) {
   const auto step =
-      std::min<std::size_t>(std::size_t(std::ranges::upper_bound(sums, u) - sums.begin()), sums.size() - 1);
+      std::min<std::size_t>(std::size_t(std::upper_bound(sums.begin(), sums.end(), u) - sums.begin()), sums.size() - 1);
   const float begin = step > 0 ? sums[step - 1] : 0.0f;
   u = std::clamp((u - begin) / std::max(sums[step] - begin, 1e-20f), 0.0f, 0x1.fffffep-1f);
   return static_cast<int>(step);

@@ -8,6 +8,7 @@
 
 #include "mirrorball/base/content_hash.h"
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/range.h"
 
 namespace mirrorball {
 namespace {
@@ -26,7 +27,7 @@ bool isOurs(fs::path path) {
   if (name.size() <= ContentHash::kDigits ||
       !std::all_of(name.begin(), name.begin() + std::ptrdiff_t{ContentHash::kDigits}, isDigit))
     return false;
-  return std::ranges::find(kEndings, std::string_view(name).substr(ContentHash::kDigits)) != kEndings.end();
+  return contains(kEndings, std::string_view(name).substr(ContentHash::kDigits));
 }
 
 std::optional<std::string> variable(const char* name) {
@@ -103,7 +104,7 @@ void CacheFolder::dropOldest() const {
   std::vector<Kept> all = kept();
   std::uintmax_t bytes = 0;
   for (const Kept& file : all) bytes += file.bytes;
-  std::ranges::sort(all, {}, &Kept::used);
+  std::sort(all.begin(), all.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
   for (const Kept& oldest : all) {
     if (bytes <= max_bytes_) return;
     std::error_code status;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
+#include <cerrno>
+#include <clocale>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 
@@ -13,9 +16,8 @@ namespace {
 /// Small letters, and '-' for '_': what is the same for indexOfName.
 std::string folded(std::string_view text) {
   std::string result(text);
-  std::ranges::transform(result, result.begin(), [](unsigned char letter) {
-    return letter == '_' ? '-' : static_cast<char>(std::tolower(letter));
-  });
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char letter) { return letter == '_' ? '-' : static_cast<char>(std::tolower(letter)); });
   return result;
 }
 
@@ -54,13 +56,67 @@ std::optional<std::size_t> distanceToPart(std::string_view text, const std::stri
   return min;
 }
 
+/// Of numbers with a decimal point, whatever the program's locale is.
+locale_t plainLocale() {
+  static const locale_t locale = ::newlocale(LC_ALL_MASK, "C", nullptr);
+  return locale;
+}
+
+/// The fewest digits that read back as the same float, the nearest to it of those, of which the first stands before the
+/// decimal point.
+struct ShortestDigits {
+  std::string digits;
+  int exponent = 0;  ///< of ten
+};
+
+ShortestDigits shortestDigits(float size) {
+  // Floats are twice as dense below a power of two as above it: there the decimal nearest to it may be the neighbour's,
+  // and the next one its own, which is the nearest to what lies a quarter of a step above.
+  const double above = size * (1.0 + 0x1p-25);
+  char text[24];
+  const auto readsBack = [&](int behind_point, double near) {
+    std::snprintf(text, sizeof text, "%.*e", behind_point, near);
+    return std::strtof(text, nullptr) == size;
+  };
+  for (int behind_point = 0; !readsBack(behind_point, size) && !readsBack(behind_point, above);) ++behind_point;
+  const std::string_view written = text;
+  const std::size_t e = written.find('e');
+  ShortestDigits shortest{"", std::atoi(text + e + 1)};
+  for (const char letter : written.substr(0, e))  // all but the point, which is the locale's
+    if (letter >= '0' && letter <= '9') shortest.digits += letter;
+  return shortest;
+}
+
+std::string fixedText(float size, const ShortestDigits& shortest) {
+  const auto& [digits, exponent] = shortest;
+  if (exponent < 0) return "0." + std::string(std::size_t(-exponent - 1), '0') + digits;
+  const auto before_point = std::size_t(exponent) + 1;
+  if (before_point < digits.size()) return digits.substr(0, before_point) + "." + digits.substr(before_point);
+  char text[48];
+  std::snprintf(text, sizeof text, "%.0f", size);  // all digits of a whole number
+  return text;
+}
+
+std::string scientificText(const ShortestDigits& shortest) {
+  const auto& [digits, exponent] = shortest;
+  char end[8];
+  std::snprintf(end, sizeof end, "e%+03d", exponent);
+  return digits.substr(0, 1) + (digits.size() > 1 ? "." + digits.substr(1) : "") + end;
+}
+
 }  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return {};
+  // strtod also takes blanks, hexadecimal digits and words.
+  if (text.empty() || text.front() == '+' || text.find_first_not_of("0123456789.eE+-") != std::string_view::npos)
+    return {};
+  const std::string terminated(text);
+  char* end = nullptr;
+  errno = 0;
+  const double number = ::strtod_l(terminated.c_str(), &end, plainLocale());
+  const bool is_too_small = errno == ERANGE && number == 0;
+  if (end != terminated.c_str() + terminated.size() || is_too_small || !std::isfinite(number)) return {};
   return number;
 }
 
@@ -93,8 +149,9 @@ std::size_t columnsOf(std::string_view text) {
   // Bytes 10xxxxxx continue a code point. U+0300 to U+036F, which mark the letter before, begin with 0xCC or 0xCD.
   constexpr unsigned char kContinues = 0x80;
   constexpr unsigned char kTopBits = 0xC0;
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](unsigned char byte) { return (byte & kTopBits) != kContinues && byte != 0xCC && byte != 0xCD; }));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](unsigned char byte) {
+    return (byte & kTopBits) != kContinues && byte != 0xCC && byte != 0xCD;
+  }));
 }
 
 std::string countedAre(std::size_t count, std::string_view noun) {
@@ -102,13 +159,15 @@ std::string countedAre(std::size_t count, std::string_view noun) {
 }
 
 std::string formatNumber(double number) {
-  char buffer[32];
   const auto short_number = static_cast<float>(number);
-  const bool is_plain = short_number == 0.0f || (std::abs(short_number) >= 1e-4f && std::abs(short_number) < 1e9f);
-  const auto [end, error] = is_plain
-                                ? std::to_chars(buffer, buffer + sizeof buffer, short_number, std::chars_format::fixed)
-                                : std::to_chars(buffer, buffer + sizeof buffer, short_number);
-  return std::string(buffer, end);
+  const float size = std::abs(short_number);
+  const std::string sign = std::signbit(short_number) ? "-" : "";
+  if (!std::isfinite(size)) return sign + (std::isnan(size) ? "nan" : "inf");
+  const ShortestDigits shortest = shortestDigits(size);
+  const std::string fixed = fixedText(size, shortest);
+  const std::string scientific = scientificText(shortest);
+  const bool is_plain = size == 0.0f || (size >= 1e-4f && size < 1e9f);
+  return sign + (is_plain || fixed.size() <= scientific.size() ? fixed : scientific);
 }
 
 std::string printable(std::string_view text) {

@@ -14,7 +14,7 @@ TEST(ParseNumber, TakesWholeTextsOnly) {
   EXPECT_EQ(parseNumber("1.5"), 1.5);
   EXPECT_EQ(parseNumber("+2e3"), 2000.0);
   EXPECT_EQ(parseNumber("-0.25"), -0.25);
-  for (const char* wrong : {"", "1,5", "1.5x", " 1", "nan", "inf", "1e999", "--1"})
+  for (const char* wrong : {"", "1,5", "1.5x", " 1", "nan", "inf", "1e999", "1e-999", "--1", "++1", "0x10", ".", "5e"})
     EXPECT_FALSE(parseNumber(wrong)) << wrong;
 }
 
@@ -36,6 +36,28 @@ TEST(CountedAre, AgreesWithTheNumber) {
   EXPECT_EQ(countedAre(1, "texel"), "1 texel is");
   EXPECT_EQ(countedAre(0, "texel"), "0 texels are");
   EXPECT_EQ(countedAre(12, "texel"), "12 texels are");
+}
+
+TEST(FormatNumber, HasTheFewestDigits) {
+  const std::pair<float, const char*> kTexts[]{
+      {0.0f, "0"},
+      {-0.0f, "-0"},
+      {0.3f, "0.3"},
+      {-1.5f, "-1.5"},
+      {1e6f, "1000000"},
+      {123456792.0f, "123456792"},
+      {1e9f, "1e+09"},
+      {1234567936.0f, "1234567936"},
+      {1e-4f, "0.0001"},
+      {1e-7f, "1e-07"},
+      {1.25e-5f, "1.25e-05"},
+      {1e-45f, "1e-45"},
+      {3e38f, "3e+38"},
+      {0x1p-96f, "1.2621775e-29"},
+      {0x1p+90f, "1.2379401e+27"},
+  };
+  for (const auto& [number, text] : kTexts) EXPECT_EQ(formatNumber(number), text);
+  EXPECT_EQ(formatNumber(-std::numeric_limits<float>::infinity()), "-inf");
 }
 
 TEST(FormatNumber, ReadsBackAsTheSameFloat) {

@@ -6,6 +6,7 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/left_out.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/format_registry.h"
 
@@ -116,12 +117,12 @@ Result<ImageFormatId> formatToWrite(const std::filesystem::path& path, std::init
 Result<ImageFormatId> formatToWrite(const std::filesystem::path& path, std::initializer_list<Holds> wanted,
                                     const FormatRegistry& formats) {
   const std::string extension = extensionOf(path);
-  const auto* const format = std::ranges::find_if(kImageFormats, [&](const ImageFormat& known) {
+  const auto* const format = std::find_if(kImageFormats.begin(), kImageFormats.end(), [&](const ImageFormat& known) {
     const std::vector<std::string> extensions = split(known.extensions, ' ');
-    return std::ranges::find(extensions, extension) != extensions.end();
+    return contains(extensions, extension);
   });
   const bool is_written = format != kImageFormats.end() && format->is_written;
-  if (is_written && std::ranges::find(wanted, format->holds) != wanted.end()) {
+  if (is_written && contains(wanted, format->holds)) {
     if (formats.has(format->id)) return format->id;
     return withName(path.string(),
                     Result<ImageFormatId>(leftOut("writes no " + std::string(format->name), format->build_option)));

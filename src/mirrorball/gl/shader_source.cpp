@@ -25,6 +25,7 @@ constexpr std::string_view kPrelude =
     "#define FN\n"
     "#define CUBE_SAMPLER samplerCube\n"
     "#define INITIALLY(value)\n"
+    "#define MAKE(Type) Type\n"
     "#define HAS_FILM(material) (material.iridescence > 0.0)\n"
     "vec4 sampleLod(samplerCube map, vec3 direction, float lod) {\n"
     "  return textureLod(map, direction, lod);\n"

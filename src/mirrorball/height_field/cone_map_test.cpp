@@ -54,7 +54,7 @@ double sampledRatio(const Image& heights, glm::ivec2 tip, MapEdges edges) {
 double followedRatio(const Image& heights, glm::ivec2 tip, MapEdges edges) {
   constexpr int kPoints = 8;  // along the side of a patch
   constexpr int kStepsPerTexel = 32;
-  const double top = *std::ranges::max_element(heights.samples());
+  const double top = *std::max_element(heights.samples().begin(), heights.samples().end());
   const Around around(heights, tip, edges);
   const double height = surfaceAt(heights, tip.x, tip.y, edges);
   double ratio = 1.0;

@@ -27,7 +27,7 @@ Result<void> checkHeights(const Image& heights) {
 
 Result<void> checkRange(const Image& heights) {
   constexpr float kLimit = 1e15f;
-  const auto [low, high] = std::ranges::minmax_element(heights.samples());
+  const auto [low, high] = std::minmax_element(heights.samples().begin(), heights.samples().end());
   if (std::max(*high, -*low) <= kLimit) return {};
   return fail(ErrorCode::out_of_range, "has heights beyond 1e15, more than can be computed with; use a smaller unit");
 }

@@ -39,7 +39,7 @@ TEST(MaximumPyramid, EveryCellIsTheMaximumOfItsPatches) {
       }
       const Image& top = pyramid.at(pyramid.levels() - 1, 0);
       EXPECT_EQ(top.texelCount(), 1u);
-      EXPECT_EQ(top.samples()[0], *std::ranges::max_element(heights.samples()));
+      EXPECT_EQ(top.samples()[0], *std::max_element(heights.samples().begin(), heights.samples().end()));
     }
 }
 

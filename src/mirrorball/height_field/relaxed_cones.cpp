@@ -65,7 +65,7 @@ void RelaxedConeSearch::boundSlopes() {
         const auto [near, right, below, far] = cornersOf({}, {x, y});
         const std::array<float, 4> bounds{std::min(right - near, far - below), std::max(right - near, far - below),
                                           std::min(below - near, far - right), std::max(below - near, far - right)};
-        std::ranges::copy(bounds, finest.texel(x, y));
+        std::copy(bounds.begin(), bounds.end(), finest.texel(x, y));
       }
   });
   for (int level = 1; level < slopes_.levels(); ++level) {
@@ -175,10 +175,10 @@ float RelaxedConeSearch::steepestFacingAway(const Piece& piece, float top, float
                                     right - (right - near) * (p.x + 1.0f) - (far - right) * p.y,
                                     below - (far - below) * p.x - (below - near) * (p.y + 1.0f),
                                     far - (far - below) * (p.x + 1.0f) - (far - right) * (p.y + 1.0f)};
-  const auto [lowest, highest] = std::ranges::minmax(planes);
-  if (highest <= top) return best;
+  const auto [lowest, highest] = std::minmax_element(planes.begin(), planes.end());
+  if (*highest <= top) return best;
   const float whole = steepestOf(piece, best);
-  if (lowest > top || parts == 0 || whole == best) return whole;
+  if (*lowest > top || parts == 0 || whole == best) return whole;
   const float half = 0.5f * piece.side;
   const float upper = 0.5f * (near + right);
   const float left = 0.5f * (near + below);

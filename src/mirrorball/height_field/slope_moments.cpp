@@ -36,7 +36,7 @@ float greatestSlope(const SlopeRows& rows) {
         of_rows[y] = std::max({of_rows[y], std::abs(row[i] * rows.unit.x), std::abs(row[i + 2] * rows.unit.y)});
     }
   });
-  return *std::ranges::max_element(of_rows);
+  return *std::max_element(of_rows.begin(), of_rows.end());
 }
 
 /// Some rows over `greatest`, without variances.
@@ -109,7 +109,7 @@ Image levelOf(const SlopeRows& rows, int finest, float greatest) {
         for (int row = 0; row < size.y; ++row) writeCoarser(band, row, coarse.row(row).data());
         band = std::move(coarse);
       }
-      std::ranges::copy(band.row(0), level.row(y).data());
+      std::copy(band.row(0).begin(), band.row(0).end(), level.row(y).data());
     }
   });
   return level;
@@ -141,7 +141,7 @@ Result<SlopeMoments> slopeMoments(const Image& heights, MapEdges edges, int fine
 }
 
 Result<SlopeMoments> momentsOfSlopes(const Image& slopes, int finest) {
-  const auto write = [&](int y, float* to) { std::ranges::copy(slopes.row(y), to); };
+  const auto write = [&](int y, float* to) { std::copy(slopes.row(y).begin(), slopes.row(y).end(), to); };
   return momentsOf(SlopeRows{{slopes.width(), slopes.height()}, write, glm::vec2(1.0f)}, finest);
 }
 

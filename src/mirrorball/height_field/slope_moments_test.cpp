@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/height_field/height_field_testing.h"
 #include "mirrorball/height_field/slopes.h"
 
@@ -58,8 +59,7 @@ TEST(SlopeMoments, WithoutFinestLevelsAreTheOthers) {
         EXPECT_EQ(some.unit, all.unit);
         ASSERT_EQ(some.levels.levels(), all.levels.levels() - finest);
         for (int level = 0; level < some.levels.levels(); ++level)
-          EXPECT_TRUE(
-              std::ranges::equal(some.levels.at(level, 0).samples(), all.levels.at(finest + level, 0).samples()))
+          EXPECT_TRUE(areEqual(some.levels.at(level, 0).samples(), all.levels.at(finest + level, 0).samples()))
               << size.x << "x" << size.y << " without " << finest << ", level " << level;
       }
     }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cmath>
 #include <utility>
 
+#include "mirrorball/base/bit_cast.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
@@ -52,7 +52,7 @@ bool allFinite(std::span<const float> samples) {
   constexpr std::uint32_t kInfinity = 0x7f800000u;
   std::uint32_t bad = 0;
   for (const float sample : samples)
-    bad |= static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(sample) & kInfinity) == kInfinity);
+    bad |= static_cast<std::uint32_t>((bitCast<std::uint32_t>(sample) & kInfinity) == kInfinity);
   return bad == 0;
 }
 

@@ -6,6 +6,8 @@
 
 #if defined(__x86_64__)
 #include <immintrin.h>
+
+#include "mirrorball/base/bit_cast.h"
 #endif
 
 namespace mirrorball {
@@ -16,7 +18,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::uint16_t kHalfOne = 0x3c00;
 
 bool fits(float value) {
-  const float size = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) & 0x7fffffffu);
+  const float size = bitCast<float>(bitCast<std::uint32_t>(value) & 0x7fffffffu);
   return !(size > kLargest && size < kInfinity);
 }
 

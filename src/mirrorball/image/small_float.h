@@ -1,8 +1,9 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <span>
+
+#include "mirrorball/base/bit_cast.h"
 
 namespace mirrorball {
 
@@ -22,7 +23,7 @@ inline std::uint32_t smallFloatBits(float size) {
   constexpr std::uint32_t kInfinity = 31u << kMantissaBits;
   // Halfway from the largest value to the next power of two: from here on, nearest is infinity.
   constexpr float kOverflow = 65536.0f - static_cast<float>(1 << (14 - kMantissaBits));
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(size);
+  const std::uint32_t bits = bitCast<std::uint32_t>(size);
 
   // Normal: the exponent's bias falls from 127 to 15 and the mantissa's last bits go. Adding half of what goes less
   // one, and the last bit that stays, rounds to the nearest and ties to even.
@@ -32,7 +33,7 @@ inline std::uint32_t smallFloatBits(float size) {
   // Below 2⁻¹⁴ a small float is a multiple of 2^(−14 − mantissa bits), which is the last bit of a float near
   // 2^(9 − mantissa bits): the addition rounds for us, and the multiple stands in the sum's mantissa.
   constexpr float kAligned = 512.0f / static_cast<float>(1 << kMantissaBits);
-  const std::uint32_t small = std::bit_cast<std::uint32_t>(size + kAligned) - std::bit_cast<std::uint32_t>(kAligned);
+  const std::uint32_t small = bitCast<std::uint32_t>(size + kAligned) - bitCast<std::uint32_t>(kAligned);
 
   // All cases are computed and one selected, so that the compiler can do several at a time.
   const std::uint32_t finite = size < 0x1p-14f ? small : normal;
@@ -42,17 +43,17 @@ inline std::uint32_t smallFloatBits(float size) {
 
 /// The bits of the half float nearest to `value`, ties to even.
 inline std::uint16_t halfFromFloat(float value) {
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(value);
-  const std::uint32_t size = smallFloatBits<10>(std::bit_cast<float>(bits & 0x7fffffffu));
+  const std::uint32_t bits = bitCast<std::uint32_t>(value);
+  const std::uint32_t size = smallFloatBits<10>(bitCast<float>(bits & 0x7fffffffu));
   return static_cast<std::uint16_t>(((bits >> 16) & 0x8000u) | size);
 }
 
 /// The value of a half float: exact. A small float of fewer mantissa bits is a half whose last bits are 0.
 inline float floatFromHalf(std::uint16_t half) {
   // The shifted bits are a float whose exponent is too small by 112; the product is exact for denormals too.
-  const float size = std::bit_cast<float>((half & 0x7fffu) << 13) * 0x1p112f;
+  const float size = bitCast<float>((half & 0x7fffu) << 13) * 0x1p112f;
   const std::uint32_t special = (half & 0x7c00u) == 0x7c00u ? 0x7f800000u : 0u;
-  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(size) | special | (half & 0x8000u) << 16);
+  return bitCast<float>(bitCast<std::uint32_t>(size) | special | (half & 0x8000u) << 16);
 }
 
 /// Converts floats to half floats, rounding to the nearest and ties to even; infinity and NaN stay what they are.

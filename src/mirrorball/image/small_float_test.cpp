@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/bit_cast.h"
+
 namespace mirrorball {
 namespace {
 
@@ -64,7 +66,7 @@ TEST(SmallFloat, EveryHalfHasItsValue) {
 TEST(SmallFloat, RowsAreWhatSinglesAre) {
   std::vector<float> floats;
   for (std::uint64_t bits = 0; bits <= 0xffffffffu; bits += 9973)
-    floats.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    floats.push_back(bitCast<float>(static_cast<std::uint32_t>(bits)));
   while (floats.size() % 24 != 21) floats.pop_back();  // an odd number of texels, with a rest behind every step
   std::vector<std::uint16_t> halves(floats.size());
   EXPECT_FALSE(halvesFromFloats(floats, halves));

@@ -1,6 +1,8 @@
 #include "mirrorball/image/texel_allocator.h"
 
+#ifdef __linux__
 #include <sys/mman.h>
+#endif
 
 namespace mirrorball {
 namespace {

@@ -35,7 +35,7 @@ Result<Image> lobeRowTable(int lobes) {
   Image rows(lobes * formula::kLobeRowSize, all.height(), all.channels());
   const auto begin = std::size_t(formula::firstOfRow(lobes) * formula::kLobeRowSize * all.channels());
   for (int y = 0; y < rows.height(); ++y)
-    std::ranges::copy(all.row(y).subspan(begin, rows.row(y).size()), rows.row(y).begin());
+    std::copy_n(all.row(y).begin() + std::ptrdiff_t(begin), rows.row(y).size(), rows.row(y).begin());
   return rows;
 }
 

@@ -117,7 +117,7 @@ Image turned(const Image& image, int symmetry) {
     for (int x = 0; x <= last; ++x) {
       glm::ivec2 from(symmetry % 2 == 0 ? x : last - x, y);
       for (int quarter = 0; quarter < symmetry / 2; ++quarter) from = {last - from.y, from.x};
-      std::ranges::copy_n(image.texel(from.x, from.y), image.channels(), result.texel(x, y));
+      std::copy_n(image.texel(from.x, from.y), image.channels(), result.texel(x, y));
     }
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include "formula/prefilter.h"
 #include "mirrorball/bake/prefilter/prefilter_testing.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
@@ -34,8 +35,7 @@ TEST(Prefilter, LevelZeroIsTheEnvironmentItself) {
   const EnvironmentMap panorama = panoramaOf(2 * kRows, kRows, landscape);
   const ImageSet chain = chainOf(panorama, 64);
   const EnvironmentMap cube = *convert(Environment(panorama), Projection::cube, 64);
-  for (int face = 0; face < 6; ++face)
-    EXPECT_TRUE(std::ranges::equal(chain.at(0, face).samples(), cube.face(face).samples()));
+  for (int face = 0; face < 6; ++face) EXPECT_TRUE(areEqual(chain.at(0, face).samples(), cube.face(face).samples()));
 }
 
 TEST(Prefilter, AnyNumberOfThreadsGivesTheSameBits) {
@@ -45,7 +45,7 @@ TEST(Prefilter, AnyNumberOfThreadsGivesTheSameBits) {
   const ImageSet again = chainOf(panorama, 64);
   for (int level = 0; level < chain.levels(); ++level)
     for (int face = 0; face < 6; ++face)
-      EXPECT_TRUE(std::ranges::equal(chain.at(level, face).samples(), again.at(level, face).samples()));
+      EXPECT_TRUE(areEqual(chain.at(level, face).samples(), again.at(level, face).samples()));
 }
 
 // A cube and an octahedron that sample the same light as a panorama: a soft lamp in a gradient.

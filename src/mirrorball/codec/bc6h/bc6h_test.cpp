@@ -11,6 +11,7 @@
 #include <hwy/targets.h>
 #include <tbb/global_control.h>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/codec/bc6h/bc6h_block.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/texture/texture_testing.h"
@@ -252,7 +253,7 @@ TEST(Bc6hFile, EveryContainerAndShapeComesBack) {
                 const Image& found = read->images.at(level, face, layer);
                 ASSERT_EQ(found.width(), image.width());
                 ASSERT_EQ(found.height(), image.height());
-                ASSERT_TRUE(std::ranges::equal(found.samples(), throughBlocks(image).samples()));
+                ASSERT_TRUE(areEqual(found.samples(), throughBlocks(image).samples()));
               }
         }
 }

@@ -55,8 +55,8 @@ std::string iccDescription(Span profile) {
     for (std::size_t i = 0; i + 1 < text.size(); i += 2) name += text[i] == 0 ? static_cast<char>(text[i + 1]) : '?';
   }
   name = printable(name.substr(0, name.find('\0')));
-  std::ranges::replace_if(
-      name, [](char letter) { return letter < 0; }, '?');
+  std::replace_if(
+      name.begin(), name.end(), [](char letter) { return letter < 0; }, '?');
   return name.empty() ? "unnamed" : name;
 }
 

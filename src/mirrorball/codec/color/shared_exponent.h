@@ -1,10 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 
 #include <glm/vec3.hpp>
+
+#include "mirrorball/base/bit_cast.h"
 
 namespace mirrorball {
 
@@ -12,7 +13,7 @@ namespace mirrorball {
 inline constexpr float kLargestSharedExponent = 65408.0f;
 
 /// 2^exponent, for −126 … 127.
-inline float powerOfTwo(int exponent) { return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23); }
+inline float powerOfTwo(int exponent) { return bitCast<float>(static_cast<std::uint32_t>(exponent + 127) << 23); }
 
 /// Packs three values into 9 bits each with a common exponent of 5 bits: red in the lowest bits, the exponent on top.
 ///
@@ -27,7 +28,7 @@ inline std::uint32_t sharedExponentFromColor(glm::vec3 color) {
     return whole + (size - static_cast<float>(whole) >= 0.5f ? 1u : 0u);
   };
   const float brightest = std::max({color.x, color.y, color.z});
-  const int floor_log2 = static_cast<int>(std::bit_cast<std::uint32_t>(brightest) >> 23) - 127;
+  const int floor_log2 = static_cast<int>(bitCast<std::uint32_t>(brightest) >> 23) - 127;
   int exponent = std::max(-kBias - 1, floor_log2) + 1 + kBias;
   float scale = powerOfTwo(kBias + kMantissaBits - exponent);
   // Rounding may carry the brightest mantissa to 2⁹: then the exponent is one more.

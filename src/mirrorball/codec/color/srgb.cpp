@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <vector>
 
 #include "formula/color.h"
+#include "mirrorball/base/bit_cast.h"
 #include "mirrorball/base/parallel.h"
 
 namespace mirrorball {
@@ -57,7 +57,7 @@ class Encoder {
     for (std::size_t k = 0; k < boundaries_.size(); ++k)
       boundaries_[k] = formula::linearFromSrgb1((static_cast<float>(k) + 0.5f) / 255.0f);
     for (std::size_t interval = 0; interval < first_codes_.size(); ++interval) {
-      const float lower = std::bit_cast<float>(static_cast<std::uint32_t>((interval + kFirstInterval) << kDroppedBits));
+      const float lower = bitCast<float>(static_cast<std::uint32_t>((interval + kFirstInterval) << kDroppedBits));
       const auto above = std::upper_bound(boundaries_.begin(), boundaries_.end(), lower);
       first_codes_[interval] = static_cast<std::uint8_t>(above - boundaries_.begin());
     }
@@ -66,7 +66,7 @@ class Encoder {
   std::uint8_t encode(float light) const {
     if (!(light >= kSmallest)) return 0;  // so that NaN becomes 0
     if (light >= 1.0f) return 255;
-    const std::size_t interval = (std::bit_cast<std::uint32_t>(light) >> kDroppedBits) - kFirstInterval;
+    const std::size_t interval = (bitCast<std::uint32_t>(light) >> kDroppedBits) - kFirstInterval;
     std::uint8_t code = first_codes_[interval];
     while (code < 255 && light >= boundaries_[code]) ++code;
     return code;
@@ -75,8 +75,8 @@ class Encoder {
  private:
   static constexpr int kDroppedBits = 23 - 7;
   static constexpr float kSmallest = 0x1p-13f;  // below the first boundary, ½/255/12.92 = 1.5e-4
-  static constexpr std::uint32_t kFirstInterval = std::bit_cast<std::uint32_t>(kSmallest) >> kDroppedBits;
-  static constexpr std::size_t kIntervals = (std::bit_cast<std::uint32_t>(1.0f) >> kDroppedBits) - kFirstInterval;
+  static constexpr std::uint32_t kFirstInterval = bitCast<std::uint32_t>(kSmallest) >> kDroppedBits;
+  static constexpr std::size_t kIntervals = (bitCast<std::uint32_t>(1.0f) >> kDroppedBits) - kFirstInterval;
 
   std::array<float, 255> boundaries_;
   std::array<std::uint8_t, kIntervals> first_codes_;

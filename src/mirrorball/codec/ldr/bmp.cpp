@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/color/icc_profile.h"
 
@@ -49,7 +50,7 @@ tl::unexpected<Error> truncated(std::size_t size) {
 /// Whether texels of that many bits can be compressed so.
 bool isKnown(const BmpHeader& header) {
   constexpr std::array<std::uint32_t, 7> kBits{1, 2, 4, 8, 16, 24, 32};
-  if (std::ranges::find(kBits, header.bits) == kBits.end()) return false;
+  if (!contains(kBits, header.bits)) return false;
   switch (header.compression) {
     case kPlain:
       return true;

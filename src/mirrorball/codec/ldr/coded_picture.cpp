@@ -62,8 +62,8 @@ Image sharesOf(const CodedPicture& picture) {
   return std::visit(
       []<typename Sample>(const ImageOf<Sample>& codes) {
         Image shares = Image::withoutValues(codes.width(), codes.height(), codes.channels());
-        std::ranges::transform(codes.samples(), shares.samples().begin(),
-                               [](Sample code) { return static_cast<float>(code) / static_cast<float>(kMax<Sample>); });
+        std::transform(codes.samples().begin(), codes.samples().end(), shares.samples().begin(),
+                       [](Sample code) { return static_cast<float>(code) / static_cast<float>(kMax<Sample>); });
         return shares;
       },
       picture);

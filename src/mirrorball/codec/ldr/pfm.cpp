@@ -1,7 +1,7 @@
-#include <bit>
 #include <cmath>
 #include <utility>
 
+#include "mirrorball/base/bit_cast.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/ldr/pnm.h"
 #include "mirrorball/codec/ldr/pnm_header.h"
@@ -46,7 +46,7 @@ Result<DecodedImage> decodePfm(Span bytes) {
   const std::uint8_t* from = stored.data();
   for (int y = image.height() - 1; y >= 0; --y)
     for (float& sample : image.row(y)) {
-      sample = std::bit_cast<float>(scale < 0.0f ? littleU32(from) : bigU32(from)) * std::abs(scale);
+      sample = bitCast<float>(scale < 0.0f ? littleU32(from) : bigU32(from)) * std::abs(scale);
       from += sizeof(float);
     }
   std::string format = std::string("PFM, ") + (scale < 0.0f ? "little" : "big") + "-endian";

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/ldr/pnm_header.h"
 
@@ -66,7 +67,7 @@ Result<void> readPamHeader(PnmWords& words, PnmHeader& header) {
   }
   constexpr std::string_view kKinds[]{"",    "BLACKANDWHITE", "BLACKANDWHITE_ALPHA", "GRAYSCALE", "GRAYSCALE_ALPHA",
                                       "RGB", "RGB_ALPHA"};
-  if (header.channels < 1 || header.channels > 4 || std::ranges::find(kKinds, kind) == std::end(kKinds))
+  if (header.channels < 1 || header.channels > 4 || !contains(kKinds, kind))
     return fail(ErrorCode::unsupported, "is a PAM of the kind '" + printable(kind) + "' with " +
                                             std::to_string(header.channels) +
                                             " samples a texel; grey and RGB, with or without alpha, are read");
@@ -123,7 +124,7 @@ class PnmRows {
     } else {
       readBytes(bytes_.data() + std::size_t(y) * header_.rowBytes(), row);
     }
-    const std::uint32_t max = *std::ranges::max_element(row);
+    const std::uint32_t max = *std::max_element(row.begin(), row.end());
     if (max > header_.max)
       return fail(ErrorCode::bad_file, "a sample in row " + std::to_string(y) + " is " + std::to_string(max) +
                                            ", above the greatest that the header names, " +

@@ -1,11 +1,11 @@
 #include "mirrorball/codec/ldr/pnm.h"
 
-#include <bit>
 #include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/bit_cast.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/image_file_testing.h"
 
@@ -97,7 +97,7 @@ std::string floatBytes(std::initializer_list<float> floats, bool big_endian) {
   std::string bytes;
   for (const float value : floats)
     for (int i = 0; i < 4; ++i)
-      bytes += static_cast<char>(std::bit_cast<std::uint32_t>(value) >> 8 * (big_endian ? 3 - i : i));
+      bytes += static_cast<char>(bitCast<std::uint32_t>(value) >> 8 * (big_endian ? 3 - i : i));
   return bytes;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/codec/byte_order.h"
 
 namespace mirrorball {
@@ -63,7 +64,7 @@ std::optional<TgaHeader> readTgaHeader(Span bytes) {
                          .from_right = (descriptor & 16) != 0,
                          .from_top = (descriptor & 32) != 0};
   constexpr std::array<std::uint32_t, 6> kTypes{1, 2, 3, 9, 10, 11};
-  if (std::ranges::find(kTypes, type) == kTypes.end() || bytes[1] > 1 || (descriptor & 0xc0) != 0) return {};
+  if (!contains(kTypes, type) || bytes[1] > 1 || (descriptor & 0xc0) != 0) return {};
   if (header.has_palette && !isColorDepth(header.palette_bits)) return {};
   if (header.kind == Kind::colors) return isColorDepth(header.bits) ? std::optional(header) : std::nullopt;
   if (header.bits != 8 && header.bits != 16) return {};

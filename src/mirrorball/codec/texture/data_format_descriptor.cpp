@@ -1,10 +1,10 @@
 #include "mirrorball/codec/texture/data_format_descriptor.h"
 
 #include <array>
-#include <bit>
 #include <span>
 #include <vector>
 
+#include "mirrorball/base/bit_cast.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/little_endian_writer.h"
 
@@ -37,8 +37,8 @@ struct Sample {
 
 constexpr std::array<std::uint8_t, 4> kFloatChannels{0, 1, 2, kAlpha};
 
-const std::uint32_t kOne = std::bit_cast<std::uint32_t>(1.0f);
-const std::uint32_t kMinusOne = std::bit_cast<std::uint32_t>(-1.0f);
+const std::uint32_t kOne = bitCast<std::uint32_t>(1.0f);
+const std::uint32_t kMinusOne = bitCast<std::uint32_t>(-1.0f);
 
 /// Floats one behind the other: red, green, blue and alpha, or the first few of them.
 std::vector<Sample> floatSamples(std::uint8_t bits, int channels) {

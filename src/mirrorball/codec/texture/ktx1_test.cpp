@@ -1,13 +1,13 @@
 #include "mirrorball/codec/texture/ktx1.h"
 
 #include <array>
-#include <bit>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "formula/color.h"
+#include "mirrorball/base/bit_cast.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/texture/texture_testing.h"
 
@@ -34,7 +34,7 @@ Bytes oneLevel(const Ktx1& header, std::uint32_t stated_size, const Bytes& texel
 
 Bytes floats(std::initializer_list<float> values, bool big_endian) {
   Bytes bytes;
-  for (const float value : values) appendU32(bytes, std::bit_cast<std::uint32_t>(value), big_endian);
+  for (const float value : values) appendU32(bytes, bitCast<std::uint32_t>(value), big_endian);
   return bytes;
 }
 
@@ -108,7 +108,7 @@ TEST(Ktx1, CubesArraysAndLevels) {
       appendU32(file, 16 * texels * (layers > 0 ? count : 1), false);
       for (std::uint32_t image = 0; image < count; ++image)
         for (std::uint32_t i = 0; i < 4 * texels; ++i)
-          appendU32(file, std::bit_cast<std::uint32_t>(static_cast<float>(100 * level + image)), false);
+          appendU32(file, bitCast<std::uint32_t>(static_cast<float>(100 * level + image)), false);
     }
     const auto read = decodeKtx1(file);
     ASSERT_TRUE(read) << read.error().message;

@@ -41,7 +41,8 @@ std::uint64_t statedSize(const TextureShape& shape, const StoredFormat& format, 
 
 /// All that stands before the texels of the first level.
 Bytes ktx1Header(const TextureShape& shape, const TextureWriteOptions& options) {
-  const GlFormatRow& row = *std::ranges::find(kGlFormatRows, options.format, &GlFormatRow::format);
+  const GlFormatRow& row = *std::find_if(std::begin(kGlFormatRows), std::end(kGlFormatRows),
+                                         [&](const GlFormatRow& r) { return r.format == options.format; });
   const Bytes key_values = ktxKeyValues(options.metadata, KtxVersion::ktx1);
   LittleEndianWriter writer;
   writer.append(kIdentifier);

@@ -1,7 +1,6 @@
 #include "mirrorball/codec/tiff/tiff.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "mirrorball/base/bit_cast.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/format_signature.h"
@@ -104,7 +104,7 @@ std::uint32_t codeAt(const std::uint8_t* row, std::size_t sample, int bits) {
 
 float floatAt(const std::uint8_t* row, std::size_t sample, int bits) {
   if (bits == 16) return floatFromHalf(static_cast<std::uint16_t>(codeAt(row, sample, 16)));
-  if (bits == 32) return std::bit_cast<float>(codeAt(row, sample, 32));
+  if (bits == 32) return bitCast<float>(codeAt(row, sample, 32));
   double value = 0;
   std::memcpy(&value, row + 8 * sample, sizeof value);
   return static_cast<float>(value);

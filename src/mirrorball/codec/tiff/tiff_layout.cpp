@@ -31,6 +31,11 @@ constexpr Compression kCompressions[] = {
     {COMPRESSION_SGILOG24, "24 bit", 4},
 };
 
+const Compression* compressionOf(std::uint16_t number) {
+  return std::find_if(std::begin(kCompressions), std::end(kCompressions),
+                      [&](const Compression& known) { return known.number == number; });
+}
+
 template <typename Value>
 Value field(TIFF* tiff, std::uint32_t tag, Value otherwise) {
   Value value{};
@@ -78,7 +83,7 @@ Result<void> findPage(const TiffFile& file) {
 
 Result<void> checkCompression(TIFF* tiff, TiffLayout& layout) {
   const auto number = field<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
-  const auto* const known = std::ranges::find(kCompressions, number, &Compression::number);
+  const auto* const known = compressionOf(number);
   if (known == std::end(kCompressions) || TIFFIsCODECConfigured(number) == 0)
     return fail(ErrorCode::unsupported, "has the compression " + std::to_string(number) +
                                             ", which is not read; save it with LZW, deflate or none");
@@ -113,7 +118,7 @@ Result<void> readPaletteLayout(const TiffFile& file, TiffLayout& layout) {
   std::uint16_t max = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     layout.palette[c].assign(columns[c], columns[c] + count);
-    max = std::max(max, *std::ranges::max_element(layout.palette[c]));
+    max = std::max(max, *std::max_element(layout.palette[c].begin(), layout.palette[c].end()));
   }
   // Some writers fill the 16 bits of a palette with 8.
   if (max <= 255)
@@ -187,8 +192,7 @@ Result<void> readStriles(const TiffFile& file, TiffLayout& layout) {
 /// Before memory is taken: whether the bytes of each strip or tile can become all of it.
 Result<void> checkSizes(const TiffFile& file, const TiffLayout& layout) {
   TIFF* tiff = file.get();
-  const auto* const compression = std::ranges::find(
-      kCompressions, field<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE), &Compression::number);
+  const auto* const compression = compressionOf(field<std::uint16_t>(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE));
   const std::uint32_t count = layout.is_tiled ? TIFFNumberOfTiles(tiff) : TIFFNumberOfStrips(tiff);
   if (count == 0) return file.damaged();
   for (std::uint32_t i = 0; i < count; ++i) {

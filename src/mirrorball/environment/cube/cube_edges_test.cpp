@@ -50,11 +50,13 @@ TEST(CubeEdges, APhotographInSixTilesDoesNot) {
   EXPECT_TRUE(edgeFit(*map).jumps()) << edgeFit(*map).across << " " << edgeFit(*map).beside;
 }
 
+void fill(Image& face, float value) { std::fill(face.samples().begin(), face.samples().end(), value); }
+
 TEST(CubeEdges, FacesOfOneColourEachSayNothing) {
   EnvironmentMap cube = cubeOfWaves(Projection::cube, 16);
-  for (int face = 0; face < 6; ++face) std::ranges::fill(cube.face(face).samples(), float(face) + 0.5f);
+  for (int face = 0; face < 6; ++face) fill(cube.face(face), float(face) + 0.5f);
   EXPECT_FALSE(edgeFit(cube).jumps());
-  std::ranges::fill(cube.face(2).samples(), 0.0f);
+  fill(cube.face(2), 0.0f);
   EXPECT_FALSE(edgeFit(cube).jumps());
 }
 

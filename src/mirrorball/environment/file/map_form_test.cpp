@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/cube/preset.h"
 #include "mirrorball/environment/environment_testing.h"
@@ -34,7 +35,7 @@ TEST(Picture, CubesInAnyArrangementComeBackFromAnyLayout) {
       const MapForm form{Projection::eac, static_cast<CubeLayout>(layout), arrangement};
       const EnvironmentMap back = *mapOfPicture(pictureOf(map, form), form);
       for (int face = 0; face < 6; ++face)
-        EXPECT_TRUE(std::ranges::equal(map.face(face).samples(), back.face(face).samples())) << textOf(form);
+        EXPECT_TRUE(areEqual(map.face(face).samples(), back.face(face).samples())) << textOf(form);
     }
 }
 
@@ -47,7 +48,7 @@ TEST(Picture, EveryPresetsFormComesBackToTheLastBit) {
       const EnvironmentMap map = *convert(Environment(testing::smoothRadiance, 32), projection, 16);
       const EnvironmentMap back = *mapOfPicture(pictureOf(map, *form), *form);
       for (int face = 0; face < map.faces(); ++face)
-        EXPECT_TRUE(std::ranges::equal(map.face(face).samples(), back.face(face).samples())) << preset.name;
+        EXPECT_TRUE(areEqual(map.face(face).samples(), back.face(face).samples())) << preset.name;
     }
 }
 

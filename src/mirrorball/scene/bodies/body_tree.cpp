@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -10,6 +9,7 @@
 
 #include "formula/bodies.h"
 #include "formula/projection.h"
+#include "mirrorball/base/bit_cast.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/scene/bodies/box_tree.h"
 #include "mirrorball/scene/closed_surface.h"
@@ -30,7 +30,7 @@ glm::vec3 sizeOf(const Box& all) {
   return glm::mix(size, glm::vec3(1.0f), glm::lessThanEqual(size, glm::vec3(0.0f)));
 }
 
-std::uint32_t wordOf(float number) { return std::bit_cast<std::uint32_t>(number); }
+std::uint32_t wordOf(float number) { return bitCast<std::uint32_t>(number); }
 Texel texelOf(glm::vec3 numbers, std::uint32_t last) {
   return {wordOf(numbers.x), wordOf(numbers.y), wordOf(numbers.z), last};
 }

@@ -1,10 +1,11 @@
-# cmake -DPROGRAM=… -DNAME=… -DLABELS=… -DENVIRONMENT=… -DEXCEPT=… -DOUTPUT=… -P DiscoverSuites.cmake
+# cmake -DPROGRAM=… -DNAME=… -DLABELS=… -DENVIRONMENT=… -DEXCEPT=… -DLONG=… -DOUTPUT=… -P DiscoverSuites.cmake
 #
 # Writes the file from which CTest learns the suites of a GoogleTest program: each is one test, NAME.Suite, in a process of
 # its own. Suites and not single tests, since a process of its own costs more than most tests do (a GL driver is started,
 # shaders are compiled), and so that the tests of a suite can share what is dear to make.
 #
-# EXCEPT is a list of tests that are left out, as GoogleTest's filter has them.
+# EXCEPT is a list of tests that are left out, as GoogleTest's filter has them. LONG is one of suites that only
+# `ctest -C long` knows, under the label `long`.
 list(JOIN EXCEPT ":" except)
 execute_process(COMMAND "${PROGRAM}" --gtest_list_tests "--gtest_filter=*-${except}"
   OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
@@ -21,7 +22,16 @@ foreach(suite IN LISTS suites)
   string(STRIP "${suite}" suite)
   string(REGEX REPLACE "\\.$" "" suite "${suite}")
   set(test "[==[${NAME}.${suite}]==]")
-  string(APPEND tests "add_test(${test} [==[${PROGRAM}]==] [==[--gtest_filter=${suite}.*-${except}]==])\n"
+  set(added "add_test(${test} [==[${PROGRAM}]==] [==[--gtest_filter=${suite}.*-${except}]==])\n"
     "set_tests_properties(${test} PROPERTIES ${properties})\n")
+  if(suite IN_LIST LONG)
+    list(REMOVE_ITEM LONG ${suite})
+    set(added "if(CTEST_CONFIGURATION_TYPE STREQUAL long)\n" ${added}
+      "set_property(TEST ${test} APPEND PROPERTY LABELS long)\nendif()\n")
+  endif()
+  string(APPEND tests ${added})
 endforeach()
+if(LONG)
+  message(FATAL_ERROR "${PROGRAM} has no suites ${LONG}, which are said to be long")
+endif()
 file(WRITE "${OUTPUT}" "${tests}")

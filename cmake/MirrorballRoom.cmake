@@ -1,16 +1,17 @@
-# mirrorball_room(NAME [COMPUTES] [HEADERS …] SOURCES … DEPENDS … [PACKAGES …] [TESTS …] [ACCURACY_TESTS …])
+# mirrorball_room(NAME [COMPUTES] [HEADERS …] SOURCES … DEPENDS … [PACKAGES …] [TESTS …] [ACCURACY_TESTS …]
+#                 [LONG …])
 #
 # One room of the house (docs/architecture.md): the static library mirrorball_NAME, aliased
 # mirrorball::NAME, with its test programs beside it. HEADERS are those that are installed: what a program outside may
 # include. DEPENDS are the targets that the room's own headers or sources use, PACKAGES those of packages that its sources
 # and tests alone use: who uses the room is compiled without their headers. One that COMPUTES is optimised further. Files
 # of one folder are compiled in groups (MirrorballGroups.cmake). ACCURACY_TESTS compare results with brute force, over
-# many inputs.
+# many inputs. LONG are suites of TESTS that `./test --long` alone runs.
 #
 # What is in the rooms, their tests and the packages that they use are collected in the properties MIRRORBALL_…, for the
 # package (MirrorballInstall.cmake) and for the sanitizers (tests/sanitized).
 function(mirrorball_room name)
-  cmake_parse_arguments(ROOM "COMPUTES" "" "HEADERS;SOURCES;DEPENDS;PACKAGES;TESTS;ACCURACY_TESTS" ${ARGN})
+  cmake_parse_arguments(ROOM "COMPUTES" "" "HEADERS;SOURCES;DEPENDS;PACKAGES;TESTS;ACCURACY_TESTS;LONG" ${ARGN})
   set(target mirrorball_${name})
   add_library(${target} STATIC ${ROOM_SOURCES})
   add_library(mirrorball::${name} ALIAS ${target})
@@ -39,7 +40,7 @@ function(mirrorball_room name)
   endif()
   set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_PACKAGES ${ROOM_DEPENDS} ${ROOM_PACKAGES})
   if(MIRRORBALL_TESTS AND ROOM_TESTS)
-    mirrorball_test(${name} SOURCES ${ROOM_TESTS} DEPENDS ${target} ${ROOM_PACKAGES})
+    mirrorball_test(${name} SOURCES ${ROOM_TESTS} LONG ${ROOM_LONG} DEPENDS ${target} ${ROOM_PACKAGES})
     set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_TESTS ${name}_test_code)
   endif()
   if(MIRRORBALL_TESTS AND ROOM_ACCURACY_TESTS)
@@ -57,13 +58,14 @@ function(mirrorball_component name)
   set_property(GLOBAL PROPERTY MIRRORBALL_NEEDS_${name} ${COMPONENT_DEPENDS})
 endfunction()
 
-# mirrorball_test(NAME SOURCES … DEPENDS … [LABELS …])
+# mirrorball_test(NAME SOURCES … DEPENDS … [LABELS …] [LONG …])
 #
-# A GoogleTest program, NAME_test, of which CTest runs each suite as NAME.Suite under the labels given (unit unless told).
+# A GoogleTest program, NAME_test, of which CTest runs each suite as NAME.Suite under the labels given (unit unless told);
+# those named under LONG only with `ctest -C long`, as `./test --long` does.
 # A suite all of whose tests skip themselves (no GL driver, no shared data) is counted by CTest as skipped. Its code is an
 # object library, NAME_test_code.
 function(mirrorball_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS;LABELS;LONG" ${ARGN})
   if(NOT TEST_LABELS)
     set(TEST_LABELS unit)
   endif()
@@ -76,21 +78,21 @@ function(mirrorball_test name)
   mirrorball_use_precompiled_headers(${name}_test_code TEST)
   add_executable(${name}_test $<TARGET_OBJECTS:mirrorball_test_main>)
   target_link_libraries(${name}_test PRIVATE ${name}_test_code)
-  mirrorball_discover_suites(${name}_test ${name} LABELS ${TEST_LABELS})
+  mirrorball_discover_suites(${name}_test ${name} LABELS ${TEST_LABELS} LONG ${TEST_LONG})
 endfunction()
 
-# mirrorball_discover_suites(PROGRAM NAME LABELS … [ENVIRONMENT …] [EXCEPT …] [CONFIGURATION …])
+# mirrorball_discover_suites(PROGRAM NAME LABELS … [ENVIRONMENT …] [EXCEPT …] [LONG …] [CONFIGURATION …])
 #
 # Tells CTest the suites of a GoogleTest program, as NAME.Suite: the target NAME_suites lists them anew when the program has
 # changed. EXCEPT leaves tests out, as GoogleTest's filter has them. With CONFIGURATION only `ctest -C CONFIGURATION` knows
 # them, and only what names the target builds them.
 function(mirrorball_discover_suites program name)
-  cmake_parse_arguments(SUITES "" "CONFIGURATION" "LABELS;ENVIRONMENT;EXCEPT" ${ARGN})
+  cmake_parse_arguments(SUITES "" "CONFIGURATION" "LABELS;ENVIRONMENT;EXCEPT;LONG" ${ARGN})
   set(suites "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
   set(script "${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake")
   add_custom_command(OUTPUT "${suites}"
     COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${program}>" -DNAME=${name} "-DLABELS=${SUITES_LABELS}"
-            "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}" "-DOUTPUT=${suites}" -P "${script}"
+            "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}" "-DLONG=${SUITES_LONG}" "-DOUTPUT=${suites}" -P "${script}"
     DEPENDS ${program} "${script}"
     COMMENT "Listing the tests of ${program}"
     VERBATIM)

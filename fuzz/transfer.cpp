@@ -68,7 +68,7 @@ void checkMesh(const Mesh& mesh) {
   }
 }
 
-void checkDirections(const Image& map) {
+void checkTransferredDirections(const Image& map) {
   for (std::size_t i = 0; i < map.texelCount(); ++i) {
     const float* n = map.samples().data() + 3 * i;
     check(std::abs(glm::length(glm::vec3(n[0], n[1], n[2])) - 1.0f) < 1e-3f, "normals are unit vectors");
@@ -93,16 +93,16 @@ void transferBetween(const Scene& high, const Scene& low, const TransferSettings
   const auto detail = transferDetail(high, low, settings);
   checkError(detail);
   if (!detail) return;
-  checkDirections(detail->normals);
+  checkTransferredDirections(detail->normals);
   if (settings.wants_heights) checkFinite(detail->heights.samples(), "heights are finite");
   if (!settings.wants_occlusion) return;
-  checkDirections(detail->bent_normals);
+  checkTransferredDirections(detail->bent_normals);
   for (const float visible : detail->visible.samples())
     check(visible >= 0.0f && visible <= 1.0f, "what is seen of the sky is a share");
   const auto turned = normalsInSpace(
       detail->normals, low, settings.space == NormalSpace::object ? NormalSpace::tangent : NormalSpace::object);
   checkError(turned);
-  if (turned) checkDirections(*turned);
+  if (turned) checkTransferredDirections(*turned);
 }
 
 }  // namespace

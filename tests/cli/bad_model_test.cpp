@@ -55,7 +55,7 @@ class BadModelTest : public RenderCliTest {
   }
 };
 
-const std::vector<std::string> kExtensions{"glb", "gltf", "obj", "ply", "stl"};
+const std::vector<std::string> kModelExtensions{"glb", "gltf", "obj", "ply", "stl"};
 
 TEST_F(BadModelTest, TheWholeTriangleIsDrawn) {
   write("triangle.gltf", TriangleGltf{}.text());
@@ -63,7 +63,7 @@ TEST_F(BadModelTest, TheWholeTriangleIsDrawn) {
 }
 
 TEST_F(BadModelTest, AFileThatIsNotThere) {
-  for (const std::string& extension : kExtensions) refuseModel("missing." + extension, "no such file");
+  for (const std::string& extension : kModelExtensions) refuseModel("missing." + extension, "no such file");
   EXPECT_THAT(refuse(1, "render spheer -e white -o out.png"), AllOf(HasSubstr("spheer"), HasSubstr("sphere, torus")));
 }
 
@@ -86,7 +86,7 @@ TEST_F(BadModelTest, AnOpenSurfaceOfGlassIsTold) {
 }
 
 TEST_F(BadModelTest, AnEmptyFileOrOneOfAnotherKind) {
-  for (const std::string& extension : kExtensions) {
+  for (const std::string& extension : kModelExtensions) {
     write("empty." + extension, std::string());
     refuseModel("empty." + extension);
     write("words." + extension, std::string("These are no triangles but words, and quite a few of them, so that even "

@@ -16,12 +16,12 @@ using ::testing::StartsWith;
 
 using BakeManyTest = CliTest;
 
-constexpr const char* kSmall = " --size 8 --irradiance-size 4 --brdf-size 4";
+constexpr const char* kSmallSets = " --size 8 --irradiance-size 4 --brdf-size 4";
 
 TEST_F(BakeManyTest, EachGetsAFolderWithWhatItGetsAlone) {
   write("room.exr", smoothPanorama());
-  succeed("bake room.exr white -o out/" + std::string(kSmall));
-  succeed("bake room.exr -o alone" + std::string(kSmall));
+  succeed("bake room.exr white -o out/" + std::string(kSmallSets));
+  succeed("bake room.exr -o alone" + std::string(kSmallSets));
   for (const std::string file : {"specular.ktx2", "irradiance.ktx2", "brdf.ktx2", "lobe_rows.ktx2", "lobe_rows.json",
                                  "sh.json", "sh.h", "manifest.json"}) {
     EXPECT_TRUE(bytes("out/room/" + file) == bytes("alone/" + file)) << file;
@@ -31,7 +31,7 @@ TEST_F(BakeManyTest, EachGetsAFolderWithWhatItGetsAlone) {
 
 TEST_F(BakeManyTest, ABadOneIsToldOfAndTheOthersGoOn) {
   write("bad.exr", std::string("no map"));
-  const Outcome outcome = run("bake bad.exr white -o out" + std::string(kSmall));
+  const Outcome outcome = run("bake bad.exr white -o out" + std::string(kSmallSets));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.err, AllOf(StartsWith("mirrorball: bad.exr: is not an image"),
                                  HasSubstr("mirrorball: 1 of 2 inputs could not be baked; the others are in out\n")));
@@ -46,10 +46,10 @@ TEST_F(BakeManyTest, WhatCannotBeIsToldBeforeAnythingIsMade) {
 }
 
 TEST_F(BakeManyTest, TheTableHasTheExtensionOfTheCubes) {
-  succeed("bake white -o out --extension dds" + std::string(kSmall));
+  succeed("bake white -o out --extension dds" + std::string(kSmallSets));
   EXPECT_THAT(files(), AllOf(IsSupersetOf({"out/specular.dds", "out/irradiance.dds", "out/brdf.dds"}),
                              Not(Contains("out/brdf.ktx2"))));
-  succeed("bake white -o other --extension dds --brdf-extension exr" + std::string(kSmall));
+  succeed("bake white -o other --extension dds --brdf-extension exr" + std::string(kSmallSets));
   EXPECT_THAT(files(), IsSupersetOf({"other/specular.dds", "other/brdf.exr"}));
 }
 

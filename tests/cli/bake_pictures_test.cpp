@@ -51,11 +51,11 @@ class BakePicturesTest : public CliTest {
   }
 };
 
-constexpr const char* kSmall = "bake map.exr --size 16 --irradiance-size 4 --brdf-size 8 ";
+constexpr const char* kSmallPictures = "bake map.exr --size 16 --irradiance-size 4 --brdf-size 8 ";
 
 TEST_F(BakePicturesTest, EachLevelIsSixPictures) {
   for (const std::string program : {"", " --for unreal"}) {
-    const std::string line = kSmall + std::string("--skybox") + program;
+    const std::string line = kSmallPictures + std::string("--skybox") + program;
     succeed(line + " --format float32 -o cubes");
     const ImageSet specular = texture("cubes/specular.ktx2");
     for (const std::string extension : {"exr", "hdr"}) {
@@ -73,7 +73,7 @@ TEST_F(BakePicturesTest, EachLevelIsSixPictures) {
 }
 
 TEST_F(BakePicturesTest, TheManifestNamesEachOfThem) {
-  succeed(kSmall + std::string("--extension exr --format half --skybox -o out"));
+  succeed(kSmallPictures + std::string("--extension exr --format half --skybox -o out"));
   const nlohmann::json manifest = json("out/manifest.json");
   EXPECT_EQ(manifest["specular"]["format"], "three channels of half floats");
   std::vector<std::string> named{"brdf.exr", "lobe_rows.json", "lobe_rows.ktx2", "manifest.json", "sh.h", "sh.json"};
@@ -92,30 +92,30 @@ TEST_F(BakePicturesTest, TheManifestNamesEachOfThem) {
 }
 
 TEST_F(BakePicturesTest, SixPicturesAreReadAsACube) {
-  succeed(kSmall + std::string("--extension exr --for three -o out"));
+  succeed(kSmallPictures + std::string("--extension exr --for three -o out"));
   EXPECT_THAT(succeed("info out/m1_ny.exr"), HasSubstr("cube, faces, axes="));
-  succeed(kSmall + std::string("--format float32 -o ours"));
+  succeed(kSmallPictures + std::string("--format float32 -o ours"));
   succeed("convert out/m0_px.exr --to equirect --size 16 -o its.exr");
   succeed("convert ours/specular.ktx2 --to equirect --size 16 -o our.exr");
   EXPECT_EQ(difference(image("its.exr"), image("our.exr")), 0.0f);
 }
 
 TEST_F(BakePicturesTest, PicturesOfAnOlderSetGo) {
-  succeed(kSmall + std::string("--extension exr --skybox -o out"));
+  succeed(kSmallPictures + std::string("--extension exr --skybox -o out"));
   EXPECT_THAT(files(), IsSupersetOf({"out/m2_px.exr", "out/skybox_nz.exr"}));
   write("out/m7_px.exr", std::string("the user's own"));
-  succeed(kSmall + std::string("--extension exr --levels 2 -o out"));
+  succeed(kSmallPictures + std::string("--extension exr --levels 2 -o out"));
   EXPECT_THAT(files(), AllOf(IsSupersetOf({"out/m1_px.exr", "out/m7_px.exr"}), Not(Contains("out/m2_px.exr")),
                              Not(Contains("out/skybox_nz.exr"))));
   std::filesystem::remove(path("out/m7_px.exr"));
-  succeed(kSmall + std::string("-o out"));
+  succeed(kSmallPictures + std::string("-o out"));
   EXPECT_THAT(files(),
               ElementsAre("map.exr", "out/", "out/brdf.ktx2", "out/irradiance.ktx2", "out/lobe_rows.json",
                           "out/lobe_rows.ktx2", "out/manifest.json", "out/sh.h", "out/sh.json", "out/specular.ktx2"));
 }
 
 TEST_F(BakePicturesTest, NoPictureOverwritesTheInput) {
-  succeed(kSmall + std::string("--extension exr -o out"));
+  succeed(kSmallPictures + std::string("--extension exr -o out"));
   EXPECT_THAT(refuse(2, "bake out/m0_px.exr --size 8 --brdf-size 8 --extension exr -o out"),
               HasSubstr("is the input itself"));
 }
@@ -123,7 +123,7 @@ TEST_F(BakePicturesTest, NoPictureOverwritesTheInput) {
 TEST_F(BakePicturesTest, TheSkyboxIsTheEnvironmentConverted) {
   for (const std::string program : {"", " --for unreal", " --for three"}) {
     const std::string to = " --format float32 --rotate 40,10" + program;
-    succeed(kSmall + std::string("--skybox-size 64 -o out") + to);
+    succeed(kSmallPictures + std::string("--skybox-size 64 -o out") + to);
     succeed("convert map.exr --to cube --size 64 -o cube.ktx2" + to);
     const ImageSet skybox = texture("out/skybox.ktx2");
     const ImageSet cube = texture("cube.ktx2");
@@ -136,7 +136,7 @@ TEST_F(BakePicturesTest, TheSkyboxIsTheEnvironmentConverted) {
 
 // As fine as 32 rows; of a function, which has any detail, as much as an engine wants.
 TEST_F(BakePicturesTest, TheSkyboxIsAsFineAsTheEnvironment) {
-  succeed(kSmall + std::string("--skybox -o out"));
+  succeed(kSmallPictures + std::string("--skybox -o out"));
   EXPECT_EQ(texture("out/skybox.ktx2").at(0, 0).width(), 16);
   write("wide.exr", Image(6144, 3072, 3, 0.5f));
   succeed("bake wide.exr --size 8 --irradiance-size 4 --brdf-size 8 --skybox -o out");
@@ -148,9 +148,9 @@ TEST_F(BakePicturesTest, TheSkyboxIsAsFineAsTheEnvironment) {
 TEST_F(BakePicturesTest, OneFileHasNoPictures) {
   EXPECT_THAT(refuse(2, "bake map.exr -o chain.exr"), HasSubstr("name a folder"));
   EXPECT_THAT(refuse(2, "bake map.exr -o chain.ktx2 --skybox"), HasSubstr("--skybox"));
-  EXPECT_THAT(refuse(2, kSmall + std::string("-o out --extension exr --format bc6h")),
+  EXPECT_THAT(refuse(2, kSmallPictures + std::string("-o out --extension exr --format bc6h")),
               HasSubstr("cannot hold bc6h texels"));
-  EXPECT_THAT(refuse(2, kSmall + std::string("-o out --extension exr --zstd 3")),
+  EXPECT_THAT(refuse(2, kSmallPictures + std::string("-o out --extension exr --zstd 3")),
               HasSubstr("no Zstandard compression; .ktx2 has"));
 }
 

@@ -17,7 +17,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-constexpr std::array<const char*, 6> kEndings{"px", "nx", "py", "ny", "pz", "nz"};
+constexpr std::array<const char*, 6> kTextureEndings{"px", "nx", "py", "ny", "pz", "nz"};
 
 /// The greatest difference of two images' colours, as a share of the brightest channel of each texel.
 float relativeDifference(const Image& image, const Image& exact) {
@@ -64,7 +64,7 @@ TEST_F(ConvertTextureTest, ACubeHoldsTheSixFaces) {
     EXPECT_EQ(cube.levels(), 1) << file;
     ASSERT_EQ(cube.faces(), 6) << file;
     for (int face = 0; face < 6; ++face) {
-      const Image picture = image("face_" + std::string(kEndings[std::size_t(face)]) + ".exr");
+      const Image picture = image("face_" + std::string(kTextureEndings[std::size_t(face)]) + ".exr");
       ASSERT_EQ(cube.at(0, face).width(), 16);
       EXPECT_EQ(relativeDifference(cube.at(0, face), picture), 0.0f) << file << ", face " << face;
     }

@@ -109,7 +109,7 @@ TEST_F(InterruptRenderTest, ATurntableShowsItsProgressOnATerminalAndClearsIt) {
 }
 
 /// A quarter of a second is what work may take to stop by itself; the rest is for a machine that does much else.
-constexpr std::chrono::seconds kSoon(5);
+constexpr std::chrono::seconds kSoonInterrupted(5);
 
 class LongStepTest : public CliTest {
  protected:
@@ -122,7 +122,7 @@ class LongStepTest : public CliTest {
     const auto pressed = std::chrono::steady_clock::now();
     program.interrupt();
     const Outcome outcome = program.wait();
-    EXPECT_LT(std::chrono::steady_clock::now() - pressed, kSoon) << line;
+    EXPECT_LT(std::chrono::steady_clock::now() - pressed, kSoonInterrupted) << line;
     EXPECT_EQ(outcome.signal, SIGINT) << line << "\nended with " << outcome.exit_code;
     return outcome.err;
   }

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-const Tolerance kExact{0, 0, "the same pixels"};
+const Tolerance kNoDifference{0, 0, "the same pixels"};
 
 Image8 greyPicture(int width, int height) {
   Image8 picture(width, height, 4, 100);
@@ -33,7 +33,7 @@ TEST(Difference, EqualPicturesHaveNone) {
   const Difference difference = differenceOf(greyPicture(5, 4), greyPicture(5, 4));
   EXPECT_EQ(difference.maximum, 0.0);
   EXPECT_EQ(difference.mean, 0.0);
-  EXPECT_TRUE(isWithin(difference, kExact));
+  EXPECT_TRUE(isWithin(difference, kNoDifference));
 }
 
 TEST(Difference, MaximumIsTheWorstChannelOfTheWorstPixel) {
@@ -97,7 +97,7 @@ TEST_F(MeantFailure, LeavesAContactSheetUntilThePictureIsRight) {
   const int red_difference = red < 128 ? 10 : -10;
   red = static_cast<std::uint8_t>(red + red_difference);
 
-  const auto verdict = matchesGolden("mirror", now, kExact, folder_);
+  const auto verdict = matchesGolden("mirror", now, kNoDifference, folder_);
   EXPECT_FALSE(verdict);
   EXPECT_THAT(verdict.message(), HasSubstr("by 10 at (20, 30), "));
   EXPECT_THAT(verdict.message(), HasSubstr("allowed: 0, 0 in the mean (the same pixels)"));
@@ -116,7 +116,7 @@ TEST_F(MeantFailure, LeavesAContactSheetUntilThePictureIsRight) {
   EXPECT_EQ(sheet->texel(2 * second + 20, 30)[1], 0);
   EXPECT_EQ(sheet->texel(2 * second + 21, 30)[0], 0);
 
-  EXPECT_TRUE(matchesGolden("mirror", *golden, kExact, folder_));
+  EXPECT_TRUE(matchesGolden("mirror", *golden, kNoDifference, folder_));
   EXPECT_FALSE(fs::exists(folder_ / "mirror.png"));
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 // Heights, whose slopes are counted in 64ths: the finest grains have 72 cells a unit, and slopes that change as fast
 // show the rounding of the place.
-const Case kCases[] = {
+const Case kReliefCases[] = {
     // dual
     PARITY(dualOfFiner, unit, kExact, vec4(dualOfFiner(vec3(p), 8.0f), 0.0f)),
     PARITY(dualProduct, unit, kTight, vec4(dualProduct(vec3(p), vec3(q)), 0.0f)),
@@ -167,6 +167,6 @@ const Case kCases[] = {
 
 }  // namespace
 
-std::span<const Case> reliefCases() { return kCases; }
+std::span<const Case> reliefCases() { return kReliefCases; }
 
 }  // namespace mirrorball::parity

@@ -5,7 +5,7 @@
 namespace mirrorball::parity {
 namespace {
 
-const Case kCases[] = {
+const Case kSurfaceCases[] = {
     // back_face
     PARITY(curvatureOfPixels, direction, kTight,
            vec4(curvatureOfPixels(vec3(p) + vec3(2.0f), vec3(q), vec3(q) - vec3(2.0f), vec3(r)))),
@@ -469,6 +469,6 @@ const Case kCases[] = {
 
 }  // namespace
 
-std::span<const Case> surfaceCases() { return kCases; }
+std::span<const Case> surfaceCases() { return kSurfaceCases; }
 
 }  // namespace mirrorball::parity

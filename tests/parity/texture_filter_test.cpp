@@ -23,9 +23,9 @@ namespace mirrorball::parity {
 namespace {
 
 /// Drivers weigh texels by fractions of 8 bits, across and down, and may round the mean to 8 bits.
-constexpr float kFiltered = 3.0f / 255.0f;
+constexpr float kFilteredByDriver = 3.0f / 255.0f;
 
-constexpr std::string_view kVertexShader =
+constexpr std::string_view kFilterVertexShader =
     "void main() {\n"
     "  gl_Position = vec4(float(gl_VertexID % 2) * 4.0 - 1.0, float(gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);\n"
     "}\n";
@@ -76,7 +76,7 @@ MIRRORBALL_WITH_BOTH_APIS(TextureFilterTest);
 // At whole levels: between them drivers are free to hurry (Mesa's mixes only half of the way).
 TEST_P(TextureFilterTest, ReadsAsTheDriverDoes) {
   const auto find = [](std::string_view name) -> std::optional<std::string_view> {
-    if (name == "filter.vert") return kVertexShader;
+    if (name == "filter.vert") return kFilterVertexShader;
     if (name == "filter.frag") return kFragmentShader;
     return findParityText(name);
   };
@@ -107,7 +107,8 @@ TEST_P(TextureFilterTest, ReadsAsTheDriverDoes) {
       triangle.draw(3);
       const auto [darkest, brightest, off] = extremes(framebuffer->readFloat());
       EXPECT_EQ(brightest - darkest > 0.5f, lod < 2.0f) << "level 2 is one texel, the others are noise";
-      EXPECT_LE(off, kFiltered) << "wrap " << s << ", " << t << (nearest ? ", nearest" : "") << ", level " << lod;
+      EXPECT_LE(off, kFilteredByDriver) << "wrap " << s << ", " << t << (nearest ? ", nearest" : "") << ", level "
+                                        << lod;
     }
   }
 }

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::array<CachedKind, 3> kKinds{CachedKind::prefiltered_chain, CachedKind::irradiance,
                                            CachedKind::occlusion};
 
-class CacheFolderTest : public testing::Test {
+class CacheFolderTest : public ::testing::Test {
  protected:
   CacheFolderTest() { fs::remove_all(folder_); }
   ~CacheFolderTest() override { fs::remove_all(folder_); }
@@ -53,7 +53,7 @@ class CacheFolderTest : public testing::Test {
       fs::last_write_time(entry.path(), entry.last_write_time() - time);
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("cache_folder_" + std::to_string(::getpid()));
+  const fs::path folder_ = fs::path(::testing::TempDir()) / ("cache_folder_" + std::to_string(::getpid()));
 };
 
 TEST_F(CacheFolderTest, FindsEachKindOfAKeyByItself) {

@@ -10,7 +10,7 @@ namespace {
 
 using Complex = std::complex<float>;
 
-class AnyLength : public testing::TestWithParam<int> {};
+class AnyLength : public ::testing::TestWithParam<int> {};
 
 TEST_P(AnyLength, IsTheSumOfItsDefinition) {
   const int length = GetParam();
@@ -33,7 +33,7 @@ TEST_P(AnyLength, IsTheSumOfItsDefinition) {
 
 // Powers, what the library does itself, and primes and their products.
 INSTANTIATE_TEST_SUITE_P(FourierTransform, AnyLength,
-                         testing::Values(1, 2, 3, 4, 7, 13, 17, 30, 34, 127, 360, 1021, 1024, 1022));
+                         ::testing::Values(1, 2, 3, 4, 7, 13, 17, 30, 34, 127, 360, 1021, 1024, 1022));
 
 TEST(QuickLength, IsTheNextEvenProductOf2And3And5) {
   EXPECT_EQ(quickLength(1), 2);

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class OcclusionCacheTest : public testing::Test {
+class OcclusionCacheTest : public ::testing::Test {
  protected:
   OcclusionCacheTest() { fs::remove_all(folder_); }
   ~OcclusionCacheTest() override { fs::remove_all(folder_); }
@@ -32,7 +32,7 @@ class OcclusionCacheTest : public testing::Test {
     return {fs::directory_iterator(folder_), fs::directory_iterator()};
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("occlusion_cache_" + std::to_string(::getpid()));
+  const fs::path folder_ = fs::path(::testing::TempDir()) / ("occlusion_cache_" + std::to_string(::getpid()));
   const std::optional<CacheFolder> cache_ = CacheFolder(folder_);
 };
 

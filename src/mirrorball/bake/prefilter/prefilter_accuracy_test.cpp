@@ -95,7 +95,7 @@ struct Reflection {
   LobeKernel (*kernel)(double perceptual_roughness);
 };
 
-class PrefilterAccuracy : public testing::TestWithParam<std::tuple<Light, Reflection>> {};
+class PrefilterAccuracy : public ::testing::TestWithParam<std::tuple<Light, Reflection>> {};
 
 TEST_P(PrefilterAccuracy, EveryLevelIsTheSumOverAllTexels) {
   const auto& [light, reflection] = GetParam();
@@ -125,14 +125,14 @@ constexpr Reflection kReflections[] = {{"Ggx", Distribution::ggx, ggxKernel},
                                        {"Charlie", Distribution::charlie, charlieKernel}};
 
 INSTANTIATE_TEST_SUITE_P(Maps, PrefilterAccuracy,
-                         testing::Combine(testing::ValuesIn(kLights), testing::ValuesIn(kReflections)),
+                         ::testing::Combine(::testing::ValuesIn(kLights), ::testing::ValuesIn(kReflections)),
                          [](const auto& test) {
                            return std::string(std::get<Reflection>(test.param).name) + std::get<Light>(test.param).name;
                          });
 
 // What repeats itself every few texels has all its light in a few bands, beyond those that noise of that strength would
 // ask for.
-class RegularDetail : public testing::TestWithParam<Light> {};
+class RegularDetail : public ::testing::TestWithParam<Light> {};
 
 TEST_P(RegularDetail, OfASmoothLevelIsTheSumOverAllTexels) {
   const EnvironmentMap panorama = panoramaOf(2048, 1024, GetParam().at);
@@ -163,11 +163,11 @@ glm::vec3 dots(glm::vec3 d) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Maps, RegularDetail,
-                         testing::Values(Light{"Grating", grating}, Light{"Rings", rings}, Light{"Dots", dots},
-                                         Light{"WindowWithBlinds", windowWithBlinds}),
+                         ::testing::Values(Light{"Grating", grating}, Light{"Rings", rings}, Light{"Dots", dots},
+                                           Light{"WindowWithBlinds", windowWithBlinds}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-class IrradianceAccuracy : public testing::TestWithParam<Light> {};
+class IrradianceAccuracy : public ::testing::TestWithParam<Light> {};
 
 TEST_P(IrradianceAccuracy, IsTheSumOverAllTexels) {
   const EnvironmentMap panorama = panoramaOf(2 * kPanoramaRows, kPanoramaRows, GetParam().at);
@@ -177,7 +177,7 @@ TEST_P(IrradianceAccuracy, IsTheSumOverAllTexels) {
   EXPECT_LT(error.max, kLimit.max);
 }
 
-INSTANTIATE_TEST_SUITE_P(Maps, IrradianceAccuracy, testing::ValuesIn(kLights),
+INSTANTIATE_TEST_SUITE_P(Maps, IrradianceAccuracy, ::testing::ValuesIn(kLights),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

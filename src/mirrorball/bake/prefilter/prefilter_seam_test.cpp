@@ -93,7 +93,7 @@ EnvironmentMap colorfulPanorama() {
 // Chords of 4² texels to a face are not quite the slopes between them.
 constexpr float kSmooth = 1.1f;
 
-class PrefilterSeams : public testing::TestWithParam<Distribution> {};
+class PrefilterSeams : public ::testing::TestWithParam<Distribution> {};
 
 TEST_P(PrefilterSeams, AreNotSeenOnAnyLevel) {
   const ImageSet chain = chainOf(Environment(colorfulPanorama()), {.size = 64, .distribution = GetParam()});
@@ -101,8 +101,8 @@ TEST_P(PrefilterSeams, AreNotSeenOnAnyLevel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PrefilterSeams,
-                         testing::Values(Distribution::ggx, Distribution::phong, Distribution::blinn,
-                                         Distribution::charlie));
+                         ::testing::Values(Distribution::ggx, Distribution::phong, Distribution::blinn,
+                                           Distribution::charlie));
 
 TEST(CubeSeams, AreNotSeenInIrradiance) {
   for (const int size : {4, 32})

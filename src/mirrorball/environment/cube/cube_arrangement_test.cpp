@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int kSide = 5;
+constexpr int kFaceSide = 5;
 
 /// A few arrangements, among them some whose images are turned by a quarter.
 std::vector<CubeArrangement> someArrangements() {
@@ -32,7 +32,7 @@ std::vector<CubeArrangement> someArrangements() {
 /// A cube whose texels hold their direction, unit.
 ImageSet cubeOfDirections() {
   ImageSet faces(1, 6);
-  for (int face = 0; face < 6; ++face) faces.at(0, face) = testing::directionsOfFace(face, kSide);
+  for (int face = 0; face < 6; ++face) faces.at(0, face) = testing::directionsOfFace(face, kFaceSide);
   return faces;
 }
 
@@ -57,9 +57,9 @@ TEST(CubeArrangement, EveryTexelAnswersForTheDirectionThatItsFrameSays) {
     const ImageSet images = arranged(cubeOfDirections(), arrangement);
     for (int slot = 0; slot < 6; ++slot) {
       const FaceFrame& frame = arrangement.slots[static_cast<std::size_t>(slot)];
-      for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
-          const glm::vec2 st = 2.0f * (glm::vec2(x, y) + 0.5f) / float(kSide) - 1.0f;
+      for (int y = 0; y < kFaceSide; ++y)
+        for (int x = 0; x < kFaceSide; ++x) {
+          const glm::vec2 st = 2.0f * (glm::vec2(x, y) + 0.5f) / float(kFaceSide) - 1.0f;
           const glm::vec3 d = vectorOf(frame.centre) + st.x * vectorOf(frame.right) + st.y * vectorOf(frame.down);
           EXPECT_LT(glm::length(rgbAt(images.at(0, slot), x, y) - glm::normalize(d)), 1e-6f)
               << textOf(arrangement) << " slot " << slot << " at " << x << ", " << y;

@@ -9,14 +9,14 @@
 namespace mirrorball {
 namespace {
 
-constexpr int kSide = 128;
+constexpr int kRegionSide = 128;
 
 /// Every texel's centre of every map that has smooth regions, and its region.
 template <typename Check>
 void forEachTexel(Check&& check) {
   for (const Projection projection : testing::kEveryProjection) {
     if (!hasSmoothRegions(projection)) continue;
-    for (const int side : {kSide, kSide + 1})
+    for (const int side : {kRegionSide, kRegionSide + 1})
       for (int face = 0; face < faceCount(projection); ++face)
         for (int y = 0; y < side; ++y)
           for (int x = 0; x < side; ++x) {

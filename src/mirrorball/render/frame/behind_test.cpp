@@ -92,7 +92,7 @@ Scene glassBeforeLamps() {
   return scene;
 }
 
-FrameSettings frontOfGlass(const Renderer& renderer) { return testing::frontOfGlass(renderer, 64, kGlassWide); }
+FrameSettings frontOfGlass(const Renderer& renderer) { return testing::frontOf(renderer, 64, kGlassWide); }
 
 class BehindTest : public gl::GlTest {};
 

@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class PrefilterCacheTest : public testing::Test {
+class PrefilterCacheTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / ("prefilter_cache_" + std::to_string(::getpid()));
+    folder_ = fs::path(::testing::TempDir()) / ("prefilter_cache_" + std::to_string(::getpid()));
     fs::remove_all(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }

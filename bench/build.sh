@@ -10,6 +10,8 @@
 #             room     a .cpp of each room changed, until that room's tests have run
 #             quick    ./test --quick in a fresh clone
 #             test     ./test in a fresh clone, which takes the longest
+#             expensive  instead of a row: the ten files and the ten headers of the last commit that take most of the
+#                        compiler's time, after its fresh build
 #   COMMIT  as git knows it, for example HEAD~1 HEAD
 #
 # Each cell is seconds by the clock / seconds of the processor, user and system, on all cores.
@@ -25,7 +27,7 @@ rows=$1
 shift
 for name in ${rows//,/ }; do
   case $name in
-    all | picture | formula | room | quick | test) ;;
+    all | picture | formula | room | quick | test | expensive) ;;
     *) usage ;;
   esac
 done
@@ -90,6 +92,37 @@ roomChanged() { # $1 a room, $2 one of its files, $3 the commit
 quick() { clone "$1" && timed "$1" ./test --quick; }
 whole() { clone "$1" && timed "$1" ./test; }
 
+# Prints what takes most of the compiler's time in a build of the release: Ninja's log has the time of each command, and a
+# header costs the time of a file that includes it alone, less that of an empty one, once for each file that reads it.
+expensive() {
+  local build="$scratch/$1/build/release" command empty
+  [ -e "$build/.ninja_log" ] || { picture "$1"; }
+  echo "Files, seconds:"
+  awk 'NR > 1 { printf "%6.1f %s\n", ($2 - $1) / 1000, $4 }' "$build/.ninja_log" | sort -rn | head -n 10
+  command=$(sed -n 's/.*"command": "\(.*\) -o .*scene_0_cxx.cxx.*"./\1/p' "$build/compile_commands.json" | head -n 1 | sed 's/\\//g')
+  seconds() { # of compiling a file that includes $1
+    local TIMEFORMAT='%U'
+    echo "${1:+#include \"$1\"}" >"$scratch/header.cpp"
+    { time (cd "$build" && $command -w -I"$scratch/$commit/apps" -fsyntax-only "$scratch/header.cpp" 2>/dev/null); } 2>&1
+  }
+  empty=$(seconds "")
+  echo "Headers, seconds × files:"
+  ninja -C "$build" -t deps | awk '/^    / { n[$1]++ } END { for (h in n) print n[h], h }' |
+    grep -E '/(src|formula|apps)/.*\.h$' | sort -rn | head -n 80 | while read -r files header; do
+    header=${header##*/src/}
+    header=${header##*/apps/}
+    case $header in */formula/*) header=formula/${header##*/formula/} ;; esac
+    awk -v all="$(seconds "$header")" -v empty="$empty" -v files="$files" -v header="$header" \
+      'BEGIN { printf "%6.1f = %.2f × %d %s\n", (all - empty) * files, all - empty, files, header }'
+  done | sort -rn | head -n 10
+}
+
+if wanted expensive && [ "$rows" != all ]; then
+  commit=${commits[-1]}
+  expensive "$commit"
+  [ "$rows" != expensive ] || exit "$exit_code"
+fi
+
 echo "Seconds by the clock / of the processor; $(nproc) cores of $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(date -I)"
 echo
 printf '|  |'
@@ -105,9 +138,10 @@ if wanted formula; then
 fi
 if wanted quick || wanted room; then row "\`./test --quick\`, fresh clone" quick; fi
 if wanted room; then
-  for file in base/text image/halve codec/png environment/convert photo/find_ball bake/prefilter scene/gltf gl/texture \
-    render/renderer; do
-    row "\`$file.cpp\` changed → its room's tests have run" roomChanged "${file%/*}" "${file#*/}.cpp"
+  for file in base/text image/halve height_field/slopes metric/ssim codec/ldr/png environment/convert/convert \
+    photo/find_ball bake/prefilter/prefilter output/save_map scene/gltf/gltf rays/scene_occlusion trace/path_tracer \
+    transfer/detail_transfer gl/texture render/frame/renderer study/study; do
+    row "\`$file.cpp\` changed → its room's tests have run" roomChanged "${file%%/*}" "${file#*/}.cpp"
   done
 fi
 if wanted test; then row "\`./test\`, fresh clone" whole; fi

@@ -1,11 +1,13 @@
-# cmake -DPROGRAM=… -DNAME=… -DLABELS=… -DENVIRONMENT=… -DEXCEPT=… -DLONG=… -DOUTPUT=… -P DiscoverSuites.cmake
+# cmake -DPROGRAM=… -DNAME=… -DLABELS=… -DENVIRONMENT=… -DEXCEPT=… -DLONG=… -DSERIAL=…
+#       -DOUTPUT=… -P DiscoverSuites.cmake
 #
 # Writes the file from which CTest learns the suites of a GoogleTest program: each is one test, NAME.Suite, in a process of
 # its own. Suites and not single tests, since a process of its own costs more than most tests do (a GL driver is started,
 # shaders are compiled), and so that the tests of a suite can share what is dear to make.
 #
 # EXCEPT is a list of tests that are left out, as GoogleTest's filter has them. LONG is one of suites that only
-# `ctest -C long` knows, under the label `long`.
+# `ctest -C long` knows, under the label `long`. With SERIAL nothing runs beside them.
+cmake_minimum_required(VERSION 3.25)
 list(JOIN EXCEPT ":" except)
 execute_process(COMMAND "${PROGRAM}" --gtest_list_tests "--gtest_filter=*-${except}"
   OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
@@ -17,6 +19,9 @@ if(NOT suites)
 endif()
 
 set(properties "LABELS [==[${LABELS}]==] ENVIRONMENT [==[${ENVIRONMENT}]==] TIMEOUT 600 SKIP_RETURN_CODE 77")
+if(SERIAL)
+  string(APPEND properties " RUN_SERIAL ON")
+endif()
 set(tests "")
 foreach(suite IN LISTS suites)
   string(STRIP "${suite}" suite)

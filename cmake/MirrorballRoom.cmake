@@ -58,14 +58,14 @@ function(mirrorball_component name)
   set_property(GLOBAL PROPERTY MIRRORBALL_NEEDS_${name} ${COMPONENT_DEPENDS})
 endfunction()
 
-# mirrorball_test(NAME SOURCES … DEPENDS … [LABELS …] [LONG …])
+# mirrorball_test(NAME SOURCES … DEPENDS … [LABELS …] [LONG …] [SERIAL])
 #
 # A GoogleTest program, NAME_test, of which CTest runs each suite as NAME.Suite under the labels given (unit unless told);
-# those named under LONG only with `ctest -C long`, as `./test --long` does.
+# those named under LONG only with `ctest -C long`, as `./test --long` does; with SERIAL while nothing else runs.
 # A suite all of whose tests skip themselves (no GL driver, no shared data) is counted by CTest as skipped. Its code is an
 # object library, NAME_test_code.
 function(mirrorball_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS;LABELS;LONG" ${ARGN})
+  cmake_parse_arguments(TEST "SERIAL" "" "SOURCES;DEPENDS;LABELS;LONG" ${ARGN})
   if(NOT TEST_LABELS)
     set(TEST_LABELS unit)
   endif()
@@ -78,21 +78,23 @@ function(mirrorball_test name)
   mirrorball_use_precompiled_headers(${name}_test_code TEST)
   add_executable(${name}_test $<TARGET_OBJECTS:mirrorball_test_main>)
   target_link_libraries(${name}_test PRIVATE ${name}_test_code)
-  mirrorball_discover_suites(${name}_test ${name} LABELS ${TEST_LABELS} LONG ${TEST_LONG})
+  mirrorball_discover_suites(${name}_test ${name} LABELS ${TEST_LABELS} LONG ${TEST_LONG} SERIAL ${TEST_SERIAL})
 endfunction()
 
-# mirrorball_discover_suites(PROGRAM NAME LABELS … [ENVIRONMENT …] [EXCEPT …] [LONG …] [CONFIGURATION …])
+# mirrorball_discover_suites(PROGRAM NAME LABELS … [ENVIRONMENT …] [EXCEPT …] [LONG …] [SERIAL ON|OFF]
+#                            [CONFIGURATION …])
 #
 # Tells CTest the suites of a GoogleTest program, as NAME.Suite: the target NAME_suites lists them anew when the program has
 # changed. EXCEPT leaves tests out, as GoogleTest's filter has them. With CONFIGURATION only `ctest -C CONFIGURATION` knows
 # them, and only what names the target builds them.
 function(mirrorball_discover_suites program name)
-  cmake_parse_arguments(SUITES "" "CONFIGURATION" "LABELS;ENVIRONMENT;EXCEPT;LONG" ${ARGN})
+  cmake_parse_arguments(SUITES "" "CONFIGURATION;SERIAL" "LABELS;ENVIRONMENT;EXCEPT;LONG" ${ARGN})
   set(suites "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
   set(script "${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake")
   add_custom_command(OUTPUT "${suites}"
     COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${program}>" -DNAME=${name} "-DLABELS=${SUITES_LABELS}"
-            "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}" "-DLONG=${SUITES_LONG}" "-DOUTPUT=${suites}" -P "${script}"
+            "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}" "-DLONG=${SUITES_LONG}" "-DSERIAL=${SUITES_SERIAL}"
+            "-DOUTPUT=${suites}" -P "${script}"
     DEPENDS ${program} "${script}"
     COMMENT "Listing the tests of ${program}"
     VERBATIM)

@@ -6,8 +6,8 @@
 
 namespace mirrorball::testing {
 
-/// What work of this process costs. Instructions are the better unit: other programs do not change them. Virtual machines
-/// often have no counter; then there is the processors' time alone.
+/// What work of this process costs. Instructions are the better unit: other programs do not change them. Virtual
+/// machines often have no counter; then there is the processors' time alone.
 class CostCounter {
  public:
   CostCounter();

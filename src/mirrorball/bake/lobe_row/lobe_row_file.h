@@ -5,7 +5,8 @@
 
 namespace mirrorball {
 
-/// The bytes of lobe_rows.ktx2: lobeRowTable() as half floats, written by bench/fit_lobe_rows.cpp, plain: a build may leave Zstandard out.
+/// The bytes of lobe_rows.ktx2: lobeRowTable() as half floats, written by bench/fit_lobe_rows.cpp; plain, since a build
+/// may leave Zstandard out.
 std::span<const std::uint8_t> lobeRowFile();
 
 }  // namespace mirrorball

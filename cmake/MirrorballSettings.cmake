@@ -53,7 +53,8 @@ if(EMSCRIPTEN)
   # Programs, which are the tests, see the files of the machine and wait for their own module to be compiled: where node
   # has a fetch, Emscripten 3.1.6 would ask that for it, which knows no files. Above -O1 their JavaScript is made smaller,
   # by a library that only Debian's own node finds.
-  add_link_options(-O1 -fexceptions -sALLOW_MEMORY_GROWTH -sEXIT_RUNTIME -sNODERAWFS -sWASM_ASYNC_COMPILATION=0)
+  add_link_options(-O1 -fexceptions -sALLOW_MEMORY_GROWTH -sEXIT_RUNTIME -sNODERAWFS -sWASM_ASYNC_COMPILATION=0
+                   "SHELL:--pre-js ${PROJECT_SOURCE_DIR}/cmake/browser/node_files.js")
 endif()
 if(MIRRORBALL_FUZZ)
   # Counts which branches an input takes; the harnesses in fuzz/ link the fuzzer itself.

@@ -17,8 +17,8 @@ int main(int count, char** arguments) {
     return true;
   };
   const auto table = fittedLobeRowTable(progress);
-  const Result<void> written = table ? writeImageSet(arguments[1], ImageSet(*table), {.zstandard_level = 19})
-                                     : Result<void>(tl::unexpected(table.error()));
+  const Result<void> written =
+      table ? writeImageSet(arguments[1], ImageSet(*table)) : Result<void>(tl::unexpected(table.error()));
   std::fprintf(stderr, "\n");
   if (written) return EXIT_SUCCESS;
   std::fprintf(stderr, "%s\n", written.error().message.c_str());

@@ -10,7 +10,7 @@ set(mirrorball_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/mirrorball")
 # Each component has a file of targets of its own, so that who asks for the formulas needs no OpenEXR. Which components and
 # packages each needs stands in mirrorballComponents.cmake.
 get_property(mirrorball_components GLOBAL PROPERTY MIRRORBALL_COMPONENTS)
-set(mirrorball_needs "set(mirrorball_components ${mirrorball_components})\n")
+set(mirrorball_needs "set(mirrorball_left_out \"${mirrorball_left_out_text}\")\nset(mirrorball_components ${mirrorball_components})\n")
 foreach(component IN LISTS mirrorball_components)
   install(TARGETS mirrorball_${component} EXPORT mirrorball_${component} ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   install(EXPORT mirrorball_${component} NAMESPACE mirrorball:: FILE mirrorball_${component}.cmake

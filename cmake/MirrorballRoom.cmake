@@ -1,15 +1,16 @@
-# mirrorball_room(NAME [COMPUTES] [UNITY] [HEADERS …] SOURCES … DEPENDS … [TESTS …] [ACCURACY_TESTS …])
+# mirrorball_room(NAME [COMPUTES] [UNITY] [HEADERS …] SOURCES … DEPENDS … [PACKAGES …] [TESTS …] [ACCURACY_TESTS …])
 #
 # One room of the house (docs/architecture.md): the static library mirrorball_NAME, aliased
 # mirrorball::NAME, with its test programs beside it. HEADERS are those that are installed: what a program outside may
-# include. DEPENDS are the targets that the room's own headers or sources use. One that COMPUTES is optimised further. One with UNITY is compiled as a
+# include. DEPENDS are the targets that the room's own headers or sources use, PACKAGES those of packages that its sources
+# and tests alone use: who uses the room is compiled without their headers. One that COMPUTES is optimised further. One with UNITY is compiled as a
 # single file, which is for few small files that share most headers. ACCURACY_TESTS hold results to brute force, over many
 # inputs.
 #
 # What is in the rooms, their tests and the packages that they use are collected in the properties MIRRORBALL_…, for the
 # package (MirrorballInstall.cmake) and for the sanitizers (tests/sanitized).
 function(mirrorball_room name)
-  cmake_parse_arguments(ROOM "COMPUTES;UNITY" "" "HEADERS;SOURCES;DEPENDS;TESTS;ACCURACY_TESTS" ${ARGN})
+  cmake_parse_arguments(ROOM "COMPUTES;UNITY" "" "HEADERS;SOURCES;DEPENDS;PACKAGES;TESTS;ACCURACY_TESTS" ${ARGN})
   set(target mirrorball_${name})
   add_library(${target} STATIC ${ROOM_SOURCES})
   add_library(mirrorball::${name} ALIAS ${target})
@@ -17,7 +18,7 @@ function(mirrorball_room name)
   target_include_directories(${target} PUBLIC
     "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>"
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/mirrorball>")
-  target_link_libraries(${target} PUBLIC ${ROOM_DEPENDS})
+  target_link_libraries(${target} PUBLIC ${ROOM_DEPENDS} PRIVATE ${ROOM_PACKAGES})
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROOM_UNITY} UNITY_BUILD_BATCH_SIZE 0)
   if(ROOM_COMPUTES)
@@ -27,22 +28,22 @@ function(mirrorball_room name)
     mirrorball_use_precompiled_headers(${target})
   endif()
 
-  mirrorball_component(${name} DEPENDS ${ROOM_DEPENDS})
+  mirrorball_component(${name} DEPENDS ${ROOM_DEPENDS} ${ROOM_PACKAGES})
   set_property(GLOBAL PROPERTY MIRRORBALL_HEADERS_${name} ${ROOM_HEADERS})
-  list(TRANSFORM ROOM_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  list(TRANSFORM ROOM_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" REGEX "^[^/]")
   list(FILTER ROOM_DEPENDS EXCLUDE REGEX "^mirrorball::")
   if(ROOM_COMPUTES)
     set_property(GLOBAL APPEND PROPERTY MIRRORBALL_COMPUTING_SOURCES ${ROOM_SOURCES})
   else()
     set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_SOURCES ${ROOM_SOURCES})
   endif()
-  set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_PACKAGES ${ROOM_DEPENDS})
+  set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_PACKAGES ${ROOM_DEPENDS} ${ROOM_PACKAGES})
   if(MIRRORBALL_TESTS AND ROOM_TESTS)
-    mirrorball_test(${name} SOURCES ${ROOM_TESTS} DEPENDS ${target})
+    mirrorball_test(${name} SOURCES ${ROOM_TESTS} DEPENDS ${target} ${ROOM_PACKAGES})
     set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_TESTS ${name}_test_code)
   endif()
   if(MIRRORBALL_TESTS AND ROOM_ACCURACY_TESTS)
-    mirrorball_test(${name}_accuracy SOURCES ${ROOM_ACCURACY_TESTS} DEPENDS ${target} LABELS accuracy)
+    mirrorball_test(${name}_accuracy SOURCES ${ROOM_ACCURACY_TESTS} DEPENDS ${target} ${ROOM_PACKAGES} LABELS accuracy)
   endif()
 endfunction()
 

@@ -144,14 +144,9 @@ Result<void> writeMap(EnvironmentMap map, const CaptureRequest& request, const M
 Result<EnvironmentMap> traceMap(SceneInputs inputs, Projection to, int size, const CaptureSettings& settings,
                                 const CaptureRequest& request, TracedPicture& state, StageClock& clock) {
   if (!inputs.scene.empty()) remarkOnDistance(settings.position, boundingSphere(inputs.scene));
-  MIRRORBALL_TRY(tracer, tracerOf(std::move(inputs), clock));
   const TracedCapture capture{settings.position, to, size, settings.nearest.value_or(0.0f)};
-  const glm::ivec2 extent = imageSize(to, size);
-  const std::size_t first_pass = std::size_t(extent.x) * std::size_t(extent.y) * std::size_t(faceCount(to));
-  MIRRORBALL_TRY(traced, clock.time("map: trace", [&] {
-    return tracer.capture(capture, traceSettings(request.reference, request.look, request.given),
-                          observerUntilInterrupted(first_pass));
-  }));
+  MIRRORBALL_TRY(traced,
+                 traceCapture(std::move(inputs), capture, request.look, request.reference, request.given, clock));
   state = std::move(traced.state);
   return std::move(traced.map);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -57,6 +58,7 @@ struct Command {
   std::vector<CommandOption> options = {};
   std::vector<Example> examples = {};
   Action action = {};
+  std::optional<Error> left_out = {};  ///< why this build cannot do it, and reads nothing else of its command line
 };
 
 /// Adds an argument that sets `target`, which must outlive the command's action.

@@ -233,7 +233,9 @@ struct Reader {
   std::vector<CLI::App*> apps;
 
   explicit Reader(std::span<const Command> commands) {
-    const std::string version = std::string("mirrorball ") + MIRRORBALL_VERSION;
+    const std::string left_out = MIRRORBALL_LEFT_OUT;
+    const std::string version =
+        std::string("mirrorball ") + MIRRORBALL_VERSION + (left_out.empty() ? "" : "\nbuilt without " + left_out);
     program.name("mirrorball");
     program.formatter(std::make_shared<HelpFormatter>());
     program.set_version_flag("--version", version);
@@ -279,6 +281,8 @@ Result<void> checkAllTaken(const Reader& reader, const Command* command, const s
 Result<Action> readCommandLine(int argc, const char* const* argv, std::span<const Command> commands) {
   const std::vector<std::string> given(argv + std::min(argc, 1), argv + argc);
   const std::vector<std::string> words = withImpliedValues(withHelpLast(given, commands), commands);
+  const auto named = std::ranges::find(commands, words.empty() ? "" : words.front(), &Command::name);
+  if (named != commands.end() && named->left_out) return tl::unexpected<Error>(*named->left_out);
   MIRRORBALL_TRY_VOID(checkDashes(words, commands));
   Reader reader(commands);
   try {

@@ -94,6 +94,7 @@ std::string formatsText() {
       "written has the format of its extension.\n\n| format | extensions | holds | written | read "
       "|\n|---|---|---|---|---|\n";
   for (const ImageFormat& format : kImageFormats) {
+    if (!isInThisBuild(format)) continue;
     std::string extensions;
     for (const std::string& extension : split(format.extensions, ' '))
       extensions += (extensions.empty() ? "`." : " `.") + extension + "`";

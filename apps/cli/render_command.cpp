@@ -14,6 +14,7 @@
 #include "cli/files.h"
 #include "cli/formatted.h"
 #include "cli/interruption.h"
+#include "cli/rays.h"
 #include "cli/render_reference.h"
 #include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
@@ -23,6 +24,7 @@
 #include "mirrorball/base/option.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/environment/builtin/sunset.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/frame/turntable.h"
 #include "mirrorball/scene/camera/framing.h"
@@ -186,20 +188,26 @@ Result<void> checkOutput(const RenderRequest& request, const FrameSettings& sett
   return {};
 }
 
-/// The showcase stands on the ground of the built-in sunset, unless another environment is asked for.
+/// The showcase stands on the ground of the built-in sunset, unless another environment is asked for; where the build
+/// has no sunset, in the studio.
 void setTheStage(RenderRequest& request) {
   const auto isFree = [&](std::string_view option) { return !request.given.contains(option); };
   if (request.scene.model != "showcase" || !isFree("env")) return;
-  request.scene.environment = "sunset";
-  if (isFree("env-rotation")) request.frame.env_rotation_deg = glm::vec3(270.0f, 0.0f, 0.0f);
-  ProxyOptions& ground = request.frame.proxy;
-  if (isFree("proxy")) {
-    ground.kind = ProxyKind::ground;
-    ground.height = 2.5f;
-    if (isFree("ground-roughness") && isFree("background")) ground.ground_roughness = 0.3f;
+  if (hasSunset()) {
+    request.scene.environment = "sunset";
+    if (isFree("env-rotation")) request.frame.env_rotation_deg = glm::vec3(270.0f, 0.0f, 0.0f);
+    ProxyOptions& ground = request.frame.proxy;
+    if (isFree("proxy")) {
+      ground.kind = ProxyKind::ground;
+      ground.height = 2.5f;
+      if (isFree("ground-roughness") && isFree("background")) ground.ground_roughness = 0.3f;
+    }
+  } else {
+    remark("this build reads no OpenEXR, and so has no sunset: the showcase is in the studio");
   }
   // The mirror ball and the teapot show their neighbours.
-  if (isFree("self-reflection") && isFree("occlusion") && isFree("probes")) request.frame.self_reflection = true;
+  if (tracesRays() && isFree("self-reflection") && isFree("occlusion") && isFree("probes"))
+    request.frame.self_reflection = true;
   if (isFree("behind")) request.frame.behind = BehindKind::screen;
   if (isFree("refraction")) request.frame.refraction = RefractionKind::automatic;
   if (isFree("camera")) request.frame.camera.elevation_deg = 9.0f;
@@ -244,8 +252,8 @@ Command renderCommand() {
       .name = "render",
       .help = "Shows a model in an environment",
       .about = "MODEL is a file (" + modelExtensions() +
-               "), a built-in, or - for standard input. Without MODEL and --env, the built-in showcase stands on the "
-               "ground of the built-in sunset.",
+               "), a built-in, or - for standard input. Without MODEL and --env, the built-in showcase stands " +
+               (hasSunset() ? "on the ground of the built-in sunset." : "in the built-in studio."),
       .examples = {{"render teapot --material gold -e room.hdr -o gold.png", "a gold teapot in a room"},
                    {"render helmet.glb -e sky:elevation=20 --background transparent --size 800x800 -o helmet.png",
                     "a model under an evening sun, cut out"}}};

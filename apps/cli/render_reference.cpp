@@ -20,22 +20,12 @@
 namespace mirrorball::cli {
 namespace {
 
-const Option<ReferenceOptions> kReference{
-    {.name = "reference",
-     .help = "path-trace the picture instead of drawing it: slow, and right where objects block light and send it to "
-             "each other; it needs no graphics driver",
-     .group = "Reference"},
-    &ReferenceOptions::is_wanted};
-
-}  // namespace
-
+/// All that a path tracer is told, of its own options and of those that the renderer has too.
 TraceSettings traceSettings(const ReferenceOptions& options, const FrameSettings& frame, const GivenOptions& given) {
   TraceSettings trace = tracedFrame(frame, options.trace);
   if (given.contains("samples")) trace.samples = frame.samples;
   return trace;
 }
-
-namespace {
 
 /// As compositors and denoisers look for them; they are moved out of the picture.
 std::vector<ImageLayer> layersOf(TracedPicture& picture) {
@@ -64,8 +54,10 @@ std::string foundOut(const TracedPicture& picture) {
   return formatted("%d paths a pixel, standard error at most %.2g of white", picture.samples, double(picture.noise));
 }
 
-}  // namespace
-
+/// A progress bar with the noise so far. From the first whole pass on, an interruption waits for the picture so far to
+/// be written.
+///
+/// first_pass   the paths of one pass
 TraceObserver observerUntilInterrupted(std::size_t first_pass) {
   const auto noise = std::make_shared<std::atomic<float>>(0.0f);
   const auto label = [noise] {
@@ -80,6 +72,13 @@ TraceObserver observerUntilInterrupted(std::size_t first_pass) {
   return observer;
 }
 
+Result<PathTracer> tracerOf(SceneInputs inputs, StageClock& clock) {
+  return clock.time("scene: sort triangles and light",
+                    [&] { return PathTracer::make(std::move(inputs.scene), std::move(inputs.environment)); });
+}
+
+}  // namespace
+
 Result<void> tellTraced(const TracedPicture& picture, const std::string& output) {
   if (picture.lost_paths > 0)
     remark(countedAre(picture.lost_paths, "path") + " without a number as its light, and counted as black");
@@ -89,13 +88,8 @@ Result<void> tellTraced(const TracedPicture& picture, const std::string& output)
   return {};
 }
 
-Result<PathTracer> tracerOf(SceneInputs inputs, StageClock& clock) {
-  return clock.time("scene: sort triangles and light",
-                    [&] { return PathTracer::make(std::move(inputs.scene), std::move(inputs.environment)); });
-}
-
 void addReference(Command& command, ReferenceOptions& options, GivenOptions& given) {
-  addOptions(command, std::span(&kReference, 1), options);
+  addOptions(command, referenceOption(), options);
   addOptions(command, traceOptions(), options.trace, &given);
 }
 
@@ -127,6 +121,17 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
   if (frame.background == BackgroundKind::blur)
     return fail(ErrorCode::usage, "--background blur: the reference shows the environment as it is; leave it out");
   return {};
+}
+
+Result<TracedMap> traceCapture(SceneInputs inputs, const TracedCapture& capture, const FrameSettings& frame,
+                               const ReferenceOptions& options, const GivenOptions& given, StageClock& clock) {
+  MIRRORBALL_TRY(tracer, tracerOf(std::move(inputs), clock));
+  const glm::ivec2 extent = imageSize(capture.projection, capture.size);
+  const std::size_t first_pass =
+      std::size_t(extent.x) * std::size_t(extent.y) * std::size_t(faceCount(capture.projection));
+  return clock.time("map: trace", [&] {
+    return tracer.capture(capture, traceSettings(options, frame, given), observerUntilInterrupted(first_pass));
+  });
 }
 
 Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& materials, const FrameSettings& frame,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "cli/command.h"
@@ -16,32 +17,27 @@ struct ReferenceOptions {
   TraceSettings trace;
 };
 
+/// --reference, which a build without rays has too, to say that it cannot.
+std::span<const Option<ReferenceOptions>> referenceOption();
+
 /// Adds them.
 void addReference(Command& command, ReferenceOptions& options, GivenOptions& given);
 
 /// Refuses options that only the renderer has, or only the reference.
 ///
-/// errors   usage
+/// errors   usage; unsupported: the reference is wanted of a build without rays
 Result<void> checkReference(const ReferenceOptions& options, const FrameSettings& frame, const GivenOptions& given);
-
-/// All that a path tracer is told, of its own options and of those that the renderer has too.
-TraceSettings traceSettings(const ReferenceOptions& options, const FrameSettings& frame, const GivenOptions& given);
-
-/// A path tracer of them.
-///
-/// errors   as PathTracer::make's
-Result<PathTracer> tracerOf(SceneInputs inputs, StageClock& clock);
-
-/// A progress bar with the noise so far. From the first whole pass on, an interruption waits for the picture so far to
-/// be written.
-///
-/// first_pass   the paths of one pass
-TraceObserver observerUntilInterrupted(std::size_t first_pass);
 
 /// Says how good a picture is that was written.
 ///
 /// errors   interrupted, if it was
 Result<void> tellTraced(const TracedPicture& picture, const std::string& output);
+
+/// Path-traces a map. From the first whole pass on, an interruption waits for the map so far to be written.
+///
+/// errors   as PathTracer's
+Result<TracedMap> traceCapture(SceneInputs inputs, const TracedCapture& capture, const FrameSettings& frame,
+                               const ReferenceOptions& options, const GivenOptions& given, StageClock& clock);
 
 /// Path-traces a picture, and writes it. Ctrl-C writes what there is.
 ///

@@ -5,12 +5,12 @@
 
 #include "cli/command_line.h"
 #include "cli/map_inputs.h"
+#include "cli/rays.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
-#include "mirrorball/rays/occlusion_cache.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/proxy/proxy.h"
@@ -164,9 +164,7 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
   }
   if (request.occlusion == OcclusionKind::vertex)
     names.finish = [&clock, cache = names.cache, finds_looks = request.self_reflection](Scene& scene) {
-      return clock.time("model: occlusion", [&] {
-        return findOcclusionOnce(scene, {.finds_looks = finds_looks}, cache, progressBar("occlusion"));
-      });
+      return clock.time("model: occlusion", [&] { return findSceneOcclusion(scene, finds_looks, cache); });
     };
   return checkedInputs(loadRenderInputs(names, clock.observing(terminalObserver())), request, outputs);
 }

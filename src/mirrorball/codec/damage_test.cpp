@@ -1,56 +1,30 @@
 /// Untrusted bytes: small files of every format, damaged in every way. None may crash, hang or read
 /// outside its bytes; the sanitizers' build is where these tests bite.
 
-#include <functional>
 #include <random>
 
-#include <ImfHeader.h>
-#include <ImfRgbaFile.h>
-#include <ImfTiledRgbaFile.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/codec/color/srgb.h"
-#include "mirrorball/codec/exr/exr.h"
-#include "mirrorball/codec/exr/exr_stream.h"
+#include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/hdr/hdr.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
-#include "mirrorball/codec/ldr/jpeg.h"
 #include "mirrorball/codec/ldr/png.h"
-#include "mirrorball/codec/ldr/webp_testing.h"
 #include "mirrorball/codec/picture_testing.h"
 
 namespace mirrorball {
 namespace {
 
 using testing::bytesOf;
+using testing::Damage;
+using testing::DamagedFile;
 using testing::gradient;
 
 Bytes oldRleHdr() {
   Bytes bytes = bytesOf("#?RGBE\nEXPOSURE=2\n\n+X 9 -Y 4\n");
   for (int column = 0; column < 9; ++column) bytes.insert(bytes.end(), {9, 8, 7, 130, 1, 1, 1, 3});
   return bytes;
-}
-
-template <typename File, typename... Arguments>
-Bytes foreignExr(Imf::Compression compression, Arguments... arguments) {
-  Imf::Header header(12, 10);
-  header.compression() = compression;
-  const std::vector<Imf::Rgba> texels(12 * 10, Imf::Rgba(0.5f, 0.25f, 2.0f, 1.0f));
-  ExrOutput stream;
-  {
-    File file(stream, header, arguments...);
-    file.setFrameBuffer(texels.data(), 1, 12);
-    if constexpr (std::is_same_v<File, Imf::TiledRgbaOutputFile>)
-      file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
-    else
-      file.writePixels(10);
-  }
-  return stream.takeBytes();
-}
-
-Bytes scanLineExr(Imf::Compression compression, Imf::RgbaChannels channels) {
-  return foreignExr<Imf::RgbaOutputFile>(compression, channels);
 }
 
 Image8 picture() { return pictureFromLinear(gradient(13, 11, 3), 3); }
@@ -61,13 +35,6 @@ Bytes colorRuns(int texels) {
   for (int i = 0; i < texels; i += 3) packets.insert(packets.end(), {129, 9, 8, 7, 0, 1, 2, 3});
   return packets;
 }
-
-struct Format {
-  const char* name;
-  std::function<Bytes()> bytes;
-};
-
-class Damage : public ::testing::TestWithParam<Format> {};
 
 TEST_P(Damage, TheFileItselfIsRead) {
   const auto result = decodeImage(GetParam().bytes());
@@ -127,43 +94,28 @@ TEST_P(Damage, GarbageBehindTheMagicIsAnError) {
 
 INSTANTIATE_TEST_SUITE_P(
     Files, Damage,
-    ::testing::Values(
-        Format{"HdrNewRle",
-               [] {
-                 return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}});
-               }},
-        Format{"HdrOldRle", oldRleHdr}, Format{"ExrFloat", [] { return *encodeExr(gradient(12, 20, 4), {}); }},
-        Format{"ExrPiz", [] { return scanLineExr(Imf::PIZ_COMPRESSION, Imf::WRITE_RGBA); }},
-        Format{"ExrB44", [] { return scanLineExr(Imf::B44_COMPRESSION, Imf::WRITE_RGBA); }},
-        Format{"ExrPxr24", [] { return scanLineExr(Imf::PXR24_COMPRESSION, Imf::WRITE_RGBA); }},
-        Format{"ExrDwab", [] { return scanLineExr(Imf::DWAB_COMPRESSION, Imf::WRITE_RGBA); }},
-        Format{"ExrChroma", [] { return scanLineExr(Imf::ZIP_COMPRESSION, Imf::WRITE_YC); }},
-        Format{"ExrTiled",
-               [] {
-                 return foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8,
-                                                             Imf::ONE_LEVEL);
-               }},
-        Format{"Png",
-               [] {
-                 return *encodePng(picture(), {{"envmap", "cube"}});
-               }},
-        Format{"Tga", [] { return testing::tgaOf({.type = 10, .width = 9, .height = 4}, colorRuns(36)); }},
-        Format{"Bmp", [] { return testing::bmpOf({.width = 9, .height = 4}, Bytes(4 * 28, 77)); }},
-        Format{"BmpRle",
-               [] {
-                 return testing::bmpOf({.width = 3, .height = 2, .bits = 8, .compression = 1, .palette = {0, 0xff}},
-                                       {0, 3, 1, 0, 1, 0, 0, 0, 2, 1, 0, 1});
-               }},
-        Format{"Pgm", [] { return bytesOf("P5 5 3 65535\n" + std::string(30, 'x')); }},
-        Format{"PpmText", [] { return bytesOf("P3\n2 2\n255\n1 2 3 4 5 6 7 8 9 10 11 5"); }},
-        Format{"Pfm", [] { return bytesOf("PF  3  2  -1\n" + std::string(72, 'x')); }},
-        Format{"WebpLossy", [] { return testing::webpOf(picture(), 80); }},
-        Format{"WebpLossless", [] { return testing::webpOf(picture(), 101); }},
-        Format{"Jpeg",
-               [] {
-                 return *encodeJpeg(picture(), {{"envmap", "cube"}});
-               }}),
-    [](const auto& format) { return std::string(format.param.name); });
+    ::testing::Values(DamagedFile{"HdrNewRle",
+                                  [] {
+                                    return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}});
+                                  }},
+                      DamagedFile{"HdrOldRle", oldRleHdr},
+                      DamagedFile{"Png",
+                                  [] {
+                                    return *encodePng(picture(), {{"envmap", "cube"}});
+                                  }},
+                      DamagedFile{"Tga",
+                                  [] { return testing::tgaOf({.type = 10, .width = 9, .height = 4}, colorRuns(36)); }},
+                      DamagedFile{"Bmp", [] { return testing::bmpOf({.width = 9, .height = 4}, Bytes(4 * 28, 77)); }},
+                      DamagedFile{"BmpRle",
+                                  [] {
+                                    return testing::bmpOf(
+                                        {.width = 3, .height = 2, .bits = 8, .compression = 1, .palette = {0, 0xff}},
+                                        {0, 3, 1, 0, 1, 0, 0, 0, 2, 1, 0, 1});
+                                  }},
+                      DamagedFile{"Pgm", [] { return bytesOf("P5 5 3 65535\n" + std::string(30, 'x')); }},
+                      DamagedFile{"PpmText", [] { return bytesOf("P3\n2 2\n255\n1 2 3 4 5 6 7 8 9 10 11 5"); }},
+                      DamagedFile{"Pfm", [] { return bytesOf("PF  3  2  -1\n" + std::string(72, 'x')); }}),
+    testing::nameOfDamaged);
 
 }  // namespace
 }  // namespace mirrorball

@@ -51,7 +51,8 @@ struct ImageWriteOptions {
 /// sRGB unless a PNG states another curve; floats are linear light. Of a texture with one face, the largest level is
 /// read. NaN and infinity are kept: callers that need light check with findNonFinite.
 ///
-/// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported
+/// errors   not_found; io; bad_file (what is wrong and at which byte); too_large; unsupported (also a format that the
+///          build lacks)
 Result<DecodedImage> readImage(const std::filesystem::path& path);
 
 /// The same from memory.
@@ -60,7 +61,7 @@ Result<DecodedImage> readImage(const std::filesystem::path& path);
 ///          pictures
 Result<DecodedImage> decodeImage(std::span<const std::uint8_t> bytes, const ProgressFunction& progress = {});
 
-/// Whether the bytes begin as one of the files that decodeImage takes.
+/// Whether the bytes begin as one of the files that decodeImage takes, or names where the build lacks their format.
 bool isImage(std::span<const std::uint8_t> bytes);
 
 /// Writes linear light by the name's extension: .exr .hdr as it is, .png .jpg encoded to sRGB and

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/codec/image_file_testing.h"
+#include "mirrorball/codec/left_out_testing.h"
 #include "mirrorball/codec/texture/texture_testing.h"
 
 namespace mirrorball {
@@ -34,6 +35,10 @@ struct WrittenFormat {
 
 class CodecFormat : public CodecFile, public ::testing::WithParamInterface<WrittenFormat> {
  protected:
+  void SetUp() override {
+    CodecFile::SetUp();
+    MIRRORBALL_NEEDS(checkWritable(path()));
+  }
   fs::path path() const { return folder_ / GetParam().name; }
 };
 

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/left_out.h"
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/format_registry.h"
 
 namespace mirrorball {
 namespace {
@@ -21,28 +23,32 @@ constexpr bool isInOrder() {
 static_assert(isInOrder());
 
 /// The usual extensions, with their dots.
-std::string extensionsOf(const Admit& admit, std::string_view before_last) {
+std::string extensionsOf(const FormatRegistry& formats, const Admit& admit, std::string_view before_last) {
   std::vector<std::string> extensions;
   for (const ImageFormat& format : kImageFormats)
-    if (admit(format)) extensions.push_back("." + std::string(usualExtension(format)));
+    if (formats.has(format.id) && admit(format)) extensions.push_back("." + std::string(usualExtension(format)));
   return join(extensions, before_last == " " ? " " : ", ", before_last);
 }
 
 std::string namesOf(const Admit& admit) {
   std::vector<std::string_view> names;
   for (const ImageFormat& format : kImageFormats)
-    if (admit(format)) names.push_back(format.name);
+    if (isInThisBuild(format) && admit(format)) names.push_back(format.name);
   return join(names, ", ", " or ");
 }
 
+Admit isWrittenAs(Holds what) {
+  return [what](const ImageFormat& format) { return format.is_written && mayHold(format, what); };
+}
+
 /// ".hdr or .exr for linear light, .png or .jpg for pictures"
-std::string adviceFor(std::initializer_list<Holds> wanted) {
+std::string adviceFor(const FormatRegistry& formats, std::initializer_list<Holds> wanted) {
   std::vector<std::string> kinds;
   for (const Holds what : wanted) {
     const char* purpose = what == Holds::light     ? " for linear light"
                           : what == Holds::texture ? " for textures"
                                                    : " for pictures";
-    kinds.push_back(writtenExtensions(what, " or ") + (wanted.size() > 1 ? purpose : ""));
+    kinds.push_back(extensionsOf(formats, isWrittenAs(what), " or ") + (wanted.size() > 1 ? purpose : ""));
   }
   return join(kinds, ", ", ", ");
 }
@@ -60,35 +66,39 @@ std::string_view textOf(Holds what) {
 
 }  // namespace
 
+bool isInThisBuild(const ImageFormat& format) { return FormatRegistry::ofThisBuild().has(format.id); }
+
 std::string_view readExtensions() {
-  static const std::string all = extensionsOf([](const ImageFormat&) { return true; }, " ");
+  static const std::string all = extensionsOf(
+      FormatRegistry::ofThisBuild(), [](const ImageFormat&) { return true; }, " ");
   return all;
 }
 
 std::string readExtensions(Holds what) {
-  return extensionsOf([what](const ImageFormat& format) { return mayHold(format, what); }, " ");
+  return extensionsOf(
+      FormatRegistry::ofThisBuild(), [what](const ImageFormat& format) { return mayHold(format, what); }, " ");
 }
 
 std::string writtenExtensions(std::string_view before_last) {
-  return extensionsOf([](const ImageFormat& format) { return format.is_written; }, before_last);
+  return extensionsOf(
+      FormatRegistry::ofThisBuild(), [](const ImageFormat& format) { return format.is_written; }, before_last);
 }
 
 std::string writtenExtensions(Holds what, std::string_view before_last) {
-  return extensionsOf([what](const ImageFormat& format) { return format.is_written && mayHold(format, what); },
-                      before_last);
+  return extensionsOf(FormatRegistry::ofThisBuild(), isWrittenAs(what), before_last);
 }
 
 std::vector<std::string_view> writtenExtensionNames() {
   std::vector<std::string_view> names;
   for (const ImageFormat& format : kImageFormats)
-    if (format.is_written) names.push_back(usualExtension(format));
+    if (isInThisBuild(format) && format.is_written) names.push_back(usualExtension(format));
   return names;
 }
 
 std::vector<std::string_view> writtenExtensionNames(Holds what) {
   std::vector<std::string_view> names;
   for (const ImageFormat& format : kImageFormats)
-    if (format.is_written && mayHold(format, what)) names.push_back(usualExtension(format));
+    if (isInThisBuild(format) && isWrittenAs(what)(format)) names.push_back(usualExtension(format));
   return names;
 }
 
@@ -101,17 +111,26 @@ std::string readFormatNames(Holds what) {
 }
 
 Result<ImageFormatId> formatToWrite(const std::filesystem::path& path, std::initializer_list<Holds> wanted) {
+  return formatToWrite(path, wanted, FormatRegistry::ofThisBuild());
+}
+
+Result<ImageFormatId> formatToWrite(const std::filesystem::path& path, std::initializer_list<Holds> wanted,
+                                    const FormatRegistry& formats) {
   const std::string extension = extensionOf(path);
   const auto* const format = std::find_if(kImageFormats.begin(), kImageFormats.end(), [&](const ImageFormat& known) {
     const std::vector<std::string> extensions = split(known.extensions, ' ');
     return contains(extensions, extension);
   });
   const bool is_written = format != kImageFormats.end() && format->is_written;
-  if (is_written && contains(wanted, format->holds)) return format->id;
+  if (is_written && contains(wanted, format->holds)) {
+    if (formats.has(format->id)) return format->id;
+    return withName(path.string(),
+                    Result<ImageFormatId>(leftOut("writes no " + std::string(format->name), format->build_option)));
+  }
   const std::string what = extension.empty() ? "has no extension to tell its format by"
                            : is_written      ? "would hold " + std::string(textOf(format->holds))
                                              : "is not a format that Mirrorball writes";
-  return fail(ErrorCode::usage, path.string() + ": " + what + "; use " + adviceFor(wanted));
+  return fail(ErrorCode::usage, path.string() + ": " + what + "; use " + adviceFor(formats, wanted));
 }
 
 }  // namespace mirrorball

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <initializer_list>
 #include <string>
@@ -28,31 +29,42 @@ struct ImageFormat {
   std::string_view extensions;  ///< "jpg jpeg": in names of files, the usual one first
   Holds holds;
   bool is_written;
-  std::string_view what;  ///< what is read of it, for the documentation
+  std::string_view what;               ///< what is read of it, for the documentation
+  std::string_view build_option = {};  ///< of a format that a build may leave out: "MIRRORBALL_TIFF"
 };
 
-/// The one list of formats: every message, help text and page that names some is made from it, in its order.
+/// The one list of formats: every message, help text and page that names some is made from it, in its order, and names
+/// those that the build has (isInThisBuild).
 inline constexpr std::array<ImageFormat, 13> kImageFormats{{
     {ImageFormatId::hdr, "Radiance HDR", "hdr", Holds::light, true,
      "RGBE and XYZE; run-length coded, old and new, or flat; any orientation"},
     {ImageFormatId::exr, "OpenEXR", "exr", Holds::light, true,
-     "half, float and integers; scan lines and tiles; every compression of OpenEXR 3; luminance and chroma"},
+     "half, float and integers; scan lines and tiles; every compression of OpenEXR 3; luminance and chroma",
+     "MIRRORBALL_EXR"},
     {ImageFormatId::png, "PNG", "png", Holds::picture, true, "every kind and depth; `gAMA`, `cHRM`, `sRGB`"},
-    {ImageFormatId::jpeg, "JPEG", "jpg jpeg", Holds::picture, true, "grey and RGB, baseline and progressive"},
+    {ImageFormatId::jpeg, "JPEG", "jpg jpeg", Holds::picture, true, "grey and RGB, baseline and progressive",
+     "MIRRORBALL_JPEG"},
     {ImageFormatId::ktx2, "KTX2", "ktx2", Holds::texture, true,
      "8- and 16-bit unorm, sRGB, half, float, b10g11r11, e5b9g9r9, BC6H; Zstandard"},
     {ImageFormatId::ktx, "KTX", "ktx", Holds::texture, true, "the same formats, in either byte order"},
     {ImageFormatId::dds, "DDS", "dds", Holds::texture, true, "the same formats, and masks of older files"},
     {ImageFormatId::tiff, "TIFF", "tif tiff", Holds::either, false,
      "integers of up to 16 bits and of 32, floats of 16, 32 and 64; grey, RGB, palette, LogLuv; plain, LZW, deflate, "
-     "PackBits, Zstandard, JPEG; strips and tiles, BigTIFF"},
-    {ImageFormatId::webp, "WebP", "webp", Holds::picture, false, "lossy and lossless, alpha; no animations"},
+     "PackBits, Zstandard, JPEG; strips and tiles, BigTIFF",
+     "MIRRORBALL_TIFF"},
+    {ImageFormatId::webp, "WebP", "webp", Holds::picture, false, "lossy and lossless, alpha; no animations",
+     "MIRRORBALL_WEBP"},
     {ImageFormatId::tga, "TGA", "tga", Holds::picture, false,
      "grey, palette, 15, 16, 24 and 32 bits; run-length coded or not"},
     {ImageFormatId::bmp, "BMP", "bmp", Holds::picture, false, "palettes, RLE4, RLE8, 16, 24 and 32 bits, masks, alpha"},
     {ImageFormatId::pnm, "PNM", "pnm ppm pgm pbm pam", Holds::picture, false, "P1 to P7, text or bytes, up to 16 bits"},
     {ImageFormatId::pfm, "PFM", "pfm", Holds::light, false, "grey and RGB, either byte order"},
 }};
+
+constexpr const ImageFormat& formatOf(ImageFormatId id) { return kImageFormats[static_cast<std::size_t>(id)]; }
+
+/// Whether this build reads the format, and writes it if it is written.
+bool isInThisBuild(const ImageFormat& format);
 
 /// Whether the format has files that hold that: TIFF has pictures and light.
 constexpr bool mayHold(const ImageFormat& format, Holds what) {
@@ -91,7 +103,13 @@ std::string readFormatNames(Holds what);
 /// The format that is written under a name with that extension.
 ///
 /// wanted   what the format may hold; the message lists them in this order
-/// errors   usage: it is none of those
+/// errors   usage: it is none of those; unsupported: the build lacks it
 Result<ImageFormatId> formatToWrite(const std::filesystem::path& path, std::initializer_list<Holds> wanted);
+
+class FormatRegistry;
+
+/// The same of another build's formats.
+Result<ImageFormatId> formatToWrite(const std::filesystem::path& path, std::initializer_list<Holds> wanted,
+                                    const FormatRegistry& formats);
 
 }  // namespace mirrorball

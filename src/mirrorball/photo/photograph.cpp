@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mirrorball/codec/format_signature.h"
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/ldr/jpeg.h"
 #include "mirrorball/image/upright.h"
 
 namespace mirrorball {

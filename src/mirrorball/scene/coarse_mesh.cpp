@@ -1,17 +1,12 @@
 #include "mirrorball/scene/coarse_mesh.h"
 
-#include <meshoptimizer.h>
+#include "mirrorball/scene/coarse_triangles.h"
 
 namespace mirrorball {
 
 CoarseMesh coarseMesh(const Mesh& mesh, std::size_t triangles) {
   CoarseMesh coarse{.positions = {}, .indices = mesh.indices};
-  if (mesh.indices.size() / 3 > triangles) {
-    constexpr float kAnyError = 1e30f;
-    coarse.indices.resize(meshopt_simplifySloppy(coarse.indices.data(), mesh.indices.data(), mesh.indices.size(),
-                                                 &mesh.vertices[0].position.x, mesh.vertices.size(), sizeof(Vertex),
-                                                 3 * triangles, kAnyError, nullptr));
-  }
+  if (mesh.indices.size() / 3 > triangles) coarse.indices = coarseTriangles(mesh, triangles);
   constexpr std::uint32_t kUnused = ~std::uint32_t{0};
   std::vector<std::uint32_t> places(mesh.vertices.size(), kUnused);
   for (std::uint32_t& index : coarse.indices) {

@@ -16,7 +16,8 @@ struct CoarseMesh {
   std::vector<std::uint32_t> indices;  ///< three a triangle
 };
 
-/// Joins vertices that are near each other (meshoptimizer's sloppy simplification): fast, and without regard to edges.
+/// Joins vertices that are near each other (meshoptimizer's sloppy simplification, or by a grid in a build without it):
+/// fast, and without regard to edges.
 ///
 /// triangles   about as many at most; a mesh that has no more stays as it is
 /// cost        10 ms for 65 000 triangles

@@ -1,7 +1,6 @@
 #include "mirrorball/codec/exr/exr.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <exception>
@@ -22,6 +21,7 @@
 
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/codec/exr/exr_part.h"
+#include "mirrorball/codec/exr/exr_rows.h"
 #include "mirrorball/codec/exr/exr_sizes.h"
 #include "mirrorball/codec/exr/exr_stream.h"
 
@@ -161,11 +161,6 @@ Bytes encode(const Image& image, const ImageWriteOptions& options) {
 
 }  // namespace
 
-bool isExr(std::span<const std::uint8_t> bytes) {
-  constexpr std::array<std::uint8_t, 4> kMagic{0x76, 0x2f, 0x31, 0x01};
-  return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
-}
-
 Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const ProgressFunction& progress) {
   return decodingExr<DecodedImage>([&] { return decode(bytes, progress); });
 }
@@ -180,5 +175,7 @@ Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options) {
     return fail(ErrorCode::io, "cannot be encoded as OpenEXR: " + reasonOf(exception));
   }
 }
+
+FormatCodec exrCodec() { return {.decode = decodeExr, .open_rows = openExrRows, .encode = encodeExr}; }
 
 }  // namespace mirrorball

@@ -5,12 +5,10 @@
 #include <string>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/codec/format_registry.h"
 #include "mirrorball/codec/image_file.h"
 
 namespace mirrorball {
-
-/// Whether the bytes begin as an OpenEXR file does.
-bool isExr(std::span<const std::uint8_t> bytes);
 
 /// Decodes an OpenEXR file: scan lines or tiles (the largest level), any compression and sample
 /// type. The image is the data window of the first part that has colour: R G B (A), else luminance
@@ -26,5 +24,8 @@ Result<DecodedImage> decodeExr(std::span<const std::uint8_t> bytes, const Progre
 ///
 /// errors   too_large (memory)
 Result<Bytes> encodeExr(const Image& image, const ImageWriteOptions& options);
+
+/// For the registry of formats.
+FormatCodec exrCodec();
 
 }  // namespace mirrorball

@@ -238,10 +238,6 @@ void writePixels(Compressor& encoder, const Image8& picture, const Metadata& met
 
 }  // namespace
 
-bool isJpeg(std::span<const std::uint8_t> bytes) {
-  return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
-}
-
 Result<DecodedImage> decodeJpeg(std::span<const std::uint8_t> bytes) {
   MIRRORBALL_TRY(decoded, readPicture(bytes, false));
   std::string color = decoded.icc_description.empty() ? describeColor(kSrgbCurve, {}, decoded.picture.channels())
@@ -262,6 +258,13 @@ Result<Bytes> encodeJpeg(const Image8& picture, const Metadata& metadata) {
   if (!guarded(encoder.errors, [&] { writePixels(encoder, picture, metadata); }))
     return fail(ErrorCode::too_large, "cannot be encoded as JPEG: " + std::string(encoder.errors.message));
   return Bytes(encoder.bytes, encoder.bytes + encoder.size);
+}
+
+FormatCodec jpegCodec() {
+  return {.decode = withoutProgress<decodeJpeg>,
+          .decode_texture = decodeJpegTexture,
+          .encode_picture = encodeJpeg,
+          .picture_channels = 3};
 }
 
 }  // namespace mirrorball

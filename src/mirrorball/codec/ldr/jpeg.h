@@ -5,12 +5,10 @@
 #include <string>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/codec/format_registry.h"
 #include "mirrorball/codec/image_file.h"
 
 namespace mirrorball {
-
-/// Whether the bytes begin as a JPEG does.
-bool isJpeg(std::span<const std::uint8_t> bytes);
 
 /// Decodes a grey or RGB JPEG, baseline or progressive, to linear light; samples are taken as sRGB.
 /// A file that ends early is an error, never a picture whose rest is grey.
@@ -26,5 +24,8 @@ Result<Image8> decodeJpegTexture(std::span<const std::uint8_t> bytes);
 ///
 /// errors   bad_shape (a side above 65500, JPEG's limit)
 Result<Bytes> encodeJpeg(const Image8& picture, const Metadata& metadata);
+
+/// For the registry of formats.
+FormatCodec jpegCodec();
 
 }  // namespace mirrorball

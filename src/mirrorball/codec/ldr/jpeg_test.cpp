@@ -13,6 +13,7 @@
 
 #include "mirrorball/codec/color/icc_testing.h"
 #include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "test_data.h"
 
@@ -207,6 +208,17 @@ TEST(Jpeg, ATooLargeSideIsRefusedOnWriting) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::bad_shape);
 }
+
+using testing::Damage;
+
+INSTANTIATE_TEST_SUITE_P(
+    Jpeg, Damage,
+    ::testing::Values(testing::DamagedFile{
+        "Jpeg",
+        [] {
+          return *encodeJpeg(pictureFromLinear(testing::gradient(13, 11, 3), 3), {{"envmap", "cube"}});
+        }}),
+    testing::nameOfDamaged);
 
 }  // namespace
 }  // namespace mirrorball

@@ -68,13 +68,6 @@ std::string readIccDescription(Span bytes) {
 
 }  // namespace
 
-bool isWebp(Span bytes) {
-  const auto has = [&](std::size_t at, std::string_view letters) {
-    return std::equal(letters.begin(), letters.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
-  };
-  return bytes.size() >= 12 && has(0, "RIFF") && has(8, "WEBP");
-}
-
 Result<DecodedImage> decodeWebp(Span bytes) {
   WebPBitstreamFeatures features;
   MIRRORBALL_TRY(picture, readPicture(bytes, false, features));
@@ -89,5 +82,7 @@ Result<Image8> decodeWebpTexture(Span bytes) {
   WebPBitstreamFeatures features;
   return readPicture(bytes, true, features);
 }
+
+FormatCodec webpCodec() { return {.decode = withoutProgress<decodeWebp>, .decode_texture = decodeWebpTexture}; }
 
 }  // namespace mirrorball

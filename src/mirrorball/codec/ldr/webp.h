@@ -4,12 +4,10 @@
 #include <span>
 #include <string>
 
+#include "mirrorball/codec/format_registry.h"
 #include "mirrorball/codec/image_file.h"
 
 namespace mirrorball {
-
-/// Whether the bytes begin as a WebP does.
-bool isWebp(std::span<const std::uint8_t> bytes);
 
 /// Decodes a WebP picture, lossy or lossless, with or without alpha; samples are taken as sRGB.
 ///
@@ -18,5 +16,8 @@ Result<DecodedImage> decodeWebp(std::span<const std::uint8_t> bytes);
 
 /// Decodes a WebP to 8-bit RGBA as stored.
 Result<Image8> decodeWebpTexture(std::span<const std::uint8_t> bytes);
+
+/// For the registry of formats.
+FormatCodec webpCodec();
 
 }  // namespace mirrorball

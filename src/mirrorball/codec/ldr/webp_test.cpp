@@ -7,6 +7,7 @@
 
 #include "mirrorball/codec/color/icc_testing.h"
 #include "mirrorball/codec/color/srgb.h"
+#include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/ldr/webp_testing.h"
 
@@ -78,6 +79,14 @@ TEST(Webp, EveryTruncationIsAnError) {
     }
   }
 }
+
+using testing::Damage;
+
+INSTANTIATE_TEST_SUITE_P(Webp, Damage,
+                         ::testing::Values(testing::DamagedFile{"WebpLossy", [] { return webpOf(picture(3), 80); }},
+                                           testing::DamagedFile{"WebpLossless",
+                                                                [] { return webpOf(picture(3), 101); }}),
+                         testing::nameOfDamaged);
 
 }  // namespace
 }  // namespace mirrorball

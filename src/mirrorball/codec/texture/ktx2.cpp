@@ -6,8 +6,6 @@
 #include <memory>
 #include <vector>
 
-#include <zstd.h>
-
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/texture/data_format_descriptor.h"
 #include "mirrorball/codec/texture/format_numbers.h"
@@ -15,6 +13,7 @@
 #include "mirrorball/codec/texture/ktx_key_values.h"
 #include "mirrorball/codec/texture/stored_format.h"
 #include "mirrorball/codec/texture/texture_shape.h"
+#include "mirrorball/codec/texture/zstandard.h"
 
 namespace mirrorball {
 namespace {
@@ -110,6 +109,7 @@ Result<StoredFormat> texelFormat(const Header& header, const DescribedColor& col
     return unsupportedTexture("Basis Universal block compression", kInstead);
   auto format = formatOfVulkan(header.vk_format);
   if (!format) return unsupportedTexture(nameOfVulkan(header.vk_format), kInstead);
+  if (header.scheme == kKtx2Zstandard) MIRRORBALL_TRY_VOID(checkZstandard());
   if (header.scheme != kKtx2Plain && header.scheme != kKtx2Zstandard)
     return unsupportedTexture("supercompression scheme " + std::to_string(header.scheme), kInstead);
   // Some writers say "unorm" and mean sRGB; the descriptor tells.
@@ -146,15 +146,11 @@ Result<void> checkLevelSizes(const Header& header, const StoredFormat& format) {
   return {};
 }
 
-Result<std::unique_ptr<std::uint8_t[]>> unpackZstandard(Span packed, std::uint64_t size, const std::string& place) {
+Result<std::unique_ptr<std::uint8_t[]>> unpacked(Span packed, std::uint64_t size, const std::string& place) {
   // Without values, so that a size that lies costs no memory: only what is unpacked is touched.
   auto texels = std::make_unique_for_overwrite<std::uint8_t[]>(size);
-  const std::size_t count = ZSTD_decompress(texels.get(), size, packed.data(), packed.size());
-  if (ZSTD_isError(count))
-    return fail(ErrorCode::bad_file, place + " is not sound Zstandard data: " + ZSTD_getErrorName(count));
-  if (count != size)
-    return fail(ErrorCode::bad_file, place + " unpacks to " + std::to_string(count) + " bytes instead of " +
-                                         std::to_string(size) + "; the file is damaged");
+  Result<void> done = unpackZstandard(packed, {texels.get(), size});
+  if (!done) return fail(done.error().code, place + " " + done.error().message);
   return texels;
 }
 
@@ -179,7 +175,7 @@ Result<ImageSet> readLevels(Span bytes, const Header& header, const StoredFormat
       continue;
     }
     const std::string place = "level " + std::to_string(i) + " at byte " + std::to_string(level.offset);
-    MIRRORBALL_TRY(texels, unpackZstandard(stored, level.unpacked_size, place));
+    MIRRORBALL_TRY(texels, unpacked(stored, level.unpacked_size, place));
     unpackLevel(format, texels.get(), i, shape, images);
   }
   return images;

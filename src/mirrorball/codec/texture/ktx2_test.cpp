@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/left_out_testing.h"
 #include "mirrorball/codec/texture/texture_testing.h"
+#include "mirrorball/codec/texture/zstandard.h"
 
 namespace mirrorball {
 namespace {
@@ -246,6 +248,7 @@ TEST(Ktx2, LyingHeadersAreNamedWithTheirPlace) {
 }
 
 TEST(Ktx2, UnsoundZstandardIsNamed) {
+  MIRRORBALL_NEEDS(checkZstandard());
   const Bytes file = ktx2Of(textureOf(1, 1, 1, 3, 16, 16), {.zstandard_level = 3});
   Bytes damaged = file;
   damaged[littleU32(file.data() + 80)] ^= 0xff;

@@ -1,10 +1,6 @@
 #include <cstring>
-#include <memory>
 #include <numeric>
 
-#include <zstd.h>
-
-#include "mirrorball/base/parallel.h"
 #include "mirrorball/codec/little_endian_writer.h"
 #include "mirrorball/codec/texture/data_format_descriptor.h"
 #include "mirrorball/codec/texture/format_numbers.h"
@@ -13,6 +9,7 @@
 #include "mirrorball/codec/texture/ktx_key_values.h"
 #include "mirrorball/codec/texture/stored_format.h"
 #include "mirrorball/codec/texture/texture_shape.h"
+#include "mirrorball/codec/texture/zstandard.h"
 
 namespace mirrorball {
 namespace {
@@ -66,26 +63,6 @@ void placeLevel(const TextureShape& shape, const StoredFormat& format, int level
     }
 }
 
-struct FreeContext {
-  void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
-};
-
-/// One Zstandard frame, its blocks compressed on all cores where the library can.
-Result<Bytes> compress(std::span<const std::uint8_t> texels, int level) {
-  const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
-  if (!context) return fail(ErrorCode::too_large, "not enough memory for Zstandard");
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
-  // A library built without threads refuses this and compresses on one core. At least one worker even on one core, so
-  // that the bytes are the same everywhere.
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_nbWorkers, threadLimit());
-  Bytes packed(ZSTD_compressBound(texels.size()));
-  const std::size_t size = ZSTD_compress2(context.get(), packed.data(), packed.size(), texels.data(), texels.size());
-  if (ZSTD_isError(size))
-    return fail(ErrorCode::too_large, std::string("Zstandard could not compress: ") + ZSTD_getErrorName(size));
-  packed.resize(size);
-  return packed;
-}
-
 /// Compresses level by level: where one begins is only known when the smaller ones are written.
 Result<void> compressLevels(const ImageSet& images, const TextureShape& shape, const TextureWriteOptions& options,
                             std::uint64_t begin, std::span<Level> levels, const WriteAt& write) {
@@ -109,7 +86,7 @@ Result<void> compressLevels(const ImageSet& images, const TextureShape& shape, c
     // Next to the compression nothing else counts.
     const ProgressFunction asked = partOf(options.progress, done, 0, all);
     MIRRORBALL_TRY_VOID(streamTexels(images, placed, options.format, keep, asked));
-    MIRRORBALL_TRY(packed, compress(texels, options.zstandard_level));
+    MIRRORBALL_TRY(packed, packZstandard(texels, options.zstandard_level));
     done += texels.size();
     if (options.progress && !options.progress(done, all))
       return fail(ErrorCode::interrupted, "interrupted; nothing was written");

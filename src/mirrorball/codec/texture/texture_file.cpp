@@ -10,6 +10,7 @@
 #include "mirrorball/codec/texture/ktx2.h"
 #include "mirrorball/codec/texture/stored_format.h"
 #include "mirrorball/codec/texture/texture_shape.h"
+#include "mirrorball/codec/texture/zstandard.h"
 #include "mirrorball/codec/within_memory.h"
 
 namespace mirrorball {
@@ -61,6 +62,7 @@ Result<ImageFormatId> containerFor(const std::filesystem::path& path, const Text
                                       "; use 0 (none) to " + std::to_string(kHighestZstandardLevel));
   if (container != ImageFormatId::ktx2 && options.zstandard_level > 0)
     return fail(ErrorCode::usage, name + ": has no Zstandard compression; use .ktx2");
+  if (options.zstandard_level > 0) MIRRORBALL_TRY_VOID(withName(name, checkZstandard()));
   MIRRORBALL_TRY_VOID(checkMetadata(options.metadata));
   return container;
 }

@@ -10,8 +10,8 @@
 
 #include "mirrorball/base/bit_cast.h"
 #include "mirrorball/base/memory.h"
-#include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/color/icc_profile.h"
+#include "mirrorball/codec/format_signature.h"
 #include "mirrorball/codec/ldr/coded_picture.h"
 #include "mirrorball/codec/tiff/tiff_file.h"
 #include "mirrorball/codec/tiff/tiff_layout.h"
@@ -202,14 +202,6 @@ std::string colorText(const TiffLayout& layout, const TransferCurve& curve) {
 
 }  // namespace
 
-bool isTiff(Span bytes) {
-  if (bytes.size() < 4) return false;
-  const bool is_little = bytes[0] == 'I' && bytes[1] == 'I';
-  const bool is_big = bytes[0] == 'M' && bytes[1] == 'M';
-  const std::uint16_t version = is_little ? littleU16(&bytes[2]) : bigU16(&bytes[2]);
-  return (is_little || is_big) && (version == TIFF_VERSION_CLASSIC || version == TIFF_VERSION_BIG);
-}
-
 Result<DecodedImage> decodeTiff(Span bytes, const ProgressFunction& progress) {
   const TiffFile file(bytes);
   MIRRORBALL_TRY(layout, readTiffLayout(file));
@@ -244,6 +236,13 @@ bool isTiffOfIntegers(Span bytes) {
   const TiffFile file(bytes);
   const auto layout = readTiffLayout(file);
   return layout && !layout->is_float;
+}
+
+FormatCodec tiffCodec() {
+  return {.decode = decodeTiff,
+          .decode_texture = decodeTiffTexture,
+          .decode_codes = decodeTiffCodes,
+          .holds_integers = isTiffOfIntegers};
 }
 
 }  // namespace mirrorball

@@ -5,13 +5,11 @@
 #include <string>
 
 #include "mirrorball/base/progress.h"
+#include "mirrorball/codec/format_registry.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/ldr/coded_picture.h"
 
 namespace mirrorball {
-
-/// Whether the bytes begin as a TIFF or a BigTIFF does.
-bool isTiff(std::span<const std::uint8_t> bytes);
 
 /// Decodes the first page of a TIFF that is no preview: grey, RGB or a palette in integers of up to 16 or of 32 bits,
 /// or in floats of 16, 32 or 64; in strips or tiles, texel by texel or plane by plane; plain, LZW, deflate, PackBits,
@@ -40,5 +38,8 @@ Result<CodedPicture> decodeTiffCodes(std::span<const std::uint8_t> bytes);
 
 /// Whether a TIFF holds integers, and so can be a texture or the codes of a photograph.
 bool isTiffOfIntegers(std::span<const std::uint8_t> bytes);
+
+/// For the registry of formats.
+FormatCodec tiffCodec();
 
 }  // namespace mirrorball

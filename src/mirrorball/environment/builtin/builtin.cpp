@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/builtin/studio.h"
@@ -11,6 +12,7 @@
 namespace mirrorball {
 namespace {
 
+/// Also of what this build has left out.
 constexpr std::array<std::string_view, 5> kNames{"studio", "sky", "sunset", "uv", "white"};
 
 const auto kSkyParameters = std::to_array<Option<SkyParameters>>({
@@ -62,7 +64,14 @@ Result<SkyParameters> parseSky(std::string_view written) {
 
 std::span<const Option<SkyParameters>> skyParameters() { return kSkyParameters; }
 
-std::span<const std::string_view> builtinEnvironmentNames() { return kNames; }
+std::span<const std::string_view> builtinEnvironmentNames() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> there(kNames.begin(), kNames.end());
+    if (!hasSunset()) std::erase(there, "sunset");
+    return there;
+  }();
+  return names;
+}
 
 bool isBuiltinEnvironment(std::string_view name) {
   return indexOfName(name.substr(0, name.find(':')), kNames).has_value();
@@ -87,10 +96,10 @@ Result<Environment> builtinEnvironment(std::string_view name) {
 }
 
 Error noSuchEnvironment(std::string_view name) {
-  const auto nearest = nearestWord(name.substr(0, name.find(':')), kNames);
+  const auto nearest = nearestWord(name.substr(0, name.find(':')), builtinEnvironmentNames());
   const std::string hint = nearest ? "; did you mean '" + std::string(*nearest) + "'?" : "";
   return {ErrorCode::not_found, std::string(name) + ": no such file, and no built-in environment" + hint +
-                                    " (there are: " + join(kNames) + ")"};
+                                    " (there are: " + join(builtinEnvironmentNames()) + ")"};
 }
 
 }  // namespace mirrorball

@@ -13,7 +13,7 @@ namespace mirrorball {
 /// The table of the sky's parameters.
 std::span<const Option<SkyParameters>> skyParameters();
 
-/// "studio", "sky", "sunset", "uv", "white".
+/// "studio", "sky", "sunset" (not in a build without OpenEXR), "uv", "white".
 std::span<const std::string_view> builtinEnvironmentNames();
 
 /// Whether a name is a built-in environment's, with or without parameters after a colon.

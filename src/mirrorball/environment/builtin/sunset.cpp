@@ -7,6 +7,8 @@
 
 namespace mirrorball {
 
+bool hasSunset() { return true; }
+
 Result<Environment> sunsetEnvironment() {
   MIRRORBALL_TRY(decoded, decodeImage(sunsetFile()));
   EnvironmentMap map(Projection::equirect, ImageSet(std::move(decoded.image)));

@@ -75,8 +75,8 @@ Result<void> addOurFiles(const BakedSetSettings& settings, std::string_view exte
   MIRRORBALL_TRY(irradiance,
                  CubeFiles::resolve(settings.file, files.folder, {"irradiance", "i"}, extension, 1, observer));
   files.irradiance = std::move(irradiance);
-  const std::string brdf =
-      settings.brdf_extension.empty() ? std::string(extension == "hdr" ? "exr" : extension) : settings.brdf_extension;
+  const std::string_view usual = extension == "hdr" ? bakedBrdfExtensions().back() : extension;
+  const std::string brdf = settings.brdf_extension.empty() ? std::string(usual) : settings.brdf_extension;
   MIRRORBALL_TRY(brdf_extension, extensionNamed(brdf, bakedBrdfExtensions()));
   files.brdf = brdfFile(files.folder + "/brdf", brdf_extension, settings);
   MIRRORBALL_TRY(lobes, lobesOf(settings));

@@ -30,7 +30,8 @@ struct BakedSetSettings {
   /// Lobes in each row of the table of lobe rows: 2, 4 or 6; 0: no such table. Nothing: kUsualLobes for ggx, else none.
   std::optional<int> lobe_rows = {};
   static constexpr int kUsualLobes = 4;
-  std::string brdf_extension = {};     ///< of the table's file; empty: that of the others, but .exr in place of .hdr
+  /// Of the table's file; empty: that of the others, but .exr in place of .hdr, or .dds in a build without OpenEXR.
+  std::string brdf_extension = {};
   bool skybox = false;                 ///< also write the environment itself
   int skybox_size = 0;                 ///< side of its faces [texels]; 0: as fine as the environment, at most 1024
   std::string extension = {};          ///< of the cubes' files; empty: the engine's

@@ -124,7 +124,12 @@ std::span<const std::string_view> bakedCubeExtensions() {
 }
 
 std::span<const std::string_view> bakedBrdfExtensions() {
-  static const std::vector<std::string_view> names = texturesAnd({"exr"});
+  // Of the formats of light .hdr is none for a table: its mantissas have 8 bits.
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> of_light = writtenExtensionNames(Holds::light);
+    std::erase(of_light, "hdr");
+    return texturesAnd(std::move(of_light));
+  }();
   return names;
 }
 

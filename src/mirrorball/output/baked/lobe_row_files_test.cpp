@@ -11,7 +11,9 @@
 #include "formula/bsdf.h"
 #include "mirrorball/bake/lobe_row/lobe_row_table.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/codec/left_out_testing.h"
 #include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/codec/texture/zstandard.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/image/small_float.h"
 #include "mirrorball/output/baked/baked_set.h"
@@ -95,6 +97,7 @@ TEST_F(LobeRowFilesTest, OfAGgxSetHaveFourLobesUnlessAskedFor) {
 }
 
 TEST_F(LobeRowFilesTest, AreStoredAsTheOtherTextures) {
+  MIRRORBALL_NEEDS(checkZstandard());
   BakedSetSettings settings = small();
   settings.file.zstandard_level = 9;
   settings.file.format = TexelFormat::float32;

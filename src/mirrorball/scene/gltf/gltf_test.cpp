@@ -7,7 +7,6 @@
 
 #include "formula/surface.h"
 #include "mirrorball/codec/image_file.h"
-#include "mirrorball/codec/ldr/webp_testing.h"
 #include "mirrorball/scene/gltf/gltf_testing.h"
 
 namespace mirrorball {
@@ -411,23 +410,6 @@ TEST(Gltf, ReadsOnePictureForBothKindsOfColour) {
       "{\"index\":0},\"normalTexture\":{\"index\":0}}]"));
   ASSERT_EQ(scene.textures.size(), 2u);
   for (const Texture& texture : scene.textures) EXPECT_EQ(texture.image.texel(0, 0)[2], 9);
-}
-
-TEST(Gltf, ReadsThePictureThatTheWebpExtensionNames) {
-  const Bytes webp = testing::webpOf(Image8(1, 1, 3, 77), 101);
-  for (const std::string beside : {"", R"("source":0,)"}) {
-    GltfMaker maker;
-    maker.accessor(kTriangle, "VEC3");
-    const Scene scene =
-        decoded(maker.gltf(primitive("", ",\"material\":0"),
-                           R"("extensionsRequired":["EXT_texture_webp"],"images":[{"uri":"no_such.png"},)"
-                           R"({"mimeType":"image/webp","uri":"data:image/webp;base64,)" +
-                               GltfMaker::base64(webp) + R"("}],"textures":[{)" + beside +
-                               R"("extensions":{"EXT_texture_webp":{"source":1}}}],)"
-                               R"("materials":[{"emissiveTexture":{"index":0}}])"));
-    ASSERT_EQ(scene.textures.size(), 1u);
-    EXPECT_THAT(scene.textures[0].image.samples(), ElementsAre(77, 77, 77, 255));
-  }
 }
 
 TEST(Gltf, WithoutAMaterialHasTheFormatsDefault) {

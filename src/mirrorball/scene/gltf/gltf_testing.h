@@ -6,7 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "mirrorball/base/file.h"
+#include "mirrorball/scene/scene.h"
 
 namespace mirrorball::testing {
 
@@ -111,5 +114,13 @@ class GltfMaker {
   std::vector<std::string> views_;
   std::vector<std::string> accessors_;
 };
+
+inline void expectSafe(const Scene& scene) {
+  for (const Instance& instance : scene.instances) ASSERT_LT(std::size_t(instance.mesh), scene.meshes.size());
+  for (const Mesh& mesh : scene.meshes) {
+    ASSERT_LT(std::size_t(mesh.material), scene.materials.size());
+    for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.vertices.size());
+  }
+}
 
 }  // namespace mirrorball::testing

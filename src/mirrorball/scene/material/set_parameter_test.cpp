@@ -9,6 +9,7 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
+#include "mirrorball/codec/left_out_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
@@ -51,6 +52,7 @@ std::string slopeFile(glm::vec3 texel) {
 }
 
 TEST(SetParameter, ADerivativeMapIsSignedOrEncoded) {
+  MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::exr));
   Scene scene = sceneOf(sphereMesh());
   ASSERT_TRUE(setParameter(scene, "derivative_map=" + slopeFile({-2.0f, 0.0f, 0.5f})));
   EXPECT_EQ(scene.materials[0].slope_texture, 0);
@@ -67,6 +69,7 @@ TEST(SetParameter, ADerivativeMapIsSignedOrEncoded) {
 }
 
 TEST(SetParameter, ADerivativeMapMustBeNumbersInColour) {
+  MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::exr));
   Scene scene = sceneOf(sphereMesh());
   const auto said = [&](const std::string& value) {
     return setParameter(scene, "derivative_map" + value).error().message;

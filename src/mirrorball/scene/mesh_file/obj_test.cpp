@@ -13,7 +13,6 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/picture_testing.h"
-#include "mirrorball/codec/tiff/tiff_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
@@ -178,12 +177,10 @@ TEST(Obj, ReadsMaterialsAndTheirPictures) {
 }
 
 // The formats that .mtl files name most beside PNG and JPEG.
-TEST(Obj, PicturesMayBeTgaTiffBmpOrPpm) {
-  const testing::TiffForm tiff{.width = 1, .height = 1};
+TEST(Obj, PicturesMayBeTgaBmpOrPpm) {
   const std::vector<std::pair<std::string, Bytes>> pictures{
       {"colour.tga", testing::tgaOf({.width = 1, .height = 1}, {3, 2, 1})},
       {"colour.bmp", testing::bmpOf({.width = 1, .height = 1}, {3, 2, 1, 0})},
-      {"colour.tif", testing::tiffOf(tiff, {1, 2, 3})},
       {"colour.ppm", {'P', '6', ' ', '1', ' ', '1', ' ', '2', '5', '5', '\n', 1, 2, 3}}};
   for (const auto& [name, bytes] : pictures) {
     ASSERT_TRUE(writeFile(std::filesystem::path(::testing::TempDir()) / name, bytes));

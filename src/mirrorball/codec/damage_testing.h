@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/base/file.h"
+
+namespace mirrorball::testing {
+
+/// A small file that damage_test.cpp damages in every way. The tests of a format add theirs by INSTANTIATE_TEST_SUITE_P.
+struct DamagedFile {
+  const char* name;
+  std::function<Bytes()> bytes;
+};
+
+class Damage : public ::testing::TestWithParam<DamagedFile> {};
+
+inline std::string nameOfDamaged(const ::testing::TestParamInfo<DamagedFile>& file) { return file.param.name; }
+
+}  // namespace mirrorball::testing

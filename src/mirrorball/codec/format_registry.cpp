@@ -1,0 +1,88 @@
+#include "mirrorball/codec/format_registry.h"
+
+#include <string>
+#include <utility>
+
+#include "mirrorball/base/left_out.h"
+#include "mirrorball/codec/format_signature.h"
+#include "mirrorball/codec/hdr/hdr.h"
+#include "mirrorball/codec/hdr/hdr_rows.h"
+#include "mirrorball/codec/ldr/bmp.h"
+#include "mirrorball/codec/ldr/png.h"
+#include "mirrorball/codec/ldr/pnm.h"
+#include "mirrorball/codec/ldr/tga.h"
+#include "mirrorball/codec/texture/dds.h"
+#include "mirrorball/codec/texture/ktx1.h"
+#include "mirrorball/codec/texture/ktx2.h"
+#include "mirrorball/codec/texture/texture_file.h"
+
+namespace mirrorball {
+namespace {
+
+using Span = std::span<const std::uint8_t>;
+
+/// How each format is told by a file's first bytes, in the order of kImageFormats.
+constexpr std::array<bool (*)(Span), kImageFormats.size()> kBegins{isHdr,  isExr,  isPng, isJpeg, isKtx2, isKtx1, isDds,
+                                                                   isTiff, isWebp, isTga, isBmp,  isPnm,  isPfm};
+
+/// The largest level of a texture of one face: its first picture, if it is an array.
+Result<DecodedImage> decodeTexturePicture(Span bytes) {
+  MIRRORBALL_TRY(texture, decodeImageSet(bytes));
+  if (texture.images.faces() != 1)
+    return fail(ErrorCode::bad_shape, "is the texture of a cube, where one picture is wanted");
+  return DecodedImage{std::move(texture.images.at(0, 0)), std::move(texture.metadata), std::move(texture.format),
+                      std::move(texture.color)};
+}
+
+Result<Bytes> encodeHdrLight(const Image& light, const ImageWriteOptions& options) {
+  return encodeHdr(light, options.metadata);
+}
+
+constexpr FormatCodec kTexture{.decode = withoutProgress<decodeTexturePicture>};
+
+/// What needs no library but libpng.
+constexpr auto kEveryBuilds = std::to_array<OptionalFormat>({
+    {ImageFormatId::hdr, {.decode = withoutProgress<decodeHdr>, .open_rows = openHdrRows, .encode = encodeHdrLight}},
+    {ImageFormatId::png,
+     {.decode = withoutProgress<decodePng>,
+      .decode_texture = decodePngTexture,
+      .decode_codes = decodePngCodes,
+      .encode_picture = encodePng}},
+    {ImageFormatId::ktx2, kTexture},
+    {ImageFormatId::ktx, kTexture},
+    {ImageFormatId::dds, kTexture},
+    {ImageFormatId::tga, {.decode = withoutProgress<decodeTga>, .decode_texture = decodeTgaTexture}},
+    {ImageFormatId::bmp, {.decode = withoutProgress<decodeBmp>, .decode_texture = decodeBmpTexture}},
+    {ImageFormatId::pnm,
+     {.decode = withoutProgress<decodePnm>, .decode_texture = decodePnmTexture, .decode_codes = decodePnmCodes}},
+    {ImageFormatId::pfm, {.decode = withoutProgress<decodePfm>}},
+});
+
+}  // namespace
+
+FormatRegistry::FormatRegistry(std::span<const OptionalFormat> optional) {
+  for (const std::span<const OptionalFormat> formats : {std::span<const OptionalFormat>(kEveryBuilds), optional})
+    for (const OptionalFormat& format : formats) codecs_[static_cast<std::size_t>(format.id)] = format.codec;
+}
+
+const FormatRegistry& FormatRegistry::ofThisBuild() {
+  static const FormatRegistry registry(optionalFormats());
+  return registry;
+}
+
+Result<const FormatCodec*> FormatRegistry::codecFor(Span bytes) const {
+  const std::optional<ImageFormatId> id = formatBegunBy(bytes);
+  if (!id) return nullptr;
+  const ImageFormat& format = formatOf(*id);
+  if (!has(*id)) return leftOut("reads no " + std::string(format.name), format.build_option);
+  return &(*this)[*id];
+}
+
+std::optional<ImageFormatId> formatBegunBy(Span bytes) {
+  // TGA has no first bytes of its own, and is asked for last.
+  for (const ImageFormat& format : kImageFormats)
+    if (format.id != ImageFormatId::tga && kBegins[static_cast<std::size_t>(format.id)](bytes)) return format.id;
+  return isTga(bytes) ? std::optional(ImageFormatId::tga) : std::nullopt;
+}
+
+}  // namespace mirrorball

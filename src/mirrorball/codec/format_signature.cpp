@@ -1,0 +1,37 @@
+#include "mirrorball/codec/format_signature.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "mirrorball/codec/byte_order.h"
+
+namespace mirrorball {
+
+using Span = std::span<const std::uint8_t>;
+
+bool isExr(Span bytes) {
+  constexpr std::array<std::uint8_t, 4> kMagic{0x76, 0x2f, 0x31, 0x01};
+  return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
+}
+
+bool isJpeg(Span bytes) { return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff; }
+
+bool isTiff(Span bytes) {
+  constexpr std::uint16_t kClassic = 42;
+  constexpr std::uint16_t kBigTiff = 43;
+  if (bytes.size() < 4) return false;
+  const bool is_little = bytes[0] == 'I' && bytes[1] == 'I';
+  const bool is_big = bytes[0] == 'M' && bytes[1] == 'M';
+  const std::uint16_t version = is_little ? littleU16(&bytes[2]) : bigU16(&bytes[2]);
+  return (is_little || is_big) && (version == kClassic || version == kBigTiff);
+}
+
+bool isWebp(Span bytes) {
+  const auto has = [&](std::size_t at, std::string_view letters) {
+    return std::equal(letters.begin(), letters.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
+  };
+  return bytes.size() >= 12 && has(0, "RIFF") && has(8, "WEBP");
+}
+
+}  // namespace mirrorball

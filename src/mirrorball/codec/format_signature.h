@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace mirrorball {
+
+/// What tells the formats that a build may leave out (format_registry.h) by their first bytes: it is known in every
+/// build, so that a file can be answered by what is missing.
+
+/// Whether the bytes begin as an OpenEXR file does.
+bool isExr(std::span<const std::uint8_t> bytes);
+
+/// Whether the bytes begin as a JPEG does.
+bool isJpeg(std::span<const std::uint8_t> bytes);
+
+/// Whether the bytes begin as a TIFF or a BigTIFF does.
+bool isTiff(std::span<const std::uint8_t> bytes);
+
+/// Whether the bytes begin as a WebP does.
+bool isWebp(std::span<const std::uint8_t> bytes);
+
+}  // namespace mirrorball

@@ -4,7 +4,6 @@
 // image/fourier_transform.cpp calls, by its C++ class, which is a header alone and so needs no library for WebAssembly.
 
 #include <cstddef>
-
 #include <kissfft.hh>
 
 struct kiss_fft_cpx {

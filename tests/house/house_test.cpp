@@ -141,8 +141,8 @@ Complaints checkFormula(const SourceFile& file) {
 Complaints checkBrowser(const SourceFile& file) {
   const std::string room = roomOf(file.path);
   if (!kBrowserRooms.contains(room) && !startsWith(file.path, "formula/")) return {};
-  const std::regex missing(
-      R"(std::(ranges|views|bit_cast|jthread|source_location|from_chars|to_chars)\b|<(ranges|format|expected|charconv)>)");
+  const std::regex missing(R"(std::(ranges|views|bit_cast|jthread|source_location|from_chars|to_chars)\b)"
+                           R"(|<(ranges|format|expected|charconv)>)");
   Complaints complaints;
   forEachLine(file.text, [&](int number, const std::string& line) {
     std::smatch match;

@@ -6,6 +6,8 @@
 #
 # PROGRAM is a list of words: a program for another system has its emulator first (cmake/MirrorballBrowser.cmake).
 # EXCEPT is a list of tests that are left out, as GoogleTest's filter has them.
+cmake_minimum_required(VERSION 3.25)
+
 list(JOIN EXCEPT ":" except)
 list(TRANSFORM PROGRAM REPLACE "(.+)" "[==[\\1]==]" OUTPUT_VARIABLE program)
 list(JOIN program " " program)

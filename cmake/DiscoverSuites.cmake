@@ -5,11 +5,15 @@
 # its own. Suites and not single tests, since a process of its own costs more than most tests do (a GL driver is started,
 # shaders are compiled), and so that the tests of a suite can share what is dear to make.
 #
+# PROGRAM is a list of words: a program for another system has its emulator first (cmake/MirrorballBrowser.cmake).
 # EXCEPT is a list of tests that are left out, as GoogleTest's filter has them. LONG is one of suites that only
 # `ctest -C long` knows, under the label `long`. With SERIAL nothing runs beside them.
 cmake_minimum_required(VERSION 3.25)
+
 list(JOIN EXCEPT ":" except)
-execute_process(COMMAND "${PROGRAM}" --gtest_list_tests "--gtest_filter=*-${except}"
+list(TRANSFORM PROGRAM REPLACE "(.+)" "[==[\\1]==]" OUTPUT_VARIABLE program)
+list(JOIN program " " program)
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests "--gtest_filter=*-${except}"
   OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 
 # Lines that are not indented name a suite, "Suite." or "Suite.  # TypeParam = …".
@@ -27,7 +31,7 @@ foreach(suite IN LISTS suites)
   string(STRIP "${suite}" suite)
   string(REGEX REPLACE "\\.$" "" suite "${suite}")
   set(test "[==[${NAME}.${suite}]==]")
-  set(added "add_test(${test} [==[${PROGRAM}]==] [==[--gtest_filter=${suite}.*-${except}]==])\n"
+  set(added "add_test(${test} ${program} [==[--gtest_filter=${suite}.*-${except}]==])\n"
     "set_tests_properties(${test} PROPERTIES ${properties})\n")
   if(suite IN_LIST LONG)
     list(REMOVE_ITEM LONG ${suite})

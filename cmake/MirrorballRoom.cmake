@@ -69,6 +69,9 @@ function(mirrorball_test name)
   if(NOT TEST_LABELS)
     set(TEST_LABELS unit)
   endif()
+  if(EMSCRIPTEN)
+    list(APPEND TEST_LABELS browser)
+  endif()
   add_library(${name}_test_code OBJECT ${TEST_SOURCES})
   target_link_libraries(${name}_test_code PUBLIC ${TEST_DEPENDS} GTest::gmock)
   target_include_directories(${name}_test_code PUBLIC "${PROJECT_SOURCE_DIR}/tests")
@@ -92,9 +95,9 @@ function(mirrorball_discover_suites program name)
   set(suites "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
   set(script "${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake")
   add_custom_command(OUTPUT "${suites}"
-    COMMAND ${CMAKE_COMMAND} "-DPROGRAM=$<TARGET_FILE:${program}>" -DNAME=${name} "-DLABELS=${SUITES_LABELS}"
-            "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}" "-DLONG=${SUITES_LONG}" "-DSERIAL=${SUITES_SERIAL}"
-            "-DOUTPUT=${suites}" -P "${script}"
+    COMMAND ${CMAKE_COMMAND} "-DPROGRAM=${CMAKE_CROSSCOMPILING_EMULATOR};$<TARGET_FILE:${program}>" -DNAME=${name}
+            "-DLABELS=${SUITES_LABELS}" "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}"
+            "-DLONG=${SUITES_LONG}" "-DSERIAL=${SUITES_SERIAL}" "-DOUTPUT=${suites}" -P "${script}"
     DEPENDS ${program} "${script}"
     COMMENT "Listing the tests of ${program}"
     VERBATIM)

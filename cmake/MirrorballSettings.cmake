@@ -30,7 +30,9 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 
 # The rooms may end up in a shared library, so all code is position independent; as much of it is inlined as if it were
 # not. In programs too: precompiled headers only serve what is compiled with the same options.
-add_compile_options(-fPIC -fno-semantic-interposition)
+if(NOT EMSCRIPTEN)
+  add_compile_options(-fPIC -fno-semantic-interposition)
+endif()
 
 # Results must not depend on whether a compiler fuses a multiplication with an addition.
 add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor)
@@ -47,6 +49,15 @@ if(MIRRORBALL_SANITIZE)
   set(CMAKE_CXX_FLAGS_DEV "-O1 -g1")
   add_compile_options(-fsanitize=${MIRRORBALL_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${MIRRORBALL_SANITIZE})
+endif()
+if(EMSCRIPTEN)
+  # Vectors of 128 bits, which all browsers have; exceptions, as the standard library and its callers expect them.
+  add_compile_options(-msimd128 -fexceptions)
+  # Programs, which are the tests, see the files of the machine and wait for their own module to be compiled: where node
+  # has a fetch, Emscripten 3.1.6 would ask that for it, which knows no files. Above -O1 their JavaScript is made smaller,
+  # by a library that only Debian's own node finds.
+  add_link_options(-O1 -fexceptions -sALLOW_MEMORY_GROWTH -sEXIT_RUNTIME -sNODERAWFS -sWASM_ASYNC_COMPILATION=0
+                   "SHELL:--pre-js ${PROJECT_SOURCE_DIR}/cmake/browser/node_files.js")
 endif()
 if(MIRRORBALL_FUZZ)
   # Counts which branches an input takes; the harnesses in fuzz/ link the fuzzer itself.

@@ -46,6 +46,9 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"study", {"render", "trace", "metric"}},
 };
 
+/// The rooms that a browser's compiler builds (cmake/MirrorballBrowser.cmake), and those that follow next.
+const std::set<std::string> kBrowserRooms = {"base", "image", "height_field", "codec", "environment", "bake"};
+
 constexpr std::size_t kLongestFile = 600;
 constexpr std::size_t kWidestLine = 120;  // columns, as .clang-format has it, which leaves comments alone
 
@@ -130,6 +133,22 @@ Complaints checkFormula(const SourceFile& file) {
       complaints.push_back(place(file, number) + "a formula is the same text for C++ and GLSL: no " + line);
     if (std::regex_search(line, parentheses))
       complaints.push_back(place(file, number) + "a struct is made by MAKE(Type)(fields…): " + line);
+  });
+  return complaints;
+}
+
+/// What Emscripten's compiler lacks (docs/building.md, "For browsers"), in the rooms that it compiles.
+Complaints checkBrowser(const SourceFile& file) {
+  const std::string room = roomOf(file.path);
+  if (!kBrowserRooms.contains(room) && !startsWith(file.path, "formula/")) return {};
+  const std::regex missing(R"(std::(ranges|views|bit_cast|jthread|source_location|from_chars|to_chars)\b)"
+                           R"(|<(ranges|format|expected|charconv)>)");
+  Complaints complaints;
+  forEachLine(file.text, [&](int number, const std::string& line) {
+    std::smatch match;
+    const std::string code = line.substr(0, line.find("//"));
+    if (std::regex_search(code, match, missing))
+      complaints.push_back(place(file, number) + "the compiler for browsers has no " + match[0].str());
   });
   return complaints;
 }
@@ -233,6 +252,15 @@ TEST(House, FormulasHaveNothingThatOneSideLacks) {
   EXPECT_THAT(checkFormula({"formula/x.glsl", "  return Beam(lobe, pixel);\n"}), SizeIs(1));
   EXPECT_THAT(checkFormula({"formula/x.glsl", "  return MAKE(Beam)(lobe, vec2(0.0f));\n"}), IsEmpty());
   EXPECT_THAT(checkTree(checkFormula), IsEmpty());
+}
+
+TEST(House, RoomsForBrowsersUseWhatTheirCompilerHas) {
+  EXPECT_THAT(checkBrowser({"src/mirrorball/base/x.h", "  std::ranges::sort(a);\n"}), SizeIs(1));
+  EXPECT_THAT(checkBrowser({"src/mirrorball/codec/x.cpp", "#include <charconv>\n"}), SizeIs(1));
+  EXPECT_THAT(checkBrowser({"formula/x.h", "float a = std::bit_cast<float>(1u);\n"}), SizeIs(1));
+  EXPECT_THAT(checkBrowser({"src/mirrorball/image/x.cpp", "std::sort(a, b);  // no std::ranges\n"}), IsEmpty());
+  EXPECT_THAT(checkBrowser({"src/mirrorball/study/x.cpp", "std::ranges::sort(a);\n"}), IsEmpty());
+  EXPECT_THAT(checkTree(checkBrowser), IsEmpty());
 }
 
 TEST(House, FilesAreShortEnoughToRead) {

@@ -5,8 +5,8 @@
 
 namespace mirrorball {
 
-/// Questions about whole ranges, which <algorithm> asks by two iterators; the standard library of compilers for browsers
-/// (libc++ 14) has no std::ranges.
+/// Questions about whole ranges, which <algorithm> asks by two iterators; libc++ 14, which compilers for browsers have,
+/// lacks std::ranges.
 
 template <typename Range, typename Value>
 constexpr bool contains(const Range& range, const Value& value) {

@@ -9,7 +9,8 @@
 
 namespace mirrorball::testing {
 
-/// A small file that damage_test.cpp damages in every way. The tests of a format add theirs by INSTANTIATE_TEST_SUITE_P.
+/// A small file that damage_test.cpp damages in every way. The tests of a format add theirs by
+/// INSTANTIATE_TEST_SUITE_P.
 struct DamagedFile {
   const char* name;
   std::function<Bytes()> bytes;

@@ -56,6 +56,6 @@ void forEachImage(Set& images, const Visit& visit) {
 inline int levelSide(int side, int level) { return std::max(side >> level, 1); }
 
 /// The number of levels down to one texel, for images whose longer side has that many texels.
-inline int levelCount(int longer_side) { return std::bit_width(static_cast<unsigned>(longer_side)); }
+inline int levelCount(int longer_side) { return static_cast<int>(std::bit_width(static_cast<unsigned>(longer_side))); }
 
 }  // namespace mirrorball

@@ -36,8 +36,8 @@ EnvironmentMap panoramaWithLamp() {
   return panoramaOf(2 * kSourceRows, kSourceRows, [](glm::vec3 d) { return glm::vec3(d.x > 0.9f ? 10.0f : 1.0f); });
 }
 
-/// The power Σ_m |L_lm|² of one channel in each band below kSourceRows. By the addition theorem it is a sum over all pairs of
-/// texels, (2 l + 1) / 4π Σ P_l(cos γ), each texel at its centre with its solid angle; in double.
+/// The power Σ_m |L_lm|² of one channel in each band below kSourceRows. By the addition theorem it is a sum over all
+/// pairs of texels, (2 l + 1) / 4π Σ P_l(cos γ), each texel at its centre with its solid angle; in double.
 std::vector<double> powersOfBands(const EnvironmentMap& panorama, int channel) {
   std::vector<glm::dvec3> directions;
   std::vector<double> fluxes;

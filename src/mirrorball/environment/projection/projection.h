@@ -47,7 +47,7 @@ struct Projection {
   friend constexpr bool operator==(const Projection& a, const Projection& b) {
     return a.kind == b.kind && (a.kind != ball || a.ball_distance == b.ball_distance);
   }
-  friend constexpr bool operator==(const Projection& projection, Kind kind) { return projection.kind == kind; }
+  friend constexpr bool operator==(const Projection& projection, Kind wanted) { return projection.kind == wanted; }
 
   Kind kind = equirect;
   float ball_distance = kUsualBallDistance;  ///< of a ball only

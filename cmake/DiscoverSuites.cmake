@@ -7,7 +7,7 @@
 #
 # PROGRAM is a list of words: a program for another system has its emulator first (cmake/MirrorballBrowser.cmake).
 # EXCEPT is a list of tests that are left out, as GoogleTest's filter has them. LONG is one of suites that only
-# `ctest -C long` knows, under the label `long`. With SERIAL nothing runs beside them.
+# `ctest -C long` knows, under the label `long`; "*" is all. With SERIAL nothing runs beside them.
 cmake_minimum_required(VERSION 3.25)
 
 list(JOIN EXCEPT ":" except)
@@ -33,14 +33,14 @@ foreach(suite IN LISTS suites)
   set(test "[==[${NAME}.${suite}]==]")
   set(added "add_test(${test} ${program} [==[--gtest_filter=${suite}.*-${except}]==])\n"
     "set_tests_properties(${test} PROPERTIES ${properties})\n")
-  if(suite IN_LIST LONG)
+  if(suite IN_LIST LONG OR LONG STREQUAL "*")
     list(REMOVE_ITEM LONG ${suite})
     set(added "if(CTEST_CONFIGURATION_TYPE STREQUAL long)\n" ${added}
       "set_property(TEST ${test} APPEND PROPERTY LABELS long)\nendif()\n")
   endif()
   string(APPEND tests ${added})
 endforeach()
-if(LONG)
+if(LONG AND NOT LONG STREQUAL "*")
   message(FATAL_ERROR "${PROGRAM} has no suites ${LONG}, which are said to be long")
 endif()
 file(WRITE "${OUTPUT}" "${tests}")

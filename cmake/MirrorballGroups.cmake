@@ -1,3 +1,11 @@
+# mirrorball_compile_alone(SOURCE…)
+#
+# Leaves files of this folder out of all groups that are made later.
+function(mirrorball_compile_alone)
+  list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ALONE ${ARGN})
+endfunction()
+
 # mirrorball_group_sources(TARGET SIZE SOURCE…)
 #
 # Compiles neighbours together: the files of one folder, as many at a time as have SIZE characters. What
@@ -12,10 +20,12 @@ function(mirrorball_group_sources target size_of_group)
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_property(alone GLOBAL PROPERTY MIRRORBALL_ALONE)
   set(last_folder)
   foreach(source IN LISTS ARGN)
     cmake_path(ABSOLUTE_PATH source)
-    if(NOT EXISTS "${source}")  # The build makes it, and its size is not known.
+    # What does not exist yet is made by the build, and its size is not known.
+    if(source IN_LIST alone OR NOT EXISTS "${source}")
       continue()
     endif()
     file(STRINGS "${source}" includes_itself REGEX "HWY_TARGET_INCLUDE" LIMIT_COUNT 1)

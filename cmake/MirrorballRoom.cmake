@@ -6,7 +6,8 @@
 # include. DEPENDS are the targets that the room's own headers or sources use, PACKAGES those of packages that its sources
 # and tests alone use: who uses the room is compiled without their headers. One that COMPUTES is optimised further. Files
 # of one folder are compiled in groups (MirrorballGroups.cmake). ACCURACY_TESTS compare results with brute force, over
-# many inputs. LONG are suites of TESTS that `./test --long` alone runs.
+# many inputs: TESTS have the same with few, and `./test --long` alone runs them, and those suites of TESTS that stand
+# under LONG.
 #
 # What is in the rooms, their tests and the packages that they use are collected in the properties MIRRORBALL_…, for the
 # package (MirrorballInstall.cmake) and for the sanitizers (tests/sanitized).
@@ -44,7 +45,8 @@ function(mirrorball_room name)
     set_property(GLOBAL APPEND PROPERTY MIRRORBALL_ROOM_TESTS ${name}_test_code)
   endif()
   if(MIRRORBALL_TESTS AND ROOM_ACCURACY_TESTS)
-    mirrorball_test(${name}_accuracy SOURCES ${ROOM_ACCURACY_TESTS} DEPENDS ${target} ${ROOM_PACKAGES} LABELS accuracy)
+    mirrorball_test(${name}_accuracy SOURCES ${ROOM_ACCURACY_TESTS} DEPENDS ${target} ${ROOM_PACKAGES}
+                    LABELS accuracy LONG "*")
   endif()
 endfunction()
 
@@ -61,7 +63,7 @@ endfunction()
 # mirrorball_test(NAME SOURCES … DEPENDS … [LABELS …] [LONG …] [SERIAL])
 #
 # A GoogleTest program, NAME_test, of which CTest runs each suite as NAME.Suite under the labels given (unit unless told);
-# those named under LONG only with `ctest -C long`, as `./test --long` does; with SERIAL while nothing else runs.
+# those named under LONG ("*" for all) only with `ctest -C long`, as `./test --long` does; with SERIAL while nothing else runs.
 # A suite all of whose tests skip themselves (no GL driver, no shared data) is counted by CTest as skipped. Its code is an
 # object library, NAME_test_code.
 function(mirrorball_test name)

@@ -154,7 +154,7 @@ TEST(Optics, TheIndexOfAGlassFollowsTheWavelength) {
 
 // What was measured goes before the two numbers.
 TEST(Optics, AMeasuredIndexIsThatOfItsTerms) {
-  RefractiveIndex index(1.5168f, 20.0f / 64.17f, vec4(0.0f), vec4(0.0f));
+  RefractiveIndex index{1.5168f, 20.0f / 64.17f, vec4(0.0f), vec4(0.0f)};
   EXPECT_EQ(iorAtWavelength(index, 0.4358f), iorOfCauchy(1.5168f, 20.0f / 64.17f, 0.4358f));
   index.sellmeier_b = vec4(1.03961212f, 0.231792344f, 1.01046945f, 0.0f);  // Schott, N-BK7
   index.sellmeier_c = vec4(0.00600069867f, 0.0200179144f, 103.560653f, 0.0f);

@@ -36,7 +36,7 @@ glm::dvec3 spectral(double cosine, double film, double thickness, glm::vec3 n, g
     const double wavelength = double(kShortestWavelength) + share * double(kLongestWavelength - kShortestWavelength);
     const glm::dvec3 weight(wavelengthWeight(static_cast<float>(wavelength)));
     for (int channel = 0; channel < 3; ++channel) {
-      const Complex index(double(n[channel]), double(k[channel]));
+      const Complex index{double(n[channel]), double(k[channel])};
       sum[channel] += weight[channel] * 0.5 / kSteps *
                       (airy(cosine, film, thickness, index, wavelength, false) +
                        airy(cosine, film, thickness, index, wavelength, true));

@@ -27,9 +27,9 @@ add_library(PkgConfig::xxhash ALIAS mirrorball_xxhash)
 
 if(MIRRORBALL_TESTS)
   enable_testing()
-  # Debian's package has GoogleTest's source, too.
-  set(gtest_disable_pthreads ON)
-  set(INSTALL_GTEST OFF)
+  # Debian's package has GoogleTest's source, too. It is of an older CMake's policies, whose option() sees the cache alone.
+  set(gtest_disable_pthreads ON CACHE INTERNAL "")
+  set(INSTALL_GTEST OFF CACHE INTERNAL "")
   add_subdirectory(/usr/src/googletest "${PROJECT_BINARY_DIR}/googletest" EXCLUDE_FROM_ALL)
 endif()
 

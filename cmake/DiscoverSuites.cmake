@@ -22,7 +22,7 @@ if(NOT suites)
   message(FATAL_ERROR "${PROGRAM} lists no tests")
 endif()
 
-set(properties "LABELS [==[${LABELS}]==] ENVIRONMENT [==[${ENVIRONMENT}]==] TIMEOUT 600 SKIP_RETURN_CODE 77")
+set(properties "ENVIRONMENT [==[${ENVIRONMENT}]==] TIMEOUT 600 SKIP_RETURN_CODE 77")
 if(SERIAL)
   string(APPEND properties " RUN_SERIAL ON")
 endif()
@@ -31,14 +31,19 @@ foreach(suite IN LISTS suites)
   string(STRIP "${suite}" suite)
   string(REGEX REPLACE "\\.$" "" suite "${suite}")
   set(test "[==[${NAME}.${suite}]==]")
-  set(added "add_test(${test} ${program} [==[--gtest_filter=${suite}.*-${except}]==])\n"
-    "set_tests_properties(${test} PROPERTIES ${properties})\n")
+  set(labels ${LABELS})
+  set(begin "")
+  set(end "")
   if(suite IN_LIST LONG OR LONG STREQUAL "*")
     list(REMOVE_ITEM LONG ${suite})
-    set(added "if(CTEST_CONFIGURATION_TYPE STREQUAL long)\n" ${added}
-      "set_property(TEST ${test} APPEND PROPERTY LABELS long)\nendif()\n")
+    list(APPEND labels long)
+    set(begin "if(CTEST_CONFIGURATION_TYPE STREQUAL long)\n")
+    set(end "endif()\n")
   endif()
-  string(APPEND tests ${added})
+  string(APPEND tests "${begin}"
+    "add_test(${test} ${program} [==[--gtest_filter=${suite}.*-${except}]==])\n"
+    "set_tests_properties(${test} PROPERTIES LABELS [==[${labels}]==] ${properties})\n"
+    "${end}")
 endforeach()
 if(LONG AND NOT LONG STREQUAL "*")
   message(FATAL_ERROR "${PROGRAM} has no suites ${LONG}, which are said to be long")

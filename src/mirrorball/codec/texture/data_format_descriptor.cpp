@@ -24,7 +24,7 @@ constexpr std::uint8_t kTransferSrgb = 2;
 constexpr std::uint8_t kAlpha = 15;
 constexpr std::uint8_t kExponent = 0x20;
 constexpr std::uint8_t kSigned = 0x40;
-constexpr std::uint8_t kFloat = 0x80;
+constexpr std::uint8_t kFloatSamples = 0x80;
 
 /// One row of the descriptor's list of samples.
 struct Sample {
@@ -45,7 +45,7 @@ std::vector<Sample> floatSamples(std::uint8_t bits, int channels) {
   std::vector<Sample> samples;
   for (const std::uint8_t channel : std::span(kFloatChannels).first(std::size_t(channels)))
     samples.push_back({static_cast<std::uint16_t>(bits * samples.size()), bits,
-                       static_cast<std::uint8_t>(channel | kFloat | kSigned), kMinusOne, kOne});
+                       static_cast<std::uint8_t>(channel | kFloatSamples | kSigned), kMinusOne, kOne});
   return samples;
 }
 
@@ -60,9 +60,11 @@ std::vector<Sample> samplesOf(TexelFormat format) {
     case TexelFormat::rg_float32:
       return floatSamples(32, 2);
     case TexelFormat::bc6h:  // one sample, the colour, of all the block's bits
-      return {{0, 128, kFloat | 0, 0, kOne}};
+      return {{0, 128, kFloatSamples | 0, 0, kOne}};
     case TexelFormat::b10g11r11:
-      return {{0, 11, kFloat | 0, 0, kOne}, {11, 11, kFloat | 1, 0, kOne}, {22, 10, kFloat | 2, 0, kOne}};
+      return {{0, 11, kFloatSamples | 0, 0, kOne},
+              {11, 11, kFloatSamples | 1, 0, kOne},
+              {22, 10, kFloatSamples | 2, 0, kOne}};
     default: {
       // Each channel is a mantissa and the common exponent, whose bias is 15 and largest value 31. The upper value of
       // the mantissa is what the specification's example of this format has.

@@ -10,7 +10,7 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::size_t kAlignment = 4;
+constexpr std::size_t kKeyValueAlignment = 4;
 
 /// KTX 2 writes "rd", KTX 1 "S=r,T=d"; the letters say it all.
 void readOrientation(std::string_view text, KtxKeyValues& values) {
@@ -42,7 +42,7 @@ Result<KtxKeyValues> readKtxKeyValues(std::span<const std::uint8_t> bytes, std::
     const std::string_view text = textOf(entry.substr(key_end + 1));
     if (key == "KTXorientation") readOrientation(text, values);
     if (isMetadataKey(key)) values.metadata[std::string(key)] = std::string(text);
-    at += std::min((4 + length + kAlignment - 1) / kAlignment * kAlignment, left);
+    at += std::min((4 + length + kKeyValueAlignment - 1) / kKeyValueAlignment * kKeyValueAlignment, left);
   }
   return values;
 }
@@ -57,7 +57,7 @@ Bytes ktxKeyValues(const Metadata& metadata, KtxVersion version) {
     writer.u32(static_cast<std::uint32_t>(key.size() + 1 + value.size() + 1));
     writer.text(key);
     writer.text(value);
-    writer.alignTo(kAlignment);
+    writer.alignTo(kKeyValueAlignment);
   }
   return writer.takeBytes();
 }

@@ -8,8 +8,8 @@
 namespace mirrorball::gltf {
 namespace {
 
-constexpr std::size_t kGlbHeaderSize = 12;
-constexpr std::size_t kGlbChunkHeaderSize = 8;
+constexpr std::size_t kWrittenHeaderSize = 12;
+constexpr std::size_t kWrittenChunkHeaderSize = 8;
 
 constexpr std::size_t alignedTo4(std::size_t size) { return (size + 3) / 4 * 4; }
 
@@ -29,7 +29,8 @@ Result<Bytes> GlbBuilder::finish() {
   if (!extensions.empty()) json["extensionsUsed"] = extensions;
   std::string text = json.dump();
   text.resize(alignedTo4(text.size()), ' ');
-  const std::size_t size = kGlbHeaderSize + kGlbChunkHeaderSize + text.size() + kGlbChunkHeaderSize + buffer_.size();
+  const std::size_t size =
+      kWrittenHeaderSize + kWrittenChunkHeaderSize + text.size() + kWrittenChunkHeaderSize + buffer_.size();
   if (size > std::numeric_limits<std::uint32_t>::max())
     return fail(ErrorCode::too_large, "a .glb file ends at 4 GiB, and this one would have " + std::to_string(size) +
                                           " bytes; export fewer meshes or smaller textures");

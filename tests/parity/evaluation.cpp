@@ -1,11 +1,15 @@
 #include "parity/evaluation.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -92,6 +96,23 @@ void expectGlslangTakes(const std::string& text, const std::string& name, gl::Ap
   const std::string command = "glslangValidator '" + path.string() + "'";
   EXPECT_EQ(std::system(command.c_str()), 0) << name << " as " << gl::nameOf(api);
   fs::remove(path);
+}
+
+void expectGlslangTakesAll(const std::vector<std::string>& texts, gl::Api api) {
+  constexpr std::size_t kAtOnce = 64;
+  const fs::path folder = fs::path(::testing::TempDir()) / (std::to_string(::getpid()) + "_shaders");
+  fs::create_directories(folder);
+  for (std::size_t first = 0; first < texts.size(); first += kAtOnce) {
+    std::string command = "cd '" + folder.string() + "' && glslangValidator";
+    for (std::size_t i = first; i < std::min(first + kAtOnce, texts.size()); ++i) {
+      const std::string name = std::to_string(i) + ".frag";
+      std::ofstream(folder / name) << texts[i];
+      command += " " + name;
+    }
+    EXPECT_EQ(std::system((command + " > log").c_str()), 0) << "as " << gl::nameOf(api) << "\n"
+                                                            << std::ifstream(folder / "log").rdbuf();
+  }
+  fs::remove_all(folder);
 }
 
 }  // namespace mirrorball::parity

@@ -31,7 +31,8 @@ inline constexpr const char* kNoGlslang = "glslangValidator is not installed (De
 /// api    for the message
 void expectGlslangTakes(const std::string& text, const std::string& name, gl::Api api);
 
-/// The same of many fragment shaders, a process for some dozens of them: to start one takes ten times as long as a shader.
+/// The same of many fragment shaders, a process for some dozens of them: to start one takes ten times as long as a
+/// shader.
 void expectGlslangTakesAll(const std::vector<std::string>& texts, gl::Api api);
 
 }  // namespace mirrorball::parity

@@ -1,5 +1,5 @@
-# The build for browsers, by Emscripten (preset browser): the rooms that need no library of the system, and their tests,
-# which run in node. The system's libraries are for its own processor: of a package there is what its headers hold.
+# The packages of the build for browsers, by Emscripten (preset browser), whose tests run in node. The system's libraries
+# are for its own processor: of a package there is what its headers hold.
 
 # Single headers out of /usr/include. The folder itself would bring those of the system's C library.
 set(mirrorball_package_headers "${PROJECT_BINARY_DIR}/headers")
@@ -31,14 +31,4 @@ if(MIRRORBALL_TESTS)
   set(gtest_disable_pthreads ON CACHE INTERNAL "")
   set(INSTALL_GTEST OFF CACHE INTERNAL "")
   add_subdirectory(/usr/src/googletest "${PROJECT_BINARY_DIR}/googletest" EXCLUDE_FROM_ALL)
-endif()
-
-include(MirrorballPrecompiledHeaders)
-
-add_subdirectory(formula)
-add_subdirectory(src/mirrorball/base)
-add_subdirectory(src/mirrorball/image)
-add_subdirectory(src/mirrorball/height_field)
-if(MIRRORBALL_TESTS)
-  add_subdirectory(tests/formula)
 endif()

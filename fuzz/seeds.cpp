@@ -11,9 +11,6 @@
 #include <string>
 #include <tuple>
 
-#include <ImfHeader.h>
-#include <ImfRgbaFile.h>
-#include <ImfTiledRgbaFile.h>
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <meshoptimizer.h>
@@ -22,7 +19,7 @@
 #include "mirrorball/codec/color/icc_testing.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/exr/exr.h"
-#include "mirrorball/codec/exr/exr_stream.h"
+#include "mirrorball/codec/exr/exr_testing.h"
 #include "mirrorball/codec/hdr/hdr.h"
 #include "mirrorball/codec/image_file_testing.h"
 #include "mirrorball/codec/ldr/jpeg.h"
@@ -39,6 +36,7 @@ namespace {
 
 using testing::bytesOf;
 using testing::bytesOfTexture;
+using testing::foreignExr;
 using testing::gradient;
 using testing::textureOf;
 
@@ -101,23 +99,6 @@ void addTextures(Corpus& corpus) {
   corpus.add("ktx1", "srgb_array", rgb8);
 }
 
-template <typename File, typename... Arguments>
-Bytes exr(Imf::Compression compression, Arguments... arguments) {
-  Imf::Header header(12, 10);
-  header.compression() = compression;
-  const std::vector<Imf::Rgba> texels(12 * 10, Imf::Rgba(0.5f, 0.25f, 2.0f, 1.0f));
-  ExrOutput stream;
-  {
-    File file(stream, header, arguments...);
-    file.setFrameBuffer(texels.data(), 1, 12);
-    if constexpr (std::is_same_v<File, Imf::TiledRgbaOutputFile>)
-      file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
-    else
-      file.writePixels(10);
-  }
-  return stream.takeBytes();
-}
-
 /// A PNG with another chunk behind its header.
 Bytes withChunk(Bytes png, const std::string& type, const Bytes& data) {
   constexpr std::ptrdiff_t kEndOfHeader = 33;
@@ -167,9 +148,10 @@ void addImages(Corpus& corpus) {
                                            Imf::B44A_COMPRESSION, Imf::DWAA_COMPRESSION};
   for (const Imf::Compression compression : compressions)
     corpus.add("exr", "scan_lines_" + std::to_string(compression),
-               exr<Imf::RgbaOutputFile>(compression, Imf::WRITE_RGBA));
-  corpus.add("exr", "chroma", exr<Imf::RgbaOutputFile>(Imf::ZIP_COMPRESSION, Imf::WRITE_YC));
-  corpus.add("exr", "tiles", exr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8, Imf::ONE_LEVEL));
+               foreignExr<Imf::RgbaOutputFile>(compression, Imf::WRITE_RGBA));
+  corpus.add("exr", "chroma", foreignExr<Imf::RgbaOutputFile>(Imf::ZIP_COMPRESSION, Imf::WRITE_YC));
+  corpus.add("exr", "tiles",
+             foreignExr<Imf::TiledRgbaOutputFile>(Imf::RLE_COMPRESSION, Imf::WRITE_RGB, 8, 8, Imf::ONE_LEVEL));
 
   corpus.add("jpeg", "profile",
              testing::jpegWithProfile(*encodeJpeg(pictureFromLinear(gradient(9, 7, 3), 3), {}),

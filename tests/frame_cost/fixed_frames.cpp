@@ -1,6 +1,5 @@
 #include "frame_cost/fixed_frames.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -8,6 +7,7 @@
 
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/rays/occlusion_cache.h"
+#include "mirrorball/render/render_testing.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
@@ -86,11 +86,7 @@ std::span<const FixedFrame> fixedFrames() {
 Result<Renderer> rendererOf(const FixedFrame& frame, FrameSettings& settings) {
   settings.size = {240, 135};
   settings.samples = 2;
-  for (const auto& [name, value] : frame.options) {
-    const auto option = std::find_if(frameOptions().begin(), frameOptions().end(),
-                                     [&](const auto& row) { return row.text.name == name; });
-    MIRRORBALL_TRY_VOID(assign(*option, settings, value));
-  }
+  for (const auto& [name, value] : frame.options) set(settings, name, value);
   MIRRORBALL_TRY(scene, frame.scene());
   MIRRORBALL_TRY(environment, builtinEnvironment(std::string(frame.environment)));
   MIRRORBALL_TRY(renderer, Renderer::headless());

@@ -8,8 +8,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,6 +20,7 @@
 #include "gl_driver.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/gl/context.h"
+#include "mirrorball/render/render_testing.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -32,10 +31,9 @@ constexpr double kMoreTime = 1.3;
 std::string tablePath() { return std::string(MIRRORBALL_SOURCE_DIR) + "/tests/frame_cost/costs.txt"; }
 
 std::string tableText() {
-  std::ifstream file(tablePath());
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  const auto bytes = readFile(tablePath());
+  EXPECT_TRUE(bytes) << bytes.error().message;
+  return bytes ? std::string(bytes->begin(), bytes->end()) : "";
 }
 
 /// "Mesa 22.3.6" of "4.5 (Core Profile) Mesa 22.3.6"
@@ -54,18 +52,12 @@ class FrameCostTest : public ::testing::Test {
   }
 };
 
-/// A frame once, and waits for it.
-void drawOnce(Renderer& renderer, const FrameSettings& settings) {
-  const auto image = renderer.renderRadiance(settings);
-  ASSERT_TRUE(image) << image.error().message;
-}
-
 /// The median of five quotients, each of a frame and a yardstick one after the other: a busy moment slows both.
 double yardsticksOf(Renderer& renderer, const FrameSettings& settings, Yardstick& yardstick) {
   std::array<double, 5> quotients{};
   for (double& quotient : quotients) {
     const double unit = processorTimeOf([&] { yardstick.run(); });
-    quotient = processorTimeOf([&] { drawOnce(renderer, settings); }) / unit;
+    quotient = processorTimeOf([&] { drawn(renderer, settings); }) / unit;
   }
   std::nth_element(quotients.begin(), quotients.begin() + 2, quotients.end());
   return quotients[2];
@@ -75,10 +67,10 @@ FrameCost measured(Renderer& renderer, const FrameSettings& settings, Yardstick&
   const CostCounter counter;
   FrameCost cost;
   // The first frame compiles shaders and uploads.
-  drawOnce(renderer, settings);
+  drawn(renderer, settings);
   yardstick.run();
   if (counter.countsInstructions())
-    cost.instructions = 1e-6 * static_cast<double>(counter.instructionsOf([&] { drawOnce(renderer, settings); }));
+    cost.instructions = 1e-6 * static_cast<double>(counter.instructionsOf([&] { drawn(renderer, settings); }));
   cost.yardsticks = yardsticksOf(renderer, settings, yardstick);
   return cost;
 }

@@ -46,7 +46,7 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"study", {"render", "trace", "metric"}},
 };
 
-/// The rooms that a browser's compiler builds (cmake/MirrorballBrowser.cmake), and those that follow next.
+/// The rooms that a browser's compiler builds (CMakeLists.txt), and those that follow next.
 const std::set<std::string> kBrowserRooms = {"base", "image", "height_field", "codec", "environment", "bake"};
 
 constexpr std::size_t kLongestFile = 600;

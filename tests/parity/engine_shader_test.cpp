@@ -206,10 +206,12 @@ TEST(EngineShaderPage, IsGlslEs) {
   const std::vector<std::string> shaders = shadersOfPage();
   ASSERT_EQ(shaders.size(), 2u);
   for (const std::string& shader : shaders)
-    expectGlslangTakes("#version 300 es\nprecision highp float;\n" + shader +
-                           "in vec3 to_eye;\nin vec3 normal;\nout vec4 result;\nvoid main() {\n"
-                           "  result = vec4(environmentLight(to_eye, normal, vec3(0.5), vec3(0.04), 0.3), 1.0);\n}\n",
-                       "engine.frag", gl::Api::es30);
+    expectGlslangTakes(
+        {{"engine.frag",
+          "#version 300 es\nprecision highp float;\n" + shader +
+              "in vec3 to_eye;\nin vec3 normal;\nout vec4 result;\nvoid main() {\n"
+              "  result = vec4(environmentLight(to_eye, normal, vec3(0.5), vec3(0.04), 0.3), 1.0);\n}\n"}},
+        gl::Api::es30);
 }
 
 }  // namespace

@@ -88,26 +88,19 @@ Result<Image> evaluate(gl::Api api, const std::string& before, const std::string
 
 bool hasGlslang() { return std::system("glslangValidator --version > /dev/null 2>&1") == 0; }
 
-void expectGlslangTakes(const std::string& text, const std::string& name, gl::Api api) {
-  // CTest runs the cases of this program at the same time, each in a process of its own.
-  const fs::path path = fs::path(::testing::TempDir()) / (std::to_string(::getpid()) + "_" + name);
-  const auto written = writeFile(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-  ASSERT_TRUE(written) << written.error().message;
-  const std::string command = "glslangValidator '" + path.string() + "'";
-  EXPECT_EQ(std::system(command.c_str()), 0) << name << " as " << gl::nameOf(api);
-  fs::remove(path);
-}
-
-void expectGlslangTakesAll(const std::vector<std::string>& texts, gl::Api api) {
+void expectGlslangTakes(const std::vector<GlslFile>& files, gl::Api api) {
   constexpr std::size_t kAtOnce = 64;
+  // CTest runs the cases of this program at the same time, each in a process of its own.
   const fs::path folder = fs::path(::testing::TempDir()) / (std::to_string(::getpid()) + "_shaders");
   fs::create_directories(folder);
-  for (std::size_t first = 0; first < texts.size(); first += kAtOnce) {
+  for (std::size_t first = 0; first < files.size(); first += kAtOnce) {
     std::string command = "cd '" + folder.string() + "' && glslangValidator";
-    for (std::size_t i = first; i < std::min(first + kAtOnce, texts.size()); ++i) {
-      const std::string name = std::to_string(i) + ".frag";
-      std::ofstream(folder / name) << texts[i];
-      command += " " + name;
+    for (std::size_t i = first; i < std::min(first + kAtOnce, files.size()); ++i) {
+      const auto& [name, text] = files[i];
+      const auto written =
+          writeFile(folder / name, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+      ASSERT_TRUE(written) << written.error().message;
+      command += " '" + name + "'";
     }
     EXPECT_EQ(std::system((command + " > log").c_str()), 0) << "as " << gl::nameOf(api) << "\n"
                                                             << std::ifstream(folder / "log").rdbuf();

@@ -25,14 +25,17 @@ Result<Image> evaluate(gl::Api api, const std::string& before, const std::string
 bool hasGlslang();
 inline constexpr const char* kNoGlslang = "glslangValidator is not installed (Debian's package glslang-tools)";
 
-/// Expects that glslang takes a shader.
-///
-/// name   of the file, whose extension says which kind of shader it is
-/// api    for the message
-void expectGlslangTakes(const std::string& text, const std::string& name, gl::Api api);
+/// A shader as a file.
+struct GlslFile {
+  std::string name;  ///< whose extension says which kind of shader it is
+  std::string text;
+};
 
-/// The same of many fragment shaders, a process for some dozens of them: to start one takes ten times as long as a
-/// shader.
-void expectGlslangTakesAll(const std::vector<std::string>& texts, gl::Api api);
+/// Expects that glslang takes these shaders. Some dozens go through one process: to start one takes ten times as long as
+/// a shader.
+///
+/// files   of different names
+/// api     for the message
+void expectGlslangTakes(const std::vector<GlslFile>& files, gl::Api api);
 
 }  // namespace mirrorball::parity

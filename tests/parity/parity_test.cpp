@@ -133,6 +133,7 @@ class GlslangTest : public ::testing::TestWithParam<gl::Api> {
 
 TEST_P(GlslangTest, TakesEveryFormulaFile) {
   const std::vector<FormulaFile> files = allFormulaFiles();
+  std::vector<GlslFile> shaders;
   for (const FormulaFile& file : files) {
     const std::string entry = includesOf(files, file.name) + "void main() {}\n";
     const auto find = [&](std::string_view name) -> std::optional<std::string_view> {
@@ -140,11 +141,13 @@ TEST_P(GlslangTest, TakesEveryFormulaFile) {
     };
     const auto source = gl::shaderSource(GetParam(), "entry", {}, find);
     ASSERT_TRUE(source) << source.error().message;
-    expectGlslangTakes(source->text, "formula_" + file.name + ".frag", GetParam());
+    shaders.push_back({"formula_" + file.name + ".frag", source->text});
   }
+  expectGlslangTakes(shaders, GetParam());
 }
 
 TEST_P(GlslangTest, TakesEveryShader) {
+  std::vector<GlslFile> shaders;
   for (const auto& entry : fs::directory_iterator(fs::path(MIRRORBALL_SOURCE_DIR) / "shaders")) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".vert" && extension != ".frag") continue;
@@ -152,21 +155,24 @@ TEST_P(GlslangTest, TakesEveryShader) {
     if (name == "background.frag" || name == "nearness_of_proxy.frag") continue;  // are put together from parts
     const auto source = gl::shaderSource(GetParam(), name);
     ASSERT_TRUE(source) << source.error().message;
-    expectGlslangTakes(source->text, name, GetParam());
+    shaders.push_back({name, source->text});
   }
+  expectGlslangTakes(shaders, GetParam());
 }
 
 TEST_P(GlslangTest, TakesTheBackgroundOnEveryProxy) {
+  std::vector<GlslFile> shaders;
   for (const ProxyKind kind :
        {ProxyKind::none, ProxyKind::box, ProxyKind::sphere, ProxyKind::ground, ProxyKind::mesh}) {
     const std::string suffix = "_" + std::to_string(static_cast<int>(kind)) + ".frag";
     const auto source = backgroundShader(GetParam(), kind);
     ASSERT_TRUE(source) << source.error().message;
-    expectGlslangTakes(source->text, "background" + suffix, GetParam());
+    shaders.push_back({"background" + suffix, source->text});
     const auto nearness = nearnessShader(GetParam(), kind);
     ASSERT_TRUE(nearness) << nearness.error().message;
-    expectGlslangTakes(nearness->text, "nearness_of_proxy" + suffix, GetParam());
+    shaders.push_back({"nearness_of_proxy" + suffix, nearness->text});
   }
+  expectGlslangTakes(shaders, GetParam());
 }
 
 /// Maps with a unit each, or the later half of them as layers with every way to read them.
@@ -224,14 +230,14 @@ std::vector<SurfaceVariant> pairsOfParts() {
 }
 
 TEST_P(GlslangTest, TakesEveryPairOfPartsOfTheSurface) {
-  std::vector<std::string> fragments;
+  std::vector<GlslFile> shaders;
   for (const SurfaceVariant& variant : pairsOfParts()) {
-    const auto shaders = surfaceShaders(GetParam(), variant);
-    ASSERT_TRUE(shaders) << shaders.error().message;
-    if (variant == SurfaceVariant{}) expectGlslangTakes(shaders->vertex.text, "surface.vert", GetParam());
-    fragments.push_back(shaders->fragment.text);
+    const auto of_variant = surfaceShaders(GetParam(), variant);
+    ASSERT_TRUE(of_variant) << of_variant.error().message;
+    if (variant == SurfaceVariant{}) shaders.push_back({"surface.vert", of_variant->vertex.text});
+    shaders.push_back({"surface_" + std::to_string(shaders.size()) + ".frag", of_variant->fragment.text});
   }
-  expectGlslangTakesAll(fragments, GetParam());
+  expectGlslangTakes(shaders, GetParam());
 }
 
 MIRRORBALL_WITH_BOTH_APIS(GlslangTest);

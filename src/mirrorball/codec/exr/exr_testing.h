@@ -2,13 +2,16 @@
 
 #include <cstring>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
+#include <ImfRgbaFile.h>
 #include <ImfTiledOutputFile.h>
+#include <ImfTiledRgbaFile.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/codec/exr/exr.h"
@@ -70,6 +73,25 @@ inline Bytes tiledFile(Imf::Header header, const Image& image, const std::vector
     for (int y = 0; y < file.numYLevels(); ++y)
       for (int x = 0; x < file.numXLevels(); ++x)
         if (file.isValidLevel(x, y)) file.writeTiles(0, file.numXTiles(x) - 1, 0, file.numYTiles(y) - 1, x, y);
+  }
+  return stream.takeBytes();
+}
+
+/// A small file by another of OpenEXR's writers, an Imf::RgbaOutputFile or an Imf::TiledRgbaOutputFile, with its
+/// further arguments.
+template <typename File, typename... Arguments>
+Bytes foreignExr(Imf::Compression compression, Arguments... arguments) {
+  Imf::Header header(12, 10);
+  header.compression() = compression;
+  const std::vector<Imf::Rgba> texels(12 * 10, Imf::Rgba(0.5f, 0.25f, 2.0f, 1.0f));
+  ExrOutput stream;
+  {
+    File file(stream, header, arguments...);
+    file.setFrameBuffer(texels.data(), 1, 12);
+    if constexpr (std::is_same_v<File, Imf::TiledRgbaOutputFile>)
+      file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+    else
+      file.writePixels(10);
   }
   return stream.takeBytes();
 }

@@ -1,0 +1,22 @@
+# The packages of the system (packages.txt), and GoogleTest where there are tests.
+
+find_package(glm REQUIRED)
+find_package(tl-expected REQUIRED)
+if(MIRRORBALL_THREADS)
+  find_package(TBB REQUIRED)
+endif()
+find_package(PNG REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tinyobjloader REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+pkg_check_modules(exif REQUIRED IMPORTED_TARGET libexif)
+pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
+pkg_check_modules(kissfft REQUIRED IMPORTED_TARGET kissfft-float)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+include(MirrorballParts)
+
+if(MIRRORBALL_TESTS)
+  enable_testing()
+  find_package(GTest REQUIRED)
+endif()

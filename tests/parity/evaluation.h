@@ -31,8 +31,8 @@ struct GlslFile {
   std::string text;
 };
 
-/// Expects that glslang takes these shaders. Some dozens go through one process: to start one takes ten times as long as
-/// a shader.
+/// Expects that glslang takes these shaders. Some dozens go through one process: to start one takes ten times as long
+/// as a shader.
 ///
 /// files   of different names
 /// api     for the message

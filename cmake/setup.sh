@@ -1,9 +1,11 @@
 #!/bin/sh
 # usage: setup.sh PRESET[:TARGET] GROUP…
+#        setup.sh packages GROUP…
 #
 # Installs the packages of the groups given (packages.txt) that are missing, then configures one preset of
-# CMakePresets.json and builds it, or only the target given. Leaves the stamp build/PRESET/.built when all was built. Exit
-# code 0 or 1. Writes to stderr only: stdout belongs to the program that is built.
+# CMakePresets.json and builds it, or only the target given; for `packages` it only installs. Leaves the stamp
+# build/PRESET/.built when all was built. Exit code 0 or 1. Writes to stderr only: stdout belongs to the program that is
+# built.
 #
 #   MIRRORBALL_NO_INSTALL=1      installs nothing: prints the command, and builds if CMake finds all it needs
 #   MIRRORBALL_OS_RELEASE=FILE   is read instead of /etc/os-release, to try another system's way
@@ -147,10 +149,11 @@ buildPreset() {
 
 if isDebian; then
   installMissing
-elif [ ! -e "$build/.configured" ]; then
+elif [ "$preset" = packages ] || [ ! -e "$build/.configured" ]; then
   say "this is neither Debian nor Ubuntu: the following must be installed, and is used where CMake finds it"
   forEachPackage printLibrary
 fi
+[ "$preset" != packages ] || exit 0
 if ! command -v cmake >/dev/null; then
   say "CMake is not installed"
   exit 1

@@ -1,7 +1,7 @@
 #pragma once
 
-// OpenGL's functions and the names of its constants, here alone (tests/house): libepoxy's, which has those of OpenGL and
-// OpenGL ES side by side, and of browsers Emscripten's OpenGL ES 3.0, which is WebGL 2.
+// OpenGL's functions and the names of its constants, here alone (tests/house): libepoxy's, which has those of OpenGL
+// and OpenGL ES side by side, and of browsers Emscripten's OpenGL ES 3.0, which is WebGL 2.
 #ifdef __EMSCRIPTEN__
 #include <GLES3/gl3.h>
 // gl2ext.h needs what gl3.h declares.

@@ -41,6 +41,10 @@ add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconver
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   add_compile_options(-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
+# Clang counts changes of sign among the conversions, which GCC's -Wconversion leaves alone.
+if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+  add_compile_options(-Wno-sign-conversion)
+endif()
 if(MIRRORBALL_WARNINGS_AS_ERRORS)
   add_compile_options(-Werror)
 endif()

@@ -4,7 +4,7 @@
 # Single headers out of /usr/include. The folder itself would bring those of the system's C library.
 set(mirrorball_package_headers "${PROJECT_BINARY_DIR}/headers")
 file(MAKE_DIRECTORY "${mirrorball_package_headers}")
-foreach(header glm hwy kissfft tl xxh3.h xxhash.h)
+foreach(header glm hwy kissfft stb tl xxh3.h xxhash.h)
   find_path(MIRRORBALL_FOLDER_OF_${header} ${header} PATHS /usr/include REQUIRED NO_CMAKE_FIND_ROOT_PATH)
   file(CREATE_LINK "${MIRRORBALL_FOLDER_OF_${header}}/${header}" "${mirrorball_package_headers}/${header}" SYMBOLIC)
 endforeach()
@@ -24,6 +24,9 @@ mirrorball_headers(PkgConfig::kissfft "${PROJECT_SOURCE_DIR}/cmake/browser" "${m
 add_library(mirrorball_xxhash STATIC "${PROJECT_SOURCE_DIR}/cmake/browser/xxhash.cpp")
 target_include_directories(mirrorball_xxhash SYSTEM PUBLIC "${mirrorball_package_headers}")
 add_library(PkgConfig::xxhash ALIAS mirrorball_xxhash)
+
+set(MIRRORBALL_STB_FOLDER "${mirrorball_package_headers}")
+include(MirrorballParts)  # of which the preset leaves all out
 
 if(MIRRORBALL_TESTS)
   enable_testing()

@@ -21,6 +21,7 @@ macro(mirrorball_part part name what how package)
 endmacro()
 
 set(mirrorball_left_out)
+mirrorball_part(PNG PNG "Read and write .png" find_package PNG)
 mirrorball_part(TIFF TIFF "Read .tif" find_package TIFF 4.5)
 mirrorball_part(WEBP WebP "Read .webp" pkg_check_modules webp libwebp libwebpdemux)
 mirrorball_part(JPEG JPEG "Read and write .jpg" find_package JPEG)

@@ -4,8 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include <epoxy/gl.h>
-
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/shader_source.h"
 
 namespace mirrorball::testing {

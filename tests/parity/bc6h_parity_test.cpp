@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/codec/bc6h/bc6h_block.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/image/small_float.h"
 

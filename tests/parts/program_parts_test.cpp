@@ -54,6 +54,7 @@ TEST_F(ProgramParts, WhatIsLeftOutIsAnsweredByOneLine) {
   const std::string gltf = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"data:;base64,AAAAAA=="}],)";
   write("a.exr", "\x76\x2f\x31\x01 and so on");
   write("a.jpg", "\xff\xd8\xff and so on");
+  write("a.png", "\x89PNG\r\n\x1a\n and so on");
   write("a.tif", std::string("II\x2a\0", 4) + " and so on");
   write("a.webp", "RIFF1234WEBPVP8 and so on");
   write("draco.gltf", gltf + R"("bufferViews":[{"buffer":0,"byteLength":4}],"meshes":[{"primitives":[{"attributes":)"
@@ -70,10 +71,12 @@ TEST_F(ProgramParts, WhatIsLeftOutIsAnsweredByOneLine) {
   for (const Case& one :
        {Case{"OpenEXR", "info a.exr", "a.exr: this build reads no OpenEXR"},
         Case{"JPEG", "info a.jpg", "a.jpg: this build reads no JPEG"},
+        Case{"PNG", "info a.png", "a.png: this build reads no PNG"},
         Case{"TIFF", "info a.tif", "a.tif: this build reads no TIFF"},
         Case{"WebP", "info a.webp", "a.webp: this build reads no WebP"},
         Case{"OpenEXR", "convert white --size 8 -o b.exr", "b.exr: this build writes no OpenEXR"},
         Case{"JPEG", "convert white --size 8 -o b.jpg", "b.jpg: this build writes no JPEG"},
+        Case{"PNG", "convert white --size 8 -o b.png", "b.png: this build writes no PNG"},
         Case{"OpenEXR", "convert sunset --size 8 -o b.hdr", "this build has no sunset"},
         Case{"Zstandard", "convert white --to cube --size 8 --zstd 3 -o b.ktx2",
              "b.ktx2: this build knows no Zstandard"},
@@ -82,7 +85,7 @@ TEST_F(ProgramParts, WhatIsLeftOutIsAnsweredByOneLine) {
         Case{"Embree", "study sphere --samples 4", "this build traces no rays, which study needs"},
         Case{"Embree", "transfer sphere", "this build traces no rays, which transfer needs"},
         Case{"Embree", "fresnel", "this build traces no rays, which fresnel needs"},
-        Case{"Embree", "render none -e white --reference --size 8x8 -o b.png",
+        Case{"Embree", "render none -e white --reference --size 8x8 -o b.hdr",
              "this build traces no rays, which --reference needs"}}) {
     const Outcome outcome = run(one.line);
     EXPECT_EQ(outcome.err.find(one.answer) != std::string::npos, isLeftOut(one.part)) << one.line << "\n"
@@ -94,14 +97,14 @@ TEST_F(ProgramParts, WhatIsLeftOutIsAnsweredByOneLine) {
 }
 
 TEST_F(ProgramParts, ASphereInTheStudioAndTheShowcaseAreDrawn) {
-  const Outcome sphere = run("render sphere -e studio --size 64x36 --samples 1 --no-cache -o sphere.png");
+  const Outcome sphere = run("render sphere -e studio --size 64x36 --samples 1 --no-cache -o sphere.hdr");
   if (sphere.err.find("OpenGL") != std::string::npos) GTEST_SKIP() << sphere.err;
   EXPECT_EQ(sphere.exit_code, 0) << sphere.err;
-  EXPECT_TRUE(fs::exists(folder_ / "sphere.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "sphere.hdr"));
 
-  const Outcome showcase = run("render --size 64x36 --samples 1 --no-cache -o showcase.png");
+  const Outcome showcase = run("render --size 64x36 --samples 1 --no-cache -o showcase.hdr");
   EXPECT_EQ(showcase.exit_code, 0) << showcase.err;
-  EXPECT_TRUE(fs::exists(folder_ / "showcase.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "showcase.hdr"));
   EXPECT_EQ(showcase.err.find("the showcase is in the studio") != std::string::npos, isLeftOut("OpenEXR"))
       << showcase.err;
 }

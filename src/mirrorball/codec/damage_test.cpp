@@ -5,12 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
 #include "mirrorball/codec/hdr/hdr.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_file_testing.h"
-#include "mirrorball/codec/ldr/png.h"
 #include "mirrorball/codec/picture_testing.h"
 
 namespace mirrorball {
@@ -26,8 +24,6 @@ Bytes oldRleHdr() {
   for (int column = 0; column < 9; ++column) bytes.insert(bytes.end(), {9, 8, 7, 130, 1, 1, 1, 3});
   return bytes;
 }
-
-Image8 picture() { return pictureFromLinear(gradient(13, 11, 3), 3); }
 
 /// Packets of one and of two texels of 24 bits.
 Bytes colorRuns(int texels) {
@@ -99,10 +95,6 @@ INSTANTIATE_TEST_SUITE_P(
                                     return encodeHdr(gradient(13, 5, 3), {{"envmap", "cube"}});
                                   }},
                       DamagedFile{"HdrOldRle", oldRleHdr},
-                      DamagedFile{"Png",
-                                  [] {
-                                    return *encodePng(picture(), {{"envmap", "cube"}});
-                                  }},
                       DamagedFile{"Tga",
                                   [] { return testing::tgaOf({.type = 10, .width = 9, .height = 4}, colorRuns(36)); }},
                       DamagedFile{"Bmp", [] { return testing::bmpOf({.width = 9, .height = 4}, Bytes(4 * 28, 77)); }},

@@ -8,7 +8,6 @@
 #include "mirrorball/codec/hdr/hdr.h"
 #include "mirrorball/codec/hdr/hdr_rows.h"
 #include "mirrorball/codec/ldr/bmp.h"
-#include "mirrorball/codec/ldr/png.h"
 #include "mirrorball/codec/ldr/pnm.h"
 #include "mirrorball/codec/ldr/tga.h"
 #include "mirrorball/codec/texture/dds.h"
@@ -40,14 +39,9 @@ Result<Bytes> encodeHdrLight(const Image& light, const ImageWriteOptions& option
 
 constexpr FormatCodec kTexture{.decode = withoutProgress<decodeTexturePicture>};
 
-/// What needs no library but libpng.
+/// What needs no library.
 constexpr auto kEveryBuilds = std::to_array<OptionalFormat>({
     {ImageFormatId::hdr, {.decode = withoutProgress<decodeHdr>, .open_rows = openHdrRows, .encode = encodeHdrLight}},
-    {ImageFormatId::png,
-     {.decode = withoutProgress<decodePng>,
-      .decode_texture = decodePngTexture,
-      .decode_codes = decodePngCodes,
-      .encode_picture = encodePng}},
     {ImageFormatId::ktx2, kTexture},
     {ImageFormatId::ktx, kTexture},
     {ImageFormatId::dds, kTexture},
@@ -83,6 +77,12 @@ std::optional<ImageFormatId> formatBegunBy(Span bytes) {
   for (const ImageFormat& format : kImageFormats)
     if (format.id != ImageFormatId::tga && kBegins[static_cast<std::size_t>(format.id)](bytes)) return format.id;
   return isTga(bytes) ? std::optional(ImageFormatId::tga) : std::nullopt;
+}
+
+Result<Bytes> encodePicture(ImageFormatId id, const Image8& picture, const Metadata& metadata) {
+  const ImageFormat& format = formatOf(id);
+  if (!isInThisBuild(format)) return leftOut("writes no " + std::string(format.name), format.build_option);
+  return FormatRegistry::ofThisBuild()[id].encode_picture(picture, metadata);
 }
 
 }  // namespace mirrorball

@@ -72,4 +72,10 @@ class FormatRegistry {
 /// The format that a file's first bytes tell, whether a build has it or not.
 std::optional<ImageFormatId> formatBegunBy(std::span<const std::uint8_t> bytes);
 
+/// The bytes of a picture's file.
+///
+/// format   one that holds pictures and is written
+/// errors   unsupported: the build lacks the format; else as the format's own encoder
+Result<Bytes> encodePicture(ImageFormatId format, const Image8& picture, const Metadata& metadata);
+
 }  // namespace mirrorball

@@ -14,6 +14,7 @@ namespace {
 using testing::bytesOf;
 
 const std::string kExr = "\x76\x2f\x31\x01";
+const std::string kPng = "\x89PNG\r\n\x1a\n";
 const std::string kJpeg = "\xff\xd8\xff\xe0";
 const std::string kTiff("II\x2a\0", 4);
 const std::string kWebp = "RIFF....WEBPVP8 ";
@@ -38,6 +39,7 @@ std::string answerTo(const FormatRegistry& registry, const std::string& text) {
 TEST(FormatRegistry, AFormatThatIsLeftOutIsAnsweredByOneLine) {
   const FormatRegistry none = registryOf({});
   EXPECT_EQ(answerTo(none, kTiff), "this build reads no TIFF; one with MIRRORBALL_TIFF=ON does");
+  EXPECT_EQ(answerTo(none, kPng), "this build reads no PNG; one with MIRRORBALL_PNG=ON does");
   EXPECT_EQ(answerTo(none, kExr), "this build reads no OpenEXR; one with MIRRORBALL_EXR=ON does");
   EXPECT_EQ(answerTo(none, kJpeg), "this build reads no JPEG; one with MIRRORBALL_JPEG=ON does");
   EXPECT_EQ(answerTo(none, kWebp), "this build reads no WebP; one with MIRRORBALL_WEBP=ON does");
@@ -47,25 +49,32 @@ TEST(FormatRegistry, AFormatThatIsLeftOutIsAnsweredByOneLine) {
 }
 
 TEST(FormatRegistry, HasWhatItIsGiven) {
-  const FormatRegistry without_tiff = registryOf({ImageFormatId::exr, ImageFormatId::jpeg, ImageFormatId::webp});
-  for (const std::string& read : {kExr, kJpeg, kWebp}) EXPECT_EQ(answerTo(without_tiff, read), "is read");
+  const FormatRegistry without_tiff =
+      registryOf({ImageFormatId::exr, ImageFormatId::png, ImageFormatId::jpeg, ImageFormatId::webp});
+  for (const std::string& read : {kExr, kPng, kJpeg, kWebp}) EXPECT_EQ(answerTo(without_tiff, read), "is read");
   EXPECT_NE(answerTo(without_tiff, kTiff), "is read");
   EXPECT_FALSE(without_tiff.has(ImageFormatId::tiff));
   EXPECT_TRUE(without_tiff.has(ImageFormatId::webp));
 }
 
 TEST(FormatRegistry, WhatIsLeftOutIsNotWrittenAndNotAdvised) {
-  const FormatRegistry none = registryOf({});
-  const auto messageOf = [&](const char* path) {
-    const auto refused = formatToWrite(path, {Holds::light, Holds::picture}, none);
+  const auto answerOf = [](const FormatRegistry& registry, const char* path) {
+    const auto refused = formatToWrite(path, {Holds::light, Holds::picture}, registry);
     return refused ? "" : refused.error().message;
   };
+  const FormatRegistry none = registryOf({});
+  const auto messageOf = [&](const char* path) { return answerOf(none, path); };
   EXPECT_EQ(messageOf("a.exr"), "a.exr: this build writes no OpenEXR; one with MIRRORBALL_EXR=ON does");
   EXPECT_EQ(messageOf("a.jpeg"), "a.jpeg: this build writes no JPEG; one with MIRRORBALL_JPEG=ON does");
-  EXPECT_EQ(messageOf("a.gif"),
-            "a.gif: is not a format that Mirrorball writes; use .hdr for linear light, .png for "
-            "pictures");
-  EXPECT_EQ(messageOf("a.png"), "");
+  EXPECT_EQ(messageOf("a.png"), "a.png: this build writes no PNG; one with MIRRORBALL_PNG=ON does");
+  EXPECT_EQ(messageOf("a.gif"), "a.gif: is not a format that Mirrorball writes; use .hdr for linear light");
+  const auto no_picture = formatToWrite("a.gif", {Holds::picture}, none);
+  EXPECT_EQ(no_picture.error().message, "a.gif: is not a format that Mirrorball writes");
+
+  const FormatRegistry png = registryOf({ImageFormatId::png});
+  EXPECT_EQ(answerOf(png, "a.png"), "");
+  EXPECT_EQ(answerOf(png, "a.gif"),
+            "a.gif: is not a format that Mirrorball writes; use .hdr for linear light, .png for pictures");
 }
 
 /// The list that CMake writes: each format of its own is there if its options says so, and only those are optional.

@@ -17,6 +17,11 @@ bool isExr(Span bytes) {
 
 bool isJpeg(Span bytes) { return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff; }
 
+bool isPng(Span bytes) {
+  constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
+}
+
 bool isTiff(Span bytes) {
   constexpr std::uint16_t kClassic = 42;
   constexpr std::uint16_t kBigTiff = 43;

@@ -14,6 +14,9 @@ bool isExr(std::span<const std::uint8_t> bytes);
 /// Whether the bytes begin as a JPEG does.
 bool isJpeg(std::span<const std::uint8_t> bytes);
 
+/// Whether the bytes begin as a PNG does.
+bool isPng(std::span<const std::uint8_t> bytes);
+
 /// Whether the bytes begin as a TIFF or a BigTIFF does.
 bool isTiff(std::span<const std::uint8_t> bytes);
 

@@ -71,10 +71,6 @@ Result<Image> decodeNumbersByMagic(Span bytes, const ProgressFunction& progress)
   return sharesOf(CodedPicture(std::move(codes)));
 }
 
-Result<Bytes> encodePicture(ImageFormatId format, const Image8& picture, const Metadata& metadata) {
-  return FormatRegistry::ofThisBuild()[format].encode_picture(picture, metadata);
-}
-
 Result<Bytes> encodeImage(ImageFormatId format, const Image& image, const ImageWriteOptions& options) {
   const FormatCodec& codec = FormatRegistry::ofThisBuild()[format];
   if (codec.encode) return codec.encode(image, options);

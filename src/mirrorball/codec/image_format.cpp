@@ -41,16 +41,17 @@ Admit isWrittenAs(Holds what) {
   return [what](const ImageFormat& format) { return format.is_written && mayHold(format, what); };
 }
 
-/// ".hdr or .exr for linear light, .png or .jpg for pictures"
+/// "; use .hdr or .exr for linear light, .png or .jpg for pictures": nothing of what no format of the build holds.
 std::string adviceFor(const FormatRegistry& formats, std::initializer_list<Holds> wanted) {
   std::vector<std::string> kinds;
   for (const Holds what : wanted) {
     const char* purpose = what == Holds::light     ? " for linear light"
                           : what == Holds::texture ? " for textures"
                                                    : " for pictures";
-    kinds.push_back(extensionsOf(formats, isWrittenAs(what), " or ") + (wanted.size() > 1 ? purpose : ""));
+    const std::string extensions = extensionsOf(formats, isWrittenAs(what), " or ");
+    if (!extensions.empty()) kinds.push_back(extensions + (wanted.size() > 1 ? purpose : ""));
   }
-  return join(kinds, ", ", ", ");
+  return kinds.empty() ? "" : "; use " + join(kinds, ", ", ", ");
 }
 
 std::string_view textOf(Holds what) {
@@ -130,7 +131,7 @@ Result<ImageFormatId> formatToWrite(const std::filesystem::path& path, std::init
   const std::string what = extension.empty() ? "has no extension to tell its format by"
                            : is_written      ? "would hold " + std::string(textOf(format->holds))
                                              : "is not a format that Mirrorball writes";
-  return fail(ErrorCode::usage, path.string() + ": " + what + "; use " + adviceFor(formats, wanted));
+  return fail(ErrorCode::usage, path.string() + ": " + what + adviceFor(formats, wanted));
 }
 
 }  // namespace mirrorball

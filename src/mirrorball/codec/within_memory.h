@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -17,6 +20,12 @@ Result<Value> withinMemory(const Work& work) {
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::too_large, "not enough memory for so many texels");
   }
+}
+
+/// Memory that holds nothing at first, so that a size that lies costs none: only what is written is touched. libc++ 14,
+/// which compilers for browsers have, lacks std::make_unique_for_overwrite.
+inline std::unique_ptr<std::uint8_t[]> bytesWithoutValues(std::size_t size) {
+  return std::unique_ptr<std::uint8_t[]>(new std::uint8_t[size]);
 }
 
 }  // namespace mirrorball

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-#include <epoxy/gl.h>
+#include "mirrorball/gl/gl_api.h"
 
 namespace mirrorball::gl {
 

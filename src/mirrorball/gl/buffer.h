@@ -2,8 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
-#include <ranges>
 #include <span>
 
 #include "mirrorball/gl/handle.h"
@@ -14,8 +14,10 @@ namespace mirrorball::gl {
 class Buffer {
  public:
   /// Copies the elements of a vector or an array: `Buffer(mesh.vertices)`.
-  template <std::ranges::contiguous_range Elements>
-  explicit Buffer(const Elements& elements) : Buffer(std::span<const std::byte>(std::as_bytes(std::span(elements)))) {}
+  template <typename Elements>
+  requires requires(const Elements& elements) { std::data(elements); }
+  explicit Buffer(const Elements& elements)
+      : Buffer(std::span<const std::byte>(std::as_bytes(std::span(std::data(elements), std::size(elements))))) {}
   explicit Buffer(std::span<const std::byte> bytes);
 
   unsigned name() const { return handle_.name(); }

@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <epoxy/gl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/gl_testing.h"
 
 namespace mirrorball::gl {

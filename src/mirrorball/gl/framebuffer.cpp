@@ -5,8 +5,7 @@
 #include <string>
 #include <utility>
 
-#include <epoxy/gl.h>
-
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/read_pixels.h"
 
 namespace mirrorball::gl {
@@ -16,7 +15,8 @@ namespace {
 template <typename Sample>
 void flipRows(ImageOf<Sample>& image) {
   for (int y = 0; y < image.height() / 2; ++y) {
-    std::ranges::swap_ranges(image.row(y), image.row(image.height() - 1 - y));
+    const auto row = image.row(y);
+    std::swap_ranges(row.begin(), row.end(), image.row(image.height() - 1 - y).begin());
   }
 }
 

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/gl/buffer.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/gl/program.h"
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
-#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include "gl_driver.h"
 #include "mirrorball/gl/context.h"
+#include "mirrorball/gl/gl_api.h"
 
 /// Declares a current context of an Api, or skips the test with the reason where there is no GL.
 #define MIRRORBALL_NEEDS_GL(name, api)                                          \

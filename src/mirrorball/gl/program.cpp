@@ -5,8 +5,9 @@
 #include <cstddef>
 #include <utility>
 
-#include <epoxy/gl.h>
 #include <glm/gtc/type_ptr.hpp>
+
+#include "mirrorball/gl/gl_api.h"
 
 namespace mirrorball::gl {
 namespace {

@@ -4,12 +4,12 @@
 #include <map>
 #include <optional>
 
-#include <epoxy/gl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/gl_testing.h"
 
 namespace mirrorball::gl {

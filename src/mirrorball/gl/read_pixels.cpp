@@ -4,9 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <epoxy/gl.h>
-
 #include "formula/color.h"
+#include "mirrorball/gl/gl_api.h"
 
 namespace mirrorball::gl {
 namespace {

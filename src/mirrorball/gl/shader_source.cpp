@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "mirrorball/base/range.h"
 #include "shaders/embedded_text.h"
 
 namespace mirrorball::gl {
@@ -76,7 +77,7 @@ Result<void> append(ShaderSource& source, std::string_view name, std::string_vie
       if (rest.empty() && !line.ends_with('\n')) source.text += '\n';
       continue;
     }
-    if (std::ranges::find(source.files, *included) != source.files.end()) {
+    if (contains(source.files, *included)) {
       source.text += '\n';
       continue;
     }

@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <epoxy/gl.h>
-
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/half.h"
 #include "mirrorball/gl/read_pixels.h"
 

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include <epoxy/gl.h>
+#include "mirrorball/gl/gl_api.h"
 
 namespace mirrorball::gl {
 

@@ -1,7 +1,6 @@
 #include "mirrorball/gl/texture_target.h"
 
-#include <epoxy/gl.h>
-
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/gl_testing.h"
 
 namespace mirrorball::gl {

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
-#include <epoxy/gl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/gl/program.h"
 

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include <epoxy/gl.h>
+#include "mirrorball/gl/gl_api.h"
 
 namespace mirrorball::gl {
 namespace {
@@ -95,7 +95,7 @@ void UniformBlock::set(std::string_view member, const glm::vec4& value) {
 void UniformBlock::set(std::string_view member, const glm::mat3& value) {
   // std140 puts each column where a vec4 would begin.
   std::byte* column = place(member, GL_FLOAT_MAT3);
-  for (int i = 0; i < 3; ++i) std::memcpy(column + i * sizeof(glm::vec4), &value[i], sizeof value[i]);
+  for (int i = 0; i < 3; ++i) std::memcpy(column + std::size_t(i) * sizeof(glm::vec4), &value[i], sizeof value[i]);
 }
 
 void UniformBlock::set(std::string_view member, const glm::mat4& value) {

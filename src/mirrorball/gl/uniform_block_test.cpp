@@ -4,11 +4,11 @@
 #include <map>
 #include <optional>
 
-#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/gl/program.h"
 

@@ -57,7 +57,7 @@ Result<EnvironmentMap> continueSmoothly(const KnownRadiance& known, int size) {
     for (const glm::vec2 step : {glm::vec2(1, 0), glm::vec2(-1, 0), glm::vec2(0, 1), glm::vec2(0, -1)})
       if (!known(directionOf(face, size, glm::vec2(x, y) + step))) is_edge[index] = 1;
   });
-  if (std::ranges::count(is_known, 1) == 0)
+  if (std::count(is_known.begin(), is_known.end(), 1) == 0)
     return fail(ErrorCode::bad_shape, "no direction is seen in the photograph, so there is nothing to unwrap");
 
   std::vector<EdgeLight> edge;

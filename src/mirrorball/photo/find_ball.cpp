@@ -10,6 +10,7 @@
 
 #include "formula/color.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/photo/ball_evidence.h"
 #include "mirrorball/photo/rim_fit.h"
 #include "mirrorball/photo/rim_votes.h"
@@ -36,7 +37,7 @@ Image greyOf(const Image& light) {
       if ((x + y) % 7 == 0) sorted.push_back(*grey.texel(x, y));
     }
   const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
-  std::ranges::nth_element(sorted, middle);
+  std::nth_element(sorted.begin(), middle, sorted.end());
   constexpr float kDark = 0.01f;
   const float scale = 0.25f / std::max(*middle, 1e-6f);
   for (float& sample : grey.samples()) sample = std::sqrt((sample * scale + kDark) / (1.0f + sample * scale));
@@ -111,10 +112,10 @@ std::vector<Candidate> findCandidates(const PlanePicture& picture, int width, in
       fits[i] = fitCandidate(picture, {votes[i].center_px * pixel, votes[i].radius_px * pixel}, pixel);
   });
   std::erase(fits, std::nullopt);
-  std::ranges::stable_sort(fits, std::greater{}, [](const auto& fit) { return fit->log_odds; });
+  sortDownBy(fits, [](const auto& fit) { return fit->log_odds; });
   std::vector<Candidate> candidates;
   for (const auto& fit : fits)
-    if (std::ranges::none_of(candidates, [&](const Candidate& better) {
+    if (std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& better) {
           return distanceBetween(better.circle, fit->circle) < kSame * better.circle.radius_px;
         }))
       candidates.push_back(*fit);

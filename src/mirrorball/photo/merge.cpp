@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball {
@@ -51,7 +52,9 @@ Result<std::vector<double>> exposuresOf(std::span<const Photograph> photographs,
   if (exposures.size() != photographs.size())
     return fail(ErrorCode::usage, std::to_string(exposures.size()) + " exposures are given for " +
                                       std::to_string(photographs.size()) + " photographs; give one each");
-  const auto [min, max] = std::ranges::minmax(exposures);
+  const auto [shortest, longest] = std::minmax_element(exposures.begin(), exposures.end());
+  const double min = *shortest;
+  const double max = *longest;
   if (max / min < 1.05)
     return fail(ErrorCode::usage,
                 "all photographs have the exposure " + formatNumber(min) + " s; a series has different ones",
@@ -63,7 +66,7 @@ Result<std::vector<double>> exposuresOf(std::span<const Photograph> photographs,
 std::size_t referenceOf(std::span<const double> exposures) {
   std::vector<std::size_t> order(exposures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return exposures[i]; });
+  sortUpBy(order, [&](std::size_t i) { return exposures[i]; });
   return order[order.size() / 2];
 }
 
@@ -81,8 +84,8 @@ struct RowCounts {
 
 RowCounts mergeRow(const CodesOfAll& codes, std::span<const double> exposures, const Response& response, int y,
                    Image& light) {
-  const std::size_t shortest = std::size_t(std::ranges::min_element(exposures) - exposures.begin());
-  const std::size_t longest = std::size_t(std::ranges::max_element(exposures) - exposures.begin());
+  const std::size_t shortest = std::size_t(std::min_element(exposures.begin(), exposures.end()) - exposures.begin());
+  const std::size_t longest = std::size_t(std::max_element(exposures.begin(), exposures.end()) - exposures.begin());
   RowCounts counts;
   for (int x = 0; x < light.width(); ++x) {
     bool clipped = false;
@@ -145,12 +148,12 @@ std::vector<double> contradictions(const CodesOfAll& codes, std::span<const doub
       std::vector<double>& of_pair = stops[p * count + other];
       if (of_pair.empty()) continue;
       const auto middle = of_pair.begin() + std::ptrdiff_t(of_pair.size() / 2);
-      std::ranges::nth_element(of_pair, middle);
+      std::nth_element(of_pair.begin(), middle, of_pair.end());
       if (std::abs(*middle) < std::abs(min_stops[p])) min_stops[p] = *middle;
       if (std::abs(*middle) < std::abs(min_stops[other])) min_stops[other] = -*middle;
     }
   // Those that share no place with any other contradict none.
-  std::ranges::replace(min_stops, 1e9, 0.0);
+  std::replace(min_stops.begin(), min_stops.end(), 1e9, 0.0);
   return min_stops;
 }
 
@@ -206,7 +209,7 @@ std::vector<double> allContradictions(const CodesOfAll& codes, const std::vector
   assumed.response = ResponseKind::srgb;
   const auto by_srgb = namedContradictions(codes, exposures, assumedResponse(ResponseKind::srgb), assumed);
   const auto contradicts = [](double stop) { return std::abs(stop) > kContradiction_stops; };
-  const bool is_one = std::ranges::count_if(by_srgb, contradicts) == 1;
+  const bool is_one = std::count_if(by_srgb.begin(), by_srgb.end(), contradicts) == 1;
   return is_one && maxStops(by_srgb) > 2.0 * kContradiction_stops ? by_srgb : stops;
 }
 

@@ -5,9 +5,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "formula/color.h"
+#include "mirrorball/base/parallel_testing.h"
 #include "mirrorball/photo/photo_testing.h"
 
 namespace mirrorball {
@@ -199,7 +199,7 @@ TEST(Merge, OnePhotographNeedsNoTime) {
 TEST(Merge, IsTheSameForAnyNumberOfThreads) {
   const auto series = seriesOf(rampOfLight(1e-2, 100.0), kExposures, srgb);
   const auto many = mergePhotographs(series, {.exposures = kExposures, .response = {}});
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const testing::OneThread one;
   const auto single = mergePhotographs(series, {.exposures = kExposures, .response = {}});
   EXPECT_TRUE(std::ranges::equal(many->light.samples(), single->light.samples()));
 }

@@ -30,7 +30,8 @@ Result<std::vector<double>> exposuresFromExif(std::span<const Photograph> photog
     if (!photograph.exif.exposure_time_s)
       return fail(ErrorCode::usage, photograph.name + ": has no exposure time in its EXIF", Remedy::give_exposures);
   const auto all = [&](auto member) {
-    return std::ranges::all_of(photographs, [&](const Photograph& p) { return (p.exif.*member).has_value(); });
+    return std::all_of(photographs.begin(), photographs.end(),
+                       [&](const Photograph& p) { return (p.exif.*member).has_value(); });
   };
   const bool all_iso = all(&Exif::iso);
   const bool all_f_numbers = all(&Exif::f_number);

@@ -7,6 +7,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/image/filter.h"
 
 namespace mirrorball {
@@ -60,7 +61,7 @@ std::vector<EdgePoint> edgesOnRay(const std::vector<double>& profile, const std:
     peak.to_quarter_px = fallingBelow(slope, i, 0.25 * slope[i]) - peak.plane_px.x;
     peaks.push_back(peak);
   }
-  std::ranges::stable_sort(peaks, std::greater{}, &EdgePoint::strength);
+  sortDownBy(peaks, &EdgePoint::strength);
   return peaks;
 }
 
@@ -216,14 +217,14 @@ Circle mostSupported(std::span<const EdgePoint> edges, const Circle& start, int 
   const auto any = [&] { return edges[random() % edges.size()].plane_px; };
   std::vector<char> hit(static_cast<std::size_t>(rays));
   const auto supportFor = [&](const Circle& circle) {
-    std::ranges::fill(hit, 0);
+    std::fill(hit.begin(), hit.end(), 0);
     std::ptrdiff_t outside = 0;
     for (const EdgePoint& edge : edges) {
       const double distance = distanceTo(circle, edge.plane_px);
       if (std::abs(distance) < tolerance_px) hit[std::size_t(edge.ray)] = 1;
       if (distance >= tolerance_px) ++outside;
     }
-    return double(std::ranges::count(hit, 1)) - kOfOneOutside * double(outside);
+    return double(std::count(hit.begin(), hit.end(), 1)) - kOfOneOutside * double(outside);
   };
   Circle best = start;
   double most = supportFor(start);
@@ -250,7 +251,7 @@ std::vector<EdgePoint> correctedByFlanks(std::span<const EdgePoint> edges, const
   std::vector<EdgePoint> corrected(edges.begin(), edges.end());
   if (widths.empty()) return corrected;
   const auto middle = widths.begin() + std::ptrdiff_t(widths.size() / 2);
-  std::ranges::nth_element(widths, middle);
+  std::nth_element(widths.begin(), middle, widths.end());
   for (EdgePoint& edge : corrected)
     if (std::isfinite(edge.to_half_px))
       edge.plane_px += (edge.to_half_px - kHalf * *middle) * glm::normalize(edge.plane_px - circle.center_px);

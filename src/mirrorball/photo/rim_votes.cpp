@@ -7,6 +7,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "mirrorball/base/range.h"
+
 namespace mirrorball {
 namespace {
 
@@ -144,7 +146,7 @@ std::vector<VotedRim> peaksOf(const Votes& votes) {
         if (share < 0.25f || !isPeak(x, y, radius)) continue;
         peaks.push_back({{glm::dvec2(x, y) + 0.5 - double(kBorder), double(radius + kMinRadius)}, share});
       }
-  std::ranges::stable_sort(peaks, std::greater{}, &VotedRim::share);
+  sortDownBy(peaks, &VotedRim::share);
   peaks.resize(std::min(peaks.size(), kMaxCandidates));
   return peaks;
 }

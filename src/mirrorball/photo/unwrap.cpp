@@ -103,7 +103,7 @@ float gainOf(const BallPhotograph& first, const BallPhotograph& later) {
   });
   if (ratios.empty()) return 1.0f;
   const auto middle = ratios.begin() + std::ptrdiff_t(ratios.size() / 2);
-  std::ranges::nth_element(ratios, middle);
+  std::nth_element(ratios.begin(), middle, ratios.end());
   return *middle;
 }
 

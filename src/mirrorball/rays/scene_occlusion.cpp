@@ -161,7 +161,7 @@ Result<void> Finder::trace(const ProgressFunction& progress) {
 
 /// In the middle of a triangle.
 formula::Material Finder::materialOfTriangle(std::uint32_t triangle) const {
-  const auto after = std::ranges::upper_bound(first_triangle_, triangle);
+  const auto after = std::upper_bound(first_triangle_.begin(), first_triangle_.end(), triangle);
   const auto instance = static_cast<std::uint32_t>(after - first_triangle_.begin()) - 1;
   const Hit middle{
       .instance = instance, .triangle = triangle - first_triangle_[instance], .barycentric = glm::vec2(1.0f / 3.0f)};
@@ -234,7 +234,7 @@ void Finder::followReflections() {
       changes[begin / kGrain] = change;
     });
     light.swap(next);
-    if (light.empty() || std::ranges::max(changes) < kEnough) break;
+    if (light.empty() || *std::max_element(changes.begin(), changes.end()) < kEnough) break;
   }
   hiders_ = std::vector<Hider>();  // the most of the memory
 }

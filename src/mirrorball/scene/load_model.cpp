@@ -127,7 +127,7 @@ std::vector<std::string> modelsIn(const std::filesystem::path& folder) {
   std::error_code status;
   for (const auto& entry : std::filesystem::directory_iterator(folder, status))
     if (formatOfName(entry.path()) != nullptr && entry.is_regular_file(status)) models.push_back(entry.path().string());
-  std::ranges::sort(models);
+  std::sort(models.begin(), models.end());
   return models;
 }
 
@@ -157,7 +157,7 @@ Result<void> checkExtent(const Scene& scene) {
 
 /// Whether any of its triangles covers anything.
 bool hasArea(const Scene& scene) {
-  return std::ranges::any_of(scene.meshes, [](const Mesh& mesh) {
+  return std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& mesh) {
     const auto place = [&](std::size_t i) { return glm::dvec3(mesh.vertices[mesh.indices[i]].position); };
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
       if (glm::cross(place(i + 1) - place(i), place(i + 2) - place(i)) != glm::dvec3(0.0)) return true;

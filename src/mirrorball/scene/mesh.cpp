@@ -32,7 +32,8 @@ std::array<MeshCorner, 3> cornersOf(const Mesh& mesh, std::size_t first) {
 }  // namespace
 
 bool hasTextureCoordinates(const Mesh& mesh) {
-  return std::ranges::any_of(mesh.vertices, [](const Vertex& vertex) { return vertex.uv[0] != glm::vec2(0.0f); });
+  return std::any_of(mesh.vertices.begin(), mesh.vertices.end(),
+                     [](const Vertex& vertex) { return vertex.uv[0] != glm::vec2(0.0f); });
 }
 
 void computeNormals(Mesh& mesh) {

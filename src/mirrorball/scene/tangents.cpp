@@ -105,7 +105,8 @@ void joinNeighbours(std::vector<Triangle>& triangles) {
       const auto [low, high] = std::minmax(triangles[i].vertex[k], triangles[i].vertex[(k + 1) % 3]);
       edges.push_back({low, high, i, k});
     }
-  std::ranges::sort(edges, [](const TangentEdge& a, const TangentEdge& b) { return a.order() < b.order(); });
+  std::sort(edges.begin(), edges.end(),
+            [](const TangentEdge& a, const TangentEdge& b) { return a.order() < b.order(); });
   const auto neighbour = [&](const TangentEdge& edge) -> std::uint32_t& {
     return triangles[edge.triangle].neighbour[edge.corner];
   };
@@ -150,7 +151,8 @@ class Grouping {
       const std::uint32_t index = pending_.back();
       pending_.pop_back();
       Triangle& triangle = triangles_[index];
-      const auto k = std::size_t(std::ranges::find(triangle.vertex, vertex) - triangle.vertex.begin());
+      const auto k =
+          std::size_t(std::find(triangle.vertex.begin(), triangle.vertex.end(), vertex) - triangle.vertex.begin());
       if (!join(triangle, k)) continue;
       for (const std::uint32_t beyond : {triangle.neighbour[(k + 2) % 3], triangle.neighbour[k]})
         if (beyond != kNone) pending_.push_back(beyond);
@@ -161,7 +163,7 @@ class Grouping {
   bool join(Triangle& triangle, std::size_t k) {
     Group& group = groups_.back();
     if (triangle.group[k] != kNone) return false;
-    if (triangle.follows && std::ranges::count(triangle.group, kNone) == 3)
+    if (triangle.follows && std::count(triangle.group.begin(), triangle.group.end(), kNone) == 3)
       triangle.reads_rightly = group.reads_rightly;
     if (triangle.reads_rightly != group.reads_rightly) return false;
     triangle.group[k] = static_cast<std::uint32_t>(groups_.size() - 1);
@@ -247,7 +249,7 @@ class VertexSplitting {
 void computeTangents(Mesh& mesh, int set) {
   for (Vertex& vertex : mesh.vertices) vertex.tangent = tangentOfNothing(vertex.normal, 1.0f);
   const auto is_at_first = [&](const Vertex& vertex) { return vertex.uv[set] == mesh.vertices[0].uv[set]; };
-  if (std::ranges::all_of(mesh.vertices, is_at_first)) return;
+  if (std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_at_first)) return;
 
   std::vector<Triangle> triangles = trianglesOf(mesh, set);
   joinNeighbours(triangles);

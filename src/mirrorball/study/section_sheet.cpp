@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/metric/picture/lettering.h"
 #include "mirrorball/metric/picture/side_by_side.h"
 
@@ -40,7 +41,7 @@ std::vector<Panel> panelsOf(const StudiedShot& shot, std::string_view compared_t
 }  // namespace
 
 std::vector<std::string> wordsOf(const StudiedPicture& picture, const StudiedShot& shot, std::string_view compared_to) {
-  const auto unit = std::ranges::find(shot.pictures, compared_to, &StudiedPicture::technique);
+  const auto unit = findBy(shot.pictures, compared_to, &StudiedPicture::technique);
   const double time_ms = picture.drawn->frame_ms;
   return {picture.technique, valueText(Metric::psnr, *picture.values[static_cast<std::size_t>(Metric::psnr)]),
           twoDecimals(time_ms) + " ms",

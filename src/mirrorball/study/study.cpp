@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/metric/picture/comparison_sheet.h"
 #include "mirrorball/metric/picture/heat_map.h"
@@ -202,7 +203,7 @@ Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
   DrawCost cost{.light = renderer_.lightCost()};
   if (!times_ms.empty()) {
     const auto middle = times_ms.begin() + static_cast<std::ptrdiff_t>(times_ms.size() / 2);
-    std::ranges::nth_element(times_ms, middle);
+    std::nth_element(times_ms.begin(), middle, times_ms.end());
     cost.frame_ms = *middle;
   }
   return Drawn{renderer_.radiance(), cost};
@@ -346,7 +347,7 @@ Result<Study> study(RenderInputs inputs, bool is_built_in, const StudySettings& 
 
 Result<StudiedSection> studySeries(RenderInputs inputs, std::string_view id, const StudySettings& settings,
                                    const ProgressFunction& progress) {
-  const auto subject = std::ranges::find(subjects(), id, &Subject::id);
+  const auto subject = findBy(subjects(), id, &Subject::id);
   if (subject == subjects().end() || !subject->series)
     return fail(ErrorCode::usage, "there is no subject " + std::string(id) + " with a series");
   std::vector<PlannedShot> shots;

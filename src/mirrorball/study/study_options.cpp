@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/study/study.h"
 
 namespace mirrorball {
@@ -38,9 +39,8 @@ std::span<const Option<FrameSettings>> studyFrameOptions() {
         std::to_array<std::string_view>({"size", "exposure", "tone-map", "camera", "target", "fov", "orthographic",
                                          "env-rotation", "env-intensity", "light-intensity"});
     std::vector<Option<FrameSettings>> chosen;
-    std::ranges::copy_if(frameOptions(), std::back_inserter(chosen), [&](const Option<FrameSettings>& option) {
-      return std::ranges::find(kNames, option.text.name) != kNames.end();
-    });
+    std::copy_if(frameOptions().begin(), frameOptions().end(), std::back_inserter(chosen),
+                 [&](const Option<FrameSettings>& option) { return contains(kNames, option.text.name); });
     return chosen;
   }();
   return options;

@@ -7,6 +7,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/material/material_changes.h"
@@ -120,11 +121,13 @@ bool never(const Scene&) { return false; }
 bool hasPictures(const Scene& scene) { return !scene.textures.empty(); }
 
 bool hasOcclusionMap(const Scene& scene) {
-  return std::ranges::any_of(scene.materials, [](const Material& m) { return m.occlusion_map.texture >= 0; });
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& m) { return m.occlusion_map.texture >= 0; });
 }
 
 bool hasHeights(const Scene& scene) {
-  return std::ranges::any_of(scene.materials, [](const Material& m) { return m.height != HeightKind::none; });
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& m) { return m.height != HeightKind::none; });
 }
 
 constexpr std::array kSubjects{
@@ -262,7 +265,7 @@ template <typename Target>
 Result<void> setByTable(std::span<const Option<Target>> table, std::string_view settings, Target& target) {
   for (const std::string& word : wordsOf(settings)) {
     const std::string name = word.substr(0, word.find('='));
-    const auto row = std::ranges::find(table, name, [](const auto& option) { return option.text.name; });
+    const auto row = findBy(table, name, [](const auto& option) { return option.text.name; });
     if (row == table.end()) return fail(ErrorCode::usage, "there is no option " + name);
     MIRRORBALL_TRY_VOID(assign(*row, target, std::string_view(word).substr(std::min(name.size() + 1, word.size()))));
   }

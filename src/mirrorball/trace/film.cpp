@@ -53,7 +53,7 @@ float Film::noise(const Display& display) const {
       for (std::size_t x = 0; x < std::size_t(size_.x); ++x)
         rows[y] += double(displayedError(sums_[y * std::size_t(size_.x) + x], samples_, display));
   });
-  const auto shown = std::ranges::count_if(sums_, [](const PixelSums& sums) { return sums.paths > 0; });
+  const auto shown = std::count_if(sums_.begin(), sums_.end(), [](const PixelSums& sums) { return sums.paths > 0; });
   return static_cast<float>(std::accumulate(rows.begin(), rows.end(), 0.0) /
                             double(std::max<std::ptrdiff_t>(shown, 1)));
 }

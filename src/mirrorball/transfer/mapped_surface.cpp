@@ -54,7 +54,7 @@ Result<MappedSurface> MappedSurface::make(const Scene& scene, Outwards outwards)
                 "has no texture coordinates, so no map can lie on it; unwrap it in the program that it is from");
   surface.world_from_normal_ = normalMatrices(scene);
   if (outwards == Outwards::mean_normal)
-    std::ranges::transform(scene.meshes, std::back_inserter(surface.mean_normals_), meanNormals);
+    std::transform(scene.meshes.begin(), scene.meshes.end(), std::back_inserter(surface.mean_normals_), meanNormals);
   return surface;
 }
 

@@ -86,7 +86,7 @@ Result<void> TexelCover::sortIntoRows() {
 
 std::size_t TexelCover::coverRow(int y, std::span<CoverSample> samples) const {
   assert(samples.size() == std::size_t(size_.x) * samplesPerTexel());
-  std::ranges::fill(samples, CoverSample());
+  std::fill(samples.begin(), samples.end(), CoverSample());
   std::size_t overlapping = 0;
   for (std::size_t i = begin_[std::size_t(y)]; i < begin_[std::size_t(y) + 1]; ++i)
     overlapping += coverBy(entries_[i], samples);

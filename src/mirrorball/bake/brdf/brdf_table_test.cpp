@@ -6,10 +6,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <oneapi/tbb/global_control.h>
 
 #include "formula/bsdf.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
+#include "mirrorball/base/parallel_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -125,7 +125,7 @@ TEST(BrdfTable, LookUpsOnLinearAxesAreWrongInTheCornerAndAtTheEnds) {
 
 TEST(BrdfTable, IsTheSameForAnyNumberOfThreads) {
   const Image many = *brdfTable({.size = 32, .channels = 3});
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const testing::OneThread one;
   const Image single = *brdfTable({.size = 32, .channels = 3});
   EXPECT_TRUE(std::equal(many.samples().begin(), many.samples().end(), single.samples().begin()));
 }

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "mirrorball/bake/prefilter/prefilter_testing.h"
+#include "mirrorball/base/parallel_testing.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
 
 namespace mirrorball {
@@ -172,7 +172,7 @@ TEST(HighBandContrast, IsTheSameForGreyAndWithAFourthChannel) {
 TEST(HighBandContrast, AnyNumberOfThreadsGivesTheSameBits) {
   const EnvironmentMap map = noisyPanorama(0.5f, 2);
   const float contrast = highBandContrast(map, {});
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const testing::OneThread one_thread;
   EXPECT_EQ(highBandContrast(map, {}), contrast);
 }
 

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "formula/prefilter.h"
 #include "mirrorball/bake/prefilter/prefilter_testing.h"
+#include "mirrorball/base/parallel_testing.h"
 #include "mirrorball/base/range.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/convert/convert.h"
@@ -41,7 +41,7 @@ TEST(Prefilter, LevelZeroIsTheEnvironmentItself) {
 TEST(Prefilter, AnyNumberOfThreadsGivesTheSameBits) {
   const EnvironmentMap panorama = panoramaOf(2 * kRows, kRows, landscapeWithSun);
   const ImageSet chain = chainOf(panorama, 64);
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const testing::OneThread one_thread;
   const ImageSet again = chainOf(panorama, 64);
   for (int level = 0; level < chain.levels(); ++level)
     for (int face = 0; face < 6; ++face)

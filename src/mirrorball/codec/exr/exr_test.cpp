@@ -16,7 +16,7 @@
 
 #include "mirrorball/codec/exr/exr_stream.h"
 #include "mirrorball/codec/exr/exr_testing.h"
-#include "mirrorball/codec/image_file_testing.h"
+#include "mirrorball/codec/written_format_testing.h"
 #include "test_data.h"
 
 namespace mirrorball {
@@ -210,6 +210,10 @@ TEST(Exr, StopsWhenItIsTold) {
   EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
   EXPECT_EQ(told, (std::vector<std::size_t>{256, 512}));
 }
+
+using testing::CodecFormat;
+
+INSTANTIATE_TEST_SUITE_P(Exr, CodecFormat, ::testing::Values(testing::WrittenFormat{"a.exr", 0.0f, true}));
 
 }  // namespace
 }  // namespace mirrorball

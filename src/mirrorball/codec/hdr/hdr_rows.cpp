@@ -31,11 +31,12 @@ Result<Image> HdrRows::readRows(int count) {
   const auto lines = static_cast<std::size_t>(count);
   const std::uint64_t left = file_.size() - next_byte_;
   // Lines are rarely longer than flat ones: only where they are, more bytes are read and looked through once more.
-  Bytes bytes(std::min<std::uint64_t>(left, (4 * header_.lineLength() + 4 * header_.lineLength() / 128 + 64) * lines));
+  const auto at_most = [&](std::uint64_t size) { return static_cast<std::size_t>(std::min(left, size)); };
+  Bytes bytes(at_most((4 * header_.lineLength() + 4 * header_.lineLength() / 128 + 64) * lines));
   MIRRORBALL_TRY_VOID(file_.readAt(next_byte_, bytes));
   auto index = indexLines(bytes, 0, header_, next_, lines, next_byte_);
   if (!index && bytes.size() < left) {
-    bytes.resize(std::min<std::uint64_t>(left, longestLine(header_.lineLength()) * lines));
+    bytes.resize(at_most(longestLine(header_.lineLength()) * lines));
     MIRRORBALL_TRY_VOID(file_.readAt(next_byte_, bytes));
     index = indexLines(bytes, 0, header_, next_, lines, next_byte_);
   }
@@ -50,7 +51,7 @@ Result<Image> HdrRows::readRows(int count) {
 }  // namespace
 
 Result<std::unique_ptr<RowReader>> openHdrRows(FileReader file) {
-  Bytes begin(std::min(file.size(), kMaxHeaderBytes));
+  Bytes begin(static_cast<std::size_t>(std::min<std::uint64_t>(file.size(), kMaxHeaderBytes)));
   MIRRORBALL_TRY_VOID(file.readAt(0, begin));
   MIRRORBALL_TRY(header, parseHdrHeader(begin));
   if (header.columns || header.x_descends || header.y_ascends) return nullptr;

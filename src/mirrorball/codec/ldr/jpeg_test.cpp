@@ -14,7 +14,7 @@
 #include "mirrorball/codec/color/icc_testing.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/damage_testing.h"
-#include "mirrorball/codec/image_file_testing.h"
+#include "mirrorball/codec/written_format_testing.h"
 #include "test_data.h"
 
 namespace mirrorball {
@@ -219,6 +219,12 @@ INSTANTIATE_TEST_SUITE_P(
           return *encodeJpeg(pictureFromLinear(testing::gradient(13, 11, 3), 3), {{"envmap", "cube"}});
         }}),
     testing::nameOfDamaged);
+
+using testing::CodecFormat;
+
+INSTANTIATE_TEST_SUITE_P(Jpeg, CodecFormat,
+                         ::testing::Values(testing::WrittenFormat{"a.JPG", 0.01f, false},
+                                           testing::WrittenFormat{"a.jpeg", 0.01f, false}));
 
 }  // namespace
 }  // namespace mirrorball

@@ -15,6 +15,7 @@
 #include "mirrorball/codec/ldr/coded_picture.h"
 #include "mirrorball/codec/ldr/png_color.h"
 #include "mirrorball/codec/metadata.h"
+#include "mirrorball/codec/within_memory.h"
 
 namespace mirrorball {
 namespace {
@@ -210,7 +211,7 @@ Result<Pixels> readPixels(std::span<const std::uint8_t> bytes, Form form) {
   pixels.bits = png_get_bit_depth(reader.png, reader.info);
 
   pixels.size = row_size * std::size_t(pixels.height);
-  pixels.bytes = std::make_unique_for_overwrite<std::uint8_t[]>(pixels.size);
+  pixels.bytes = bytesWithoutValues(pixels.size);
   std::vector<png_bytep> rows(std::size_t(pixels.height));
   for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = pixels.bytes.get() + y * row_size;
   const bool decoded = guardedFromPng(reader.png, [&] {
@@ -258,11 +259,6 @@ void setCompression(png_structp png) {
 
 }  // namespace
 
-bool isPng(std::span<const std::uint8_t> bytes) {
-  constexpr std::uint8_t kMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  return bytes.size() >= sizeof kMagic && std::equal(std::begin(kMagic), std::end(kMagic), bytes.begin());
-}
-
 Result<DecodedImage> decodePng(std::span<const std::uint8_t> bytes) {
   MIRRORBALL_TRY(pixels, readPixels(bytes, Form::light));
   return DecodedImage{lightOf(pixels), std::move(pixels.metadata),
@@ -307,6 +303,13 @@ Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata) {
   });
   if (!written) return fail(ErrorCode::too_large, "cannot be encoded as PNG: " + std::string(writer.context.message));
   return std::move(writer.context.out);
+}
+
+FormatCodec pngCodec() {
+  return {.decode = withoutProgress<decodePng>,
+          .decode_texture = decodePngTexture,
+          .decode_codes = decodePngCodes,
+          .encode_picture = encodePng};
 }
 
 }  // namespace mirrorball

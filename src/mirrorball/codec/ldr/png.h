@@ -5,13 +5,11 @@
 #include <string>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/codec/format_registry.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/ldr/coded_picture.h"
 
 namespace mirrorball {
-
-/// Whether the bytes begin as a PNG does.
-bool isPng(std::span<const std::uint8_t> bytes);
 
 /// Decodes a PNG of any colour type and depth to linear light, 16-bit samples with all their
 /// precision. Grey stays one channel unless it has alpha. Samples are taken as sRGB: gAMA, cHRM and
@@ -30,5 +28,8 @@ Result<CodedPicture> decodePngCodes(std::span<const std::uint8_t> bytes);
 ///
 /// errors   too_large (memory); bad_shape (a side above 2³¹ − 1)
 Result<Bytes> encodePng(const Image8& picture, const Metadata& metadata);
+
+/// For the registry of formats.
+FormatCodec pngCodec();
 
 }  // namespace mirrorball

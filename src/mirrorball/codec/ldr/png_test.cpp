@@ -10,7 +10,8 @@
 #include "formula/color.h"
 #include "mirrorball/codec/color/icc_testing.h"
 #include "mirrorball/codec/color/srgb.h"
-#include "mirrorball/codec/image_file_testing.h"
+#include "mirrorball/codec/damage_testing.h"
+#include "mirrorball/codec/written_format_testing.h"
 
 namespace mirrorball {
 namespace {
@@ -271,6 +272,20 @@ TEST(Png, DamageNamesTheByte) {
   changed[60] ^= 1;
   EXPECT_THAT(decodePng(changed).error().message, ::testing::StartsWith("is a damaged PNG, at byte "));
 }
+
+using testing::Damage;
+
+INSTANTIATE_TEST_SUITE_P(Png, Damage,
+                         ::testing::Values(testing::DamagedFile{
+                             "Png",
+                             [] {
+                               return *encodePng(pictureFromLinear(gradient(13, 11, 3), 3), {{"envmap", "cube"}});
+                             }}),
+                         testing::nameOfDamaged);
+
+using testing::CodecFormat;
+
+INSTANTIATE_TEST_SUITE_P(Png, CodecFormat, ::testing::Values(testing::WrittenFormat{"a.png", 0.005f, true}));
 
 }  // namespace
 }  // namespace mirrorball

@@ -10,6 +10,7 @@
 
 #include "mirrorball/base/range.h"
 #include "mirrorball/codec/byte_order.h"
+#include "mirrorball/codec/within_memory.h"
 
 namespace mirrorball {
 namespace {
@@ -174,7 +175,7 @@ class TgaReader {
     texels_ = stored;
     if (!header_.is_run_length_coded) return {};
     // Without values, so that a size that lies costs no memory: only texels that are there are touched.
-    unpacked_ = std::make_unique_for_overwrite<std::uint8_t[]>(size);
+    unpacked_ = bytesWithoutValues(size);
     texels_ = {unpacked_.get(), size};
     if (unpackRuns(stored, header_.texelBytes(), {unpacked_.get(), size})) return {};
     return fail(ErrorCode::bad_file, "ends at byte " + std::to_string(bytes_.size()) +

@@ -156,7 +156,7 @@ ImageSet readImages(const std::uint8_t* texels, const DdsHeader& header) {
   for (int layer = 0; layer < images.layers(); ++layer)
     for (int face = 0; face < images.faces(); ++face)
       for (int level = 0; level < images.levels(); ++level) {
-        const std::size_t row = rowSize(shape, header.format, level);
+        const auto row = static_cast<std::size_t>(rowSize(shape, header.format, level));
         images.at(level, face, layer) =
             unpackTexels(header.format, texels, row, shape.widthAt(level), shape.heightAt(level));
         texels += imageSize(shape, header.format, level);

@@ -165,7 +165,7 @@ class Reader {
   }
 
   Image readImage(const TextureShape& shape, const StoredFormat& format, int level) const {
-    const Span stored = bytes_.subspan(at_, imageSize(shape, format, level, kAlignment));
+    const Span stored = bytes_.subspan(at_, static_cast<std::size_t>(imageSize(shape, format, level, kAlignment)));
     const int width = shape.widthAt(level);
     const int height = shape.heightAt(level);
     const std::size_t pitch = stored.size() / blocksAlong(format, std::uint64_t(height));

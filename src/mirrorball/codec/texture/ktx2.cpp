@@ -14,6 +14,7 @@
 #include "mirrorball/codec/texture/stored_format.h"
 #include "mirrorball/codec/texture/texture_shape.h"
 #include "mirrorball/codec/texture/zstandard.h"
+#include "mirrorball/codec/within_memory.h"
 
 namespace mirrorball {
 namespace {
@@ -146,9 +147,9 @@ Result<void> checkLevelSizes(const Ktx2Header& header, const StoredFormat& forma
   return {};
 }
 
-Result<std::unique_ptr<std::uint8_t[]>> unpacked(Span packed, std::uint64_t size, const std::string& place) {
+Result<std::unique_ptr<std::uint8_t[]>> unpacked(Span packed, std::size_t size, const std::string& place) {
   // Without values, so that a size that lies costs no memory: only what is unpacked is touched.
-  auto texels = std::make_unique_for_overwrite<std::uint8_t[]>(size);
+  auto texels = bytesWithoutValues(size);
   Result<void> done = unpackZstandard(packed, {texels.get(), size});
   if (!done) return fail(done.error().code, place + " " + done.error().message);
   return texels;
@@ -157,8 +158,8 @@ Result<std::unique_ptr<std::uint8_t[]>> unpacked(Span packed, std::uint64_t size
 /// Decodes the images of one level into their places.
 void unpackLevel(const StoredFormat& format, const std::uint8_t* texels, int level, const TextureShape& shape,
                  ImageSet& images) {
-  const std::size_t row = rowSize(shape, format, level);
-  const std::size_t size = imageSize(shape, format, level);
+  const auto row = static_cast<std::size_t>(rowSize(shape, format, level));
+  const auto size = static_cast<std::size_t>(imageSize(shape, format, level));
   for (int layer = 0; layer < images.layers(); ++layer)
     for (int face = 0; face < images.faces(); ++face, texels += size)
       images.at(level, face, layer) = unpackTexels(format, texels, row, shape.widthAt(level), shape.heightAt(level));
@@ -169,13 +170,13 @@ Result<ImageSet> readLevels(Span bytes, const Ktx2Header& header, const StoredFo
   ImageSet images(static_cast<int>(shape.levels), static_cast<int>(shape.faces), static_cast<int>(shape.layers));
   for (int i = 0; i < images.levels(); ++i) {
     const LevelPlace& level = header.levels[std::size_t(i)];
-    const Span stored = bytes.subspan(level.offset, level.size);
+    const Span stored = bytes.subspan(std::size_t(level.offset), std::size_t(level.size));
     if (header.scheme == kKtx2Plain) {
       unpackLevel(format, stored.data(), i, shape, images);
       continue;
     }
     const std::string place = "level " + std::to_string(i) + " at byte " + std::to_string(level.offset);
-    MIRRORBALL_TRY(texels, unpacked(stored, level.unpacked_size, place));
+    MIRRORBALL_TRY(texels, unpacked(stored, std::size_t(level.unpacked_size), place));
     unpackLevel(format, texels.get(), i, shape, images);
   }
   return images;
@@ -191,11 +192,13 @@ bool isKtx2(Span bytes) {
 Result<DecodedImageSet> decodeKtx2(Span bytes) {
   MIRRORBALL_TRY(header, readKtx2Header(bytes));
   MIRRORBALL_TRY_VOID(checkRanges(header, bytes.size()));
-  MIRRORBALL_TRY(color, readDataFormatDescriptor(bytes, header.descriptor.begin, header.descriptor.size));
+  MIRRORBALL_TRY(color, readDataFormatDescriptor(bytes, std::size_t(header.descriptor.begin),
+                                                 std::size_t(header.descriptor.size)));
   MIRRORBALL_TRY(format, ktx2TexelFormat(header, color));
   MIRRORBALL_TRY_VOID(checkLevelSizes(header, format));
   MIRRORBALL_TRY_VOID(checkTextureMemory(header.shape, format));
-  MIRRORBALL_TRY(values, readKtxKeyValues(bytes, header.key_values.begin, header.key_values.size, false));
+  MIRRORBALL_TRY(values, readKtxKeyValues(bytes, std::size_t(header.key_values.begin),
+                                          std::size_t(header.key_values.size), false));
   MIRRORBALL_TRY(images, readLevels(bytes, header, format));
   forEachImage(images, [&](Image& image) {
     convertToRec709(image, color.primaries);

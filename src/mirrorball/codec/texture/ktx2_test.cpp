@@ -166,8 +166,9 @@ TEST(Ktx2, OtherFormatsAreRead) {
 TEST(Ktx2, OrientationTurnsPicturesButNotCubes) {
   const ImageSet picture = textureOf(1, 1, 1, 3, 3, 2);
   Bytes file = ktx2Of(picture);
-  const auto orientation =
-      static_cast<std::size_t>(std::search(file.begin(), file.end(), "rd", "rd" + 3) - file.begin());
+  constexpr std::string_view kRightDown("rd\0", 3);
+  const auto orientation = static_cast<std::size_t>(
+      std::search(file.begin(), file.end(), kRightDown.begin(), kRightDown.end()) - file.begin());
   file[orientation] = 'l';
   file[orientation + 1] = 'u';
   const auto turned = decodeKtx2(file);

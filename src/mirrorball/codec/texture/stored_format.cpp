@@ -252,7 +252,7 @@ Image unpackTexels(const StoredFormat& format, const std::uint8_t* bytes, std::s
                    int height) {
   Image image(width, height, imageChannels(format));
   if (isBc6h(format.type)) {
-    parallelFor(blocksAlong(format, std::uint64_t(height)), 1, [&](std::size_t begin, std::size_t end) {
+    parallelFor(std::size_t(blocksAlong(format, std::uint64_t(height))), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t row = begin; row < end; ++row)
         decodeBc6hRow(bytes + row * row_pitch, format.type == SampleType::bc6h_signed,
                       static_cast<int>(row) * blockSide(format), image);

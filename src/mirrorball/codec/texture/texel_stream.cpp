@@ -50,7 +50,7 @@ std::vector<Piece> cutIntoPieces(const ImageSet& images, std::span<const PlacedI
 std::size_t bytesBefore(const StoredFormat& format, const Image& image, std::size_t texel) {
   if (blockSide(format) == 1) return texel * blockSize(format);
   const std::size_t row = texel / std::size_t(image.width());
-  return blocksAlong(format, row) * blocksAlong(format, std::uint64_t(image.width())) * blockSize(format);
+  return std::size_t(blocksAlong(format, row) * blocksAlong(format, std::uint64_t(image.width()))) * blockSize(format);
 }
 
 /// The error for the first texel of a piece that does not fit.

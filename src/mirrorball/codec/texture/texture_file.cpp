@@ -138,9 +138,9 @@ Result<void> TextureWriter::writeTexels(int face, glm::ivec2 begin, const Image&
   [[maybe_unused]] const glm::ivec2 end = begin + glm::ivec2(texels.width(), texels.height());
   assert(begin % blockSide(stored) == glm::ivec2(0));
   assert((end.x % blockSide(stored) == 0 || end.x == size_.x) && (end.y % blockSide(stored) == 0 || end.y == size_.y));
-  const std::size_t row_bytes = blocksAlong(stored, std::uint64_t(texels.width())) * blockSize(stored);
-  const std::size_t rows = blocksAlong(stored, std::uint64_t(texels.height()));
-  const auto bytes = std::make_unique_for_overwrite<std::uint8_t[]>(row_bytes * rows);
+  const std::size_t row_bytes = std::size_t(blocksAlong(stored, std::uint64_t(texels.width()))) * blockSize(stored);
+  const auto rows = static_cast<std::size_t>(blocksAlong(stored, std::uint64_t(texels.height())));
+  const auto bytes = bytesWithoutValues(row_bytes * rows);
   const std::span<std::uint8_t> packed(bytes.get(), row_bytes * rows);
   if (!packTexels(format_, texels.samples(), texels.channels(), texels.width(), packed)) {
     const std::size_t index = firstMisfit(format_, texels.samples(), texels.channels());

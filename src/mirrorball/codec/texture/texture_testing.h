@@ -38,8 +38,9 @@ Bytes bytesOfTexture(Write* write_texture, const ImageSet& images, const Texture
   std::mutex mutex;  // texels come from several threads
   const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) -> Result<void> {
     const std::lock_guard lock(mutex);
-    if (file.size() < offset + bytes.size()) file.resize(offset + bytes.size());
-    std::memcpy(file.data() + offset, bytes.data(), bytes.size());
+    const auto begin = static_cast<std::size_t>(offset);
+    if (file.size() < begin + bytes.size()) file.resize(begin + bytes.size());
+    std::memcpy(file.data() + begin, bytes.data(), bytes.size());
     return {};
   };
   const auto result = write_texture(images, options, write);

@@ -15,6 +15,7 @@
 #include "mirrorball/codec/ldr/coded_picture.h"
 #include "mirrorball/codec/tiff/tiff_file.h"
 #include "mirrorball/codec/tiff/tiff_layout.h"
+#include "mirrorball/codec/within_memory.h"
 #include "mirrorball/image/small_float.h"
 #include "mirrorball/image/upright.h"
 
@@ -33,7 +34,7 @@ class Striles {
         planes_(layout.is_by_planes ? layout.samples : 1),
         per_plane_(std::uint32_t(layout.strilesAcross()) * std::uint32_t(layout.strilesDown())),
         counter_(progress, std::size_t(planes_) * per_plane_),
-        bytes_(std::make_unique_for_overwrite<std::uint8_t[]>(layout.strileBytes())) {}
+        bytes_(bytesWithoutValues(layout.strileBytes())) {}
 
   /// Calls `take(plane, first texel, size, bytes)` for each of them that holds colours or alpha. Those at the right and
   /// lower edges may reach beyond the picture; `size` does not.

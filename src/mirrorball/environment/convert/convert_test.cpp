@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
+#include "mirrorball/base/parallel_testing.h"
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/file/load.h"
@@ -95,7 +95,7 @@ TEST(Convert, RoundTripsOfARealPanorama) {
 TEST(Convert, IsTheSameForAnyNumberOfThreads) {
   const Environment sky = *builtinEnvironment("sky");
   const EnvironmentMap many = *convert(sky, Projection::equirect, 64);
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const testing::OneThread one;
   const EnvironmentMap single = *convert(sky, Projection::equirect, 64);
   EXPECT_TRUE(
       std::equal(many.face(0).samples().begin(), many.face(0).samples().end(), single.face(0).samples().begin()));

@@ -11,8 +11,9 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
+#include "mirrorball/base/parallel_testing.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/metric/flip/flip_testing.h"
 
 namespace mirrorball {
@@ -195,9 +196,9 @@ TEST(HdrFlip, AnyNumberOfThreadsGivesTheSameBits) {
   const Image test = asLight(flipTest(300, 140));
   const Image reference = asLight(flipReference(300, 140));
   const Image many = *hdrFlip(test, reference, {-2.0f, 3.0f, 3}, kUsualPixelsPerDegree);
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const testing::OneThread one;
   const Image single = *hdrFlip(test, reference, {-2.0f, 3.0f, 3}, kUsualPixelsPerDegree);
-  EXPECT_TRUE(std::ranges::equal(many.samples(), single.samples()));
+  EXPECT_TRUE(areEqual(many.samples(), single.samples()));
 }
 
 TEST(HdrFlip, StopsWhenItIsTold) {

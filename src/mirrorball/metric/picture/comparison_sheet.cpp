@@ -84,8 +84,8 @@ void drawScale(Image8& sheet, glm::ivec2 upper_left, int width, int text_scale, 
 
 Image8 codesOf(const Image& encoded) {
   Image8 picture = Image8::withoutValues(encoded.width(), encoded.height(), 3);
-  std::ranges::transform(encoded.samples(), picture.samples().begin(),
-                         [](float value) { return static_cast<std::uint8_t>(value * 255.0f + 0.5f); });
+  std::transform(encoded.samples().begin(), encoded.samples().end(), picture.samples().begin(),
+                 [](float value) { return static_cast<std::uint8_t>(value * 255.0f + 0.5f); });
   return picture;
 }
 

@@ -7,7 +7,10 @@ namespace mirrorball {
 
 void place(const Image8& picture, Image8& sheet, int left, int top) {
   assert(picture.channels() == sheet.channels());
-  for (int y = 0; y < picture.height(); ++y) std::ranges::copy(picture.row(y), sheet.texel(left, top + y));
+  for (int y = 0; y < picture.height(); ++y) {
+    const auto row = picture.row(y);
+    std::copy(row.begin(), row.end(), sheet.texel(left, top + y));
+  }
 }
 
 Image8 sideBySide(std::span<const Image8> panels, int gap_px, std::uint8_t paper) {

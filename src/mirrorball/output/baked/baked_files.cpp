@@ -7,6 +7,7 @@
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/folder.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 
@@ -115,7 +116,7 @@ Result<std::optional<TexelFormat>> settledFormat(const EngineSet& set, const Bak
   const bool is_engines = extension.empty() || indexOfName(extension, {&set.extension, 1}).has_value();
   if (!is_engines || !set.format) return wanted;
   if (!wanted || wanted == set.format) return set.format;
-  if (std::ranges::find(set.other_formats, *wanted) != set.other_formats.end()) return wanted;
+  if (contains(set.other_formats, *wanted)) return wanted;
   const auto nameOf = [](TexelFormat one) { return kTexelFormatNames[static_cast<std::size_t>(one)].name; };
   std::vector<std::string_view> known{nameOf(*set.format)};
   for (const TexelFormat one : set.other_formats) known.push_back(nameOf(one));

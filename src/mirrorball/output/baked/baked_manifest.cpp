@@ -12,6 +12,7 @@
 
 #include "formula/bsdf.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/texture/stored_format.h"
 #include "mirrorball/environment/cube/cube_arrangement.h"
@@ -137,9 +138,7 @@ bool isOurs(const fs::path& name) {
   if (stem == "specular" || stem == "irradiance" || stem == "skybox" || stem == "brdf") return true;
   const std::size_t end = stem.rfind('_');
   if (end == std::string::npos) return false;
-  const auto hasEnding = [&](FaceNaming naming) {
-    return std::ranges::find(endingsOf(naming), stem.substr(end + 1)) != endingsOf(naming).end();
-  };
+  const auto hasEnding = [&](FaceNaming naming) { return contains(endingsOf(naming), stem.substr(end + 1)); };
   const std::string cube = stem.substr(0, end);
   const bool is_level = cube.size() > 1 && cube[0] == 'm' &&
                         std::all_of(cube.begin() + 1, cube.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
@@ -180,9 +179,9 @@ void removeOlderSet(const BakedFiles& files, const std::vector<std::string>& inp
   std::vector<fs::path> newer;
   for (const std::string& path : files.paths()) newer.push_back(fs::path(path).filename());
   for (const std::string& name : older) {
-    if (!isOurs(name) || std::ranges::find(newer, fs::path(name)) != newer.end()) continue;
+    if (!isOurs(name) || contains(newer, fs::path(name))) continue;
     const std::string lies_at = (folder / name).string();
-    const bool is_input = std::ranges::any_of(inputs, [&](const std::string& input) {
+    const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
       std::error_code missing;
       return fs::equivalent(input, lies_at, missing);
     });

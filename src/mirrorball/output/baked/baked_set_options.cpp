@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/output/baked/baked_files.h"
@@ -136,7 +137,7 @@ std::span<const std::string_view> bakedBrdfExtensions() {
 std::span<const Option<BakedSetSettings>> bakedSetOptions() { return kBakedSetOptions; }
 
 std::string writtenSetting(const BakedSetSettings& settings, std::string_view name) {
-  const auto* const option = std::ranges::find(kBakedSetOptions, name, [](const auto& row) { return row.text.name; });
+  const auto* const option = findBy(kBakedSetOptions, name, [](const auto& row) { return row.text.name; });
   return written(*option, settings);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/environment/cube/preset.h"
 
 namespace mirrorball {
@@ -30,7 +31,7 @@ constexpr auto kEngineSets = std::to_array<EngineSet>({
 Result<EngineSet> engineSetFor(std::string_view program) {
   if (program.empty()) return kEngineSets.front();
   MIRRORBALL_TRY(preset, presetNamed(program));
-  const auto* const row = std::ranges::find(kEngineSets, preset.name, &EngineSet::program);
+  const auto* const row = findBy(kEngineSets, preset.name, &EngineSet::program);
   return row != kEngineSets.end() ? *row : kEngineSets.front();
 }
 

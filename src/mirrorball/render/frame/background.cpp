@@ -2,10 +2,9 @@
 
 #include <utility>
 
-#include <epoxy/gl.h>
-
 #include "formula/prefilter.h"
 #include "mirrorball/environment/projection/texel_geometry.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/eye_ray.h"
 #include "mirrorball/render/surface/surface_variant.h"
 

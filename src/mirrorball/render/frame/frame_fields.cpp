@@ -1,7 +1,6 @@
 #include "mirrorball/render/frame/frame_fields.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -41,19 +40,17 @@ constinit const Field kSize{
 
 namespace {
 
-/// "#rrggbb" as linear light.
-std::optional<glm::vec3> parseHexColor(std::string_view text) {
-  if (text.size() != 7 || text[0] != '#') return std::nullopt;
-  unsigned bits = 0;
-  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, bits, 16);
-  if (error != std::errc{} || end != text.data() + 7) return std::nullopt;
-  const glm::vec3 encoded((bits >> 16) & 255u, (bits >> 8) & 255u, bits & 255u);
-  return formula::linearFromSrgb(encoded / 255.0f);
+/// "336699", which is a number too.
+bool isHexCode(std::string_view text) {
+  return text.size() == 6 && text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
 }
 
-/// "336699", which is a number too.
-bool lacksHash(std::string_view text) {
-  return text.size() == 6 && text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+/// "#rrggbb" as linear light.
+std::optional<glm::vec3> parseHexColor(std::string_view text) {
+  if (text.empty() || text[0] != '#' || !isHexCode(text.substr(1))) return std::nullopt;
+  const unsigned long bits = std::stoul(std::string(text.substr(1)), nullptr, 16);
+  const glm::vec3 encoded((bits >> 16) & 255u, (bits >> 8) & 255u, bits & 255u);
+  return formula::linearFromSrgb(encoded / 255.0f);
 }
 
 constexpr std::array<std::string_view, 3> kBackgroundNames{"env", "blur", "transparent"};
@@ -62,7 +59,7 @@ constexpr std::array<BackgroundKind, 3> kBackgroundKinds{BackgroundKind::environ
 
 Result<void> parseBackground(const OptionText& text, std::string_view written, FrameSettings& settings) {
   const std::string name(text.name);
-  if (lacksHash(written))
+  if (isHexCode(written))
     return fail(ErrorCode::usage, name + " " + std::string(written) + ": a colour begins with #, in quotes: '#" +
                                       std::string(written) + "'");
   if (const auto index = indexOfName(written, kBackgroundNames)) {

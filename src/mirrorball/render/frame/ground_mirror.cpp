@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include <epoxy/gl.h>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "formula/bsdf.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/half.h"
 #include "mirrorball/render/surface/eye_ray.h"
 

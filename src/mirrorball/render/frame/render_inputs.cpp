@@ -14,8 +14,8 @@ namespace {
 
 /// Relief is asked for by name, and a model brings no heights.
 void warnOfNoHeights(Scene& scene, ReliefKind kind) {
-  const bool has_heights =
-      std::ranges::any_of(scene.materials, [](const Material& each) { return each.height != HeightKind::none; });
+  const bool has_heights = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                       [](const Material& each) { return each.height != HeightKind::none; });
   if (kind > ReliefKind::bump && !scene.materials.empty() && !has_heights)
     scene.warnings.push_back("relief: no surface has heights to show; the material parameter height gives them");
 }

@@ -4,11 +4,11 @@
 #include <future>
 #include <utility>
 
-#include <epoxy/gl.h>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "formula/prefilter.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/frame/frame_light.h"
 #include "mirrorball/render/frame/probes.h"
 #include "mirrorball/render/frame/sample_sum.h"

@@ -3,9 +3,8 @@
 #include <cassert>
 #include <utility>
 
-#include <epoxy/gl.h>
-
 #include "formula/color.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/surface_program.h"
 
 namespace mirrorball {

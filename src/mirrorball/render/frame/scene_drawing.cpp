@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include <epoxy/gl.h>
-
 #include "formula/surface.h"
+#include "mirrorball/base/range.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/light/probe_places.h"
 #include "mirrorball/scene/bodies/surrounding_media.h"
 
@@ -59,7 +59,7 @@ Result<const gl::Texture*> SceneDrawing::drawNearness(const FrameUniforms& frame
 
 /// Whether mip levels of what is seen through surfaces are read.
 bool SceneDrawing::someSeeScreenRoughly(const FrameSettings& settings) const {
-  return std::ranges::any_of(scene_.materials, [&](const Material& each) {
+  return std::any_of(scene_.materials.begin(), scene_.materials.end(), [&](const Material& each) {
     return seesScreen(each, settings) && (each.perceptual_roughness > 0.0f || hasBumps(each, settings));
   });
 }
@@ -274,8 +274,8 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   std::vector<int> seeing_nothing;
-  std::ranges::copy_if(order, std::back_inserter(seeing_nothing),
-                       [&](int instance) { return !seesScreen(materialOf(scene_, std::size_t(instance)), settings); });
+  std::copy_if(order.begin(), order.end(), std::back_inserter(seeing_nothing),
+               [&](int instance) { return !seesScreen(materialOf(scene_, std::size_t(instance)), settings); });
   drawInstances(seeing_nothing, frame, settings);
   if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
     background_.draw(light, frame, settings);
@@ -326,7 +326,7 @@ std::vector<int> SceneDrawing::byDistance(const FrameUniforms& frame, bool is_bl
     const float distance = camera.orthographic ? glm::dot(from_eye, camera.forward) : glm::length(from_eye);
     order.emplace_back(is_blended ? -distance : distance, index);
   }
-  std::ranges::stable_sort(order, {}, &std::pair<float, int>::first);
+  sortUpBy(order, &std::pair<float, int>::first);
   std::vector<int> instances;
   for (const auto& [distance, index] : order) instances.push_back(index);
   return instances;

@@ -43,7 +43,7 @@ std::vector<ScreenLayer> screenLayers(const Scene& scene, std::span<const Box> b
       opaque.include(aroundShown(box, material, settings, radius));
       continue;
     }
-    const auto depth = std::ranges::count_if(order, [&](int other) {
+    const auto depth = std::count_if(order.begin(), order.end(), [&](int other) {
       const Box& whole = boxes[std::size_t(other)];
       return liesIn(box, whole) && !liesIn(whole, box) && showsInside(scene, other, settings);
     });

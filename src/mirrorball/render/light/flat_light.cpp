@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include <epoxy/gl.h>
-
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/texture_target.h"
 
 namespace mirrorball {

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include <epoxy/gl.h>
-
 #include "formula/bsdf.h"
 #include "formula/prefilter.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/scene/coarse_mesh.h"
 
 namespace mirrorball {
@@ -23,7 +22,8 @@ glm::vec3 straightThrough(const Material& material) {
 std::vector<std::size_t> solidFirst(const Scene& scene) {
   std::vector<std::size_t> order(scene.instances.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_partition(order, [&](std::size_t i) { return materialOf(scene, i).transmission <= 0.0f; });
+  std::stable_partition(order.begin(), order.end(),
+                        [&](std::size_t i) { return materialOf(scene, i).transmission <= 0.0f; });
   return order;
 }
 

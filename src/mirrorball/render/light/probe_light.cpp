@@ -4,8 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include <epoxy/gl.h>
-
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/half.h"
 #include "mirrorball/image/image_set.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mirrorball/base/range.h"
+
 namespace mirrorball {
 namespace {
 
@@ -48,7 +50,7 @@ ProbePlaces probePlaces(const Scene& scene, int most) {
   std::vector<int> by_size;
   for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
     if (!boxes[std::size_t(i)].isEmpty()) by_size.push_back(i);
-  std::ranges::stable_sort(by_size, std::ranges::greater(), [&](int i) { return radiusOf(boxes[std::size_t(i)]); });
+  sortDownBy(by_size, [&](int i) { return radiusOf(boxes[std::size_t(i)]); });
   std::vector<bool> is_taken(boxes.size(), false);
   ProbePlaces places;
   for (const int i : by_size) {
@@ -75,7 +77,7 @@ std::vector<float> probeShares(const ReflectiveObject& object, const std::vector
   }
   if (shares.size() > kNearest) {
     std::vector<float> sorted = shares;
-    std::ranges::nth_element(sorted, sorted.begin() + kNearest, std::ranges::greater());
+    std::nth_element(sorted.begin(), sorted.begin() + kNearest, sorted.end(), std::greater());
     for (float& share : shares)
       if (share <= sorted[kNearest]) share = 0.0f;
   }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include <epoxy/gl.h>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "formula/bodies.h"
+#include "mirrorball/gl/gl_api.h"
 
 namespace mirrorball {
 namespace {

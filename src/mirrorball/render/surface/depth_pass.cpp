@@ -1,6 +1,6 @@
 #include "mirrorball/render/surface/depth_pass.h"
 
-#include <epoxy/gl.h>
+#include "mirrorball/gl/gl_api.h"
 
 namespace mirrorball {
 

@@ -95,8 +95,9 @@ formula::Blur blurOf(const FrameSettings& settings, const gl::Texture& cube, con
 
 LightReads lightReads(const Scene& scene, const formula::Blur& blur, const FrameSettings& settings) {
   const CoordinateChoice coordinates = coordinateChoice(scene, settings);
-  const bool some_disperse = std::ranges::any_of(
-      scene.materials, [](const Material& material) { return isBody(material) && material.dispersion > 0.0f; });
+  const bool some_disperse = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+    return isBody(material) && material.dispersion > 0.0f;
+  });
   LightReads most;
   for (const Mesh& mesh : scene.meshes) {
     FrameSettings decided = settings;

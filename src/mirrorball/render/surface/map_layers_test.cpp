@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include <epoxy/gl.h>
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include "mirrorball/gl/framebuffer.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/light/proxy_uniforms.h"
 #include "mirrorball/render/render_testing.h"

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <functional>
 
+#include "mirrorball/base/range.h"
+
 namespace mirrorball {
 namespace {
 
@@ -11,8 +13,7 @@ namespace {
 std::vector<int> differentTextures(const Material& material) {
   std::vector<int> different;
   for (const MaterialMap& map : materialMaps())
-    if (const int texture = (material.*map.slot).texture;
-        texture >= 0 && std::ranges::find(different, texture) == different.end())
+    if (const int texture = (material.*map.slot).texture; texture >= 0 && !contains(different, texture))
       different.push_back(texture);
   return different;
 }
@@ -26,13 +27,13 @@ std::vector<MapSource> mapSources(const Material& material, std::span<const Text
   if (const auto has = static_cast<std::size_t>(units); different.size() > has) {
     // All layers of an array are as large as its largest.
     const auto texels = [&](int texture) { return textures[std::size_t(texture)].image.samples().size(); };
-    std::ranges::stable_sort(different, std::ranges::greater(), texels);
+    sortDownBy(different, texels);
     alone = has - 1;
   }
   std::vector<MapSource> sources;
   for (const MaterialMap& map : materialMaps()) {
     MapSource& source = sources.emplace_back();
-    const auto found = std::ranges::find(different, (material.*map.slot).texture);
+    const auto found = std::find(different.begin(), different.end(), (material.*map.slot).texture);
     if (found == different.end()) continue;
     const auto place = static_cast<std::size_t>(found - different.begin());
     source.unit = static_cast<int>(std::min(place, alone));
@@ -54,7 +55,7 @@ bool isNormalMap(const MaterialMap& map) {
 std::string_view samplerName(std::span<const MapSource> sources, std::size_t row) {
   assert(sources[row].unit >= 0);
   if (sources[row].layer >= 0) return "map_layers";
-  const auto first = std::ranges::find(sources, sources[row].unit, &MapSource::unit);
+  const auto first = findBy(sources, sources[row].unit, &MapSource::unit);
   return materialMaps()[static_cast<std::size_t>(first - sources.begin())].name;
 }
 

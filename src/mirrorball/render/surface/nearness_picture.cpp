@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include <epoxy/gl.h>
-
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/eye_ray.h"
 #include "mirrorball/render/surface/surface_variant.h"
 

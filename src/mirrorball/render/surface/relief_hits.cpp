@@ -3,8 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include <epoxy/gl.h>
-
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/height_map_uniform.h"
 #include "mirrorball/render/surface/surface_program.h"
 

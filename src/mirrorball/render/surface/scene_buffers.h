@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/texture.h"
@@ -17,7 +18,7 @@ namespace mirrorball {
 
 /// Whether a list has an instance.
 inline bool isAmong(std::span<const int> instances, std::size_t instance) {
-  return std::ranges::find(instances, static_cast<int>(instance)) != instances.end();
+  return contains(instances, static_cast<int>(instance));
 }
 
 /// A scene's meshes and textures on the GPU.

@@ -6,12 +6,11 @@
 #include <string>
 #include <variant>
 
-#include <epoxy/gl.h>
-
 #include "mirrorball/bake/brdf/brdf_table.h"
 #include "mirrorball/bake/brdf/directional_albedo.h"
 #include "mirrorball/bake/brdf/sheen_albedo.h"
 #include "mirrorball/bake/lobe_row/lobe_row_table.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/image/image_set.h"
 #include "mirrorball/render/surface/height_map_uniform.h"
 #include "mirrorball/render/surface/light_reads.h"

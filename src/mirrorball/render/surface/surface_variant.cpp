@@ -139,7 +139,7 @@ CoatPart coatPart(const Material& material) {
 /// The copy of the screen takes a texture unit that few bodies have a picture in.
 BehindPart behindPart(const Material& material, const std::vector<MapSource>& maps, const FrameSettings& settings) {
   const bool is_free =
-      std::ranges::none_of(maps, [](const MapSource& source) { return source.unit >= kUnitsBesideScreen; });
+      std::none_of(maps.begin(), maps.end(), [](const MapSource& source) { return source.unit >= kUnitsBesideScreen; });
   return seesScreen(material, settings) && is_free ? BehindPart::screen : BehindPart::light;
 }
 
@@ -270,7 +270,7 @@ std::string mapsText(const SurfaceVariant& variant) {
       "  vec2 change = map_offset[map].z > 0.5 ? point.uv_1_down : point.uv_down;\n"
       "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * change;\n"
       "}\n";
-  if (std::ranges::any_of(variant.maps, [](const MapSource& source) { return source.layer >= 0; }))
+  if (std::any_of(variant.maps.begin(), variant.maps.end(), [](const MapSource& source) { return source.layer >= 0; }))
     text += "#include \"map_layers.glsl\"\n";
   for (std::size_t row = 0; row < variant.maps.size(); ++row) {
     const bool has_texture = variant.maps[row].unit >= 0;

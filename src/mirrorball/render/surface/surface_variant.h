@@ -1,12 +1,12 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "mirrorball/base/result.h"
@@ -91,7 +91,12 @@ struct SurfaceVariant {
   bool has(Part part, Answer answer) const {
     return answers[static_cast<std::size_t>(part)] == static_cast<std::uint8_t>(answer);
   }
-  auto operator<=>(const SurfaceVariant&) const = default;
+  bool operator==(const SurfaceVariant&) const = default;
+  /// Any order, for maps. libc++ 14, which compilers for browsers have, lacks <=> of containers.
+  bool operator<(const SurfaceVariant& other) const {
+    return std::tie(answers, maps, lamp_count, coordinates) <
+           std::tie(other.answers, other.maps, other.lamp_count, other.coordinates);
+  }
 };
 
 /// Units of a material's textures up to which a body can read the copy of the screen (TextureUnit::opaque_picture).

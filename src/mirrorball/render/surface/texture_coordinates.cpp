@@ -11,7 +11,8 @@ namespace mirrorball {
 namespace {
 
 bool hasPictures(const Scene& scene) {
-  return std::ranges::any_of(scene.materials, [](const Material& m) { return m.base_color_map.texture >= 0; });
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& m) { return m.base_color_map.texture >= 0; });
 }
 
 Generated generatedBy(Texgen texgen) {

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstddef>
 #include <future>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -150,7 +151,7 @@ BoxTree::Child Subtree::build(std::span<std::uint32_t> items, int depth) {
   } else {
     for (int i = 0; i < 2; ++i) children[i] = build(parts[i], depth - 1);
   }
-  std::ranges::copy(children, nodes_[built.first].children);
+  std::copy(std::begin(children), std::end(children), nodes_[built.first].children);
   return built;
 }
 

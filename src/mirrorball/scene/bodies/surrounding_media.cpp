@@ -44,7 +44,7 @@ formula::Media surroundingMedia(const Scene& scene, glm::vec3 point, const FindC
   // An open mesh has a back on one side alone.
   formula::Media around;
   for (auto body = candidates.rbegin(); body != candidates.rend(); ++body)
-    if (formula::timesEntered(around, *body) == 0 && std::ranges::count(candidates, *body) >= 2)
+    if (formula::timesEntered(around, *body) == 0 && std::count(candidates.begin(), candidates.end(), *body) >= 2)
       around = formula::entered(around, *body, materialOf(scene, std::size_t(*body)).priority);
   return around;
 }

@@ -126,7 +126,7 @@ class SceneBuilder {
   Result<std::vector<Placement>> walk(std::vector<Visit> pending) {
     std::vector<Placement> placements;
     std::vector<bool> visited(document_.nodes.size(), false);
-    std::ranges::reverse(pending);  // the last is the next
+    std::reverse(pending.begin(), pending.end());  // the last is the next
     while (!pending.empty()) {
       const Visit visit = std::move(pending.back());
       pending.pop_back();
@@ -170,7 +170,7 @@ class SceneBuilder {
     if (added.name.empty()) added.name = "camera";
     const std::string wanted = added.name;
     const auto is_taken = [&](const ModelCamera& other) { return &other != &added && other.name == added.name; };
-    for (int number = 2; std::ranges::any_of(scene_.cameras, is_taken); ++number)
+    for (int number = 2; std::any_of(scene_.cameras.begin(), scene_.cameras.end(), is_taken); ++number)
       added.name = wanted + " " + std::to_string(number);
     return {};
   }

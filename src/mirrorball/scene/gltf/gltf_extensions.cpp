@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 
 namespace mirrorball::gltf {
@@ -32,7 +33,7 @@ constexpr auto kRead = std::to_array<std::string_view>({
     "KHR_texture_transform",
 });
 
-bool isRead(std::string_view extension) { return std::ranges::find(kRead, extension) != kRead.end(); }
+bool isRead(std::string_view extension) { return contains(kRead, extension); }
 
 /// A name as a message can show it.
 std::string shownName(const std::string& name) {

@@ -24,7 +24,7 @@ constexpr double kBrightestLight = 1e12;
 std::optional<ModelLight> parseLight(const JsonReader& json) {
   ModelLight light;
   const std::string type = json["type"].required().text("");
-  const auto kind = std::ranges::find(kTypes.begin() + 1, kTypes.end(), type);
+  const auto kind = std::find(kTypes.begin() + 1, kTypes.end(), type);
   if (kind == kTypes.end()) return std::nullopt;
   light.kind = static_cast<int>(kind - kTypes.begin());
   light.name = printable(json["name"].text(""));

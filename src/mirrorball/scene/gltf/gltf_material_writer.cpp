@@ -13,7 +13,7 @@
 #include "formula/surface.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/ldr/png.h"
+#include "mirrorball/codec/format_registry.h"
 #include "mirrorball/scene/gltf/gltf_document_material.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 
@@ -195,7 +195,7 @@ class MaterialWriter {
   mirrorball::Texture joinedTexture(int metallic, int roughness) const {
     constexpr std::size_t kGreen = 1, kBlue = 2;
     mirrorball::Texture joined = textureOf(roughness >= 0 ? roughness : metallic);
-    std::ranges::fill(joined.image.samples(), std::uint8_t{255});
+    std::fill(joined.image.samples().begin(), joined.image.samples().end(), std::uint8_t{255});
     const auto copyChannel = [&](int texture, std::size_t channel) {
       if (texture < 0) return;
       const std::span<const std::uint8_t> from = textureOf(texture).image.samples();
@@ -223,7 +223,7 @@ class MaterialWriter {
     parallelFor(used_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Image8& image = textureOf(used_[i]).image;
-        pictures[i] = encodePng(isOpaque(image) ? withoutAlpha(image) : image, {});
+        pictures[i] = encodePicture(ImageFormatId::png, isOpaque(image) ? withoutAlpha(image) : image, {});
       }
     });
     for (std::size_t i = 0; i < used_.size(); ++i) {

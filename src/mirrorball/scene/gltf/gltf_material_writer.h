@@ -13,7 +13,7 @@ namespace mirrorball::gltf {
 /// the file.
 ///
 /// left_out  gets a line for each material that glTF cannot hold whole
-/// errors    as encodePng's
+/// errors    as encodePicture's, of a PNG
 Result<void> writeMaterials(const Scene& scene, GlbBuilder& file, std::vector<std::string>& left_out);
 
 }  // namespace mirrorball::gltf

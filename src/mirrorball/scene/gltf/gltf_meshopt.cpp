@@ -9,6 +9,7 @@
 #include <meshoptimizer.h>
 
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 
 // EXT_meshopt_compression: a buffer view's bytes in one of three codings, and for vertices a filter after it. The
@@ -26,9 +27,7 @@ constexpr auto kFilters = std::to_array<std::string_view>({"NONE", "OCTAHEDRAL",
 /// What is wrong with the numbers of a compressed view; empty: nothing.
 std::string problemOf(const BufferView& view) {
   const Compression& how = *view.compression;
-  const auto isAny = [](const auto& names, std::string_view name) {
-    return std::ranges::find(names, name) != names.end();
-  };
+  const auto isAny = [](const auto& names, std::string_view name) { return contains(names, name); };
   if (!isAny(kModes, how.mode)) return "mode is '" + printable(how.mode.substr(0, 20)) + "', none of " + join(kModes);
   if (!isAny(kFilters, how.filter))
     return "filter is '" + printable(how.filter.substr(0, 20)) + "', none of " + join(kFilters);

@@ -8,7 +8,7 @@ namespace mirrorball::gltf {
 Result<void> decodeMeshopt(File& file) {
   const std::vector<BufferView>& views = file.document.buffer_views;
   const auto compressed =
-      std::ranges::find_if(views, [](const BufferView& view) { return view.compression.has_value(); });
+      std::find_if(views.begin(), views.end(), [](const BufferView& view) { return view.compression.has_value(); });
   if (compressed == views.end()) return {};
   return withName(quoted("bufferViews", std::size_t(compressed - views.begin())),
                   Result<void>(leftOut("reads no meshes compressed by meshoptimizer", "MIRRORBALL_MESHOPTIMIZER")));

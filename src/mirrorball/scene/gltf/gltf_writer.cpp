@@ -63,7 +63,7 @@ class SceneWriter {
   template <typename Element, typename Get>
   std::size_t writeAttribute(const Mesh& mesh, Get&& get) {
     std::vector<Element> elements(mesh.vertices.size());
-    std::ranges::transform(mesh.vertices, elements.begin(), get);
+    std::transform(mesh.vertices.begin(), mesh.vertices.end(), elements.begin(), get);
     const std::size_t view = file_.appendView(bytesOf(elements), kArrayBuffer);
     return file_.append("accessors", {{"bufferView", view},
                                       {"componentType", static_cast<int>(kFloat)},
@@ -74,8 +74,8 @@ class SceneWriter {
   /// The same, unless all vertices have what a reader takes where there is no such attribute.
   template <typename Element, typename Get>
   void writeUnlessDefault(const Mesh& mesh, const char* name, Element usual, Get&& get, OutputJson& attributes) {
-    const bool is_usual =
-        std::ranges::all_of(mesh.vertices, [&](const Vertex& vertex) { return get(vertex) == usual; });
+    const bool is_usual = std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                                      [&](const Vertex& vertex) { return get(vertex) == usual; });
     if (!is_usual) attributes[name] = writeAttribute<Element>(mesh, get);
   }
 

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cstdint>
 
+#include "mirrorball/base/range.h"
+
 namespace mirrorball {
 namespace {
 
@@ -18,7 +20,7 @@ constexpr int kStripe = 16;
 std::span<const std::string_view> builtinPictureNames() { return kNames; }
 
 Image8 builtinPicture(std::string_view name) {
-  assert(std::ranges::find(kNames, name) != kNames.end());
+  assert(contains(kNames, name));
   static_cast<void>(name);
   Image8 stripes(kSide, kSide, 4, 255);
   for (int y = 0; y < kSide; ++y)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formula/bsdf.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/scene/material/optical_constants.h"
 
@@ -130,12 +131,12 @@ const std::vector<std::string_view>& names() {
 
 /// The row of a table, or the table's end.
 auto rowNamed(const auto& table, std::string_view name) {
-  return std::ranges::find_if(table, [&](const auto& row) { return row.name == name; });
+  return std::find_if(table.begin(), table.end(), [&](const auto& row) { return row.name == name; });
 }
 
 /// A material by a name that is in the list.
 Material made(std::string_view listed) {
-  const auto* const trade = std::ranges::find(kTradeNames, listed, &Alias::written);
+  const auto* const trade = findBy(kTradeNames, listed, &Alias::written);
   const std::string_view name = trade != kTradeNames.end() ? trade->name : listed;
   if (const auto own = rowNamed(kMade, name); own != kMade.end()) return own->make();
   const auto metals = measuredMetals();

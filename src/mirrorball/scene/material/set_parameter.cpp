@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/scene/material/builtin_picture.h"
@@ -18,7 +19,7 @@ namespace {
 /// A built-in picture by its name, or that of a file, which then counts as read.
 Result<Image8> pictureOf(Scene& scene, const std::string& path) {
   const auto names = builtinPictureNames();
-  if (std::ranges::find(names, path) != names.end()) return builtinPicture(path);
+  if (contains(names, path)) return builtinPicture(path);
   MIRRORBALL_TRY(bytes, readRegularFile(path));
   MIRRORBALL_TRY(image, withName(path, decodeTexture(bytes)));
   scene.files.push_back(path);
@@ -34,7 +35,7 @@ Result<void> setMap(Scene& scene, const MaterialMap& map, const std::string& pat
   const std::string name(map.name);
   MIRRORBALL_TRY_VOID(checkGiven(name, path));
   MIRRORBALL_TRY(image, pictureOf(scene, path));
-  if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
+  if (!scene.meshes.empty() && std::none_of(scene.meshes.begin(), scene.meshes.end(), hasTextureCoordinates))
     scene.warnings.push_back(name + ": the model has no texture coordinates; all of it shows one texel of " + path);
   scene.textures.push_back({.image = std::move(image), .srgb = map.srgb});
   for (Material& material : scene.materials)
@@ -51,7 +52,9 @@ bool isFileOfHeights(std::string_view key, std::string_view value) {
 ///
 /// returns  whether some were not
 bool stretchToUnit(Image& heights) {
-  const auto [low, high] = std::ranges::minmax(heights.samples());
+  const auto [least, most] = std::minmax_element(heights.samples().begin(), heights.samples().end());
+  const float low = *least;
+  const float high = *most;
   if (low >= 0.0f && high <= 1.0f) return false;
   const float range = high > low ? high - low : 1.0f;
   for (float& height : heights.samples()) height = std::clamp((height - low) / range, 0.0f, 1.0f);
@@ -74,7 +77,7 @@ Result<void> setHeights(Scene& scene, const std::string& path) {
   if (stretchToUnit(of_picture.heights))
     scene.warnings.push_back("height: " + path +
                              " has heights outside of 0 to 1; its lowest is taken as 0, its highest as 1");
-  if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
+  if (!scene.meshes.empty() && std::none_of(scene.meshes.begin(), scene.meshes.end(), hasTextureCoordinates))
     scene.warnings.push_back("height: the model has no texture coordinates; all of it has one height of " + path);
   scene.height_textures.push_back({.heights = std::move(of_picture.heights)});
   scene.files.push_back(path);
@@ -95,7 +98,7 @@ Result<void> setSlopes(Scene& scene, const std::string& path) {
   MIRRORBALL_TRY(bytes, readRegularFile(path));
   MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
   MIRRORBALL_TRY(slopes, withName(path, slopesOfPicture(numbers, holdsCodes(bytes))));
-  if (!scene.meshes.empty() && std::ranges::none_of(scene.meshes, hasTextureCoordinates))
+  if (!scene.meshes.empty() && std::none_of(scene.meshes.begin(), scene.meshes.end(), hasTextureCoordinates))
     scene.warnings.push_back("derivative_map: the model has no texture coordinates, along which slopes are told");
   scene.slope_textures.push_back(std::move(slopes));
   scene.files.push_back(path);
@@ -154,7 +157,7 @@ Result<void> checkParameter(std::string_view assignment) {
     return setParameter(material, assignment);
   }
   const auto names = builtinPictureNames();
-  if (parts.kind == Assignment::Kind::map && std::ranges::find(names, parts.value) != names.end()) return {};
+  if (parts.kind == Assignment::Kind::map && contains(names, parts.value)) return {};
   MIRRORBALL_TRY_VOID(checkGiven(parts.map ? std::string(parts.map->name) : parts.key, parts.value));
   MIRRORBALL_TRY(reader, FileReader::open(parts.value));
   return {};

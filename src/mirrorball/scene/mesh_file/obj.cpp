@@ -1,11 +1,11 @@
 #include "mirrorball/scene/mesh_file/obj.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <exception>
 #include <functional>
 #include <istream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -89,12 +89,11 @@ class SmoothingLines {
     if (line.size() < 2 || line[0] != 's' || (line[1] != ' ' && line[1] != '\t')) return;
     line.remove_prefix(1);
     skipSpace();
-    int group = 0;
-    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), group);
-    const bool is_number = error == std::errc{} && group >= 0;
+    const std::optional<double> group = parseNumber(line.substr(0, line.find_first_not_of("0123456789")));
+    const bool is_number = group && *group <= std::numeric_limits<int>::max();
     if (!is_number && !line.starts_with("off")) return;
     has_any_ = true;
-    group_ = is_number ? group : kFlat;
+    group_ = is_number ? static_cast<int>(*group) : kFlat;
   }
 
   const ByteStream& stream_;

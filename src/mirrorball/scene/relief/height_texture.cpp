@@ -55,7 +55,7 @@ Result<void> makeSearchable(HeightTexture& texture) {
     const Image& image = level == 0 ? texture.heights : levels.at(level, 0);
     const glm::ivec2 place = formula::placeOfLevel(map, level);
     for (int y = 0; y < image.height(); ++y)
-      std::ranges::copy(image.row(y), texture.picture.texel(place.x, place.y + y));
+      std::copy(image.row(y).begin(), image.row(y).end(), texture.picture.texel(place.x, place.y + y));
   }
   return {};
 }

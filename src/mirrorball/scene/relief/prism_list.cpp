@@ -22,8 +22,8 @@ std::vector<std::uint32_t> sameVertices(const Mesh& mesh) {
   };
   std::vector<std::uint32_t> order(mesh.vertices.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
-  std::ranges::sort(order,
-                    [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
   std::vector<std::uint32_t> same(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     same[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? same[order[i - 1]] : order[i];
@@ -54,12 +54,13 @@ std::vector<glm::vec3> joinedSides(const Mesh& mesh) {
   };
   for (std::size_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle)
     for (std::size_t number = 0; number < kSides.size(); ++number) sides.push_back(side(triangle, number));
-  std::ranges::sort(sides);
+  std::sort(sides.begin(), sides.end());
   std::vector<glm::vec3> joined(mesh.indices.size() / 3, glm::vec3(0.0f));
   for (std::size_t triangle = 0; triangle < joined.size(); ++triangle)
     for (std::size_t number = 0; number < kSides.size(); ++number) {
       const auto [from, to] = side(triangle, number);
-      if (std::ranges::binary_search(sides, std::pair(to, from))) joined[triangle][static_cast<int>(number)] = 1.0f;
+      if (std::binary_search(sides.begin(), sides.end(), std::pair(to, from)))
+        joined[triangle][static_cast<int>(number)] = 1.0f;
     }
   return joined;
 }

@@ -1,6 +1,6 @@
 #include "mirrorball/study/page/markup.h"
 
-#include "mirrorball/codec/ldr/png.h"
+#include "mirrorball/codec/format_registry.h"
 
 namespace mirrorball {
 
@@ -35,7 +35,7 @@ std::string base64Of(std::span<const std::uint8_t> bytes) {
 }
 
 Result<std::string> dataAddressOf(const Image8& picture) {
-  MIRRORBALL_TRY(png, encodePng(picture, {}));
+  MIRRORBALL_TRY(png, encodePicture(ImageFormatId::png, picture, {}));
   return "data:image/png;base64," + base64Of(png);
 }
 

@@ -18,7 +18,7 @@ std::string base64Of(std::span<const std::uint8_t> bytes);
 
 /// A picture as an address that holds all of it: "data:image/png;base64,…".
 ///
-/// errors   as encodePng's
+/// errors   as encodePicture's, of a PNG
 Result<std::string> dataAddressOf(const Image8& picture);
 
 }  // namespace mirrorball

@@ -136,8 +136,8 @@ Plot plotOverAngle(const StudiedSection& section) {
 
 std::string plotsOf(const StudiedSection& section) {
   std::string plots;
-  const auto values =
-      std::ranges::count_if(section.shots, [](const StudiedShot& shot) { return shot.value.has_value(); });
+  const auto values = std::count_if(section.shots.begin(), section.shots.end(),
+                                    [](const StudiedShot& shot) { return shot.value.has_value(); });
   if (values > 1) {
     plots += svgOf(plotOverSeries(section, Metric::psnr), section.id + "-psnr");
     plots += svgOf(plotOverSeries(section, Metric::flip), section.id + "-flip");
@@ -178,7 +178,8 @@ const StudiedPicture& dearest(const StudiedSection& section, std::size_t techniq
     const StudiedPicture& picture = shot.pictures[technique];
     return picture.traced ? 1e3 * picture.traced->time_s : picture.drawn->frame_ms;
   };
-  return std::ranges::max_element(section.shots, {}, costOf)->pictures[technique];
+  const auto costs_less = [&](const StudiedShot& a, const StudiedShot& b) { return costOf(a) < costOf(b); };
+  return std::max_element(section.shots.begin(), section.shots.end(), costs_less)->pictures[technique];
 }
 
 /// All techniques in one table.

@@ -17,7 +17,7 @@ struct PageText {
 /// that it shows, and asks for nothing from the network.
 ///
 /// returns  UTF-8; the same for the same study
-/// errors   as encodePng's
+/// errors   as encodePicture's, of a PNG
 /// cost     some 0.07 MB a picture of 256 × 256, of which a study has four a technique and shot
 Result<std::string> pageOf(const Study& study, const PageText& text);
 

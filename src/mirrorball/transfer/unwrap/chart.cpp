@@ -9,6 +9,7 @@
 #include <queue>
 #include <tuple>
 
+#include "mirrorball/base/range.h"
 #include "mirrorball/rays/frame.h"
 #include "mirrorball/scene/equal_vertices.h"
 #include "mirrorball/transfer/unwrap/flat_triangles.h"
@@ -48,7 +49,7 @@ std::vector<Face> facesOf(const Mesh& mesh) {
       edges.emplace_back(low, high, i, k);
     }
   }
-  std::ranges::sort(edges);
+  std::sort(edges.begin(), edges.end());
   const auto same = [&](std::size_t i, std::size_t j) {
     return j < edges.size() && std::get<0>(edges[i]) == std::get<0>(edges[j]) &&
            std::get<1>(edges[i]) == std::get<1>(edges[j]);
@@ -75,8 +76,7 @@ class ChartGrowth {
   std::vector<Chart> charts() {
     std::vector<std::uint32_t> seeds(faces_.size());
     std::iota(seeds.begin(), seeds.end(), 0u);
-    std::ranges::stable_sort(seeds, std::greater<>(),
-                             [&](std::uint32_t i) { return glm::dot(faces_[i].cross, faces_[i].cross); });
+    sortDownBy(seeds, [&](std::uint32_t i) { return glm::dot(faces_[i].cross, faces_[i].cross); });
     std::vector<Chart> charts;
     for (const std::uint32_t seed : seeds)
       while (!is_taken_[seed]) charts.push_back(flatPart(gather(seed)));

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <optional>
 
+#include "mirrorball/base/range.h"
+
 namespace mirrorball {
 namespace {
 
@@ -16,7 +18,7 @@ struct Outline {
   std::vector<int> low;
   std::vector<int> high;
   int width() const { return static_cast<int>(low.size()); }
-  int height() const { return high.empty() ? 0 : *std::ranges::max_element(high); }
+  int height() const { return high.empty() ? 0 : *std::max_element(high.begin(), high.end()); }
 };
 
 /// Widens the columns' ranges by what of the line from a to b lies in them.
@@ -103,7 +105,7 @@ std::vector<double> heightsOf(const std::vector<Chart>& charts) {
 std::vector<std::size_t> byHeight(const std::vector<double>& heights) {
   std::vector<std::size_t> order(heights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return heights[i]; });
+  sortDownBy(order, [&](std::size_t i) { return heights[i]; });
   return order;
 }
 
@@ -129,7 +131,7 @@ ChartPacking packCharts(const std::vector<Chart>& charts, int size, int gutter) 
   for (int i = 0; i < kMostScales; ++i, scale *= i < 40 ? 0.97 : 0.7) {
     ChartPacking packing{scale, std::vector<dvec2>(charts.size())};
     Skyline skyline(size);
-    const bool fits = std::ranges::all_of(order, [&](std::size_t chart) {
+    const bool fits = std::all_of(order.begin(), order.end(), [&](std::size_t chart) {
       const auto corner = skyline.drop(outlineOf(charts[chart], scale, gutter));
       if (corner) packing.corner[chart] = dvec2(*corner + gutter / 2);
       return corner.has_value();

@@ -17,7 +17,8 @@ bool isBesideAnEdge(const Corners& a, const Corners& b) {
   for (std::size_t k = 0; k < 3; ++k) {
     const dvec2 edge = a[(k + 1) % 3] - a[k];
     const double tolerance = kTouching * glm::dot(edge, edge);
-    if (std::ranges::all_of(b, [&](dvec2 corner) { return crossOf(edge, corner - a[k]) <= tolerance; })) return true;
+    if (std::all_of(b.begin(), b.end(), [&](dvec2 corner) { return crossOf(edge, corner - a[k]) <= tolerance; }))
+      return true;
   }
   return false;
 }
@@ -62,10 +63,10 @@ bool FlatTriangles::overlaps(const Corners& corners) const {
     return !isBesideAnEdge(other, corners) && !isBesideAnEdge(corners, other);
   };
   const auto isAnyUnder = [&](const std::vector<std::uint32_t>& indices) {
-    return std::ranges::any_of(indices, [&](std::uint32_t other) { return isUnder(triangles_[other]); });
+    return std::any_of(indices.begin(), indices.end(), [&](std::uint32_t other) { return isUnder(triangles_[other]); });
   };
   const CellRange range = cellsOf(corners);
-  if (range.isWide()) return std::ranges::any_of(triangles_, isUnder);
+  if (range.isWide()) return std::any_of(triangles_.begin(), triangles_.end(), isUnder);
   return isAnyUnder(wide_) || anyCell(range, [&](std::uint64_t cell) {
            const auto found = cells_.find(cell);
            return found != cells_.end() && isAnyUnder(found->second);

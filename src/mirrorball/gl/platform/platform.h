@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/context.h"
+
+namespace mirrorball::gl {
+
+// What lies below OpenGL: how a context comes to be, and what of it can be asked and must be enabled. One file of this
+// folder is compiled: egl_platform.cpp, or for browsers webgl_platform.cpp.
+
+/// A context that this program has made; it ends with this.
+class PlatformContext {
+ public:
+  virtual ~PlatformContext() = default;
+  PlatformContext(const PlatformContext&) = delete;
+  PlatformContext& operator=(const PlatformContext&) = delete;
+
+  /// Makes it current in the calling thread; false where that is refused.
+  virtual bool makeCurrent() = 0;
+
+ protected:
+  PlatformContext() = default;
+};
+
+/// Makes a context without a window, and makes it current.
+///
+/// errors   as Context::createHeadless
+Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api api);
+
+/// Which of both APIs the calling thread's current context has.
+///
+/// errors   no_gl: none is current, or it is older than both
+Result<Api> apiOfCurrentContext();
+
+/// Enables what WebGL has only where it is asked for by name: float targets, blending into them, filtering of floats.
+/// For the current context.
+void enableExtensions();
+
+/// Whether the current context has the extension: "GL_OES_texture_float_linear".
+bool hasExtension(const char* name);
+
+}  // namespace mirrorball::gl

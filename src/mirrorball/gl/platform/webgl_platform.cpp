@@ -1,0 +1,46 @@
+// A page's WebGL 2, by Emscripten.
+
+#include <emscripten/html5.h>
+
+#include "mirrorball/gl/platform/gl_string.h"
+#include "mirrorball/gl/platform/platform.h"
+
+namespace mirrorball::gl {
+namespace {
+
+/// WebGL knows an extension only once it is asked for. Where the device lacks one, hasExtension says so.
+constexpr const char* kWanted[] = {
+    "EXT_color_buffer_float",          // float targets
+    "EXT_float_blend",                 // sums of samples in them
+    "OES_texture_float_linear",        // filtering of 32-bit floats
+    "EXT_texture_filter_anisotropic",  // Context::largestAnisotropy
+};
+
+bool enable(const char* name) {
+  return emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(), name) == EM_TRUE;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api) {
+  return fail(ErrorCode::no_gl, "in a browser a context belongs to a canvas; make one of WebGL 2 current and adopt it");
+}
+
+Result<Api> apiOfCurrentContext() {
+  EmscriptenWebGLContextAttributes attributes;
+  const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_get_current_context();
+  if (context == 0 || emscripten_webgl_get_context_attributes(context, &attributes) != EMSCRIPTEN_RESULT_SUCCESS)
+    return fail(ErrorCode::no_gl, "no WebGL context is current; make the canvas's current first");
+  if (attributes.majorVersion < 2)
+    return fail(ErrorCode::no_gl, "the current context is of \"" + glString(GL_VERSION) + "\"; WebGL 2 is needed");
+  return Api::es30;
+}
+
+void enableExtensions() {
+  for (const char* name : kWanted) enable(name);
+}
+
+// Whether it could be enabled, as it is by that; WebGL's names lack OpenGL's "GL_".
+bool hasExtension(const char* name) { return enable(name + 3); }
+
+}  // namespace mirrorball::gl

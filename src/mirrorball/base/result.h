@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <string>
 #include <utility>
 
@@ -58,9 +59,8 @@ class [[nodiscard]] Result : public tl::expected<Value, Error> {
  public:
   Result() = default;
   /// What a Value can be made of.
-  template <typename Source = Value>
-  requires std::is_convertible_v<Source&&, Value> Result(Source&& value)
-      : tl::expected<Value, Error>(tl::in_place, std::forward<Source>(value)) {}
+  template <std::convertible_to<Value> Source = Value>
+  Result(Source&& value) : tl::expected<Value, Error>(tl::in_place, std::forward<Source>(value)) {}
   Result(tl::unexpected<Error> failure) : tl::expected<Value, Error>(std::move(failure)) {}
 };
 

@@ -82,8 +82,8 @@ TEST_F(ProgramParts, WhatIsLeftOutIsAnsweredByOneLine) {
              "b.ktx2: this build knows no Zstandard"},
         Case{"Draco", "export draco.gltf -o b.glb", "this build reads no meshes compressed by Draco"},
         Case{"meshoptimizer", "export meshopt.gltf -o b.glb", "this build reads no meshes compressed by meshoptimizer"},
-        Case{"Embree", "study sphere --samples 4", "this build traces no rays, which study needs"},
-        Case{"Embree", "transfer sphere", "this build traces no rays, which transfer needs"},
+        Case{"Embree", "study sphere --size 8x8 --samples 4", "this build traces no rays, which study needs"},
+        Case{"Embree", "transfer sphere --size 8", "this build traces no rays, which transfer needs"},
         Case{"Embree", "fresnel", "this build traces no rays, which fresnel needs"},
         Case{"Embree", "render none -e white --reference --size 8x8 -o b.hdr",
              "this build traces no rays, which --reference needs"}}) {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/image/image.h"
@@ -28,11 +28,17 @@ inline Bytes bytesOf(const std::string& text) { return Bytes(text.begin(), text.
 /// A fresh folder that goes away with the test.
 class FolderTest : public ::testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) / ("mirrorball_codec_" + std::to_string(::getpid()));
+  const std::filesystem::path folder_ = fresh();
+
+ private:
+  /// Not named by the process: all of a browser's have one number.
+  static std::filesystem::path fresh() {
+    std::string name = ::testing::TempDir() + "mirrorball_codec_XXXXXX";
+    EXPECT_NE(::mkdtemp(name.data()), nullptr);
+    return name;
+  }
 };
 
 }  // namespace mirrorball::testing

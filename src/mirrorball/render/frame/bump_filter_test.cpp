@@ -19,16 +19,15 @@ namespace {
 
 class BumpFilterTest : public testing::HeadlessTest {
  protected:
-  static Image radianceOf(const MaterialChanges& materials, const FrameSettings& settings) {
-    const Environment evening = *builtinEnvironment("sky:elevation=8");
+  /// Many pictures by one renderer: to make the evening's cube takes longer than a picture.
+  static Renderer rendererOf(const MaterialChanges& materials, ReliefKind relief, const Environment& evening,
+                             const PreparedEnvironment& prepared) {
     Scene scene = *loadModel("sphere");
     EXPECT_TRUE(changeMaterials(scene, materials));
-    EXPECT_TRUE(prepareRelief(scene, settings.relief));
-    auto renderer = testing::rendererOf(std::move(scene), evening, *testing::prepareOnce(evening));
+    EXPECT_TRUE(prepareRelief(scene, relief));
+    auto renderer = testing::rendererOf(std::move(scene), evening, prepared);
     EXPECT_TRUE(renderer);
-    auto image = renderer->renderRadiance(settings);
-    EXPECT_TRUE(image);
-    return std::move(*image);
+    return std::move(*renderer);
   }
 };
 
@@ -43,13 +42,16 @@ struct Pores {
 // 0.0105 and 0.0161; with slopes that are not averaged either, 0.0114 and 0.0294.
 TEST_F(BumpFilterTest, AnOrangeUnderALowSunDoesNotSparkle) {
   FrameSettings settings{.size = {32, 32}, .background = BackgroundKind::transparent, .samples = 8};
+  const Environment evening = *builtinEnvironment("sky:elevation=8");
+  const PreparedEnvironment prepared = *testing::prepareOnce(evening);
   for (const Pores& pores : {Pores{"height_frequency=12", "height_scale=0.01", 0.009f},
                              Pores{"height_frequency=60", "height_scale=0.004", 0.0145f}}) {
     const MaterialChanges orange{.material = "orange", .set = {pores.frequency, pores.height}};
+    Renderer renderer = rendererOf(orange, settings.relief, evening, prepared);
     settings.samples = 8;
-    const Image seen = radianceOf(orange, settings);
+    const Image seen = testing::drawn(renderer, settings);
     settings.samples = 256;
-    const Image truth = radianceOf(orange, settings);
+    const Image truth = testing::drawn(renderer, settings);
     int inside = 0;
     float most = 0.0f;
     float squares = 0.0f;

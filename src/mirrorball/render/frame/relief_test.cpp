@@ -84,7 +84,7 @@ TEST_F(ReliefTest, ExactIsTheSurfaceThatTrianglesShow) {
     for (const float elevation : {45.0f, 12.0f}) {
       const std::vector<std::string> set = {"base_color=0.5", "perceptual_roughness=0.6", height,
                                             "height_frequency=0.06"};
-      const Environment sky = *builtinEnvironment("sky");
+      const Environment sky = testing::coarseBuiltin("sky");
       FrameSettings exact = seenFrom(20, elevation, ReliefKind::exact);
       FrameSettings geometry = seenFrom(20, elevation, ReliefKind::geometry);
       exact.samples = geometry.samples = 16;
@@ -111,7 +111,7 @@ TEST_F(ReliefTest, OnlyExactHasAnOutline) {
 
 // Heights of exactly 0 and 1 are met, under a lamp, too: a relief that is all top is the mesh.
 TEST_F(ReliefTest, TopsAndBottomsHaveNoHoles) {
-  const Environment sky = *builtinEnvironment("sky");
+  const Environment sky = testing::coarseBuiltin("sky");
   const auto seen = [&](float height, ReliefKind kind) {
     Scene scene = *loadModel("sphere");
     EXPECT_TRUE(changeMaterials(scene, {.material = "plastic", .set = {"perceptual_roughness=0.5"}}));
@@ -135,7 +135,7 @@ TEST_F(ReliefTest, TopsAndBottomsHaveNoHoles) {
 
 // What else a frame reads from textures stays bound while the relief is looked for.
 TEST_F(ReliefTest, ExactLeavesTheSphereMapAlone) {
-  const Environment sky = *builtinEnvironment("sky");
+  const Environment sky = testing::coarseBuiltin("sky");
   FrameSettings exact = seenFrom(30, 30, ReliefKind::exact), none = seenFrom(30, 30, ReliefKind::none);
   exact.mapping = none.mapping = Mapping::sphere;
   const std::vector<std::string> set = {"metallic=1", "perceptual_roughness=0", "height=waves", "height_scale=1e-6"};
@@ -144,7 +144,7 @@ TEST_F(ReliefTest, ExactLeavesTheSphereMapAlone) {
 
 // Heights of nothing are the mesh.
 TEST_F(ReliefTest, AFlatReliefIsTheMesh) {
-  const Environment sky = *builtinEnvironment("sky");
+  const Environment sky = testing::coarseBuiltin("sky");
   const Image mesh = radiance("torus", {"perceptual_roughness=0.5"}, sky, seenFrom(30, 30, ReliefKind::none));
   for (const ReliefKind kind : {ReliefKind::bump, ReliefKind::linear_binary, ReliefKind::exact, ReliefKind::geometry}) {
     const Image flat =
@@ -155,7 +155,7 @@ TEST_F(ReliefTest, AFlatReliefIsTheMesh) {
 
 // A map of more texels than the driver takes shows the same bumps by coarser levels.
 TEST_F(ReliefTest, BumpsOfTooManyTexelsAreShown) {
-  const Environment sky = *builtinEnvironment("sky");
+  const Environment sky = testing::coarseBuiltin("sky");
   const auto seen = [&](int width) {
     Image heights(width, 1, 1);
     for (int x = 0; x < width; ++x)

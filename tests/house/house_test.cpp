@@ -119,6 +119,26 @@ Complaints checkRoomRule(const SourceFile& file) {
   return complaints;
 }
 
+/// What a room is linked with must be what the table permits, no more and no less. What a permitted room is linked with
+/// comes along and need not be named again.
+Complaints checkLinks(const SourceFile& file) {
+  const std::string room = roomOf(file.path);
+  if (!kPermitted.contains(room) || file.path != "src/mirrorball/" + room + "/CMakeLists.txt") return {};
+  const std::regex target(R"(\bmirrorball::([a-z_]+))");
+  const std::set<std::string> permitted = reachableFrom(room);
+  std::set<std::string> linked = {room};
+  Complaints complaints;
+  for (std::sregex_iterator match(file.text.begin(), file.text.end(), target), end; match != end; ++match) {
+    const std::string other = (*match)[1];
+    if (!kPermitted.contains(other)) continue;  // a part of a room
+    if (!permitted.contains(other)) complaints.push_back(file.path + ": " + room + " may not be linked with " + other);
+    linked.merge(reachableFrom(other));
+  }
+  for (const std::string& other : permitted)
+    if (!linked.contains(other)) complaints.push_back(file.path + ": " + room + " is not linked with " + other);
+  return complaints;
+}
+
 Complaints checkFormula(const SourceFile& file) {
   if (!startsWith(file.path, "formula/") || !file.path.ends_with(".glsl")) return {};
   const std::regex directive(R"(^\s*#\s*(include|if|ifdef|ifndef|pragma)\b)");
@@ -246,6 +266,15 @@ TEST(House, RoomsIncludeOnlyWhatTheTablePermits) {
   EXPECT_THAT(checkRoomRule({"src/mirrorball/render/x.h", "#include \"mirrorball/base/file.h\"\n"}), IsEmpty());
   EXPECT_THAT(checkRoomRule({"src/mirrorball/attic/x.h", ""}), SizeIs(1));
   EXPECT_THAT(checkTree(checkRoomRule), IsEmpty());
+}
+
+TEST(House, RoomsAreLinkedWithWhatTheTablePermits) {
+  EXPECT_THAT(checkLinks({"src/mirrorball/gl/CMakeLists.txt", "DEPENDS mirrorball::image mirrorball::shaders"}),
+              IsEmpty());
+  EXPECT_THAT(checkLinks({"src/mirrorball/gl/CMakeLists.txt", "DEPENDS mirrorball::image mirrorball::codec"}),
+              SizeIs(1));
+  EXPECT_THAT(checkLinks({"src/mirrorball/image/CMakeLists.txt", ""}), SizeIs(1));
+  EXPECT_THAT(checkTree(checkLinks), IsEmpty());
 }
 
 /// The rooms that docs/architecture.md permits each room, from its lines of the form

@@ -84,7 +84,7 @@ TEST_F(ReliefTest, ExactIsTheSurfaceThatTrianglesShow) {
     for (const float elevation : {45.0f, 12.0f}) {
       const std::vector<std::string> set = {"base_color=0.5", "perceptual_roughness=0.6", height,
                                             "height_frequency=0.06"};
-      const Environment sky = testing::coarseBuiltin("sky");
+      const Environment sky = *builtinEnvironment("sky");
       FrameSettings exact = seenFrom(20, elevation, ReliefKind::exact);
       FrameSettings geometry = seenFrom(20, elevation, ReliefKind::geometry);
       exact.samples = geometry.samples = 16;

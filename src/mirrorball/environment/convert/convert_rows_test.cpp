@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/codec/left_out_testing.h"
 #include "mirrorball/environment/convert/rows_needed.h"
 #include "mirrorball/environment/environment_testing.h"
 #include "mirrorball/environment/file/load.h"
@@ -32,6 +33,9 @@ class ConvertRows : public ::testing::Test {
       sample = static_cast<float>(((state = state * 1664525u + 1013904223u) >> 20) % 1000) / 256.0f;
     return image;
   }
+
+  /// In OpenEXR where this build writes it: with Radiance's it is one of the two that are read row by row.
+  void write(const Image& image) { write(image, testing::checkFormat(ImageFormatId::exr) ? "exr" : "hdr"); }
 
   void write(const Image& image, const std::string& extension) {
     path_ = std::filesystem::temp_directory_path() /
@@ -67,13 +71,13 @@ void expectTheBitsOfTheWhole(const std::string& path, std::initializer_list<int>
 }
 
 TEST_F(ConvertRows, GivesTheBitsOfTheWholePanorama) {
-  write(panorama(320), "exr");
+  write(panorama(320));
   expectTheBitsOfTheWhole(path_.string(), {1, 17, 96});
 }
 
 // Of more texels than the panorama has; apart from the small ones, which the sanitizers take alone.
 TEST_F(ConvertRows, GivesTheBitsOfALargePanorama) {
-  write(panorama(320), "exr");
+  write(panorama(320));
   expectTheBitsOfTheWhole(path_.string(), {500});
 }
 
@@ -87,7 +91,7 @@ TEST_F(ConvertRows, ReadsRadiancePicturesToo) {
 }
 
 TEST_F(ConvertRows, TakesNoMoreMemoryThanItMay) {
-  write(panorama(256), "exr");
+  write(panorama(256));
   auto rows = *openRows(path_);
   ImageSet images = *imagesFor(Projection::cube, 8);
   const auto refused = convertRows(*rows, 1 << 20, Projection::cube, 8, {}, copyInto(images));
@@ -97,9 +101,10 @@ TEST_F(ConvertRows, TakesNoMoreMemoryThanItMay) {
 }
 
 TEST_F(ConvertRows, NamesTheFirstTexelThatIsNoNumber) {
+  MIRRORBALL_NEEDS(testing::checkFormat(ImageFormatId::exr));
   Image image = panorama(100);
   image.texel(7, 70)[1] = std::numeric_limits<float>::quiet_NaN();
-  write(image, "exr");
+  write(image);
   auto rows = *openRows(path_);
   ImageSet images = *imagesFor(Projection::cube, 32);
   const auto refused = convertRows(*rows, kMuch, Projection::cube, 32, {}, copyInto(images));
@@ -110,7 +115,7 @@ TEST_F(ConvertRows, NamesTheFirstTexelThatIsNoNumber) {
 }
 
 TEST_F(ConvertRows, StopsWhenItIsTold) {
-  write(panorama(200), "exr");
+  write(panorama(200));
   auto rows = *openRows(path_);
   ImageSet images = *imagesFor(Projection::cube, 128);
   const auto stopped = convertRows(*rows, kMuch, Projection::cube, 128, {}, copyInto(images),

@@ -1,4 +1,4 @@
-# cmake -DPROGRAM=… -DNAME=… -DLABELS=… -DENVIRONMENT=… -DEXCEPT=… -DLONG=… -DSERIAL=…
+# cmake -DPROGRAM=… -DNAME=… -DLABELS=… -DENVIRONMENT=… -DEXCEPT=… -DLONG=… -DLONG_CONFIGURATION=… -DSERIAL=…
 #       -DOUTPUT=… -P DiscoverSuites.cmake
 #
 # Writes the file from which CTest learns the suites of a GoogleTest program: each is one test, NAME.Suite, in a process of
@@ -7,7 +7,7 @@
 #
 # PROGRAM is a list of words: a program for another system has its emulator first (cmake/MirrorballBrowser.cmake).
 # EXCEPT is a list of tests that are left out, as GoogleTest's filter has them. LONG is one of suites that only
-# `ctest -C long` knows, under the label `long`; "*" is all. With SERIAL nothing runs beside them.
+# `ctest -C LONG_CONFIGURATION` knows, under the label `long`; "*" is all. With SERIAL nothing runs beside them.
 cmake_minimum_required(VERSION 3.25)
 
 list(JOIN EXCEPT ":" except)
@@ -37,7 +37,7 @@ foreach(suite IN LISTS suites)
   if(suite IN_LIST LONG OR LONG STREQUAL "*")
     list(REMOVE_ITEM LONG ${suite})
     list(APPEND labels long)
-    set(begin "if(CTEST_CONFIGURATION_TYPE STREQUAL long)\n")
+    set(begin "if(CTEST_CONFIGURATION_TYPE STREQUAL ${LONG_CONFIGURATION})\n")
     set(end "endif()\n")
   endif()
   string(APPEND tests "${begin}"

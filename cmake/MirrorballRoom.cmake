@@ -91,15 +91,20 @@ endfunction()
 #
 # Tells CTest the suites of a GoogleTest program, as NAME.Suite: the target NAME_suites lists them anew when the program has
 # changed. EXCEPT leaves tests out, as GoogleTest's filter has them. With CONFIGURATION only `ctest -C CONFIGURATION` knows
-# them, and only what names the target builds them.
+# them, and only what names the target builds them; those under LONG are then known with `-C CONFIGURATION_long`.
 function(mirrorball_discover_suites program name)
   cmake_parse_arguments(SUITES "" "CONFIGURATION;SERIAL" "LABELS;ENVIRONMENT;EXCEPT;LONG" ${ARGN})
+  set(long_configuration long)
+  if(SUITES_CONFIGURATION)
+    set(long_configuration ${SUITES_CONFIGURATION}_long)
+  endif()
   set(suites "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
   set(script "${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake")
   add_custom_command(OUTPUT "${suites}"
     COMMAND ${CMAKE_COMMAND} "-DPROGRAM=${CMAKE_CROSSCOMPILING_EMULATOR};$<TARGET_FILE:${program}>" -DNAME=${name}
             "-DLABELS=${SUITES_LABELS}" "-DENVIRONMENT=${SUITES_ENVIRONMENT}" "-DEXCEPT=${SUITES_EXCEPT}"
-            "-DLONG=${SUITES_LONG}" "-DSERIAL=${SUITES_SERIAL}" "-DOUTPUT=${suites}" -P "${script}"
+            "-DLONG=${SUITES_LONG}" -DLONG_CONFIGURATION=${long_configuration} "-DSERIAL=${SUITES_SERIAL}"
+            "-DOUTPUT=${suites}" -P "${script}"
     DEPENDS ${program} "${script}"
     COMMENT "Listing the tests of ${program}"
     VERBATIM)
@@ -111,7 +116,7 @@ function(mirrorball_discover_suites program name)
   # A program that is not built has no suites; that is a failed test, not none.
   set(include "${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake")
   file(CONFIGURE OUTPUT "${include}" @ONLY CONTENT [=[
-if("@SUITES_CONFIGURATION@" STREQUAL "" OR CTEST_CONFIGURATION_TYPE STREQUAL "@SUITES_CONFIGURATION@")
+if("@SUITES_CONFIGURATION@" STREQUAL "" OR CTEST_CONFIGURATION_TYPE MATCHES "^@SUITES_CONFIGURATION@(_long)?$")
   if(EXISTS "@suites@")
     include("@suites@")
   else()

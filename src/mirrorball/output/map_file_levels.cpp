@@ -61,7 +61,7 @@ Result<ImageSet> MapFile::levelsOf(EnvironmentMap map) const {
                                                   std::uint64_t(map.faces()) * 3 * sizeof(float) * 7 / 3)));
   const MipWeights weights = mip_source_ == MipSource::box ? MipWeights::box : MipWeights::solid_angle;
   const bool is_cube = map.faces() == 6;
-  ImageSet levels = is_cube ? mipChain(map, weights)
+  ImageSet levels = is_cube ? mipChain(std::move(map), weights)
                             : mipChain(EnvironmentMap(form_.projection, imagesOf(std::move(map), form_)), weights);
   limitLevels(levels);  // the mean of the greatest values may be a rounding error above them
   return wantedOf(is_cube ? arranged(std::move(levels), form_.arrangement) : std::move(levels));

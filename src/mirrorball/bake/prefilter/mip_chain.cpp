@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "mirrorball/base/parallel.h"
@@ -31,10 +32,12 @@ Overlap overlapOf(int target, int target_side, int source_side) {
 std::vector<float> cubeSolidAngles(int side) {
   const auto columns = std::size_t(side);
   std::vector<double> corners((columns + 1) * (columns + 1));
-  for (int y = 0; y <= side; ++y)
-    for (int x = 0; x <= side; ++x)
-      corners[std::size_t(y) * (columns + 1) + std::size_t(x)] =
-          cubeCornerSolidAngle(2.0 * x / side - 1.0, 2.0 * y / side - 1.0);
+  parallelFor(columns + 1, 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t y = begin; y < end; ++y)
+      for (std::size_t x = 0; x <= columns; ++x)
+        corners[y * (columns + 1) + x] =
+            cubeCornerSolidAngle(2.0 * double(x) / side - 1.0, 2.0 * double(y) / side - 1.0);
+  });
   std::vector<float> angles(columns * columns);
   for (std::size_t y = 0; y < columns; ++y)
     for (std::size_t x = 0; x < columns; ++x) {
@@ -95,19 +98,24 @@ void halveRows(const Image& source, const std::vector<float>& weights, const std
 
 }  // namespace
 
-ImageSet mipChain(const EnvironmentMap& map, MipWeights weights) {
-  assert(!hasDisc(map.projection()));
+ImageSet mipChain(EnvironmentMap map, MipWeights weights) {
+  const Projection projection = map.projection();
+  assert(!hasDisc(projection));
   const glm::ivec2 extent = map.extent();
   const int levels = levelCount(std::max(extent.x, extent.y));
-  ImageSet chain(levels, map.faces());
-  for (int face = 0; face < map.faces(); ++face) chain.at(0, face) = rgbOf(map.face(face));
+  ImageSet images = std::move(map).takeImages();
+  ImageSet chain(levels, images.faces());
+  for (int face = 0; face < images.faces(); ++face) {
+    Image& image = images.at(0, face);
+    chain.at(0, face) = image.channels() == 3 ? std::move(image) : rgbOf(image);
+  }
   for (int level = 1; level < levels; ++level) {
     const glm::ivec2 source(levelSide(extent.x, level - 1), levelSide(extent.y, level - 1));
     const glm::ivec2 size(levelSide(extent.x, level), levelSide(extent.y, level));
-    const std::vector<float> texel_weights = weightsOf(map.projection(), source, weights);
+    const std::vector<float> texel_weights = weightsOf(projection, source, weights);
     const std::vector<Overlap> columns = overlapsOf(size.x, source.x);
     const std::vector<Overlap> rows = overlapsOf(size.y, source.y);
-    for (int face = 0; face < map.faces(); ++face) {
+    for (int face = 0; face < images.faces(); ++face) {
       chain.at(level, face) = Image::withoutValues(size.x, size.y, 3);
       parallelFor(std::size_t(size.y), 16, [&](std::size_t begin, std::size_t end) {
         halveRows(chain.at(level - 1, face), texel_weights, columns, rows, static_cast<int>(begin),

@@ -17,6 +17,6 @@ enum class MipWeights {
 /// returns  levels from the map itself down to 1², each half the side of the one before, rounded down as OpenGL does;
 ///          three channels
 /// cost     4/3 of the map's texels
-ImageSet mipChain(const EnvironmentMap& map, MipWeights weights = MipWeights::solid_angle);
+ImageSet mipChain(EnvironmentMap map, MipWeights weights = MipWeights::solid_angle);
 
 }  // namespace mirrorball

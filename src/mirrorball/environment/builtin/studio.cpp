@@ -11,6 +11,8 @@
 namespace mirrorball {
 namespace {
 
+constexpr float kWidestEdge = 0.105f;  ///< of a soft box's image in the floor [tangent]
+
 /// How a soft box stands and shines. It is on a far sphere and faces the origin.
 struct Lamp {
   float azimuth_deg;
@@ -26,13 +28,16 @@ class SoftBox {
   explicit SoftBox(const Lamp& lamp) : lamp_(lamp), forward_(directionAtAngles(lamp.azimuth_deg, lamp.elevation_deg)) {
     right_ = glm::normalize(glm::cross(glm::vec3(0, 1, 0), forward_));
     up_ = glm::cross(forward_, right_);
+    const glm::vec2 corner = lamp.half_extent + kWidestEdge;
+    least_cosine2_ = 0.999f / (1.0f + glm::dot(corner, corner));
   }
 
   /// Lays the box over the light that is behind it along d, which has any length.
-  /// Its edges are `edge` wide to either side [tangent].
+  /// Its edges are `edge` wide to either side [tangent, at most kWidestEdge].
   void layOver(glm::vec3& light, glm::vec3 d, float edge) const {
     const float depth = glm::dot(d, forward_);
-    if (depth <= 0.0f) return;
+    // Most directions are farther from the middle than a corner: they need no division.
+    if (depth <= 0.0f || depth * depth < least_cosine2_ * glm::dot(d, d)) return;
     const glm::vec2 place = glm::abs(glm::vec2(glm::dot(d, right_), glm::dot(d, up_)) / depth);
     const glm::vec2 beyond = place - lamp_.half_extent;
     if (beyond.x >= edge || beyond.y >= edge) return;
@@ -48,6 +53,7 @@ class SoftBox {
   glm::vec3 forward_;
   glm::vec3 right_;
   glm::vec3 up_;
+  float least_cosine2_;  ///< the square of the cosine between the middle and a corner, and a little less
 };
 
 const std::array<SoftBox, 5>& softBoxes() {
@@ -96,7 +102,7 @@ glm::vec3 floorReflection(glm::vec3 d) {
   const float across = std::sqrt(std::max(1.0f - d.y * d.y, 0.0f));
   const glm::vec3 mirrored(d.x, -d.y - 0.13f * across, d.z);
   glm::vec3 light(0.0f);
-  for (const SoftBox& box : softBoxes()) box.layOver(light, mirrored, 0.105f);
+  for (const SoftBox& box : softBoxes()) box.layOver(light, mirrored, kWidestEdge);
   return light * (reflectance * glm::smoothstep(0.0f, 0.12f, -d.y));
 }
 

@@ -32,12 +32,15 @@ constexpr int kMinPrefilteredSide = 32;
 constexpr int kIrradianceSide = 32;
 
 /// A cube of light in units of `unit`.
-Result<gl::Texture> cubeTexture(gl::Format format, ImageSet images, float unit) {
-  if (unit != 1.0f)
-    for (int level = 0; level < images.levels(); ++level)
-      for (int face = 0; face < images.faces(); ++face)
-        for (float& sample : images.at(level, face).samples()) sample /= unit;
-  MIRRORBALL_TRY(cube, gl::Texture::fromImages(format, images));
+Result<gl::Texture> cubeTexture(gl::Format format, const ImageSet& images, float unit) {
+  ImageSet in_units;
+  if (unit != 1.0f) {
+    in_units = images;
+    forEachImage(in_units, [&](Image& image) {
+      for (float& sample : image.samples()) sample /= unit;
+    });
+  }
+  MIRRORBALL_TRY(cube, gl::Texture::fromImages(format, unit == 1.0f ? images : in_units));
   cube.setSampling({.filter = gl::Sampling::Filter::trilinear});
   return cube;
 }
@@ -93,7 +96,7 @@ Result<PreparedEnvironment> prepareEnvironment(const Environment& environment,
     prepared.chain = mipChain(*map);
   } else {
     MIRRORBALL_TRY(cube, convert(environment, Projection::cube, cubeSideFor(environment.texelDensity())));
-    prepared.chain = mipChain(cube);
+    prepared.chain = mipChain(std::move(cube));
   }
   prepared.needs_floats = maxSample(prepared.chain) > gl::kLargestHalf;
   MIRRORBALL_TRY(blurred, cache ? prefilteredOnce(environment, prepared, *cache)

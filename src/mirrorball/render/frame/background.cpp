@@ -41,6 +41,7 @@ void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame,
   const PrefilteredChain& chain = frame.prefiltered;
   const gl::Texture& cube = is_prefiltered ? *chain.texture : light.cube();
   cube.bind(TextureUnit::background);
+  frame.proxy->bind();
   program.set("environment_from_world", frame.environment_from_world);
   program.set("environment_intensity", settings.env_intensity * light.unit());
   setEyeRay(program, frame.camera);

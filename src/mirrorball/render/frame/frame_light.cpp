@@ -90,7 +90,7 @@ Result<void> FrameLight::makeFlatLight(const gl::Texture& prefiltered) {
   return {};
 }
 
-Result<void> FrameLight::makeSphereMap(const FrameUniforms& frame) {
+Result<void> FrameLight::makeSphereMap(FrameUniforms& frame) {
   const glm::mat3 environment_from_view =
       frame.environment_from_world * glm::transpose(glm::mat3(frame.camera.view_from_world));
   const int size = std::min(environment_->naturalSize(Projection::sphere), 2048);
@@ -100,7 +100,7 @@ Result<void> FrameLight::makeSphereMap(const FrameUniforms& frame) {
   MIRRORBALL_TRY(made, gl::Texture::fromImages(format, ImageSet(std::move(image))));
   made.setSampling({.filter = gl::Sampling::Filter::linear});
   sphere_map_ = std::move(made);
-  sphere_map_->bind(TextureUnit::sphere_map);
+  frame.sphere_map = &*sphere_map_;
   return {};
 }
 

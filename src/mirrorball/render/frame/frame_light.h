@@ -41,7 +41,7 @@ class FrameLight {
   /// Photographs the mirror ball from the camera's direction, so that the lecture's look-up is right for every camera.
   ///
   /// errors   too_large
-  Result<void> makeSphereMap(const FrameUniforms& frame);
+  Result<void> makeSphereMap(FrameUniforms& frame);
 
  private:
   Result<void> placeProxy(gl::Api api, const Scene& scene, const BoundingSphere& bounds, const FrameSettings& settings);

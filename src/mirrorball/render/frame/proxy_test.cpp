@@ -108,6 +108,25 @@ TEST_F(ProxyTest, TrianglesShowWhatTheBoxDoes) {
       EXPECT_NEAR(glm::distance(rgbaAt(of_triangles, x, y), rgbaAt(of_box, x, y)), 0.0f, 5e-3f) << x << ", " << y;
 }
 
+// The background's proxy and the surface's map were once in one texture unit, which made the ball black.
+TEST_F(ProxyTest, ASphereMapShowsWhatIsInfinitelyFarAway) {
+  FrameSettings settings = frontOf(32);
+  settings.background = BackgroundKind::environment;
+  settings.mapping = Mapping::sphere;
+  const auto light = Environment([](glm::vec3 d) { return 0.6f + 0.3f * d; }, 64);
+  const auto picture = [&](const char* proxy) {
+    testing::set(settings, "proxy", proxy);
+    return drawn(ballAt(glm::vec3(0.0f), 1.0f, mirrorOfProxy()), light, settings);
+  };
+  const Image far = picture("none");
+  EXPECT_GT(rgbaAt(far, 16, 16).x, 0.5f);
+  for (const char* proxy : {"ground:2", "cube", "box:-2,-2,-2,2,2,2"}) {
+    const Image near = picture(proxy);
+    for (int y = 12; y < 20; ++y)
+      for (int x = 12; x < 20; ++x) EXPECT_EQ(rgbaAt(near, x, y), rgbaAt(far, x, y)) << proxy << " " << x << ", " << y;
+  }
+}
+
 TEST_F(ProxyTest, TheFurnaceIsWhiteOnEveryProxy) {
   const auto white = Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64);
   for (const std::string proxy : {"box:-2,-2,-2,2,2,2", "sphere:0,0,0,2", "ground:2", "cube"})

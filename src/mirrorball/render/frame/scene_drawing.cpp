@@ -77,9 +77,7 @@ Result<void> SceneDrawing::copyScreen(const gl::Framebuffer& target, const Envir
   frame.opaque_picture = &opaque_picture_->picture();
   target.bind();
   glEnable(GL_DEPTH_TEST);
-  MIRRORBALL_TRY_VOID(surfaces_->begin(scene_, buffers_, light, frame, settings));
-  frame.proxy->bind();  // whose unit the copying has taken
-  return {};
+  return surfaces_->begin(scene_, buffers_, light, frame, settings);
 }
 
 /// Draws what sees the screen, on what has been drawn.
@@ -263,7 +261,6 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   if (layers.size() <= 1) MIRRORBALL_TRY_VOID(drawBackFaces(settings, frame));
   MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
   MIRRORBALL_TRY_VOID(surfaces_->begin(scene_, buffers_, light, frame, settings));
-  frame.proxy->bind();
   target.bind();
   const bool has_color = settings.background == BackgroundKind::radiance;
   const glm::vec3 color = has_color ? settings.background_color : glm::vec3(0.0f);

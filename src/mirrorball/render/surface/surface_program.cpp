@@ -315,7 +315,6 @@ void SurfacePrograms::bindLight(int light) {
   read.environment->bind(TextureUnit::environment);
   read.prefiltered->bind(TextureUnit::prefiltered);
   read.irradiance->bind(TextureUnit::irradiance);
-  if (read.nearness) read.nearness->bind(TextureUnit::nearness);
 }
 
 gl::UniformBlock& SurfacePrograms::instanceBlock(const Scene& scene, int instance) {
@@ -359,6 +358,8 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   setFrame(frame, settings);
   bound_light_ = -1;
   brdf_table_.bind(TextureUnit::brdf_table);
+  sphere_map_ = frame.sphere_map;
+  proxy_ = frame.proxy;
   bodies_ = frame.bodies;
   back_faces_ = frame.back_faces;
   relief_hits_ = frame.relief_hits;
@@ -380,6 +381,22 @@ void SurfacePrograms::forgetScene() {
   materials_.clear();
 }
 
+/// Those of a frame whose units others take, too.
+void SurfacePrograms::bindFrameTextures(const SurfaceVariant& variant, const SurfaceLight& light) {
+  if (variant.has(Part::look_up, LookUpPart::sphere_map))
+    sphere_map_->bind(TextureUnit::sphere_map);
+  else if (variant.has(Part::proxy, ProxyPart::captured))
+    light.nearness->bind(TextureUnit::nearness);
+  else if (!variant.has(Part::proxy, ProxyPart::none))
+    proxy_->bind();
+  if (bodies_ && variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
+  if (variant.has(Part::sky, SkyPart::past_scene_traced)) scene_triangles_->bind(TextureUnit::scene_triangles);
+  if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
+    back_faces_->picture().bind(TextureUnit::back_faces);
+  if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))
+    opaque_picture_->bind(TextureUnit::opaque_picture);
+}
+
 void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings) {
   const int material = materialOf(scene, instance);
   const SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
@@ -393,18 +410,12 @@ void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffe
     program.set("height_form", glm::vec2(heights->slope_unit, settings.relief_steps));
   }
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_unit", buffers.slopesOf(scene, material)->unit);
-  // One unit for both, which the background takes too.
-  if (bodies_ && variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
-  if (variant.has(Part::sky, SkyPart::past_scene_traced)) {
-    scene_triangles_->bind(TextureUnit::scene_triangles);
+  if (variant.has(Part::sky, SkyPart::past_scene_traced))
     program.set("unseen_by_itself", unseen_by_itself_[std::size_t(instance)]);
-  }
-  if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
-    back_faces_->picture().bind(TextureUnit::back_faces);
-  if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))
-    opaque_picture_->bind(TextureUnit::opaque_picture);
   frame_->bind(frame_point);
-  bindLight(lightRead(variant, instance));
+  const int light = lightRead(variant, instance);
+  bindLight(light);
+  bindFrameTextures(variant, lights_[std::size_t(light)]);
   instanceBlock(scene, instance).bind(instance_point);
   materialBlock(scene, material).bind(material_point);
   program.use();

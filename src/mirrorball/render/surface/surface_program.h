@@ -29,11 +29,12 @@
 
 namespace mirrorball {
 
-/// The texture units that the shaders read from.
+/// The texture units that the shaders read from. Of those with one number a shader reads at most one: who draws binds
+/// it.
 struct TextureUnit {
   static constexpr int environment = 0;
-  static constexpr int sphere_map = 1;
-  static constexpr int proxy = 1;     ///< a sphere map knows none
+  static constexpr int sphere_map = 1;  ///< which shows what is infinitely far away: no proxy, and no nearness
+  static constexpr int proxy = 1;
   static constexpr int nearness = 1;  ///< a probe's, which no proxy lies behind
   static constexpr int picture = 2;
   static constexpr int background = 2;  ///< no shader reads two of these
@@ -91,8 +92,9 @@ struct FrameUniforms {
   Camera camera;
   glm::mat3 environment_from_world{1.0f};
   CoordinateMatrices coordinates;
-  const FlatLight* flat = nullptr;      ///< where FrameSettings::look_up reads it
-  const gl::Texture* bodies = nullptr;  ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  const FlatLight* flat = nullptr;          ///< where FrameSettings::look_up reads it
+  const gl::Texture* sphere_map = nullptr;  ///< of this camera; null: no coordinates are places of it
+  const gl::Texture* bodies = nullptr;      ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
   const gl::Texture* scene_triangles = nullptr;  ///< sceneTree(); null: none are reflected
   std::span<const int> unseen_by_itself = {};    ///< of instances: BodyTree's of that tree
   formula::Media eye_media;                      ///< of traced bodies, those that the camera is inside of
@@ -161,6 +163,7 @@ class SurfacePrograms {
   /// Which of the lights: 0 is the environment's.
   int lightRead(const SurfaceVariant& variant, int instance) const;
   void bindLight(int light);
+  void bindFrameTextures(const SurfaceVariant& variant, const SurfaceLight& light);
   gl::UniformBlock& instanceBlock(const Scene& scene, int instance);
   gl::UniformBlock& materialBlock(const Scene& scene, int material);
 
@@ -172,6 +175,8 @@ class SurfacePrograms {
   bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
   const gl::Texture* scene_triangles_ = nullptr;
   std::span<const int> unseen_by_itself_;
+  const gl::Texture* sphere_map_ = nullptr;
+  ProxyUniforms* proxy_ = nullptr;
   const gl::Texture* bodies_ = nullptr;       ///< null: the scene has none
   const BackFaces* back_faces_ = nullptr;     ///< of the sample
   const gl::Texture* relief_hits_ = nullptr;  ///< likewise

@@ -361,7 +361,8 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   // A prism has no corners that the surface has.
   if (!variant.has(Part::point, PointPart::exact))
     variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
-  variant.choose(Part::proxy, settings.proxy.kind);        // its choices come first
+  // A sphere map shows what is infinitely far away. Part::proxy has the settings' choices first.
+  variant.choose(Part::proxy, coordinates.is_sphere_map ? ProxyKind::none : settings.proxy.kind);
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices
   variant.choose(Part::look_up, lookUpPart(material, settings, coordinates));
   chooseLayers(variant, material);

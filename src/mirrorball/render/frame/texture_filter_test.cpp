@@ -80,6 +80,16 @@ TEST_P(FilteredFrameTest, EachFilterIsNearerToTheTruthOnAPlaneAtGrazing) {
   EXPECT_LT(errors[3], 0.75 * errors[2]);
 }
 
+// Sixteen samples that each saw the whole pixel would blur it as much as one does.
+TEST_P(FilteredFrameTest, ASampleSeesItsPartOfThePixel) {
+  const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 8);
+  const Image truth = drawn(stripedPlane(), white, seenFrom(20, 30, 256), TextureFilter::bilinear);
+  const auto errorOf = [&](int samples) {
+    return rootMeanSquare(drawn(stripedPlane(), white, seenFrom(20, 30, samples), TextureFilter::trilinear), truth);
+  };
+  EXPECT_LT(errorOf(16), 0.5 * errorOf(1));
+}
+
 TEST_P(FilteredFrameTest, MipLevelsAreNearerToTheTruthInAMirror) {
   const Environment lines = meridians();
   const Image truth = drawn(mirrorBall(), lines, seenFrom(0, 0, 256), TextureFilter::bilinear);

@@ -190,6 +190,9 @@ struct MapReading {
   std::string expression;
 };
 
+constexpr const char* kOfSample = "inversesqrt(samples_per_pixel) * ";  ///< × what the pixel sees
+
+/// It sees what one sample of the pixel does: all samples together see the pixel.
 ///
 /// coordinates   of the texture, as GLSL's expression
 /// changes       of the coordinates over what is seen, as GLSL's two expressions; empty: the next pixels are compared
@@ -200,7 +203,7 @@ MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const
   const MapSource& source = sources[row];
   if (source.layer < 0)
     return {name == sampler ? "uniform sampler2D " + name + ";\n" : "",
-            changes.empty() ? "texture(" + sampler + ", " + coordinates + ")"
+            changes.empty() ? "texture(" + sampler + ", " + coordinates + ", sampleLod())"
                             : "textureGrad(" + sampler + ", " + coordinates + ", " + changes + ")"};
   const auto flag = [](bool value) { return value ? std::string("true") : std::string("false"); };
   const auto wrap = [](Wrap mode) { return std::string(kWraps[static_cast<std::size_t>(mode)]); };
@@ -208,17 +211,17 @@ MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const
   const std::string sampling = wrap(source.wrap_s) + ", " + wrap(source.wrap_t) + ", " + flag(source.nearest);
   return {"uniform vec3 " + name + "_extent;\n",
           "layerAt(MapLayer(" + layer + "), MapSampling(" + sampling + "), " + coordinates + ", " +
-              (changes.empty() ? "dFdx(" + coordinates + "), dFdy(" + coordinates + ")" : changes) + ")"};
+              (changes.empty() ? kOfSample + ("dFdx(" + coordinates + "), ") + kOfSample + "dFdy(" + coordinates + ")"
+                               : changes) +
+              ")"};
 }
 
-/// What a sample of a pixel sees of the mesh's coordinates, since samples and the spread that is left in them add up to
-/// the pixel's; of other maps, what the pixel sees.
+/// What a sample of a pixel sees of the mesh's coordinates: of normal maps as their spread is worked out, and where heights
+/// move the coordinates.
 std::string changesOfMesh(const SurfaceVariant& variant, std::size_t row) {
-  const bool holds_normals = isNormalMap(materialMaps()[row]);
-  if (variant.has(Part::point, PointPart::raster) && !holds_normals) return "";
-  const std::string part = holds_normals ? "inversesqrt(samples_per_pixel) * " : "";
+  if (variant.has(Part::point, PointPart::raster) && !isNormalMap(materialMaps()[row])) return "";
   const std::string arguments = "(point, " + std::to_string(row) + ")";
-  return part + "mapAcross" + arguments + ", " + part + "mapDown" + arguments;
+  return kOfSample + ("mapAcross" + arguments + ", ") + kOfSample + "mapDown" + arguments;
 }
 
 /// Of a normal map, without the alpha that the picture had.
@@ -258,6 +261,7 @@ MapReading chosenReading(const SurfaceVariant& variant, std::size_t row) {
 /// material has one, and else what changes nothing.
 std::string mapsText(const SurfaceVariant& variant) {
   std::string text =
+      "float sampleLod() { return -0.5 * log2(samples_per_pixel); }\n"
       "vec2 mapCoordinates(SurfacePoint point, int map) {\n"
       "  vec2 uv = map_offset[map].z > 0.5 ? point.uv_1 : point.uv_0;\n"
       "  return mat2(map_matrix[map].xy, map_matrix[map].zw) * uv + map_offset[map].xy;\n"
@@ -352,15 +356,15 @@ SurfaceVariant surfaceVariant(const Material& material, std::vector<MapSource> m
   if (material.alpha_mode == AlphaMode::blend) variant.choose(Part::alpha, AlphaPart::blend);
   variant.choose(Part::point, pointPart(material, settings));
   variant.choose(Part::normal, normalPart(material, settings));
+  variant.coordinates = coordinates;
+  // A prism has no corners that the surface has.
+  if (!variant.has(Part::point, PointPart::exact))
+    variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
   if (material.unlit) {
     variant.choose(Part::material, MaterialPart::unlit);
     return variant;
   }
   variant.choose(Part::detail, detailPart(material));
-  variant.coordinates = coordinates;
-  // A prism has no corners that the surface has.
-  if (!variant.has(Part::point, PointPart::exact))
-    variant.choose(Part::coordinates, coordinatesPart(settings.reflect_at));
   // A sphere map shows what is infinitely far away. Part::proxy has the settings' choices first.
   variant.choose(Part::proxy, coordinates.is_sphere_map ? ProxyKind::none : settings.proxy.kind);
   variant.choose(Part::arriving_light, settings.look_up);  // the same choices

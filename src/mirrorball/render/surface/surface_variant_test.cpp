@@ -77,7 +77,7 @@ TEST(SurfaceVariant, MapsWithTheSameUnitReadOneSampler) {
   EXPECT_THAT(
       shaders->fragment.text,
       AllOf(HasSubstr("uniform sampler2D base_color_map;"), HasSubstr("uniform sampler2D metallic_map;"),
-            Not(HasSubstr("sampler2D roughness_map")), HasSubstr("texture(metallic_map, mapCoordinates(point, 2))")));
+            Not(HasSubstr("sampler2D roughness_map")), HasSubstr("texture(metallic_map, mapCoordinates(point, 2), ")));
 }
 
 }  // namespace

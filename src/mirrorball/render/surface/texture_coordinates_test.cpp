@@ -199,6 +199,23 @@ TEST_P(TexgenTest, NormalsTimesTheLecturesMatrixAreASphereMapsCoordinates) {
   }
 }
 
+// White chalk in white light shows its picture, as a surface without light does.
+TEST_P(TexgenTest, AnUnlitSurfaceTakesTheSameCoordinates) {
+  const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 8);
+  Scene chalk = chalkWithPicture(sphereMesh(64, 128));
+  Scene unlit = chalk;
+  unlit.materials[0].unlit = true;
+  for (const Texgen texgen : {Texgen::none, Texgen::object_linear, Texgen::eye_linear, Texgen::normal})
+    for (const ReflectAt reflect_at : {ReflectAt::fragment, ReflectAt::vertex}) {
+      FrameSettings frame = orthographic(20.0f, 10.0f);
+      frame.texgen = texgen;
+      frame.reflect_at = reflect_at;
+      frame.texture_matrix[3][0] = 0.125f;
+      EXPECT_LT(greatestDifference(drawn(unlit, frame, white), drawn(chalk, frame, white)), kSame)
+          << static_cast<int>(texgen);
+    }
+}
+
 TEST_P(TexgenTest, CoordinatesAreDividedByQ) {
   const Environment white = *builtinEnvironment("white");
   const Scene sphere = chalkWithPicture(sphereMesh(64, 128));

@@ -6,16 +6,27 @@ struct Blur {
   float first_level;        // of the prefiltered chain: the texture's level 0
   float last_level;         // of the prefiltered chain: that of roughness 1
   float texels_per_radian;  // of the environment, in the middle of a face
-  float coarser;            // levels by which the chain's level 0 would have fewer texels than the environment
 };
 
+// The perceptual roughness whose lobe is about as wide as one of these, seen over a patch of directions: variances add
+// up (Kaplanyan et al. 2016, "Filtering distributions of normals for shading antialiasing"). A square patch of φ² sr
+// has φ²/12 along each of its sides, its half vectors' slopes φ²/48. GGX has no variance, but the median of its slopes
+// is α; that of normally distributed ones with the variance v is sqrt(2 ln 2 v).
+FN float roughnessOverPatch(float perceptual_roughness, float patch_sr) {
+  float alpha = perceptual_roughness * perceptual_roughness;
+  return min(sqrt(sqrt(alpha * alpha + 0.0288811f * patch_sr)), 1.0f);
+}
+
 // A chain of bake/prefilter/prefilter.h. For the mirror's level 0 the environment itself stands in, with as many mip
-// levels as a pixel's footprint asks for.
+// levels as a pixel's footprint asks for; the others' lobes are much wider than their texels, and are widened by it.
 FN vec4 prefilteredLight(Blur blur, CUBE_SAMPLER environment, CUBE_SAMPLER prefiltered, vec3 d,
                          float perceptual_roughness, float minified) {
   float lod = lodOfRoughness(perceptual_roughness, blur.last_level);
   if (lod <= 0.0f) return sampleLod(environment, d, minified);
-  vec4 rough = sampleLod(prefiltered, d, max(max(lod, 1.0f), minified - blur.coarser) - blur.first_level);
+  // A texel's own width is in the chain.
+  float patch_sr = (exp2(2.0f * minified) - 1.0f) / (blur.texels_per_radian * blur.texels_per_radian);
+  float widened = lodOfRoughness(roughnessOverPatch(perceptual_roughness, patch_sr), blur.last_level);
+  vec4 rough = sampleLod(prefiltered, d, max(widened, 1.0f) - blur.first_level);
   if (lod >= 1.0f) return rough;
   return mix(sampleLod(environment, d, minified), rough, lod);
 }

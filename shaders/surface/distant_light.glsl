@@ -7,7 +7,7 @@
 #include "sampling.glsl"
 
 vec3 incomingLight(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
-  Blur blur = Blur(blur_kind, first_level, last_level, texels_per_radian, coarser);
+  Blur blur = Blur(blur_kind, first_level, last_level, texels_per_radian);
   ProxySight sight = sightFrom(origin, d);
   float seen = footprint * sight.enlargement;
   float minified = readsMipLevels(texture_filter) ? footprintLod(seen, texels_per_radian) : 0.0;

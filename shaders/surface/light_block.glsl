@@ -8,5 +8,4 @@ layout(std140) uniform LightBlock {
   float first_level;
   float last_level;
   float texels_per_radian;
-  float coarser;
 };

@@ -10,14 +10,14 @@ namespace {
 const Case kCases[] = {
     // blur
     PARITY(prefilteredLight, direction, kTight,
-           prefilteredLight(Blur(0, 1.0f, 6.0f, 32.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x,
-                            4.0f * r.y)),
+           prefilteredLight(Blur(0, 1.0f, 6.0f, 32.0f), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x, 4.0f * r.y)),
+    PARITY(roughnessOverPatch, unit, kTight, vec4(roughnessOverPatch(p.x, 0.1f * p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(coneRay, unit, kTranscendental, vec4(coneRay(0.0625f + p.x, int(63.9375f * p.y), 64), 0.0f)),
     // The sum of 64 rays in a cube that is as bright as its direction.
     PARITY(coneLight, direction, kTranscendental, coneLight(SmoothCube(2.0f), vec3(p), 0.25f + 0.5f * r.x, r.y)),
     PARITY(blurredLight, direction, kTranscendental,
-           blurredLight(Blur(int(1.9375f * r.w), 1.0f, 6.0f, 32.0f, q.w), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p),
-                        r.x, 4.0f * r.y)),
+           blurredLight(Blur(int(1.9375f * r.w), 1.0f, 6.0f, 32.0f), SmoothCube(2.0f), SmoothCube(3.0f), vec3(p), r.x,
+                        4.0f * r.y)),
 
     // box
     PARITY(wayThroughBox, direction, kTight,

@@ -89,8 +89,7 @@ formula::Blur blurOf(const FrameSettings& settings, const gl::Texture& cube, con
   return {.kind = blurKindOfFormula(settings.blur),
           .first_level = static_cast<float>(chain.first_level),
           .last_level = static_cast<float>(chain.lastLevel()),
-          .texels_per_radian = texelDensity(Projection::cube, cube.width()),
-          .coarser = std::log2(static_cast<float>(cube.width()) / static_cast<float>(chain.size()))};
+          .texels_per_radian = texelDensity(Projection::cube, cube.width())};
 }
 
 LightReads lightReads(const Scene& scene, const formula::Blur& blur, const FrameSettings& settings) {

@@ -310,7 +310,6 @@ void SurfacePrograms::bindLight(int light) {
   block.set("first_level", read.blur.first_level);
   block.set("last_level", read.blur.last_level);
   block.set("texels_per_radian", read.blur.texels_per_radian);
-  block.set("coarser", read.blur.coarser);
   block.bind(light_point);
   read.environment->bind(TextureUnit::environment);
   read.prefiltered->bind(TextureUnit::prefiltered);

@@ -216,8 +216,8 @@ MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const
               ")"};
 }
 
-/// What a sample of a pixel sees of the mesh's coordinates: of normal maps as their spread is worked out, and where heights
-/// move the coordinates.
+/// What a sample of a pixel sees of the mesh's coordinates: of normal maps as their spread is worked out, and where
+/// heights move the coordinates.
 std::string changesOfMesh(const SurfaceVariant& variant, std::size_t row) {
   if (variant.has(Part::point, PointPart::raster) && !isNormalMap(materialMaps()[row])) return "";
   const std::string arguments = "(point, " + std::to_string(row) + ")";

@@ -226,7 +226,8 @@ inline SurfaceVariant variantOfCase(const SurfaceCase& asked) {
   FrameSettings settings = asked.settings;
   if (!asked.is_in_scene) settings.occlusion = OcclusionKind::none;
   Material seen = asked.material;
-  const bool is_inside = asked.is_in_body && isBody(seen);
+  // Only bodies that are traced know who is in them.
+  const bool is_inside = asked.is_in_body && isBody(seen) && settings.refraction == RefractionKind::traced;
   if (is_inside) static_cast<formula::Material&>(seen) = formula::openMaterial(seen);
   SurfaceVariant variant = surfaceVariant(seen, std::vector<MapSource>(materialMaps().size()), settings,
                                           settings.lights.size(), coordinates);

@@ -190,9 +190,13 @@ struct MapReading {
   std::string expression;
 };
 
-constexpr const char* kOfSample = "inversesqrt(samples_per_pixel) * ";  ///< × what the pixel sees
+/// What one sample of a pixel sees of what the pixel does, as GLSL's two expressions.
+std::string ofSample(const std::string& across, const std::string& down) {
+  const std::string part = "inversesqrt(samples_per_pixel) * ";
+  return part + across + ", " + part + down;
+}
 
-/// It sees what one sample of the pixel does: all samples together see the pixel.
+/// What a sample reads: all samples together see the pixel.
 ///
 /// coordinates   of the texture, as GLSL's expression
 /// changes       of the coordinates over what is seen, as GLSL's two expressions; empty: the next pixels are compared
@@ -211,9 +215,7 @@ MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const
   const std::string sampling = wrap(source.wrap_s) + ", " + wrap(source.wrap_t) + ", " + flag(source.nearest);
   return {"uniform vec3 " + name + "_extent;\n",
           "layerAt(MapLayer(" + layer + "), MapSampling(" + sampling + "), " + coordinates + ", " +
-              (changes.empty() ? kOfSample + ("dFdx(" + coordinates + "), ") + kOfSample + "dFdy(" + coordinates + ")"
-                               : changes) +
-              ")"};
+              (changes.empty() ? ofSample("dFdx(" + coordinates + ")", "dFdy(" + coordinates + ")") : changes) + ")"};
 }
 
 /// What a sample of a pixel sees of the mesh's coordinates: of normal maps as their spread is worked out, and where
@@ -221,7 +223,7 @@ MapReading mapReading(std::span<const MapSource> sources, std::size_t row, const
 std::string changesOfMesh(const SurfaceVariant& variant, std::size_t row) {
   if (variant.has(Part::point, PointPart::raster) && !isNormalMap(materialMaps()[row])) return "";
   const std::string arguments = "(point, " + std::to_string(row) + ")";
-  return kOfSample + ("mapAcross" + arguments + ", ") + kOfSample + "mapDown" + arguments;
+  return ofSample("mapAcross" + arguments, "mapDown" + arguments);
 }
 
 /// Of a normal map, without the alpha that the picture had.

@@ -1,4 +1,5 @@
-// The environment behind everything.
+// The environment behind everything; or of its ground the scene's shadow alone.
+#include "color.glsl"
 #include "filter_kind.glsl"
 #include "reflection_lobe.glsl"
 #include "sampling.glsl"
@@ -13,6 +14,7 @@ uniform float samples_per_pixel;
 uniform int texture_filter;    // of filter_kind.glsl
 uniform float min_level;
 uniform float lobe_roughness;  // blurs by the mip levels; 0: not
+uniform bool is_shadow_alone;  // as black that covers as much of what it is laid over as the shadow takes away
 
 out vec4 fragment;
 
@@ -24,5 +26,7 @@ void main() {
   vec3 seen = environment_from_world * sight.direction;
   float blurred = lobe_roughness > 0.0 ? lodOfLobe(lobe_roughness, texels_per_radian, seen) : min_level;
   vec3 light = sampleLod(environment, seen, max(blurred, minified)).xyz;
-  fragment = vec4(lightOfProxy(sight, light) * environment_intensity, 1.0);
+  vec3 shown = lightOfProxy(sight, light);
+  fragment = vec4(shown * environment_intensity, 1.0);
+  if (is_shadow_alone) fragment = vec4(vec3(0.0), 1.0 - luminance(shown) / max(luminance(light), 1e-6));
 }

@@ -19,4 +19,7 @@ void main() {
   vec3 place = mix(box.low, box.high, vec3(float(corner & 1), float((corner >> 1) & 1), float(corner >> 2)));
   world_position = box.origin + place.x * box.axis_x + place.y * box.axis_y + place.z * box.axis_z;
   gl_Position = clip_from_world * vec4(world_position, 1.0);
+  // The backs may lie beyond what the camera sees of the model, and must not be cut away: what they show lies before
+  // them.
+  gl_Position.z = min(gl_Position.z, gl_Position.w);
 }

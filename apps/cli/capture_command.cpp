@@ -74,8 +74,8 @@ const auto kCaptureOptions = std::to_array<Option<CaptureOptions>>({
 });
 
 /// What has no meaning for a map of all directions, or a map's own option in its place.
-constexpr std::array<std::string_view, 8> kOptionsOfPictures{"size",   "exposure", "tone-map", "resolve",
-                                                             "camera", "target",   "fov",      "orthographic"};
+constexpr std::array<std::string_view, 9> kOptionsOfPictures{"size",   "exposure", "tone-map",     "resolve", "camera",
+                                                             "target", "fov",      "orthographic", "stand"};
 
 /// All that `capture` was told.
 struct CaptureRequest {
@@ -153,7 +153,7 @@ Result<EnvironmentMap> traceMap(SceneInputs inputs, Projection to, int size, con
 
 Result<void> captureReference(const CaptureRequest& request, const CaptureSettings& settings, Projection to, int size,
                               const MapFile& output, StageClock& clock) {
-  MIRRORBALL_TRY(inputs, loadSceneFor(request.scene, request.materials, output.paths(), clock));
+  MIRRORBALL_TRY(inputs, loadSceneFor(request.scene, request.materials, request.look, output.paths(), clock));
   TracedPicture state;
   MIRRORBALL_TRY(map, traceMap(std::move(inputs), to, size, settings, request, state, clock));
   MIRRORBALL_TRY_VOID(writeMap(std::move(map), request, output, clock));
@@ -180,7 +180,8 @@ Result<void> capture(const CaptureRequest& request) {
     return fail(ErrorCode::usage, "--layers are for pictures; leave it out, or use render");
   if (request.reference.is_wanted) return captureReference(request, settings, to, size, output, clock);
 
-  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, output.paths(), clock));
+  MIRRORBALL_TRY(inputs,
+                 loadInputs(request.scene, request.materials, settings.frame, request.given, output.paths(), clock));
   MIRRORBALL_TRY(map, captureMap(std::move(inputs), to, size, std::move(settings), clock));
   return writeMap(std::move(map), request, output, clock);
 }
@@ -210,6 +211,7 @@ std::span<const Option<FrameSettings>> captureLookOptions() {
 
 Command captureCommand() {
   auto request = std::make_shared<CaptureRequest>();
+  request->scene.quality = Quality::good;
   Command command{
       .name = "capture",
       .help = "Makes an environment map of the light around a point in a scene",
@@ -220,13 +222,13 @@ Command captureCommand() {
                     "the same as a cube map for an engine"}}};
   addModel(command, "SCENE", request->scene);
   addOptions(command, sceneOptions(), request->scene);
+  addOptions(command, qualityOptions(), request->scene, &request->given);
   addOptions(command, kCaptureOptions, request->options);
   addMapOutput(command, request->output);
   addOptions(command, captureLookOptions(), request->look, &request->given);
   addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {
-    prepareFor(request->look, request->scene);
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->output.output,
                                [&] { return capture(*request); });
   };

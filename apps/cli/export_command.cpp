@@ -49,7 +49,7 @@ Result<void> exportScene(const ExportRequest& request) {
   const std::string& output = request.output;
   MIRRORBALL_TRY_VOID(checkExport(output));
   MIRRORBALL_TRY_VOID(checkCamera(request.frame.camera, request.given));
-  MIRRORBALL_TRY(scene, loadModelFor(request.scene, request.materials, {&output, 1}));
+  MIRRORBALL_TRY(scene, loadModelFor(request.scene, request.materials, request.frame, {&output, 1}));
   MIRRORBALL_TRY(camera, framedCamera(scene, boundingSphere(scene), request.frame.camera, request.frame.size));
   MIRRORBALL_TRY(encoded, encodeGlb(scene, camera));
   MIRRORBALL_TRY_VOID(writeFile(output, encoded.bytes));

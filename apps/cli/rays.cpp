@@ -4,6 +4,7 @@
 
 #include "cli/terminal.h"
 #include "mirrorball/rays/occlusion_cache.h"
+#include "mirrorball/rays/seen_from.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/transfer/normal_space.h"
 
@@ -11,8 +12,12 @@ namespace mirrorball::cli {
 
 bool tracesRays() { return true; }
 
-Result<void> findSceneOcclusion(Scene& scene, bool finds_looks, const std::optional<CacheFolder>& cache) {
-  return findOcclusionOnce(scene, {.finds_looks = finds_looks}, cache, progressBar("occlusion"));
+Result<bool> sceneHidesItself(const Scene& scene) { return hidesItself(scene); }
+
+Result<void> findSceneOcclusion(Scene& scene, const FrameSettings& look, const std::optional<CacheFolder>& cache) {
+  return findOcclusionOnce(scene,
+                           {.finds_looks = look.self_reflection, .refines = look.reflect_at == ReflectAt::fragment},
+                           cache, progressBar("occlusion"));
 }
 
 Result<MadeMap> normalsOfModel(Image normals, const std::string& input, const SurfaceOptions& options) {

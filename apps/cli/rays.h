@@ -5,6 +5,7 @@
 
 #include "cli/surface_maps.h"
 #include "mirrorball/base/cache_folder.h"
+#include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball::cli {
@@ -15,11 +16,14 @@ namespace mirrorball::cli {
 
 bool tracesRays();
 
+/// Whether a scene hides the sky from itself; false: !tracesRays()
+Result<bool> sceneHidesItself(const Scene& scene);
+
 /// Finds what a scene's vertices see of the sky, or takes it from the cache.
 ///
-/// finds_looks   also what is seen in all directions, of --self-reflection
-/// errors        as findOcclusionOnce's; unsupported: !tracesRays()
-Result<void> findSceneOcclusion(Scene& scene, bool finds_looks, const std::optional<CacheFolder>& cache);
+/// scene     cut where its triangles are too large to tell, unless they themselves are what is shown
+/// errors    as findOcclusionOnce's; unsupported: !tracesRays()
+Result<void> findSceneOcclusion(Scene& scene, const FrameSettings& look, const std::optional<CacheFolder>& cache);
 
 /// A normal map of a model in the other space; one of tangents has green up or down.
 ///

@@ -28,7 +28,9 @@ Command fresnelCommand() { return commandOfRays("fresnel"); }
 Command studyCommand() { return commandOfRays("study"); }
 Command transferCommand() { return commandOfRays("transfer"); }
 
-Result<void> findSceneOcclusion(Scene&, bool, const std::optional<CacheFolder>&) {
+Result<bool> sceneHidesItself(const Scene&) { return false; }
+
+Result<void> findSceneOcclusion(Scene&, const FrameSettings&, const std::optional<CacheFolder>&) {
   return noRays("--occlusion vertex");
 }
 

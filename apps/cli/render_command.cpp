@@ -25,6 +25,7 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/sunset.h"
+#include "mirrorball/render/frame/idle_options.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/frame/turntable.h"
 #include "mirrorball/scene/camera/framing.h"
@@ -216,17 +217,13 @@ void setTheStage(RenderRequest& request) {
   } else {
     remark("this build reads no OpenEXR, and so has no sunset: the showcase is in the studio");
   }
-  // The mirror ball and the teapot show their neighbours.
-  if (tracesRays() && isFree("self-reflection") && isFree("occlusion") && isFree("probes"))
-    request.frame.self_reflection = true;
-  if (isFree("behind")) request.frame.behind = BehindKind::screen;
-  if (isFree("refraction")) request.frame.refraction = RefractionKind::automatic;
   if (isFree("camera")) request.frame.camera.elevation_deg = 9.0f;
 }
 
 Result<void> render(const RenderRequest& request) {
   StageClock clock;
   FrameSettings settings = request.frame;
+  standOnGround(settings);
   MIRRORBALL_TRY_VOID(checkReference(request.reference, settings, request.given));
   MIRRORBALL_TRY_VOID(checkCamera(settings.camera, request.given));
   MIRRORBALL_TRY_VOID(checkOutput(request, settings));
@@ -238,10 +235,11 @@ Result<void> render(const RenderRequest& request) {
   if (isStandardOutputTaken() && request.turntable.frames > 0)
     return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
   if (request.turntable.frames > 0) whenInterrupted(interruptedAfter(0, outputs.size()));
-  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, outputs, clock));
+  MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, settings, request.given, outputs, clock));
   MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
   MIRRORBALL_TRY_VOID(checkProxy(settings, renderer.scene()));
   MIRRORBALL_TRY_VOID(checkObject(request.turntable, renderer.scene()));
+  for (const std::string& line : idleOptions(renderer.scene(), settings, request.given)) remark(line);
   if (request.turntable.frames > 0) {
     const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
     settings.camera =
@@ -259,17 +257,19 @@ Result<void> render(const RenderRequest& request) {
 
 Command renderCommand() {
   auto request = std::make_shared<RenderRequest>();
+  request->scene.quality = Quality::good;
   Command command{
       .name = "render",
       .help = "Shows a model in an environment",
       .about = "MODEL is a file (" + modelExtensions() +
                "), a built-in, or - for standard input. Without MODEL and --env, the built-in showcase stands " +
                (hasSunset() ? "on the ground of the built-in sunset." : "in the built-in studio."),
-      .examples = {{"render teapot --material gold -e room.hdr -o gold.png", "a gold teapot in a room"},
-                   {"render helmet.glb -e sky:elevation=20 --background transparent --size 800x800 -o helmet.png",
-                    "a model under an evening sun, cut out"}}};
+      .examples = {
+          {"render helmet.glb -e room.hdr --stand -o helmet.png", "a model that stands on the floor of a room"},
+          {"render teapot --material gold -e room.hdr -o gold.png", "a gold teapot in a room"}}};
   addModel(command, "MODEL", request->scene);
   addOptions(command, sceneOptions(), request->scene, &request->given);
+  addOptions(command, qualityOptions(), request->scene, &request->given);
   addOptions(command, kRenderFileOptions, request->files);
   addOptions(command, frameOptions(), request->frame, &request->given);
   addOptions(command, turntableOptions(), request->turntable, &request->given);
@@ -277,7 +277,7 @@ Command renderCommand() {
   addOptions(command, materialOptions(), request->materials, &request->given);
   command.action = [request] {
     setTheStage(*request);
-    prepareFor(request->frame, request->scene);
+    request->scene.objects_move = request->turntable.turn == Turn::object;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });
   };

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "cli/formatted.h"
 #include "cli/interruption.h"
@@ -77,6 +78,23 @@ Result<PathTracer> tracerOf(SceneInputs inputs, StageClock& clock) {
                     [&] { return PathTracer::make(std::move(inputs.scene), std::move(inputs.environment)); });
 }
 
+/// The options that were given, which say how the renderer comes near to what the reference does.
+std::vector<std::string> idleForReference(const ReferenceOptions& options, const FrameSettings& frame,
+                                          const GivenOptions& given) {
+  constexpr auto kOfRenderer = std::to_array<std::string_view>(
+      {"resolve", "blur", "lobe-taps", "mapping", "reflect-at", "texgen", "lookup", "texture-filter", "texture-matrix",
+       "dispersion", "wavelengths", "occlusion", "self-reflection", "probes", "probe-size", "probe-bounces", "behind",
+       "quality"});
+  std::vector<std::string> idle;
+  for (const std::string_view name : kOfRenderer)
+    if (given.contains(name)) idle.push_back("--" + std::string(name));
+  const bool ends_in_glass = options.trace.is_unoccluded && frame.refraction == RefractionKind::traced;
+  if (given.contains("refraction") && !options.trace.is_unoccluded) idle.emplace_back("--refraction");
+  if (given.contains("inner-bounces") && !ends_in_glass) idle.emplace_back("--inner-bounces");
+  if (frame.background == BackgroundKind::blur) idle.emplace_back("--background blur");
+  return idle;
+}
+
 }  // namespace
 
 Result<void> tellTraced(const TracedPicture& picture, const std::string& output) {
@@ -100,26 +118,13 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
         return fail(ErrorCode::usage, "--" + std::string(option.text.name) + " is for the reference; add --reference");
     return {};
   }
-  constexpr auto kOfRenderer =
-      std::to_array<std::string_view>({"resolve", "blur", "mapping", "reflect-at", "turn", "frames", "texgen", "lookup",
-                                       "texture-filter", "texture-matrix", "dispersion", "wavelengths", "occlusion",
-                                       "self-reflection", "probes", "probe-size", "probe-bounces", "behind"});
-  for (const std::string_view name : kOfRenderer)
+  for (const std::string_view name : {"turn", "frames"})
     if (given.contains(name))
-      return fail(ErrorCode::usage,
-                  "--" + std::string(name) + " is for the renderer; leave it out, or leave --reference out");
+      return fail(ErrorCode::usage, "--" + std::string(name) + ": the reference makes one picture; leave it out");
   if (options.trace.is_unoccluded && options.trace.bounces != 1 && frame.refraction != RefractionKind::traced)
     return fail(ErrorCode::usage, "--unoccluded knows no second surface; add --bounces 1");
-  if (given.contains("refraction") && !options.trace.is_unoccluded)
-    return fail(ErrorCode::usage,
-                "--refraction ends the reference's paths only with --unoccluded; else they go through whole bodies; "
-                "leave it out");
-  if (given.contains("inner-bounces") && !(options.trace.is_unoccluded && frame.refraction == RefractionKind::traced))
-    return fail(ErrorCode::usage,
-                "--inner-bounces ends the reference's paths only with --unoccluded --refraction traced; else --bounces "
-                "does");
-  if (frame.background == BackgroundKind::blur)
-    return fail(ErrorCode::usage, "--background blur: the reference shows the environment as it is; leave it out");
+  const std::vector<std::string> idle = idleForReference(options, frame, given);
+  if (!idle.empty()) remark("the reference shows what is right, and so needs no " + join(idle, ", ", " and no "));
   return {};
 }
 
@@ -139,7 +144,7 @@ Result<void> renderReference(const SceneRequest& scene, const MaterialChanges& m
   if (options.trace.wants_layers && extensionOf(output) != "exr")
     return fail(ErrorCode::usage, "--layers: only OpenEXR files have layers; write an .exr");
   StageClock clock;
-  MIRRORBALL_TRY(inputs, loadSceneFor(scene, materials, {&output, 1}, clock));
+  MIRRORBALL_TRY(inputs, loadSceneFor(scene, materials, frame, {&output, 1}, clock));
   MIRRORBALL_TRY_VOID(checkProxy(frame, inputs.scene));
   MIRRORBALL_TRY(camera, framedCamera(inputs.scene, boundingSphere(inputs.scene), frame.camera, frame.size));
   MIRRORBALL_TRY(tracer, tracerOf(std::move(inputs), clock));

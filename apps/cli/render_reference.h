@@ -23,7 +23,7 @@ std::span<const Option<ReferenceOptions>> referenceOption();
 /// Adds them.
 void addReference(Command& command, ReferenceOptions& options, GivenOptions& given);
 
-/// Refuses options that only the renderer has, or only the reference.
+/// Refuses options that only the reference has where it is not wanted; where it is, says which have no meaning for it.
 ///
 /// errors   usage; unsupported: the reference is wanted of a build without rays
 Result<void> checkReference(const ReferenceOptions& options, const FrameSettings& frame, const GivenOptions& given);

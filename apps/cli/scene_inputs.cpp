@@ -57,9 +57,20 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
     {kMaxMemoryText, &SceneRequest::max_memory},
 });
 
+const auto kQualityOptions = std::to_array<Option<SceneRequest>>({
+    {{.name = "quality",
+      .choices = "draft|good|best",
+      .help = "how much the options that are not given do for the picture: draft is the fastest; good lets glass show "
+              "what is behind it, and objects hide and mirror each other, where the model has any of that; best also "
+              "takes more samples and traces through all glass",
+      .group = "Look"},
+     choiceField<&SceneRequest::quality>},
+});
+
 }  // namespace
 
 std::span<const Option<SceneRequest>> sceneOptions() { return kSceneOptions; }
+std::span<const Option<SceneRequest>> qualityOptions() { return kQualityOptions; }
 
 void addModel(Command& command, std::string_view name, SceneRequest& request) {
   addArgument(command,
@@ -74,13 +85,14 @@ void addModel(Command& command, std::string_view name, SceneRequest& request) {
 namespace {
 
 /// errors   usage
-Result<RenderInputNames> inputNamesOf(const SceneRequest& request, const MaterialChanges& materials) {
+Result<RenderInputNames> inputNamesOf(const SceneRequest& request, const MaterialChanges& materials,
+                                      const FrameSettings& look) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
   MIRRORBALL_TRY(hint, formHintNamed(request.from));
   return RenderInputNames{.model = request.model,
                           .up = request.up,
                           .materials = materials,
-                          .relief = request.relief,
+                          .relief = look.relief,
                           .environment = request.environment,
                           .load = {.from = hint, .repair = request.repair}};
 }
@@ -111,13 +123,6 @@ Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given)
   return {};
 }
 
-void prepareFor(FrameSettings& settings, SceneRequest& scene) {
-  if (settings.self_reflection) settings.occlusion = OcclusionKind::vertex;
-  scene.relief = settings.relief;
-  scene.self_reflection = settings.self_reflection;
-  scene.occlusion = settings.occlusion;
-}
-
 Result<void> checkProxyOptions(const ProxyOptions& proxy) {
   if (proxy.ground_roughness < 1.0f && proxy.kind != ProxyKind::ground)
     return fail(ErrorCode::usage, "--ground-roughness is of the ground below the model; add --proxy ground");
@@ -146,32 +151,56 @@ Result<void> checkProxy(const FrameSettings& settings, const Scene& scene) {
   return {};
 }
 
-Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& materials,
+Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& materials, const FrameSettings& look,
                            std::span<const std::string> outputs) {
-  MIRRORBALL_TRY(names, inputNamesOf(request, materials));
+  MIRRORBALL_TRY(names, inputNamesOf(request, materials, look));
   MIRRORBALL_TRY(scene, loadScene(names));
   MIRRORBALL_TRY_VOID(refuseOverwritingInputs(request, scene.files, outputs));
   for (const std::string& warning : scene.warnings) remark(warning);
   return scene;
 }
 
-Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
-                                std::span<const std::string> outputs, StageClock& clock) {
-  MIRRORBALL_TRY(names, inputNamesOf(request, materials));
+namespace {
+
+std::string nameOf(Quality quality) { return written(kQualityOptions.front(), SceneRequest{.quality = quality}); }
+
+/// What the quality fills in of a look, and tells.
+Result<std::string> chosenFor(const Scene& scene, const SceneRequest& request, const GivenOptions& given,
+                              FrameSettings& look) {
+  SceneTraits traits = traitsOf(scene);
+  traits.can_trace_rays = tracesRays() && !request.objects_move;
+  if (request.quality != Quality::draft && traits.can_trace_rays) {
+    MIRRORBALL_TRY(hides, sceneHidesItself(scene));
+    traits.hides_itself = hides;
+  }
+  return fillIn(request.quality, traits, given, look);
+}
+
+}  // namespace
+
+Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials, FrameSettings& look,
+                                const GivenOptions& given, std::span<const std::string> outputs, StageClock& clock) {
+  MIRRORBALL_TRY(names, inputNamesOf(request, materials, look));
   if (!request.is_uncached) {
     MIRRORBALL_TRY(of_user, CacheFolder::ofUser());
     names.cache = std::move(of_user);
   }
-  if (request.occlusion == OcclusionKind::vertex)
-    names.finish = [&clock, cache = names.cache, finds_looks = request.self_reflection](Scene& scene) {
-      return clock.time("model: occlusion", [&] { return findSceneOcclusion(scene, finds_looks, cache); });
-    };
-  return checkedInputs(loadRenderInputs(names, clock.observing(terminalObserver())), request, outputs);
+  std::string chosen;
+  names.finish = [&, cache = names.cache](Scene& scene) -> Result<void> {
+    MIRRORBALL_TRY(of_quality, chosenFor(scene, request, given, look));
+    chosen = std::move(of_quality);
+    if (look.self_reflection) look.occlusion = OcclusionKind::vertex;
+    if (look.occlusion == OcclusionKind::none) return {};
+    return clock.time("model: occlusion", [&] { return findSceneOcclusion(scene, look, cache); });
+  };
+  auto inputs = loadRenderInputs(names, clock.observing(terminalObserver()));
+  if (inputs && !chosen.empty()) remark("--quality " + nameOf(request.quality) + " chose " + chosen);
+  return checkedInputs(std::move(inputs), request, outputs);
 }
 
 Result<SceneInputs> loadSceneFor(const SceneRequest& request, const MaterialChanges& materials,
-                                 std::span<const std::string> outputs, StageClock& clock) {
-  MIRRORBALL_TRY(names, inputNamesOf(request, materials));
+                                 const FrameSettings& look, std::span<const std::string> outputs, StageClock& clock) {
+  MIRRORBALL_TRY(names, inputNamesOf(request, materials, look));
   return checkedInputs(loadSceneInputs(names, clock.observing(terminalObserver())), request, outputs);
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/stage_clock.h"
+#include "mirrorball/render/frame/quality.h"
 #include "mirrorball/render/frame/render_inputs.h"
 #include "mirrorball/scene/material/material_changes.h"
 #include "mirrorball/scene/scene.h"
@@ -18,9 +19,8 @@ struct SceneRequest {
   std::string environment = "studio";
   std::string from = {};
   UpAxis up = UpAxis::y;
-  ReliefKind relief = ReliefKind::bump;           ///< of the frame: the scene is prepared for it
-  OcclusionKind occlusion = OcclusionKind::none;  ///< likewise
-  bool self_reflection = false;
+  Quality quality = Quality::draft;
+  bool objects_move = false;  ///< among each other, in a turntable
   bool repair = false;
   bool is_uncached = false;
   bool timings = false;
@@ -30,14 +30,14 @@ struct SceneRequest {
 /// The table of them, but for the model.
 std::span<const Option<SceneRequest>> sceneOptions();
 
+/// --quality, for commands whose pictures are as good as that says.
+std::span<const Option<SceneRequest>> qualityOptions();
+
 /// Adds the model, which may be left out, as a positional argument of that name.
 void addModel(Command& command, std::string_view name, SceneRequest& request);
 
 /// errors   usage: an option was given that a model's own camera leaves nothing to
 Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given);
-
-/// Says of a scene what is to be prepared of it for pictures that look so.
-void prepareFor(FrameSettings& settings, SceneRequest& scene);
 
 /// errors   usage: the place of a capture was given without a proxy, or how rough a ground is without one
 Result<void> checkProxyOptions(const ProxyOptions& proxy);
@@ -51,19 +51,22 @@ Result<void> checkProxy(const FrameSettings& settings, const Scene& scene);
 ///
 /// outputs  the files that will be written, none of which may be one that is read
 /// errors   usage; as loadScene's
-Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& materials,
+Result<Scene> loadModelFor(const SceneRequest& request, const MaterialChanges& materials, const FrameSettings& look,
                            std::span<const std::string> outputs);
 
-/// Loads driver, model and environment at the same time, and changes the model's materials.
+/// Loads driver, model and environment at the same time, changes the model's materials, fills in what the quality asks
+/// for, says what that is, and prepares the model for pictures that look so.
 ///
+/// look     how it is to look
+/// given    the options that the user gave, which stay as they are
 /// outputs  the files that will be written, none of which may be one that is read
 /// errors   usage, before anything is loaded where it can be told then; as loadRenderInputs'
-Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials,
-                                std::span<const std::string> outputs, StageClock& clock);
+Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChanges& materials, FrameSettings& look,
+                                const GivenOptions& given, std::span<const std::string> outputs, StageClock& clock);
 
-/// The same without a driver.
+/// Loads model and environment for the reference, which needs no driver and no quality.
 Result<SceneInputs> loadSceneFor(const SceneRequest& request, const MaterialChanges& materials,
-                                 std::span<const std::string> outputs, StageClock& clock);
+                                 const FrameSettings& look, std::span<const std::string> outputs, StageClock& clock);
 
 /// A renderer of them.
 ///

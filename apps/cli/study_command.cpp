@@ -107,7 +107,8 @@ Result<void> studyAndWrite(const StudyRequest& request, const std::string& comma
   const std::string& output = request.files.output;
   SceneRequest scene = request.scene;
   if (request.isBuiltIn()) scene.model = "none";
-  MIRRORBALL_TRY(inputs, loadInputs(scene, request.materials, {&output, 1}, clock));
+  FrameSettings look = request.settings.frame;
+  MIRRORBALL_TRY(inputs, loadInputs(scene, request.materials, look, {}, {&output, 1}, clock));
   MIRRORBALL_TRY(made, clock.time("pictures: draw, trace, compare", [&] {
     return study(std::move(inputs), request.isBuiltIn(), request.settings, progressBar("study"));
   }));

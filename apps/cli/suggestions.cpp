@@ -25,7 +25,7 @@ struct Synonyms {
 
 /// What options are called in cmgen, cmft, toktx, maketx, F3D, Blender and by newcomers. A word that is there twice
 /// means the first of those that the command has.
-constexpr std::array<Synonyms, 38> kOptionSynonyms{{
+constexpr std::array<Synonyms, 39> kOptionSynonyms{{
     {"at", "cameraposition origin point position"},
     {"background", "backgroundcolor backgroundcolour bg bgcolor nobackground"},
     {"camera", "azimuth cameraazimuthangle cameraelevationangle cameraposition elevation orbit"},
@@ -55,6 +55,7 @@ constexpr std::array<Synonyms, 38> kOptionSynonyms{{
     {"set", "rough roughness", "--set perceptual_roughness="},
     {"sh-degree", "sh shorder"},
     {"size", "dstfacesize facesize height res resize resolution s width"},
+    {"stand", "catcher contactshadow floor ground onground shadow shadowcatcher shadows"},
     {"target", "camerafocalpoint lookat"},
     {"threads", "cores j jobs numcpuprocessingthreads numthreads"},
     {"to", "outputprojection projection t type"},

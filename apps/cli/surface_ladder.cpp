@@ -92,7 +92,8 @@ Result<void> drawLadder(const std::string& input, float scale, LadderOptions opt
   MIRRORBALL_TRY_VOID(formatToWrite(output, {Holds::picture}));
   MIRRORBALL_TRY_VOID(checkFolder(output));
   StageClock clock;
-  MIRRORBALL_TRY(inputs, loadInputs(options.scene, {.set = materialOf(input, scale)}, {&output, 1}, clock));
+  MIRRORBALL_TRY(inputs, loadInputs(options.scene, {.set = materialOf(input, scale)}, options.study.frame,
+                                    options.given, {&output, 1}, clock));
   // So near that the tile fills the pictures, and its outline is seen.
   options.study.frame.camera.distance = 1.3f;
   MIRRORBALL_TRY(section, studySeries(std::move(inputs), "relief", options.study, progressBar("ladder")));

@@ -4,13 +4,19 @@
 
 // The part of the hemisphere that is open, as a cone (ambient aperture lighting: Oat & Sander 2007).
 struct Opening {
-  vec3 axis;    // unit: the mean direction of the light of an even sky, the bent normal (Landis 2002)
-  float angle;  // half of its aperture [rad]
+  vec3 axis;               // unit: the mean direction of the light of an even sky, the bent normal (Landis 2002)
+  float angle;             // half of its aperture [rad]
+  vec3 hidden_axis;        // of what hides the rest, as a cone likewise
+  float hidden_angle;      // half of its aperture [rad]
+  float is_hidden_by_one;  // 1: what hides lies together, and is less than what is open; 0: it lies all around
 };
 
 // A cone of half the aperture b, all above the surface, whose axis is tilted by t, lets through the share sin² b cos t
 // of an even sky's irradiance. The open hemisphere is one too, and what is hidden is missing in its mean direction, 2/3
 // n.
+//
+// What hides is known by the same two numbers. It lies together, as a knob beside a place does, if its directions are
+// as much alike as those of a cone of its share, whose mean is as long as (1 + cos b) / 2.
 //   n        unit
 //   hidden   the mean of the directions that are hidden, those that are open counting as 0
 //   open     share of the irradiance, in [0, 1]
@@ -18,7 +24,15 @@ FN Opening openingOf(vec3 n, vec3 hidden, float open) {
   vec3 mean = (2.0f / 3.0f) * n - hidden;
   vec3 axis = dot(mean, mean) > 1e-6f ? normalize(mean) : n;
   float squared_sine = clamp(open / max(dot(axis, n), 0.05f), 0.0f, 1.0f);
-  return MAKE(Opening)(axis, atan(sqrt(squared_sine), sqrt(1.0f - squared_sine)));
+  float length_of_hidden = length(hidden);
+  vec3 hidden_axis = length_of_hidden > 1e-3f ? hidden / length_of_hidden : n;
+  float share = 1.0f - open;
+  float hidden_squared_sine = clamp(share / max(dot(hidden_axis, n), 0.2f), 0.0f, 1.0f);
+  float hidden_cosine = sqrt(1.0f - hidden_squared_sine);
+  float likeness = length_of_hidden / max(share * (0.5f + 0.5f * hidden_cosine), 1e-3f);
+  float is_hidden_by_one = smoothstep(0.8f, 0.95f, likeness) * (1.0f - smoothstep(0.3f, 0.6f, share));
+  return MAKE(Opening)(axis, atan(sqrt(squared_sine), sqrt(1.0f - squared_sine)), hidden_axis,
+                       atan(sqrt(hidden_squared_sine), hidden_cosine), is_hidden_by_one);
 }
 
 // Of unit vectors; also exact where they are nearly the same, unlike the inverse of the cosine.
@@ -31,7 +45,9 @@ FN float lobeInOpening(Opening opening, vec3 n, vec3 direction, float alpha) {
   float width = 0.02f + 2.0f * atan(alpha);
   float above = 0.5f * kPi - angleBetween(direction, n);
   float inside = opening.angle - angleBetween(direction, opening.axis);
-  return clamp(smoothstep(-width, width, inside) / max(smoothstep(-width, width, above), 1e-3f), 0.0f, 1.0f);
+  float open = clamp(smoothstep(-width, width, inside) / max(smoothstep(-width, width, above), 1e-3f), 0.0f, 1.0f);
+  float behind = opening.hidden_angle - angleBetween(direction, opening.hidden_axis);
+  return mix(open, 1.0f - smoothstep(-width, width, behind), opening.is_hidden_by_one);
 }
 
 // The roughness of a GGX lobe along the normal that has half of its weight within the same angle as an even light in

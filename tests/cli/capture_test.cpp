@@ -283,7 +283,6 @@ TEST_F(CaptureTest, TheReferenceCapturesTheSame) {
     ASSERT_EQ(drawn.width(), traced.width());
     EXPECT_GT(psnrOnDisplay(drawn, traced, [](int, int) { return true; }), 30.0) << form;
   }
-  EXPECT_THAT(refuse(2, "capture squares.obj --at 0,0,0 --reference --blur mip -o map.exr"), HasSubstr("--blur"));
 }
 
 TEST_F(CaptureTest, TheReferenceHasTheBackgroundBehindTheScene) {

@@ -41,7 +41,8 @@ class CliTest : public ::testing::Test {
   CliTest();
   ~CliTest() override;
 
-  /// Runs the program to its end. `how` may set all but the arguments and the folder.
+  /// Runs the program to its end. `how` may set all but the arguments and the folder. `render` and `capture` draw with
+  /// --quality draft unless another one is given.
   Outcome run(const Arguments& arguments, Start how = {}) const;
 
   /// Runs the program, which must succeed and complain about nothing; returns what it printed.

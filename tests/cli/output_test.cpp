@@ -25,12 +25,14 @@ class OutputTest : public RenderCliTest {
 };
 
 TEST_F(OutputTest, RenderAloneDrawsTheShowcase) {
-  succeed("render");
+  ASSERT_EQ(Program({.arguments = {"render"}, .folder = path("")}).wait().exit_code, 0);
   EXPECT_THAT(files(), ElementsAre("mirrorball.png", "smooth.exr"));
   const Image picture = image("mirrorball.png");
   EXPECT_EQ(picture.width(), 1280);
   EXPECT_EQ(picture.height(), 720);
-  succeed("render --size 96x54 -o alone.png");
+  ASSERT_EQ(Program({.arguments = Arguments("render --size 96x54 -o alone.png").words, .folder = path("")}).wait().err,
+            "mirrorball: note: --quality good chose --refraction auto --behind screen --occlusion vertex "
+            "--self-reflection\n");
   succeed(
       "render showcase -e sunset --env-rotation 270 --proxy ground:2.5 --ground-roughness 0.3 --refraction auto "
       "--self-reflection --behind screen --camera 30,9 --size 96x54 -o told.png");

@@ -132,20 +132,25 @@ TEST_F(ReferenceAgainstRendererTest, AgreesOnTheIndexOfAWavelength) {
 TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refuse(2, "render sphere --bounces 2"), HasSubstr("--bounces is for the reference; add --reference"));
   const std::string line = "render sphere --reference -o ball.png ";
-  EXPECT_THAT(refuse(2, line + "--blur mip"), HasSubstr("--blur is for the renderer"));
-  EXPECT_THAT(refuse(2, line + "--texture-filter nearest"), HasSubstr("--texture-filter is for the renderer"));
-  EXPECT_THAT(refuse(2, line + "--texgen sphere"), HasSubstr("--texgen is for the renderer"));
-  EXPECT_THAT(refuse(2, line + "--occlusion vertex"), HasSubstr("--occlusion is for the renderer"));
+  EXPECT_THAT(refuse(2, line + "--frames 8"), HasSubstr("--frames: the reference makes one picture"));
   EXPECT_THAT(refuse(2, line + "--layers"), HasSubstr("write an .exr"));
   EXPECT_THAT(refuse(2, line + "--noise 0"), HasSubstr("noise"));
   EXPECT_THAT(refuse(2, line + "--time 0"), HasSubstr("time"));
   EXPECT_THAT(refuse(2, line + "--bounces 0"), HasSubstr("bounces"));
   EXPECT_THAT(refuse(2, line + "--unoccluded"), HasSubstr("add --bounces 1"));
-  EXPECT_THAT(refuse(2, line + "--inner-bounces 2"), HasSubstr("--unoccluded --refraction traced"));
-  EXPECT_THAT(refuse(2, line + "--refraction traced"), HasSubstr("--refraction ends the reference's paths only with"));
-  EXPECT_THAT(refuse(2, line + "--dispersion spectral"), HasSubstr("--dispersion is for the renderer"));
   EXPECT_THAT(refuse(2, line + "--wavelength 900"), HasSubstr("380 … 780"));
   EXPECT_THAT(files(), ElementsAre());
+}
+
+// The same line with --reference added shows the truth beside a picture.
+TEST_F(ReferenceRenderTest, TakesEveryOptionOfThePictureBesideIt) {
+  const std::string line = "render sphere --reference --size 8x8 --samples 1 -o ball.png";
+  EXPECT_EQ(run(line + " --quality good --blur mip --texture-filter nearest --self-reflection --refraction traced "
+                       "--inner-bounces 2 --background blur")
+                .err,
+            "mirrorball: note: the reference shows what is right, and so needs no --blur, --texture-filter, "
+            "--self-reflection, --quality, --refraction, --inner-bounces and no --background blur\n");
+  EXPECT_EQ(run(line + " --proxy ground --background transparent").err, "");
 }
 
 TEST_F(ReferenceRenderTest, AnInterruptionLeavesThePictureSoFar) {

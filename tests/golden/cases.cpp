@@ -301,11 +301,12 @@ const Case& caseNamed(const std::string& name) {
 
 std::string commandOf(const Case& golden_case, const std::string& changed) {
   // So that one sample on the other side of an edge changes a pixel by a 16th of the contrast.
-  return withOption(golden_case.command + std::string(needsGl(golden_case) ? " --samples 16" : ""), changed);
+  return withOption(golden_case.command + std::string(needsGl(golden_case) ? " --quality draft --samples 16" : ""),
+                    changed);
 }
 
 std::string drawnCommandOf(const Case& golden_case, const std::string& changed) {
-  const std::string samples = " --samples " + std::to_string(golden_case.truth->samples);
+  const std::string samples = " --quality draft --samples " + std::to_string(golden_case.truth->samples);
   return withOption(golden_case.command + samples + " --resolve radiance", changed);
 }
 

@@ -293,11 +293,15 @@ const Case kSurfaceCases[] = {
 
     // self_occlusion
     PARITY(openingOf, direction, kTranscendental,
-           vec4(openingOf(vec3(p), 0.25f * vec3(q), r.x).axis, openingOf(vec3(p), 0.25f * vec3(q), r.x).angle)),
+           vec4(openingOf(vec3(p), 0.25f * vec3(q), r.x).axis, openingOf(vec3(p), 0.25f * vec3(q), r.x).angle) +
+               vec4(openingOf(vec3(p), 0.25f * vec3(q), r.x).hidden_axis,
+                    openingOf(vec3(p), 0.25f * vec3(q), r.x).hidden_angle +
+                        openingOf(vec3(p), 0.25f * vec3(q), r.x).is_hidden_by_one)),
     PARITY(angleBetween, direction, kTranscendental, vec4(angleBetween(vec3(p), vec3(q)))),
     PARITY(lobeInOpening, direction, kTranscendental,
-           vec4(lobeInOpening(Opening(vec3(p), 1.5f * r.x), vec3(p), vec3(q), r.y))),
-    PARITY(roughnessOfOpening, unit, kTranscendental, vec4(roughnessOfOpening(Opening(vec3(0.0f), 1.5f * p.x)))),
+           vec4(lobeInOpening(Opening(vec3(p), 1.5f * r.x, vec3(q), 0.6f, r.y), vec3(p), vec3(q), r.y))),
+    PARITY(roughnessOfOpening, unit, kTranscendental,
+           vec4(roughnessOfOpening(Opening(vec3(0.0f), 1.5f * p.x, vec3(0.0f), 0.0f, 0.0f)))),
     PARITY(lightThroughOpening, unit, kTight, vec4(lightThroughOpening(vec3(p), vec3(q), r.x), 0.0f)),
 
     // shading

@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <set>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "mirrorball/base/content_hash.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/rays/occlusion_refinement.h"
 
 namespace mirrorball {
 namespace {
@@ -65,13 +67,12 @@ struct Header {
   std::array<char, 8> magic{'M', 'B', 'o', 'c', 'c', 'l', '\r', '\n'};
   std::uint32_t version = OcclusionCache::kVersion;
   std::uint32_t has_looks = 0;
-  std::uint64_t vertices = 0;  ///< of all instances
   std::array<char, ContentHash::kDigits> key{};
   std::array<char, ContentHash::kDigits> checksum{};  ///< of all that follows
 
   bool operator==(const Header&) const = default;
 };
-static_assert(sizeof(Header) == 24 + 2 * ContentHash::kDigits, "nothing lies between its members");
+static_assert(sizeof(Header) == 16 + 2 * ContentHash::kDigits, "nothing lies between its members");
 static_assert(sizeof(VertexOcclusion) == 8 * sizeof(float) && sizeof(VertexLook) == 8 * sizeof(float));
 
 std::array<char, ContentHash::kDigits> digitsOf(const std::string& written) {
@@ -90,76 +91,107 @@ std::size_t verticesOf(const Scene& scene) {
   return vertices;
 }
 
-Header headerOf(const std::string& key, bool has_looks, const Scene& scene) {
-  return {.has_looks = has_looks, .vertices = verticesOf(scene), .key = digitsOf(key)};
-}
+Header headerOf(const std::string& key, bool has_looks) { return {.has_looks = has_looks, .key = digitsOf(key)}; }
 
-/// Of one instance.
+/// What a file holds.
 struct Known {
-  std::vector<VertexOcclusion> occlusion;
-  std::vector<VertexLook> looks;
+  struct OfMesh {
+    std::array<std::uint64_t, 2> counts{};  ///< of new vertices, and of indices
+    MeshRefinement refinement;
+  };
+  struct OfInstance {
+    std::vector<VertexOcclusion> occlusion;
+    std::vector<VertexLook> looks;
+  };
+  std::vector<OfMesh> meshes;
+  std::vector<OfInstance> instances;
 };
-
-/// Visits what is kept of instances, or of Known, in the order of the file.
-template <typename Each, typename Visit>
-void forEachArray(std::span<Each> all, bool has_looks, Visit&& visit) {
-  for (Each& each : all) {
-    visit(each.occlusion);
-    if (has_looks) visit(each.looks);
-  }
-}
 
 template <typename Value>
 std::span<const std::uint8_t> bytesOf(std::span<const Value> values) {
   return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size_bytes()};
 }
 
-template <typename Value>
-bool readAll(const FileReader& file, std::uint64_t offset, std::span<Value> values) {
-  const std::span<std::uint8_t> bytes{reinterpret_cast<std::uint8_t*>(values.data()), values.size_bytes()};
-  const auto count = file.readAt(offset, bytes);
-  return count && *count == bytes.size();
-}
+/// Reads values one after the other, and hashes what it has read.
+class KnownReader {
+ public:
+  explicit KnownReader(const FileReader& file) : file_(file) {}
+
+  template <typename Value>
+  bool read(std::span<Value> values) {
+    const std::span<std::uint8_t> bytes{reinterpret_cast<std::uint8_t*>(values.data()), values.size_bytes()};
+    const auto count = file_.readAt(offset_, bytes);
+    content_.addAll(bytesOf(std::span<const Value>(values)));
+    offset_ += bytes.size();
+    return count && *count == bytes.size();
+  }
+  /// As many values more as there are to be; no memory is taken for what the file is too short for.
+  template <typename Value>
+  bool read(std::vector<Value>& values, std::uint64_t count) {
+    if (count > (file_.size() - std::min(offset_, file_.size())) / sizeof(Value)) return false;
+    values.resize(count);
+    return read(std::span(values));
+  }
+
+  bool isAtEnd() const { return offset_ == file_.size(); }
+  std::string digits() const { return content_.digits(); }
+  void skipHeader() { offset_ = sizeof(Header); }
+
+ private:
+  const FileReader& file_;
+  std::uint64_t offset_ = 0;
+  ContentHash content_;
+};
 
 /// What a file holds; nothing: it is not the one that is expected, or damaged.
-std::optional<std::vector<Known>> readKnown(const fs::path& path, const Header& expected, const Scene& scene) {
+std::optional<Known> readKnown(const fs::path& path, const Header& expected, const Scene& scene) {
   const auto file = FileReader::open(path);
-  const bool has_looks = expected.has_looks != 0;
-  const std::uint64_t of_vertex = sizeof(VertexOcclusion) + (has_looks ? sizeof(VertexLook) : 0);
-  const std::uint64_t bytes = expected.vertices * of_vertex;
-  if (!file || file->size() != sizeof(Header) + bytes || !checkMemory(bytes)) return {};
+  if (!file || !checkMemory(file->size())) return {};
   Header header;
-  if (!readAll(*file, 0, std::span(&header, 1))) return {};
-  std::vector<Known> all(scene.instances.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i].occlusion.resize(verticesOf(scene, scene.instances[i]));
-    if (has_looks) all[i].looks.resize(all[i].occlusion.size());
+  if (!KnownReader(*file).read(std::span(&header, 1))) return {};
+  KnownReader reader(*file);
+  reader.skipHeader();
+  Known known{.meshes = std::vector<Known::OfMesh>(scene.meshes.size()),
+              .instances = std::vector<Known::OfInstance>(scene.instances.size())};
+  for (Known::OfMesh& mesh : known.meshes)
+    if (!reader.read(std::span<std::uint64_t>(mesh.counts)) || !reader.read(mesh.refinement.parents, mesh.counts[0]) ||
+        !reader.read(mesh.refinement.indices, mesh.counts[1]))
+      return {};
+  for (std::size_t i = 0; i < known.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const std::uint64_t vertices = verticesOf(scene, instance) + known.meshes[std::size_t(instance.mesh)].counts[0];
+    if (!reader.read(known.instances[i].occlusion, vertices) ||
+        !reader.read(known.instances[i].looks, expected.has_looks != 0 ? vertices : 0))
+      return {};
   }
-  ContentHash content;
-  std::uint64_t offset = sizeof(Header);
-  bool is_whole = true;
-  forEachArray(std::span(all), has_looks, [&](auto& values) {
-    is_whole = is_whole && readAll(*file, offset, std::span(values));
-    content.addAll(std::span(std::as_const(values)));
-    offset += std::span(values).size_bytes();
-  });
   Header as_read = expected;
-  as_read.checksum = digitsOf(content.digits());
-  if (!is_whole || header != as_read) return {};
-  return all;
+  as_read.checksum = digitsOf(reader.digits());
+  if (!reader.isAtEnd() || header != as_read) return {};
+  return known;
 }
 
-Result<void> write(const fs::path& path, Header header, const Scene& scene) {
+Result<void> write(const fs::path& path, Header header, const Scene& scene,
+                   std::span<const MeshRefinement> refinements) {
   MIRRORBALL_TRY(writer, FileWriter::create(path));
   ContentHash content;
   std::uint64_t offset = sizeof(Header);
   Result<void> written;
-  forEachArray(std::span(scene.instances), header.has_looks != 0, [&](const auto& values) {
-    const std::span array(values);
-    if (written) written = writer.writeAt(offset, bytesOf(array));
-    content.addAll(array);
-    offset += array.size_bytes();
-  });
+  const auto add = [&](const auto& values) {
+    const std::span<const typename std::remove_cvref_t<decltype(values)>::value_type> all(values);
+    const auto bytes = bytesOf(all);
+    if (written) written = writer.writeAt(offset, bytes);
+    content.addAll(bytes);
+    offset += bytes.size();
+  };
+  for (const MeshRefinement& refinement : refinements) {
+    add(std::array<std::uint64_t, 2>{refinement.parents.size(), refinement.indices.size()});
+    add(refinement.parents);
+    add(refinement.indices);
+  }
+  for (const Instance& instance : scene.instances) {
+    add(instance.occlusion);
+    if (header.has_looks != 0) add(instance.looks);
+  }
   MIRRORBALL_TRY_VOID(written);
   header.checksum = digitsOf(content.digits());
   MIRRORBALL_TRY_VOID(writer.writeAt(0, bytesOf(std::span<const Header>(&header, 1))));
@@ -177,6 +209,7 @@ std::string OcclusionCache::keyOf(const Scene& scene, const SceneOcclusionSettin
   ContentHash hash(kVersion);
   hash.add(settings.rays);
   hash.add(settings.finds_looks);
+  hash.add(settings.refines);
   hash.add(scene.instances.size());
   for (const Instance& instance : scene.instances) {
     hash.add(instance.mesh);
@@ -201,21 +234,39 @@ std::string OcclusionCache::keyOf(const Scene& scene, const SceneOcclusionSettin
 }
 
 bool OcclusionCache::find(const std::string& key, bool has_looks, Scene& scene) const {
-  auto known = folder_.find(key, CachedKind::occlusion, [&](const fs::path& path) {
-    return readKnown(path, headerOf(key, has_looks, scene), scene);
-  });
+  auto known = folder_.find(key, CachedKind::occlusion,
+                            [&](const fs::path& path) { return readKnown(path, headerOf(key, has_looks), scene); });
   if (!known) return false;
-  for (std::size_t i = 0; i < known->size(); ++i) {
-    scene.instances[i].occlusion = std::move((*known)[i].occlusion);
-    scene.instances[i].looks = std::move((*known)[i].looks);
+  for (std::size_t i = 0; i < known->meshes.size(); ++i) refine(scene.meshes[i], known->meshes[i].refinement);
+  for (std::size_t i = 0; i < known->instances.size(); ++i) {
+    scene.instances[i].occlusion = std::move(known->instances[i].occlusion);
+    scene.instances[i].looks = std::move(known->instances[i].looks);
   }
   return true;
 }
 
-void OcclusionCache::keep(const std::string& key, bool has_looks, const Scene& scene) const {
+void OcclusionCache::keep(const std::string& key, bool has_looks, const Scene& scene,
+                          std::span<const MeshRefinement> refinements) const {
   folder_.keep(key, CachedKind::occlusion,
-               [&](const fs::path& path) { return write(path, headerOf(key, has_looks, scene), scene); });
+               [&](const fs::path& path) { return write(path, headerOf(key, has_looks), scene, refinements); });
 }
+
+namespace {
+
+/// Cuts a scene's meshes where that is needed; the geometry is then that of the scene as it is.
+///
+/// returns   how, one for each mesh
+Result<std::vector<MeshRefinement>> refined(Scene& scene, Geometry& geometry, const ProgressFunction& progress) {
+  MIRRORBALL_TRY(refinements, occlusionRefinements(scene, geometry, progress));
+  if (std::all_of(refinements.begin(), refinements.end(), [](const auto& each) { return each.empty(); }))
+    return refinements;
+  for (std::size_t i = 0; i < refinements.size(); ++i) refine(scene.meshes[i], refinements[i]);
+  MIRRORBALL_TRY(of_cut, Geometry::make(scene));
+  geometry = std::move(of_cut);
+  return refinements;
+}
+
+}  // namespace
 
 Result<void> findOcclusionOnce(Scene& scene, const SceneOcclusionSettings& settings,
                                const std::optional<CacheFolder>& cache, const ProgressFunction& progress) {
@@ -223,8 +274,13 @@ Result<void> findOcclusionOnce(Scene& scene, const SceneOcclusionSettings& setti
   const std::string key = is_kept ? OcclusionCache::keyOf(scene, settings) : std::string();
   if (is_kept && OcclusionCache(*cache).find(key, settings.finds_looks, scene)) return {};
   MIRRORBALL_TRY(geometry, Geometry::make(scene));
+  std::vector<MeshRefinement> refinements(scene.meshes.size());
+  if (settings.refines) {
+    MIRRORBALL_TRY(found, refined(scene, geometry, progress));
+    refinements = std::move(found);
+  }
   MIRRORBALL_TRY_VOID(findOcclusion(scene, geometry, settings, progress));
-  if (is_kept) OcclusionCache(*cache).keep(key, settings.finds_looks, scene);
+  if (is_kept) OcclusionCache(*cache).keep(key, settings.finds_looks, scene, refinements);
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/rays/scene_occlusion.h"
+#include "mirrorball/scene/mesh_refinement.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -18,7 +20,7 @@ namespace mirrorball {
 class OcclusionCache {
  public:
   /// Increased whenever findOcclusion gives other values or the file format changes: older files are then not found.
-  static constexpr std::uint32_t kVersion = 1;
+  static constexpr std::uint32_t kVersion = 2;
   /// Of fewer rays nothing is kept: 20 ms on one core.
   static constexpr std::size_t kFewestRays = 40'000;
 
@@ -33,19 +35,21 @@ class OcclusionCache {
   /// cost     one pass over them, on all cores for the textures
   static std::string keyOf(const Scene& scene, const SceneOcclusionSettings& settings);
 
-  /// Sets Instance::occlusion, and with `has_looks` Instance::looks, of all instances.
+  /// Cuts the scene's meshes, and sets Instance::occlusion, and with `has_looks` Instance::looks, of all instances.
   ///
   /// returns  false: there is none, or it is damaged; then the scene is as before
   bool find(const std::string& key, bool has_looks, Scene& scene) const;
-  void keep(const std::string& key, bool has_looks, const Scene& scene) const;
+  /// refinements   how the scene's meshes have been cut; one for each
+  void keep(const std::string& key, bool has_looks, const Scene& scene,
+            std::span<const MeshRefinement> refinements) const;
 
  private:
   CacheFolder folder_;
 };
 
-/// findOcclusion, unless the cache has it; then it is kept there.
+/// Cuts the meshes if that is asked for, and then findOcclusion, unless the cache has both; then they are kept there.
 ///
-/// errors   as findOcclusion's and Geometry::make's
+/// errors   as findOcclusion's and Geometry::make's; meshes may then have been cut
 Result<void> findOcclusionOnce(Scene& scene, const SceneOcclusionSettings& settings,
                                const std::optional<CacheFolder>& cache, const ProgressFunction& progress = {});
 

@@ -103,9 +103,31 @@ TEST_F(OcclusionCacheTest, IsTakenInPlaceOfRays) {
     instance.occlusion.assign(scene.meshes[0].vertices.size(), {.open = 0.25f});
   const SceneOcclusionSettings settings{.rays = 80};
   const std::string key = OcclusionCache::keyOf(scene, settings);
-  OcclusionCache(*cache_).keep(key, false, scene);
+  OcclusionCache(*cache_).keep(key, false, scene, std::vector<MeshRefinement>(scene.meshes.size()));
   for (const Instance& instance : found(twoBalls(), settings, cache_).instances)
     for (const VertexOcclusion& occlusion : instance.occlusion) ASSERT_EQ(occlusion.open, 0.25f);
+}
+
+// Where triangles are too large to tell, the cuts are kept too.
+TEST_F(OcclusionCacheTest, HowMeshesAreCutIsKept) {
+  const auto make = [] {
+    Scene scene = twoBalls();
+    scene.materials.push_back({});
+    scene.meshes.push_back(planeMesh());
+    scene.meshes[1].material = 1;
+    scene.instances.push_back({.mesh = 1, .world_from_object = glm::mat4(4.0f)});
+    scene.instances[2].world_from_object[3] = glm::vec4(0.0f, -1.0f, 0.0f, 1.0f);
+    return scene;
+  };
+  constexpr SceneOcclusionSettings kRefined{.rays = 80, .refines = true};
+  const Scene made = found(make(), kRefined);
+  EXPECT_GT(made.meshes[1].vertices.size(), planeMesh().vertices.size());
+  EXPECT_TRUE(bitsOf(found(make(), kRefined, cache_)) == bitsOf(made));
+  Scene again = make();
+  EXPECT_TRUE(OcclusionCache(*cache_).find(OcclusionCache::keyOf(again, kRefined), false, again));
+  EXPECT_TRUE(bitsOf(again) == bitsOf(made));
+  EXPECT_EQ(again.meshes[1].indices, made.meshes[1].indices);
+  EXPECT_NE(OcclusionCache::keyOf(make(), kRefined), OcclusionCache::keyOf(make(), {.rays = 80}));
 }
 
 TEST_F(OcclusionCacheTest, LittleWorkIsNotKept) {
@@ -216,7 +238,7 @@ TEST_F(OcclusionCacheTest, ADamagedFileIsMadeAgain) {
     return is_found;
   };
   EXPECT_TRUE(isFound(*whole));
-  constexpr std::size_t kHeader = 88;
+  constexpr std::size_t kHeader = 80;
   for (std::size_t i = 0; i < whole->size(); i += i < kHeader ? 1 : 997) {
     Bytes damaged = *whole;
     damaged[i] ^= 4u;
@@ -256,7 +278,7 @@ TEST(OcclusionCacheVersion, GoesUpWithOtherValues) {
     const VertexOcclusion& occlusion = scene.instances[0].occlusion[vertex];
     values.insert(values.end(), {occlusion.hidden.x, occlusion.open, occlusion.shown.y});
   }
-  EXPECT_EQ(OcclusionCache::kVersion, 1u);
+  EXPECT_EQ(OcclusionCache::kVersion, 2u);
   EXPECT_THAT(values, ::testing::Pointwise(::testing::FloatNear(1e-3f), {0.1976f, 0.5862f, 0.1820f, 0.2300f, 0.5026f,
                                                                          0.2188f, 0.2263f, 0.4798f, 0.2254f}));
 }

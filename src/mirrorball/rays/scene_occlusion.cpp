@@ -11,6 +11,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/rays/frame.h"
+#include "mirrorball/rays/hiding.h"
 #include "mirrorball/rays/surface_point.h"
 #include "mirrorball/rays/vertex_places.h"
 
@@ -21,25 +22,12 @@ constexpr std::size_t kRaysInAll = 1'600'000;
 constexpr std::size_t kFewestRays = 8;
 constexpr std::size_t kMostRays = 256;
 constexpr std::uint32_t kOpen = ~std::uint32_t{0};
-/// Surfaces that one ray may pass, then the next counts as solid.
-constexpr int kMostPassed = 32;
 
 /// What hides the environment on one ray: the nearest vertex of the surface there; kOpen: nothing does.
 struct Hider {
   std::uint32_t vertex = kOpen;
   std::uint32_t triangle = 0;  ///< counted through all instances
 };
-
-/// Well mixed bits of two numbers (Jarzynski & Olano 2020, "Hash functions for GPU rendering", PCG).
-std::uint32_t mixed(std::uint32_t a, std::uint32_t b) {
-  std::uint32_t state = (a * 747796405u + 2891336453u) ^ (b * 0x9E3779B9u + 0x7F4A7C15u);
-  state = state * 747796405u + 2891336453u;
-  const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-  return (word >> 22u) ^ word;
-}
-
-/// Two numbers in [0, 1) of 16 bits each.
-glm::vec2 sharesOf(std::uint32_t bits) { return glm::vec2(bits & 0xFFFFu, bits >> 16u) / 65536.0f; }
 
 /// How much a surface reflects of even light, all together: of a dielectric, its colour below what Schlick's term
 /// reflects on average, which is f0 + (1 − f0) / 21.
@@ -89,27 +77,15 @@ class Finder {
   std::vector<VertexLook> looks_;              // likewise, if they are asked for
 };
 
-/// The first surface that hides what is behind it.
-///
-/// random   decides whether one that hides a part does
 Hider Finder::hiderOf(glm::vec3 origin, glm::vec3 direction, std::uint32_t random) const {
-  float nearest = 0.0f;
-  for (int passed = 0; passed <= kMostPassed; ++passed) {
-    const std::optional<Hit> hit = geometry_.hit(origin, direction, nearest);
-    if (!hit) return {};
-    const Material& material = materialOf(scene_, hit->instance);
-    const float hides = opacityAt(scene_, *hit) * (1.0f - material.transmission);
-    if (hides >= 1.0f || passed == kMostPassed || sharesOf(mixed(random, std::uint32_t(passed))).x < hides) {
-      const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[hit->instance].mesh)];
-      const glm::vec2 b = hit->barycentric;
-      const float first = 1.0f - b.x - b.y;
-      const std::size_t corner = first >= std::max(b.x, b.y) ? 0 : (b.x >= b.y ? 1 : 2);
-      return {places_.vertexOf(hit->instance, mesh.indices[std::size_t{3} * hit->triangle + corner]),
-              first_triangle_[hit->instance] + hit->triangle};
-    }
-    nearest = hit->distance * (1.0f + 1e-5f);
-  }
-  return {};
+  const std::optional<Hit> hit = hidingHit(scene_, geometry_, origin, direction, random);
+  if (!hit) return {};
+  const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[hit->instance].mesh)];
+  const glm::vec2 b = hit->barycentric;
+  const float first = 1.0f - b.x - b.y;
+  const std::size_t corner = first >= std::max(b.x, b.y) ? 0 : (b.x >= b.y ? 1 : 2);
+  return {places_.vertexOf(hit->instance, mesh.indices[std::size_t{3} * hit->triangle + corner]),
+          first_triangle_[hit->instance] + hit->triangle};
 }
 
 void Finder::traceVertex(std::size_t vertex) {
@@ -125,10 +101,8 @@ void Finder::traceVertex(std::size_t vertex) {
     const std::uint32_t random = mixed(number, static_cast<std::uint32_t>(ray) + 1);
     const PlaceByVertex place = places_.place(vertex, ray * triangles / rays_, sharesOf(random));
     const glm::vec2 even = formula::evenPoint(from, static_cast<float>(ray));
-    glm::vec3 direction = frame.toWorld(formula::sampleDiffuse({even.y, even.x}));
-    // What a smooth normal sees below its flat triangle, light cannot reach from there.
-    if (const float below = glm::dot(direction, place.geometric_normal); below < 0.0f)
-      direction -= 2.0f * below * place.geometric_normal;
+    const glm::vec3 direction =
+        raisedAbove(place.geometric_normal, frame.toWorld(formula::sampleDiffuse({even.y, even.x})));
     const Hider hider =
         hiderOf(formula::besideSurface(place.position, 0.0f, place.geometric_normal), direction, random);
     hiders_[vertex * rays_ + ray] = hider;

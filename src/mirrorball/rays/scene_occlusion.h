@@ -12,6 +12,9 @@ namespace mirrorball {
 struct SceneOcclusionSettings {
   int rays = 0;  ///< from each vertex, at most 4096; 0: as many as make some 1.6 million in all, from 8 to 256
   bool finds_looks = false;  ///< Instance::looks too
+  /// Meshes are cut first where their triangles are too large to tell (occlusionRefinements). Only findOcclusionOnce
+  /// does so.
+  bool refines = false;
 };
 
 /// The rays from each of so many different vertices.

@@ -86,7 +86,11 @@ PlaceByVertex VertexPlaces::place(std::size_t vertex, std::size_t triangle, glm:
   const auto [a, b, c] = cornersFrom(scene_, corner.instance, corner.index);
   const glm::vec3 normal = glm::normalize(glm::cross(b - a, c - a));
   const glm::vec2 weights = kFarthestAway * away;
-  return {a + weights.x * (b - a) + weights.y * (c - a), glm::dot(normal, normals_[vertex]) < 0.0f ? -normal : normal};
+  glm::vec3 normals(0.0f);
+  const std::size_t first = corner.index / 3 * 3;
+  const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[corner.instance].mesh)];
+  for (std::size_t i = first; i < first + 3; ++i) normals += normals_[vertexOf(corner.instance, mesh.indices[i])];
+  return {a + weights.x * (b - a) + weights.y * (c - a), facingOutwards(normal, normals)};
 }
 
 }  // namespace mirrorball

@@ -14,8 +14,17 @@ namespace mirrorball {
 /// A place of a triangle near one of its corners.
 struct PlaceByVertex {
   glm::vec3 position{0.0f};          ///< world
-  glm::vec3 geometric_normal{0.0f};  ///< world, unit, on the side of the vertex's normal
+  glm::vec3 geometric_normal{0.0f};  ///< world, unit: facingOutwards
 };
+
+/// A triangle's counter-clockwise normal, or the other one where the normals of its corners clearly face that way.
+/// Those at a thin rim lie across it, and tell nothing.
+///
+/// geometric_normal   unit
+/// normals            the sum of three unit ones
+inline glm::vec3 facingOutwards(glm::vec3 geometric_normal, glm::vec3 normals) {
+  return glm::dot(geometric_normal, normals) < -0.6f ? -geometric_normal : geometric_normal;
+}
 
 /// The vertices of a scene where its instances put them, those of one instance once that share place and normal, with
 /// the triangles around each. What is true of a vertex is asked at places of these triangles: at the vertex itself,

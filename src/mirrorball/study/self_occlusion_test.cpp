@@ -3,17 +3,20 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "mirrorball/environment/builtin/builtin.h"
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/metric/image_error.h"
-#include "mirrorball/rays/scene_occlusion.h"
+#include "mirrorball/rays/occlusion_cache.h"
 #include "mirrorball/render/render_testing.h"
 #include "mirrorball/scene/camera/framing.h"
+#include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 #include "mirrorball/scene/shapes/interreflection.h"
+#include "mirrorball/scene/shapes/revolution.h"
 #include "mirrorball/study/traced_frame.h"
 #include "mirrorball/trace/path_tracer.h"
 
@@ -24,8 +27,7 @@ class SelfOcclusion : public testing::HeadlessTest {
  protected:
   static Image drawn(Scene scene, const Environment& environment, const FrameSettings& frame) {
     const auto draw = [&]() -> Result<Image> {
-      MIRRORBALL_TRY(geometry, Geometry::make(scene));
-      MIRRORBALL_TRY_VOID(findOcclusion(scene, geometry, {.rays = 24, .finds_looks = true}));
+      MIRRORBALL_TRY_VOID(findOcclusionOnce(scene, {.rays = 24, .finds_looks = true, .refines = true}, {}));
       MIRRORBALL_TRY(prepared, testing::prepareOnce(environment));
       MIRRORBALL_TRY(renderer, testing::rendererOf(std::move(scene), environment, prepared));
       return renderer.renderRadiance(frame);
@@ -102,6 +104,89 @@ TEST_F(SelfOcclusion, RoughMetalReflectsItself) {
   const double without = rmse(drawn(bowl, light, with(frame, OcclusionKind::none, false)), truth);
   const double reflected = rmse(drawn(bowl, light, with(frame, OcclusionKind::vertex, true)), truth);
   EXPECT_LT(reflected, 0.6 * without) << reflected << " after " << without;
+}
+
+/// A floor of two triangles, 8 long, its normal upwards.
+Mesh floorMesh() {
+  Mesh mesh;
+  for (const glm::vec2 at : {glm::vec2(-4, -4), glm::vec2(-4, 4), glm::vec2(4, 4), glm::vec2(4, -4)})
+    mesh.vertices.push_back({.position = {at.x, 0.0f, at.y}, .normal = {0, 1, 0}});
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  return mesh;
+}
+
+Material matt() {
+  Material material;
+  material.base_color = glm::vec3(0.7f);
+  material.perceptual_roughness = 0.6f;
+  return material;
+}
+
+/// A mesh of another material on that floor.
+Scene onFloor(Mesh mesh, float height) {
+  Scene scene = sceneOf(floorMesh(), matt());
+  scene.materials.push_back(matt());
+  scene.materials[1].base_color = glm::vec3(0.8f, 0.5f, 0.3f);
+  mesh.material = 1;
+  scene.meshes.push_back(std::move(mesh));
+  scene.instances.push_back({.mesh = 1});
+  scene.instances[1].world_from_object[3] = glm::vec4(0.0f, height, 0.0f, 1.0f);
+  return scene;
+}
+
+/// A bottle whose flank is of triangles as long as itself: its foot sees less of the sky than its shoulder.
+Mesh bottleMesh() {
+  constexpr glm::dvec2 kUp(0, 1), kOut(1, 0), kDown(0, -1);
+  const std::vector<ProfilePoint> profile{{{0.0, 3.4}, kUp},   {{0.2, 3.4}, kUp},  {{0.2, 3.4}, kOut},
+                                          {{0.2, 2.8}, kOut},  {{0.6, 2.4}, kOut}, {{0.6, 0.0}, kOut},
+                                          {{0.6, 0.0}, kDown}, {{0.0, 0.0}, kDown}};
+  return revolvedMesh(profile, 24);
+}
+
+/// A ball with two thin ears, whose smooth normals at the rim lie across both sides.
+Mesh headMesh() {
+  Mesh head = sphereMesh(24, 48);
+  for (const float side : {-1.0f, 1.0f}) {
+    Mesh ear = sphereMesh(4, 12);
+    const auto first = static_cast<std::uint32_t>(head.vertices.size());
+    for (Vertex vertex : ear.vertices) {
+      vertex.position = vertex.position * glm::vec3(0.8f, 0.8f, 0.02f) + glm::vec3(side * 1.2f, 0.9f, 0.0f);
+      head.vertices.push_back(vertex);
+    }
+    for (const std::uint32_t index : ear.indices) head.indices.push_back(first + index);
+  }
+  computeNormals(head);
+  return head;
+}
+
+// What vertices know must not darken what is between them, nor miss it.
+TEST_F(SelfOcclusion, LargeTrianglesAreNearerToThePaths) {
+  const std::pair<const char*, Scene> scenes[] = {
+      {"a ball on a floor of two triangles", onFloor(sphereMesh(24, 48), 1.0f)},
+      {"a bottle of long triangles", onFloor(bottleMesh(), 0.0f)},
+      {"a head with thin ears", onFloor(headMesh(), 1.0f)}};
+  for (const Environment& light : {studioLight(), *builtinEnvironment("sky")})
+    for (const auto& [name, scene] : scenes) {
+      const FrameSettings frame = shotIntoBowl();
+      const Image truth = traced(scene, light, frame);
+      const double without = rmse(drawn(scene, light, with(frame, OcclusionKind::none, false)), truth);
+      const double known = rmse(drawn(scene, light, with(frame, OcclusionKind::vertex, false)), truth);
+      EXPECT_LT(known, 0.92 * without) << name << ": " << known << " after " << without;
+    }
+}
+
+// A knob hides a small part of the sky from the lid around it, which mirrors the rest in its coat.
+TEST_F(SelfOcclusion, HighlightsBesideASmallHiderStay) {
+  Scene pot = *loadModel("teapot");
+  pot.materials[0] = *materialNamed("car-paint");
+  FrameSettings frame;
+  frame.size = {64, 48};
+  frame.samples = 16;
+  const Environment light = *builtinEnvironment("sunset");
+  const Image truth = traced(pot, light, frame);
+  const double without = rmse(drawn(pot, light, with(frame, OcclusionKind::none, false)), truth);
+  const double known = rmse(drawn(pot, light, with(frame, OcclusionKind::vertex, false)), truth);
+  EXPECT_LT(known, without);
 }
 
 // The light of a bowl that reflects all of it has nowhere else to go.

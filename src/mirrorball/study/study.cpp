@@ -10,6 +10,8 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/metric/picture/comparison_sheet.h"
 #include "mirrorball/metric/picture/heat_map.h"
+#include "mirrorball/rays/occlusion_cache.h"
+#include "mirrorball/rays/seen_from.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/relief/relief.h"
@@ -178,12 +180,30 @@ Result<Image> Workshop::cosines(const Stage& stage) {
   return cosines;
 }
 
+/// Fills in what a technique's quality says, and finds what vertices are to know.
+Result<void> prepareLook(const Technique& technique, Scene& scene, FrameSettings& frame) {
+  if (technique.quality) {
+    SceneTraits traits = traitsOf(scene);
+    traits.can_trace_rays = true;
+    MIRRORBALL_TRY(hides, hidesItself(scene));
+    traits.hides_itself = hides;
+    std::set<std::string_view> given = namesOfSettings(technique.settings);
+    given.insert("samples");  // those of all pictures
+    fillIn(*technique.quality, traits, given, frame);
+  }
+  if (frame.self_reflection) frame.occlusion = OcclusionKind::vertex;
+  if (frame.occlusion == OcclusionKind::none) return {};
+  return findOcclusionOnce(
+      scene, {.finds_looks = frame.self_reflection, .refines = frame.reflect_at == ReflectAt::fragment}, {});
+}
+
 Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
   FrameSettings frame = stage.frame;
   MIRRORBALL_TRY_VOID(applySettings(technique.settings, frame));
   Scene scene = stage.scene;
   MIRRORBALL_TRY_VOID(applyParameters(technique.parameters, scene));
   MIRRORBALL_TRY_VOID(prepareRelief(scene, frame.relief));
+  MIRRORBALL_TRY_VOID(prepareLook(technique, scene, frame));
   MIRRORBALL_TRY_VOID(renderer_.setScene(std::move(scene)));
 
   std::vector<double> times_ms;

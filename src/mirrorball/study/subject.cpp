@@ -21,9 +21,14 @@ using enum Technique::Maker;
 constexpr std::string_view kKnownToMap = "bounces=1 unoccluded=yes";  // all that an environment map can know
 constexpr std::string_view kHeldToMap = "one bounce, and nothing blocks the light";
 
+constexpr std::string_view kRoom = "proxy=box:-3,-1.5,-4,5,3,4";
+
 constexpr auto kPlane = std::to_array<std::string_view>({"plane"});
 constexpr auto kSphere = std::to_array<std::string_view>({"sphere"});
 constexpr auto kBowl = std::to_array<std::string_view>({"bowl"});
+constexpr auto kHidingThemselves = std::to_array<std::string_view>({"bowl", "spheres", "teapot"});
+constexpr auto kOfEachKind = std::to_array<std::string_view>(
+    {"showcase", "tumbler-water", "attenuation-grid", "spheres", "bowl", "teapot", "knot"});
 constexpr auto kInterreflecting = std::to_array<std::string_view>({"spheres", "bowl"});
 
 constexpr auto kLookUps = std::to_array<Technique>({{"cube, reflected ray", "mapping=reflection"},
@@ -72,6 +77,19 @@ constexpr auto kReliefs = std::to_array<Technique>({{"none", "relief=none"},
                                                     {"cone", "relief=cone"},
                                                     {"exact", "relief=exact"},
                                                     {"geometry", "relief=geometry"}});
+
+constexpr auto kHiding = std::to_array<Technique>({{"nothing is hidden", "occlusion=none"},
+                                                   {"as vertices know", "occlusion=vertex"},
+                                                   {"and by rays", "self-reflection=yes"},
+                                                   {"probes", "probes=auto"}});
+
+constexpr auto kProxies = std::to_array<Technique>(
+    {{"infinitely far away", "proxy=none"}, {"on a sphere", "proxy=sphere:0,0,0,4"}, {"on the room's walls", kRoom}});
+
+// `samples` is said by who studies.
+constexpr auto kQualities = std::to_array<Technique>({{.name = "draft", .settings = "", .quality = Quality::draft},
+                                                      {.name = "good", .settings = "", .quality = Quality::good},
+                                                      {.name = "best", .settings = "", .quality = Quality::best}});
 
 constexpr auto kDistantMap = std::to_array<Technique>({{"distant map, drawn"}});
 
@@ -231,6 +249,38 @@ constexpr std::array kSubjects{
             .held_to = "up to 16 bounces",
             .techniques = kSteps,
             .applies = always},
+    Subject{.id = "self-occlusion",
+            .title = "What objects hide and mirror of themselves",
+            .teaches =
+                "Rays from each vertex tell, once, how much of the sky it sees and from where; what is hidden "
+                "shows the object's own light. A ray from each pixel of a polished surface finds what it mirrors "
+                "of its neighbours. Probes capture what is around whole objects, and so know nothing of folds.",
+            .models = kHidingThemselves,
+            .view = "camera=20,40",
+            .held_to = "up to 16 bounces",
+            .techniques = kHiding,
+            .applies = always},
+    Subject{.id = "proxy",
+            .title = "A room that is near",
+            .teaches = "A mirror ball off the middle of a room shows the walls where they are only if the shader knows "
+                       "where they are: a box fits, a sphere nearly, and an environment that is infinitely far away "
+                       "shows what the middle of the room would see.",
+            .models = kSphere,
+            .material = "mirror",
+            .shows = kRoom,
+            .reference = kKnownToMap,
+            .held_to = "the same room, one bounce",
+            .techniques = kProxies,
+            .applies = never},
+    Subject{.id = "quality",
+            .title = "Draft, good and best",
+            .teaches = "What `render` fills in of the options that are not given. A draft takes every surface to be "
+                       "alone with its environment; good knows what hides it and what is behind glass; best traces all "
+                       "glass. All have the same number of samples here.",
+            .models = kOfEachKind,
+            .held_to = "up to 16 bounces",
+            .techniques = kQualities,
+            .applies = always},
     Subject{.id = "occlusion-map",
             .title = "What an occlusion map brings",
             .teaches = "An occlusion map says how much of the sky each place sees, but not which part. Inside of a "
@@ -282,6 +332,14 @@ Result<void> applySettings(std::string_view settings, FrameSettings& frame) {
 
 Result<void> applySettings(std::string_view settings, TraceSettings& trace) {
   return setByTable(traceOptions(), settings, trace);
+}
+
+std::set<std::string_view> namesOfSettings(std::string_view settings) {
+  std::set<std::string_view> names;
+  for (const Option<FrameSettings>& option : frameOptions())
+    for (const std::string& word : wordsOf(settings))
+      if (word.substr(0, word.find('=')) == option.text.name) names.insert(option.text.name);
+  return names;
 }
 
 Result<void> applyParameters(std::string_view parameters, Scene& scene) {

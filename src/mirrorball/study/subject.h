@@ -1,12 +1,14 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/frame/quality.h"
 #include "mirrorball/scene/scene.h"
 #include "mirrorball/trace/path_tracer.h"
 
@@ -20,6 +22,7 @@ struct Technique {
   std::string_view settings = {};    ///< of frameOptions(), or of traceOptions() where paths are traced
   std::string_view parameters = {};  ///< of all materials (materialParameters())
   Maker maker = Maker::renderer;
+  std::optional<Quality> quality = {};  ///< fills in what `settings` do not say
 };
 
 /// One number that changes from picture to picture of a subject.
@@ -57,6 +60,8 @@ std::span<const Subject> subjects();
 /// errors   usage (no such name or value)
 Result<void> applySettings(std::string_view settings, FrameSettings& frame);
 Result<void> applySettings(std::string_view settings, TraceSettings& trace);
+/// The names of the options that such a text sets.
+std::set<std::string_view> namesOfSettings(std::string_view settings);
 /// Sets parameters of all of a scene's materials likewise.
 Result<void> applyParameters(std::string_view parameters, Scene& scene);
 

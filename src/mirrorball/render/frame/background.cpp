@@ -51,6 +51,7 @@ void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame,
   const float prefiltered_level = formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
                                   static_cast<float>(chain.first_level);
   program.set("min_level", is_prefiltered ? prefiltered_level : 0.0f);
+  program.set("is_shadow_alone", static_cast<int>(settings.background == BackgroundKind::transparent));
   program.set("lobe_roughness", blurred && !is_prefiltered ? kBackgroundRoughness : 0.0f);
   screen_.draw(3);
 }

@@ -89,6 +89,12 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "factor on the environment's light",
       .group = "Environment"},
      &FrameSettings::env_intensity},
+    {{.name = "stand",
+      .help =
+          "stand the model on the floor that the panorama shows: the same as --proxy ground, and a camera that holds "
+          "the shadow too. With --background transparent the shadow is all that is left of the floor",
+      .group = "Environment"},
+     &FrameSettings::stands},
     {{.name = "proxy",
       .value = "box:X0,Y0,Z0,X1,Y1,Z1|sphere:X,Y,Z,RADIUS|ground[:HEIGHT[,RADIUS]]|MODEL|none",
       .unit = "world units",
@@ -290,6 +296,13 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
 }  // namespace
 
 std::span<const Option<FrameSettings>> frameOptions() { return kOptions; }
+
+void standOnGround(FrameSettings& settings) {
+  constexpr float kReach = 0.5f;
+  if (!settings.stands) return;
+  if (settings.proxy.kind == ProxyKind::none) settings.proxy.kind = ProxyKind::ground;
+  settings.camera.ground_reach = kReach;
+}
 
 int lobesOf(const FrameSettings& settings) {
   constexpr std::array<int, 4> kLobes{1, 2, 4, 6};

@@ -80,6 +80,7 @@ struct FrameSettings {
   glm::vec3 env_rotation_deg{
       0.0f};  ///< yaw about +Y, +Z towards +X; before it pitch about +X, before that roll about +Z
   float env_intensity = 1.0f;
+  bool stands = false;      ///< on the ground that the environment shows: standOnGround()
   ProxyOptions proxy = {};  ///< what the environment's light comes from
   int probes = 0;           ///< that are captured at reflective objects at most, 0 … kMostProbes or kAutoProbes
   int probe_size = 0;       ///< side of their faces [texels], 8 … 1024; 0: by the picture's height
@@ -115,6 +116,10 @@ struct FrameSettings {
   /// Directions of the environment from those of the world.
   glm::mat3 environmentFromWorld() const;
 };
+
+/// Where `stands` says so, the light comes from a ground unless from another proxy, and the camera holds the shadow
+/// too.
+void standOnGround(FrameSettings& settings);
 
 /// How many lobes make up what a rough surface reflects: of prefiltered light as many as the settings say, else one.
 int lobesOf(const FrameSettings& settings);

@@ -110,6 +110,23 @@ TEST_F(ReliefTest, OnlyExactHasAnOutline) {
 }
 
 // Heights of exactly 0 and 1 are met, under a lamp, too: a relief that is all top is the mesh.
+// Prisms at the far end of a plane reach beyond what its triangles need of the camera's depths.
+TEST_F(ReliefTest, FarHillsAreNotCutAway) {
+  const auto covered = [](ReliefKind kind) {
+    FrameSettings settings{.size = {128, 128}, .background = BackgroundKind::transparent, .samples = 1};
+    settings.camera = {
+        .azimuth_deg = 25.0f, .elevation_deg = 12.0f, .distance = 2.2f, .target = glm::vec3(0.0f), .fov_deg = 40.0f};
+    settings.relief = kind;
+    const Image image = radiance("plane", {"unlit=yes", "height=waves", "height_frequency=1", "height_scale=0.15"},
+                                 *builtinEnvironment("white"), settings);
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) count += rgbaAt(image, x, y).w > 0.5f ? 1 : 0;
+    return count;
+  };
+  EXPECT_NEAR(covered(ReliefKind::exact), covered(ReliefKind::geometry), 8);
+}
+
 TEST_F(ReliefTest, TopsAndBottomsHaveNoHoles) {
   const Environment sky = testing::coarseBuiltin("sky");
   const auto seen = [&](float height, ReliefKind kind) {

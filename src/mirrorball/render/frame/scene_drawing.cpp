@@ -23,6 +23,15 @@ glm::vec3 centerOf(const Mesh& mesh) {
   return box.center();
 }
 
+bool showsBackground(const FrameSettings& settings) {
+  return settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur;
+}
+
+/// Whether the shadow on the ground is all that is seen of it.
+bool showsShadowAlone(const FrameSettings& settings) {
+  return settings.background == BackgroundKind::transparent && settings.proxy.kind == ProxyKind::ground;
+}
+
 /// Whether the ground behind the scene is seen, and polished.
 bool showsGroundMirror(const FrameSettings& settings) {
   return settings.background == BackgroundKind::environment && settings.proxy.mirrorsScene();
@@ -274,7 +283,7 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   std::copy_if(order.begin(), order.end(), std::back_inserter(seeing_nothing),
                [&](int instance) { return !seesScreen(materialOf(scene_, std::size_t(instance)), settings); });
   drawInstances(seeing_nothing, frame, settings);
-  if (settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur)
+  if (showsBackground(settings) || (!is_mirrored && showsShadowAlone(settings)))
     background_.draw(light, frame, settings);
   if (showsGroundMirror(settings)) ground_mirror_->draw(frame, settings, box_);
   MIRRORBALL_TRY_VOID(drawLayers(target, light, frame, settings, layers));

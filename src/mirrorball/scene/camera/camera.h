@@ -17,6 +17,8 @@ struct CameraOptions {
   std::optional<float> distance = {};    ///< from the target, in model radii; without it a ball around the model does
   std::optional<glm::vec3> target = {};  ///< world; without it the centre of that ball
   float fov_deg = 35.0f;                 ///< vertical field of view
+  /// How far around the model's foot a framing holds the ground too, in model radii. 0: it does not.
+  float ground_reach = 0.0f;
   /// Of the view, in model radii; turns perspective off. 0: as without a distance.
   std::optional<float> orthographic_height = {};
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "mirrorball/base/text.h"
@@ -31,6 +32,24 @@ struct Reach {
   }
 };
 
+/// A circle on the ground below the scene, so far beyond its box.
+///
+/// reach   in radii of the scene
+std::vector<glm::dvec3> groundAround(const Scene& scene, float reach) {
+  const Box box = boundingBox(scene);
+  if (box.isEmpty()) return {};
+  const glm::dvec3 low(box.low), high(box.high), middle = 0.5 * (low + high);
+  const double radius =
+      0.5 * std::hypot(high.x - low.x, high.z - low.z) + 0.5 * double(reach) * glm::distance(low, high);
+  constexpr int kPlaces = 32;
+  std::vector<glm::dvec3> places;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double angle = 2.0 * glm::pi<double>() * i / kPlaces;
+    places.emplace_back(middle.x + radius * std::sin(angle), low.y, middle.z + radius * std::cos(angle));
+  }
+  return places;
+}
+
 /// The model as seen along a direction: x to the right, y up, z towards the camera, from the target.
 class View {
  public:
@@ -42,6 +61,7 @@ class View {
     // Turned about the upright axis, the camera stands over +Z; for a whole turn its azimuth does not matter.
     const double azimuth = glm::radians(double(options.azimuth_deg));
     turned_ = glm::rotate(glm::dmat4(1.0), -azimuth, glm::dvec3(0, 1, 0)) * glm::translate(glm::dmat4(1.0), -target);
+    if (options.ground_reach > 0.0f) ground_ = groundAround(scene, options.ground_reach);
   }
 
   /// Towards one side of the picture and the other, 0 right and left, 1 up and down: the greatest of
@@ -52,12 +72,14 @@ class View {
   };
   Sides reach(int axis, double across, double slope) const {
     Sides sides;
-    forEachPosition(scene_, turned_, [&](glm::dvec3 p) {
+    const auto take = [&](glm::dvec3 p) {
       if (is_whole_turn_)
         takeCircle(axis, across, slope, std::hypot(p.x, p.z), p.y, sides);
       else
         takePoint(axis, across, slope, p, sides);
-    });
+    };
+    forEachPosition(scene_, turned_, take);
+    for (const glm::dvec3& place : ground_) take(glm::dvec3(turned_ * glm::dvec4(place, 1.0)));
     return sides;
   }
 
@@ -106,6 +128,7 @@ class View {
   double sine_;
   double cosine_;
   glm::dmat4 turned_{1.0};
+  std::vector<glm::dvec3> ground_;  // world
 };
 
 /// Where a camera at a depth stands on one axis, so that the model reaches as far to one side as to the other: the

@@ -1,0 +1,96 @@
+#include "mirrorball/rays/occlusion_refinement.h"
+
+#include <limits>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/base/parallel.h"
+#include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+std::vector<MeshRefinement> refinementsOf(const Scene& scene) {
+  const auto geometry = Geometry::make(scene);
+  EXPECT_TRUE(geometry);
+  auto refinements = occlusionRefinements(scene, *geometry);
+  EXPECT_TRUE(refinements);
+  EXPECT_EQ(refinements->size(), scene.meshes.size());
+  return std::move(*refinements);
+}
+
+/// A floor of two triangles, and a ball of radius 1 that stands on it.
+Scene ballOnFloor(float half, glm::vec2 at) {
+  Mesh floor;
+  for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)})
+    floor.vertices.push_back({.position = half * glm::vec3(corner.x, 0.0f, corner.y), .normal = {0, 1, 0}});
+  floor.indices = {0, 1, 2, 0, 2, 3};
+  Scene scene = sceneOf(std::move(floor));
+  scene.meshes.push_back(sphereMesh(16, 32));
+  scene.instances.push_back({.mesh = 1});
+  scene.instances[1].world_from_object[3] = glm::vec4(at.x, 1.0f, at.y, 1.0f);
+  return scene;
+}
+
+// Wherever it stands, the floor is cut around it and not far from it; the ball, which is fine, less than the floor.
+TEST(OcclusionRefinement, AFloorIsCutWhereABallStands) {
+  for (const glm::vec2 at : {glm::vec2(0.0f), glm::vec2(7.0f, -5.0f), glm::vec2(-2.0f, 9.0f)}) {
+    Scene scene = ballOnFloor(12.0f, at);
+    const std::vector<MeshRefinement> refinements = refinementsOf(scene);
+    refine(scene.meshes[0], refinements[0]);
+    std::size_t near = 0, far = 0;
+    for (const Vertex& vertex : scene.meshes[0].vertices) {
+      const float distance = glm::distance(glm::vec2(vertex.position.x, vertex.position.z), at);
+      near += distance < 2.0f ? 1 : 0;
+      far += distance > 8.0f ? 1 : 0;
+    }
+    EXPECT_GT(near, 30u) << at.x;
+    EXPECT_LT(far, near) << at.x;
+    EXPECT_LT(refinements[1].parents.size(), refinements[0].parents.size());
+  }
+}
+
+TEST(OcclusionRefinement, WhatNothingHidesIsNotCut) {
+  for (const char* model : {"cube", "sphere", "plane"})
+    for (const MeshRefinement& refinement : refinementsOf(*loadModel(model))) EXPECT_TRUE(refinement.empty()) << model;
+}
+
+TEST(OcclusionRefinement, GlassIsNotCut) {
+  Scene scene = ballOnFloor(12.0f, glm::vec2(0.0f));
+  scene.materials[0].transmission = 1.0f;
+  for (const MeshRefinement& refinement : refinementsOf(scene)) EXPECT_TRUE(refinement.empty());
+}
+
+TEST(OcclusionRefinement, IsTheSameForAnyNumberOfThreads) {
+  const Scene scene = ballOnFloor(5.0f, glm::vec2(1.0f));
+  const int threads = threadLimit();
+  const std::vector<MeshRefinement> many = refinementsOf(scene);
+  setThreadLimit(1);
+  const std::vector<MeshRefinement> one = refinementsOf(scene);
+  setThreadLimit(threads);
+  for (std::size_t i = 0; i < many.size(); ++i) EXPECT_EQ(many[i].indices, one[i].indices);
+}
+
+TEST(OcclusionRefinement, TakesMeshesThatAreNotSound) {
+  Scene scene = ballOnFloor(12.0f, glm::vec2(0.0f));
+  scene.meshes[0].vertices[0].position.x = std::numeric_limits<float>::quiet_NaN();
+  scene.meshes[0].vertices[3].normal = glm::vec3(0.0f);
+  scene.meshes[1].vertices[5].position.y = std::numeric_limits<float>::infinity();
+  refinementsOf(scene);
+  refinementsOf(Scene());
+  refinementsOf(sceneOf(Mesh()));
+}
+
+TEST(OcclusionRefinement, StopsWhenTold) {
+  const Scene scene = ballOnFloor(5.0f, glm::vec2(0.0f));
+  const auto geometry = Geometry::make(scene);
+  ASSERT_TRUE(geometry);
+  const auto stopped = occlusionRefinements(scene, *geometry, [](std::size_t, std::size_t) { return false; });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,82 @@
+#include "mirrorball/rays/seen_from.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "formula/bsdf.h"
+#include "mirrorball/rays/frame.h"
+#include "mirrorball/rays/hiding.h"
+#include "mirrorball/rays/vertex_places.h"
+
+namespace mirrorball {
+namespace {
+
+constexpr int kRays = 32;
+
+}  // namespace
+
+glm::vec3 PlacedTriangle::at(glm::vec3 weights) const {
+  return weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
+}
+
+glm::vec3 PlacedTriangle::normalAt(glm::vec3 weights) const {
+  const glm::vec3 n = weights.x * normals[0] + weights.y * normals[1] + weights.z * normals[2];
+  const float squared = glm::dot(n, n);
+  return squared > 1e-12f && squared < INFINITY ? n / std::sqrt(squared) : geometric_normal;
+}
+
+PlacedTriangle placedTriangle(const Mesh& mesh, const Instance& instance, std::size_t triangle) {
+  const glm::mat3 world_from_normal = glm::transpose(glm::inverse(glm::mat3(instance.world_from_object)));
+  PlacedTriangle placed{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vertex& vertex = mesh.vertices[mesh.indices[3 * triangle + i]];
+    placed.corners[i] = glm::vec3(instance.world_from_object * glm::vec4(vertex.position, 1.0f));
+    placed.normals[i] = world_from_normal * vertex.normal;
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    placed.longest_edge = std::max(placed.longest_edge, glm::distance(placed.corners[i], placed.corners[(i + 1) % 3]));
+  const glm::vec3 across = glm::cross(placed.corners[1] - placed.corners[0], placed.corners[2] - placed.corners[0]);
+  glm::vec3 normals(0.0f);
+  for (const glm::vec3& normal : placed.normals) normals += glm::normalize(normal);
+  placed.geometric_normal = facingOutwards(glm::normalize(across), normals);
+  return placed;
+}
+
+glm::vec4 seenFrom(const Scene& scene, const Geometry& geometry, const PlacedTriangle& placed, glm::vec3 weights) {
+  const Frame frame(placed.normalAt(weights));
+  const glm::vec3 origin = formula::besideSurface(placed.at(weights), 0.0f, placed.geometric_normal);
+  glm::vec3 hidden(0.0f);
+  int open = 0;
+  for (int ray = 0; ray < kRays; ++ray) {
+    const glm::vec2 even = formula::evenPoint(glm::vec2(0.0f), static_cast<float>(ray));
+    const glm::vec3 direction =
+        raisedAbove(placed.geometric_normal, frame.toWorld(formula::sampleDiffuse({even.y, even.x})));
+    if (hidingHit(scene, geometry, origin, direction, mixed(0u, static_cast<std::uint32_t>(ray))))
+      hidden += direction;
+    else
+      ++open;
+  }
+  return glm::vec4(hidden, static_cast<float>(open)) / static_cast<float>(kRays);
+}
+
+Result<bool> hidesItself(const Scene& scene) {
+  constexpr std::size_t kTriangles = 1000;
+  constexpr float kOpen = 0.9f;
+  MIRRORBALL_TRY(geometry, Geometry::make(scene));
+  std::size_t count = 0;
+  for (const Instance& instance : scene.instances) count += scene.meshes[std::size_t(instance.mesh)].indices.size() / 3;
+  const std::size_t step = std::max<std::size_t>(1, count / kTriangles);
+  std::size_t next = 0;
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+    const std::size_t triangles = mesh.indices.size() / 3;
+    for (; next < triangles; next += step)
+      if (seenFrom(scene, geometry, placedTriangle(mesh, instance, next), glm::vec3(1.0f / 3.0f)).w < kOpen)
+        return true;
+    next -= triangles;
+  }
+  return false;
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,79 @@
+#include "mirrorball/render/frame/quality.h"
+
+#include <algorithm>
+
+#include "mirrorball/base/range.h"
+
+namespace mirrorball {
+namespace {
+
+/// Rougher surfaces show of their neighbours no more than what vertices know.
+constexpr float kPolished = 0.3f;
+
+bool always(const SceneTraits&) { return true; }
+bool letsLightThrough(const SceneTraits& traits) { return traits.lets_light_through; }
+bool hidesItself(const SceneTraits& traits) { return traits.hides_itself && traits.can_trace_rays; }
+bool mirrorsItself(const SceneTraits& traits) {
+  return traits.is_polished && (traits.hides_itself || traits.has_objects) && traits.can_trace_rays;
+}
+bool mirrorsWithoutRays(const SceneTraits& traits) {
+  return traits.is_polished && traits.has_objects && !traits.can_trace_rays;
+}
+
+/// They say themselves what surfaces show in place of what is reflected.
+constexpr auto kShowsOtherwise = std::to_array<std::string_view>(
+    {"mapping", "reflect-at", "texgen", "texture-matrix", "lookup", "blur", "occlusion", "self-reflection", "probes"});
+constexpr auto kOccludesOtherwise = std::to_array<std::string_view>({"self-reflection", "probes"});
+
+constexpr auto kChoices = std::to_array<QualityChoice>({
+    {.option = "refraction", .values = {"", "auto", "traced"}, .suits = letsLightThrough},
+    {.option = "behind", .values = {"", "screen", "screen"}, .suits = letsLightThrough},
+    {.option = "occlusion", .values = {"", "vertex", "vertex"}, .suits = hidesItself, .left_to = kOccludesOtherwise},
+    {.option = "self-reflection", .values = {"", "yes", "yes"}, .suits = mirrorsItself, .left_to = kShowsOtherwise},
+    {.option = "probes", .values = {"", "auto", "auto"}, .suits = mirrorsWithoutRays, .left_to = kShowsOtherwise},
+    {.option = "probe-bounces", .values = {"", "", "4"}, .suits = mirrorsWithoutRays},
+    {.option = "samples", .values = {"", "", "16"}, .suits = always},
+});
+
+bool isAnyGiven(std::span<const std::string_view> names, const std::set<std::string_view>& given) {
+  return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return given.contains(name); });
+}
+
+/// "--self-reflection", "--behind screen"
+std::string asGiven(const Option<FrameSettings>& option, std::string_view value) {
+  const std::string name = "--" + std::string(option.text.name);
+  return option.isFlag() ? name : name + " " + std::string(value);
+}
+
+}  // namespace
+
+SceneTraits traitsOf(const Scene& scene) {
+  SceneTraits traits{.has_textures = !scene.textures.empty(), .has_objects = scene.instances.size() > 1};
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Material& material = materialOf(scene, i);
+    traits.lets_light_through = traits.lets_light_through || material.transmission > 0.0f;
+    const bool has_polished_coat = material.clearcoat > 0.0f && material.clearcoat_roughness < kPolished;
+    traits.is_polished =
+        traits.is_polished || (!material.unlit && (material.perceptual_roughness < kPolished || has_polished_coat ||
+                                                   material.roughness_map.texture >= 0));
+  }
+  return traits;
+}
+
+std::span<const QualityChoice> qualityChoices() { return kChoices; }
+
+std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<std::string_view>& given,
+                   FrameSettings& settings) {
+  std::string chosen;
+  for (const QualityChoice& choice : kChoices) {
+    const std::string_view value = choice.values[static_cast<std::size_t>(quality)];
+    if (value.empty() || given.contains(choice.option) || !choice.suits(traits) || isAnyGiven(choice.left_to, given))
+      continue;
+    const auto option = findBy(frameOptions(), choice.option, [](const auto& each) { return each.text.name; });
+    if (option == frameOptions().end() || !assign(*option, settings, value)) continue;
+    chosen += (chosen.empty() ? "" : " ") + asGiven(*option, value);
+  }
+  return chosen;
+}
+
+}  // namespace mirrorball

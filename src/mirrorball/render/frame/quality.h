@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// How much time a picture may take for what it shows.
+enum class Quality { draft, good, best };
+
+/// What of a scene says which techniques its picture needs.
+struct SceneTraits {
+  bool lets_light_through = false;
+  bool has_textures = false;
+  bool is_polished = false;     ///< some surface mirrors
+  bool has_objects = false;     ///< more than one
+  bool hides_itself = false;    ///< some place sees less than nine tenths of the sky; false where rays cannot tell
+  bool can_trace_rays = false;  ///< this build can, and nothing moves but the whole
+};
+
+/// What materials and objects say of a scene; whether it hides itself is asked of rays (rays/self_hiding.h).
+SceneTraits traitsOf(const Scene& scene);
+
+/// One option that a quality fills in.
+struct QualityChoice {
+  std::string_view option;                 ///< of frameOptions()
+  std::array<std::string_view, 3> values;  ///< for each Quality as a user writes it; empty: what it is without
+  bool (*suits)(const SceneTraits&);       ///< whether the scene needs it
+  /// Options with which someone asks for a technique that this one would hide, or says already what this one says.
+  std::span<const std::string_view> left_to = {};
+};
+
+/// All of them, in the order in which they are told.
+std::span<const QualityChoice> qualityChoices();
+
+/// Fills in what a scene needs of what was not given.
+///
+/// given     names of options that stay as they are
+/// returns   what was chosen, as a user writes it: "--refraction auto --behind screen"; empty: nothing
+std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<std::string_view>& given,
+                   FrameSettings& settings);
+
+}  // namespace mirrorball

@@ -1,0 +1,103 @@
+#include "mirrorball/render/frame/quality.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "mirrorball/scene/load_model.h"
+#include "mirrorball/scene/shapes/builtin_shapes.h"
+
+namespace mirrorball {
+namespace {
+
+/// A scene that needs all that there is.
+constexpr SceneTraits kNeedsAll{.lets_light_through = true,
+                                .has_textures = true,
+                                .is_polished = true,
+                                .has_objects = true,
+                                .hides_itself = true,
+                                .can_trace_rays = true};
+
+FrameSettings filledIn(Quality quality, const SceneTraits& traits, const std::set<std::string_view>& given = {},
+                       FrameSettings settings = {}) {
+  fillIn(quality, traits, given, settings);
+  return settings;
+}
+
+TEST(Quality, EachChoiceIsAnOptionWithThoseValues) {
+  for (const QualityChoice& choice : qualityChoices()) {
+    const auto option = std::find_if(frameOptions().begin(), frameOptions().end(),
+                                     [&](const auto& each) { return each.text.name == choice.option; });
+    ASSERT_NE(option, frameOptions().end()) << choice.option;
+    FrameSettings settings;
+    for (const std::string_view value : choice.values) {
+      EXPECT_TRUE(value.empty() || assign(*option, settings, value)) << choice.option << " " << value;
+    }
+    for (const std::string_view name : choice.left_to)
+      EXPECT_TRUE(std::any_of(frameOptions().begin(), frameOptions().end(), [&](const auto& each) {
+        return each.text.name == name;
+      })) << name;
+  }
+}
+
+TEST(Quality, ADraftIsWhatTheSettingsAre) { EXPECT_EQ(filledIn(Quality::draft, kNeedsAll), FrameSettings()); }
+
+TEST(Quality, GoodFillsInWhatTheSceneNeeds) {
+  FrameSettings expected;
+  EXPECT_EQ(filledIn(Quality::good, {.can_trace_rays = true}), expected) << "nothing, of a matt ball";
+  expected.refraction = RefractionKind::automatic;
+  expected.behind = BehindKind::screen;
+  EXPECT_EQ(filledIn(Quality::good, {.lets_light_through = true, .can_trace_rays = true}), expected);
+  expected = {};
+  expected.occlusion = OcclusionKind::vertex;
+  EXPECT_EQ(filledIn(Quality::good, {.hides_itself = true, .can_trace_rays = true}), expected);
+  expected.self_reflection = true;
+  EXPECT_EQ(filledIn(Quality::good, {.is_polished = true, .hides_itself = true, .can_trace_rays = true}), expected);
+  expected = {};
+  expected.probes = FrameSettings::kAutoProbes;
+  EXPECT_EQ(filledIn(Quality::good, {.is_polished = true, .has_objects = true}), expected) << "without rays";
+}
+
+TEST(Quality, BestTakesMore) {
+  const FrameSettings best = filledIn(Quality::best, kNeedsAll);
+  EXPECT_EQ(best.samples, 16);
+  EXPECT_EQ(best.refraction, RefractionKind::traced);
+  EXPECT_TRUE(best.self_reflection);
+}
+
+TEST(Quality, WhatIsGivenStays) {
+  FrameSettings given;
+  given.refraction = RefractionKind::image_space;
+  given.samples = 1;
+  const FrameSettings filled = filledIn(Quality::best, kNeedsAll, {"refraction", "samples"}, given);
+  EXPECT_EQ(filled.refraction, RefractionKind::image_space);
+  EXPECT_EQ(filled.samples, 1);
+  EXPECT_EQ(filled.behind, BehindKind::screen);
+  // A technique that is asked for is not hidden by another one.
+  for (const std::string_view technique : {"mapping", "texgen", "probes", "reflect-at", "occlusion"})
+    EXPECT_FALSE(filledIn(Quality::good, kNeedsAll, {technique}).self_reflection) << technique;
+}
+
+TEST(Quality, SaysWhatItChose) {
+  FrameSettings settings;
+  EXPECT_EQ(fillIn(Quality::good, kNeedsAll, {"behind"}, settings),
+            "--refraction auto --occlusion vertex --self-reflection");
+  EXPECT_EQ(fillIn(Quality::good, {}, {}, settings), "");
+}
+
+TEST(Quality, TraitsAreTheModels) {
+  EXPECT_TRUE(traitsOf(*loadModel("tumbler-water")).lets_light_through);
+  EXPECT_FALSE(traitsOf(*loadModel("tumbler-water")).has_textures);
+  EXPECT_TRUE(traitsOf(*loadModel("spheres")).has_objects);
+  Scene matt = sceneOf(sphereMesh(8, 16));
+  matt.materials[0].perceptual_roughness = 0.7f;
+  EXPECT_FALSE(traitsOf(matt).is_polished);
+  matt.materials[0].clearcoat = 1.0f;
+  EXPECT_TRUE(traitsOf(matt).is_polished);
+  EXPECT_FALSE(traitsOf(Scene()).has_objects);
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -1,0 +1,82 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/cli_testing.h"
+#include "cli/measure.h"
+
+namespace mirrorball::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Without --quality, as users run it.
+class QualityCliTest : public CliTest {
+ protected:
+  Outcome runPlainly(const std::string& line) const {
+    return Program({.arguments = Arguments(line).words, .folder = path("")}).wait();
+  }
+};
+
+TEST_F(QualityCliTest, GoodIsTheDefaultAndSaysWhatItChose) {
+  const std::string line = "render tumbler-water -e studio --size 48x48 ";
+  EXPECT_EQ(runPlainly(line + "-o plain.png").err,
+            "mirrorball: note: --quality good chose --refraction auto --behind screen "
+            "--self-reflection\n");
+  succeed(line + "--refraction auto --behind screen --self-reflection -o told.png");
+  EXPECT_TRUE(bytes("plain.png") == bytes("told.png"));
+  succeed(line + "-o draft.png");
+  EXPECT_FALSE(bytes("plain.png") == bytes("draft.png"));
+}
+
+TEST_F(QualityCliTest, NothingIsChosenWhereNothingIsNeeded) {
+  EXPECT_EQ(runPlainly("render sphere --material gold -e studio --size 16x16 -o ball.png").err, "");
+  EXPECT_EQ(runPlainly("render none -e studio --size 16x16 -o none.png").err, "");
+}
+
+TEST_F(QualityCliTest, WhatIsGivenIsDrawn) {
+  const std::string line = "render bowl -e studio --size 48x48 ";
+  EXPECT_EQ(runPlainly(line + "--occlusion none -o plain.png").err, "");
+  succeed(line + "-o draft.png");
+  EXPECT_TRUE(bytes("plain.png") == bytes("draft.png"));
+}
+
+TEST_F(QualityCliTest, CaptureTakesItToo) {
+  const Outcome outcome = runPlainly("capture bowl --at 0,0.2,0 -e studio --size 16 -o map.exr");
+  EXPECT_THAT(outcome.err, HasSubstr("--quality good chose --occlusion vertex"));
+  succeed("capture bowl --at 0,0.2,0 -e studio --size 16 -o draft.exr");
+  EXPECT_FALSE(bytes("map.exr") == bytes("draft.exr"));
+}
+
+TEST_F(QualityCliTest, OptionsThatCannotActSaySo) {
+  const std::string line = "render sphere -e studio --size 8x8 -o ball.png ";
+  EXPECT_THAT(run(line + "--light-intensity 2").err, HasSubstr("the model has no lights of its own"));
+  EXPECT_THAT(run(line + "--behind screen").err, HasSubstr("no surface lets light through"));
+  EXPECT_THAT(run(line + "--material glass --set attenuation_distance=1 --set attenuation_color=0.2,0.9,0.4").err,
+              HasSubstr("no absorption"));
+}
+
+// The shadow of a ball that stands on the ground below the sun, alone: black that covers as much as is missing.
+TEST_F(QualityCliTest, StandsOnTheFloorAndItsShadowIsAlpha) {
+  const std::string line = "render sphere -e sky:elevation=50 --size 96x64 --samples 1 --stand ";
+  succeed(line + "-o ground.exr");
+  succeed(line + "--background transparent -o shadow.exr");
+  const Image ground = image("ground.exr"), shadow = image("shadow.exr");
+  ASSERT_EQ(shadow.channels(), 4);
+  int covered = 0, clear = 0;
+  for (int y = 0; y < shadow.height(); ++y)
+    for (int x = 0; x < shadow.width(); ++x) {
+      const float* texel = shadow.texel(x, y);
+      if (texel[3] >= 1.0f) continue;  // the ball
+      EXPECT_EQ(texel[0], 0.0f);
+      covered += texel[3] > 0.3f ? 1 : 0;
+      clear += texel[3] == 0.0f ? 1 : 0;
+    }
+  EXPECT_GT(covered, 40);
+  EXPECT_GT(clear, 1000);
+  // The picture's border is free of it: the camera holds the shadow too.
+  for (int y = 0; y < shadow.height(); ++y) EXPECT_LT(shadow.texel(0, y)[3] + shadow.texel(95, y)[3], 0.3f) << y;
+  EXPECT_THAT(refuse(2, "render sphere --shadow -o ball.png"), HasSubstr("did you mean --stand?"));
+}
+
+}  // namespace
+}  // namespace mirrorball::testing

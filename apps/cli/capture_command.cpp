@@ -170,6 +170,7 @@ Result<void> capture(const CaptureRequest& request) {
   MIRRORBALL_TRY_VOID(checkLook(request.look));
   MIRRORBALL_TRY_VOID(checkProxyOptions(request.look.proxy));
   settings.frame = request.look;
+  MIRRORBALL_TRY_VOID(checkContradictions(settings.frame, request.given));
   MIRRORBALL_TRY(to, projectionOf(request));
   MIRRORBALL_TRY_VOID(checkFolder(request.output.output));
   MIRRORBALL_TRY(output, mapFileFor(request.output, request.output.output, to));

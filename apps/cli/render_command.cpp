@@ -223,6 +223,7 @@ void setTheStage(RenderRequest& request) {
 Result<void> render(const RenderRequest& request) {
   StageClock clock;
   FrameSettings settings = request.frame;
+  MIRRORBALL_TRY_VOID(checkContradictions(settings, request.given));
   standOnGround(settings);
   MIRRORBALL_TRY_VOID(checkReference(request.reference, settings, request.given));
   MIRRORBALL_TRY_VOID(checkCamera(settings.camera, request.given));

@@ -123,6 +123,21 @@ Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given)
   return {};
 }
 
+Result<void> checkContradictions(const FrameSettings& settings, const GivenOptions& given) {
+  if (settings.stands && given.contains("proxy") && settings.proxy.kind != ProxyKind::ground)
+    return fail(ErrorCode::usage, "--stand is on a ground; leave --proxy " + writtenProxy(settings.proxy) +
+                                      " out, or say --proxy ground:HEIGHT");
+  if (settings.self_reflection && given.contains("occlusion") && settings.occlusion == OcclusionKind::none)
+    return fail(ErrorCode::usage, "--self-reflection knows what hides the sky; leave --occlusion none out");
+  const bool has_color =
+      settings.background == BackgroundKind::radiance || settings.background == BackgroundKind::display_color;
+  if (settings.stands && has_color)
+    remark(
+        "--stand: the floor and the shadow on it are the environment's, which --background COLOR covers; with "
+        "--background transparent the shadow stays");
+  return {};
+}
+
 Result<void> checkProxyOptions(const ProxyOptions& proxy) {
   if (proxy.ground_roughness < 1.0f && proxy.kind != ProxyKind::ground)
     return fail(ErrorCode::usage, "--ground-roughness is of the ground below the model; add --proxy ground");

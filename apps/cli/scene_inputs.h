@@ -39,6 +39,12 @@ void addModel(Command& command, std::string_view name, SceneRequest& request);
 /// errors   usage: an option was given that a model's own camera leaves nothing to
 Result<void> checkCamera(const CameraOptions& camera, const GivenOptions& given);
 
+/// Says what is told twice, in two ways.
+///
+/// errors   usage: a model stands on a ground, and its light comes from something else; its own reflections are to know
+///          what hides the sky, and nothing is to
+Result<void> checkContradictions(const FrameSettings& settings, const GivenOptions& given);
+
 /// errors   usage: the place of a capture was given without a proxy, or how rough a ground is without one
 Result<void> checkProxyOptions(const ProxyOptions& proxy);
 

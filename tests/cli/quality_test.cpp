@@ -55,6 +55,13 @@ TEST_F(QualityCliTest, OptionsThatCannotActSaySo) {
               HasSubstr("no absorption"));
 }
 
+TEST_F(QualityCliTest, ContradictionsAreTold) {
+  const std::string line = "render sphere -e studio --size 8x8 -o ball.png ";
+  EXPECT_THAT(refuse(2, line + "--stand --proxy none"), HasSubstr("--stand is on a ground"));
+  EXPECT_THAT(refuse(2, line + "--self-reflection --occlusion none"), HasSubstr("leave --occlusion none out"));
+  EXPECT_THAT(run(line + "--stand --background #ff0000").err, HasSubstr("--background COLOR covers"));
+}
+
 // The shadow of a ball that stands on the ground below the sun, alone: black that covers as much as is missing.
 TEST_F(QualityCliTest, StandsOnTheFloorAndItsShadowIsAlpha) {
   const std::string line = "render sphere -e sky:elevation=50 --size 96x64 --samples 1 --stand ";

@@ -23,7 +23,8 @@ bool mirrorsWithoutRays(const SceneTraits& traits) {
 /// They say themselves what surfaces show in place of what is reflected.
 constexpr auto kShowsOtherwise = std::to_array<std::string_view>(
     {"mapping", "reflect-at", "texgen", "texture-matrix", "lookup", "blur", "occlusion", "self-reflection", "probes"});
-constexpr auto kOccludesOtherwise = std::to_array<std::string_view>({"self-reflection", "probes"});
+/// Triangles that are shown as they are cannot be cut, and large ones know too little.
+constexpr auto kOccludesOtherwise = std::to_array<std::string_view>({"self-reflection", "probes", "reflect-at"});
 
 constexpr auto kChoices = std::to_array<QualityChoice>({
     {.option = "refraction", .values = {"", "auto", "traced"}, .suits = letsLightThrough},

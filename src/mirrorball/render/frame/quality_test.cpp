@@ -78,6 +78,7 @@ TEST(Quality, WhatIsGivenStays) {
   // A technique that is asked for is not hidden by another one.
   for (const std::string_view technique : {"mapping", "texgen", "probes", "reflect-at", "occlusion"})
     EXPECT_FALSE(filledIn(Quality::good, kNeedsAll, {technique}).self_reflection) << technique;
+  EXPECT_EQ(filledIn(Quality::good, kNeedsAll, {"reflect-at"}).occlusion, OcclusionKind::none);
 }
 
 TEST(Quality, SaysWhatItChose) {

@@ -28,5 +28,8 @@ void main() {
   vec3 light = sampleLod(environment, seen, max(blurred, minified)).xyz;
   vec3 shown = lightOfProxy(sight, light);
   fragment = vec4(shown * environment_intensity, 1.0);
-  if (is_shadow_alone) fragment = vec4(vec3(0.0), 1.0 - luminance(shown) / max(luminance(light), 1e-6));
+  if (!is_shadow_alone) return;
+  // Where the ground sends no light, none is missing.
+  float lit = luminance(light);
+  fragment = vec4(vec3(0.0), lit > 0.0 ? clamp(1.0 - luminance(shown) / lit, 0.0, 1.0) : 0.0);
 }

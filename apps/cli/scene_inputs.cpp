@@ -184,7 +184,9 @@ Result<std::string> chosenFor(const Scene& scene, const SceneRequest& request, c
                               FrameSettings& look) {
   SceneTraits traits = traitsOf(scene);
   traits.can_trace_rays = tracesRays() && !request.objects_move;
-  if (request.quality != Quality::draft && traits.can_trace_rays) {
+  // What each of these says decides what would be asked for.
+  const bool is_said = given.contains("occlusion") || given.contains("self-reflection") || given.contains("probes");
+  if (request.quality != Quality::draft && traits.can_trace_rays && !traits.is_huge && !is_said) {
     MIRRORBALL_TRY(hides, sceneHidesItself(scene));
     traits.hides_itself = hides;
   }
@@ -202,11 +204,18 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
   }
   std::string chosen;
   names.finish = [&, cache = names.cache](Scene& scene) -> Result<void> {
+    const FrameSettings as_given = look;
     MIRRORBALL_TRY(of_quality, chosenFor(scene, request, given, look));
     chosen = std::move(of_quality);
     if (look.self_reflection) look.occlusion = OcclusionKind::vertex;
     if (look.occlusion == OcclusionKind::none) return {};
-    return clock.time("model: occlusion", [&] { return findSceneOcclusion(scene, look, cache); });
+    Result<void> found = clock.time("model: occlusion", [&] { return findSceneOcclusion(scene, look, cache); });
+    const bool was_asked_for = as_given.self_reflection || as_given.occlusion != OcclusionKind::none;
+    if (found || was_asked_for || found.error().code != ErrorCode::too_large) return found;
+    // What nobody asked for must not end what was asked for.
+    look = as_given;
+    chosen.clear();
+    return {};
   };
   auto inputs = loadRenderInputs(names, clock.observing(terminalObserver()));
   if (inputs && !chosen.empty()) remark("--quality " + nameOf(request.quality) + " chose " + chosen);

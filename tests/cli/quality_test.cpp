@@ -80,6 +80,10 @@ TEST_F(QualityCliTest, StandsOnTheFloorAndItsShadowIsAlpha) {
     }
   EXPECT_GT(covered, 40);
   EXPECT_GT(clear, 1000);
+  // Of a black ground nothing is missing.
+  write("black.exr", Image(8, 4, 3, 0.0f));
+  succeed("render sphere -e black.exr --size 32x24 --samples 1 --stand --background transparent -o black_shadow.exr");
+  EXPECT_EQ(image("black_shadow.exr").texel(1, 22)[3], 0.0f);
   // The picture's border is free of it: the camera holds the shadow too.
   for (int y = 0; y < shadow.height(); ++y) EXPECT_LT(shadow.texel(0, y)[3] + shadow.texel(95, y)[3], 0.3f) << y;
   EXPECT_THAT(refuse(2, "render sphere --shadow -o ball.png"), HasSubstr("did you mean --stand?"));

@@ -221,6 +221,10 @@ std::string OcclusionCache::keyOf(const Scene& scene, const SceneOcclusionSettin
     addCounted(mesh.indices, hash);
     const Material& material = scene.materials[std::size_t(mesh.material)];
     addMaterial(material, settings, hash);
+    if (settings.refines) {  // which leaves reliefs as they are
+      hash.add(material.height);
+      hash.add(mesh.first_of_relief);
+    }
     for (const TextureSlot* slot : slotsOf(material, settings))
       if (slot->texture >= 0) used.insert(slot->texture);
   }
@@ -270,7 +274,8 @@ Result<std::vector<MeshRefinement>> refined(Scene& scene, Geometry& geometry, co
 
 Result<void> findOcclusionOnce(Scene& scene, const SceneOcclusionSettings& settings,
                                const std::optional<CacheFolder>& cache, const ProgressFunction& progress) {
-  const bool is_kept = cache && cache->maxBytes() > 0 && OcclusionCache::isWorthAFile(scene, settings);
+  // A few large triangles may become many.
+  bool is_kept = cache && cache->maxBytes() > 0 && (settings.refines || OcclusionCache::isWorthAFile(scene, settings));
   const std::string key = is_kept ? OcclusionCache::keyOf(scene, settings) : std::string();
   if (is_kept && OcclusionCache(*cache).find(key, settings.finds_looks, scene)) return {};
   MIRRORBALL_TRY(geometry, Geometry::make(scene));
@@ -280,6 +285,7 @@ Result<void> findOcclusionOnce(Scene& scene, const SceneOcclusionSettings& setti
     refinements = std::move(found);
   }
   MIRRORBALL_TRY_VOID(findOcclusion(scene, geometry, settings, progress));
+  is_kept = is_kept && OcclusionCache::isWorthAFile(scene, settings);
   if (is_kept) OcclusionCache(*cache).keep(key, settings.finds_looks, scene, refinements);
   return {};
 }

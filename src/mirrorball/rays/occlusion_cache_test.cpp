@@ -128,6 +128,10 @@ TEST_F(OcclusionCacheTest, HowMeshesAreCutIsKept) {
   EXPECT_TRUE(bitsOf(again) == bitsOf(made));
   EXPECT_EQ(again.meshes[1].indices, made.meshes[1].indices);
   EXPECT_NE(OcclusionCache::keyOf(make(), kRefined), OcclusionCache::keyOf(make(), {.rays = 80}));
+  // What has heights is not cut.
+  Scene with_heights = make();
+  with_heights.materials[1].height = HeightKind::waves;
+  EXPECT_NE(OcclusionCache::keyOf(with_heights, kRefined), OcclusionCache::keyOf(make(), kRefined));
 }
 
 TEST_F(OcclusionCacheTest, LittleWorkIsNotKept) {

@@ -16,9 +16,11 @@ constexpr float kTolerance = 1.0f / 12.0f;
 /// Of the radius of an object: triangles are not cut below that, and places are so far apart at most.
 constexpr float kFinest = 1.0f / 24.0f;
 constexpr float kBetweenPlaces = 1.0f / 4.0f;
-constexpr int kMostPlacesAlong = 48;
+constexpr float kMostPlacesAlong = 48.0f;
 constexpr int kMostSteps = 10;
-constexpr std::size_t kMostVertices = 200'000;  // that are new
+/// For all of a scene: places that are asked, some 3 s of one core, and new vertices, each in all of its instances.
+constexpr std::size_t kMostPlaces = 150'000;
+constexpr std::size_t kMostVertices = 200'000;
 /// How far places lie from the edges, where folds are seen from neither side.
 constexpr float kFromEdges = 0.06f;
 
@@ -35,10 +37,16 @@ float typicalRadius(const Scene& scene) {
   return std::isfinite(*middle) ? *middle : 0.0f;
 }
 
+/// What is left of what may be spent on a scene.
+struct Budget {
+  std::size_t places = kMostPlaces;
+  std::size_t vertices = kMostVertices;
+};
+
 class Refiner {
  public:
-  Refiner(const Scene& scene, const Geometry& geometry, std::size_t mesh, float radius)
-      : scene_(scene), geometry_(geometry), radius_(radius), refiner_(scene.meshes[mesh]) {
+  Refiner(const Scene& scene, const Geometry& geometry, std::size_t mesh, float radius, Budget& budget)
+      : scene_(scene), geometry_(geometry), radius_(radius), budget_(budget), refiner_(scene.meshes[mesh]) {
     for (const Instance& instance : scene.instances)
       if (std::size_t(instance.mesh) == mesh) places_.push_back(&instance);
   }
@@ -48,14 +56,49 @@ class Refiner {
 
  private:
   bool differs(const PlacedTriangle& placed) const;
+  int placesAlong(const PlacedTriangle& placed) const;
+  std::size_t placesOf(const std::vector<std::uint8_t>& is_asked) const;
+  bool takePlaces(const std::vector<std::uint8_t>& is_asked);
   bool isLarge(const PlacedTriangle& placed) const { return placed.longest_edge > 2.0f * kFinest * radius_; }
 
   const Scene& scene_;
   const Geometry& geometry_;
   float radius_;
+  float between_places_ = kBetweenPlaces;  // in radii
+  Budget& budget_;
   MeshRefiner refiner_;
   std::vector<const Instance*> places_;
 };
+
+/// How many parts an edge of a triangle has between the places that are asked.
+int Refiner::placesAlong(const PlacedTriangle& placed) const {
+  const float along = std::ceil(placed.longest_edge / (between_places_ * radius_));
+  return static_cast<int>(std::clamp(along, 2.0f, kMostPlacesAlong));
+}
+
+/// How many places those triangles have, in all instances.
+std::size_t Refiner::placesOf(const std::vector<std::uint8_t>& is_asked) const {
+  std::size_t places = 0;
+  for (const Instance* instance : places_)
+    for (std::size_t triangle = 0; triangle < is_asked.size(); ++triangle) {
+      if (is_asked[triangle] == 0) continue;
+      const PlacedTriangle placed = placedTriangle(refiner_.mesh(), *instance, triangle);
+      const auto along = static_cast<std::size_t>(placesAlong(placed));
+      if (isLarge(placed)) places += (along + 1) * (along + 2) / 2;
+    }
+  return places;
+}
+
+/// Takes what those triangles need from the budget, with places farther apart where that is too much.
+///
+/// returns  whether it is enough
+bool Refiner::takePlaces(const std::vector<std::uint8_t>& is_asked) {
+  std::size_t needed = placesOf(is_asked);
+  for (; needed > budget_.places && between_places_ < 64.0f; needed = placesOf(is_asked)) between_places_ *= 2.0f;
+  if (needed > budget_.places) return false;
+  budget_.places -= needed;
+  return true;
+}
 
 /// Whether some place of it sees something else than what lies between its corners.
 bool Refiner::differs(const PlacedTriangle& placed) const {
@@ -67,8 +110,7 @@ bool Refiner::differs(const PlacedTriangle& placed) const {
     corner[i] = 1.0f;
     seen[std::size_t(i)] = seenFrom(scene_, geometry_, placed, weightsOf(corner));
   }
-  const int along =
-      std::clamp(static_cast<int>(std::ceil(placed.longest_edge / (kBetweenPlaces * radius_))), 2, kMostPlacesAlong);
+  const int along = placesAlong(placed);
   for (int i = 0; i <= along; ++i)
     for (int k = 0; i + k <= along; ++k) {
       const glm::vec3 even = glm::vec3(i, k, along - i - k) / static_cast<float>(along);
@@ -84,8 +126,9 @@ Result<void> Refiner::refine(const ProgressFunction& progress) {
   std::vector<std::uint8_t> is_asked(refiner_.mesh().indices.size() / 3, 1);
   std::vector<std::uint8_t> is_cut;
   for (int step = 0; step < kMostSteps; ++step) {
+    if (!takePlaces(is_asked)) return {};
     is_cut.assign(is_asked.size(), 0);
-    constexpr std::size_t kGrain = 64;
+    constexpr std::size_t kGrain = 8;
     ProgressCounter counter(progress, (is_asked.size() + kGrain - 1) / kGrain);
     parallelFor(is_asked.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       if (counter.stopped()) return;
@@ -99,8 +142,11 @@ Result<void> Refiner::refine(const ProgressFunction& progress) {
     });
     MIRRORBALL_TRY_VOID(counter.result());
     const auto cut = static_cast<std::size_t>(std::count(is_cut.begin(), is_cut.end(), std::uint8_t{1}));
-    if (cut == 0 || refiner_.refinement().parents.size() + 2 * cut > kMostVertices) return {};
+    // Three middles for each; those of neighbours are shared.
+    if (cut == 0 || 3 * cut * places_.size() > budget_.vertices) return {};
+    const std::size_t before = refiner_.mesh().vertices.size();
     const std::vector<std::uint32_t> lies_in = refiner_.cut(is_cut);
+    budget_.vertices -= std::min(budget_.vertices, (refiner_.mesh().vertices.size() - before) * places_.size());
     is_asked.resize(lies_in.size());
     std::transform(lies_in.begin(), lies_in.end(), is_asked.begin(), [&](std::uint32_t old) { return is_cut[old]; });
   }
@@ -119,9 +165,10 @@ Result<std::vector<MeshRefinement>> occlusionRefinements(const Scene& scene, con
   std::vector<MeshRefinement> refinements(scene.meshes.size());
   const float radius = typicalRadius(scene);
   if (!(radius > 0.0f)) return refinements;
+  Budget budget;
   for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
     if (!isCut(scene, scene.meshes[mesh])) continue;
-    Refiner refiner(scene, geometry, mesh, radius);
+    Refiner refiner(scene, geometry, mesh, radius, budget);
     MIRRORBALL_TRY_VOID(refiner.refine(progress));
     refinements[mesh] = refiner.refinement();
   }

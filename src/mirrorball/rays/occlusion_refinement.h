@@ -18,7 +18,7 @@ namespace mirrorball {
 ///
 /// returns  one for each mesh
 /// errors   interrupted
-/// cost     20 µs for each triangle that is larger than that, on one core
+/// cost     20 µs for each place that is asked, on one core; at most 150 000 of them, and 200 000 new vertices
 Result<std::vector<MeshRefinement>> occlusionRefinements(const Scene& scene, const Geometry& geometry,
                                                          const ProgressFunction& progress = {});
 

@@ -38,7 +38,7 @@ PlacedTriangle placedTriangle(const Mesh& mesh, const Instance& instance, std::s
     placed.longest_edge = std::max(placed.longest_edge, glm::distance(placed.corners[i], placed.corners[(i + 1) % 3]));
   const glm::vec3 across = glm::cross(placed.corners[1] - placed.corners[0], placed.corners[2] - placed.corners[0]);
   glm::vec3 normals(0.0f);
-  for (const glm::vec3& normal : placed.normals) normals += glm::normalize(normal);
+  for (const glm::vec3& normal : placed.normals) normals += unitOrNone(normal);
   placed.geometric_normal = facingOutwards(glm::normalize(across), normals);
   return placed;
 }
@@ -66,7 +66,7 @@ Result<bool> hidesItself(const Scene& scene) {
   MIRRORBALL_TRY(geometry, Geometry::make(scene));
   std::size_t count = 0;
   for (const Instance& instance : scene.instances) count += scene.meshes[std::size_t(instance.mesh)].indices.size() / 3;
-  const std::size_t step = std::max<std::size_t>(1, count / kTriangles);
+  const std::size_t step = std::max<std::size_t>(1, (count + kTriangles - 1) / kTriangles);
   std::size_t next = 0;
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];

@@ -32,11 +32,6 @@ bool hasArea(const std::array<glm::vec3, 3>& corners) {
   return squared > 0.0f && squared < INFINITY;
 }
 
-glm::vec3 unitOrNone(glm::vec3 n) {
-  const float squared = glm::dot(n, n);
-  return squared > 0.0f && squared < INFINITY ? n / std::sqrt(squared) : glm::vec3(0.0f);
-}
-
 }  // namespace
 
 VertexPlaces::VertexPlaces(const Scene& scene) : scene_(scene), numbers_(scene.instances.size()) {

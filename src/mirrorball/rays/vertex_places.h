@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,6 +17,12 @@ struct PlaceByVertex {
   glm::vec3 position{0.0f};          ///< world
   glm::vec3 geometric_normal{0.0f};  ///< world, unit: facingOutwards
 };
+
+/// 0 for what is no direction.
+inline glm::vec3 unitOrNone(glm::vec3 n) {
+  const float squared = glm::dot(n, n);
+  return squared > 0.0f && squared < INFINITY ? n / std::sqrt(squared) : glm::vec3(0.0f);
+}
 
 /// A triangle's counter-clockwise normal, or the other one where the normals of its corners clearly face that way.
 /// Those at a thin rim lie across it, and tell nothing.

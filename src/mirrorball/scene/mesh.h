@@ -10,7 +10,8 @@
 
 namespace mirrorball {
 
-/// One corner of a mesh as the GPU reads it.
+/// One corner of a mesh as the GPU reads it. Normals and tangents of those that refine() made are the means of their
+/// parents', and not unit.
 struct Vertex {
   glm::vec3 position{0.0f};                              ///< object space
   glm::vec3 normal{0.0f, 0.0f, 1.0f};                    ///< unit

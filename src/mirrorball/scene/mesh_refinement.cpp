@@ -69,9 +69,8 @@ void refine(Mesh& mesh, const MeshRefinement& refinement) {
 
 MeshRefiner::MeshRefiner(Mesh mesh)
     : mesh_(std::move(mesh)),
-      own_vertices_(mesh_.vertices.size()),
       places_(firstAtPlace(mesh_.vertices)),
-      next_place_(static_cast<std::uint32_t>(own_vertices_)) {}
+      next_place_(static_cast<std::uint32_t>(mesh_.vertices.size())) {}
 
 std::vector<std::uint32_t> MeshRefiner::cut(std::span<const std::uint8_t> is_cut) {
   NumberOfEdge place_of_middle;

@@ -24,7 +24,8 @@ struct MeshRefinement {
 /// vertices are the means of their parents', and not unit.
 void refine(Mesh& mesh, const MeshRefinement& refinement);
 
-/// Cuts triangles of a mesh step by step; neighbours are cut with them, across seams too, so that no gaps open.
+/// Cuts triangles of a mesh step by step; their neighbours in the mesh are cut with them, across seams too, so that no
+/// gaps open within it.
 class MeshRefiner {
  public:
   explicit MeshRefiner(Mesh mesh);
@@ -42,7 +43,6 @@ class MeshRefiner {
 
  private:
   Mesh mesh_;
-  std::size_t own_vertices_;           // of the mesh that was given
   std::vector<std::uint32_t> places_;  // of each vertex; those at the same place have the same number
   std::uint32_t next_place_;
   std::vector<glm::uvec2> parents_;

@@ -25,9 +25,9 @@ namespace {
 
 class SelfOcclusion : public testing::HeadlessTest {
  protected:
-  static Image drawn(Scene scene, const Environment& environment, const FrameSettings& frame) {
+  static Image drawn(Scene scene, const Environment& environment, const FrameSettings& frame, bool refines = true) {
     const auto draw = [&]() -> Result<Image> {
-      MIRRORBALL_TRY_VOID(findOcclusionOnce(scene, {.rays = 24, .finds_looks = true, .refines = true}, {}));
+      MIRRORBALL_TRY_VOID(findOcclusionOnce(scene, {.rays = 24, .finds_looks = true, .refines = refines}, {}));
       MIRRORBALL_TRY(prepared, testing::prepareOnce(environment));
       MIRRORBALL_TRY(renderer, testing::rendererOf(std::move(scene), environment, prepared));
       return renderer.renderRadiance(frame);
@@ -161,17 +161,24 @@ Mesh headMesh() {
 
 // What vertices know must not darken what is between them, nor miss it.
 TEST_F(SelfOcclusion, LargeTrianglesAreNearerToThePaths) {
-  const std::pair<const char*, Scene> scenes[] = {
-      {"a ball on a floor of two triangles", onFloor(sphereMesh(24, 48), 1.0f)},
-      {"a bottle of long triangles", onFloor(bottleMesh(), 0.0f)},
-      {"a head with thin ears", onFloor(headMesh(), 1.0f)}};
+  struct Shown {
+    const char* name;
+    Scene scene;
+    double of_uncut;  // the share of the error that is left of that without cuts; ears are small enough without
+  };
+  const Shown scenes[] = {{"a ball on a floor of two triangles", onFloor(sphereMesh(24, 48), 1.0f), 0.98},
+                          {"a bottle of long triangles", onFloor(bottleMesh(), 0.0f), 0.98},
+                          {"a head with thin ears", onFloor(headMesh(), 1.0f), 1.02}};
   for (const Environment& light : {studioLight(), *builtinEnvironment("sky")})
-    for (const auto& [name, scene] : scenes) {
+    for (const auto& [name, scene, of_uncut] : scenes) {
       const FrameSettings frame = shotIntoBowl();
+      const FrameSettings with_occlusion = with(frame, OcclusionKind::vertex, false);
       const Image truth = traced(scene, light, frame);
       const double without = rmse(drawn(scene, light, with(frame, OcclusionKind::none, false)), truth);
-      const double known = rmse(drawn(scene, light, with(frame, OcclusionKind::vertex, false)), truth);
+      const double known = rmse(drawn(scene, light, with_occlusion), truth);
+      const double uncut = rmse(drawn(scene, light, with_occlusion, false), truth);
       EXPECT_LT(known, 0.92 * without) << name << ": " << known << " after " << without;
+      EXPECT_LT(known, of_uncut * uncut) << name << ": " << known << ", uncut " << uncut;
     }
 }
 

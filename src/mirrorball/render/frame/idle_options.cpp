@@ -18,13 +18,17 @@ bool letsLightThrough(const Scene& scene) {
   return anyMaterial(scene, [](const Material& m) { return m.transmission > 0.0f; });
 }
 
+bool hasGlass(const Scene& scene) {
+  return anyMaterial(scene, [](const Material& m) { return isBody(m); });
+}
+
 bool disperses(const Scene& scene) {
-  return anyMaterial(scene, [](const Material& m) { return m.transmission > 0.0f && m.dispersion > 0.0f; });
+  return anyMaterial(scene, [](const Material& m) { return isBody(m) && m.dispersion > 0.0f; });
 }
 
 bool absorbs(const Scene& scene) {
   return anyMaterial(scene, [](const Material& m) {
-    return m.transmission > 0.0f && m.attenuation_distance > 0.0f && m.attenuation_color != glm::vec3(1.0f);
+    return isBody(m) && m.attenuation_distance > 0.0f && m.attenuation_color != glm::vec3(1.0f);
   });
 }
 
@@ -38,7 +42,7 @@ struct Idle {
 };
 
 constexpr auto kIdle = std::to_array<Idle>({
-    {"light-intensity", "the model has no lights of its own; --light adds one",
+    {"light-intensity", "the model has no lights of its own",
      [](const Scene& scene, const FrameSettings&) { return !scene.lights.empty(); }},
     {"refraction", "no surface lets light through; --set transmission=1 makes it do so",
      [](const Scene& scene, const FrameSettings&) { return letsLightThrough(scene); }},
@@ -46,12 +50,14 @@ constexpr auto kIdle = std::to_array<Idle>({
      [](const Scene& scene, const FrameSettings&) { return letsLightThrough(scene); }},
     {"inner-bounces", "light is followed inside of bodies by --refraction traced, where a surface lets light through",
      [](const Scene& scene, const FrameSettings& settings) {
-       return letsLightThrough(scene) && settings.refraction >= RefractionKind::traced;
+       return hasGlass(scene) && settings.refraction >= RefractionKind::traced;
      }},
     {"dispersion", "no surface disperses the light that it lets through; --set dispersion=1 makes it do so",
      [](const Scene& scene, const FrameSettings&) { return disperses(scene); }},
     {"wavelengths", "they are drawn by --dispersion spectral",
-     [](const Scene&, const FrameSettings& settings) { return settings.dispersion == DispersionKind::spectral; }},
+     [](const Scene& scene, const FrameSettings& settings) {
+       return settings.dispersion == DispersionKind::spectral && disperses(scene);
+     }},
     {"lobe-taps", "they are read of light that is prefiltered: --blur exact or gpu",
      [](const Scene&, const FrameSettings& settings) { return settings.blur <= BlurKind::gpu; }},
     {"relief-steps", "only --relief steep, occlusion, linear-binary and cone go in steps",

@@ -9,15 +9,16 @@ namespace {
 
 /// Rougher surfaces show of their neighbours no more than what vertices know.
 constexpr float kPolished = 0.3f;
+constexpr std::size_t kManyTriangles = 4'000'000;
 
 bool always(const SceneTraits&) { return true; }
 bool letsLightThrough(const SceneTraits& traits) { return traits.lets_light_through; }
-bool hidesItself(const SceneTraits& traits) { return traits.hides_itself && traits.can_trace_rays; }
+bool hidesItself(const SceneTraits& traits) { return traits.hides_itself && traits.can_trace_rays && !traits.is_huge; }
 bool mirrorsItself(const SceneTraits& traits) {
-  return traits.is_polished && (traits.hides_itself || traits.has_objects) && traits.can_trace_rays;
+  return traits.is_polished && (traits.hides_itself || traits.has_objects) && traits.can_trace_rays && !traits.is_huge;
 }
 bool mirrorsWithoutRays(const SceneTraits& traits) {
-  return traits.is_polished && traits.has_objects && !traits.can_trace_rays;
+  return traits.is_polished && traits.has_objects && !traits.can_trace_rays && !traits.is_huge;
 }
 
 /// They say themselves what surfaces show in place of what is reflected.
@@ -32,7 +33,7 @@ constexpr auto kChoices = std::to_array<QualityChoice>({
     {.option = "occlusion", .values = {"", "vertex", "vertex"}, .suits = hidesItself, .left_to = kOccludesOtherwise},
     {.option = "self-reflection", .values = {"", "yes", "yes"}, .suits = mirrorsItself, .left_to = kShowsOtherwise},
     {.option = "probes", .values = {"", "auto", "auto"}, .suits = mirrorsWithoutRays, .left_to = kShowsOtherwise},
-    {.option = "probe-bounces", .values = {"", "", "4"}, .suits = mirrorsWithoutRays},
+    {.option = "probe-bounces", .values = {"", "", "4"}, .suits = mirrorsWithoutRays, .left_to = kShowsOtherwise},
     {.option = "samples", .values = {"", "", "16"}, .suits = always},
 });
 
@@ -49,15 +50,18 @@ std::string asGiven(const Option<FrameSettings>& option, std::string_view value)
 }  // namespace
 
 SceneTraits traitsOf(const Scene& scene) {
-  SceneTraits traits{.has_textures = !scene.textures.empty(), .has_objects = scene.instances.size() > 1};
+  SceneTraits traits{.has_objects = scene.instances.size() > 1};
+  std::size_t triangles = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Material& material = materialOf(scene, i);
+    triangles += scene.meshes[std::size_t(scene.instances[i].mesh)].indices.size() / 3;
     traits.lets_light_through = traits.lets_light_through || material.transmission > 0.0f;
     const bool has_polished_coat = material.clearcoat > 0.0f && material.clearcoat_roughness < kPolished;
     traits.is_polished =
         traits.is_polished || (!material.unlit && (material.perceptual_roughness < kPolished || has_polished_coat ||
                                                    material.roughness_map.texture >= 0));
   }
+  traits.is_huge = triangles > kManyTriangles;
   return traits;
 }
 

@@ -18,14 +18,14 @@ enum class Quality { draft, good, best };
 /// What of a scene says which techniques its picture needs.
 struct SceneTraits {
   bool lets_light_through = false;
-  bool has_textures = false;
   bool is_polished = false;     ///< some surface mirrors
   bool has_objects = false;     ///< more than one
   bool hides_itself = false;    ///< some place sees less than nine tenths of the sky; false where rays cannot tell
   bool can_trace_rays = false;  ///< this build can, and nothing moves but the whole
+  bool is_huge = false;         ///< of more than four million triangles: nothing is looked for in it unasked
 };
 
-/// What materials and objects say of a scene; whether it hides itself is asked of rays (rays/self_hiding.h).
+/// What materials and objects say of a scene; whether it hides itself is asked of rays (rays/seen_from.h).
 SceneTraits traitsOf(const Scene& scene);
 
 /// One option that a quality fills in.

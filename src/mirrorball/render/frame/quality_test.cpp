@@ -13,12 +13,8 @@ namespace mirrorball {
 namespace {
 
 /// A scene that needs all that there is.
-constexpr SceneTraits kNeedsAll{.lets_light_through = true,
-                                .has_textures = true,
-                                .is_polished = true,
-                                .has_objects = true,
-                                .hides_itself = true,
-                                .can_trace_rays = true};
+constexpr SceneTraits kNeedsAll{
+    .lets_light_through = true, .is_polished = true, .has_objects = true, .hides_itself = true, .can_trace_rays = true};
 
 FrameSettings filledIn(Quality quality, const SceneTraits& traits, const std::set<std::string_view>& given = {},
                        FrameSettings settings = {}) {
@@ -60,6 +56,15 @@ TEST(Quality, GoodFillsInWhatTheSceneNeeds) {
   EXPECT_EQ(filledIn(Quality::good, {.is_polished = true, .has_objects = true}), expected) << "without rays";
 }
 
+TEST(Quality, NothingIsLookedForInAHugeSceneUnasked) {
+  SceneTraits huge = kNeedsAll;
+  huge.is_huge = true;
+  const FrameSettings filled = filledIn(Quality::good, huge);
+  EXPECT_EQ(filled.occlusion, OcclusionKind::none);
+  EXPECT_FALSE(filled.self_reflection);
+  EXPECT_EQ(filled.behind, BehindKind::screen);
+}
+
 TEST(Quality, BestTakesMore) {
   const FrameSettings best = filledIn(Quality::best, kNeedsAll);
   EXPECT_EQ(best.samples, 16);
@@ -90,7 +95,6 @@ TEST(Quality, SaysWhatItChose) {
 
 TEST(Quality, TraitsAreTheModels) {
   EXPECT_TRUE(traitsOf(*loadModel("tumbler-water")).lets_light_through);
-  EXPECT_FALSE(traitsOf(*loadModel("tumbler-water")).has_textures);
   EXPECT_TRUE(traitsOf(*loadModel("spheres")).has_objects);
   Scene matt = sceneOf(sphereMesh(8, 16));
   matt.materials[0].perceptual_roughness = 0.7f;

@@ -109,7 +109,6 @@ TEST_F(ReliefTest, OnlyExactHasAnOutline) {
   EXPECT_NEAR(covered(ReliefKind::exact), covered(ReliefKind::geometry), 0.005f * mesh);
 }
 
-// Heights of exactly 0 and 1 are met, under a lamp, too: a relief that is all top is the mesh.
 // Prisms at the far end of a plane reach beyond what its triangles need of the camera's depths.
 TEST_F(ReliefTest, FarHillsAreNotCutAway) {
   const auto covered = [](ReliefKind kind) {
@@ -127,6 +126,7 @@ TEST_F(ReliefTest, FarHillsAreNotCutAway) {
   EXPECT_NEAR(covered(ReliefKind::exact), covered(ReliefKind::geometry), 8);
 }
 
+// Heights of exactly 0 and 1 are met, under a lamp, too: a relief that is all top is the mesh.
 TEST_F(ReliefTest, TopsAndBottomsHaveNoHoles) {
   const Environment sky = testing::coarseBuiltin("sky");
   const auto seen = [&](float height, ReliefKind kind) {

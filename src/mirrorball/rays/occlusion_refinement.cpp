@@ -17,7 +17,7 @@ constexpr float kTolerance = 1.0f / 12.0f;
 constexpr float kFinest = 1.0f / 24.0f;
 constexpr float kBetweenPlaces = 1.0f / 4.0f;
 constexpr float kMostPlacesAlong = 48.0f;
-constexpr int kMostSteps = 10;
+constexpr int kMostRounds = 10;
 /// For all of a scene: places that are asked, some 3 s of one core, and new vertices, each in all of its instances.
 constexpr std::size_t kMostPlaces = 150'000;
 constexpr std::size_t kMostVertices = 200'000;
@@ -125,7 +125,7 @@ bool Refiner::differs(const PlacedTriangle& placed) const {
 Result<void> Refiner::refine(const ProgressFunction& progress) {
   std::vector<std::uint8_t> is_asked(refiner_.mesh().indices.size() / 3, 1);
   std::vector<std::uint8_t> is_cut;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostRounds; ++step) {
     if (!takePlaces(is_asked)) return {};
     is_cut.assign(is_asked.size(), 0);
     constexpr std::size_t kGrain = 8;

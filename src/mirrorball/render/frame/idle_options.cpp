@@ -14,7 +14,7 @@ bool anyMaterial(const Scene& scene, Question question) {
   return false;
 }
 
-bool letsLightThrough(const Scene& scene) {
+bool transmitsLight(const Scene& scene) {
   return anyMaterial(scene, [](const Material& m) { return m.transmission > 0.0f; });
 }
 
@@ -45,9 +45,9 @@ constexpr auto kIdle = std::to_array<Idle>({
     {"light-intensity", "the model has no lights of its own",
      [](const Scene& scene, const FrameSettings&) { return !scene.lights.empty(); }},
     {"refraction", "no surface lets light through; --set transmission=1 makes it do so",
-     [](const Scene& scene, const FrameSettings&) { return letsLightThrough(scene); }},
+     [](const Scene& scene, const FrameSettings&) { return transmitsLight(scene); }},
     {"behind", "no surface lets light through; --set transmission=1 makes it do so",
-     [](const Scene& scene, const FrameSettings&) { return letsLightThrough(scene); }},
+     [](const Scene& scene, const FrameSettings&) { return transmitsLight(scene); }},
     {"inner-bounces", "light is followed inside of bodies by --refraction traced, where a surface lets light through",
      [](const Scene& scene, const FrameSettings& settings) {
        return hasGlass(scene) && settings.refraction >= RefractionKind::traced;

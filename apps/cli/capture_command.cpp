@@ -183,6 +183,7 @@ Result<void> capture(const CaptureRequest& request) {
 
   MIRRORBALL_TRY(inputs,
                  loadInputs(request.scene, request.materials, settings.frame, request.given, output.paths(), clock));
+  remarkOnIdleOptions(inputs.scene, settings.frame, request.given);
   MIRRORBALL_TRY(map, captureMap(std::move(inputs), to, size, std::move(settings), clock));
   return writeMap(std::move(map), request, output, clock);
 }

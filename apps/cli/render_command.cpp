@@ -25,7 +25,6 @@
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/sunset.h"
-#include "mirrorball/render/frame/idle_options.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/render/frame/turntable.h"
 #include "mirrorball/scene/camera/framing.h"
@@ -240,7 +239,7 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
   MIRRORBALL_TRY_VOID(checkProxy(settings, renderer.scene()));
   MIRRORBALL_TRY_VOID(checkObject(request.turntable, renderer.scene()));
-  for (const std::string& line : idleOptions(renderer.scene(), settings, request.given)) remark(line);
+  remarkOnIdleOptions(renderer.scene(), settings, request.given);
   if (request.turntable.frames > 0) {
     const float aspect = static_cast<float>(settings.size.x) / static_cast<float>(settings.size.y);
     settings.camera =

@@ -11,6 +11,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/render/frame/idle_options.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/proxy/proxy.h"
@@ -179,18 +180,14 @@ namespace {
 
 std::string nameOf(Quality quality) { return written(kQualityOptions.front(), SceneRequest{.quality = quality}); }
 
-/// What the quality fills in of a look, and tells.
-Result<std::string> chosenFor(const Scene& scene, const SceneRequest& request, const GivenOptions& given,
-                              FrameSettings& look) {
+Result<SceneTraits> traitsFor(const Scene& scene, const SceneRequest& request, const GivenOptions& given,
+                              const FrameSettings& look) {
   SceneTraits traits = traitsOf(scene);
   traits.can_trace_rays = tracesRays() && !request.objects_move;
-  // What each of these says decides what would be asked for.
-  const bool is_said = given.contains("occlusion") || given.contains("self-reflection") || given.contains("probes");
-  if (request.quality != Quality::draft && traits.can_trace_rays && !traits.is_huge && !is_said) {
-    MIRRORBALL_TRY(hides, sceneHidesItself(scene));
-    traits.hides_itself = hides;
-  }
-  return fillIn(request.quality, traits, given, look);
+  if (!dependsOnHiding(request.quality, traits, given, look)) return traits;
+  MIRRORBALL_TRY(hides, sceneHidesItself(scene));
+  traits.hides_itself = hides;
+  return traits;
 }
 
 }  // namespace
@@ -205,16 +202,16 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
   std::string chosen;
   names.finish = [&, cache = names.cache](Scene& scene) -> Result<void> {
     const FrameSettings as_given = look;
-    MIRRORBALL_TRY(of_quality, chosenFor(scene, request, given, look));
-    chosen = std::move(of_quality);
-    if (look.self_reflection) look.occlusion = OcclusionKind::vertex;
+    MIRRORBALL_TRY(traits, traitsFor(scene, request, given, look));
+    chosen = fillIn(request.quality, traits, given, look);
     if (look.occlusion == OcclusionKind::none) return {};
     Result<void> found = clock.time("model: occlusion", [&] { return findSceneOcclusion(scene, look, cache); });
     const bool was_asked_for = as_given.self_reflection || as_given.occlusion != OcclusionKind::none;
     if (found || was_asked_for || found.error().code != ErrorCode::too_large) return found;
     // What nobody asked for must not end what was asked for.
     look = as_given;
-    chosen.clear();
+    traits.is_huge = true;
+    chosen = fillIn(request.quality, traits, given, look);
     return {};
   };
   auto inputs = loadRenderInputs(names, clock.observing(terminalObserver()));
@@ -226,6 +223,10 @@ Result<SceneInputs> loadSceneFor(const SceneRequest& request, const MaterialChan
                                  const FrameSettings& look, std::span<const std::string> outputs, StageClock& clock) {
   MIRRORBALL_TRY(names, inputNamesOf(request, materials, look));
   return checkedInputs(loadSceneInputs(names, clock.observing(terminalObserver())), request, outputs);
+}
+
+void remarkOnIdleOptions(const Scene& scene, const FrameSettings& look, const GivenOptions& given) {
+  for (const std::string& line : idleOptions(scene, look, given)) remark(line);
 }
 
 Result<Renderer> rendererOf(RenderInputs inputs, StageClock& clock) {

@@ -74,6 +74,9 @@ Result<RenderInputs> loadInputs(const SceneRequest& request, const MaterialChang
 Result<SceneInputs> loadSceneFor(const SceneRequest& request, const MaterialChanges& materials,
                                  const FrameSettings& look, std::span<const std::string> outputs, StageClock& clock);
 
+/// Says which of the options that were given, and what of the scene's materials, changes nothing.
+void remarkOnIdleOptions(const Scene& scene, const FrameSettings& look, const GivenOptions& given);
+
 /// A renderer of them.
 ///
 /// errors   as Renderer's

@@ -51,6 +51,8 @@ TEST_F(QualityCliTest, OptionsThatCannotActSaySo) {
   const std::string line = "render sphere -e studio --size 8x8 -o ball.png ";
   EXPECT_THAT(run(line + "--light-intensity 2").err, HasSubstr("the model has no lights of its own"));
   EXPECT_THAT(run(line + "--behind screen").err, HasSubstr("no surface lets light through"));
+  EXPECT_THAT(run("capture sphere --at 0,0,3 -e studio --size 8 --lobe-taps 2 --blur mip -o map.exr").err,
+              HasSubstr("--lobe-taps changes nothing"));
   EXPECT_THAT(run(line + "--material glass --set attenuation_distance=1 --set attenuation_color=0.2,0.9,0.4").err,
               HasSubstr("no absorption"));
 }

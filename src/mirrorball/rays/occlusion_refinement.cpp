@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/rays/seen_from.h"
@@ -56,8 +57,8 @@ class Refiner {
 
  private:
   bool differs(const PlacedTriangle& placed) const;
-  int placesAlong(const PlacedTriangle& placed) const;
-  std::size_t placesOf(const std::vector<std::uint8_t>& is_asked) const;
+  int placesAlong(float longest_edge) const;
+  std::vector<float> longestEdges(const std::vector<std::uint8_t>& is_asked) const;
   bool takePlaces(const std::vector<std::uint8_t>& is_asked);
   bool isLarge(const PlacedTriangle& placed) const { return placed.longest_edge > 2.0f * kFinest * radius_; }
 
@@ -71,30 +72,36 @@ class Refiner {
 };
 
 /// How many parts an edge of a triangle has between the places that are asked.
-int Refiner::placesAlong(const PlacedTriangle& placed) const {
-  const float along = std::ceil(placed.longest_edge / (between_places_ * radius_));
+int Refiner::placesAlong(float longest_edge) const {
+  const float along = std::ceil(longest_edge / (between_places_ * radius_));
   return static_cast<int>(std::clamp(along, 2.0f, kMostPlacesAlong));
 }
 
-/// How many places those triangles have, in all instances.
-std::size_t Refiner::placesOf(const std::vector<std::uint8_t>& is_asked) const {
-  std::size_t places = 0;
+/// Of those triangles that are large, in all instances.
+std::vector<float> Refiner::longestEdges(const std::vector<std::uint8_t>& is_asked) const {
+  std::vector<float> longest;
   for (const Instance* instance : places_)
     for (std::size_t triangle = 0; triangle < is_asked.size(); ++triangle) {
       if (is_asked[triangle] == 0) continue;
       const PlacedTriangle placed = placedTriangle(refiner_.mesh(), *instance, triangle);
-      const auto along = static_cast<std::size_t>(placesAlong(placed));
-      if (isLarge(placed)) places += (along + 1) * (along + 2) / 2;
+      if (isLarge(placed)) longest.push_back(placed.longest_edge);
     }
-  return places;
+  return longest;
 }
 
 /// Takes what those triangles need from the budget, with places farther apart where that is too much.
 ///
 /// returns  whether it is enough
 bool Refiner::takePlaces(const std::vector<std::uint8_t>& is_asked) {
-  std::size_t needed = placesOf(is_asked);
-  for (; needed > budget_.places && between_places_ < 64.0f; needed = placesOf(is_asked)) between_places_ *= 2.0f;
+  const std::vector<float> longest = longestEdges(is_asked);
+  const auto placesOfAll = [&] {
+    return std::accumulate(longest.begin(), longest.end(), std::size_t{0}, [&](std::size_t sum, float edge) {
+      const auto along = static_cast<std::size_t>(placesAlong(edge));
+      return sum + (along + 1) * (along + 2) / 2;
+    });
+  };
+  std::size_t needed = placesOfAll();
+  for (; needed > budget_.places && between_places_ < 64.0f; needed = placesOfAll()) between_places_ *= 2.0f;
   if (needed > budget_.places) return false;
   budget_.places -= needed;
   return true;
@@ -110,7 +117,7 @@ bool Refiner::differs(const PlacedTriangle& placed) const {
     corner[i] = 1.0f;
     seen[std::size_t(i)] = seenFrom(scene_, geometry_, placed, weightsOf(corner));
   }
-  const int along = placesAlong(placed);
+  const int along = placesAlong(placed.longest_edge);
   for (int i = 0; i <= along; ++i)
     for (int k = 0; i + k <= along; ++k) {
       const glm::vec3 even = glm::vec3(i, k, along - i - k) / static_cast<float>(along);

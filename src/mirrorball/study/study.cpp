@@ -182,16 +182,15 @@ Result<Image> Workshop::cosines(const Stage& stage) {
 
 /// Fills in what a technique's quality says, and finds what vertices are to know.
 Result<void> prepareLook(const Technique& technique, Scene& scene, FrameSettings& frame) {
-  if (technique.quality) {
-    SceneTraits traits = traitsOf(scene);
-    traits.can_trace_rays = true;
+  std::set<std::string_view> given = namesOfSettings(technique.settings);
+  given.insert("samples");  // those of all pictures
+  SceneTraits traits = traitsOf(scene);
+  traits.can_trace_rays = true;
+  if (dependsOnHiding(technique.quality, traits, given, frame)) {
     MIRRORBALL_TRY(hides, hidesItself(scene));
     traits.hides_itself = hides;
-    std::set<std::string_view> given = namesOfSettings(technique.settings);
-    given.insert("samples");  // those of all pictures
-    fillIn(*technique.quality, traits, given, frame);
   }
-  if (frame.self_reflection) frame.occlusion = OcclusionKind::vertex;
+  fillIn(technique.quality, traits, given, frame);
   if (frame.occlusion == OcclusionKind::none) return {};
   return findOcclusionOnce(
       scene, {.finds_looks = frame.self_reflection, .refines = frame.reflect_at == ReflectAt::fragment}, {});

@@ -22,7 +22,7 @@ struct Technique {
   std::string_view settings = {};    ///< of frameOptions(), or of traceOptions() where paths are traced
   std::string_view parameters = {};  ///< of all materials (materialParameters())
   Maker maker = Maker::renderer;
-  std::optional<Quality> quality = {};  ///< fills in what `settings` do not say
+  Quality quality = Quality::draft;  ///< fills in what `settings` do not say
 };
 
 /// One number that changes from picture to picture of a subject.

@@ -67,6 +67,16 @@ SceneTraits traitsOf(const Scene& scene) {
 
 std::span<const QualityChoice> qualityChoices() { return kChoices; }
 
+bool dependsOnHiding(Quality quality, SceneTraits traits, const std::set<std::string_view>& given,
+                     const FrameSettings& settings) {
+  const auto chosen = [&](bool hides_itself) {
+    traits.hides_itself = hides_itself;
+    FrameSettings filled = settings;
+    return fillIn(quality, traits, given, filled);
+  };
+  return chosen(true) != chosen(false);
+}
+
 std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<std::string_view>& given,
                    FrameSettings& settings) {
   std::string chosen;
@@ -78,6 +88,7 @@ std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<st
     if (option == frameOptions().end() || !assign(*option, settings, value)) continue;
     chosen += (chosen.empty() ? "" : " ") + asGiven(*option, value);
   }
+  if (settings.self_reflection) settings.occlusion = OcclusionKind::vertex;
   return chosen;
 }
 

@@ -40,7 +40,12 @@ struct QualityChoice {
 /// All of them, in the order in which they are told.
 std::span<const QualityChoice> qualityChoices();
 
-/// Fills in what a scene needs of what was not given.
+/// Whether what is chosen depends on SceneTraits::hides_itself, which costs rays to find.
+bool dependsOnHiding(Quality quality, SceneTraits traits, const std::set<std::string_view>& given,
+                     const FrameSettings& settings);
+
+/// Fills in what a scene needs of what was not given, and what that implies: what is reflected by rays knows what
+/// vertices know.
 ///
 /// given     names of options that stay as they are
 /// returns   what was chosen, as a user writes it: "--refraction auto --behind screen"; empty: nothing

@@ -65,6 +65,17 @@ TEST(Quality, NothingIsLookedForInAHugeSceneUnasked) {
   EXPECT_EQ(filled.behind, BehindKind::screen);
 }
 
+// Rays are spent only where their answer matters.
+TEST(Quality, KnowsWhereWhatHidesMatters) {
+  EXPECT_TRUE(dependsOnHiding(Quality::good, kNeedsAll, {}, {}));
+  EXPECT_FALSE(dependsOnHiding(Quality::draft, kNeedsAll, {}, {}));
+  for (const std::string_view said : {"occlusion", "self-reflection", "probes"}) {
+    FrameSettings settings;
+    settings.self_reflection = said == "self-reflection";
+    EXPECT_FALSE(dependsOnHiding(Quality::good, kNeedsAll, {said}, settings)) << said;
+  }
+}
+
 TEST(Quality, BestTakesMore) {
   const FrameSettings best = filledIn(Quality::best, kNeedsAll);
   EXPECT_EQ(best.samples, 16);

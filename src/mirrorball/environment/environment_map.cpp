@@ -69,28 +69,37 @@ void EnvironmentMap::dropRowsBefore(int row) {
 constexpr int kMinSizeOfCubic = 4;
 
 glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, Interpolation interpolation) const {
-  if (projection_ == Projection::hemioctahedral && direction.z < 0.0f) return glm::vec3(0.0f);
+  return interpolated(direction, interpolation).radiance;
+}
+
+EnvironmentMap::Interpolated EnvironmentMap::interpolated(glm::vec3 direction, Interpolation interpolation) const {
+  if (projection_ == Projection::hemioctahedral && direction.z < 0.0f)
+    return {glm::vec3(0.0f), {glm::vec3(0.0f), glm::vec3(0.0f)}};
   const MapPosition place = positionOf(projection_, direction);
   const glm::vec2 position = place.uv * glm::vec2(extent_);
   // Of the min_count texels a cubic would reach over several borders.
   if (interpolation == Interpolation::bicubic && hasSmoothRegions(projection_) && size() < kMinSizeOfCubic)
     interpolation = Interpolation::bilinear;
-  if (interpolation == Interpolation::bicubic && hasSmoothRegions(projection_)) {
-    return cubicOnChart(place, position);
-  }
-  return radianceBetweenTexels(place.face, position, interpolation);
+  if (interpolation == Interpolation::bicubic && hasSmoothRegions(projection_)) return cubicOnChart(place, position);
+  return betweenTexels(place.face, position, interpolation);
 }
 
 /// Between the texels of an image and of its neighbours, wherever they come from.
-glm::vec3 EnvironmentMap::radianceBetweenTexels(int face_index, glm::vec2 position, Interpolation interpolation) const {
-  const auto fetch_texel = [&](int x, int y) { return fetch(face_index, x, y); };
+EnvironmentMap::Interpolated EnvironmentMap::betweenTexels(int face_index, glm::vec2 position,
+                                                           Interpolation interpolation) const {
+  TexelRange all = kNoTexels;
+  const auto fetch_texel = [&](int x, int y) {
+    const glm::vec4 texel = fetch(face_index, x, y);
+    if (texel.w > 0.0f) include(all, glm::vec3(texel));
+    return texel;
+  };
   glm::vec4 light = interpolate(interpolation, position, fetch_texel);
   // On a rim all four neighbours may lie beside the disc: then the position moves inwards until one does not.
   while (light.w == 0.0f) {
     position += glm::normalize(glm::vec2(extent_) / 2.0f - position) * 0.5f;
     light = interpolate(interpolation, position, fetch_texel);
   }
-  return glm::vec3(light);
+  return {glm::vec3(light), all};
 }
 
 /// A texel for `interpolate`: one that may lie beyond an edge or beside a disc.
@@ -158,7 +167,7 @@ glm::vec4 EnvironmentMap::fetchTowards(int face_index, int x, int y) const {
 
 /// Between the texels of one smooth region. Near its border there are stand-ins for texels among them, and where
 /// contrast is high those do not keep the sum of a sun's light; the map's own texels do.
-glm::vec3 EnvironmentMap::cubicOnChart(const MapPosition& place, glm::vec2 position) const {
+EnvironmentMap::Interpolated EnvironmentMap::cubicOnChart(const MapPosition& place, glm::vec2 position) const {
   const SmoothRegion region(projection_, size(), place);
   bool has_left_region = false;
   TexelRange all = kNoTexels;
@@ -170,8 +179,9 @@ glm::vec3 EnvironmentMap::cubicOnChart(const MapPosition& place, glm::vec2 posit
   };
   const glm::vec3 cubic(bicubic(position, fetch_texel));
   const float share = has_left_region ? shareByContrast(all) : 1.0f;
-  if (share == 1.0f) return cubic;
-  return glm::mix(radianceBetweenTexels(place.face, position), cubic, share);
+  if (share == 1.0f) return {cubic, all};
+  const glm::vec3 straight = betweenTexels(place.face, position, Interpolation::bilinear).radiance;
+  return {glm::mix(straight, cubic, share), all};
 }
 
 /// A texel for `bicubic` as if the region went on beyond its border. There the region that shows the same direction
@@ -182,8 +192,10 @@ glm::vec4 EnvironmentMap::fetchInRegion(const SmoothRegion& region, int x, int y
   const auto side = static_cast<float>(size());
   const MapPosition place = region.placeOf(center);
   const glm::vec2 position = place.uv * side;
-  if (const auto texels = SmoothRegion(projection_, size(), place).cubicStencil(position))
-    return glm::vec4(cubicThrough(place.face, *texels, radianceBetweenTexels(place.face, position)), 1.0f);
+  if (const auto texels = SmoothRegion(projection_, size(), place).cubicStencil(position)) {
+    const glm::vec3 straight = betweenTexels(place.face, position, Interpolation::bilinear).radiance;
+    return glm::vec4(cubicThrough(place.face, *texels, straight), 1.0f);
+  }
   return bilinear(position, [&](int i, int j) { return fetch(place.face, i, j); });
 }
 

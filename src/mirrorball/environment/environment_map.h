@@ -60,15 +60,21 @@ class EnvironmentMap {
   /// the radiance at the nearest point of the rim; in the other half of a hemioctahedral map, none.
   glm::vec3 radiance(glm::vec3 direction, Interpolation interpolation = Interpolation::bilinear) const;
 
+  /// The same, and between which texels it was interpolated.
+  struct Interpolated {
+    glm::vec3 radiance;
+    TexelRange texels;
+  };
+  Interpolated interpolated(glm::vec3 direction, Interpolation interpolation) const;
+
  private:
   glm::vec4 fetch(int face, int x, int y) const;
   glm::vec4 fetchEquirect(int x, int y) const;
   glm::vec4 fetchFolded(int x, int y) const;
   glm::vec4 fetchCovered(int face, int x, int y) const;
   glm::vec4 fetchTowards(int face, int x, int y) const;
-  glm::vec3 radianceBetweenTexels(int face, glm::vec2 position,
-                                  Interpolation interpolation = Interpolation::bilinear) const;
-  glm::vec3 cubicOnChart(const MapPosition& place, glm::vec2 position) const;
+  Interpolated betweenTexels(int face, glm::vec2 position, Interpolation interpolation) const;
+  Interpolated cubicOnChart(const MapPosition& place, glm::vec2 position) const;
   glm::vec4 fetchInRegion(const SmoothRegion& region, int x, int y) const;
   glm::vec3 cubicThrough(int face, const CubicStencil& texels, glm::vec3 straight) const;
 

@@ -47,19 +47,30 @@ struct TexelRange {
   glm::vec3 max;
 };
 
+/// How many times brighter the brightest of some texels is than the darkest, in the channel where that is most. In a
+/// channel nearly without light only what is more than 1/64 of the brightest counts.
+inline float contrastOf(const TexelRange& all) {
+  const float little = std::max({all.max.x, all.max.y, all.max.z, 0.0f}) / 64.0f;
+  const glm::vec3 contrasts = (all.max + little) / glm::max(all.min + little, 1e-30f);
+  return std::max({contrasts.x, contrasts.y, contrasts.z});
+}
+
+/// 1 up to half of a contrast, falling to 0 at the whole of it.
+inline float shareBelow(float whole, float contrast) {
+  return std::min(std::max(2.0f - 2.0f / whole * contrast, 0.0f), 1.0f);
+}
+
+/// From this contrast on nothing is kept of a curve's deviation from the straight line.
+constexpr float kCubicContrast = 16.0f;
+
 /// The share that is kept of a curve's deviation from the straight line, if the texels that it runs through differ like
 /// these: all of it up to a contrast of 8 within a channel, none of it from 16 on. At such a contrast, beside a sun or
 /// at its edge, a smooth curve swings far below the dark texels. Clamping it there would add light (17 % for a single
 /// texel); the straight line keeps the sum. One share is used for all channels, otherwise edges would have coloured
-/// fringes. In a channel nearly without light only what is more than 1/64 of the brightest counts.
+/// fringes.
 ///
 /// returns  in [0, 1]
-inline float shareByContrast(const TexelRange& all) {
-  const float little = std::max({all.max.x, all.max.y, all.max.z, 0.0f}) / 64.0f;
-  const glm::vec3 dark = all.min + little;
-  const glm::vec3 shares = glm::max(dark - (all.max + little) / 16.0f, 0.0f) / glm::max(dark / 2.0f, 1e-30f);
-  return std::min({shares.x, shares.y, shares.z, 1.0f});
-}
+inline float shareByContrast(const TexelRange& all) { return shareBelow(kCubicContrast, contrastOf(all)); }
 
 /// The value of a cubic at a place, and the share that contrast leaves of a curve that crosses it there.
 struct LimitedCubic {

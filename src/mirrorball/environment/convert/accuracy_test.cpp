@@ -133,7 +133,8 @@ Difference differenceOf(const Environment& source, const Target& target) {
     Image texels = Image::withoutValues(piece.size().x, piece.size().y, conversion.channels());
     conversion.fill(source, piece, texels);
     const bool is_mean = pointsPerTexel(source, conversion.to(), conversion.extent(), piece.face, piece.begin,
-                                        piece.end, glm::mat3(1.0f)) != glm::ivec2(1);
+                                        piece.end, glm::mat3(1.0f))
+                             .smooth != glm::ivec2(1);
     for (const Sample& sample : samples) {
       if (!covers(from, sample.direction)) continue;
       covered += double(sample.solid_angle);

@@ -13,6 +13,7 @@ namespace {
 /// Small enough that the footprint of a texel hardly changes within one, and that its texels lie near each other.
 constexpr int kTileWidth = 32;
 constexpr int kTileHeight = 16;
+constexpr std::size_t kTileTexels = std::size_t{kTileWidth} * kTileHeight;
 
 /// A piece has a row of tiles and, in the formats of a GPU, up to 256 KiB: it stays in a core's cache until it is
 /// written.
@@ -29,19 +30,101 @@ std::vector<Piece> Conversion::pieces() const {
   return pieces;
 }
 
-/// Where the points of one row of a tile's texels go: batch → texel.
-struct Conversion::Row {
-  PointBatch batch;
-  LightBatch light;
-  std::array<int, PointBatch::kCapacity> texel;  ///< of each point, counted from the tile's left side
-  std::array<glm::vec4, kTileWidth> sum;         ///< light, and in w how many points
-};
-
 struct Conversion::Tile {
   int face;
   glm::ivec2 begin;
   glm::ivec2 end;
+
+  glm::ivec2 size() const { return end - begin; }
+  int count() const { return size().x * size().y; }
+  /// Of the texel with that number, row by row.
+  glm::ivec2 texel(int index) const { return begin + glm::ivec2(index % size().x, index / size().x); }
+  int index(glm::ivec2 texel) const { return (texel.y - begin.y) * size().x + texel.x - begin.x; }
 };
+
+float Conversion::brightness(const glm::vec4& light) { return light.x + light.y + light.z; }
+
+/// Of each texel of a tile, row by row.
+struct Conversion::TileLight {
+  std::array<glm::vec4, kTileTexels> radiance;  ///< and in w 1, or 0 beside a disc
+  std::array<float, kTileTexels> smoothness;    ///< as LightBatch has it
+};
+
+/// Points of texels, looked up a batch at a time: the sums of their light.
+class Conversion::PointSums {
+ public:
+  PointSums(const Conversion& conversion, const Environment& source, const Tile& tile, Interpolation interpolation)
+      : conversion_(conversion), source_(source), tile_(tile), interpolation_(interpolation) {
+    sums_.fill(glm::vec4(0.0f));
+    smoothness_.fill(1.0f);
+  }
+
+  /// Adds points that are spread evenly over a texel; on a disc, those that it covers.
+  void addTexel(int index, glm::ivec2 points) {
+    const glm::vec2 corner(tile_.texel(index));
+    for (int j = 0; j < points.y; ++j)
+      for (int i = 0; i < points.x; ++i)
+        addPoint(index, (corner + (glm::vec2(i, j) + 0.5f) / glm::vec2(points)) / glm::vec2(conversion_.extent_));
+  }
+
+  /// Adds the corners of the texels at a tile's border, and points between them. They count as its first texel's.
+  void addBorder(glm::ivec2 points) {
+    const glm::ivec2 steps = tile_.size() * points;
+    const auto addAt = [&](glm::ivec2 step) {
+      addPoint(0, (glm::vec2(tile_.begin) + glm::vec2(step) / glm::vec2(points)) / glm::vec2(conversion_.extent_));
+    };
+    for (int x = 0; x <= steps.x; ++x) addAt({x, 0}), addAt({x, steps.y});
+    for (int y = 1; y < steps.y; ++y) addAt({0, y}), addAt({steps.x, y});
+  }
+
+  /// Looks up what has been added. To be called before the results are asked for.
+  void finish() {
+    if (batch_.count == 0) return;
+    conversion_.lookUp(source_, interpolation_, batch_, light_);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(batch_.count); ++i) {
+      const auto index = static_cast<std::size_t>(texel_[i]);
+      sums_[index] += glm::vec4(glm::vec3(light_[i]), 1.0f);
+      smoothness_[index] = std::min(smoothness_[index], light_[i].w);
+      highest_ = std::max(highest_, brightness(light_[i]));
+    }
+    batch_.count = 0;
+  }
+
+  bool hasPoints(std::size_t index) const { return sums_[index].w > 0.0f; }
+  /// The mean of a texel's points and 1, or 0 if it has none.
+  glm::vec4 mean(std::size_t index) const { return sums_[index] / std::max(sums_[index].w, 1.0f); }
+  float smoothness(std::size_t index) const { return smoothness_[index]; }
+  /// The brightness of the brightest point.
+  float highest() const { return highest_; }
+
+ private:
+  void addPoint(int index, glm::vec2 uv) {
+    if (conversion_.has_disc_ && !covers(conversion_.to_, uv)) return;
+    const auto place = static_cast<std::size_t>(batch_.count);
+    batch_.face[place] = tile_.face;
+    batch_.u[place] = uv.x;
+    batch_.v[place] = uv.y;
+    texel_[place] = index;
+    if (++batch_.count == PointBatch::kCapacity) finish();
+  }
+
+  const Conversion& conversion_;
+  const Environment& source_;
+  const Tile& tile_;
+  Interpolation interpolation_;
+  PointBatch batch_;
+  LightBatch light_;
+  std::array<int, PointBatch::kCapacity> texel_;  ///< of each point
+  std::array<glm::vec4, kTileTexels> sums_;       ///< light, and in w how many points
+  std::array<float, kTileTexels> smoothness_;     ///< the least of its points'
+  float highest_ = 0.0f;
+};
+
+/// Whether each texel of the target is one of the source's.
+bool Conversion::isOnSameGrid(const Environment& source) const {
+  const EnvironmentMap* map = source.map();
+  return map && map->projection() == to_ && map->extent() == extent_ && sourceFromTarget() == glm::mat3(1.0f);
+}
 
 /// The light at every point of the target that a batch has.
 void Conversion::lookUp(const Environment& source, Interpolation interpolation, PointBatch& batch,
@@ -57,76 +140,110 @@ void Conversion::lookUp(const Environment& source, Interpolation interpolation, 
   }
 }
 
-/// Looks up what the batch has collected, adds it to the texels' sums, and empties the batch.
-void Conversion::gather(const Environment& source, Row& row, Interpolation interpolation) const {
-  PointBatch& batch = row.batch;
-  if (batch.count == 0) return;
-  lookUp(source, interpolation, batch, row.light);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i)
-    row.sum[static_cast<std::size_t>(row.texel[i])] += glm::vec4(glm::vec3(row.light[i]), 1.0f);
-  batch.count = 0;
-}
-
-void Conversion::addPoint(const Environment& source, Row& row, int face, int texel, glm::vec2 uv,
-                          Interpolation interpolation) const {
-  if (has_disc_ && !covers(to_, uv)) return;
-  PointBatch& batch = row.batch;
-  const auto index = static_cast<std::size_t>(batch.count);
-  batch.face[index] = face;
-  batch.u[index] = uv.x;
-  batch.v[index] = uv.y;
-  row.texel[index] = texel;
-  if (++batch.count == PointBatch::kCapacity) gather(source, row, interpolation);
-}
-
 /// One look-up at the centre of every texel of a target without a disc: nothing has to be summed or left out.
-void Conversion::fillCentres(const Environment& source, const Tile& tile, glm::ivec2 origin, Image& texels) const {
+void Conversion::lookUpCentres(const Environment& source, const Tile& tile, TileLight& light) const {
   constexpr int kRowsPerBatch = PointBatch::kCapacity / kTileWidth;
   PointBatch batch;
-  LightBatch light;
-  const int width = tile.end.x - tile.begin.x;
+  LightBatch answers;
+  std::size_t first = 0;
   for (int top = tile.begin.y; top < tile.end.y; top += kRowsPerBatch) {
-    const int bottom = std::min(top + kRowsPerBatch, tile.end.y);
-    std::size_t index = 0;
-    for (int y = top; y < bottom; ++y)
-      for (int x = 0; x < width; ++x, ++index) {
-        const glm::vec2 uv = (glm::vec2(tile.begin.x + x, y) + 0.5f) / glm::vec2(extent_);
-        batch.face[index] = tile.face;
-        batch.u[index] = uv.x;
-        batch.v[index] = uv.y;
+    std::size_t count = 0;
+    for (int y = top; y < std::min(top + kRowsPerBatch, tile.end.y); ++y)
+      for (int x = tile.begin.x; x < tile.end.x; ++x, ++count) {
+        const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(extent_);
+        batch.face[count] = tile.face;
+        batch.u[count] = uv.x;
+        batch.v[count] = uv.y;
       }
-    batch.count = static_cast<int>(index);
-    lookUp(source, resampling_.interpolation, batch, light);
-    index = 0;
-    for (int y = top; y < bottom; ++y) {
-      float* texel = texels.texel(tile.begin.x - origin.x, y - origin.y);
-      for (int x = 0; x < width; ++x, ++index, texel += 3) std::copy_n(&light[index].x, 3, texel);
+    batch.count = static_cast<int>(count);
+    lookUp(source, resampling_.interpolation, batch, answers);
+    for (std::size_t i = 0; i < count; ++i) {
+      light.radiance[first + i] = glm::vec4(glm::vec3(answers[i]), 1.0f);
+      light.smoothness[first + i] = answers[i].w;
     }
+    first += count;
   }
 }
 
+/// The mean over each texel of the target; nothing beside a disc.
+void Conversion::lookUpMeans(const Environment& source, const Tile& tile, glm::ivec2 points,
+                             Interpolation interpolation, TileLight& light) const {
+  PointSums sums(*this, source, tile, interpolation);
+  for (int index = 0; index < tile.count(); ++index)
+    if (!has_disc_ || covers(to_, (glm::vec2(tile.texel(index)) + 0.5f) / glm::vec2(extent_)))
+      sums.addTexel(index, points);
+  sums.finish();
+  for (std::size_t index = 0; index < static_cast<std::size_t>(tile.count()); ++index) {
+    light.radiance[index] = sums.mean(index);
+    light.smoothness[index] = sums.smoothness(index);
+  }
+}
+
+/// Whether something in a tile, or at its border, is many times brighter than the tile, and light not smooth. Leaves
+/// against a sky differ as much from one another as a sun does, but there are many of them, and what one is off by
+/// another makes up for.
+bool Conversion::hasSun(const Tile& tile, const TileLight& light, const PointSums& border) {
+  constexpr float kBrighter = 8.0f;
+  float highest = border.highest();
+  float least_smooth = border.smoothness(0);
+  float sum = 0.0f;
+  for (std::size_t index = 0; index < static_cast<std::size_t>(tile.count()); ++index) {
+    const float here = brightness(light.radiance[index]);
+    sum += here;
+    highest = std::max(highest, here);
+    least_smooth = std::min(least_smooth, light.smoothness[index]);
+  }
+  return least_smooth < 1.0f && highest * static_cast<float>(tile.count()) > kBrighter * sum;
+}
+
+/// Whether light at a texel of a tile or beside it is not smooth: a look-up at its centre does not see all that its
+/// mean does.
+bool Conversion::isBesideSun(const Tile& tile, glm::ivec2 texel, const TileLight& light, const PointSums& border) {
+  const glm::ivec2 first = texel - 1;
+  const glm::ivec2 last = texel + 1;
+  const bool is_at_border =
+      glm::any(glm::lessThan(first, tile.begin)) || glm::any(glm::greaterThanEqual(last, tile.end));
+  if (is_at_border && border.smoothness(0) < 1.0f) return true;
+  for (int y = std::max(first.y, tile.begin.y); y <= std::min(last.y, tile.end.y - 1); ++y)
+    for (int x = std::max(first.x, tile.begin.x); x <= std::min(last.x, tile.end.x - 1); ++x)
+      if (light.smoothness[static_cast<std::size_t>(tile.index({x, y}))] < 1.0f) return true;
+  return false;
+}
+
+/// In a tile with a sun, and where light is not smooth, a mean over so many points that the sun keeps its flux.
+void Conversion::lookUpBesideSuns(const Environment& source, const Tile& tile, const PointsPerTexel& points,
+                                  TileLight& light) const {
+  PointSums border(*this, source, tile, Interpolation::bilinear);
+  border.addBorder(points.smooth);
+  border.finish();
+  if (!hasSun(tile, light, border)) return;
+  PointSums means(*this, source, tile, Interpolation::bilinear);
+  for (int index = 0; index < tile.count(); ++index)
+    if (light.radiance[static_cast<std::size_t>(index)].w > 0.0f && isBesideSun(tile, tile.texel(index), light, border))
+      means.addTexel(index, points.sharp);
+  means.finish();
+  for (std::size_t index = 0; index < static_cast<std::size_t>(tile.count()); ++index)
+    if (means.hasPoints(index))
+      light.radiance[index] = glm::mix(means.mean(index), light.radiance[index],
+                                       std::min(light.smoothness[index], means.smoothness(index)));
+}
+
 void Conversion::fillTile(const Environment& source, const Tile& tile, glm::ivec2 origin, Image& texels) const {
-  const glm::ivec2 points = pointsPerTexel(source, to_, extent_, tile.face, tile.begin, tile.end, sourceFromTarget());
-  const bool is_single = points == glm::ivec2(1);
-  if (is_single && !has_disc_) return fillCentres(source, tile, origin, texels);
-  const Interpolation interpolation = is_single ? resampling_.interpolation : Interpolation::bilinear;
-  Row row;
+  const PointsPerTexel points =
+      pointsPerTexel(source, to_, extent_, tile.face, tile.begin, tile.end, sourceFromTarget());
+  const bool is_single = points.smooth == glm::ivec2(1);
+  TileLight light;
+  if (is_single && !has_disc_)
+    lookUpCentres(source, tile, light);
+  else
+    lookUpMeans(source, tile, points.smooth, is_single ? resampling_.interpolation : Interpolation::bilinear, light);
+  if (points.sharp != points.smooth && !isOnSameGrid(source)) lookUpBesideSuns(source, tile, points, light);
+  auto radiance = light.radiance.begin();
   for (int y = tile.begin.y; y < tile.end.y; ++y) {
-    row.sum.fill(glm::vec4(0.0f));
-    for (int x = tile.begin.x; x < tile.end.x; ++x) {
-      if (has_disc_ && !covers(to_, (glm::vec2(x, y) + 0.5f) / glm::vec2(extent_))) continue;
-      for (int j = 0; j < points.y; ++j)
-        for (int i = 0; i < points.x; ++i) {
-          const glm::vec2 inside = (glm::vec2(i, j) + 0.5f) / glm::vec2(points);
-          addPoint(source, row, tile.face, x - tile.begin.x, (glm::vec2(x, y) + inside) / glm::vec2(extent_),
-                   interpolation);
-        }
-    }
-    gather(source, row, interpolation);
-    for (int x = tile.begin.x; x < tile.end.x; ++x) {
-      const glm::vec4 sum = row.sum[static_cast<std::size_t>(x - tile.begin.x)];
-      const glm::vec4 mean = sum.w == 0.0f ? glm::vec4(0.0f) : sum / sum.w;
-      std::copy_n(&mean.x, texels.channels(), texels.texel(x - origin.x, y - origin.y));
+    float* texel = texels.texel(tile.begin.x - origin.x, y - origin.y);
+    for (int x = tile.begin.x; x < tile.end.x; ++x, ++radiance) {
+      texel = std::copy_n(&radiance->x, 3, texel);
+      if (has_disc_) *texel++ = radiance->w;
     }
   }
 }

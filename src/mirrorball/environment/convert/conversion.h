@@ -6,6 +6,7 @@
 
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/environment/convert/sample_batch.h"
+#include "mirrorball/environment/convert/supersampling.h"
 #include "mirrorball/environment/environment.h"
 
 namespace mirrorball {
@@ -40,15 +41,21 @@ class Conversion {
   void fill(const Environment& source, const Piece& piece, Image& texels) const;
 
  private:
-  struct Row;
   struct Tile;
+  struct TileLight;
+  class PointSums;
 
+  bool isOnSameGrid(const Environment& source) const;
   void lookUp(const Environment& source, Interpolation interpolation, PointBatch& batch, LightBatch& light) const;
-  void fillCentres(const Environment& source, const Tile& tile, glm::ivec2 origin, Image& texels) const;
+  void lookUpCentres(const Environment& source, const Tile& tile, TileLight& light) const;
+  void lookUpMeans(const Environment& source, const Tile& tile, glm::ivec2 points, Interpolation interpolation,
+                   TileLight& light) const;
+  static float brightness(const glm::vec4& light);
+  static bool hasSun(const Tile& tile, const TileLight& light, const PointSums& border);
+  static bool isBesideSun(const Tile& tile, glm::ivec2 texel, const TileLight& light, const PointSums& border);
+  void lookUpBesideSuns(const Environment& source, const Tile& tile, const PointsPerTexel& points,
+                        TileLight& light) const;
   void fillTile(const Environment& source, const Tile& tile, glm::ivec2 origin, Image& texels) const;
-  void addPoint(const Environment& source, Row& row, int face, int texel, glm::vec2 uv,
-                Interpolation interpolation) const;
-  void gather(const Environment& source, Row& row, Interpolation interpolation) const;
 
   Projection to_;
   bool has_disc_;

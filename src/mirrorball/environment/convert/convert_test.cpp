@@ -162,6 +162,19 @@ TEST(Convert, ASmallSunKeepsItsFlux) {
   EXPECT_LT(std::sqrt(sum / kShifts), 0.01);
 }
 
+// A single look-up at each texel's centre is off by up to 17 %; sharp_light_test has all projections and ratios.
+TEST(Convert, ASmallSunKeepsItsFluxNearOneToOne) {
+  const EnvironmentMap source = sunlit(glm::normalize(glm::vec3(0.31f, 0.42f, 0.85f)), 512);
+  const glm::mat3 turned = turnedBy(0.4f, 0.3f, 0.2f);
+  for (const int size : {190, 256, 300})
+    EXPECT_NEAR(fluxOf(*convert(Environment(source), Projection::cube, size)) / fluxOf(source), 1.0, 0.01) << size;
+  for (const int size : {400, 512, 600})
+    EXPECT_NEAR(fluxOf(*convert(Environment(source), Projection::equirect, size, {.source_from_target = turned})) /
+                    fluxOf(source),
+                1.0, 0.01)
+        << size;
+}
+
 // Down to where a texel of the target covers many of the source; accuracy_test has every pair of projections.
 TEST(Convert, TotalFluxIsKeptBySmallMapsToo) {
   const EnvironmentMap panorama = *convert(Environment(smoothRadiance, 128), Projection::equirect, 128);

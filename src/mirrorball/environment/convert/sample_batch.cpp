@@ -24,6 +24,7 @@ struct Reach {
   int first;
   int last;
 };
+
 constexpr Reach reachOf(Interpolation interpolation) {
   return interpolation == Interpolation::bicubic ? Reach{-1, 2} : Reach{0, 1};
 }
@@ -99,14 +100,30 @@ using Texels = hn::CappedTag<float, 16>;  // one, two or four texels side by sid
 template <class D>
 using Indices = decltype(hn::SetTableIndices(D(), static_cast<const int32_t*>(nullptr)));
 
-/// The four texels around the point, each weighed by the product of its column's and its row's weight.
-hn::Vec<Texel> bilinearInside(const float* corner, std::size_t channels, std::size_t row, glm::vec2 t) {
+/// How smooth light is between texels, which are in the first three lanes each.
+float smoothnessBetween(hn::Vec<Texel> min, hn::Vec<Texel> max) {
   const Texel d;
-  const auto line = [&](const float* left) {
-    return hn::MulAdd(hn::Set(d, t.x), hn::LoadU(d, left + channels),
-                      hn::Mul(hn::Set(d, 1.0f - t.x), hn::LoadU(d, left)));
+  // Most texels have so little contrast, which is quickly seen.
+  if (hn::AllTrue(d, hn::Or(max <= hn::Mul(min, hn::Set(d, 8.0f)), hn::Not(hn::FirstN(d, 3))))) return 1.0f;
+  HWY_ALIGN std::array<float, 4> least, most;
+  hn::Store(min, d, least.data());
+  hn::Store(max, d, most.data());
+  return mirrorball::shareByContrast({{least[0], least[1], least[2]}, {most[0], most[1], most[2]}});
+}
+
+/// The four texels around the point, each weighed by the product of its column's and its row's weight.
+void bilinearInside(const float* corner, std::size_t channels, std::size_t row, glm::vec2 t, glm::vec4& light) {
+  const Texel d;
+  const auto first = hn::LoadU(d, corner);
+  const auto second = hn::LoadU(d, corner + channels);
+  const auto third = hn::LoadU(d, corner + row);
+  const auto fourth = hn::LoadU(d, corner + row + channels);
+  const auto between = [&](float share, auto a, auto b) {
+    return hn::MulAdd(hn::Set(d, share), b, hn::Mul(hn::Set(d, 1.0f - share), a));
   };
-  return hn::MulAdd(hn::Set(d, t.y), line(corner + row), hn::Mul(hn::Set(d, 1.0f - t.y), line(corner)));
+  hn::StoreU(between(t.y, between(t.x, first, second), between(t.x, third, fourth)), d, &light.x);
+  light.w = smoothnessBetween(hn::Min(hn::Min(first, second), hn::Min(third, fourth)),
+                              hn::Max(hn::Max(first, second), hn::Max(third, fourth)));
 }
 
 /// The greatest of each texel's four lanes, in all of them.
@@ -115,27 +132,26 @@ V maxOfTexel(V v) {
   const V pairs = hn::Max(v, hn::Shuffle2301(v));
   return hn::Max(pairs, hn::Shuffle1032(pairs));
 }
-template <class V>
-V minOfTexel(V v) {
-  const V pairs = hn::Min(v, hn::Shuffle2301(v));
-  return hn::Min(pairs, hn::Shuffle1032(pairs));
+
+/// image/filter.h, contrastOf, for as many texels as there are side by side; each one's fourth lane holds its third.
+template <class D, class V = hn::Vec<D>>
+V contrastOf(D d, V min, V max) {
+  const V little = hn::Mul(hn::Max(maxOfTexel(max), hn::Zero(d)), hn::Set(d, 1.0f / 64.0f));
+  return maxOfTexel(hn::Div(hn::Add(max, little), hn::Max(hn::Add(min, little), hn::Set(d, 1e-30f))));
 }
 
-/// image/filter.h, shareByContrast, for as many texels as there are side by side;
-/// each one's fourth lane holds its third.
+/// image/filter.h, shareBelow, likewise.
 template <class D, class V = hn::Vec<D>>
-V shareByContrast(D d, V min, V max) {
-  const V zero = hn::Zero(d);
-  const V little = hn::Mul(hn::Max(maxOfTexel(max), zero), hn::Set(d, 1.0f / 64.0f));
-  const V dark = hn::Add(min, little);
-  const V margin = hn::NegMulAdd(hn::Add(max, little), hn::Set(d, 1.0f / 16.0f), dark);
-  const V half_dark = hn::Max(hn::Mul(dark, hn::Set(d, 0.5f)), hn::Set(d, 1e-30f));
-  return hn::Min(minOfTexel(hn::Div(hn::Max(margin, zero), half_dark)), hn::Set(d, 1.0f));
+V shareBelow(D d, float whole, V contrast) {
+  const V share = hn::NegMulAdd(hn::Set(d, 2.0f / whole), contrast, hn::Set(d, 2.0f));
+  return hn::Min(hn::Max(share, hn::Zero(d)), hn::Set(d, 1.0f));
 }
 
 /// image/filter.h, limitedCubic, likewise.
+///
+/// contrast   rises to that of these texels, if they have much
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V limitedCubic(D d, V before, V first, V second, V after, V t, V share, V& crossing_share) {
+HWY_INLINE V limitedCubic(D d, V before, V first, V second, V after, V t, V share, V& crossing_share, V& contrast) {
   const V zero = hn::Zero(d);
   const V half = hn::Set(d, 0.5f);
   const V slope = hn::Sub(second, first);
@@ -155,11 +171,14 @@ HWY_INLINE V limitedCubic(D d, V before, V first, V second, V after, V t, V shar
   const V brightest = hn::Max(max, hn::Max(before, after));
   // Most texels have so little contrast, which is quickly seen.
   if (!hn::AllTrue(d, brightest <= hn::Mul(darkest, hn::Set(d, 8.0f)))) {
-    share = hn::Mul(share, shareByContrast(d, darkest, brightest));
+    const V along = contrastOf(d, darkest, brightest);
+    contrast = hn::Max(contrast, along);
+    share = hn::Mul(share, shareBelow(d, kCubicContrast, along));
     const V near_before = hn::MulAdd(rest, from_first, first);
     const V near_after = hn::MulAdd(t, from_second, second);
-    crossing_share = shareByContrast(d, hn::Min(min, hn::Min(near_before, near_after)),
-                                     hn::Max(max, hn::Max(near_before, near_after)));
+    const V crossing =
+        contrastOf(d, hn::Min(min, hn::Min(near_before, near_after)), hn::Max(max, hn::Max(near_before, near_after)));
+    crossing_share = shareBelow(d, kCubicContrast, crossing);
   }
   const V trough = hn::Max(hn::Min(hn::Min(bend, next_bend), hn::Min(from_first, from_second)), zero);
   const V peak = hn::Min(hn::Max(hn::Max(bend, next_bend), hn::Max(from_first, from_second)), zero);
@@ -184,16 +203,18 @@ class BicubicInside {
     const auto down = hn::Set(d, t.y);
     const auto whole = hn::Set(d, 1.0f);
     auto share = whole;
+    auto contrast = whole;
     HWY_ALIGN std::array<float, 16> columns;
     for (std::size_t column = 0; column < 4; column += kTexels) {
       const float* top = corner + column * channels_;
       auto crossing_share = whole;
       const auto light = limitedCubic(d, load(top), load(top + row_), load(top + 2 * row_), load(top + 3 * row_), down,
-                                      whole, crossing_share);
+                                      whole, crossing_share, contrast);
       hn::Store(light, d, columns.data() + column * 4);
       share = hn::Min(share, crossing_share);
     }
     if (!hn::AllTrue(d, share == whole)) share = hn::MinOfLanes(d, share);
+    contrasts_[count_] = hn::AllTrue(d, contrast == whole) ? 1.0f : hn::GetLane(hn::MaxOfLanes(d, contrast));
     const Texel one;
     hn::Store(hn::Set(one, hn::GetLane(share)), one, shares_.data() + 4 * count_);
     for (std::size_t column = 0; column < 4; ++column)
@@ -205,17 +226,23 @@ class BicubicInside {
   /// Answers for all points that were added.
   void finish(LightBatch& light) const {
     const Texels d;
-    HWY_ALIGN std::array<float, 4 * kTexels> answers;
+    HWY_ALIGN std::array<float, 4 * kTexels> answers, across_contrasts;
     for (std::size_t begin = 0; begin < count_; begin += kTexels) {
       const auto column = [&](std::size_t number) { return hn::Load(d, columns_[number].data() + 4 * begin); };
       const auto across = hn::Load(d, across_.data() + 4 * begin);
       const auto share = hn::Load(d, shares_.data() + 4 * begin);
+      auto contrast = hn::Set(d, 1.0f);
       auto crossing_share = share;  // by nothing
-      hn::Store(limitedCubic(d, column(0), column(1), column(2), column(3), across, share, crossing_share), d,
+      hn::Store(limitedCubic(d, column(0), column(1), column(2), column(3), across, share, crossing_share, contrast), d,
                 answers.data());
+      hn::Store(contrast, d, across_contrasts.data());
       const Texel one;
-      for (std::size_t point = 0; point < std::min(kTexels, count_ - begin); ++point)
-        hn::StoreU(hn::Load(one, answers.data() + 4 * point), one, &light[indices_[begin + point]].x);
+      for (std::size_t point = 0; point < std::min(kTexels, count_ - begin); ++point) {
+        glm::vec4& answer = light[indices_[begin + point]];
+        hn::StoreU(hn::Load(one, answers.data() + 4 * point), one, &answer.x);
+        answer.w =
+            mirrorball::shareBelow(kCubicContrast, std::max(contrasts_[begin + point], across_contrasts[4 * point]));
+      }
     }
   }
 
@@ -245,6 +272,7 @@ class BicubicInside {
   HWY_ALIGN std::array<Lanes, 4> columns_;
   HWY_ALIGN Lanes across_;
   HWY_ALIGN Lanes shares_;
+  std::array<float, PointBatch::kCapacity> contrasts_;  ///< the greatest down a column
   std::array<std::size_t, PointBatch::kCapacity> indices_;
   std::size_t count_ = 0;
 };
@@ -317,7 +345,7 @@ void sampleInside(const MapTexels& map, Interpolation interpolation, const Point
     if (interpolation == Interpolation::bicubic)
       bicubic_inside.add(cornerOf(i), t, i);
     else
-      hn::StoreU(bilinearInside(cornerOf(i), channels, row, t), Texel(), &light[i].x);
+      bilinearInside(cornerOf(i), channels, row, t, light[i]);
   }
   bicubic_inside.finish(light);
 }
@@ -337,8 +365,11 @@ void sampleBatch(const EnvironmentMap& map, Interpolation interpolation, const P
   inside.fill(false);
   const bool has_colour = map.face(0).channels() >= 3;
   if (has_colour) HWY_DYNAMIC_DISPATCH(sampleInside)(MapTexels(map), interpolation, batch, light, inside);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i)
-    if (!inside[i]) light[i] = glm::vec4(map.radiance({batch.x[i], batch.y[i], batch.z[i]}, interpolation), 0.0f);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
+    if (inside[i]) continue;
+    const auto [radiance, texels] = map.interpolated({batch.x[i], batch.y[i], batch.z[i]}, interpolation);
+    light[i] = glm::vec4(radiance, shareByContrast(texels));
+  }
 }
 
 }  // namespace mirrorball

@@ -60,15 +60,16 @@ glm::vec2 spanAt(const Environment& source, Projection to, glm::ivec2 extent, Ma
   return {spanOf(source, direction, across), spanOf(source, direction, down)};
 }
 
-int pointsFor(float span, float max) {
-  if (!(span > 1.415f)) return 1;
-  return static_cast<int>(std::ceil(std::min(span, max)));
+int smoothPoints(float span) { return span > 1.415f ? static_cast<int>(std::ceil(span)) : 1; }
+
+int sharpPoints(float span) {
+  return std::max(std::min(static_cast<int>(std::ceil(6.0f * span)), 48), smoothPoints(span));
 }
 
 }  // namespace
 
-glm::ivec2 pointsPerTexel(const Environment& source, Projection to, glm::ivec2 extent, int face, glm::ivec2 begin,
-                          glm::ivec2 end, const glm::mat3& source_from_target) {
+PointsPerTexel pointsPerTexel(const Environment& source, Projection to, glm::ivec2 extent, int face, glm::ivec2 begin,
+                              glm::ivec2 end, const glm::mat3& source_from_target) {
   const glm::vec2 low = (glm::vec2(begin) + 0.5f) / glm::vec2(extent);
   const glm::vec2 high = (glm::vec2(end) - 0.5f) / glm::vec2(extent);
   const std::array<glm::vec2, 5> places{low, high, glm::vec2(low.x, high.y), glm::vec2(high.x, low.y),
@@ -78,7 +79,8 @@ glm::ivec2 pointsPerTexel(const Environment& source, Projection to, glm::ivec2 e
     if (covers(to, place)) span = glm::max(span, spanAt(source, to, extent, {face, place}, source_from_target));
   // At a pole or on a rim a map shows one direction many times over: there the Jacobian grows without bound.
   const float max = 4.0f * std::max(source.texelDensity() / texelDensity(to, extent.y), 1.0f);
-  return {pointsFor(span.x, max), pointsFor(span.y, max)};
+  span = glm::min(span, max);
+  return {{smoothPoints(span.x), smoothPoints(span.y)}, {sharpPoints(span.x), sharpPoints(span.y)}};
 }
 
 }  // namespace mirrorball

@@ -14,7 +14,8 @@ uniform float samples_per_pixel;
 uniform int texture_filter;    // of filter_kind.glsl
 uniform float min_level;
 uniform float lobe_roughness;  // blurs by the mip levels; 0: not
-uniform bool is_shadow_alone;  // as black that covers as much of what it is laid over as the shadow takes away
+uniform bool is_shadow_alone;  // on a page, of which it takes as much away as of the ground's light
+uniform vec4 page;             // its radiance and 1; or 0: black that covers as much of what it is laid over
 
 out vec4 fragment;
 
@@ -31,5 +32,6 @@ void main() {
   if (!is_shadow_alone) return;
   // Where the ground sends no light, none is missing.
   float lit = luminance(light);
-  fragment = vec4(vec3(0.0), lit > 0.0 ? clamp(1.0 - luminance(shown) / lit, 0.0, 1.0) : 0.0);
+  float missing = lit > 0.0 ? clamp(1.0 - luminance(shown) / lit, 0.0, 1.0) : 0.0;
+  fragment = vec4(page.xyz * (1.0 - missing), max(page.w, missing));
 }

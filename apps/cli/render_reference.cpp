@@ -124,8 +124,8 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
   if (options.trace.is_unoccluded && options.trace.bounces != 1 && frame.refraction != RefractionKind::traced)
     return fail(ErrorCode::usage, "--unoccluded knows no second surface; add --bounces 1");
   const std::vector<std::string> idle = idleForReference(options, frame, given);
-  if (frame.background == BackgroundKind::transparent && frame.proxy.kind == ProxyKind::ground)
-    remark("the reference shows no shadow where --background transparent leaves the ground out");
+  if (!frame.showsEnvironment() && frame.proxy.kind == ProxyKind::ground)
+    remark("the reference shows no shadow where --background leaves the ground out");
   if (!idle.empty()) remark("the reference shows what is right, and so needs no " + join(idle, ", ", " and no "));
   return {};
 }

@@ -130,12 +130,6 @@ Result<void> checkContradictions(const FrameSettings& settings, const GivenOptio
                                       " out, or say --proxy ground:HEIGHT");
   if (settings.self_reflection && given.contains("occlusion") && settings.occlusion == OcclusionKind::none)
     return fail(ErrorCode::usage, "--self-reflection knows what hides the sky; leave --occlusion none out");
-  const bool has_color =
-      settings.background == BackgroundKind::radiance || settings.background == BackgroundKind::display_color;
-  if (settings.stands && has_color)
-    remark(
-        "--stand: the floor and the shadow on it are the environment's, which --background COLOR covers; with "
-        "--background transparent the shadow stays");
   return {};
 }
 

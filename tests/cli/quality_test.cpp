@@ -61,7 +61,6 @@ TEST_F(QualityCliTest, ContradictionsAreTold) {
   const std::string line = "render sphere -e studio --size 8x8 -o ball.png ";
   EXPECT_THAT(refuse(2, line + "--stand --proxy none"), HasSubstr("--stand is on a ground"));
   EXPECT_THAT(refuse(2, line + "--self-reflection --occlusion none"), HasSubstr("leave --occlusion none out"));
-  EXPECT_THAT(run(line + "--stand --background #ff0000").err, HasSubstr("--background COLOR covers"));
 }
 
 // The shadow of a ball that stands on the ground below the sun, alone: black that covers as much as is missing.
@@ -82,6 +81,14 @@ TEST_F(QualityCliTest, StandsOnTheFloorAndItsShadowIsAlpha) {
     }
   EXPECT_GT(covered, 40);
   EXPECT_GT(clear, 1000);
+  // On a page of a colour, as much of it is missing.
+  succeed(line + "--background 4,2,1 -o page.exr");
+  const Image page = image("page.exr");
+  for (int y = 0; y < page.height(); ++y)
+    for (int x = 0; x < page.width(); ++x)
+      if (const float missing = shadow.texel(x, y)[3]; missing < 0.9f) {  // not at the ball's outline
+        EXPECT_NEAR(page.texel(x, y)[0], 4.0f * (1.0f - missing), 0.02f) << x << " " << y;
+      }
   // Of a black ground nothing is missing.
   write("black.exr", Image(8, 4, 3, 0.0f));
   succeed("render sphere -e black.exr --size 32x24 --samples 1 --stand --background transparent -o black_shadow.exr");

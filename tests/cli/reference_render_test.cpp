@@ -151,7 +151,7 @@ TEST_F(ReferenceRenderTest, TakesEveryOptionOfThePictureBesideIt) {
             "mirrorball: note: the reference shows what is right, and so needs no --blur, --texture-filter, "
             "--self-reflection, --quality, --refraction, --inner-bounces and no --background blur\n");
   EXPECT_EQ(run(line + " --proxy ground --background transparent").err,
-            "mirrorball: note: the reference shows no shadow where --background transparent leaves the ground out\n");
+            "mirrorball: note: the reference shows no shadow where --background leaves the ground out\n");
 }
 
 TEST_F(ReferenceRenderTest, AnInterruptionLeavesThePictureSoFar) {

@@ -16,6 +16,11 @@ constexpr float kBackgroundRoughness = 0.35f;
 
 }  // namespace
 
+glm::vec4 pageOf(const FrameSettings& settings) {
+  const bool has_radiance = settings.background == BackgroundKind::radiance;
+  return has_radiance ? glm::vec4(settings.background_color, 1.0f) : glm::vec4(0.0f);
+}
+
 Result<gl::ShaderSource> backgroundShader(gl::Api api, ProxyKind kind) {
   return withProxy(api, "background.frag", kind);
 }
@@ -51,7 +56,8 @@ void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame,
   const float prefiltered_level = formula::lodOfRoughness(kBackgroundRoughness, static_cast<float>(chain.lastLevel())) -
                                   static_cast<float>(chain.first_level);
   program.set("min_level", is_prefiltered ? prefiltered_level : 0.0f);
-  program.set("is_shadow_alone", static_cast<int>(settings.background == BackgroundKind::transparent));
+  program.set("is_shadow_alone", static_cast<int>(!settings.showsEnvironment()));
+  program.set("page", pageOf(settings));
   program.set("lobe_roughness", blurred && !is_prefiltered ? kBackgroundRoughness : 0.0f);
   screen_.draw(3);
 }

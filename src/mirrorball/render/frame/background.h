@@ -13,6 +13,9 @@
 
 namespace mirrorball {
 
+/// What is behind everything where the environment is not shown: radiance and 1, or nothing.
+glm::vec4 pageOf(const FrameSettings& settings);
+
 /// shaders/background.frag, for an environment whose light comes from there.
 ///
 /// errors   not_found: a part's file (a mistake in the table of parts)
@@ -26,7 +29,8 @@ class Background {
   /// errors   unsupported (the driver does not compile it)
   Result<void> make(gl::Api api, ProxyUniforms& proxy);
 
-  /// Draws it, sharp or blurred as the settings say, where nothing else has been drawn yet.
+  /// Draws it, sharp or blurred as the settings say, where nothing else has been drawn yet; where they show no
+  /// environment, the shadow on the ground alone.
   void draw(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
 
  private:

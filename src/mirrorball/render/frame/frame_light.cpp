@@ -53,7 +53,7 @@ Result<void> FrameLight::placeProxy(gl::Api api, const Scene& scene, const Bound
 
 Result<void> FrameLight::makeGroundShadow(gl::Api api, const Scene& scene, const BoundingSphere& bounds,
                                           const glm::mat3& environment_from_world) {
-  constexpr int kLights = 96;
+  constexpr int kLights = 256;
   constexpr int kTexels = 512;  // about as small as the sun
   if (shadow_from_world_ == environment_from_world) return {};
   if (!ground_sampler_) {

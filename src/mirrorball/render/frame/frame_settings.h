@@ -97,7 +97,7 @@ struct FrameSettings {
   ReliefKind relief = ReliefKind::bump;
   int relief_steps = 64;  ///< of those kinds that go in steps, 4 … 1024
   RefractionKind refraction = RefractionKind::single;
-  int inner_bounces = 4;  ///< surfaces that light meets inside of bodies where it is traced, 1 … 32
+  int inner_bounces = 4;  ///< surfaces that light meets after the one drawn, where bodies are traced, 1 … 32
   DispersionKind dispersion = DispersionKind::channels;
   int wavelengths = 12;        ///< that a sample of a pixel is drawn of where dispersion is spectral, 8 … 16
   float wavelength_nm = 0.0f;  ///< TraceSettings::wavelength_nm, 380 … 780; 0: none
@@ -115,6 +115,10 @@ struct FrameSettings {
 
   /// Directions of the environment from those of the world.
   glm::mat3 environmentFromWorld() const;
+  /// Whether the environment is seen behind everything, sharp or blurred.
+  bool showsEnvironment() const {
+    return background == BackgroundKind::environment || background == BackgroundKind::blur;
+  }
 };
 
 /// Where `stands` says so, the light comes from a ground unless from another proxy, and the camera holds the shadow

@@ -23,13 +23,9 @@ glm::vec3 centerOf(const Mesh& mesh) {
   return box.center();
 }
 
-bool showsBackground(const FrameSettings& settings) {
-  return settings.background == BackgroundKind::environment || settings.background == BackgroundKind::blur;
-}
-
 /// Whether the shadow on the ground is all that is seen of it.
 bool showsShadowAlone(const FrameSettings& settings) {
-  return settings.background == BackgroundKind::transparent && settings.proxy.kind == ProxyKind::ground;
+  return !settings.showsEnvironment() && settings.proxy.kind == ProxyKind::ground;
 }
 
 /// Whether the ground behind the scene is seen, and polished.
@@ -271,9 +267,8 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   MIRRORBALL_TRY_VOID(drawReliefHits(settings, frame));
   MIRRORBALL_TRY_VOID(surfaces_->begin(scene_, buffers_, light, frame, settings));
   target.bind();
-  const bool has_color = settings.background == BackgroundKind::radiance;
-  const glm::vec3 color = has_color ? settings.background_color : glm::vec3(0.0f);
-  glClearColor(color.x, color.y, color.z, has_color ? 1.0f : 0.0f);
+  const glm::vec4 page = pageOf(settings);
+  glClearColor(page.x, page.y, page.z, page.w);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glDisable(GL_BLEND);
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
@@ -283,7 +278,7 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   std::copy_if(order.begin(), order.end(), std::back_inserter(seeing_nothing),
                [&](int instance) { return !seesScreen(materialOf(scene_, std::size_t(instance)), settings); });
   drawInstances(seeing_nothing, frame, settings);
-  if (showsBackground(settings) || (!is_mirrored && showsShadowAlone(settings)))
+  if (settings.showsEnvironment() || (!is_mirrored && showsShadowAlone(settings)))
     background_.draw(light, frame, settings);
   if (showsGroundMirror(settings)) ground_mirror_->draw(frame, settings, box_);
   MIRRORBALL_TRY_VOID(drawLayers(target, light, frame, settings, layers));

@@ -1,8 +1,8 @@
 // Part "transmission" (transmission_none.glsl). Here: a ray is followed through the bodies of the scene, which
 // scene/bodies/body_tree.cpp has put into a texture. At each surface that it meets, light is reflected and refracted by
-// Fresnel's equations; what leaves the bodies is the arriving light of that direction. Where both ways stay inside, the
-// stronger one is followed, and the other takes the light from far away along its direction, so that none is lost; so
-// does all that is still inside after `inner_bounces` surfaces.
+// Fresnel's equations. The stronger way is followed if it stays inside or meets a body again, else the weaker one if it
+// stays inside. The other takes the light that arrives along its direction, so that none is lost; so does all that is
+// left after `inner_bounces` surfaces.
 // Compilers copy each function to where it is called: what is large is called in one place.
 #include "entering_beam.glsl"
 #include "media.glsl"
@@ -68,26 +68,28 @@ TriangleHit firstSurface(inout InnerRay ray) {
   return hit;
 }
 
-// One of the two ways on from a surface.
-struct Way {
-  vec3 direction;
-  vec3 throughput;
-  Beam beam;
-  bool crosses;  // it goes to the other side of the triangle
-  bool stays;    // in some body
-};
-
-Way wayOn(vec3 direction, vec3 throughput, Beam beam, bool crosses, Media here, Media beyond) {
-  bool has_light = throughput != vec3(0.0);
-  return Way(direction, throughput, beam, crosses, has_light && fillingBody(crosses ? beyond : here) >= 0);
+// A way on from a surface. It may go out where the other one is expected: smooth normals do so over flat triangles.
+InnerRay wayOn(InnerRay arriving, TriangleHit hit, BodySurface surface, vec3 direction, vec3 throughput, Beam beam,
+               Media beyond) {
+  bool is_entering = dot(arriving.direction, surface.geometric_normal) < 0.0;
+  bool crosses = (dot(direction, surface.geometric_normal) < 0.0) == is_entering;
+  InnerRay way;
+  way.origin = besideSurface(arriving.origin + hit.distance * arriving.direction, hit.distance,
+                             crosses != is_entering ? surface.geometric_normal : -surface.geometric_normal);
+  way.direction = direction;
+  way.throughput = throughput;
+  way.beam = beam;
+  way.leaves = hit.triangle;
+  way.media = arriving.media;
+  if (crosses) way.media = beyond;
+  return way;
 }
 
-// Takes a ray over one surface, on the stronger of the ways that stay inside.
+// The two ways on from a surface.
 //
-// ended    becomes the other way. Where both go out, which smooth normals do over flat triangles, it is the stronger
-//          with the light of both
-// returns  whether one stays inside
-bool passSurface(inout InnerRay ray, TriangleHit hit, int kind, inout InnerRay ended) {
+// ray   becomes the stronger one
+// other becomes the weaker one
+void passSurface(inout InnerRay ray, TriangleHit hit, int kind, out InnerRay other) {
   BodySurface surface = bodySurfaceAt(bodies, hit);
   Body body = bodyAt(bodies, surface.body);
   bool is_entering = dot(ray.direction, surface.geometric_normal) < 0.0;
@@ -102,53 +104,54 @@ bool passSurface(inout InnerRay ray, TriangleHit hit, int kind, inout InnerRay e
   float fresnel = fresnelDielectric(cosine, eta);
   float reflects = fresnel < 1.0 ? body.specular * fresnel : 1.0;
   float alpha = alphaFromPerceptualRoughness(body.perceptual_roughness);
-  vec3 reflected_to = reflect(ray.direction, normal);
-  vec3 refracted_to = refractedDirection(ray.direction, normal, eta);
   Beam arriving = beamAfter(ray.beam, hit.distance);
   float curvature = is_entering ? -surface.curvature : surface.curvature;
-  Way reflected = wayOn(reflected_to, ray.throughput * reflects,
-                        beamBeyond(arriving, reflectionOfBeam(alpha, cosine, curvature)),
-                        (dot(reflected_to, surface.geometric_normal) < 0.0) == is_entering, ray.media, beyond);
-  Way refracted = wayOn(refracted_to, ray.throughput * body.base_color * (1.0 - reflects),
-                        beamBeyond(arriving, refractionOfBeam(alpha, cosine, eta, curvature)),
-                        (dot(refracted_to, surface.geometric_normal) < 0.0) == is_entering, ray.media, beyond);
-
-  bool is_reflected = reflected.stays == refracted.stays ? reflects > 0.5 : reflected.stays;
-  Way followed = is_reflected ? reflected : refracted;
-  Way other = is_reflected ? refracted : reflected;
-  if (!followed.stays)
-    other = Way(followed.direction, followed.throughput + other.throughput, followed.beam, false, false);
-  vec3 place = ray.origin + hit.distance * ray.direction;
-  ended.origin = place;
-  ended.direction = other.direction;
-  ended.throughput = other.throughput;
-  ended.beam = other.beam;
-  bool goes_out = followed.crosses != is_entering;
-  ray.origin = besideSurface(place, hit.distance,
-                             goes_out ? surface.geometric_normal : -surface.geometric_normal);
-  ray.direction = followed.direction;
-  ray.throughput = followed.throughput;
-  ray.beam = followed.beam;
-  ray.leaves = hit.triangle;
-  if (followed.crosses) ray.media = beyond;
-  return followed.stays;
+  InnerRay reflected = wayOn(ray, hit, surface, reflect(ray.direction, normal), ray.throughput * reflects,
+                             beamBeyond(arriving, reflectionOfBeam(alpha, cosine, curvature)), beyond);
+  InnerRay refracted = wayOn(ray, hit, surface, refractedDirection(ray.direction, normal, eta),
+                             ray.throughput * body.base_color * (1.0 - reflects),
+                             beamBeyond(arriving, refractionOfBeam(alpha, cosine, eta, curvature)), beyond);
+  bool is_reflected = reflects > 0.5;
+  other = reflected;
+  ray = refracted;
+  if (is_reflected) {
+    other = refracted;
+    ray = reflected;
+  }
 }
 
 // The light that a ray of one kind of light brings from the bodies which it is in.
-//
-// most  surfaces that it meets
-vec3 lightFromInside(InnerRay ray, int most, int kind) {
+vec3 lightFromInside(InnerRay ray, int kind) {
   vec3 light = vec3(0.0);
-  for (int surfaces = 0;; ++surfaces) {
-    bool stays = false;
+  InnerRay other = ray;  // the weaker way from the last surface
+  other.throughput = vec3(0.0);
+  for (int surfaces = 0;;) {
     TriangleHit hit = TriangleHit(kBeyondAll, -1, vec2(0.0));
-    if (surfaces < most) hit = firstSurface(ray);
+    if (surfaces < inner_bounces) hit = firstSurface(ray);
+    bool goes_on = hit.triangle >= 0;
     InnerRay ended = ray;
-    if (hit.triangle >= 0) stays = passSurface(ray, hit, kind, ended);
+    if (goes_on) {
+      ended = other;
+      // Between bodies something else may be in the way.
+      float way = hit.distance;
+      vec3 met;
+      if (fillingBody(ray.media) < 0 && meetsInside(ray.origin, ray.direction, roughnessOfBeam(ray.beam), way, met)) {
+        light += ray.throughput * met;
+        ended.throughput = vec3(0.0);
+        goes_on = false;
+      }
+    }
+    if (goes_on) {
+      passSurface(ray, hit, kind, other);
+      ++surfaces;
+    } else {
+      ray = other;
+      other.throughput = vec3(0.0);
+    }
     if (ended.throughput != vec3(0.0))
       light += ended.throughput * lightBehind(ended.origin, ended.direction, roughnessOfBeam(ended.beam),
                                                 footprintOfBeam(ended.beam));
-    if (!stays) break;
+    if (!goes_on && ray.throughput == vec3(0.0)) break;
   }
   return light;
 }
@@ -194,8 +197,7 @@ vec3 transmittedLight(Surface s, SurfacePoint point) {
       ray = rayOfEye(point);
     else
       ray = enteringRay(s, point, kind);
-    int most = is_eye_inside ? inner_bounces + 1 : inner_bounces;
-    light += shareOfKind(kind, disperses) * lightFromInside(ray, most, kind);
+    light += shareOfKind(kind, disperses) * lightFromInside(ray, kind);
   }
   return light;
 }

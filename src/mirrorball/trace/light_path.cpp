@@ -70,6 +70,7 @@ class Path {
 
   std::optional<Hit> firstHit(Ray& ray, float farthest, glm::vec3& share);
   glm::vec3 shareThatArrives(Ray ray, float distance);
+  bool hasBeenInside(const Ray& ray) const;
   bool meetsSurfaces(const Ray& ray) const;
   bool passes(const Hit& hit, Ray& ray);
   bool isHole(const Hit& hit);
@@ -96,7 +97,7 @@ class Path {
   CarriedLight light_;
   PathOnGround on_ground_;
   float wavelength_;        // µm, that of the settings, or once light is dispersed; 0: all are there
-  int inner_surfaces_ = 0;  // that were met from within bodies
+  int inner_surfaces_ = 0;  // that were met from within bodies, and after them
 };
 
 /// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
@@ -109,7 +110,7 @@ bool Path::passes(const Hit& hit, Ray& ray) {
   const bool has_back = material.double_sided || material.transmission > 0.0f || !ray.passes_backs;
   if (!has_back && !is_entering) return true;
   const bool is_there = hit.distance >= ray.nearest && !isHole(hit);
-  const bool meets_bodies_alone = settings_.is_unoccluded && formula::fillingBody(ray.media) >= 0 && ray.from;
+  const bool meets_bodies_alone = settings_.is_unoccluded && inner_surfaces_ > 0 && ray.from;
   if (!isBody(material)) return !is_there || meets_bodies_alone;
   const int body = static_cast<int>(hit.instance);
   if (is_there && formula::hasSurface(ray.media, body, material.priority, is_entering)) return false;
@@ -146,10 +147,12 @@ std::optional<Hit> Path::firstHit(Ray& ray, float farthest, glm::vec3& share) {
   }
 }
 
+/// Whether a ray is, or was, in a body.
+bool Path::hasBeenInside(const Ray& ray) const { return inner_surfaces_ > 0 || formula::fillingBody(ray.media) >= 0; }
+
 /// Whether something may be in the way of a ray that leaves a surface.
 bool Path::meetsSurfaces(const Ray& ray) const {
-  const bool is_inside = formula::fillingBody(ray.media) >= 0;
-  return !settings_.is_unoccluded || (is_inside && inner_surfaces_ < settings_.inner_bounces);
+  return !settings_.is_unoccluded || (hasBeenInside(ray) && inner_surfaces_ < settings_.inner_bounces);
 }
 
 /// The share of light that gets from a distance along a ray to its origin.
@@ -338,7 +341,7 @@ PathLight Path::follow(Ray ray) {
   const auto arrives = [this](const Ray& towards) { return shareThatArrives(towards, INFINITY); };
   for (int surfaces = 0;; ++surfaces) {
     const bool meets = surfaces == 0 || meetsSurfaces(ray);
-    if (surfaces > 0 && formula::fillingBody(ray.media) >= 0) ++inner_surfaces_;
+    if (hasBeenInside(ray)) ++inner_surfaces_;
     const auto hit = meets ? firstHit(ray, INFINITY, light_.throughput) : std::nullopt;
     if (!on_ground_.goesOn(ray, hit.has_value(), light_)) return ended();
     const auto ground = groundBefore(ray, hit);

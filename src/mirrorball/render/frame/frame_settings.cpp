@@ -207,8 +207,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .value = "N",
       .minimum = 1,
       .maximum = 32,
-      .help = "number of surfaces that light meets inside of glass where it is traced; what is not out by then is the "
-              "light from far away",
+      .help = "number of surfaces that light meets after the first, where glass is traced; what is not out by then is "
+              "the light from far away",
       .group = "Look"},
      &FrameSettings::inner_bounces},
     {{.name = "dispersion",

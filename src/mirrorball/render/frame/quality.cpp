@@ -26,9 +26,12 @@ constexpr auto kShowsOtherwise = std::to_array<std::string_view>(
     {"mapping", "reflect-at", "texgen", "texture-matrix", "lookup", "blur", "occlusion", "self-reflection", "probes"});
 /// Triangles that are shown as they are cannot be cut, and large ones know too little.
 constexpr auto kOccludesOtherwise = std::to_array<std::string_view>({"self-reflection", "probes", "reflect-at"});
+/// How light is followed where not all of it is.
+constexpr auto kRefractsOtherwise = std::to_array<std::string_view>({"refraction"});
 
 constexpr auto kChoices = std::to_array<QualityChoice>({
     {.option = "refraction", .values = {"", "auto", "traced"}, .suits = letsLightThrough},
+    {.option = "inner-bounces", .values = {"", "", "8"}, .suits = letsLightThrough, .left_to = kRefractsOtherwise},
     {.option = "behind", .values = {"", "screen", "screen"}, .suits = letsLightThrough},
     {.option = "occlusion", .values = {"", "vertex", "vertex"}, .suits = hidesItself, .left_to = kOccludesOtherwise},
     {.option = "self-reflection", .values = {"", "yes", "yes"}, .suits = mirrorsItself, .left_to = kShowsOtherwise},

@@ -182,6 +182,44 @@ TEST_F(TracedBodies, LightIsAbsorbedByTheLengthOfItsWay) {
   }
 }
 
+// Two slabs one behind the other: light that has left the first enters the second, as long as surfaces are counted.
+TEST_F(TracedBodies, LightThatHasLeftMeetsAnotherBody) {
+  Material red = withoutReflection(1.5f);
+  red.attenuation_color = {0.8f, 0.3f, 0.1f};
+  Scene slabs = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  red.attenuation_distance = 0.25f * 2.0f * glm::abs(slabs.meshes[0].vertices[0].position.z);
+  add(slabs, cubeMesh(), red);
+  const auto slabAt = [](float z) {
+    return glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, z)), glm::vec3(1.0f, 1.0f, 0.25f));
+  };
+  slabs.instances[0].world_from_object = slabAt(0.6f);
+  slabs.instances[1].world_from_object = slabAt(-0.6f);
+  const Environment white([](glm::vec3) { return glm::vec3(1.0f); }, 16);
+  for (const auto& [surfaces, expected] :
+       {std::pair(1, glm::vec3(1.0f)), std::pair(2, glm::vec3(1.0f)), std::pair(3, red.attenuation_color)}) {
+    frame_.inner_bounces = surfaces;
+    const Image image = radiance(slabs, white);
+    EXPECT_LT(glm::length(rgbAt(image, 32, 32) - expected), 2e-3f) << surfaces;
+  }
+}
+
+// A glass ball behind a slab, and between the two a cube that is not of glass.
+TEST_F(TracedBodies, WhatIsBetweenBodiesHidesThoseBehind) {
+  Scene scene = sceneOf(cubeMesh(), withoutReflection(1.5f));
+  scene.instances[0].world_from_object =
+      glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, 1.2f)), glm::vec3(1.0f, 1.0f, 0.1f));
+  Material lamp;
+  lamp.unlit = true;
+  lamp.base_color = {0.0f, 0.5f, 0.0f};
+  Scene hidden = scene;
+  add(hidden, cubeMesh(), lamp, glm::vec3(0.0f), 0.3f);
+  add(hidden, sphereMesh(24, 48), clearGlass(1.5f), glm::vec3(0.0f, 0.0f, -1.5f), 0.5f);
+  frame_.behind = BehindKind::screen;
+  frame_.inner_bounces = 8;
+  const glm::vec3 seen = rgbAt(inSmoothLight(hidden), 32, 32);
+  EXPECT_LT(glm::length(seen - lamp.base_color), 0.02f) << seen.x << " " << seen.y << " " << seen.z;
+}
+
 TEST_F(TracedBodies, WhatHasTheIndexOfItsSurroundingsIsNotSeenInThem) {
   const Material glass = clearGlass(1.5f);
   const Scene whole = sceneOf(sphereMesh(64, 128), glass);

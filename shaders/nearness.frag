@@ -1,9 +1,10 @@
-// How near a surface is to the camera's place (formula/proxy/captured_sight.glsl).
-uniform vec3 camera_position;
-uniform float unit;
-
-in vec3 world_position;
+// How near surfaces are to the camera's place (formula/proxy/captured_sight.glsl).
+#include "nearness_of_depth.glsl"
 
 out vec4 fragment;
 
-void main() { fragment = vec4(unit / distance(world_position, camera_position), 0.0, 0.0, 1.0); }
+void main() {
+  float nearness = nearnessOfDepth();
+  if (nearness == 0.0) discard;
+  fragment = vec4(nearness, 0.0, 0.0, 1.0);
+}

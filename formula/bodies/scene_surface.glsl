@@ -1,7 +1,9 @@
 // What reflections show of a scene where a ray meets it: in a tree of its triangles (scene/bodies/body_tree.cpp) that
 // has two more parts, which the last words of its texels 1 and 2 give the first texels of:
-//   of a triangle  one texel: the numbers of its corners
+//   of a triangle  one texel: the numbers of its corners; the texel of its holes, or 0
 //   of a vertex    two texels of half floats: hidden, open, shown, metallic; base colour, roughness, emission, 0
+// and further on, for some triangles, their holes: a texel with the number of rows of their cells, and then a bit for
+// each cell, 1 where it is cut away.
 // Needs: triangle_tree.
 
 const int kTexelsOfVertex = 2;
@@ -16,6 +18,27 @@ struct SceneSurface {
   float perceptual_roughness;
   vec3 emission;
 };
+
+// The cell of a place in a triangle that is cut into rows² alike triangles, those of a row by the first coordinate one
+// after the other.
+FN int cellOfTriangle(vec2 barycentric, int rows) {
+  vec2 place = max(barycentric, vec2(0.0f)) * float(rows);
+  int row = min(int(place.x), rows - 1);
+  int column = min(int(place.y), rows - 1 - row);
+  bool is_second = place.x - float(row) + place.y - float(column) > 1.0f && row + column < rows - 1;
+  return row * (2 * rows - row) + 2 * column + (is_second ? 1 : 0);
+}
+
+// Whether a triangle is cut away where a ray meets it.
+FN bool isHole(WORD_SAMPLER tree, TriangleHit hit) {
+  int texel = int(fetchWords(tree, int(fetchWords(tree, 1).w) + hit.triangle).w);
+  if (texel == 0) return false;
+  int cell = cellOfTriangle(hit.barycentric, int(fetchWords(tree, texel).x));
+  uvec4 holes = fetchWords(tree, texel + 1 + cell / 128);
+  int word = cell / 32 % 4;
+  uint bits = word < 2 ? (word == 0 ? holes.x : holes.y) : (word == 2 ? holes.z : holes.w);
+  return (bits >> uint(cell % 32) & 1u) != 0u;
+}
 
 FN vec4 halvesOf(uint a, uint b) { return vec4(unpackHalf2x16(a), unpackHalf2x16(b)); }
 

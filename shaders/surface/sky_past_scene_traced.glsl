@@ -46,6 +46,9 @@ vec3 sampledReflection(Surface s, SurfacePoint point) {
   return reflect(point.ray, facet.x * s.tangent + facet.y * cross(s.normal, s.tangent) + facet.z * s.normal);
 }
 
+// Past this many holes a ray meets the next one as if it were none.
+const int kMostHoles = 8;
+
 // What the ray from the surface meets of the scene in a direction.
 //   across   along the flat triangle's normal, of any length
 //   found    becomes that light; stays as it is where nothing is met
@@ -55,8 +58,14 @@ void reflectScene(SurfacePoint point, vec3 across, vec3 direction, inout vec3 fo
   direction -= 2.0 * min(dot(direction, up), 0.0) * up;
   vec3 size = floatsOf(fetchWords(scene_triangles, 2));
   vec3 origin = besideSurface(point.position, max(max(size.x, size.y), size.z), up);
-  TriangleHit hit = nearestTriangleBeside(scene_triangles, origin, direction, 0.0, -1,
-                                          seesFront() ? unseen_by_itself : 0, kNarrowMargin);
+  TriangleHit hit;
+  float nearest = 0.0;
+  for (int holes = 0; holes <= kMostHoles; ++holes) {
+    hit = nearestTriangleBeside(scene_triangles, origin, direction, nearest, -1, seesFront() ? unseen_by_itself : 0,
+                                kNarrowMargin);
+    if (hit.triangle < 0 || !isHole(scene_triangles, hit)) break;
+    nearest = hit.distance * (1.0 + 1e-6);
+  }
   if (hit.triangle >= 0)
     found = lightOfScene(origin + hit.distance * direction, direction, sceneSurfaceAt(scene_triangles, hit));
 }

@@ -411,6 +411,12 @@ const Case kSurfaceCases[] = {
 
     // scene_surface
     PARITY(halvesOf, unit, kExact, halvesOf(floatBitsToUint(p.x) & 0x3bff3bffu, floatBitsToUint(p.y) & 0x3bff3bffu)),
+    PARITY(cellOfTriangle, unit, kExact,
+           vec4(float(cellOfTriangle(vec2(q.x, (1.0f - q.x) * q.y), 1 + int(31.0f * p.x))), 0.0f, 0.0f, 0.0f)),
+    PARITY(isHole, unit, kExact,
+           vec4(isHole(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, (1.0f - q.x) * q.y))) ? 1.0f
+                                                                                                              : 0.0f,
+                0.0f, 0.0f, 0.0f)),
     PARITY(sceneSurfaceAt, unit, kTight,
            vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).shown, 1.0f) +
                sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).hidden),

@@ -14,6 +14,7 @@
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/rays/occlusion_refinement.h"
+#include "mirrorball/rays/triangle_holes.h"
 
 namespace mirrorball {
 namespace {
@@ -270,10 +271,9 @@ Result<std::vector<MeshRefinement>> refined(Scene& scene, Geometry& geometry, co
   return refinements;
 }
 
-}  // namespace
-
-Result<void> findOcclusionOnce(Scene& scene, const SceneOcclusionSettings& settings,
-                               const std::optional<CacheFolder>& cache, const ProgressFunction& progress) {
+/// Unless the cache has it.
+Result<void> findOrRead(Scene& scene, const SceneOcclusionSettings& settings, const std::optional<CacheFolder>& cache,
+                        const ProgressFunction& progress) {
   // A few large triangles may become many.
   bool is_kept = cache && cache->maxBytes() > 0 && (settings.refines || OcclusionCache::isWorthAFile(scene, settings));
   const std::string key = is_kept ? OcclusionCache::keyOf(scene, settings) : std::string();
@@ -287,6 +287,15 @@ Result<void> findOcclusionOnce(Scene& scene, const SceneOcclusionSettings& setti
   MIRRORBALL_TRY_VOID(findOcclusion(scene, geometry, settings, progress));
   is_kept = is_kept && OcclusionCache::isWorthAFile(scene, settings);
   if (is_kept) OcclusionCache(*cache).keep(key, settings.finds_looks, scene, refinements);
+  return {};
+}
+
+}  // namespace
+
+Result<void> findOcclusionOnce(Scene& scene, const SceneOcclusionSettings& settings,
+                               const std::optional<CacheFolder>& cache, const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(findOrRead(scene, settings, cache, progress));
+  if (settings.finds_looks) findHoles(scene);
   return {};
 }
 

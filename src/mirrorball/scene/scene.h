@@ -45,12 +45,19 @@ struct VertexLook {
   float perceptual_roughness = 0.5f;
 };
 
+/// Where a triangle is cut away by an alpha mask: in which of rows² cells (formula/bodies/scene_surface.glsl).
+struct TriangleHoles {
+  int rows = 0;                     ///< 0: nowhere
+  std::vector<std::uint32_t> bits;  ///< of each cell, the lowest first
+};
+
 /// A mesh that is placed in the world, without mirroring: for a mirror image, mirror the mesh.
 struct Instance {
   int mesh = 0;
   glm::mat4 world_from_object{1.0f};
   std::vector<VertexOcclusion> occlusion = {};  ///< of the mesh's vertices; empty: not known (rays/scene_occlusion.h)
   std::vector<VertexLook> looks = {};           ///< likewise
+  std::vector<TriangleHoles> holes = {};        ///< of its triangles; empty: none, or not known (findHoles)
 };
 
 /// A ball that encloses everything; what "model radii" on the command line means.

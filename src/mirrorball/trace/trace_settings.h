@@ -33,8 +33,8 @@ struct TraceSettings {
   int bounces = 16;
   /// Light reaches each surface as if there were nothing else.
   bool is_unoccluded = false;
-  /// With is_unoccluded, in place of `bounces`: how many surfaces light still meets once it is in a body, those of other
-  /// bodies too. What goes on after that is the light from far away along its last direction.
+  /// With is_unoccluded, in place of `bounces`: how many surfaces light still meets once it is in a body, those of
+  /// other bodies too. What goes on after that is the light from far away along its last direction.
   int inner_bounces = 0;
   /// Each material has its index at this wavelength [nm], and light keeps its three channels; 0: light is of all
   /// wavelengths.

@@ -110,7 +110,7 @@ Result<void> Probes::capture(std::size_t probe, const gl::Context& context, Scen
     MIRRORBALL_TRY_VOID(drawing.begin(context, settings, frame));
     MIRRORBALL_TRY_VOID(drawing.draw(*picture_, light, frame, settings));
     filter_->setFace(lights_[probe], face, picture_->color());
-    MIRRORBALL_TRY(nearness, drawing.drawNearness(frame, settings.size));
+    MIRRORBALL_TRY(nearness, drawing.drawNearness(*picture_, frame));
     filter_->setNearness(lights_[probe], face, *nearness);
   }
   filter_->finish(lights_[probe]);

@@ -12,6 +12,7 @@
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/frame/cube_capture.h"
 #include "mirrorball/render/frame/frame_light.h"
+#include "mirrorball/render/frame/glass_testing.h"
 #include "mirrorball/render/render_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
@@ -127,6 +128,27 @@ TEST_P(ProbesTest, TwoMirrorBallsShowEachOther) {
   EXPECT_LT(psnrToTruth(without, kPair, 2), 5.0);
   EXPECT_GT(psnrToTruth(once, kPair, 2), 15.0);
   EXPECT_GT(psnrToTruth(twice, kPair, 2), psnrToTruth(once, kPair, 2) + 1.0);
+}
+
+// A wall behind the eye that is cut away by its alpha: a mirror ball shows what is far away.
+TEST_P(ProbesTest, WhatIsCutAwayIsNotNearEither) {
+  const auto drawnWith = [](float opacity) {
+    Scene scene = sceneOfBalls({{{0.4f, 0.2f, 0.0f}, 0.5f, {1.0f, 1.0f, 1.0f}}});
+    Material cut;
+    cut.alpha_mode = AlphaMode::mask;
+    cut.double_sided = true;
+    cut.opacity = opacity;
+    cut.perceptual_roughness = 1.0f;
+    testing::add(scene, cubeMesh(), cut);
+    scene.instances.back().world_from_object =
+        glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, 2.0f)), glm::vec3(4.0f, 4.0f, 0.1f));
+    Renderer renderer = testing::rendererFor(std::move(scene), Environment(testing::smoothRadiance, 256));
+    FrameSettings settings = frontOf(renderer, 96);
+    testing::set(settings, "probes", opacity > 0.0f ? "auto" : "0");
+    testing::set(settings, "probe-size", "128");
+    return testing::drawn(renderer, settings);
+  };
+  EXPECT_LT(testing::greatestDifference(drawnWith(0.3f), drawnWith(0.0f)), 0.02);
 }
 
 // Of a scene without the object that the probe stands in: the same picture but for half floats.

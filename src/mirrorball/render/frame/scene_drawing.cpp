@@ -52,13 +52,12 @@ Result<void> SceneDrawing::setScene(Scene scene) {
   return {};
 }
 
-Result<const gl::Texture*> SceneDrawing::drawNearness(const FrameUniforms& frame, glm::ivec2 size) {
+Result<const gl::Texture*> SceneDrawing::drawNearness(const gl::Framebuffer& picture, const FrameUniforms& frame) {
   if (!nearness_) {
     MIRRORBALL_TRY(made, NearnessPicture::make(surfaces_->api()));
     nearness_ = std::move(made);
   }
-  MIRRORBALL_TRY_VOID(nearness_->draw(scene_, buffers_, frame, bounds_.radius, size));
-  MIRRORBALL_TRY_VOID(nearness_->drawProxy(surfaces_->api(), frame, bounds_.radius));
+  MIRRORBALL_TRY_VOID(nearness_->draw(surfaces_->api(), picture, frame, bounds_.radius));
   return &nearness_->picture();
 }
 

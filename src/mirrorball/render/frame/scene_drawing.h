@@ -57,9 +57,10 @@ class SceneDrawing {
   /// Draws how near all is that a frame shows, the environment's proxy too (NearnessPicture), in distances of the
   /// scene's radius.
   ///
+  /// picture  of the frame
   /// returns  valid until the next call
   /// errors   too_large; unsupported
-  Result<const gl::Texture*> drawNearness(const FrameUniforms& frame, glm::ivec2 size);
+  Result<const gl::Texture*> drawNearness(const gl::Framebuffer& picture, const FrameUniforms& frame);
 
  private:
   Result<void> drawMirrored(const EnvironmentLight& light, FrameUniforms frame, FrameSettings settings);

@@ -7,43 +7,39 @@
 #include "mirrorball/render/surface/surface_variant.h"
 
 namespace mirrorball {
+namespace {
+
+constexpr int kDepthsUnit = 0;
+
+}  // namespace
 
 Result<gl::ShaderSource> nearnessShader(gl::Api api, ProxyKind kind) {
   return withProxy(api, "nearness_of_proxy.frag", kind);
 }
 
 Result<NearnessPicture> NearnessPicture::make(gl::Api api) {
-  MIRRORBALL_TRY(program, gl::Program::load(api, "back_faces.vert", "nearness.frag"));
+  MIRRORBALL_TRY(program, gl::Program::load(api, "screen.vert", "nearness.frag"));
+  program.set("depths", kDepthsUnit);
   return NearnessPicture(std::move(program));
 }
 
-Result<void> NearnessPicture::draw(const Scene& scene, const SceneBuffers& buffers, const FrameUniforms& frame,
-                                   float unit, glm::ivec2 size) {
-  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, size, true));
+Result<void> NearnessPicture::draw(gl::Api api, const gl::Framebuffer& picture, const FrameUniforms& frame,
+                                   float unit) {
+  const glm::ivec2 size(picture.width(), picture.height());
+  MIRRORBALL_TRY_VOID(gl::resize(framebuffer_, gl::Format::rgba32f, size, false));
   framebuffer_->bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glDisable(GL_BLEND);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  const Camera& camera = frame.camera;
-  program_.set("clip_from_world", camera.clip_from_view * camera.view_from_world);
-  program_.set("camera_position", camera.position);
+  glClear(GL_COLOR_BUFFER_BIT);
+  gl::drawOverAll();
+  MIRRORBALL_TRY_VOID(drawProxy(api, frame, unit));
+  picture.depth().bind(kDepthsUnit);
+  program_.set("eye_from_texels", eyeFromTexels(frame.camera, size));
   program_.set("unit", unit);
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const Material& material = materialOf(scene, i);
-    if (material.alpha_mode == AlphaMode::blend || isAmong(frame.hidden, i)) continue;
-    if (material.double_sided)
-      glDisable(GL_CULL_FACE);
-    else
-      glEnable(GL_CULL_FACE);
-    program_.set("world_from_object", scene.instances[i].world_from_object);
-    buffers.drawMesh(scene.instances[i].mesh);
-  }
+  program_.use();
+  screen_.draw(3);
   return {};
 }
 
-/// Where nothing else is.
 Result<void> NearnessPicture::drawProxy(gl::Api api, const FrameUniforms& frame, float unit) {
   const ProxyKind kind = frame.proxy->proxy().kind;
   if (kind == ProxyKind::none) return {};
@@ -59,7 +55,6 @@ Result<void> NearnessPicture::drawProxy(gl::Api api, const FrameUniforms& frame,
   setEyeRay(program, frame.camera);
   program.set("unit", unit);
   frame.proxy->bind();
-  glDisable(GL_CULL_FACE);
   program.use();
   screen_.draw(3);
   return {};

@@ -2,20 +2,12 @@
 
 #include <utility>
 
-#include <glm/gtc/matrix_transform.hpp>
+#include "mirrorball/render/surface/eye_ray.h"
 
 namespace mirrorball {
 namespace {
 
 enum Unit { kPicture, kDepths };
-
-/// From texels and depths, 0 to 1, to homogeneous places as seen from the camera's, in the world's axes.
-glm::mat4 eyeFromTexels(const Camera& camera, glm::vec2 size) {
-  const glm::vec3 whole(size, 1.0f);
-  const glm::mat4 clip_from_texels =
-      glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(-1.0f)), glm::vec3(2.0f) / whole);
-  return directionsFromClip(camera) * clip_from_texels;
-}
 
 }  // namespace
 

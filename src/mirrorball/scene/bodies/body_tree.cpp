@@ -222,6 +222,13 @@ void writeLook(const VertexOcclusion& occlusion, const VertexLook& look, std::ve
                      halves(look.emission.x, look.emission.y), halves(look.emission.z, 0.0f));
 }
 
+void writeHoles(const TriangleHoles& holes, std::vector<Texel>& words) {
+  words.emplace_back(static_cast<std::uint32_t>(holes.rows), 0u, 0u, 0u);
+  const auto bits = [&](std::size_t word) { return word < holes.bits.size() ? holes.bits[word] : 0u; };
+  for (std::size_t word = 0; word < holes.bits.size(); word += 4)
+    words.emplace_back(bits(word), bits(word + 1), bits(word + 2), bits(word + 3));
+}
+
 }  // namespace
 
 Result<std::optional<BodyTree>> bodyTree(const Scene& scene) {
@@ -256,10 +263,18 @@ Result<std::optional<BodyTree>> sceneTree(const Scene& scene) {
     const std::uint32_t* const corner = mesh.indices.data() + triangle.first;
     words.emplace_back(glm::uvec3(first_vertex[triangle.instance]) + glm::uvec3(corner[0], corner[1], corner[2]), 0u);
   }
+  const std::size_t of_triangles = words[1].w;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (!is_wanted(scene, i)) continue;
     for (std::size_t v = 0; v < instance.looks.size(); ++v) writeLook(instance.occlusion[v], instance.looks[v], words);
+  }
+  for (std::size_t i = 0; i < sorted->triangles.size(); ++i) {
+    const PlacedTriangle& triangle = sorted->triangles[i];
+    const std::vector<TriangleHoles>& holes = scene.instances[triangle.instance].holes;
+    if (holes.empty() || holes[triangle.first / 3].rows == 0) continue;
+    words[of_triangles + i].w = static_cast<std::uint32_t>(words.size());
+    writeHoles(holes[triangle.first / 3], words);
   }
   return std::optional<BodyTree>(std::move(sorted->tree));
 }

@@ -1,5 +1,5 @@
 // Stands for a tree of bodies on both sides, as smooth_cube.glsl does for a cube: one node, and two triangles over the
-// square |x|, |y| < 2 at z = 0 and z = shift, of bodies 0 and 1; and three vertices with looks; the second triangle has holes.
+// square |x|, |y| < 2 at z = 0 and z = shift, of bodies 0 and 1, the second with holes; and three vertices with looks.
 struct SmallTree {
   float shift;  // in [-2, 2]
 };

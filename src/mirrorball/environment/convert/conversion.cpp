@@ -50,6 +50,11 @@ struct Conversion::TileLight {
   std::array<float, kTileTexels> smoothness;    ///< as LightBatch has it
 };
 
+struct Conversion::Border {
+  float highest = 0.0f;  ///< brightness
+  float smoothness = 1.0f;
+};
+
 /// Points of texels, looked up a batch at a time: the sums of their light.
 class Conversion::PointSums {
  public:
@@ -67,16 +72,6 @@ class Conversion::PointSums {
         addPoint(index, (corner + (glm::vec2(i, j) + 0.5f) / glm::vec2(points)) / glm::vec2(conversion_.extent_));
   }
 
-  /// Adds the corners of the texels at a tile's border, and points between them. They count as its first texel's.
-  void addBorder(glm::ivec2 points) {
-    const glm::ivec2 steps = tile_.size() * points;
-    const auto addAt = [&](glm::ivec2 step) {
-      addPoint(0, (glm::vec2(tile_.begin) + glm::vec2(step) / glm::vec2(points)) / glm::vec2(conversion_.extent_));
-    };
-    for (int x = 0; x <= steps.x; ++x) addAt({x, 0}), addAt({x, steps.y});
-    for (int y = 1; y < steps.y; ++y) addAt({0, y}), addAt({steps.x, y});
-  }
-
   /// Looks up what has been added. To be called before the results are asked for.
   void finish() {
     if (batch_.count == 0) return;
@@ -85,7 +80,6 @@ class Conversion::PointSums {
       const auto index = static_cast<std::size_t>(texel_[i]);
       sums_[index] += glm::vec4(glm::vec3(light_[i]), 1.0f);
       smoothness_[index] = std::min(smoothness_[index], light_[i].w);
-      highest_ = std::max(highest_, brightness(light_[i]));
     }
     batch_.count = 0;
   }
@@ -94,8 +88,6 @@ class Conversion::PointSums {
   /// The mean of a texel's points and 1, or 0 if it has none.
   glm::vec4 mean(std::size_t index) const { return sums_[index] / std::max(sums_[index].w, 1.0f); }
   float smoothness(std::size_t index) const { return smoothness_[index]; }
-  /// The brightness of the brightest point.
-  float highest() const { return highest_; }
 
  private:
   void addPoint(int index, glm::vec2 uv) {
@@ -117,7 +109,6 @@ class Conversion::PointSums {
   std::array<int, PointBatch::kCapacity> texel_;  ///< of each point
   std::array<glm::vec4, kTileTexels> sums_;       ///< light, and in w how many points
   std::array<float, kTileTexels> smoothness_;     ///< the least of its points'
-  float highest_ = 0.0f;
 };
 
 /// Whether each texel of the target is one of the source's.
@@ -179,31 +170,66 @@ void Conversion::lookUpMeans(const Environment& source, const Tile& tile, glm::i
   }
 }
 
+/// What is at a tile's border, half a texel outside of its outer centres, by so many points that they see what the means
+/// of its texels see of what is outside.
+Conversion::Border Conversion::lookUpBorder(const Environment& source, const Tile& tile,
+                                            const PointsPerTexel& points) const {
+  Border border;
+  PointBatch batch;
+  LightBatch light;
+  const auto finish = [&] {
+    if (batch.count > 0) lookUp(source, Interpolation::bilinear, batch, light);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
+      border.highest = std::max(border.highest, brightness(light[i]));
+      border.smoothness = std::min(border.smoothness, light[i].w);
+    }
+    batch.count = 0;
+  };
+  const auto add = [&](glm::vec2 place) {
+    const glm::vec2 uv = place / glm::vec2(extent_);
+    if (has_disc_ && !covers(to_, uv)) return;
+    const auto index = static_cast<std::size_t>(batch.count);
+    batch.face[index] = tile.face;
+    batch.u[index] = uv.x;
+    batch.v[index] = uv.y;
+    if (++batch.count == PointBatch::kCapacity) finish();
+  };
+  const glm::vec2 begin(tile.begin);
+  const glm::vec2 end(tile.end);
+  const glm::vec2 step = glm::vec2(points.stride) / glm::vec2(points.smooth);
+  for (float x = begin.x; x < end.x; x += step.x) add({x, begin.y}), add({x, end.y});
+  for (float y = begin.y; y < end.y; y += step.y) add({begin.x, y}), add({end.x, y});
+  add(end);
+  finish();
+  return border;
+}
+
 /// Whether something in a tile, or at its border, is many times brighter than the tile, and light not smooth. Leaves
 /// against a sky differ as much from one another as a sun does, but there are many of them, and what one is off by
 /// another makes up for.
-bool Conversion::hasSun(const Tile& tile, const TileLight& light, const PointSums& border) {
+bool Conversion::hasSun(const Tile& tile, const TileLight& light, const Border& border) {
   constexpr float kBrighter = 8.0f;
-  float highest = border.highest();
-  float least_smooth = border.smoothness(0);
+  const auto end = light.smoothness.begin() + tile.count();
+  if (border.smoothness == 1.0f && std::all_of(light.smoothness.begin(), end, [](float each) { return each == 1.0f; }))
+    return false;
+  float highest = border.highest;
   float sum = 0.0f;
   for (std::size_t index = 0; index < static_cast<std::size_t>(tile.count()); ++index) {
     const float here = brightness(light.radiance[index]);
     sum += here;
     highest = std::max(highest, here);
-    least_smooth = std::min(least_smooth, light.smoothness[index]);
   }
-  return least_smooth < 1.0f && highest * static_cast<float>(tile.count()) > kBrighter * sum;
+  return highest * static_cast<float>(tile.count()) > kBrighter * sum;
 }
 
 /// Whether light at a texel of a tile or beside it is not smooth: a look-up at its centre does not see all that its
 /// mean does.
-bool Conversion::isBesideSun(const Tile& tile, glm::ivec2 texel, const TileLight& light, const PointSums& border) {
+bool Conversion::isBesideSun(const Tile& tile, glm::ivec2 texel, const TileLight& light, const Border& border) {
   const glm::ivec2 first = texel - 1;
   const glm::ivec2 last = texel + 1;
   const bool is_at_border =
       glm::any(glm::lessThan(first, tile.begin)) || glm::any(glm::greaterThanEqual(last, tile.end));
-  if (is_at_border && border.smoothness(0) < 1.0f) return true;
+  if (is_at_border && border.smoothness < 1.0f) return true;
   for (int y = std::max(first.y, tile.begin.y); y <= std::min(last.y, tile.end.y - 1); ++y)
     for (int x = std::max(first.x, tile.begin.x); x <= std::min(last.x, tile.end.x - 1); ++x)
       if (light.smoothness[static_cast<std::size_t>(tile.index({x, y}))] < 1.0f) return true;
@@ -213,9 +239,7 @@ bool Conversion::isBesideSun(const Tile& tile, glm::ivec2 texel, const TileLight
 /// In a tile with a sun, and where light is not smooth, a mean over so many points that the sun keeps its flux.
 void Conversion::lookUpBesideSuns(const Environment& source, const Tile& tile, const PointsPerTexel& points,
                                   TileLight& light) const {
-  PointSums border(*this, source, tile, Interpolation::bilinear);
-  border.addBorder(points.smooth);
-  border.finish();
+  const Border border = lookUpBorder(source, tile, points);
   if (!hasSun(tile, light, border)) return;
   PointSums means(*this, source, tile, Interpolation::bilinear);
   for (int index = 0; index < tile.count(); ++index)
@@ -242,8 +266,11 @@ void Conversion::fillTile(const Environment& source, const Tile& tile, glm::ivec
   for (int y = tile.begin.y; y < tile.end.y; ++y) {
     float* texel = texels.texel(tile.begin.x - origin.x, y - origin.y);
     for (int x = tile.begin.x; x < tile.end.x; ++x, ++radiance) {
-      texel = std::copy_n(&radiance->x, 3, texel);
-      if (has_disc_) *texel++ = radiance->w;
+      texel[0] = radiance->x;
+      texel[1] = radiance->y;
+      texel[2] = radiance->z;
+      if (has_disc_) texel[3] = radiance->w;
+      texel += texels.channels();
     }
   }
 }

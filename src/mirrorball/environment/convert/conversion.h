@@ -43,6 +43,7 @@ class Conversion {
  private:
   struct Tile;
   struct TileLight;
+  struct Border;
   class PointSums;
 
   bool isOnSameGrid(const Environment& source) const;
@@ -51,8 +52,9 @@ class Conversion {
   void lookUpMeans(const Environment& source, const Tile& tile, glm::ivec2 points, Interpolation interpolation,
                    TileLight& light) const;
   static float brightness(const glm::vec4& light);
-  static bool hasSun(const Tile& tile, const TileLight& light, const PointSums& border);
-  static bool isBesideSun(const Tile& tile, glm::ivec2 texel, const TileLight& light, const PointSums& border);
+  Border lookUpBorder(const Environment& source, const Tile& tile, const PointsPerTexel& points) const;
+  static bool hasSun(const Tile& tile, const TileLight& light, const Border& border);
+  static bool isBesideSun(const Tile& tile, glm::ivec2 texel, const TileLight& light, const Border& border);
   void lookUpBesideSuns(const Environment& source, const Tile& tile, const PointsPerTexel& points,
                         TileLight& light) const;
   void fillTile(const Environment& source, const Tile& tile, glm::ivec2 origin, Image& texels) const;

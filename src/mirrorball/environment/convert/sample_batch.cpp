@@ -214,7 +214,7 @@ class BicubicInside {
       share = hn::Min(share, crossing_share);
     }
     if (!hn::AllTrue(d, share == whole)) share = hn::MinOfLanes(d, share);
-    contrasts_[count_] = hn::AllTrue(d, contrast == whole) ? 1.0f : hn::GetLane(hn::MaxOfLanes(d, contrast));
+    smoothness_[count_] = hn::AllTrue(d, contrast == whole) ? 1.0f : smoothnessAt(hn::MaxOfLanes(d, contrast));
     const Texel one;
     hn::Store(hn::Set(one, hn::GetLane(share)), one, shares_.data() + 4 * count_);
     for (std::size_t column = 0; column < 4; ++column)
@@ -235,18 +235,24 @@ class BicubicInside {
       auto crossing_share = share;  // by nothing
       hn::Store(limitedCubic(d, column(0), column(1), column(2), column(3), across, share, crossing_share, contrast), d,
                 answers.data());
-      hn::Store(contrast, d, across_contrasts.data());
       const Texel one;
+      const bool is_smooth = hn::AllTrue(d, contrast == hn::Set(d, 1.0f));
+      if (!is_smooth) hn::Store(contrast, d, across_contrasts.data());
       for (std::size_t point = 0; point < std::min(kTexels, count_ - begin); ++point) {
         glm::vec4& answer = light[indices_[begin + point]];
         hn::StoreU(hn::Load(one, answers.data() + 4 * point), one, &answer.x);
-        answer.w =
-            mirrorball::shareBelow(kCubicContrast, std::max(contrasts_[begin + point], across_contrasts[4 * point]));
+        answer.w = smoothness_[begin + point];
+        if (!is_smooth)
+          answer.w = std::min(answer.w, mirrorball::shareBelow(kCubicContrast, across_contrasts[4 * point]));
       }
     }
   }
 
  private:
+  static float smoothnessAt(hn::Vec<Texels> contrast) {
+    return mirrorball::shareBelow(kCubicContrast, hn::GetLane(contrast));
+  }
+
   static constexpr std::size_t kTexels = hn::MaxLanes(Texels()) / 4;
   using Lanes = std::array<float, 4 * PointBatch::kCapacity>;
 
@@ -272,7 +278,7 @@ class BicubicInside {
   HWY_ALIGN std::array<Lanes, 4> columns_;
   HWY_ALIGN Lanes across_;
   HWY_ALIGN Lanes shares_;
-  std::array<float, PointBatch::kCapacity> contrasts_;  ///< the greatest down a column
+  std::array<float, PointBatch::kCapacity> smoothness_;  ///< down the columns
   std::array<std::size_t, PointBatch::kCapacity> indices_;
   std::size_t count_ = 0;
 };

@@ -80,7 +80,9 @@ PointsPerTexel pointsPerTexel(const Environment& source, Projection to, glm::ive
   // At a pole or on a rim a map shows one direction many times over: there the Jacobian grows without bound.
   const float max = 4.0f * std::max(source.texelDensity() / texelDensity(to, extent.y), 1.0f);
   span = glm::min(span, max);
-  return {{smoothPoints(span.x), smoothPoints(span.y)}, {sharpPoints(span.x), sharpPoints(span.y)}};
+  return {{smoothPoints(span.x), smoothPoints(span.y)},
+          {sharpPoints(span.x), sharpPoints(span.y)},
+          glm::ivec2(glm::clamp(1.5f / glm::max(span, 1e-6f), 1.0f, 1024.0f))};
 }
 
 }  // namespace mirrorball

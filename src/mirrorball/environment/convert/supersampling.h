@@ -15,6 +15,8 @@ struct PointsPerTexel {
   /// of one texel, as bilinear interpolation gives them, is off by 2 sinc²(1 / h) at most (Poisson's sum formula): by
   /// 9 % for h = 0.7, by less than 0.5 % here.
   glm::ivec2 sharp;
+  /// So many texels span at most 1.5 of the source's, or 1.
+  glm::ivec2 stride;
 };
 
 /// By the Jacobian of the map from the target to the source, at the centre and the corners of a rectangle of texels.

@@ -170,8 +170,8 @@ void Conversion::lookUpMeans(const Environment& source, const Tile& tile, glm::i
   }
 }
 
-/// What is at a tile's border, half a texel outside of its outer centres, by so many points that they see what the means
-/// of its texels see of what is outside.
+/// What is at a tile's border, half a texel outside of its outer centres, by so many points that they see what the
+/// means of its texels see of what is outside.
 Conversion::Border Conversion::lookUpBorder(const Environment& source, const Tile& tile,
                                             const PointsPerTexel& points) const {
   Border border;

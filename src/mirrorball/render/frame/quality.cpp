@@ -83,9 +83,11 @@ bool dependsOnHiding(Quality quality, SceneTraits traits, const std::set<std::st
 std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<std::string_view>& given,
                    FrameSettings& settings) {
   std::string chosen;
+  std::set<std::string_view> saying = given;
+  if (settings.probes == 0) saying.erase("probes");  // no probes show nothing
   for (const QualityChoice& choice : kChoices) {
     const std::string_view value = choice.values[static_cast<std::size_t>(quality)];
-    if (value.empty() || given.contains(choice.option) || !choice.suits(traits) || isAnyGiven(choice.left_to, given))
+    if (value.empty() || given.contains(choice.option) || !choice.suits(traits) || isAnyGiven(choice.left_to, saying))
       continue;
     const auto option = findBy(frameOptions(), choice.option, [](const auto& each) { return each.text.name; });
     if (option == frameOptions().end() || !assign(*option, settings, value)) continue;

@@ -72,6 +72,7 @@ TEST(Quality, KnowsWhereWhatHidesMatters) {
   for (const std::string_view said : {"occlusion", "self-reflection", "probes"}) {
     FrameSettings settings;
     settings.self_reflection = said == "self-reflection";
+    settings.probes = said == "probes" ? FrameSettings::kAutoProbes : 0;
     EXPECT_FALSE(dependsOnHiding(Quality::good, kNeedsAll, {said}, settings)) << said;
   }
 }
@@ -80,6 +81,8 @@ TEST(Quality, BestTakesMore) {
   const FrameSettings best = filledIn(Quality::best, kNeedsAll);
   EXPECT_EQ(best.samples, 16);
   EXPECT_EQ(best.refraction, RefractionKind::traced);
+  EXPECT_EQ(best.inner_bounces, 8);
+  EXPECT_EQ(filledIn(Quality::best, kNeedsAll, {"refraction"}).inner_bounces, 4);
   EXPECT_TRUE(best.self_reflection);
 }
 
@@ -92,8 +95,11 @@ TEST(Quality, WhatIsGivenStays) {
   EXPECT_EQ(filled.samples, 1);
   EXPECT_EQ(filled.behind, BehindKind::screen);
   // A technique that is asked for is not hidden by another one.
+  FrameSettings with_probes;
+  with_probes.probes = FrameSettings::kAutoProbes;
   for (const std::string_view technique : {"mapping", "texgen", "probes", "reflect-at", "occlusion"})
-    EXPECT_FALSE(filledIn(Quality::good, kNeedsAll, {technique}).self_reflection) << technique;
+    EXPECT_FALSE(filledIn(Quality::good, kNeedsAll, {technique}, with_probes).self_reflection) << technique;
+  EXPECT_TRUE(filledIn(Quality::good, kNeedsAll, {"probes"}).self_reflection) << "--probes 0";
   EXPECT_EQ(filledIn(Quality::good, kNeedsAll, {"reflect-at"}).occlusion, OcclusionKind::none);
 }
 

@@ -17,6 +17,8 @@ const int kScreenRefinements = 5;
 const float kMet = 0.05;
 const float kMetInside = 3e-3;
 
+const float kEndless = 1e30;
+
 struct ScreenRay {
   vec4 shown_from;   // clip space's coordinates of s = 0 and s = 1
   vec4 shown_to;
@@ -101,15 +103,22 @@ vec3 lightMet(ScreenRay ray, float share, vec3 origin, vec3 d, float way, float 
       .xyz;
 }
 
-vec3 lightBehind(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
+bool meetsBefore(vec3 origin, vec3 d, float perceptual_roughness, float way, out vec3 light) {
+  light = vec3(0.0);
   // Nothing is met beside the box around all that is shown.
   vec2 ways = wayThroughBox(shown_low, shown_high, origin, d);
-  if (ways.y > max(ways.x, 0.0)) {
-    ScreenRay ray = screenRay(origin, d);
-    float share = shareMet(ray, shareOfWay(max(ways.x, 0.0)), shareOfWay(ways.y), 1.0 / kScreenSteps, kMet);
-    if (share >= 0.0)
-      return lightMet(ray, share, origin, d, screen_unit * share / (1.0 - share), perceptual_roughness);
-  }
+  float last = min(ways.y, way);
+  if (last <= max(ways.x, 0.0)) return false;
+  ScreenRay ray = screenRay(origin, d);
+  float share = shareMet(ray, shareOfWay(max(ways.x, 0.0)), shareOfWay(last), 1.0 / kScreenSteps, kMet);
+  if (share < 0.0) return false;
+  light = lightMet(ray, share, origin, d, screen_unit * share / (1.0 - share), perceptual_roughness);
+  return true;
+}
+
+vec3 lightBehind(vec3 origin, vec3 d, float perceptual_roughness, float footprint) {
+  vec3 light;
+  if (meetsBefore(origin, d, perceptual_roughness, kEndless, light)) return light;
   return incomingLight(origin, d, perceptual_roughness, footprint);
 }
 

@@ -1,8 +1,8 @@
 // Part "transmission" (transmission_none.glsl). Here: a ray is followed through the bodies of the scene, which
 // scene/bodies/body_tree.cpp has put into a texture. At each surface that it meets, light is reflected and refracted by
-// Fresnel's equations. The stronger way is followed if it stays inside or meets a body again, else the weaker one if it
-// stays inside. The other takes the light that arrives along its direction, so that none is lost; so does all that is
-// left after `inner_bounces` surfaces.
+// Fresnel's equations. The stronger way is followed if it meets a surface again, else the weaker one if that does. The
+// other takes the light that arrives along its direction, so that none is lost; so does all that is left after
+// `inner_bounces` surfaces.
 // Compilers copy each function to where it is called: what is large is called in one place.
 #include "entering_beam.glsl"
 #include "media.glsl"
@@ -12,7 +12,7 @@
 uniform usampler2D bodies;
 uniform vec4 eye_media[kMaxMedia];  // those that the eye is inside of: number, priority, and 1 where there is one
 
-// A ray in a body.
+// A ray in a body, or between bodies.
 struct InnerRay {
   vec3 origin;
   vec3 direction;
@@ -133,9 +133,9 @@ vec3 lightFromInside(InnerRay ray, int kind) {
     if (goes_on) {
       ended = other;
       // Between bodies something else may be in the way.
-      float way = hit.distance;
       vec3 met;
-      if (fillingBody(ray.media) < 0 && meetsInside(ray.origin, ray.direction, roughnessOfBeam(ray.beam), way, met)) {
+      if (fillingBody(ray.media) < 0 &&
+          meetsBefore(ray.origin, ray.direction, roughnessOfBeam(ray.beam), hit.distance, met)) {
         light += ray.throughput * met;
         ended.throughput = vec3(0.0);
         goes_on = false;

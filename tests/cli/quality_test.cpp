@@ -89,6 +89,18 @@ TEST_F(QualityCliTest, StandsOnTheFloorAndItsShadowIsAlpha) {
       if (const float missing = shadow.texel(x, y)[3]; missing < 0.9f) {  // not at the ball's outline
         EXPECT_NEAR(page.texel(x, y)[0], 4.0f * (1.0f - missing), 0.02f) << x << " " << y;
       }
+  succeed(line + "--background #ffffff -o page.png");
+  const Image white = image("page.png");
+  int darkened = 0;
+  for (int y = 0; y < white.height(); ++y)
+    for (int x = 0; x < white.width(); ++x)
+      if (const float missing = shadow.texel(x, y)[3]; missing == 0.0f) {
+        EXPECT_GT(white.texel(x, y)[0], 0.99f) << x << " " << y;
+      } else if (missing > 0.3f && missing < 0.9f) {
+        EXPECT_LT(white.texel(x, y)[0], 0.9f) << x << " " << y;
+        ++darkened;
+      }
+  EXPECT_GT(darkened, 20);
   // Of a black ground nothing is missing.
   write("black.exr", Image(8, 4, 3, 0.0f));
   succeed("render sphere -e black.exr --size 32x24 --samples 1 --stand --background transparent -o black_shadow.exr");

@@ -51,7 +51,7 @@ struct TexelRange {
 /// channel nearly without light only what is more than 1/64 of the brightest counts.
 inline float contrastOf(const TexelRange& all) {
   const float little = std::max({all.max.x, all.max.y, all.max.z, 0.0f}) / 64.0f;
-  const glm::vec3 contrasts = (all.max + little) / glm::max(all.min + little, 1e-30f);
+  const glm::vec3 contrasts = (glm::abs(all.max) + little) / glm::max(all.min + little, 1e-30f);
   return std::max({contrasts.x, contrasts.y, contrasts.z});
 }
 

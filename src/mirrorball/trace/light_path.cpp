@@ -110,7 +110,7 @@ bool Path::passes(const Hit& hit, Ray& ray) {
   const bool has_back = material.double_sided || material.transmission > 0.0f || !ray.passes_backs;
   if (!has_back && !is_entering) return true;
   const bool is_there = hit.distance >= ray.nearest && !isHole(hit);
-  const bool meets_bodies_alone = settings_.is_unoccluded && inner_surfaces_ > 0 && ray.from;
+  const bool meets_bodies_alone = settings_.is_unoccluded && hasBeenInside(ray) && ray.from;
   if (!isBody(material)) return !is_there || meets_bodies_alone;
   const int body = static_cast<int>(hit.instance);
   if (is_there && formula::hasSurface(ray.media, body, material.priority, is_entering)) return false;

@@ -219,7 +219,8 @@ bool Conversion::hasSun(const Tile& tile, const TileLight& light, const Border& 
     sum += here;
     highest = std::max(highest, here);
   }
-  return highest * static_cast<float>(tile.count()) > kBrighter * sum;
+  // As if the tile were whole: where a map ends it may be a few texels wide, and a sun most of it.
+  return highest * static_cast<float>(kTileTexels) > kBrighter * sum;
 }
 
 /// Whether light at a texel of a tile or beside it is not smooth: a look-up at its centre does not see all that its
@@ -239,6 +240,7 @@ bool Conversion::isBesideSun(const Tile& tile, glm::ivec2 texel, const TileLight
 /// In a tile with a sun, and where light is not smooth, a mean over so many points that the sun keeps its flux.
 void Conversion::lookUpBesideSuns(const Environment& source, const Tile& tile, const PointsPerTexel& points,
                                   TileLight& light) const {
+  if (!source.map()) return;  // a function, which is as smooth as it is
   const Border border = lookUpBorder(source, tile, points);
   if (!hasSun(tile, light, border)) return;
   PointSums means(*this, source, tile, Interpolation::bilinear);

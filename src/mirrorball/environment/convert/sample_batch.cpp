@@ -137,7 +137,7 @@ V maxOfTexel(V v) {
 template <class D, class V = hn::Vec<D>>
 V contrastOf(D d, V min, V max) {
   const V little = hn::Mul(hn::Max(maxOfTexel(max), hn::Zero(d)), hn::Set(d, 1.0f / 64.0f));
-  return maxOfTexel(hn::Div(hn::Add(max, little), hn::Max(hn::Add(min, little), hn::Set(d, 1e-30f))));
+  return maxOfTexel(hn::Div(hn::Add(hn::Abs(max), little), hn::Max(hn::Add(min, little), hn::Set(d, 1e-30f))));
 }
 
 /// image/filter.h, shareBelow, likewise.

@@ -10,8 +10,8 @@
 namespace mirrorball {
 
 /// Radiance at every point of a batch. The fourth component tells how smooth it is there: 1 where no two texels that it
-/// was interpolated between, in one row or column, differ by more than a factor of 8, falling to 0 at 16. There it
-/// is interpolated linearly, and a sun may lie within a texel of the point.
+/// was interpolated between (at least those of a row or a column) differ by more than a factor of 8, falling to 0 at
+/// 16. There it is interpolated linearly, and a sun may lie within a texel of the point.
 using LightBatch = std::array<glm::vec4, PointBatch::kCapacity>;
 
 /// EnvironmentMap::radiance for a whole batch.

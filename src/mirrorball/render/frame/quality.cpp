@@ -89,6 +89,7 @@ std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<st
     const std::string_view value = choice.values[static_cast<std::size_t>(quality)];
     if (value.empty() || given.contains(choice.option) || !choice.suits(traits) || isAnyGiven(choice.left_to, saying))
       continue;
+    if (choice.option == "probe-bounces" && settings.probes == 0) continue;
     const auto option = findBy(frameOptions(), choice.option, [](const auto& each) { return each.text.name; });
     if (option == frameOptions().end() || !assign(*option, settings, value)) continue;
     chosen += (chosen.empty() ? "" : " ") + asGiven(*option, value);

@@ -100,6 +100,9 @@ TEST(Quality, WhatIsGivenStays) {
   for (const std::string_view technique : {"mapping", "texgen", "probes", "reflect-at", "occlusion"})
     EXPECT_FALSE(filledIn(Quality::good, kNeedsAll, {technique}, with_probes).self_reflection) << technique;
   EXPECT_TRUE(filledIn(Quality::good, kNeedsAll, {"probes"}).self_reflection) << "--probes 0";
+  SceneTraits without_rays = kNeedsAll;
+  without_rays.can_trace_rays = false;
+  EXPECT_EQ(filledIn(Quality::best, without_rays, {"probes"}).probe_bounces, FrameSettings().probe_bounces);
   EXPECT_EQ(filledIn(Quality::good, kNeedsAll, {"reflect-at"}).occlusion, OcclusionKind::none);
 }
 

@@ -51,7 +51,9 @@ GroundLights groundLights(const Environment& environment, const LightSampler& sa
 
 Result<GroundShadow> GroundShadow::make(gl::Api api, const Scene& scene, const BoundingSphere& bounds) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "ground_shadow.vert", "ground_shadow.frag"));
-  MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(gl::Format::rgba16f, kSize, kSize, true));
+  // Of 256 equal shares half floats would lose up to 4 %; OpenGL ES blends and filters no others.
+  const gl::Format format = api == gl::Api::desktop43 ? gl::Format::rgba32f : gl::Format::rgba16f;
+  MIRRORBALL_TRY(framebuffer, gl::Framebuffer::make(format, kSize, kSize, true));
   GroundShadow shadow(std::move(program), std::move(framebuffer));
   shadow.area_ = {bounds.center.x, bounds.center.z, kModelRadii * bounds.radius};
   constexpr std::size_t kTriangles = 1000;

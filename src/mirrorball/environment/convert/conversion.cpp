@@ -91,13 +91,8 @@ class Conversion::PointSums {
 
  private:
   void addPoint(int index, glm::vec2 uv) {
-    if (conversion_.has_disc_ && !covers(conversion_.to_, uv)) return;
-    const auto place = static_cast<std::size_t>(batch_.count);
-    batch_.face[place] = tile_.face;
-    batch_.u[place] = uv.x;
-    batch_.v[place] = uv.y;
-    texel_[place] = index;
-    if (++batch_.count == PointBatch::kCapacity) finish();
+    texel_[static_cast<std::size_t>(batch_.count)] = index;
+    if (conversion_.append(tile_.face, uv, batch_)) finish();
   }
 
   const Conversion& conversion_;
@@ -115,6 +110,18 @@ class Conversion::PointSums {
 bool Conversion::isOnSameGrid(const Environment& source) const {
   const EnvironmentMap* map = source.map();
   return map && map->projection() == to_ && map->extent() == extent_ && sourceFromTarget() == glm::mat3(1.0f);
+}
+
+/// Adds a point to a batch, on a disc only if the disc covers it.
+///
+/// returns  whether the batch is full
+bool Conversion::append(int face, glm::vec2 uv, PointBatch& batch) const {
+  if (has_disc_ && !covers(to_, uv)) return false;
+  const auto index = static_cast<std::size_t>(batch.count);
+  batch.face[index] = face;
+  batch.u[index] = uv.x;
+  batch.v[index] = uv.y;
+  return ++batch.count == PointBatch::kCapacity;
 }
 
 /// The light at every point of the target that a batch has.
@@ -186,13 +193,7 @@ Conversion::Border Conversion::lookUpBorder(const Environment& source, const Til
     batch.count = 0;
   };
   const auto add = [&](glm::vec2 place) {
-    const glm::vec2 uv = place / glm::vec2(extent_);
-    if (has_disc_ && !covers(to_, uv)) return;
-    const auto index = static_cast<std::size_t>(batch.count);
-    batch.face[index] = tile.face;
-    batch.u[index] = uv.x;
-    batch.v[index] = uv.y;
-    if (++batch.count == PointBatch::kCapacity) finish();
+    if (append(tile.face, place / glm::vec2(extent_), batch)) finish();
   };
   const glm::vec2 begin(tile.begin);
   const glm::vec2 end(tile.end);

@@ -47,6 +47,7 @@ class Conversion {
   class PointSums;
 
   bool isOnSameGrid(const Environment& source) const;
+  bool append(int face, glm::vec2 uv, PointBatch& batch) const;
   void lookUp(const Environment& source, Interpolation interpolation, PointBatch& batch, LightBatch& light) const;
   void lookUpCentres(const Environment& source, const Tile& tile, TileLight& light) const;
   void lookUpMeans(const Environment& source, const Tile& tile, glm::ivec2 points, Interpolation interpolation,

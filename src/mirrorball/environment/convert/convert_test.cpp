@@ -175,6 +175,18 @@ TEST(Convert, ASmallSunKeepsItsFluxNearOneToOne) {
         << size;
 }
 
+// Where a face ends, the last tile of 32 × 16 texels is so narrow that the sun is much of it: 2 % if that counts.
+TEST(Convert, ASunAtTheEndOfAFaceKeepsItsFlux) {
+  for (const auto& [face, texel] : {std::pair(35, 32.3f), std::pair(36, 34.8f), std::pair(40, 37.6f)}) {
+    const float place = (texel - 32.0f) / static_cast<float>(face - 32);
+    const glm::vec3 towards =
+        directionAt(Projection::cube, {4, {texel / static_cast<float>(face), 0.4f + 0.1f * place}});
+    const auto light = [&](glm::vec3 d) { return glm::vec3(glm::dot(d, towards) > std::cos(0.08f) ? 1e5f : 1.0f); };
+    const EnvironmentMap source = *convert(Environment(light, 1), Projection::equirect, 2 * face);
+    EXPECT_NEAR(fluxOf(*convert(Environment(source), Projection::cube, face)) / fluxOf(source), 1.0, 0.005) << face;
+  }
+}
+
 // Down to where a texel of the target covers many of the source; accuracy_test has every pair of projections.
 TEST(Convert, TotalFluxIsKeptBySmallMapsToo) {
   const EnvironmentMap panorama = *convert(Environment(smoothRadiance, 128), Projection::equirect, 128);

@@ -22,6 +22,8 @@ constexpr std::array<int, 3> kInterrupts{SIGINT, SIGTERM, SIGHUP};
 /// How long the work may take to stop by itself.
 constexpr std::chrono::milliseconds kPatience(250);
 
+constexpr const char* kNothingWritten = "interrupted; nothing was written";
+
 volatile std::sig_atomic_t caught_signal = 0;  // 0: none yet
 sem_t signal_came;
 
@@ -32,7 +34,7 @@ std::atomic<End> end = End::nobodys;
 /// What is said if the work does not tell itself.
 struct LastWords {
   std::mutex guard;
-  std::string message = "interrupted; nothing was written";
+  std::string message = kNothingWritten;
   bool is_told = false;  // what it is, by whenInterrupted
 };
 LastWords& lastWords() {
@@ -91,7 +93,7 @@ void noteWritten() {
 }
 
 std::string interruptedAfter(std::size_t whole, std::size_t all) {
-  if (whole == 0) return "interrupted; no picture was written";
+  if (whole == 0) return kNothingWritten;
   return "interrupted after " + std::to_string(whole) + " of " + std::to_string(all) + " pictures; " +
          (whole == 1 ? "that one is whole" : "those are whole");
 }

@@ -22,7 +22,7 @@ void whenInterrupted(const std::string& message);
 /// Notes that a file is finished.
 void noteWritten();
 
-/// "interrupted after 3 of 200 pictures; those are whole"
+/// "interrupted after 3 of 200 pictures; those are whole", and "interrupted; nothing was written" before the first one.
 std::string interruptedAfter(std::size_t whole, std::size_t all);
 
 /// "interrupted; what was finished stays in out"

@@ -234,7 +234,6 @@ Result<void> render(const RenderRequest& request) {
   MIRRORBALL_TRY(outputs, outputPaths(request));
   if (isStandardOutputTaken() && request.turntable.frames > 0)
     return fail(ErrorCode::usage, "standard output takes one picture, and --frames makes several; name a file");
-  if (request.turntable.frames > 0) whenInterrupted(interruptedAfter(0, outputs.size()));
   MIRRORBALL_TRY(inputs, loadInputs(request.scene, request.materials, settings, request.given, outputs, clock));
   MIRRORBALL_TRY(renderer, rendererOf(std::move(inputs), clock));
   MIRRORBALL_TRY_VOID(checkProxy(settings, renderer.scene()));

@@ -94,7 +94,7 @@ TEST_F(InterruptRenderTest, ATurntableThatHasNoPictureYetSaysSo) {
   program.waitUntilItCatchesInterrupts();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   program.interrupt();
-  EXPECT_EQ(program.wait().err, "mirrorball: interrupted; no picture was written\n");
+  EXPECT_EQ(program.wait().err, "mirrorball: interrupted; nothing was written\n");
   EXPECT_THAT(files(), ElementsAre());
 }
 

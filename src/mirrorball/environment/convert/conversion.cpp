@@ -48,6 +48,13 @@ float Conversion::brightness(const glm::vec4& light) { return light.x + light.y 
 struct Conversion::TileLight {
   std::array<glm::vec4, kTileTexels> radiance;  ///< and in w 1, or 0 beside a disc
   std::array<float, kTileTexels> smoothness;    ///< as LightBatch has it
+  float least_smoothness = 1.0f;
+
+  void set(std::size_t index, glm::vec4 texel, float smooth) {
+    radiance[index] = texel;
+    smoothness[index] = smooth;
+    least_smoothness = std::min(least_smoothness, smooth);
+  }
 };
 
 struct Conversion::Border {
@@ -141,24 +148,23 @@ void Conversion::lookUp(const Environment& source, Interpolation interpolation, 
 /// One look-up at the centre of every texel of a target without a disc: nothing has to be summed or left out.
 void Conversion::lookUpCentres(const Environment& source, const Tile& tile, TileLight& light) const {
   constexpr int kRowsPerBatch = PointBatch::kCapacity / kTileWidth;
+  const auto width = static_cast<std::size_t>(tile.size().x);
+  std::array<float, kTileWidth> across;
+  for (std::size_t x = 0; x < width; ++x)
+    across[x] = (static_cast<float>(tile.begin.x + static_cast<int>(x)) + 0.5f) / static_cast<float>(extent_.x);
   PointBatch batch;
   LightBatch answers;
   std::size_t first = 0;
   for (int top = tile.begin.y; top < tile.end.y; top += kRowsPerBatch) {
     std::size_t count = 0;
-    for (int y = top; y < std::min(top + kRowsPerBatch, tile.end.y); ++y)
-      for (int x = tile.begin.x; x < tile.end.x; ++x, ++count) {
-        const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(extent_);
-        batch.face[count] = tile.face;
-        batch.u[count] = uv.x;
-        batch.v[count] = uv.y;
-      }
+    for (int y = top; y < std::min(top + kRowsPerBatch, tile.end.y); ++y, count += width) {
+      std::copy_n(across.begin(), width, batch.u.begin() + count);
+      std::fill_n(batch.v.begin() + count, width, (static_cast<float>(y) + 0.5f) / static_cast<float>(extent_.y));
+    }
+    std::fill_n(batch.face.begin(), count, tile.face);
     batch.count = static_cast<int>(count);
     lookUp(source, resampling_.interpolation, batch, answers);
-    for (std::size_t i = 0; i < count; ++i) {
-      light.radiance[first + i] = glm::vec4(glm::vec3(answers[i]), 1.0f);
-      light.smoothness[first + i] = answers[i].w;
-    }
+    for (std::size_t i = 0; i < count; ++i) light.set(first + i, glm::vec4(glm::vec3(answers[i]), 1.0f), answers[i].w);
     first += count;
   }
 }
@@ -171,10 +177,8 @@ void Conversion::lookUpMeans(const Environment& source, const Tile& tile, glm::i
     if (!has_disc_ || covers(to_, (glm::vec2(tile.texel(index)) + 0.5f) / glm::vec2(extent_)))
       sums.addTexel(index, points);
   sums.finish();
-  for (std::size_t index = 0; index < static_cast<std::size_t>(tile.count()); ++index) {
-    light.radiance[index] = sums.mean(index);
-    light.smoothness[index] = sums.smoothness(index);
-  }
+  for (std::size_t index = 0; index < static_cast<std::size_t>(tile.count()); ++index)
+    light.set(index, sums.mean(index), sums.smoothness(index));
 }
 
 /// What is at a tile's border, half a texel outside of its outer centres, by so many points that they see what the
@@ -205,14 +209,28 @@ Conversion::Border Conversion::lookUpBorder(const Environment& source, const Til
   return border;
 }
 
+/// Whether the look-ups at a tile's outer centres read, and found smooth, all that lookUpBorder would read: a bicubic
+/// one reads a texel more on each side than the two that it lies between, and where there is one for a texel, that
+/// texel's border is at most 0.71 of the source's texels away.
+bool Conversion::seesBorder(const Tile& tile, const PointsPerTexel& points, const TileLight& light) const {
+  if (has_disc_ || points.smooth != glm::ivec2(1) || resampling_.interpolation != Interpolation::bicubic) return false;
+  if (light.least_smoothness == 1.0f) return true;
+  const auto isSmooth = [&](int x, int y) {
+    return light.smoothness[static_cast<std::size_t>(tile.index({x, y}))] == 1.0f;
+  };
+  for (int x = tile.begin.x; x < tile.end.x; ++x)
+    if (!isSmooth(x, tile.begin.y) || !isSmooth(x, tile.end.y - 1)) return false;
+  for (int y = tile.begin.y; y < tile.end.y; ++y)
+    if (!isSmooth(tile.begin.x, y) || !isSmooth(tile.end.x - 1, y)) return false;
+  return true;
+}
+
 /// Whether something in a tile, or at its border, is many times brighter than the tile, and light not smooth. Leaves
 /// against a sky differ as much from one another as a sun does, but there are many of them, and what one is off by
 /// another makes up for.
 bool Conversion::hasSun(const Tile& tile, const TileLight& light, const Border& border) {
   constexpr float kBrighter = 8.0f;
-  const auto end = light.smoothness.begin() + tile.count();
-  if (border.smoothness == 1.0f && std::all_of(light.smoothness.begin(), end, [](float each) { return each == 1.0f; }))
-    return false;
+  if (border.smoothness == 1.0f && light.least_smoothness == 1.0f) return false;
   float highest = border.highest;
   float sum = 0.0f;
   for (std::size_t index = 0; index < static_cast<std::size_t>(tile.count()); ++index) {
@@ -242,7 +260,7 @@ bool Conversion::isBesideSun(const Tile& tile, glm::ivec2 texel, const TileLight
 void Conversion::lookUpBesideSuns(const Environment& source, const Tile& tile, const PointsPerTexel& points,
                                   TileLight& light) const {
   if (!source.map()) return;  // a function, which is as smooth as it is
-  const Border border = lookUpBorder(source, tile, points);
+  const Border border = seesBorder(tile, points, light) ? Border{} : lookUpBorder(source, tile, points);
   if (!hasSun(tile, light, border)) return;
   PointSums means(*this, source, tile, Interpolation::bilinear);
   for (int index = 0; index < tile.count(); ++index)

@@ -53,6 +53,7 @@ class Conversion {
   void lookUpMeans(const Environment& source, const Tile& tile, glm::ivec2 points, Interpolation interpolation,
                    TileLight& light) const;
   static float brightness(const glm::vec4& light);
+  bool seesBorder(const Tile& tile, const PointsPerTexel& points, const TileLight& light) const;
   Border lookUpBorder(const Environment& source, const Tile& tile, const PointsPerTexel& points) const;
   static bool hasSun(const Tile& tile, const TileLight& light, const Border& border);
   static bool isBesideSun(const Tile& tile, glm::ivec2 texel, const TileLight& light, const Border& border);

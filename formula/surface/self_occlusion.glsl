@@ -8,6 +8,7 @@ struct Opening {
   float angle;             // half of its aperture [rad]
   vec3 hidden_axis;        // of what hides the rest, as a cone likewise
   float hidden_angle;      // half of its aperture [rad]
+  float likeness;          // of the directions that are hidden: 1 where they are as much alike as those of a cone
   float is_hidden_by_one;  // 1: what hides lies together, and is less than what is open; 0: it lies all around
 };
 
@@ -32,7 +33,7 @@ FN Opening openingOf(vec3 n, vec3 hidden, float open) {
   float likeness = length_of_hidden / max(share * (0.5f + 0.5f * hidden_cosine), 1e-3f);
   float is_hidden_by_one = smoothstep(0.8f, 0.95f, likeness) * (1.0f - smoothstep(0.3f, 0.6f, share));
   return MAKE(Opening)(axis, atan(sqrt(squared_sine), sqrt(1.0f - squared_sine)), hidden_axis,
-                       atan(sqrt(hidden_squared_sine), hidden_cosine), is_hidden_by_one);
+                       atan(sqrt(hidden_squared_sine), hidden_cosine), likeness, is_hidden_by_one);
 }
 
 // Of unit vectors; also exact where they are nearly the same, unlike the inverse of the cosine.
@@ -50,14 +51,27 @@ FN float lobeInOpening(Opening opening, vec3 n, vec3 direction, float alpha) {
   return mix(open, 1.0f - smoothstep(-width, width, behind), opening.is_hidden_by_one);
 }
 
-// The roughness of a GGX lobe along the normal that has half of its weight within the same angle as an even light in
-// the opening, weighted by its cosine: sin² of that is half of the aperture's. A fit of the inverse of ggxHalfAngle, by
-// 1.5°.
-FN float roughnessOfOpening(Opening opening) { return pow(clamp(opening.angle / (0.5f * kPi), 0.0f, 1.0f), 0.7f); }
+// The roughness of a GGX lobe along the normal that has half of its weight within the same angle as an even light in a
+// cone, weighted by its cosine: sin² of that is half of the aperture's. A fit of the inverse of ggxHalfAngle, by 1.5°.
+//   angle   half of the aperture [rad]
+FN float roughnessOfCone(float angle) { return pow(clamp(angle / (0.5f * kPi), 0.0f, 1.0f), 0.7f); }
 
 // What arrives through the opening, over its share. The light of a lobe as wide as it is shows where the sky is bright,
 // but knows nothing of the cosine to the normal; the light on a surface along its axis knows too much of what is beside
 // it. Halfway between them errs least, and where nothing is hidden the latter is exact.
 FN vec3 lightThroughOpening(vec3 of_lobe, vec3 on_surface, float open) {
   return mix(of_lobe, on_surface, 0.5f + 0.5f * open);
+}
+
+// What is left of all the light on the surface: what hides takes that of a lobe as wide as it is.
+//   on_surface   where nothing is hidden
+FN vec3 lightBesideHidden(vec3 on_surface, vec3 of_hidden_lobe, float open) {
+  return max(on_surface - (1.0f - open) * of_hidden_lobe, vec3(0.0f));
+}
+
+// How much the latter counts beside the former. It is nearer where what hides lies together and most is open: on a wall
+// that stands on a floor the light comes from its front, where the opening's axis does not point. The bounds are those
+// that were nearest to paths in twenty scenes (docs/truth.md).
+FN float shareBesideHidden(Opening opening, float open) {
+  return smoothstep(0.3f, 0.65f, open) * smoothstep(0.7f, 0.95f, opening.likeness);
 }

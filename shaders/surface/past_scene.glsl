@@ -1,5 +1,14 @@
 // The light of the environment at a place of which it is known what the scene hides from it (VertexOcclusion).
+#include "color.glsl"
 #include "self_occlusion.glsl"
+
+// What is known of a place: VertexOcclusion.
+struct PlaceInScene {
+  vec4 hidden;  // and the share that is open
+  vec3 shown;
+  vec3 lit_from;
+  vec3 emitted;
+};
 
 struct LightPastScene {
   float open;
@@ -8,27 +17,56 @@ struct LightPastScene {
   vec3 irradiance;  // over pi, likewise
   vec3 tint;        // of what hides the environment: its mean radiance in white light
   vec3 hidden;      // and in this light, if it is matt
+  vec3 emitted;     // the part of that which is the scene's own
 };
 
-LightPastScene lightPastScene(vec3 position, vec3 normal, vec4 hidden, vec3 shown) {
+const PlaceInScene kInTheOpen = PlaceInScene(vec4(0.0, 0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), vec3(0.0));
+
+// The light on the surfaces that a place is shown, which face the same way by the length of `lit_from`; those that do
+// not are lit as the place is.
+//   on_axis   on a surface along the opening's axis, divided by π
+vec3 lightOnShown(vec3 position, PlaceInScene place, vec3 on_axis) {
+  float brightness = luminance(place.shown);
+  float size = length(place.lit_from);
+  if (size < 1e-3 * brightness || size <= 0.0) return on_axis;
+  return mix(on_axis, arrivingIrradiance(position, place.lit_from / size), min(size / brightness, 1.0));
+}
+
+// Of the environment's light, divided by π.
+//   on_axis   on a surface along the opening's axis
+vec3 lightPastHiders(vec3 position, vec3 normal, Opening opening, float open, vec3 on_axis) {
+  float share = shareBesideHidden(opening, open);
+  vec3 light = vec3(0.0);
+  if (share < 1.0) {
+    vec3 of_lobe = incomingLight(position, opening.axis, roughnessOfCone(opening.angle), 0.0);
+    light = (1.0 - share) * open * lightThroughOpening(of_lobe, on_axis, open);
+  }
+  if (share > 0.0) {
+    vec3 of_hidden = incomingLight(position, opening.hidden_axis, roughnessOfCone(opening.hidden_angle), 0.0);
+    light += share * lightBesideHidden(arrivingIrradiance(position, normal), of_hidden, open);
+  }
+  return light;
+}
+
+LightPastScene lightPastScene(vec3 position, vec3 normal, PlaceInScene place) {
   LightPastScene light;
-  light.open = clamp(hidden.w, 0.0, 1.0);
-  light.opening = openingOf(normal, hidden.xyz, light.open);
-  light.share = light.open + shown;
-  vec3 on_surface = arrivingIrradiance(position, light.opening.axis);
-  vec3 of_lobe = incomingLight(position, light.opening.axis, roughnessOfOpening(light.opening), 0.0);
-  light.irradiance = light.open * lightThroughOpening(of_lobe, on_surface, light.open) + shown * on_surface;
-  // What hides a place is lit through the same opening.
-  light.tint = shown / max(1.0 - light.open, 1e-3);
-  light.hidden = light.tint * on_surface;
+  light.open = clamp(place.hidden.w, 0.0, 1.0);
+  light.opening = openingOf(normal, place.hidden.xyz, light.open);
+  light.share = light.open + place.shown;
+  vec3 on_axis = arrivingIrradiance(position, light.opening.axis);
+  vec3 on_shown = lightOnShown(position, place, on_axis);
+  light.irradiance = lightPastHiders(position, normal, light.opening, light.open, on_axis) +
+                     place.shown * on_shown + place.emitted;
+  float closed = max(1.0 - light.open, 1e-3);
+  light.tint = place.shown / closed;
+  light.emitted = place.emitted / closed;
+  light.hidden = light.tint * on_shown + light.emitted;
   return light;
 }
 
 // Of a surface that is drawn. Where it is seen from behind nothing is known.
-LightPastScene lightAtPoint(Surface s, SurfacePoint point, vec4 hidden, vec3 shown) {
-  bool is_known = seesFront();
-  return lightPastScene(point.position, s.normal, is_known ? hidden : vec4(0.0, 0.0, 0.0, 1.0),
-                        is_known ? shown : vec3(0.0));
+LightPastScene lightAtPoint(Surface s, SurfacePoint point, PlaceInScene place) {
+  return lightPastScene(point.position, s.normal, seesFront() ? place : kInTheOpen);
 }
 
 // What a surface reflects around a direction, where the environment shows `reflected`. What hides the environment from
@@ -36,7 +74,7 @@ LightPastScene lightAtPoint(Surface s, SurfacePoint point, vec4 hidden, vec3 sho
 vec3 reflectedPastScene(LightPastScene light, Surface s, vec3 direction, vec3 reflected) {
   float alpha = alphaFromPerceptualRoughness(s.material.perceptual_roughness);
   float polish = s.material.metallic * (1.0 - smoothstep(0.1, 0.5, s.material.perceptual_roughness));
-  vec3 hidden = mix(light.hidden, light.tint * reflected, polish);
+  vec3 hidden = mix(light.hidden, light.tint * reflected + light.emitted, polish);
   // Smooth water and glass, of few large triangles, would show where each corner's few rays end as a star.
   Opening opening = light.opening;
   opening.is_hidden_by_one *= 1.0 - s.material.transmission;

@@ -11,6 +11,8 @@
 
 in vec4 vertex_hidden;
 in vec3 vertex_shown;
+in vec3 vertex_lit_from;
+in vec3 vertex_emitted;
 
 uniform highp usampler2D scene_triangles;
 uniform int unseen_by_itself;  // a child of the tree that the surface sees nothing of, from its outside
@@ -30,8 +32,8 @@ vec3 lightOfScene(vec3 place, vec3 direction, SceneSurface met) {
   s.stretched_share = 1.0;
   s.sheen_albedo = 0.0;
   s = seenAlong(s, direction);
-  LightPastScene light = lightPastScene(place, s.normal, sees_front ? met.hidden : vec4(0.0, 0.0, 0.0, 1.0),
-                                        sees_front ? met.shown : vec3(0.0));
+  LightPastScene light = lightPastScene(
+      place, s.normal, sees_front ? PlaceInScene(met.hidden, met.shown, met.lit_from, vec3(0.0)) : kInTheOpen);
   vec3 mirrored = reflect(direction, s.normal);
   vec3 reflected = reflectedPastScene(light, s, mirrored,
                                       incomingLight(place, mirrored, met.perceptual_roughness, 0.0));
@@ -81,7 +83,8 @@ float shareOfRays(Surface s) {
 
 vec3 litByEnvironment(Surface s, SurfacePoint point, vec3 transmitted, vec3 on_cloth) {
   vec3 across = cross(dFdx(point.position), dFdy(point.position));
-  LightPastScene light = lightAtPoint(s, point, vertex_hidden, vertex_shown);
+  LightPastScene light = lightAtPoint(
+      s, point, PlaceInScene(vertex_hidden, vertex_shown, vertex_lit_from, vertex_emitted));
   vec3 of_environment = reflectedLight(s, point);
   vec3 found = of_environment;
   float share = dot(across, across) > 0.0 ? shareOfRays(s) : 0.0;

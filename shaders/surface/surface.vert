@@ -12,6 +12,8 @@ layout(location = 4) in vec2 uv_1;
 layout(location = 5) in vec4 color;
 layout(location = 6) in vec4 hidden;
 layout(location = 7) in vec3 shown;
+layout(location = 8) in vec3 lit_from;
+layout(location = 9) in vec3 emitted;
 
 out vec3 object_position;
 out vec3 object_normal;
@@ -23,6 +25,8 @@ out vec2 texture_uv_1;
 out vec4 vertex_color;
 out vec4 vertex_hidden;
 out vec3 vertex_shown;
+out vec3 vertex_lit_from;
+out vec3 vertex_emitted;
 out vec4 vertex_look_up;
 out vec4 vertex_picture;
 flat out vec4 triangle_look_up;
@@ -40,6 +44,8 @@ void main() {
   vertex_color = color;
   vertex_hidden = hidden;
   vertex_shown = shown;
+  vertex_lit_from = lit_from;
+  vertex_emitted = emitted;
   // What is interpolated are the coordinates of each corner: not those of the interpolated normal.
   vec3 ray = orthographic > 0.5 ? camera_forward : normalize(world.xyz - camera_position);
   TexgenPoint corner = TexgenPoint(position, world.xyz, normalize(world_normal), ray, eye_from_world);

@@ -3,12 +3,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
 #include "golden/golden_picture.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/metric/comparison.h"
 
 namespace mirrorball::golden {
 namespace {
@@ -44,6 +47,19 @@ Result<Bytes> pictureMadeBy(const std::string& command) {
     return fail(ErrorCode::io, "mirrorball " + command + ": ended with exit code " + std::to_string(outcome.exit_code) +
                                    ", signal " + std::to_string(outcome.signal) + ": " + outcome.err);
   return readFile(folder.path() / "picture.png");
+}
+
+Result<Image> imageMadeBy(const std::string& command) {
+  MIRRORBALL_TRY(file, pictureMadeBy(command));
+  MIRRORBALL_TRY(decoded, decodeImage(file));
+  return std::move(decoded.image);
+}
+
+double psnrOf_db(const Image& drawn, const Image& traced) {
+  Result<ComparedImage> test = comparedImage(drawn, ImageKind::picture);
+  Result<ComparedImage> truth = comparedImage(traced, ImageKind::picture);
+  const Result<Comparison> compared = compareImages(*std::move(test), *std::move(truth), ImageKind::picture);
+  return compared->value(Metric::psnr).value();
 }
 
 }  // namespace mirrorball::golden

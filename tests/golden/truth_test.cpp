@@ -15,29 +15,13 @@
 #include "golden/cases.h"
 #include "golden/made_picture.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/codec/image_file.h"
 #include "mirrorball/gl/gl_testing.h"
-#include "mirrorball/metric/comparison.h"
 
 namespace mirrorball::golden {
 namespace {
 
-Result<Image> pictureOf(const std::string& command) {
-  MIRRORBALL_TRY(file, pictureMadeBy(command));
-  MIRRORBALL_TRY(decoded, decodeImage(file));
-  return std::move(decoded.image);
-}
-
 std::future<Result<Image>> making(std::string command) {
-  return std::async(std::launch::async, [command = std::move(command)] { return pictureOf(command); });
-}
-
-/// As `mirrorball compare` says it.
-double psnrOf_db(const Image& drawn, const Image& traced) {
-  Result<ComparedImage> test = comparedImage(drawn, ImageKind::picture);
-  Result<ComparedImage> truth = comparedImage(traced, ImageKind::picture);
-  const Result<Comparison> compared = compareImages(*std::move(test), *std::move(truth), ImageKind::picture);
-  return compared->value(Metric::psnr).value();
+  return std::async(std::launch::async, [command = std::move(command)] { return imageMadeBy(command); });
 }
 
 /// The picture as a mirror shows it.
@@ -68,7 +52,7 @@ TEST_P(GoldenTruth, IsAsNearAsItIsSaidToBeAndAMistakeIsNot) {
   std::future<Result<Image>> tracing = making(tracedCommandOf(golden_case));
   std::future<Result<Image>> erring;
   if (tries_mistake) erring = making(drawnCommandOf(golden_case, truth.mistake));
-  const Result<Image> drawn = pictureOf(drawnCommandOf(golden_case));
+  const Result<Image> drawn = imageMadeBy(drawnCommandOf(golden_case));
   const Result<Image> traced = tracing.get();
   ASSERT_TRUE(drawn) << drawn.error().message;
   ASSERT_TRUE(traced) << traced.error().message;

@@ -24,9 +24,9 @@ FN uvec4 fetchWords(SmallTree tree, int texel) {
   if (texel < 9) return fetchTriangle(texel - 5, 0, 0.0f);
   if (texel < 13) return fetchTriangle(texel - 9, 1, tree.shift);
   if (texel == 23) return uvec4(0u, 1u, 2u, 0u);
-  if (texel == 24) return uvec4(2u, 0u, 1u, 31u);
-  if (texel == 31) return uvec4(8u, 0u, 0u, 0u);
-  if (texel == 32) return uvec4(0xa5c3aa0fu, 0x0ff0c33cu, 0u, 0u);
+  if (texel == 24) return uvec4(2u, 0u, 1u, 34u);
+  if (texel == 34) return uvec4(8u, 0u, 0u, 0u);
+  if (texel == 35) return uvec4(0xa5c3aa0fu, 0x0ff0c33cu, 0u, 0u);
   if (texel > 24) return uvec4(0x34003800u, 0x30003400u, 0x38003000u, 0x2c003800u) + uvec4(uint(16 * texel));
   return wordsOf(vec3(0.5f, 0.25f, 0.125f) * float(texel - 12), texel % 5 == 0 ? 5u : floatBitsToUint(1.5f));
 }

@@ -296,13 +296,16 @@ const Case kSurfaceCases[] = {
            vec4(openingOf(vec3(p), 0.25f * vec3(q), r.x).axis, openingOf(vec3(p), 0.25f * vec3(q), r.x).angle) +
                vec4(openingOf(vec3(p), 0.25f * vec3(q), r.x).hidden_axis,
                     openingOf(vec3(p), 0.25f * vec3(q), r.x).hidden_angle +
+                        openingOf(vec3(p), 0.25f * vec3(q), r.x).likeness +
                         openingOf(vec3(p), 0.25f * vec3(q), r.x).is_hidden_by_one)),
     PARITY(angleBetween, direction, kTranscendental, vec4(angleBetween(vec3(p), vec3(q)))),
     PARITY(lobeInOpening, direction, kTranscendental,
-           vec4(lobeInOpening(Opening(vec3(p), 1.5f * r.x, vec3(q), 0.6f, r.y), vec3(p), vec3(q), r.y))),
-    PARITY(roughnessOfOpening, unit, kTranscendental,
-           vec4(roughnessOfOpening(Opening(vec3(0.0f), 1.5f * p.x, vec3(0.0f), 0.0f, 0.0f)))),
+           vec4(lobeInOpening(Opening(vec3(p), 1.5f * r.x, vec3(q), 0.6f, 1.0f, r.y), vec3(p), vec3(q), r.y))),
+    PARITY(roughnessOfCone, unit, kTranscendental, vec4(roughnessOfCone(1.5f * p.x))),
     PARITY(lightThroughOpening, unit, kTight, vec4(lightThroughOpening(vec3(p), vec3(q), r.x), 0.0f)),
+    PARITY(lightBesideHidden, unit, kTight, vec4(lightBesideHidden(vec3(p), vec3(q), r.x), 0.0f)),
+    PARITY(shareBesideHidden, unit, kTight,
+           vec4(shareBesideHidden(Opening(vec3(p), 1.5f, vec3(q), 0.6f, p.y, 0.0f), p.x))),
 
     // shading
     PARITY(hasConductorIndex, direction, kExact,
@@ -419,6 +422,8 @@ const Case kSurfaceCases[] = {
                 0.0f, 0.0f, 0.0f)),
     PARITY(sceneSurfaceAt, unit, kTight,
            vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).shown, 1.0f) +
+               vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).lit_from,
+                    1.0f) +
                sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).hidden),
 
     // triangle_tree

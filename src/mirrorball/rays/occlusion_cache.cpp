@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 
 /// The maps of a material that findOcclusion reads, which normals and layers of other light do not change.
 std::vector<const TextureSlot*> slotsOf(const Material& m, const SceneOcclusionSettings& settings) {
-  std::vector<const TextureSlot*> slots{&m.base_color_map, &m.metallic_map, &m.specular_map, &m.specular_color_map,
-                                        &m.transmission_map};
+  std::vector<const TextureSlot*> slots{&m.base_color_map,     &m.metallic_map,     &m.specular_map,
+                                        &m.specular_color_map, &m.transmission_map, &m.emission_map};
   if (m.iridescence > 0.0f) slots.insert(slots.end(), {&m.iridescence_map, &m.iridescence_thickness_map});
-  if (settings.finds_looks) slots.insert(slots.end(), {&m.roughness_map, &m.emission_map});
+  if (settings.finds_looks) slots.push_back(&m.roughness_map);
   return slots;
 }
 
@@ -74,7 +74,7 @@ struct Header {
   bool operator==(const Header&) const = default;
 };
 static_assert(sizeof(Header) == 16 + 2 * ContentHash::kDigits, "nothing lies between its members");
-static_assert(sizeof(VertexOcclusion) == 8 * sizeof(float) && sizeof(VertexLook) == 8 * sizeof(float));
+static_assert(sizeof(VertexOcclusion) == 13 * sizeof(float) && sizeof(VertexLook) == 8 * sizeof(float));
 
 std::array<char, ContentHash::kDigits> digitsOf(const std::string& written) {
   std::array<char, ContentHash::kDigits> digits{};

@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "formula/bsdf.h"
+#include "formula/color.h"
+#include "formula/constants.h"
 #include "formula/surface.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/rays/emissive_triangles.h"
 #include "mirrorball/rays/frame.h"
 #include "mirrorball/rays/hiding.h"
 #include "mirrorball/rays/surface_point.h"
@@ -22,6 +25,9 @@ constexpr std::size_t kRaysInAll = 1'600'000;
 constexpr std::size_t kFewestRays = 8;
 constexpr std::size_t kMostRays = 256;
 constexpr std::uint32_t kOpen = ~std::uint32_t{0};
+
+/// So many places that shine are chosen from each vertex.
+constexpr std::uint32_t kPlacesOfEmission = 32;
 
 /// What hides the environment on one ray: the nearest vertex of the surface there; kOpen: nothing does.
 struct Hider {
@@ -38,6 +44,25 @@ glm::vec3 albedoOf(const formula::Material& m) {
   return glm::clamp(glm::mix(dielectric, formula::metalReflectance(m, 1.0f), m.metallic), 0.0f, 1.0f);
 }
 
+float greatest(glm::vec3 v) { return std::max({v.x, v.y, v.z}); }
+
+float brightestOf(const std::vector<glm::vec3>& lights) {
+  float brightest = 0.0f;
+  for (const glm::vec3 light : lights) brightest = std::max(brightest, greatest(light));
+  return brightest;
+}
+
+/// Adds what is known of one vertex, so many times, to a sum.
+void addTo(VertexOcclusion& sum, const VertexOcclusion& each, float times) {
+  sum.hidden += times * each.hidden;
+  sum.open += times * each.open;
+  sum.shown += times * each.shown;
+  sum.lit_from += times * each.lit_from;
+  sum.emitted += times * each.emitted;
+}
+
+constexpr VertexOcclusion kNothing{.open = 0.0f};
+
 class Finder {
  public:
   Finder(const Scene& scene, const Geometry& geometry, const SceneOcclusionSettings& settings)
@@ -45,6 +70,7 @@ class Finder {
         geometry_(geometry),
         places_(scene),
         world_from_normal_(normalMatrices(scene)),
+        emissive_(scene, world_from_normal_),
         rays_(occlusionRaysOfVertex(places_.size(), settings)) {
     first_triangle_.push_back(0);
     for (const Instance& instance : scene.instances)
@@ -61,31 +87,86 @@ class Finder {
   void give(Scene& scene) const;
 
  private:
+  struct Lit;
+
   void traceVertex(std::size_t vertex);
-  Hider hiderOf(glm::vec3 origin, glm::vec3 direction, std::uint32_t random) const;
+  Hider hiderAt(const Hit& hit) const;
+  glm::vec3 emittedTowards(glm::vec3 normal, glm::vec3 direction, const Hit& hit) const;
+  glm::vec3 emittedTo(std::size_t vertex) const;
+  Lit litOnceMore(std::size_t vertex, const std::vector<Lit>& lit);
   formula::Material materialOfTriangle(std::uint32_t triangle) const;
 
   const Scene& scene_;
   const Geometry& geometry_;
   VertexPlaces places_;
   std::vector<glm::mat3> world_from_normal_;
+  EmissiveTriangles emissive_;
   std::size_t rays_;
   std::vector<std::uint32_t> first_triangle_;  // of each instance, counted through all
   std::vector<Hider> hiders_;                  // of each vertex's rays
   std::vector<glm::vec3> albedos_;             // of the triangles that hide something
   std::vector<VertexOcclusion> found_;         // of each vertex
+  std::vector<glm::vec3> emitted_;             // likewise, without reflections
   std::vector<VertexLook> looks_;              // likewise, if they are asked for
 };
 
-Hider Finder::hiderOf(glm::vec3 origin, glm::vec3 direction, std::uint32_t random) const {
-  const std::optional<Hit> hit = hidingHit(scene_, geometry_, origin, direction, random);
-  if (!hit) return {};
-  const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[hit->instance].mesh)];
-  const glm::vec2 b = hit->barycentric;
+Hider Finder::hiderAt(const Hit& hit) const {
+  const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[hit.instance].mesh)];
+  const glm::vec2 b = hit.barycentric;
   const float first = 1.0f - b.x - b.y;
   const std::size_t corner = first >= std::max(b.x, b.y) ? 0 : (b.x >= b.y ? 1 : 2);
-  return {places_.vertexOf(hit->instance, mesh.indices[std::size_t{3} * hit->triangle + corner]),
-          first_triangle_[hit->instance] + hit->triangle};
+  return {places_.vertexOf(hit.instance, mesh.indices[std::size_t{3} * hit.triangle + corner]),
+          first_triangle_[hit.instance] + hit.triangle};
+}
+
+/// The share of an estimate of emitted light that one sample is, over its radiance, where rays by the cosine and chosen
+/// places of the triangles that shine both find it: the balance heuristic (Veach & Guibas 1995).
+///
+/// cosine       to the vertex's normal
+/// hit          its distance, and whose normal
+/// of_triangle  its density by area
+float shareOfSample(float cosine, glm::vec3 direction, const Hit& hit, float of_triangle, std::size_t rays) {
+  const float cosine_there = std::abs(glm::dot(direction, hit.geometric_normal));
+  const float by_cosine = cosine / formula::kPi;
+  // Over cosine_there, as by_cosine is times it below, so that nothing is divided by 0.
+  const float by_place = of_triangle * hit.distance * hit.distance;
+  const float densities =
+      static_cast<float>(rays) * by_cosine * cosine_there + static_cast<float>(kPlacesOfEmission) * by_place;
+  return densities > 0.0f ? by_cosine * cosine_there / densities : 0.0f;
+}
+
+/// Of a ray that has met something.
+glm::vec3 Finder::emittedTowards(glm::vec3 normal, glm::vec3 direction, const Hit& hit) const {
+  const float density = emissive_.empty() ? 0.0f : emissive_.density(hit);
+  if (density == 0.0f) return glm::vec3(0.0f);
+  const float cosine = std::max(glm::dot(normal, direction), 0.0f);
+  return shareOfSample(cosine, direction, hit, density, rays_) * emissive_.emission(hit);
+}
+
+/// By places of what shines that are chosen.
+glm::vec3 Finder::emittedTo(std::size_t vertex) const {
+  glm::vec3 sum(0.0f);
+  if (emissive_.empty()) return sum;
+  const glm::vec3 normal = places_.normal(vertex);
+  const auto number = static_cast<std::uint32_t>(vertex);
+  const glm::vec2 from = sharesOf(mixed(number, 2));
+  for (std::uint32_t i = 0; i < kPlacesOfEmission; ++i) {
+    const std::uint32_t random = mixed(number, ~i);
+    const float which = (static_cast<float>(i) + sharesOf(mixed(random, 1)).x) / float(kPlacesOfEmission);
+    EmissiveTriangles::Place lamp = emissive_.chosen(glm::vec3(which, formula::evenPoint(from, static_cast<float>(i))));
+    const PlaceByVertex place =
+        places_.place(vertex, i * places_.triangles(vertex) / kPlacesOfEmission, sharesOf(random));
+    const glm::vec3 origin = formula::besideSurface(place.position, 0.0f, place.geometric_normal);
+    lamp.hit.distance = glm::distance(lamp.position, origin);
+    const glm::vec3 direction = (lamp.position - origin) / lamp.hit.distance;
+    const float cosine = glm::dot(normal, direction);
+    if (!(cosine > 0.0f) || glm::dot(place.geometric_normal, direction) <= 0.0f) continue;
+    const std::optional<Hit> hider = hidingHit(scene_, geometry_, origin, direction, random);
+    constexpr float kNearly = 1.0f - 1e-3f;
+    if (hider && hider->distance < kNearly * lamp.hit.distance) continue;
+    sum += shareOfSample(cosine, direction, lamp.hit, lamp.density, rays_) * emissive_.emission(lamp.hit);
+  }
+  return sum;
 }
 
 void Finder::traceVertex(std::size_t vertex) {
@@ -103,21 +184,24 @@ void Finder::traceVertex(std::size_t vertex) {
     const glm::vec2 even = formula::evenPoint(from, static_cast<float>(ray));
     const glm::vec3 direction =
         raisedAbove(place.geometric_normal, frame.toWorld(formula::sampleDiffuse({even.y, even.x})));
-    const Hider hider =
-        hiderOf(formula::besideSurface(place.position, 0.0f, place.geometric_normal), direction, random);
-    hiders_[vertex * rays_ + ray] = hider;
-    if (hider.vertex == kOpen)
+    const glm::vec3 origin = formula::besideSurface(place.position, 0.0f, place.geometric_normal);
+    const std::optional<Hit> hit = hidingHit(scene_, geometry_, origin, direction, random);
+    if (!hit) {
       ++open;
-    else
-      found.hidden += direction;
+      continue;
+    }
+    hiders_[vertex * rays_ + ray] = hiderAt(*hit);
+    found.hidden += direction;
+    found.emitted += emittedTowards(normal, direction, *hit);
   }
+  found.emitted += emittedTo(vertex);
   found.hidden /= static_cast<float>(rays_);
   found.open = static_cast<float>(open) / static_cast<float>(rays_);
 }
 
 Result<void> Finder::trace(const ProgressFunction& progress) {
   // Beside the rays what is found of vertices, here and in the scene, and of triangles.
-  const std::size_t of_vertex = rays_ * sizeof(Hider) + 4 * sizeof(VertexOcclusion) + 2 * sizeof(VertexLook);
+  const std::size_t of_vertex = rays_ * sizeof(Hider) + 7 * sizeof(VertexOcclusion) + 2 * sizeof(VertexLook);
   const std::size_t of_triangle = sizeof(VertexLook) + sizeof(glm::vec3);
   MIRRORBALL_TRY_VOID(withName("the rays of the model's vertices",
                                checkMemory(places_.size() * of_vertex + first_triangle_.back() * of_triangle)));
@@ -184,31 +268,60 @@ void Finder::findLooks() {
   }
 }
 
+/// What a surface sends back of light, before its albedo.
+struct Finder::Lit {
+  glm::vec3 by_sky{1.0f};    ///< under a white sky
+  glm::vec3 lit_from{0.0f};  ///< the direction that this comes from, weighted by it
+  glm::vec3 by_emission{0.0f};
+};
+
+/// What a vertex gets with one reflection more.
+Finder::Lit Finder::litOnceMore(std::size_t vertex, const std::vector<Lit>& lit) {
+  VertexOcclusion& found = found_[vertex];
+  glm::vec3 shown(0.0f), lit_from(0.0f), emitted(0.0f);
+  for (std::size_t ray = vertex * rays_; ray < (vertex + 1) * rays_; ++ray) {
+    const Hider& hider = hiders_[ray];
+    if (hider.vertex == kOpen) continue;
+    const glm::vec3 albedo = albedos_[hider.triangle];
+    const Lit& there = lit[hider.vertex];
+    shown += albedo * there.by_sky;
+    lit_from += formula::luminance(albedo) * there.lit_from;
+    emitted += albedo * there.by_emission;
+  }
+  const auto rays = static_cast<float>(rays_);
+  found.shown = shown / rays;
+  found.lit_from = lit_from / rays;
+  found.emitted = emitted_[vertex] + emitted / rays;
+  const glm::vec3 opened = (2.0f / 3.0f) * places_.normal(vertex) - found.hidden;
+  const glm::vec3 axis = glm::dot(opened, opened) > 1e-6f ? glm::normalize(opened) : places_.normal(vertex);
+  return {found.open + found.shown, found.open * axis + found.lit_from, found.emitted};
+}
+
 /// From light that is all there, each step counts one reflection more; so white light in a white scene stays.
 void Finder::followReflections() {
   constexpr int kMostSteps = 64;
   constexpr float kEnough = 2e-3f;
-  std::vector<glm::vec3> light(found_.size(), glm::vec3(1.0f));
-  std::vector<glm::vec3> next(light.size());
+  for (const VertexOcclusion& found : found_) emitted_.push_back(found.emitted);
+  const float brightest = brightestOf(emitted_);
+  std::vector<Lit> lit(found_.size());
+  for (std::size_t vertex = 0; vertex < lit.size(); ++vertex)
+    lit[vertex] = {glm::vec3(1.0f), places_.normal(vertex), emitted_[vertex]};
+  std::vector<Lit> next(lit.size());
   constexpr std::size_t kGrain = 1024;
-  std::vector<float> changes((light.size() + kGrain - 1) / kGrain);
+  std::vector<float> changes((lit.size() + kGrain - 1) / kGrain);
   for (int step = 0; step < kMostSteps; ++step) {
-    parallelFor(light.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelFor(lit.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       float change = 0.0f;
       for (std::size_t vertex = begin; vertex < end; ++vertex) {
-        glm::vec3 shown(0.0f);
-        for (std::size_t ray = vertex * rays_; ray < (vertex + 1) * rays_; ++ray)
-          if (const Hider& hider = hiders_[ray]; hider.vertex != kOpen)
-            shown += albedos_[hider.triangle] * light[hider.vertex];
-        found_[vertex].shown = shown / static_cast<float>(rays_);
-        next[vertex] = found_[vertex].open + found_[vertex].shown;
-        const glm::vec3 changed = glm::abs(next[vertex] - light[vertex]);
-        change = std::max(change, std::max({changed.x, changed.y, changed.z}));
+        next[vertex] = litOnceMore(vertex, lit);
+        change = std::max(change, greatest(glm::abs(next[vertex].by_sky - lit[vertex].by_sky)));
+        if (brightest > 0.0f)
+          change = std::max(change, greatest(glm::abs(next[vertex].by_emission - lit[vertex].by_emission)) / brightest);
       }
       changes[begin / kGrain] = change;
     });
-    light.swap(next);
-    if (light.empty() || *std::max_element(changes.begin(), changes.end()) < kEnough) break;
+    lit.swap(next);
+    if (lit.empty() || *std::max_element(changes.begin(), changes.end()) < kEnough) break;
   }
   hiders_ = std::vector<Hider>();  // the most of the memory
 }
@@ -218,14 +331,12 @@ void Finder::smooth() {
   constexpr float kSmooth = 0.8f;  // the cosine between their normals, at least
   // So much the vertex itself counts: neighbours are worth less the less noise there is.
   const float own = static_cast<float>(rays_) * static_cast<float>(rays_) / 512.0f;
-  std::vector<VertexOcclusion> sums = found_;
+  std::vector<VertexOcclusion> sums(found_.size(), kNothing);
+  for (std::size_t v = 0; v < found_.size(); ++v) addTo(sums[v], found_[v], own);
   std::vector<float> weights(found_.size(), own);
-  for (VertexOcclusion& sum : sums) sum = {own * sum.hidden, own * sum.open, own * sum.shown};
   const auto add = [&](std::uint32_t to, std::uint32_t from) {
     if (glm::dot(places_.normal(to), places_.normal(from)) < kSmooth) return;
-    sums[to].hidden += found_[from].hidden;
-    sums[to].open += found_[from].open;
-    sums[to].shown += found_[from].shown;
+    addTo(sums[to], found_[from], 1.0f);
     weights[to] += 1.0f;
   };
   for (std::size_t instance = 0; instance < scene_.instances.size(); ++instance) {
@@ -238,8 +349,10 @@ void Finder::smooth() {
         add(b, a);
       }
   }
-  for (std::size_t v = 0; v < found_.size(); ++v)
-    found_[v] = {sums[v].hidden / weights[v], sums[v].open / weights[v], sums[v].shown / weights[v]};
+  for (std::size_t v = 0; v < found_.size(); ++v) {
+    found_[v] = kNothing;
+    addTo(found_[v], sums[v], 1.0f / weights[v]);
+  }
 }
 
 void Finder::give(Scene& scene) const {

@@ -109,6 +109,72 @@ TEST(SceneOcclusion, ABowlsInsideSeesItsOpeningAndItself) {
   EXPECT_NEAR(open / static_cast<double>(inside), kBowlOpenShare, 0.003);
 }
 
+// A ball that shines sends its radiance times its form factor: large and near, where rays meet it, and small and far,
+// where few do.
+TEST(SceneOcclusion, ABallThatShinesSendsItsFormFactor) {
+  const glm::vec3 radiance(2.0f, 1.0f, 4.0f);
+  for (const auto& [radius, height] : {std::pair(0.5f, 0.75f), std::pair(0.02f, 0.5f)}) {
+    Scene scene = ballOverPlane(radius, height);
+    for (Material& material : scene.materials) material = matt(0.0f);
+    scene.materials[1].emission = radiance;
+    scene = withOcclusion(std::move(scene), 64);
+    const std::vector<Vertex>& vertices = scene.meshes[0].vertices;
+    const float brightest = radius * radius / (height * height);
+    float sum = 0.0f, sum_of_shares = 0.0f;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const float distance = glm::distance(glm::vec3(0.0f, height, 0.0f), vertices[i].position);
+      const float share = radius * radius * height / (distance * distance * distance);
+      const glm::vec3 emitted = scene.instances[0].occlusion[i].emitted;
+      EXPECT_NEAR(emitted.x / radiance.x, share, 0.25f * brightest) << radius << ", " << i;
+      sum += emitted.x / radiance.x;
+      sum_of_shares += share;
+      EXPECT_NEAR(emitted.z / radiance.z, emitted.x / radiance.x, 1e-4f * brightest);
+    }
+    EXPECT_NEAR(sum, sum_of_shares, 0.02f * sum_of_shares) << radius;
+  }
+}
+
+// In a bowl whose inside shines all light is the same everywhere: E = (1 − s) (L + ρ E).
+TEST(SceneOcclusion, WhatShinesIsReflected) {
+  constexpr float kAlbedo = 0.6f;
+  Scene bowl = bowlScene();
+  bowl.materials[0] = matt(kAlbedo);
+  bowl.materials[0].emission = glm::vec3(0.5f);
+  bowl = withOcclusion(std::move(bowl), 64);
+  const float closed = 1.0f - kBowlOpenShare;
+  const float light = closed * 0.5f / (1.0f - kAlbedo * closed);
+  double sum = 0.0;
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < bowl.meshes[0].vertices.size(); ++i) {
+    const Vertex& vertex = bowl.meshes[0].vertices[i];
+    if (glm::dot(vertex.position, vertex.normal) >= -0.5f) continue;
+    ++inside;
+    sum += bowl.instances[0].occlusion[i].emitted.y;
+    EXPECT_NEAR(bowl.instances[0].occlusion[i].emitted.y, light, 0.12f * light) << i;
+  }
+  ASSERT_GT(inside, 1000u);
+  EXPECT_NEAR(sum / static_cast<double>(inside), light, 0.02f * light);
+}
+
+// A floor in front of a wall is shown the wall's front, which is lit from in front and from above.
+TEST(SceneOcclusion, WhatIsShownIsLitFromWhereItIsOpen) {
+  Scene scene = sceneOf(gridMesh(1.0f, 20), matt(0.5f));
+  const glm::mat4 upright = glm::rotate(glm::mat4(1.0f), glm::half_pi<float>(), glm::vec3(1.0f, 0.0f, 0.0f));
+  scene.instances.push_back(
+      {.mesh = 0, .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(0, 1, -1)) * upright});
+  scene = withOcclusion(std::move(scene), 256);
+  std::size_t compared = 0;
+  for (const VertexOcclusion& occlusion : scene.instances[0].occlusion) {
+    EXPECT_LE(glm::length(occlusion.lit_from), occlusion.shown.y * 1.001f + 1e-6f);
+    if (occlusion.shown.y < 0.05f) continue;
+    ++compared;
+    const glm::vec3 from = glm::normalize(occlusion.lit_from);
+    EXPECT_GT(from.z, 0.5f);
+    EXPECT_GT(from.y, 0.05f);
+  }
+  EXPECT_GT(compared, 20u);
+}
+
 // The flat triangles of a coarse ball lie below the horizon of its smooth normals.
 TEST(SceneOcclusion, ACoarseBallHidesNothingFromItself) {
   const Scene ball = withOcclusion(sceneOf(sphereMesh(6, 12), matt(0.5f)), 256);

@@ -34,7 +34,10 @@ struct VertexOcclusion {
   glm::vec3 hidden{0.0f};  ///< world: the mean of the directions that are hidden, those that are open counting as 0
   float open = 1.0f;       ///< the share of an even sky's irradiance that arrives
   glm::vec3 shown{0.0f};   ///< what the scene sends instead under that sky: red, green, blue; with `open` at most 1
-  float unused = 0.0f;
+  /// World: the mean direction in which the surfaces that send it are open, weighted by their part of its luminance; no
+  /// longer than that.
+  glm::vec3 lit_from{0.0f};
+  glm::vec3 emitted{0.0f};  ///< what arrives of the scene's own emission, with its reflections: irradiance over π
 };
 
 /// What a vertex looks like to reflections of the scene in itself: its material, with what textures hold around it.

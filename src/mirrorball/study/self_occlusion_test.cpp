@@ -46,6 +46,10 @@ class SelfOcclusion : public testing::HeadlessTest {
   }
 
   static double rmse(const Image& a, const Image& b) { return std::sqrt(imageError(a, b).mean_square); }
+  /// The root of relMSE: what lies in the sun counts as much as what lies in its shadow.
+  static double relativeError(const Image& a, const Image& b) {
+    return std::sqrt(imageError(a, b).relative_mean_square);
+  }
 
  private:
   static Image valueOf(Result<Image> image) {
@@ -174,9 +178,9 @@ TEST_F(SelfOcclusion, LargeTrianglesAreNearerToThePaths) {
       const FrameSettings frame = shotIntoBowl();
       const FrameSettings with_occlusion = with(frame, OcclusionKind::vertex, false);
       const Image truth = traced(scene, light, frame);
-      const double without = rmse(drawn(scene, light, with(frame, OcclusionKind::none, false)), truth);
-      const double known = rmse(drawn(scene, light, with_occlusion), truth);
-      const double uncut = rmse(drawn(scene, light, with_occlusion, false), truth);
+      const double without = relativeError(drawn(scene, light, with(frame, OcclusionKind::none, false)), truth);
+      const double known = relativeError(drawn(scene, light, with_occlusion), truth);
+      const double uncut = relativeError(drawn(scene, light, with_occlusion, false), truth);
       EXPECT_LT(known, 0.92 * without) << name << ": " << known << " after " << without;
       EXPECT_LT(known, of_uncut * uncut) << name << ": " << known << ", uncut " << uncut;
     }

@@ -28,9 +28,11 @@ constexpr std::array<gl::Attribute, 6> kAttributes{{
     {5, 4, offsetof(Vertex, color)},
 }};
 
-constexpr std::array<gl::Attribute, 2> kOcclusionAttributes{{
+constexpr std::array<gl::Attribute, 4> kOcclusionAttributes{{
     {6, 4, offsetof(VertexOcclusion, hidden)},  // and `open` after it
     {7, 3, offsetof(VertexOcclusion, shown)},
+    {8, 3, offsetof(VertexOcclusion, lit_from)},
+    {9, 3, offsetof(VertexOcclusion, emitted)},
 }};
 static_assert(offsetof(VertexOcclusion, open) == offsetof(VertexOcclusion, hidden) + sizeof(glm::vec3));
 

@@ -214,12 +214,15 @@ std::uint32_t halves(float a, float b) {
   return glm::packHalf2x16(glm::clamp(glm::vec2(a, b), glm::vec2(-65504.0f), glm::vec2(65504.0f)));
 }
 
+/// What arrives of the scene's own emission is sent back as if the surface were matt.
 void writeLook(const VertexOcclusion& occlusion, const VertexLook& look, std::vector<Texel>& words) {
-  const auto& [hidden, open, shown, unused] = occlusion;
+  const auto& [hidden, open, shown, lit_from, emitted] = occlusion;
+  const glm::vec3 sent = look.emission + (1.0f - look.metallic) * look.base_color * emitted;
   words.emplace_back(halves(hidden.x, hidden.y), halves(hidden.z, open), halves(shown.x, shown.y),
                      halves(shown.z, look.metallic));
   words.emplace_back(halves(look.base_color.x, look.base_color.y), halves(look.base_color.z, look.perceptual_roughness),
-                     halves(look.emission.x, look.emission.y), halves(look.emission.z, 0.0f));
+                     halves(sent.x, sent.y), halves(sent.z, lit_from.x));
+  words.emplace_back(halves(lit_from.y, lit_from.z), 0u, 0u, 0u);
 }
 
 void writeHoles(const TriangleHoles& holes, std::vector<Texel>& words) {
@@ -249,7 +252,7 @@ Result<std::optional<BodyTree>> sceneTree(const Scene& scene) {
   MIRRORBALL_TRY(sorted, sortedTriangles(scene, "the triangles that reflections show", is_wanted, true));
   if (!sorted) return std::optional<BodyTree>();
   std::vector<Texel>& words = sorted->tree.words;
-  // Two texels a vertex of all instances with looks, and where those of an instance begin.
+  // Three texels a vertex of all instances with looks, and where those of an instance begin.
   std::vector<std::uint32_t> first_vertex;
   std::uint32_t vertices = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {

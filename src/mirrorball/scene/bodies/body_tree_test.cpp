@@ -142,7 +142,7 @@ Scene withLooks() {
   const auto any = [&] { return glm::vec3(unit(random), unit(random), unit(random)); };
   for (Instance& instance : scene.instances)
     for (std::size_t v = 0; v < scene.meshes[std::size_t(instance.mesh)].vertices.size(); ++v) {
-      instance.occlusion.push_back({any(), unit(random), any()});
+      instance.occlusion.push_back({any(), unit(random), any(), any(), any()});
       instance.looks.push_back({any(), unit(random), 9.0f * any(), unit(random)});
     }
   return scene;
@@ -175,7 +175,9 @@ TEST(SceneTree, TellsWhatVerticesKnow) {
       EXPECT_NEAR(met.hidden.w, occlusion.open, near);
       EXPECT_NEAR(glm::distance(met.shown, occlusion.shown), 0.0f, near);
       EXPECT_NEAR(glm::distance(met.base_color, look.base_color), 0.0f, near);
-      EXPECT_NEAR(glm::distance(met.emission, look.emission), 0.0f, 9.0f * near);
+      EXPECT_NEAR(glm::distance(met.lit_from, occlusion.lit_from), 0.0f, near);
+      const glm::vec3 sent = look.emission + (1.0f - look.metallic) * look.base_color * occlusion.emitted;
+      EXPECT_NEAR(glm::distance(met.emission, sent), 0.0f, 10.0f * near);
       EXPECT_NEAR(met.metallic, look.metallic, near);
       EXPECT_NEAR(met.perceptual_roughness, look.perceptual_roughness, near);
       ++compared;

@@ -1,0 +1,79 @@
+#include "mirrorball/rays/emissive_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "formula/color.h"
+#include "mirrorball/rays/surface_point.h"
+
+namespace mirrorball {
+namespace {
+
+/// The middle of a triangle and places near its corners, which a texture may tell apart.
+constexpr std::array<glm::vec2, 4> kPlaces{glm::vec2(1.0f / 3.0f), {0.15f, 0.15f}, {0.7f, 0.15f}, {0.15f, 0.7f}};
+
+}  // namespace
+
+EmissiveTriangles::EmissiveTriangles(const Scene& scene, const std::vector<glm::mat3>& world_from_normal)
+    : scene_(scene), world_from_normal_(world_from_normal), kept_(scene.instances.size()) {
+  for (std::uint32_t instance = 0; instance < scene.instances.size(); ++instance) {
+    const Material& material = materialOf(scene, instance);
+    if (material.emission == glm::vec3(0.0f) && !material.unlit) continue;
+    const std::size_t count = scene.meshes[std::size_t(scene.instances[instance].mesh)].indices.size() / 3;
+    kept_[instance].assign(count, 0);
+    for (std::uint32_t triangle = 0; triangle < count; ++triangle) add(instance, triangle);
+  }
+}
+
+std::array<glm::vec3, 3> EmissiveTriangles::corners(std::uint32_t instance, std::uint32_t triangle) const {
+  const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[instance].mesh)];
+  std::array<glm::vec3, 3> places;
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    places[corner] =
+        glm::vec3(scene_.instances[instance].world_from_object *
+                  glm::vec4(mesh.vertices[mesh.indices[std::size_t{3} * triangle + corner]].position, 1.0f));
+  return places;
+}
+
+void EmissiveTriangles::add(std::uint32_t instance, std::uint32_t triangle) {
+  const auto [a, b, c] = corners(instance, triangle);
+  const float area = 0.5f * glm::length(glm::cross(b - a, c - a));
+  float brightness = 0.0f;
+  for (const glm::vec2 place : kPlaces)
+    brightness += formula::luminance(emission({.instance = instance, .triangle = triangle, .barycentric = place}));
+  const double power = double(area) * double(brightness);
+  if (!(power > 0.0) || !std::isfinite(power)) return;
+  sums_.push_back((sums_.empty() ? 0.0 : sums_.back()) + power);
+  triangles_.push_back({instance, triangle, area});
+  kept_[instance][triangle] = static_cast<std::uint32_t>(triangles_.size());
+}
+
+EmissiveTriangles::Place EmissiveTriangles::chosen(glm::vec3 numbers) const {
+  const auto found = std::upper_bound(sums_.begin(), sums_.end(), double(numbers.x) * sums_.back());
+  const auto number = std::min(static_cast<std::size_t>(found - sums_.begin()), triangles_.size() - 1);
+  const Triangle& triangle = triangles_[number];
+  const auto [a, b, c] = corners(triangle.instance, triangle.triangle);
+  // Evenly by area (Turk 1990, "Generating random points in triangles").
+  const float root = std::sqrt(numbers.y);
+  const glm::vec2 place(root * (1.0f - numbers.z), root * numbers.z);
+  const Hit hit{.instance = triangle.instance,
+                .triangle = triangle.triangle,
+                .barycentric = place,
+                .geometric_normal = glm::normalize(glm::cross(b - a, c - a))};
+  return {hit, a + place.x * (b - a) + place.y * (c - a), density(hit)};
+}
+
+float EmissiveTriangles::density(const Hit& hit) const {
+  const std::vector<std::uint32_t>& of_instance = kept_[hit.instance];
+  if (of_instance.empty() || of_instance[hit.triangle] == 0) return 0.0f;
+  const std::size_t number = of_instance[hit.triangle] - 1;
+  const double power = sums_[number] - (number == 0 ? 0.0 : sums_[number - 1]);
+  return static_cast<float>(power / sums_.back()) / triangles_[number].area;
+}
+
+glm::vec3 EmissiveTriangles::emission(const Hit& hit) const {
+  return surfacePointAt(scene_, world_from_normal_[hit.instance], hit, ReliefKind::none).material.emission;
+}
+
+}  // namespace mirrorball

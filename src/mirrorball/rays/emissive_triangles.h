@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/rays/geometry.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// The triangles of a scene that shine by themselves, to choose places of them as often as they are bright and large.
+/// Both of their sides shine.
+class EmissiveTriangles {
+ public:
+  /// scene               must outlive this
+  /// world_from_normal   of its instances: normalMatrices
+  /// cost                four places of each triangle whose material has emission
+  EmissiveTriangles(const Scene& scene, const std::vector<glm::mat3>& world_from_normal);
+
+  bool empty() const { return triangles_.empty(); }
+
+  struct Place {
+    Hit hit;             ///< without its distance
+    glm::vec3 position;  ///< world
+    float density;       ///< of its choice, by area
+  };
+  /// numbers   in [0, 1): which triangle, and where on it
+  Place chosen(glm::vec3 numbers) const;
+
+  /// The density of choosing a place of that triangle, by area; 0 if it does not shine.
+  float density(const Hit& hit) const;
+
+  /// The radiance that leaves a place.
+  glm::vec3 emission(const Hit& hit) const;
+
+ private:
+  struct Triangle {
+    std::uint32_t instance;
+    std::uint32_t triangle;  ///< of its mesh
+    float area;
+  };
+  void add(std::uint32_t instance, std::uint32_t triangle);
+  std::array<glm::vec3, 3> corners(std::uint32_t instance, std::uint32_t triangle) const;
+
+  const Scene& scene_;
+  const std::vector<glm::mat3>& world_from_normal_;
+  std::vector<Triangle> triangles_;
+  std::vector<double> sums_;                      // of their power, up to and with each
+  std::vector<std::vector<std::uint32_t>> kept_;  // of each instance's triangles the number in triangles_ + 1; 0: dark
+};
+
+}  // namespace mirrorball

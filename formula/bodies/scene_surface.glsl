@@ -1,8 +1,8 @@
 // What reflections show of a scene where a ray meets it: in a tree of its triangles (scene/bodies/body_tree.cpp) that
 // has two more parts, which the last words of its texels 1 and 2 give the first texels of:
 //   of a triangle  one texel: the numbers of its corners; the texel of its holes, or 0
-//   of a vertex    three texels of half floats: hidden, open, shown, metallic; base colour, roughness, emission,
-//                  lit_from
+//   of a vertex    three texels of half floats: hidden, open, shown, metallic; base colour, roughness, emission, 0;
+//                  lit_from, 0, emitted, 0
 // and further on, for some triangles, their holes: a texel with the number of rows of their cells, and then a bit for
 // each cell, 1 where it is cut away.
 // Needs: triangle_tree.
@@ -15,10 +15,11 @@ struct SceneSurface {
   vec4 hidden;            // and the share that is open, as VertexOcclusion has them
   vec3 shown;
   vec3 lit_from;
+  vec3 emitted;
   float metallic;
   vec3 base_color;
   float perceptual_roughness;
-  vec3 emission;          // and what the surface sends back of the scene's
+  vec3 emission;
 };
 
 // The cell of a place in a triangle that is cut into rows² alike triangles, those of a row by the first coordinate one
@@ -51,8 +52,9 @@ FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit) {
   vec4 hidden = vec4(0.0f);
   vec4 shown = vec4(0.0f);
   vec4 color = vec4(0.0f);
-  vec4 emission = vec4(0.0f);  // and lit_from.x
-  vec2 lit_from = vec2(0.0f);  // its other two
+  vec4 emission = vec4(0.0f);
+  vec4 lit_from = vec4(0.0f);
+  vec4 emitted = vec4(0.0f);
   for (int i = 0; i < 3; ++i) {
     int vertex = int(i == 0 ? corners.x : (i == 1 ? corners.y : corners.z));
     float weight = i == 0 ? 1.0f - hit.barycentric.x - hit.barycentric.y
@@ -63,8 +65,10 @@ FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit) {
     shown += weight * halvesOf(occlusion.z, occlusion.w);
     color += weight * halvesOf(look.x, look.y);
     emission += weight * halvesOf(look.z, look.w);
-    lit_from += weight * unpackHalf2x16(fetchWords(tree, first + vertex * kTexelsOfVertex + 2).x);
+    uvec4 light = fetchWords(tree, first + vertex * kTexelsOfVertex + 2);
+    lit_from += weight * halvesOf(light.x, light.y);
+    emitted += weight * halvesOf(light.z, light.w);
   }
   return MAKE(SceneSurface)(surface.normal, surface.geometric_normal, hidden, vec3(shown),
-                            vec3(emission.w, lit_from.x, lit_from.y), shown.w, vec3(color), color.w, vec3(emission));
+                            vec3(lit_from), vec3(emitted), shown.w, vec3(color), color.w, vec3(emission));
 }

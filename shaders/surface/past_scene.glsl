@@ -17,7 +17,7 @@ struct LightPastScene {
   vec3 irradiance;  // over pi, likewise
   vec3 tint;        // of what hides the environment: its mean radiance in white light
   vec3 hidden;      // and in this light, if it is matt
-  vec3 emitted;     // the part of that which is the scene's own
+  vec3 emitted;     // the scene's own irradiance, over pi
 };
 
 const PlaceInScene kInTheOpen = PlaceInScene(vec4(0.0, 0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), vec3(0.0));
@@ -57,10 +57,9 @@ LightPastScene lightPastScene(vec3 position, vec3 normal, PlaceInScene place) {
   vec3 on_shown = lightOnShown(position, place, on_axis);
   light.irradiance = lightPastHiders(position, normal, light.opening, light.open, on_axis) +
                      place.shown * on_shown + place.emitted;
-  float closed = max(1.0 - light.open, 1e-3);
-  light.tint = place.shown / closed;
-  light.emitted = place.emitted / closed;
-  light.hidden = light.tint * on_shown + light.emitted;
+  light.tint = place.shown / max(1.0 - light.open, 1e-3);
+  light.emitted = place.emitted;
+  light.hidden = light.tint * on_shown;
   return light;
 }
 
@@ -69,12 +68,19 @@ LightPastScene lightAtPoint(Surface s, SurfacePoint point, PlaceInScene place) {
   return lightPastScene(point.position, s.normal, seesFront() ? place : kInTheOpen);
 }
 
+// The mean radiance of what shines, for a lobe that sees at least what hides: of a small lamp a rough surface shows no
+// more than its share of the lobe.
+vec3 radianceOfEmission(LightPastScene light, float alpha) {
+  float sine = sin(min(2.0 * atan(alpha), 0.5 * kPi));
+  return light.emitted / max(max(1.0 - light.open, sine * sine), 1e-3);
+}
+
 // What a surface reflects around a direction, where the environment shows `reflected`. What hides the environment from
 // polished metal is most often more of it, and shows about as bright a part of the environment.
 vec3 reflectedPastScene(LightPastScene light, Surface s, vec3 direction, vec3 reflected) {
   float alpha = alphaFromPerceptualRoughness(s.material.perceptual_roughness);
   float polish = s.material.metallic * (1.0 - smoothstep(0.1, 0.5, s.material.perceptual_roughness));
-  vec3 hidden = mix(light.hidden, light.tint * reflected + light.emitted, polish);
+  vec3 hidden = mix(light.hidden, light.tint * reflected, polish) + radianceOfEmission(light, alpha);
   // Smooth water and glass, of few large triangles, would show where each corner's few rays end as a star.
   Opening opening = light.opening;
   opening.is_hidden_by_one *= 1.0 - s.material.transmission;

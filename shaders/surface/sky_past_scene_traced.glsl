@@ -33,7 +33,7 @@ vec3 lightOfScene(vec3 place, vec3 direction, SceneSurface met) {
   s.sheen_albedo = 0.0;
   s = seenAlong(s, direction);
   LightPastScene light = lightPastScene(
-      place, s.normal, sees_front ? PlaceInScene(met.hidden, met.shown, met.lit_from, vec3(0.0)) : kInTheOpen);
+      place, s.normal, sees_front ? PlaceInScene(met.hidden, met.shown, met.lit_from, met.emitted) : kInTheOpen);
   vec3 mirrored = reflect(direction, s.normal);
   vec3 reflected = reflectedPastScene(light, s, mirrored,
                                       incomingLight(place, mirrored, met.perceptual_roughness, 0.0));

@@ -1,10 +1,8 @@
 // render --reference: the path tracer from outside.
 
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <string>
-#include <thread>
 
 #include "cli/cli_testing.h"
 #include "cli/measure.h"
@@ -156,10 +154,9 @@ TEST_F(ReferenceRenderTest, TakesEveryOptionOfThePictureBesideIt) {
 
 TEST_F(ReferenceRenderTest, AnInterruptionLeavesThePictureSoFar) {
   Program program({.arguments = Arguments("render teapot --reference --size 2048x32 --samples 4096 -o pot.png").words,
-                   .folder = path("")});
-  program.waitUntilItCatchesInterrupts();
-  std::this_thread::sleep_for(
-      std::chrono::milliseconds(3000));  // a first pass of a sanitized build, other work beside it
+                   .folder = path(""),
+                   .on_terminal = true});
+  program.waitUntilShown("reference, standard error");  // of the first pass
   ASSERT_TRUE(program.running()) << "it was done before it could be interrupted";
   program.interrupt();
   const Outcome outcome = program.wait();

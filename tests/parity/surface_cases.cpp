@@ -422,7 +422,8 @@ const Case kSurfaceCases[] = {
                 0.0f, 0.0f, 0.0f)),
     PARITY(sceneSurfaceAt, unit, kTight,
            vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).shown, 1.0f) +
-               vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).lit_from,
+               vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).lit_from +
+                        sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).emitted,
                     1.0f) +
                sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y))).hidden),
 

@@ -17,6 +17,9 @@ constexpr std::array<glm::vec2, 4> kPlaces{glm::vec2(1.0f / 3.0f), {0.15f, 0.15f
 
 EmissiveTriangles::EmissiveTriangles(const Scene& scene, const std::vector<glm::mat3>& world_from_normal)
     : scene_(scene), world_from_normal_(world_from_normal), kept_(scene.instances.size()) {
+  const bool is_all_unlit = std::all_of(scene.materials.begin(), scene.materials.end(),
+                                        [](const Material& material) { return material.unlit; });
+  if (is_all_unlit) return;
   for (std::uint32_t instance = 0; instance < scene.instances.size(); ++instance) {
     const Material& material = materialOf(scene, instance);
     if (material.emission == glm::vec3(0.0f) && !material.unlit) continue;

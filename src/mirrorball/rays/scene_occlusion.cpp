@@ -21,13 +21,15 @@
 namespace mirrorball {
 namespace {
 
-constexpr std::size_t kRaysInAll = 1'600'000;
+constexpr std::size_t kRaysInAll = 1'000'000;
 constexpr std::size_t kFewestRays = 8;
 constexpr std::size_t kMostRays = 256;
 constexpr std::uint32_t kOpen = ~std::uint32_t{0};
 
-/// So many places that shine are chosen from each vertex.
-constexpr std::uint32_t kPlacesOfEmission = 32;
+/// How many places that shine are chosen from each vertex, beside so many rays.
+std::uint32_t placesOfEmission(std::size_t rays) {
+  return static_cast<std::uint32_t>(std::clamp<std::size_t>(rays / 2, 4, 32));
+}
 
 /// What hides the environment on one ray: the nearest vertex of the surface there; kOpen: nothing does.
 struct Hider {
@@ -131,39 +133,39 @@ float shareOfSample(float cosine, glm::vec3 direction, const Hit& hit, float of_
   // Over cosine_there, as by_cosine is times it below, so that nothing is divided by 0.
   const float by_place = of_triangle * hit.distance * hit.distance;
   const float densities =
-      static_cast<float>(rays) * by_cosine * cosine_there + static_cast<float>(kPlacesOfEmission) * by_place;
+      static_cast<float>(rays) * by_cosine * cosine_there + static_cast<float>(placesOfEmission(rays)) * by_place;
   return densities > 0.0f ? by_cosine * cosine_there / densities : 0.0f;
 }
 
 /// Of a ray that has met something.
 glm::vec3 Finder::emittedTowards(glm::vec3 normal, glm::vec3 direction, const Hit& hit) const {
-  const float density = emissive_.empty() ? 0.0f : emissive_.density(hit);
-  if (density == 0.0f) return glm::vec3(0.0f);
+  if (!emissive_.mayShine(hit.instance)) return glm::vec3(0.0f);
   const float cosine = std::max(glm::dot(normal, direction), 0.0f);
-  return shareOfSample(cosine, direction, hit, density, rays_) * emissive_.emission(hit);
+  return shareOfSample(cosine, direction, hit, emissive_.density(hit), rays_) * emissive_.emission(hit);
 }
 
-/// By places of what shines that are chosen.
+/// By places of what shines that are chosen. As for rays, what has holes or transmits shines by what it hides.
 glm::vec3 Finder::emittedTo(std::size_t vertex) const {
   glm::vec3 sum(0.0f);
   if (emissive_.empty()) return sum;
   const glm::vec3 normal = places_.normal(vertex);
-  const auto number = static_cast<std::uint32_t>(vertex);
-  const glm::vec2 from = sharesOf(mixed(number, 2));
-  for (std::uint32_t i = 0; i < kPlacesOfEmission; ++i) {
-    const std::uint32_t random = mixed(number, ~i);
-    const float which = (static_cast<float>(i) + sharesOf(mixed(random, 1)).x) / float(kPlacesOfEmission);
-    EmissiveTriangles::Place lamp = emissive_.chosen(glm::vec3(which, formula::evenPoint(from, static_cast<float>(i))));
-    const PlaceByVertex place =
-        places_.place(vertex, i * places_.triangles(vertex) / kPlacesOfEmission, sharesOf(random));
+  const std::uint32_t places = placesOfEmission(rays_);
+  const std::uint32_t number = mixed(~static_cast<std::uint32_t>(vertex), 0);  // other numbers than the rays have
+  const glm::vec2 from = sharesOf(number);
+  for (std::uint32_t i = 0; i < places; ++i) {
+    const std::uint32_t random = mixed(number, i + 1);
+    const glm::vec2 which = sharesOf(mixed(random, 0));
+    EmissiveTriangles::Place lamp = emissive_.chosen({(static_cast<float>(i) + which.x) / static_cast<float>(places),
+                                                      formula::evenPoint(from, static_cast<float>(i))});
+    const auto triangle = static_cast<std::size_t>(which.y * static_cast<float>(places_.triangles(vertex)));
+    const PlaceByVertex place = places_.place(vertex, triangle, sharesOf(random));
     const glm::vec3 origin = formula::besideSurface(place.position, 0.0f, place.geometric_normal);
     lamp.hit.distance = glm::distance(lamp.position, origin);
     const glm::vec3 direction = (lamp.position - origin) / lamp.hit.distance;
     const float cosine = glm::dot(normal, direction);
     if (!(cosine > 0.0f) || glm::dot(place.geometric_normal, direction) <= 0.0f) continue;
-    const std::optional<Hit> hider = hidingHit(scene_, geometry_, origin, direction, random);
-    constexpr float kNearly = 1.0f - 1e-3f;
-    if (hider && hider->distance < kNearly * lamp.hit.distance) continue;
+    const std::optional<Hit> met = hidingHit(scene_, geometry_, origin, direction, mixed(~random, 0));
+    if (!met || met->instance != lamp.hit.instance || met->triangle != lamp.hit.triangle) continue;
     sum += shareOfSample(cosine, direction, lamp.hit, lamp.density, rays_) * emissive_.emission(lamp.hit);
   }
   return sum;
@@ -285,15 +287,14 @@ Finder::Lit Finder::litOnceMore(std::size_t vertex, const std::vector<Lit>& lit)
     const glm::vec3 albedo = albedos_[hider.triangle];
     const Lit& there = lit[hider.vertex];
     shown += albedo * there.by_sky;
-    lit_from += formula::luminance(albedo) * there.lit_from;
+    lit_from += formula::luminance(albedo * there.by_sky) / formula::luminance(there.by_sky + 1e-6f) * there.lit_from;
     emitted += albedo * there.by_emission;
   }
   const auto rays = static_cast<float>(rays_);
   found.shown = shown / rays;
   found.lit_from = lit_from / rays;
   found.emitted = emitted_[vertex] + emitted / rays;
-  const glm::vec3 opened = (2.0f / 3.0f) * places_.normal(vertex) - found.hidden;
-  const glm::vec3 axis = glm::dot(opened, opened) > 1e-6f ? glm::normalize(opened) : places_.normal(vertex);
+  const glm::vec3 axis = formula::openingOf(places_.normal(vertex), found.hidden, found.open).axis;
   return {found.open + found.shown, found.open * axis + found.lit_from, found.emitted};
 }
 
@@ -316,7 +317,8 @@ void Finder::followReflections() {
         next[vertex] = litOnceMore(vertex, lit);
         change = std::max(change, greatest(glm::abs(next[vertex].by_sky - lit[vertex].by_sky)));
         if (brightest > 0.0f)
-          change = std::max(change, greatest(glm::abs(next[vertex].by_emission - lit[vertex].by_emission)) / brightest);
+          change = std::max(change, greatest(glm::abs(next[vertex].by_emission - lit[vertex].by_emission)) /
+                                        (greatest(next[vertex].by_emission) + 1e-3f * brightest));
       }
       changes[begin / kGrain] = change;
     });

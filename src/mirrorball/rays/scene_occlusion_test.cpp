@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "formula/constants.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 #include "mirrorball/scene/shapes/interreflection.h"
@@ -156,6 +157,64 @@ TEST(SceneOcclusion, WhatShinesIsReflected) {
   EXPECT_NEAR(sum / static_cast<double>(inside), light, 0.02f * light);
 }
 
+/// A floor of 2 × 2, and above it a panel of as much that faces it and shines.
+Scene panelOverFloor(Material panel, float height) {
+  Scene scene = sceneOf(gridMesh(1.0f, 8), matt(0.0f));
+  Mesh mesh;
+  for (const glm::vec2 at : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
+    mesh.vertices.push_back({.position = {at.x, height, at.y}, .normal = {0.0f, -1.0f, 0.0f}});
+    mesh.vertices.back().uv[0] = 0.5f * at + 0.5f;
+  }
+  mesh.indices = {0, 1, 2, 0, 2, 3};
+  mesh.material = 1;
+  scene.materials.push_back(std::move(panel));
+  scene.meshes.push_back(std::move(mesh));
+  scene.instances.push_back({.mesh = 1});
+  return scene;
+}
+
+// What is cut away does not shine, found by rays and by chosen places alike; half of what is half transparent does.
+TEST(SceneOcclusion, WhatIsCutAwayDoesNotShine) {
+  const auto emittedBy = [](AlphaMode mode, float opacity) {
+    Material panel = matt(0.0f);
+    panel.emission = glm::vec3(10.0f);
+    panel.alpha_mode = mode;
+    panel.opacity = opacity;
+    panel.double_sided = true;
+    const Scene scene = withOcclusion(panelOverFloor(panel, 0.7f), 64);
+    double sum = 0.0;
+    for (const VertexOcclusion& occlusion : scene.instances[0].occlusion) sum += occlusion.emitted.x;
+    return sum;
+  };
+  const double whole = emittedBy(AlphaMode::opaque, 1.0f);
+  EXPECT_GT(whole, 100.0);
+  EXPECT_EQ(emittedBy(AlphaMode::mask, 0.1f), 0.0);
+  EXPECT_NEAR(emittedBy(AlphaMode::blend, 0.5f), 0.5 * whole, 0.03 * whole);
+}
+
+// A panel of two triangles that is dark but for a window, which none of the places that are asked first sees: its
+// radiance L over the area A, at the height h, makes L A h² / (π d⁴).
+TEST(SceneOcclusion, ASmallWindowOfATextureShines) {
+  constexpr float kHeight = 0.5f, kRadiance = 20.0f;
+  Material panel = matt(0.0f);
+  panel.emission = glm::vec3(kRadiance);
+  panel.emission_map.texture = 0;
+  Scene scene = panelOverFloor(panel, kHeight);
+  Texture texture{.image = Image8(16, 16, 4)};
+  texture.nearest = true;
+  for (int channel = 0; channel < 3; ++channel) texture.image.texel(9, 4)[channel] = 255;
+  scene.textures.push_back(texture);
+  scene = withOcclusion(std::move(scene), 1024);
+  const glm::vec3 window(2.0f * 9.5f / 16.0f - 1.0f, kHeight, 2.0f * 4.5f / 16.0f - 1.0f);
+  double sum = 0.0, expected = 0.0;
+  for (std::size_t i = 0; i < scene.meshes[0].vertices.size(); ++i) {
+    const float distance = glm::distance(scene.meshes[0].vertices[i].position, window);
+    expected += kRadiance * (4.0f / 256.0f) * kHeight * kHeight / (formula::kPi * std::pow(distance, 4.0f));
+    sum += scene.instances[0].occlusion[i].emitted.x;
+  }
+  EXPECT_NEAR(sum, expected, 0.15 * expected);
+}
+
 // A floor in front of a wall is shown the wall's front, which is lit from in front and from above.
 TEST(SceneOcclusion, WhatIsShownIsLitFromWhereItIsOpen) {
   Scene scene = sceneOf(gridMesh(1.0f, 20), matt(0.5f));
@@ -239,9 +298,11 @@ TEST(SceneOcclusion, AMeshIsHiddenDifferentlyAtEachPlace) {
 
 TEST(SceneOcclusion, IsTheSameForAnyNumberOfThreads) {
   const int threads = threadLimit();
-  const Scene many = withOcclusion(bowlScene(), 16);
+  Scene shining = bowlScene();
+  shining.materials[0].emission = glm::vec3(1.0f, 2.0f, 3.0f);
+  const Scene many = withOcclusion(shining, 16);
   setThreadLimit(1);
-  const Scene one = withOcclusion(bowlScene(), 16);
+  const Scene one = withOcclusion(shining, 16);
   setThreadLimit(threads);
   const auto& a = many.instances[0].occlusion;
   const auto& b = one.instances[0].occlusion;
@@ -258,11 +319,15 @@ TEST(SceneOcclusion, TakesMeshesThatAreNotSound) {
   mesh.vertices[2].position.x = nan;
   mesh.vertices[3].position = mesh.vertices[4].position;  // triangles without area
   mesh.vertices.push_back({});                            // of no triangle
-  const Scene scene = withOcclusion(sceneOf(std::move(mesh), matt(0.5f)), 64);
+  Material shining = matt(0.5f);
+  shining.emission = glm::vec3(1.0f);
+  const Scene scene = withOcclusion(sceneOf(std::move(mesh), shining), 64);
   for (const VertexOcclusion& occlusion : scene.instances[0].occlusion) {
     EXPECT_EQ(occlusion.open, 1.0f);
     EXPECT_EQ(occlusion.hidden, glm::vec3(0.0f));
     EXPECT_EQ(occlusion.shown, glm::vec3(0.0f));
+    EXPECT_EQ(occlusion.lit_from, glm::vec3(0.0f));
+    EXPECT_EQ(occlusion.emitted, glm::vec3(0.0f));
   }
   EXPECT_TRUE(withOcclusion(Scene(), 0).instances.empty());
   EXPECT_THAT(withOcclusion(sceneOf(Mesh(), matt(0.5f)), 0).instances[0].occlusion, SizeIs(0));

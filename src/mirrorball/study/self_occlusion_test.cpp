@@ -200,6 +200,32 @@ TEST_F(SelfOcclusion, HighlightsBesideASmallHiderStay) {
   EXPECT_LT(known, without);
 }
 
+// A small bright lamp over rough metal fills little of what that reflects. Of radiance, what is above 3, as of the lamp
+// itself, is left out.
+TEST_F(SelfOcclusion, ASmallLampMakesNoRoughMetalGlow) {
+  const Environment light = *builtinEnvironment("white");
+  for (const float roughness : {0.3f, 0.6f, 1.0f}) {
+    Mesh ball = sphereMesh(12, 24);
+    for (Vertex& vertex : ball.vertices) vertex.position *= 0.02f;
+    Scene scene = onFloor(std::move(ball), 0.3f);
+    // Of many vertices: the lamp is too small for a floor of two triangles to be cut below it.
+    scene.meshes[0] = sphereMesh(64, 128);
+    for (Vertex& vertex : scene.meshes[0].vertices) vertex.position = 0.5f * vertex.position - glm::vec3(0, 0.5f, 0);
+    scene.materials[0].metallic = 1.0f;
+    scene.materials[0].perceptual_roughness = roughness;
+    scene.materials[1].emission = glm::vec3(400.0f);
+    const FrameSettings frame = shotIntoBowl();
+    const auto meanOf = [](const Image& picture) {
+      double sum = 0.0;
+      for (const float sample : picture.samples()) sum += std::min(sample, 3.0f);
+      return sum / static_cast<double>(picture.samples().size());
+    };
+    const double truth = meanOf(traced(scene, light, frame));
+    const double known = meanOf(drawn(scene, light, with(frame, OcclusionKind::vertex, false)));
+    EXPECT_NEAR(known, truth, 0.05 * truth) << roughness;
+  }
+}
+
 // The light of a bowl that reflects all of it has nowhere else to go.
 TEST_F(SelfOcclusion, AWhiteBowlIsWhiteInTheFurnace) {
   const Environment white = *builtinEnvironment("white");

@@ -211,7 +211,8 @@ Conversion::Border Conversion::lookUpBorder(const Environment& source, const Til
 
 /// Whether the look-ups at a tile's outer centres read, and found smooth, all that lookUpBorder would read: a bicubic
 /// one reads a texel more on each side than the two that it lies between, and where there is one for a texel, that
-/// texel's border is at most 0.71 of the source's texels away.
+/// texel's border is at most 0.71 of the source's texels away. Not along a panorama's rows near its poles, whose texels
+/// are narrow: a sun there is small.
 bool Conversion::seesBorder(const Tile& tile, const PointsPerTexel& points, const TileLight& light) const {
   if (has_disc_ || points.smooth != glm::ivec2(1) || resampling_.interpolation != Interpolation::bicubic) return false;
   if (light.least_smoothness == 1.0f) return true;

@@ -214,15 +214,14 @@ std::uint32_t halves(float a, float b) {
   return glm::packHalf2x16(glm::clamp(glm::vec2(a, b), glm::vec2(-65504.0f), glm::vec2(65504.0f)));
 }
 
-/// What arrives of the scene's own emission is sent back as if the surface were matt.
 void writeLook(const VertexOcclusion& occlusion, const VertexLook& look, std::vector<Texel>& words) {
   const auto& [hidden, open, shown, lit_from, emitted] = occlusion;
-  const glm::vec3 sent = look.emission + (1.0f - look.metallic) * look.base_color * emitted;
   words.emplace_back(halves(hidden.x, hidden.y), halves(hidden.z, open), halves(shown.x, shown.y),
                      halves(shown.z, look.metallic));
   words.emplace_back(halves(look.base_color.x, look.base_color.y), halves(look.base_color.z, look.perceptual_roughness),
-                     halves(sent.x, sent.y), halves(sent.z, lit_from.x));
-  words.emplace_back(halves(lit_from.y, lit_from.z), 0u, 0u, 0u);
+                     halves(look.emission.x, look.emission.y), halves(look.emission.z, 0.0f));
+  words.emplace_back(halves(lit_from.x, lit_from.y), halves(lit_from.z, 0.0f), halves(emitted.x, emitted.y),
+                     halves(emitted.z, 0.0f));
 }
 
 void writeHoles(const TriangleHoles& holes, std::vector<Texel>& words) {

@@ -63,10 +63,12 @@ FN vec3 lightThroughOpening(vec3 of_lobe, vec3 on_surface, float open) {
   return mix(of_lobe, on_surface, 0.5f + 0.5f * open);
 }
 
-// What is left of all the light on the surface: what hides takes that of a lobe as wide as it is.
+// What is left of all the light on the surface: what hides takes that of a lobe as wide as it is. Where that lobe holds
+// a sun it may take more than there is: what is left is half of what comes through the opening, at least.
 //   on_surface   where nothing is hidden
-FN vec3 lightBesideHidden(vec3 on_surface, vec3 of_hidden_lobe, float open) {
-  return max(on_surface - (1.0f - open) * of_hidden_lobe, vec3(0.0f));
+//   through      the opening
+FN vec3 lightBesideHidden(vec3 on_surface, vec3 of_hidden_lobe, vec3 through, float open) {
+  return max(on_surface - (1.0f - open) * of_hidden_lobe, 0.5f * through);
 }
 
 // How much the latter counts beside the former. It is nearer where what hides lies together and most is open: on a wall

@@ -35,17 +35,13 @@ vec3 lightOnShown(vec3 position, PlaceInScene place, vec3 on_axis) {
 // Of the environment's light, divided by π.
 //   on_axis   on a surface along the opening's axis
 vec3 lightPastHiders(vec3 position, vec3 normal, Opening opening, float open, vec3 on_axis) {
+  vec3 of_lobe = incomingLight(position, opening.axis, roughnessOfCone(opening.angle), 0.0);
+  vec3 through = open * lightThroughOpening(of_lobe, on_axis, open);
   float share = shareBesideHidden(opening, open);
-  vec3 light = vec3(0.0);
-  if (share < 1.0) {
-    vec3 of_lobe = incomingLight(position, opening.axis, roughnessOfCone(opening.angle), 0.0);
-    light = (1.0 - share) * open * lightThroughOpening(of_lobe, on_axis, open);
-  }
-  if (share > 0.0) {
-    vec3 of_hidden = incomingLight(position, opening.hidden_axis, roughnessOfCone(opening.hidden_angle), 0.0);
-    light += share * lightBesideHidden(arrivingIrradiance(position, normal), of_hidden, open);
-  }
-  return light;
+  if (share <= 0.0) return through;
+  vec3 of_hidden = incomingLight(position, opening.hidden_axis, roughnessOfCone(opening.hidden_angle), 0.0);
+  vec3 beside = lightBesideHidden(arrivingIrradiance(position, normal), of_hidden, through, open);
+  return mix(through, beside, share);
 }
 
 LightPastScene lightPastScene(vec3 position, vec3 normal, PlaceInScene place) {
@@ -69,10 +65,11 @@ LightPastScene lightAtPoint(Surface s, SurfacePoint point, PlaceInScene place) {
 }
 
 // The mean radiance of what shines, for a lobe that sees at least what hides: of a small lamp a rough surface shows no
-// more than its share of the lobe.
+// more than its share of the lobe. Where among the hiders a lamp lies is not known, so that it counts as at least half
+// of the hemisphere: else three lamps over metal would be three wedges between the corners of its triangles.
 vec3 radianceOfEmission(LightPastScene light, float alpha) {
   float sine = sin(min(2.0 * atan(alpha), 0.5 * kPi));
-  return light.emitted / max(max(1.0 - light.open, sine * sine), 1e-3);
+  return light.emitted / max(max(1.0 - light.open, sine * sine), 0.5);
 }
 
 // What a surface reflects around a direction, where the environment shows `reflected`. What hides the environment from

@@ -303,7 +303,7 @@ const Case kSurfaceCases[] = {
            vec4(lobeInOpening(Opening(vec3(p), 1.5f * r.x, vec3(q), 0.6f, 1.0f, r.y), vec3(p), vec3(q), r.y))),
     PARITY(roughnessOfCone, unit, kTranscendental, vec4(roughnessOfCone(1.5f * p.x))),
     PARITY(lightThroughOpening, unit, kTight, vec4(lightThroughOpening(vec3(p), vec3(q), r.x), 0.0f)),
-    PARITY(lightBesideHidden, unit, kTight, vec4(lightBesideHidden(vec3(p), vec3(q), r.x), 0.0f)),
+    PARITY(lightBesideHidden, unit, kTight, vec4(lightBesideHidden(vec3(p), vec3(q), 0.5f * vec3(q), r.x), 0.0f)),
     PARITY(shareBesideHidden, unit, kTight,
            vec4(shareBesideHidden(Opening(vec3(p), 1.5f, vec3(q), 0.6f, p.y, 0.0f), p.x))),
 

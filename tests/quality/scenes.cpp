@@ -175,6 +175,21 @@ Scene balls() {
   return scene;
 }
 
+/// A table under a polished clear coat, with a lamp, a ball and a board on it.
+Scene coat() {
+  Scene scene;
+  Material table = matt({0.6f, 0.1f, 0.05f}, 0.6f);
+  table.clearcoat = 1.0f;
+  table.clearcoat_roughness = 0.0f;
+  add(scene, ground(2.0f), table);
+  Material lamp = matt(glm::vec3(0.05f));
+  lamp.emission = glm::vec3(1.5f, 1.2f, 0.8f);
+  add(scene, ball({-0.7f, 0.6f, 0.0f}, 0.35f), lamp);
+  add(scene, ball({0.1f, 0.4f, 0.3f}, 0.4f), matt({0.1f, 0.2f, 0.7f}));
+  add(scene, box({0.9f, 0.6f, -0.1f}, {0.05f, 0.6f, 0.4f}), matt({0.7f, 0.7f, 0.6f}));
+  return scene;
+}
+
 constexpr auto kScenes = std::to_array<SampleScene>({
     {"cloth", "SheenChair, SheenCloth", cloth, "-e studio --camera 35,8", 32.6, 38.3},
     {"bottles", "WaterBottle, IridescentDishWithOlives", bottles, "-e studio --camera 20,15", 27.5, 31.4},
@@ -185,6 +200,7 @@ constexpr auto kScenes = std::to_array<SampleScene>({
     {"labels", "BoomBox, TextureSettingsTest", labels, "-e studio --camera 30,20", 34.3, 36.3},
     {"leaves", "AlphaBlendModeTest, DiffuseTransmissionPlant", leaves, "-e studio --camera 30,40", 25.2, 32.5},
     {"balls", "MetalRoughSpheres, EnvironmentTest", balls, "-e studio --camera 10,12", 24.2, 31.6},
+    {"coat", "ClearCoatTest, ClearCoatCarPaint", coat, "-e studio --env-intensity 0.3 --camera 20,20", 27.9, 35.7},
 });
 
 }  // namespace

@@ -148,12 +148,13 @@ bool reflectsAtFragment(const FrameSettings& settings, const CoordinateChoice& c
   return is_reflection && !coordinates.is_sphere_map;
 }
 
-/// Rays into wide lobes are speckles until there are many, and cost as much as others.
+/// Rays into wide lobes are speckles until there are many, and cost as much as others. A coat has its own.
 bool raysAreCalm(const Material& material, const FrameSettings& settings) {
   constexpr int kSamplesOfRough = 16;
   constexpr float kSmooth = 0.3f;  // sky_past_scene_traced.glsl has no rays from there on
   const bool is_rough = material.perceptual_roughness >= kSmooth && material.roughness_map.texture < 0;
-  return settings.samples >= kSamplesOfRough || !is_rough;
+  const bool has_smooth_coat = material.clearcoat > 0.0f && material.clearcoat_roughness < kSmooth;
+  return settings.samples >= kSamplesOfRough || !is_rough || has_smooth_coat;
 }
 
 /// What vertices know is said of the triangles; relief in them tells of more. What transmits reads its bodies where

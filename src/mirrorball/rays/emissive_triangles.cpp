@@ -6,6 +6,7 @@
 
 #include "formula/color.h"
 #include "mirrorball/rays/surface_point.h"
+#include "mirrorball/rays/vertex_places.h"
 
 namespace mirrorball {
 namespace {
@@ -29,18 +30,8 @@ EmissiveTriangles::EmissiveTriangles(const Scene& scene, const std::vector<glm::
   }
 }
 
-std::array<glm::vec3, 3> EmissiveTriangles::corners(std::uint32_t instance, std::uint32_t triangle) const {
-  const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[instance].mesh)];
-  std::array<glm::vec3, 3> places;
-  for (std::size_t corner = 0; corner < 3; ++corner)
-    places[corner] =
-        glm::vec3(scene_.instances[instance].world_from_object *
-                  glm::vec4(mesh.vertices[mesh.indices[std::size_t{3} * triangle + corner]].position, 1.0f));
-  return places;
-}
-
 void EmissiveTriangles::add(std::uint32_t instance, std::uint32_t triangle) {
-  const auto [a, b, c] = corners(instance, triangle);
+  const auto [a, b, c] = cornersFrom(scene_, instance, std::size_t{3} * triangle);
   const float area = 0.5f * glm::length(glm::cross(b - a, c - a));
   float brightness = 0.0f;
   for (const glm::vec2 place : kPlaces)
@@ -56,7 +47,7 @@ EmissiveTriangles::Place EmissiveTriangles::chosen(glm::vec3 numbers) const {
   const auto found = std::upper_bound(sums_.begin(), sums_.end(), double(numbers.x) * sums_.back());
   const auto number = std::min(static_cast<std::size_t>(found - sums_.begin()), triangles_.size() - 1);
   const Triangle& triangle = triangles_[number];
-  const auto [a, b, c] = corners(triangle.instance, triangle.triangle);
+  const auto [a, b, c] = cornersFrom(scene_, triangle.instance, std::size_t{3} * triangle.triangle);
   // Evenly by area (Turk 1990, "Generating random points in triangles").
   const float root = std::sqrt(numbers.y);
   const glm::vec2 place(root * (1.0f - numbers.z), root * numbers.z);

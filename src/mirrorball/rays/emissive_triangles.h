@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -52,7 +51,6 @@ class EmissiveTriangles {
     float area;
   };
   void add(std::uint32_t instance, std::uint32_t triangle);
-  std::array<glm::vec3, 3> corners(std::uint32_t instance, std::uint32_t triangle) const;
 
   const Scene& scene_;
   const std::vector<glm::mat3>& world_from_normal_;

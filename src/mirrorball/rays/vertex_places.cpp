@@ -18,13 +18,6 @@ glm::vec3 cornerOf(const Scene& scene, std::size_t instance, std::size_t index) 
                    glm::vec4(mesh.vertices[mesh.indices[index]].position, 1.0f));
 }
 
-/// The three corners from one of them on.
-std::array<glm::vec3, 3> cornersFrom(const Scene& scene, std::size_t instance, std::size_t index) {
-  const std::size_t triangle = index / 3 * 3;
-  return {cornerOf(scene, instance, index), cornerOf(scene, instance, triangle + (index + 1) % 3),
-          cornerOf(scene, instance, triangle + (index + 2) % 3)};
-}
-
 /// NaN is not above 0.
 bool hasArea(const std::array<glm::vec3, 3>& corners) {
   const glm::vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -33,6 +26,12 @@ bool hasArea(const std::array<glm::vec3, 3>& corners) {
 }
 
 }  // namespace
+
+std::array<glm::vec3, 3> cornersFrom(const Scene& scene, std::size_t instance, std::size_t index) {
+  const std::size_t triangle = index / 3 * 3;
+  return {cornerOf(scene, instance, index), cornerOf(scene, instance, triangle + (index + 1) % 3),
+          cornerOf(scene, instance, triangle + (index + 2) % 3)};
+}
 
 VertexPlaces::VertexPlaces(const Scene& scene) : scene_(scene), numbers_(scene.instances.size()) {
   first_.push_back(0);

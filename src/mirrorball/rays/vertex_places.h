@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,11 @@ inline glm::vec3 unitOrNone(glm::vec3 n) {
 inline glm::vec3 facingOutwards(glm::vec3 geometric_normal, glm::vec3 normals) {
   return glm::dot(geometric_normal, normals) < -0.6f ? -geometric_normal : geometric_normal;
 }
+
+/// The three corners of a triangle from one of them on; world.
+///
+/// index   into the indices of the instance's mesh
+std::array<glm::vec3, 3> cornersFrom(const Scene& scene, std::size_t instance, std::size_t index);
 
 /// The vertices of a scene where its instances put them, those of one instance once that share place and normal, with
 /// the triangles around each. What is true of a vertex is asked at places of these triangles: at the vertex itself,

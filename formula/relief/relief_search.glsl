@@ -64,6 +64,19 @@ FN float binaryDepth(MAP_SAMPLER heights, HeightMap map, ReliefRay ray, int step
   return 0.5f * (b.above + b.below);
 }
 
+// What stands on the surface at a place: its height, and a cone that is as narrow as the narrowest of the four texels
+// around it. The cones are those of texels; the nearest one's, moved to the place, is cut by what rises beyond it.
+//   returns   height and √ratio (heightTexel)
+FN vec2 heightAndCone(MAP_SAMPLER heights, HeightMap map, vec2 place) {
+  vec2 first = floor(place);
+  vec2 near = heightTexel(heights, map, first);
+  vec2 right = heightTexel(heights, map, first + vec2(1.0f, 0.0f));
+  vec2 below = heightTexel(heights, map, first + vec2(0.0f, 1.0f));
+  vec2 far = heightTexel(heights, map, first + vec2(1.0f, 1.0f));
+  return vec2(heightOfPatch(vec4(near.x, right.x, below.x, far.x), place - first),
+              min(min(near.y, right.y), min(below.y, far.y)));
+}
+
 // Cone stepping: each step goes as far as the empty cone above the surface allows (Dummer 2006).
 //   steps   the most
 FN float coneDepth(MAP_SAMPLER heights, HeightMap map, ReliefRay ray, int steps) {
@@ -71,11 +84,10 @@ FN float coneDepth(MAP_SAMPLER heights, HeightMap map, ReliefRay ray, int steps)
   float run = length(ray.run) / map.size.x;
   float depth = 0.0f;
   for (int i = 0; i < steps; ++i) {
-    vec2 place = ray.from + depth * ray.run;
-    float clearance = 1.0f - heightAt(heights, map, place) - depth;
+    vec2 tip = heightAndCone(heights, map, ray.from + depth * ray.run);
+    float clearance = 1.0f - tip.x - depth;
     if (clearance <= 1e-4f) break;
-    float root = heightTexel(heights, map, floor(place + vec2(0.5f))).y;
-    float ratio = root * root;
+    float ratio = tip.y * tip.y;
     // After a step of d the ray is (clearance − d) above the cone's tip and run · d beside it.
     depth += clearance * max(ratio / max(run + ratio, 1e-20f), 1e-3f);
   }

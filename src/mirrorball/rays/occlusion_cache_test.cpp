@@ -283,7 +283,7 @@ TEST(OcclusionCacheVersion, GoesUpWithOtherValues) {
     values.insert(values.end(),
                   {occlusion.hidden.x, occlusion.open, occlusion.shown.y, occlusion.lit_from.x, occlusion.emitted.z});
   }
-  EXPECT_EQ(OcclusionCache::kVersion, 3u);
+  EXPECT_EQ(OcclusionCache::kVersion, 4u);
   EXPECT_THAT(values, ::testing::Pointwise(::testing::FloatNear(1e-3f),
                                            {0.1976f, 0.5862f, 0.1820f, -0.0071f, 0.4107f, 0.2300f, 0.5026f, 0.2188f,
                                             -0.0115f, 0.5138f, 0.2263f, 0.4798f, 0.2254f, -0.0383f, 0.5425f}));

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/rays/cut_edges.h"
 #include "mirrorball/rays/seen_from.h"
 
 namespace mirrorball {
@@ -53,6 +55,8 @@ class Refiner {
   }
 
   Result<void> refine(const ProgressFunction& progress);
+  void addTo(CutEdges& cut) const;
+  bool cutWith(const CutEdges& cut);
   MeshRefinement refinement() const { return refiner_.refinement(); }
 
  private:
@@ -160,9 +164,48 @@ Result<void> Refiner::refine(const ProgressFunction& progress) {
   return {};
 }
 
-bool isCut(const Scene& scene, const Mesh& mesh) {
-  const Material& material = scene.materials[std::size_t(mesh.material)];
-  return mesh.first_of_relief == 0 && material.height == HeightKind::none && material.transmission == 0.0f;
+glm::vec3 inWorld(const Instance& instance, glm::vec3 position) {
+  return glm::vec3(instance.world_from_object * glm::vec4(position, 1.0f));
+}
+
+/// Adds all edges that are cut, wherever the mesh stands.
+void Refiner::addTo(CutEdges& cut) const {
+  const std::vector<Vertex>& vertices = refiner_.mesh().vertices;
+  for (const Instance* instance : places_)
+    for (const glm::uvec2 ends : refiner_.parents())
+      cut.insert(inWorld(*instance, vertices[ends.x].position), inWorld(*instance, vertices[ends.y].position));
+}
+
+/// Cuts those edges too, wherever the mesh stands.
+///
+/// returns  whether there were any
+bool Refiner::cutWith(const CutEdges& cut) {
+  return refiner_.cutEdges([&](glm::vec3 a, glm::vec3 b) {
+    return std::any_of(places_.begin(), places_.end(), [&](const Instance* instance) {
+      return cut.contains(inWorld(*instance, a), inWorld(*instance, b));
+    });
+  });
+}
+
+/// Cuts edges that meshes have in common in all of them, until none is cut on one side only.
+void joinEdges(std::vector<std::optional<Refiner>>& refiners) {
+  CutEdges cut;
+  for (bool is_new = true; is_new;) {
+    is_new = false;
+    for (const auto& refiner : refiners)
+      if (refiner) refiner->addTo(cut);
+    if (cut.empty()) return;
+    for (auto& refiner : refiners)
+      if (refiner) is_new |= refiner->cutWith(cut);
+  }
+}
+
+bool mayBeCut(const Scene& scene, const Mesh& mesh) {
+  return mesh.first_of_relief == 0 && scene.materials[std::size_t(mesh.material)].height == HeightKind::none;
+}
+
+bool isTransmitting(const Scene& scene, const Mesh& mesh) {
+  return scene.materials[std::size_t(mesh.material)].transmission != 0.0f;
 }
 
 }  // namespace
@@ -173,12 +216,15 @@ Result<std::vector<MeshRefinement>> occlusionRefinements(const Scene& scene, con
   const float radius = typicalRadius(scene);
   if (!(radius > 0.0f)) return refinements;
   Budget budget;
+  std::vector<std::optional<Refiner>> refiners(scene.meshes.size());
   for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
-    if (!isCut(scene, scene.meshes[mesh])) continue;
-    Refiner refiner(scene, geometry, mesh, radius, budget);
-    MIRRORBALL_TRY_VOID(refiner.refine(progress));
-    refinements[mesh] = refiner.refinement();
+    if (!mayBeCut(scene, scene.meshes[mesh])) continue;
+    refiners[mesh].emplace(scene, geometry, mesh, radius, budget);
+    if (!isTransmitting(scene, scene.meshes[mesh])) MIRRORBALL_TRY_VOID(refiners[mesh]->refine(progress));
   }
+  joinEdges(refiners);
+  for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh)
+    if (refiners[mesh]) refinements[mesh] = refiners[mesh]->refinement();
   return refinements;
 }
 

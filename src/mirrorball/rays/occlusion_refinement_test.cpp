@@ -1,7 +1,10 @@
 #include "mirrorball/rays/occlusion_refinement.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -61,6 +64,42 @@ TEST(OcclusionRefinement, GlassIsNotCut) {
   Scene scene = ballOnFloor(12.0f, glm::vec2(0.0f));
   scene.materials[0].transmission = 1.0f;
   for (const MeshRefinement& refinement : refinementsOf(scene)) EXPECT_TRUE(refinement.empty());
+}
+
+/// Of the edges of two meshes along x = 0, in the order of z: where their ends are.
+std::vector<float> endsAlongX0(const Mesh& mesh) {
+  std::vector<float> ends;
+  for (const std::uint32_t index : mesh.indices)
+    if (const glm::vec3 p = mesh.vertices[index].position; p.x == 0.0f) ends.push_back(p.z);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+// A floor whose halves are of two materials, and a ball on one of them: where the halves meet, both are cut alike.
+TEST(OcclusionRefinement, MeshesThatShareAnEdgeAreCutTogether) {
+  for (const bool glass : {false, true}) {
+    Scene scene;
+    scene.materials.resize(2);
+    scene.materials[1].transmission = glass ? 1.0f : 0.0f;
+    for (int side = 0; side < 2; ++side) {
+      Mesh half;
+      half.material = side;
+      for (const glm::vec2 corner :
+           {glm::vec2(-side, -1), glm::vec2(-side, 1), glm::vec2(1 - side, 1), glm::vec2(1 - side, -1)})
+        half.vertices.push_back({.position = 12.0f * glm::vec3(corner.x, 0.0f, corner.y), .normal = {0, 1, 0}});
+      half.indices = {0, 1, 2, 0, 2, 3};
+      scene.meshes.push_back(std::move(half));
+      scene.instances.push_back({.mesh = side});
+    }
+    scene.meshes.push_back(sphereMesh(16, 32));
+    scene.instances.push_back({.mesh = 2});
+    scene.instances[2].world_from_object[3] = glm::vec4(1.5f, 1.0f, 2.0f, 1.0f);
+    const std::vector<MeshRefinement> refinements = refinementsOf(scene);
+    for (int side = 0; side < 2; ++side) refine(scene.meshes[std::size_t(side)], refinements[std::size_t(side)]);
+    EXPECT_GT(endsAlongX0(scene.meshes[0]).size(), 4u);
+    EXPECT_EQ(endsAlongX0(scene.meshes[0]), endsAlongX0(scene.meshes[1])) << (glass ? "glass" : "opaque");
+  }
 }
 
 TEST(OcclusionRefinement, IsTheSameForAnyNumberOfThreads) {

@@ -25,8 +25,6 @@ std::uint64_t edgeOf(std::uint32_t a, std::uint32_t b) {
   return (std::uint64_t{std::min(a, b)} << 32u) | std::max(a, b);
 }
 
-using NumberOfEdge = std::unordered_map<std::uint64_t, std::uint32_t>;
-
 /// The length of a triangle's edges; the first is that from its first corner to its second.
 std::array<float, 3> edgeLengths(const Mesh& mesh, std::size_t triangle) {
   std::array<glm::vec3, 3> corners;
@@ -73,22 +71,44 @@ MeshRefiner::MeshRefiner(Mesh mesh)
       next_place_(static_cast<std::uint32_t>(mesh_.vertices.size())) {}
 
 std::vector<std::uint32_t> MeshRefiner::cut(std::span<const std::uint8_t> is_cut) {
-  NumberOfEdge place_of_middle;
+  Middles middles;
   for (std::size_t triangle = 0; triangle < is_cut.size(); ++triangle) {
     if (is_cut[triangle] == 0) continue;
     const std::array<float, 3> lengths = edgeLengths(mesh_, triangle);
     const float longest = *std::max_element(lengths.begin(), lengths.end());
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!(lengths[i] > 0.5f * longest)) continue;
-      const std::uint32_t a = places_[mesh_.indices[3 * triangle + i]];
-      const std::uint32_t b = places_[mesh_.indices[3 * triangle + (i + 1) % 3]];
-      if (place_of_middle.emplace(edgeOf(a, b), next_place_).second) ++next_place_;
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      if (lengths[i] > 0.5f * longest) addMiddle(middles, triangle, i);
   }
-  NumberOfEdge vertex_of_middle;
+  return cutAt(middles);
+}
+
+bool MeshRefiner::cutEdges(const std::function<bool(glm::vec3, glm::vec3)>& is_cut) {
+  Middles middles;
+  for (std::size_t triangle = 0; triangle < mesh_.indices.size() / 3; ++triangle)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto end = [&](std::size_t corner) {
+        return mesh_.vertices[mesh_.indices[3 * triangle + corner % 3]].position;
+      };
+      if (is_cut(end(i), end(i + 1))) addMiddle(middles, triangle, i);
+    }
+  if (middles.empty()) return false;
+  cutAt(middles);
+  return true;
+}
+
+/// edge   the first is that from the triangle's first corner to its second
+void MeshRefiner::addMiddle(Middles& middles, std::size_t triangle, std::size_t edge) {
+  const std::uint32_t a = places_[mesh_.indices[3 * triangle + edge]];
+  const std::uint32_t b = places_[mesh_.indices[3 * triangle + (edge + 1) % 3]];
+  if (middles.emplace(edgeOf(a, b), next_place_).second) ++next_place_;
+}
+
+/// returns   of each new triangle the old one that it lies in
+std::vector<std::uint32_t> MeshRefiner::cutAt(const Middles& middles) {
+  std::unordered_map<std::uint64_t, std::uint32_t> vertex_of_middle;
   const auto middleOf = [&](std::uint32_t a, std::uint32_t b) -> std::optional<std::uint32_t> {
-    const auto place = place_of_middle.find(edgeOf(places_[a], places_[b]));
-    if (place == place_of_middle.end()) return std::nullopt;
+    const auto place = middles.find(edgeOf(places_[a], places_[b]));
+    if (place == middles.end()) return std::nullopt;
     const auto [entry, is_new] =
         vertex_of_middle.emplace(edgeOf(a, b), static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) {

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -36,12 +38,26 @@ class MeshRefiner {
   /// returns   of each new triangle the old one that it lies in
   std::vector<std::uint32_t> cut(std::span<const std::uint8_t> is_cut);
 
+  /// Cuts edges in their middles.
+  ///
+  /// is_cut    of the positions of an edge's ends, in any order
+  /// returns   whether there were any
+  bool cutEdges(const std::function<bool(glm::vec3, glm::vec3)>& is_cut);
+
   /// The mesh as it is so far.
   const Mesh& mesh() const { return mesh_; }
+  /// MeshRefinement::parents so far.
+  std::span<const glm::uvec2> parents() const { return parents_; }
   /// All cuts so far.
   MeshRefinement refinement() const;
 
  private:
+  /// By the places of an edge's ends, the place of its middle.
+  using Middles = std::unordered_map<std::uint64_t, std::uint32_t>;
+
+  void addMiddle(Middles& middles, std::size_t triangle, std::size_t edge);
+  std::vector<std::uint32_t> cutAt(const Middles& middles);
+
   Mesh mesh_;
   std::vector<std::uint32_t> places_;  // of each vertex; those at the same place have the same number
   std::uint32_t next_place_;

@@ -1,6 +1,7 @@
 // What reflections show of a scene where a ray meets it: in a tree of its triangles (scene/bodies/body_tree.cpp) that
 // has two more parts, which the last words of its texels 1 and 2 give the first texels of:
-//   of a triangle  one texel: the numbers of its corners; the texel of its holes, or 0
+//   of a triangle  one texel: the numbers of its corners, the first with its highest bit set where what their backs
+//                  know follows each of them; the texel of its holes, or 0
 //   of a vertex    three texels of half floats: hidden, open, shown, metallic; base colour, roughness, emission, 0;
 //                  lit_from, 0, emitted, 0
 // and further on, for some triangles, their holes: a texel with the number of rows of their cells, and then a bit for
@@ -12,7 +13,7 @@ const int kTexelsOfVertex = 3;
 struct SceneSurface {
   vec3 normal;            // unit, outwards, interpolated
   vec3 geometric_normal;  // unit, of the triangle
-  vec4 hidden;            // and the share that is open, as VertexOcclusion has them
+  vec4 hidden;            // and the share that is open, as VertexOcclusion has them, of the side that is met
   vec3 shown;
   vec3 lit_from;
   vec3 emitted;
@@ -45,9 +46,15 @@ FN bool isHole(WORD_SAMPLER tree, TriangleHit hit) {
 
 FN vec4 halvesOf(uint a, uint b) { return vec4(unpackHalf2x16(a), unpackHalf2x16(b)); }
 
-FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit) {
+// Of a back of which nothing is known, all is open.
+//   direction  of the ray
+FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit, vec3 direction) {
   BodySurface surface = bodySurfaceAt(tree, hit);
   uvec4 corners = fetchWords(tree, int(fetchWords(tree, 1).w) + hit.triangle);
+  bool is_back = dot(direction, surface.geometric_normal) > 0.0f;
+  bool knows_backs = corners.x >> 31 != 0u;
+  corners.x &= 0x7FFFFFFFu;
+  int side = is_back && knows_backs ? 1 : 0;
   int first = int(fetchWords(tree, 2).w);
   vec4 hidden = vec4(0.0f);
   vec4 shown = vec4(0.0f);
@@ -56,7 +63,7 @@ FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit) {
   vec4 lit_from = vec4(0.0f);
   vec4 emitted = vec4(0.0f);
   for (int i = 0; i < 3; ++i) {
-    int vertex = int(i == 0 ? corners.x : (i == 1 ? corners.y : corners.z));
+    int vertex = int(i == 0 ? corners.x : (i == 1 ? corners.y : corners.z)) + side;
     float weight = i == 0 ? 1.0f - hit.barycentric.x - hit.barycentric.y
                           : (i == 1 ? hit.barycentric.x : hit.barycentric.y);
     uvec4 occlusion = fetchWords(tree, first + vertex * kTexelsOfVertex);
@@ -69,6 +76,9 @@ FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit) {
     lit_from += weight * halvesOf(light.x, light.y);
     emitted += weight * halvesOf(light.z, light.w);
   }
-  return MAKE(SceneSurface)(surface.normal, surface.geometric_normal, hidden, vec3(shown),
-                            vec3(lit_from), vec3(emitted), shown.w, vec3(color), color.w, vec3(emission));
+  float known = is_back && !knows_backs ? 0.0f : 1.0f;
+  hidden = vec4(known * vec3(hidden), mix(1.0f, hidden.w, known));
+  return MAKE(SceneSurface)(surface.normal, surface.geometric_normal, hidden, known * vec3(shown),
+                            known * vec3(lit_from), known * vec3(emitted), shown.w, vec3(color), color.w,
+                            vec3(emission));
 }

@@ -59,9 +59,9 @@ LightPastScene lightPastScene(vec3 position, vec3 normal, PlaceInScene place) {
   return light;
 }
 
-// Of a surface that is drawn. Where it is seen from behind nothing is known.
+// Of a surface that is drawn. Where it is seen from behind something is known if backs are drawn by themselves.
 LightPastScene lightAtPoint(Surface s, SurfacePoint point, PlaceInScene place) {
-  return lightPastScene(point.position, s.normal, seesFront() ? place : kInTheOpen);
+  return lightPastScene(point.position, s.normal, seesFront() || knows_backs > 0 ? place : kInTheOpen);
 }
 
 // The mean radiance of what shines, for a lobe that sees at least what hides: of a small lamp a rough surface shows no

@@ -32,8 +32,8 @@ vec3 lightOfScene(vec3 place, vec3 direction, SceneSurface met) {
   s.stretched_share = 1.0;
   s.sheen_albedo = 0.0;
   s = seenAlong(s, direction);
-  LightPastScene light = lightPastScene(
-      place, s.normal, sees_front ? PlaceInScene(met.hidden, met.shown, met.lit_from, met.emitted) : kInTheOpen);
+  LightPastScene light =
+      lightPastScene(place, s.normal, PlaceInScene(met.hidden, met.shown, met.lit_from, met.emitted));
   vec3 mirrored = reflect(direction, s.normal);
   vec3 reflected = reflectedPastScene(light, s, mirrored,
                                       incomingLight(place, mirrored, met.perceptual_roughness, 0.0));
@@ -69,7 +69,7 @@ void reflectScene(SurfacePoint point, vec3 across, vec3 direction, inout vec3 fo
     nearest = hit.distance * (1.0 + 1e-6);
   }
   if (hit.triangle >= 0)
-    found = lightOfScene(origin + hit.distance * direction, direction, sceneSurfaceAt(scene_triangles, hit));
+    found = lightOfScene(origin + hit.distance * direction, direction, sceneSurfaceAt(scene_triangles, hit, direction));
 }
 
 // From so many samples on, the rays of rough surfaces make no speckles.

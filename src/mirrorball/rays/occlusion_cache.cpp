@@ -35,6 +35,7 @@ void addMaterial(const Material& material, const SceneOcclusionSettings& setting
   hash.add(static_cast<const formula::Material&>(material));
   hash.add(material.alpha_mode);
   hash.add(material.unlit);
+  hash.add(material.double_sided);
   for (const TextureSlot* slot : slotsOf(material, settings)) {
     hash.add(slot->texture);
     if (slot->texture < 0) continue;  // what such a slot holds besides is not read
@@ -101,6 +102,7 @@ struct Known {
     MeshRefinement refinement;
   };
   struct OfInstance {
+    std::array<std::uint64_t, 1> sides{};
     std::vector<VertexOcclusion> occlusion;
     std::vector<VertexLook> looks;
   };
@@ -161,8 +163,10 @@ std::optional<Known> readKnown(const fs::path& path, const Header& expected, con
   for (std::size_t i = 0; i < known.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const std::uint64_t vertices = verticesOf(scene, instance) + known.meshes[std::size_t(instance.mesh)].counts[0];
-    if (!reader.read(known.instances[i].occlusion, vertices) ||
-        !reader.read(known.instances[i].looks, expected.has_looks != 0 ? vertices : 0))
+    Known::OfInstance& of_instance = known.instances[i];
+    if (!reader.read(std::span<std::uint64_t>(of_instance.sides)) || of_instance.sides[0] > 2 ||
+        !reader.read(of_instance.occlusion, of_instance.sides[0] * vertices) ||
+        !reader.read(of_instance.looks, expected.has_looks != 0 ? vertices : 0))
       return {};
   }
   Header as_read = expected;
@@ -190,6 +194,8 @@ Result<void> write(const fs::path& path, Header header, const Scene& scene,
     add(refinement.indices);
   }
   for (const Instance& instance : scene.instances) {
+    add(std::array<std::uint64_t, 1>{instance.occlusion.size() /
+                                     std::max<std::size_t>(verticesOf(scene, instance), 1)});
     add(instance.occlusion);
     if (header.has_looks != 0) add(instance.looks);
   }

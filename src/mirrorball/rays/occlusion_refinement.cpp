@@ -51,7 +51,10 @@ class Refiner {
   Refiner(const Scene& scene, const Geometry& geometry, std::size_t mesh, float radius, Budget& budget)
       : scene_(scene), geometry_(geometry), radius_(radius), budget_(budget), refiner_(scene.meshes[mesh]) {
     for (const Instance& instance : scene.instances)
-      if (std::size_t(instance.mesh) == mesh) places_.push_back(&instance);
+      if (std::size_t(instance.mesh) == mesh) {
+        places_.push_back(&instance);
+        has_backs_ = has_backs_ || showsBacks(scene, geometry, instance);
+      }
   }
 
   Result<void> refine(const ProgressFunction& progress);
@@ -73,6 +76,7 @@ class Refiner {
   Budget& budget_;
   MeshRefiner refiner_;
   std::vector<const Instance*> places_;
+  bool has_backs_ = false;
 };
 
 /// How many parts an edge of a triangle has between the places that are asked.
@@ -101,7 +105,7 @@ bool Refiner::takePlaces(const std::vector<std::uint8_t>& is_asked) {
   const auto placesOfAll = [&] {
     return std::accumulate(longest.begin(), longest.end(), std::size_t{0}, [&](std::size_t sum, float edge) {
       const auto along = static_cast<std::size_t>(placesAlong(edge));
-      return sum + (along + 1) * (along + 2) / 2;
+      return sum + (has_backs_ ? 2 : 1) * (along + 1) * (along + 2) / 2;
     });
   };
   std::size_t needed = placesOfAll();
@@ -147,7 +151,7 @@ Result<void> Refiner::refine(const ProgressFunction& progress) {
         is_cut[triangle] =
             is_asked[triangle] != 0 && std::any_of(places_.begin(), places_.end(), [&](const Instance* instance) {
               const PlacedTriangle at = placedTriangle(refiner_.mesh(), *instance, triangle);
-              return isLarge(at) && differs(at);
+              return isLarge(at) && (differs(at) || (has_backs_ && differs(at.turnedOver())));
             });
       counter.advance();
     });

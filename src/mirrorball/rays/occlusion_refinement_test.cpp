@@ -60,6 +60,16 @@ TEST(OcclusionRefinement, WhatNothingHidesIsNotCut) {
     for (const MeshRefinement& refinement : refinementsOf(*loadModel(model))) EXPECT_TRUE(refinement.empty()) << model;
 }
 
+// A ball below it, of which the side of its normal sees nothing.
+TEST(OcclusionRefinement, ASheetIsCutForWhatItsBackSees) {
+  Scene scene = ballOnFloor(12.0f, glm::vec2(0.0f));
+  scene.instances[1].world_from_object[3].y = -1.0f;
+  EXPECT_TRUE(refinementsOf(scene)[0].empty());
+  scene.materials.emplace_back().double_sided = true;
+  scene.meshes[0].material = 1;
+  EXPECT_GT(refinementsOf(scene)[0].parents.size(), 30u);
+}
+
 TEST(OcclusionRefinement, GlassIsNotCut) {
   Scene scene = ballOnFloor(12.0f, glm::vec2(0.0f));
   scene.materials[0].transmission = 1.0f;

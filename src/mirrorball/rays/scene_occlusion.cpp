@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "formula/bsdf.h"
@@ -15,7 +16,9 @@
 #include "mirrorball/rays/emissive_triangles.h"
 #include "mirrorball/rays/frame.h"
 #include "mirrorball/rays/hiding.h"
+#include "mirrorball/rays/seen_from.h"
 #include "mirrorball/rays/surface_point.h"
+#include "mirrorball/rays/vertex_looks.h"
 #include "mirrorball/rays/vertex_places.h"
 
 namespace mirrorball {
@@ -65,12 +68,22 @@ void addTo(VertexOcclusion& sum, const VertexOcclusion& each, float times) {
 
 constexpr VertexOcclusion kNothing{.open = 0.0f};
 
+/// Of each instance, showsBacks.
+std::vector<std::uint8_t> instancesWithBacks(const Scene& scene, const Geometry& geometry) {
+  std::vector<std::uint8_t> has_back(scene.instances.size());
+  parallelFor(has_back.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) has_back[i] = showsBacks(scene, geometry, scene.instances[i]) ? 1 : 0;
+  });
+  return has_back;
+}
+
 class Finder {
  public:
   Finder(const Scene& scene, const Geometry& geometry, const SceneOcclusionSettings& settings)
       : scene_(scene),
         geometry_(geometry),
-        places_(scene),
+        has_back_(instancesWithBacks(scene, geometry)),
+        places_(scene, has_back_),
         world_from_normal_(normalMatrices(scene)),
         emissive_(scene, world_from_normal_),
         rays_(occlusionRaysOfVertex(places_.size(), settings)) {
@@ -83,23 +96,24 @@ class Finder {
 
   Result<void> trace(const ProgressFunction& progress);
   void findAlbedos();
-  void findLooks();
+  void findLooks() { looks_ = looksOfVertices(scene_, places_, world_from_normal_); }
   void followReflections();
   void smooth();
   void give(Scene& scene) const;
 
  private:
+  void giveSides(std::size_t number, Instance& instance) const;
   struct Lit;
 
   void traceVertex(std::size_t vertex);
-  Hider hiderAt(const Hit& hit) const;
+  Hider hiderAt(const Hit& hit, glm::vec3 direction) const;
   glm::vec3 emittedTowards(glm::vec3 normal, glm::vec3 direction, const Hit& hit) const;
   glm::vec3 emittedTo(std::size_t vertex) const;
   Lit litOnceMore(std::size_t vertex, const std::vector<Lit>& lit);
-  formula::Material materialOfTriangle(std::uint32_t triangle) const;
 
   const Scene& scene_;
   const Geometry& geometry_;
+  std::vector<std::uint8_t> has_back_;  // of each instance
   VertexPlaces places_;
   std::vector<glm::mat3> world_from_normal_;
   EmissiveTriangles emissive_;
@@ -112,12 +126,14 @@ class Finder {
   std::vector<VertexLook> looks_;              // likewise, if they are asked for
 };
 
-Hider Finder::hiderAt(const Hit& hit) const {
+Hider Finder::hiderAt(const Hit& hit, glm::vec3 direction) const {
   const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[hit.instance].mesh)];
   const glm::vec2 b = hit.barycentric;
   const float first = 1.0f - b.x - b.y;
   const std::size_t corner = first >= std::max(b.x, b.y) ? 0 : (b.x >= b.y ? 1 : 2);
-  return {places_.vertexOf(hit.instance, mesh.indices[std::size_t{3} * hit.triangle + corner]),
+  const std::uint32_t front = places_.vertexOf(hit.instance, mesh.indices[std::size_t{3} * hit.triangle + corner]);
+  const glm::vec3 outwards = places_.outwardNormal(hit.instance, hit.triangle, hit.geometric_normal);
+  return {glm::dot(outwards, direction) > 0.0f ? places_.backOf(front) : front,
           first_triangle_[hit.instance] + hit.triangle};
 }
 
@@ -192,7 +208,7 @@ void Finder::traceVertex(std::size_t vertex) {
       ++open;
       continue;
     }
-    hiders_[vertex * rays_ + ray] = hiderAt(*hit);
+    hiders_[vertex * rays_ + ray] = hiderAt(*hit, direction);
     found.hidden += direction;
     found.emitted += emittedTowards(normal, direction, *hit);
   }
@@ -219,54 +235,18 @@ Result<void> Finder::trace(const ProgressFunction& progress) {
   return counter.result();
 }
 
-/// In the middle of a triangle.
-formula::Material Finder::materialOfTriangle(std::uint32_t triangle) const {
-  const auto after = std::upper_bound(first_triangle_.begin(), first_triangle_.end(), triangle);
-  const auto instance = static_cast<std::uint32_t>(after - first_triangle_.begin()) - 1;
-  const Hit middle{
-      .instance = instance, .triangle = triangle - first_triangle_[instance], .barycentric = glm::vec2(1.0f / 3.0f)};
-  return surfacePointAt(scene_, world_from_normal_[instance], middle, ReliefKind::none).material;
-}
-
 void Finder::findAlbedos() {
   std::vector<std::uint8_t> hides(first_triangle_.back(), 0);
   for (const Hider& hider : hiders_)
     if (hider.vertex != kOpen) hides[hider.triangle] = 1;
   albedos_.resize(first_triangle_.back());
-  parallelFor(albedos_.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (hides[i] != 0) albedos_[i] = albedoOf(materialOfTriangle(static_cast<std::uint32_t>(i)));
-  });
-}
-
-/// The mean of the triangles around each vertex.
-void Finder::findLooks() {
-  std::vector<VertexLook> of_triangles(first_triangle_.back());
-  parallelFor(of_triangles.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const formula::Material material = materialOfTriangle(static_cast<std::uint32_t>(i));
-      of_triangles[i] = {material.base_color, material.metallic, material.emission, material.perceptual_roughness};
-    }
-  });
-  looks_.assign(places_.size(), {glm::vec3(0.0f), 0.0f, glm::vec3(0.0f), 0.0f});
-  std::vector<float> counts(places_.size(), 0.0f);
   for (std::size_t instance = 0; instance < scene_.instances.size(); ++instance) {
-    const std::vector<std::uint32_t>& indices = scene_.meshes[std::size_t(scene_.instances[instance].mesh)].indices;
-    for (std::size_t i = 0; i / 3 < indices.size() / 3; ++i) {
-      const VertexLook& look = of_triangles[first_triangle_[instance] + i / 3];
-      const std::uint32_t vertex = places_.vertexOf(instance, indices[i]);
-      VertexLook& sum = looks_[vertex];
-      sum.base_color += look.base_color;
-      sum.metallic += look.metallic;
-      sum.emission += look.emission;
-      sum.perceptual_roughness += look.perceptual_roughness;
-      counts[vertex] += 1.0f;
-    }
-  }
-  for (std::size_t v = 0; v < looks_.size(); ++v) {
-    const float part = 1.0f / std::max(counts[v], 1.0f);
-    const VertexLook& sum = looks_[v];
-    looks_[v] = {part * sum.base_color, part * sum.metallic, part * sum.emission, part * sum.perceptual_roughness};
+    const std::size_t first = first_triangle_[instance];
+    parallelFor(first_triangle_[instance + 1] - first, 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (hides[first + i] != 0)
+          albedos_[first + i] = albedoOf(materialInMiddle(scene_, world_from_normal_, instance, i));
+    });
   }
 }
 
@@ -341,14 +321,18 @@ void Finder::smooth() {
     addTo(sums[to], found_[from], 1.0f);
     weights[to] += 1.0f;
   };
+  const auto addBoth = [&](std::uint32_t a, std::uint32_t b) {
+    add(a, b);
+    add(b, a);
+  };
   for (std::size_t instance = 0; instance < scene_.instances.size(); ++instance) {
     const std::vector<std::uint32_t>& indices = scene_.meshes[std::size_t(scene_.instances[instance].mesh)].indices;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
       for (std::size_t edge = 0; edge < 3; ++edge) {
         const std::uint32_t a = places_.vertexOf(instance, indices[i + edge]);
         const std::uint32_t b = places_.vertexOf(instance, indices[i + (edge + 1) % 3]);
-        add(a, b);
-        add(b, a);
+        addBoth(a, b);
+        if (has_back_[instance] != 0) addBoth(places_.backOf(a), places_.backOf(b));
       }
   }
   for (std::size_t v = 0; v < found_.size(); ++v) {
@@ -361,14 +345,34 @@ void Finder::give(Scene& scene) const {
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     Instance& instance = scene.instances[i];
     const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
-    instance.occlusion.resize(vertices);
     instance.looks.resize(looks_.empty() ? 0 : vertices);
-    for (std::size_t v = 0; v < vertices; ++v) {
-      const std::uint32_t number = places_.vertexOf(i, static_cast<std::uint32_t>(v));
-      instance.occlusion[v] = found_[number];
-      if (!looks_.empty()) instance.looks[v] = looks_[number];
-    }
+    for (std::size_t v = 0; v < instance.looks.size(); ++v)
+      instance.looks[v] = looks_[places_.vertexOf(i, static_cast<std::uint32_t>(v))];
+    giveSides(i, instance);
   }
+}
+
+/// Both sides of an instance's vertices. Where triangles are turned against their normals, their clockwise side is that
+/// of the normals.
+void Finder::giveSides(std::size_t number, Instance& instance) const {
+  const Mesh& mesh = scene_.meshes[std::size_t(instance.mesh)];
+  const std::size_t vertices = mesh.vertices.size();
+  const bool has_back = has_back_[number] != 0;
+  instance.occlusion.resize(has_back ? 2 * vertices : vertices);
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    const std::uint32_t front = places_.vertexOf(number, v);
+    instance.occlusion[v] = found_[front];
+    if (has_back) instance.occlusion[vertices + v] = found_[places_.backOf(front)];
+  }
+  if (!has_back) return;
+  std::vector<std::uint8_t> is_turned(vertices, 0);
+  for (std::size_t i = 0; i / 3 < mesh.indices.size() / 3; ++i) {
+    const auto [a, b, c] = cornersFrom(scene_, number, i / 3 * 3);
+    const glm::vec3 normal = unitOrNone(glm::cross(b - a, c - a));
+    if (places_.outwardNormal(number, i / 3, normal) != normal) is_turned[mesh.indices[i]] = 1;
+  }
+  for (std::size_t v = 0; v < vertices; ++v)
+    if (is_turned[v] != 0) std::swap(instance.occlusion[v], instance.occlusion[vertices + v]);
 }
 
 }  // namespace

@@ -83,6 +83,54 @@ TEST(SceneOcclusion, ABallHidesItsFormFactorFromAPlane) {
   }
 }
 
+// A two-sided plane with a ball below: its back sees what the plane above would see of a ball above it.
+TEST(SceneOcclusion, ABackSeesItsOwnSide) {
+  constexpr float kRadius = 0.5f, kHeight = 0.75f;
+  for (const bool is_clockwise : {false, true}) {
+    Scene scene = ballOverPlane(kRadius, -kHeight);
+    scene.materials[0].double_sided = true;
+    if (is_clockwise) std::reverse(scene.meshes[0].indices.begin(), scene.meshes[0].indices.end());
+    scene = withOcclusion(std::move(scene), 1024);
+    const std::vector<Vertex>& vertices = scene.meshes[0].vertices;
+    const std::vector<VertexOcclusion>& occlusion = scene.instances[0].occlusion;
+    ASSERT_TRUE(knowsBacks(scene, 0));
+    ASSERT_THAT(occlusion, SizeIs(2 * vertices.size()));
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const glm::vec3 way = glm::vec3(0.0f, -kHeight, 0.0f) - vertices[i].position;
+      const float distance = glm::length(way);
+      const float hidden = kRadius * kRadius * kHeight / (distance * distance * distance);
+      EXPECT_EQ(occlusion[is_clockwise ? vertices.size() + i : i].open, 1.0f) << i;
+      const VertexOcclusion& below = occlusion[is_clockwise ? i : vertices.size() + i];
+      EXPECT_NEAR(below.open, 1.0f - hidden, 0.015f) << i;
+      if (hidden < 0.1f) continue;
+      EXPECT_GT(glm::dot(glm::normalize(below.hidden), way / distance), 0.97f) << i;
+    }
+  }
+}
+
+// What closes a body sees nothing from behind, so that its backs need no rays.
+TEST(SceneOcclusion, AClosedBodyHasNoBacks) {
+  Scene scene = ballOverPlane(0.5f, 0.75f);
+  for (Material& material : scene.materials) material.double_sided = true;
+  scene = withOcclusion(std::move(scene), 16);
+  EXPECT_TRUE(knowsBacks(scene, 0));
+  EXPECT_FALSE(knowsBacks(scene, 1));
+}
+
+// Between a white sheet and a black floor below it, close to each other, hardly any light arrives: none that falls on
+// the sheet's upper side comes through to the lower one.
+TEST(SceneOcclusion, ASheetLetsNoLightThrough) {
+  Scene scene = sceneOf(gridMesh(2.0f, 20), matt(0.0f));
+  scene.meshes.push_back(gridMesh(2.0f, 20));
+  scene.meshes[1].material = 1;
+  scene.materials.push_back(matt(0.9f));
+  scene.materials[1].double_sided = true;
+  scene.instances.push_back({.mesh = 1, .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(0, 0.1f, 0))});
+  scene = withOcclusion(std::move(scene), 64);
+  const std::size_t middle = scene.meshes[0].vertices.size() / 2;
+  EXPECT_LT(scene.instances[0].occlusion[middle].shown.x, 0.02f);
+}
+
 // All of the inside of a hollow ball sees the same share of its opening, and each light is the same at all places
 // (Jacquez & Kuppenheim 1955): E = s + ρ (1 − s) E.
 TEST(SceneOcclusion, ABowlsInsideSeesItsOpeningAndItself) {

@@ -26,6 +26,13 @@ glm::vec3 PlacedTriangle::normalAt(glm::vec3 weights) const {
   return squared > 1e-12f && squared < INFINITY ? n / std::sqrt(squared) : geometric_normal;
 }
 
+PlacedTriangle PlacedTriangle::turnedOver() const {
+  PlacedTriangle turned = *this;
+  for (glm::vec3& normal : turned.normals) normal = -normal;
+  turned.geometric_normal = -geometric_normal;
+  return turned;
+}
+
 PlacedTriangle placedTriangle(const Mesh& mesh, const Instance& instance, std::size_t triangle) {
   const glm::mat3 world_from_normal = glm::transpose(glm::inverse(glm::mat3(instance.world_from_object)));
   PlacedTriangle placed{};
@@ -58,6 +65,24 @@ glm::vec4 seenFrom(const Scene& scene, const Geometry& geometry, const PlacedTri
       ++open;
   }
   return glm::vec4(hidden, static_cast<float>(open)) / static_cast<float>(kRays);
+}
+
+bool showsBacks(const Scene& scene, const Geometry& geometry, const Instance& instance) {
+  constexpr std::size_t kTriangles = 16;
+  constexpr float kFewest = 1.0f / 64.0f;
+  const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+  const Material& material = scene.materials[std::size_t(mesh.material)];
+  const std::size_t triangles = mesh.indices.size() / 3;
+  if (!material.double_sided || material.transmission > 0.0f || mesh.first_of_relief > 0 ||
+      material.height != HeightKind::none || triangles == 0)
+    return false;
+  const std::size_t asked = std::min(triangles, kTriangles);
+  float open = 0.0f;
+  for (std::size_t i = 0; i < asked; ++i)
+    open += seenFrom(scene, geometry, placedTriangle(mesh, instance, i * triangles / asked).turnedOver(),
+                     glm::vec3(1.0f / 3.0f))
+                .w;
+  return open > kFewest * static_cast<float>(asked);
 }
 
 Result<bool> hidesItself(const Scene& scene) {

@@ -21,6 +21,8 @@ struct PlacedTriangle {
   /// The point with those barycentric weights.
   glm::vec3 at(glm::vec3 weights) const;
   glm::vec3 normalAt(glm::vec3 weights) const;
+  /// The same as it is from behind.
+  PlacedTriangle turnedOver() const;
 };
 
 /// mesh   the instance's, or what it has become
@@ -32,6 +34,10 @@ PlacedTriangle placedTriangle(const Mesh& mesh, const Instance& instance, std::s
 /// weights   of the triangle's corners, at most places none of which is 0: at edges, folds are seen from neither side
 /// returns   the mean of the hidden directions, those that are open counting as 0; the open share
 glm::vec4 seenFrom(const Scene& scene, const Geometry& geometry, const PlacedTriangle& placed, glm::vec3 weights);
+
+/// Whether the backs of an instance's triangles are drawn and may be seen: those of a closed body are not. Of at most
+/// 16 triangles the middles are asked.
+bool showsBacks(const Scene& scene, const Geometry& geometry, const Instance& instance);
 
 /// Whether some place sees less than nine tenths of an even sky: of a thousand triangles, evenly chosen by their
 /// number, the middles.

@@ -33,9 +33,17 @@ std::array<glm::vec3, 3> cornersFrom(const Scene& scene, std::size_t instance, s
           cornerOf(scene, instance, triangle + (index + 2) % 3)};
 }
 
-VertexPlaces::VertexPlaces(const Scene& scene) : scene_(scene), numbers_(scene.instances.size()) {
+VertexPlaces::VertexPlaces(const Scene& scene, std::span<const std::uint8_t> has_back)
+    : scene_(scene), numbers_(scene.instances.size()) {
   first_.push_back(0);
-  for (std::size_t instance = 0; instance < scene.instances.size(); ++instance) add(scene, instance);
+  for (std::size_t instance = 0; instance < scene.instances.size(); ++instance) {
+    add(scene, instance);
+    for (auto vertex = static_cast<std::uint32_t>(backs_.size()); vertex < normals_.size(); ++vertex) {
+      backs_.push_back(vertex);
+      if (has_back[instance] != 0) fronts_.push_back(vertex);
+    }
+  }
+  for (std::size_t i = 0; i < fronts_.size(); ++i) backs_[fronts_[i]] = static_cast<std::uint32_t>(normals_.size() + i);
 }
 
 void VertexPlaces::add(const Scene& scene, std::size_t instance) {
@@ -75,16 +83,20 @@ void VertexPlaces::add(const Scene& scene, std::size_t instance) {
                                                                    static_cast<std::uint32_t>(i)};
 }
 
-PlaceByVertex VertexPlaces::place(std::size_t vertex, std::size_t triangle, glm::vec2 away) const {
-  const Corner& corner = corners_[first_[vertex] + triangle];
-  const auto [a, b, c] = cornersFrom(scene_, corner.instance, corner.index);
-  const glm::vec3 normal = glm::normalize(glm::cross(b - a, c - a));
-  const glm::vec2 weights = kFarthestAway * away;
+glm::vec3 VertexPlaces::outwardNormal(std::size_t instance, std::size_t triangle, glm::vec3 geometric_normal) const {
+  const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[instance].mesh)];
   glm::vec3 normals(0.0f);
-  const std::size_t first = corner.index / 3 * 3;
-  const Mesh& mesh = scene_.meshes[std::size_t(scene_.instances[corner.instance].mesh)];
-  for (std::size_t i = first; i < first + 3; ++i) normals += normals_[vertexOf(corner.instance, mesh.indices[i])];
-  return {a + weights.x * (b - a) + weights.y * (c - a), facingOutwards(normal, normals)};
+  for (std::size_t i = 3 * triangle; i < 3 * triangle + 3; ++i)
+    normals += normals_[vertexOf(instance, mesh.indices[i])];
+  return facingOutwards(geometric_normal, normals);
+}
+
+PlaceByVertex VertexPlaces::place(std::size_t vertex, std::size_t triangle, glm::vec2 away) const {
+  const Corner& corner = corners_[first_[frontOf(vertex)] + triangle];
+  const auto [a, b, c] = cornersFrom(scene_, corner.instance, corner.index);
+  const glm::vec2 weights = kFarthestAway * away;
+  const glm::vec3 outwards = outwardNormal(corner.instance, corner.index / 3, glm::normalize(glm::cross(b - a, c - a)));
+  return {a + weights.x * (b - a) + weights.y * (c - a), isBack(vertex) ? -outwards : outwards};
 }
 
 }  // namespace mirrorball

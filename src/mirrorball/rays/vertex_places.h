@@ -41,27 +41,41 @@ std::array<glm::vec3, 3> cornersFrom(const Scene& scene, std::size_t instance, s
 
 /// The vertices of a scene where its instances put them, those of one instance once that share place and normal, with
 /// the triangles around each. What is true of a vertex is asked at places of these triangles: at the vertex itself,
-/// where they meet, a fold counts as seen from neither side.
+/// where they meet, a fold counts as seen from neither side. The back of a vertex is a vertex of its own.
 class VertexPlaces {
  public:
-  explicit VertexPlaces(const Scene& scene);
+  /// has_back   of each instance, not 0: its vertices have backs
+  VertexPlaces(const Scene& scene, std::span<const std::uint8_t> has_back);
 
   /// How many different vertices there are in all instances.
-  std::size_t size() const { return normals_.size(); }
+  std::size_t size() const { return normals_.size() + fronts_.size(); }
   /// World, unit; 0 where the vertex has none.
-  glm::vec3 normal(std::size_t vertex) const { return normals_[vertex]; }
+  glm::vec3 normal(std::size_t vertex) const { return isBack(vertex) ? -normals_[frontOf(vertex)] : normals_[vertex]; }
   /// Triangles of some area around it.
-  std::size_t triangles(std::size_t vertex) const { return first_[vertex + 1] - first_[vertex]; }
+  std::size_t triangles(std::size_t vertex) const {
+    const std::size_t front = frontOf(vertex);
+    return first_[front + 1] - first_[front];
+  }
   /// On one of its triangles.
   ///
   /// away     how far from the vertex, towards the two other corners; each in [0, 1]
   PlaceByVertex place(std::size_t vertex, std::size_t triangle, glm::vec2 away) const;
 
-  /// The number of a mesh's vertex in an instance.
+  /// The number of a mesh's vertex in an instance, on the side of its normal.
   std::uint32_t vertexOf(std::size_t instance, std::uint32_t of_mesh) const { return numbers_[instance][of_mesh]; }
+  /// That of its back; of a vertex that has none, its own.
+  ///
+  /// vertex   on the side of its normal
+  std::uint32_t backOf(std::uint32_t vertex) const { return backs_[vertex]; }
+  /// A triangle's normal, as facingOutwards.
+  ///
+  /// geometric_normal   unit, on the counter-clockwise side
+  glm::vec3 outwardNormal(std::size_t instance, std::size_t triangle, glm::vec3 geometric_normal) const;
 
  private:
   void add(const Scene& scene, std::size_t instance);
+  bool isBack(std::size_t vertex) const { return vertex >= normals_.size(); }
+  std::size_t frontOf(std::size_t vertex) const { return isBack(vertex) ? fronts_[vertex - normals_.size()] : vertex; }
 
   struct Corner {
     std::uint32_t instance;
@@ -72,6 +86,8 @@ class VertexPlaces {
   std::vector<glm::vec3> normals_;
   std::vector<std::uint32_t> first_;  // of each vertex's corners, and the end
   std::vector<Corner> corners_;
+  std::vector<std::uint32_t> backs_;   // of each vertex, backOf
+  std::vector<std::uint32_t> fronts_;  // of each back, its vertex
 };
 
 }  // namespace mirrorball

@@ -15,6 +15,11 @@ const Material& materialOf(const Scene& scene, std::size_t instance) {
   return scene.materials[std::size_t(scene.meshes[std::size_t(scene.instances[instance].mesh)].material)];
 }
 
+bool knowsBacks(const Scene& scene, std::size_t instance) {
+  const Instance& of = scene.instances[instance];
+  return of.occlusion.size() > scene.meshes[std::size_t(of.mesh)].vertices.size();
+}
+
 Scene sceneOf(Mesh mesh, Material material) {
   Scene scene;
   mesh.material = 0;

@@ -58,9 +58,11 @@ struct TriangleHoles {
 struct Instance {
   int mesh = 0;
   glm::mat4 world_from_object{1.0f};
-  std::vector<VertexOcclusion> occlusion = {};  ///< of the mesh's vertices; empty: not known (rays/scene_occlusion.h)
-  std::vector<VertexLook> looks = {};           ///< likewise
-  std::vector<TriangleHoles> holes = {};        ///< of its triangles; empty: none, or not known (findHoles)
+  /// Of the mesh's vertices, as their triangles are seen counter-clockwise; then, if they show something, of their
+  /// backs. Empty: not known (rays/scene_occlusion.h).
+  std::vector<VertexOcclusion> occlusion = {};
+  std::vector<VertexLook> looks = {};     ///< of the mesh's vertices; empty: not known
+  std::vector<TriangleHoles> holes = {};  ///< of its triangles; empty: none, or not known (findHoles)
 };
 
 /// A ball that encloses everything; what "model radii" on the command line means.
@@ -90,6 +92,9 @@ struct Scene {
 
 /// The material of an instance, an index into Scene::instances.
 const Material& materialOf(const Scene& scene, std::size_t instance);
+
+/// Whether Instance::occlusion has the backs of its vertices too.
+bool knowsBacks(const Scene& scene, std::size_t instance);
 
 /// A scene of one mesh where it is, with one material.
 Scene sceneOf(Mesh mesh, Material material = {});

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/gl/gl_api.h"
 #include "mirrorball/height_field/normal_levels.h"
 #include "mirrorball/height_field/slope_moments.h"
 #include "mirrorball/image/halve.h"
@@ -257,8 +258,9 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
                                                gl::Buffer(std::span(mesh.indices))),
                                mesh.indices.size()});
   for (const Instance& instance : scene.instances) {
-    assert(instance.occlusion.empty() ||
-           instance.occlusion.size() == scene.meshes[std::size_t(instance.mesh)].vertices.size());
+    [[maybe_unused]] const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
+    assert(instance.occlusion.empty() || instance.occlusion.size() == vertices ||
+           instance.occlusion.size() == 2 * vertices);
     auto& occlusion = buffers.occlusions_.emplace_back();
     if (!instance.occlusion.empty()) occlusion.emplace(instance.occlusion);
   }
@@ -360,9 +362,20 @@ void SceneBuffers::drawMesh(int index) const {
 
 void SceneBuffers::drawMeshWithOcclusion(const Scene& scene, int instance) {
   const int mesh = scene.instances[std::size_t(instance)].mesh;
-  meshes_[std::size_t(mesh)].vertices.read(*occlusions_[std::size_t(instance)], sizeof(VertexOcclusion),
-                                           kOcclusionAttributes);
-  drawMesh(mesh);
+  const auto drawSide = [&](std::size_t first_vertex) {
+    std::array<gl::Attribute, kOcclusionAttributes.size()> attributes = kOcclusionAttributes;
+    for (gl::Attribute& attribute : attributes) attribute.offset += first_vertex * sizeof(VertexOcclusion);
+    meshes_[std::size_t(mesh)].vertices.read(*occlusions_[std::size_t(instance)], sizeof(VertexOcclusion), attributes);
+    drawMesh(mesh);
+  };
+  if (!knowsBacks(scene, std::size_t(instance))) return drawSide(0);
+  // What is seen from both sides is drawn a side at a time, each with what is known of it.
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);
+  drawSide(scene.meshes[std::size_t(mesh)].vertices.size());
+  glCullFace(GL_BACK);
+  drawSide(0);
+  glDisable(GL_CULL_FACE);
 }
 
 }  // namespace mirrorball

@@ -323,6 +323,7 @@ gl::UniformBlock& SurfacePrograms::instanceBlock(const Scene& scene, int instanc
     found->second.set("world_from_object", world_from_object);
     found->second.set("normal_matrix", glm::transpose(glm::inverse(glm::mat3(world_from_object))));
     found->second.set("instance", instance);
+    found->second.set("knows_backs", knowsBacks(scene, std::size_t(instance)) ? 1 : 0);
   }
   return found->second;
 }

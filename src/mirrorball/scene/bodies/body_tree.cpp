@@ -251,25 +251,30 @@ Result<std::optional<BodyTree>> sceneTree(const Scene& scene) {
   MIRRORBALL_TRY(sorted, sortedTriangles(scene, "the triangles that reflections show", is_wanted, true));
   if (!sorted) return std::optional<BodyTree>();
   std::vector<Texel>& words = sorted->tree.words;
-  // Three texels a vertex of all instances with looks, and where those of an instance begin.
+  const auto sidesOf = [&](std::size_t instance) { return knowsBacks(scene, instance) ? 2u : 1u; };
+  // Three texels for each side of a vertex of all instances with looks, and where those of an instance begin.
   std::vector<std::uint32_t> first_vertex;
   std::uint32_t vertices = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     first_vertex.push_back(vertices);
-    if (is_wanted(scene, i)) vertices += static_cast<std::uint32_t>(scene.instances[i].looks.size());
+    if (is_wanted(scene, i)) vertices += sidesOf(i) * static_cast<std::uint32_t>(scene.instances[i].looks.size());
   }
   words[1].w = static_cast<std::uint32_t>(words.size());
   words[2].w = static_cast<std::uint32_t>(words.size() + sorted->triangles.size());
   for (const PlacedTriangle& triangle : sorted->triangles) {
     const Mesh& mesh = scene.meshes[std::size_t(scene.instances[triangle.instance].mesh)];
     const std::uint32_t* const corner = mesh.indices.data() + triangle.first;
-    words.emplace_back(glm::uvec3(first_vertex[triangle.instance]) + glm::uvec3(corner[0], corner[1], corner[2]), 0u);
+    const std::uint32_t sides = sidesOf(triangle.instance);
+    const glm::uvec3 numbers = first_vertex[triangle.instance] + sides * glm::uvec3(corner[0], corner[1], corner[2]);
+    words.emplace_back(numbers.x | (sides > 1 ? 0x80000000u : 0u), numbers.y, numbers.z, 0u);
   }
   const std::size_t of_triangles = words[1].w;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (!is_wanted(scene, i)) continue;
-    for (std::size_t v = 0; v < instance.looks.size(); ++v) writeLook(instance.occlusion[v], instance.looks[v], words);
+    for (std::size_t v = 0; v < instance.looks.size(); ++v)
+      for (std::size_t side = 0; side < sidesOf(i); ++side)
+        writeLook(instance.occlusion[side * instance.looks.size() + v], instance.looks[v], words);
   }
   for (std::size_t i = 0; i < sorted->triangles.size(); ++i) {
     const PlacedTriangle& triangle = sorted->triangles[i];

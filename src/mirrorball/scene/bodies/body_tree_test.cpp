@@ -132,7 +132,7 @@ TEST(BodyTree, HasBodiesAloneAndWhatIsFinite) {
   EXPECT_LT(formula::nearestTriangle(words, glm::vec3(0.0f), {0, 1, 0}, 0.0f, -1, formula::kNarrowMargin).triangle, 0);
 }
 
-/// A knot and a cube whose vertices each know something else.
+/// A knot and a cube whose vertices each know something else; those of the cube have backs.
 Scene withLooks() {
   Scene scene = sceneOf(knotMesh(24, 8));
   scene.meshes.push_back(cubeMesh());
@@ -145,10 +145,26 @@ Scene withLooks() {
       instance.occlusion.push_back({any(), unit(random), any(), any(), any()});
       instance.looks.push_back({any(), unit(random), 9.0f * any(), unit(random)});
     }
+  for (std::size_t v = 0; v < scene.meshes[1].vertices.size(); ++v)
+    scene.instances[1].occlusion.push_back({any(), unit(random), any(), any(), any()});
   return scene;
 }
 
-// What the tree tells at a corner of a triangle is what its vertex knows, as half floats hold it.
+void expectKnown(const formula::SceneSurface& met, const VertexOcclusion& occlusion, const VertexLook& look) {
+  const float near = 0.02f;  // of values up to 1
+  EXPECT_NEAR(glm::distance(glm::vec3(met.hidden), occlusion.hidden), 0.0f, near);
+  EXPECT_NEAR(met.hidden.w, occlusion.open, near);
+  EXPECT_NEAR(glm::distance(met.shown, occlusion.shown), 0.0f, near);
+  EXPECT_NEAR(glm::distance(met.base_color, look.base_color), 0.0f, near);
+  EXPECT_NEAR(glm::distance(met.lit_from, occlusion.lit_from), 0.0f, near);
+  EXPECT_NEAR(glm::distance(met.emitted, occlusion.emitted), 0.0f, near);
+  EXPECT_NEAR(glm::distance(met.emission, look.emission), 0.0f, 9.0f * near);
+  EXPECT_NEAR(met.metallic, look.metallic, near);
+  EXPECT_NEAR(met.perceptual_roughness, look.perceptual_roughness, near);
+}
+
+// What the tree tells at a corner of a triangle is what its vertex knows, as half floats hold it; from behind, what its
+// back knows, or that all is open.
 TEST(SceneTree, TellsWhatVerticesKnow) {
   const Scene scene = withLooks();
   const auto tree = sceneTree(scene);
@@ -164,22 +180,16 @@ TEST(SceneTree, TellsWhatVerticesKnow) {
       };
       const glm::vec3 normal = glm::normalize(glm::cross(place(1) - place(0), place(2) - place(0)));
       const glm::vec3 beside_corner = glm::mix((place(0) + place(1) + place(2)) / 3.0f, place(2), 0.98f);
-      const auto hit =
-          formula::nearestTriangle(**tree, beside_corner + 1e-3f * normal, -normal, 0.0f, -1, formula::kNarrowMargin);
-      ASSERT_GE(hit.triangle, 0);
-      const formula::SceneSurface met = formula::sceneSurfaceAt(**tree, hit);
-      const VertexOcclusion& occlusion = instance.occlusion[corner(2)];
-      const VertexLook& look = instance.looks[corner(2)];
-      const float near = 0.02f;  // of values up to 1
-      EXPECT_NEAR(glm::distance(glm::vec3(met.hidden), occlusion.hidden), 0.0f, near);
-      EXPECT_NEAR(met.hidden.w, occlusion.open, near);
-      EXPECT_NEAR(glm::distance(met.shown, occlusion.shown), 0.0f, near);
-      EXPECT_NEAR(glm::distance(met.base_color, look.base_color), 0.0f, near);
-      EXPECT_NEAR(glm::distance(met.lit_from, occlusion.lit_from), 0.0f, near);
-      EXPECT_NEAR(glm::distance(met.emitted, occlusion.emitted), 0.0f, near);
-      EXPECT_NEAR(glm::distance(met.emission, look.emission), 0.0f, 9.0f * near);
-      EXPECT_NEAR(met.metallic, look.metallic, near);
-      EXPECT_NEAR(met.perceptual_roughness, look.perceptual_roughness, near);
+      for (const bool is_back : {false, true}) {
+        const glm::vec3 direction = is_back ? normal : -normal;
+        const auto hit = formula::nearestTriangle(**tree, beside_corner - 1e-3f * direction, direction, 0.0f, -1,
+                                                  formula::kNarrowMargin);
+        ASSERT_GE(hit.triangle, 0);
+        const std::size_t known = corner(2) + (is_back ? mesh.vertices.size() : 0);
+        expectKnown(formula::sceneSurfaceAt(**tree, hit, direction),
+                    known < instance.occlusion.size() ? instance.occlusion[known] : VertexOcclusion(),
+                    instance.looks[corner(2)]);
+      }
       ++compared;
     }
   }

@@ -8,6 +8,7 @@
 uniform sampler2D back_faces;
 
 const int kSearchSteps = 12;
+const int kNewtonSearchSteps = 5;  // where the picture jumps from one face to another, the others halve what is left
 const float kNearEnough = 2e-3;  // of the way; the last step brings it nearer by far
 
 // Where the picture of back faces shows a place, in texels; beside it on its border. What is behind the eye is nowhere.
@@ -60,7 +61,8 @@ float wayOut(vec3 origin, vec3 direction, out BackFace face) {
       face = seen;
       return next;
     }
-    if (next < inside || next > outside || next == kNoBackFace) {
+    bool halves = outside < kNoBackFace && i >= kNewtonSearchSteps;
+    if (halves || next < inside || next > outside || next == kNoBackFace) {
       next = outside < kNoBackFace ? 0.5 * (inside + outside) : at + stride;
       stride *= 2.0;
     }

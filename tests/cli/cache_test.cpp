@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/cli_testing.h"
+#include "mirrorball/base/cache_folder.h"
 
 namespace mirrorball::testing {
 namespace {
@@ -38,7 +39,7 @@ class CacheCliTest : public RenderCliTest {
     return all;
   }
 
-  /// Makes all light of a cache red, of a radiance that is nowhere in the map.
+  /// Makes all light of a cache red, of a radiance that is nowhere in the map, as if that had been kept.
   void makeRed(const std::string& folder) const {
     for (const auto& [name, unused] : filesOf(folder)) {
       ImageSet images = texture(folder + "/" + name);
@@ -47,7 +48,10 @@ class CacheCliTest : public RenderCliTest {
           for (int x = 0; x < image.width(); ++x)
             for (int c = 0; c < 3; ++c) image.texel(x, y)[c] = c == 0 ? 50.0f : 0.0f;
       });
-      ASSERT_TRUE(writeImageSet(path(folder) / name, images));
+      const CachedKind kind = name.ends_with("-chain.ktx2") ? CachedKind::prefiltered_chain : CachedKind::irradiance;
+      CacheFolder(path(folder)).keep(name.substr(0, name.find('-')), kind, [&](const FileWriter& file) {
+        return writeImageSet(file, images);
+      });
     }
   }
 };
@@ -62,6 +66,20 @@ TEST_F(CacheCliTest, RenderReadsItUnlessToldNotTo) {
   EXPECT_GT(wrong.x, 10.0f);
   EXPECT_LT(wrong.y, 0.01f);
   EXPECT_EQ(drawMetal("--no-cache"), fresh);
+}
+
+TEST_F(CacheCliTest, DamagedLightIsMadeAgain) {
+  write("map.exr", smoothPanorama());
+  const glm::vec3 fresh = drawMetal();
+  const std::map<std::string, Bytes> kept = filesOf("cache");
+  ASSERT_EQ(kept.size(), 2u);
+  for (const auto& [name, whole] : kept) {
+    Bytes damaged = whole;  // a disk's sectors, with other light in them
+    for (std::size_t i = damaged.size() / 4; i < damaged.size() / 4 * 3; ++i) damaged[i] ^= 0x10u;
+    write("cache/" + name, damaged);
+  }
+  EXPECT_EQ(drawMetal(), fresh);
+  EXPECT_EQ(filesOf("cache"), kept) << "and kept";
 }
 
 TEST_F(CacheCliTest, CacheShowsAndClearsIt) {

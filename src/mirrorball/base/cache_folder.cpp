@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cstdlib>
+#include <span>
 #include <string_view>
 
 #include "mirrorball/base/content_hash.h"
@@ -44,6 +45,52 @@ std::optional<fs::path> folderOfUser() {
   return {};
 }
 
+using Digits = std::array<char, ContentHash::kDigits>;
+
+Digits digitsOf(const std::string& written) {
+  Digits digits{};
+  std::copy_n(written.begin(), std::min(written.size(), digits.size()), digits.begin());
+  return digits;
+}
+
+/// What a file ends with. Its numbers are as this machine has them: on another one they are not those that are
+/// expected, and the file is made again.
+struct Seal {
+  std::array<char, 8> magic{'M', 'B', 's', 'e', 'a', 'l', '\r', '\n'};
+  std::uint32_t version = 1;
+  CachedKind kind = {};
+  Digits key{};
+  Digits checksum{};  ///< of all that stands before
+
+  bool operator==(const Seal&) const = default;
+};
+static_assert(sizeof(Seal) == 16 + 2 * ContentHash::kDigits, "nothing lies between its members");
+
+/// What the bytes that a file begins with are sealed by; nothing: they cannot be read.
+template <typename File>
+std::optional<Seal> sealOf(const File& file, std::uint64_t size, const std::string& key, CachedKind kind) {
+  ContentHash content;
+  Bytes piece(std::size_t(std::min<std::uint64_t>(size, 1u << 20u)));
+  for (std::uint64_t at = 0; at < size; at += piece.size()) {
+    piece.resize(std::size_t(std::min<std::uint64_t>(piece.size(), size - at)));
+    const auto count = file.readAt(at, piece);
+    if (!count || *count != piece.size()) return {};
+    content.addAll(std::span<const std::uint8_t>(piece));
+  }
+  return Seal{.kind = kind, .key = digitsOf(key), .checksum = digitsOf(content.digits())};
+}
+
+Result<void> writeSealed(const fs::path& path, const std::string& key, CachedKind kind,
+                         const std::function<Result<void>(const FileWriter&)>& write) {
+  MIRRORBALL_TRY(writer, FileWriter::create(path));
+  MIRRORBALL_TRY_VOID(write(writer));
+  MIRRORBALL_TRY(size, writer.size());
+  const std::optional<Seal> seal = sealOf(writer, size, key, kind);
+  if (!seal) return fail(ErrorCode::io, path.string() + ": cannot be read again");
+  MIRRORBALL_TRY_VOID(writer.writeAt(size, bytesOf(std::span<const Seal>(&*seal, 1))));
+  return writer.commit();
+}
+
 }  // namespace
 
 Result<std::optional<CacheFolder>> CacheFolder::ofUser() {
@@ -62,13 +109,23 @@ fs::path CacheFolder::pathOf(const std::string& key, CachedKind kind) const {
 }
 
 void CacheFolder::keep(const std::string& key, CachedKind kind,
-                       const std::function<Result<void>(const fs::path&)>& write) const {
+                       const std::function<Result<void>(const FileWriter&)>& write) const {
   if (max_bytes_ == 0) return;
   std::error_code status;
   fs::create_directories(folder_, status);
   if (status) return;
-  static_cast<void>(write(pathOf(key, kind)));  // what cannot be written is not kept
+  static_cast<void>(writeSealed(pathOf(key, kind), key, kind, write));  // what cannot be written is not kept
   dropOldest();
+}
+
+std::optional<CachedContent> CacheFolder::open(const std::string& key, CachedKind kind) const {
+  auto file = FileReader::open(pathOf(key, kind));
+  if (!file || file->size() < sizeof(Seal)) return {};
+  const std::uint64_t size = file->size() - sizeof(Seal);
+  Seal seal;
+  const auto count = file->readAt(size, {reinterpret_cast<std::uint8_t*>(&seal), sizeof(Seal)});
+  if (!count || *count != sizeof(Seal) || seal != sealOf(*file, size, key, kind)) return {};
+  return CachedContent{std::move(*file), size};
 }
 
 std::vector<CacheFolder::Kept> CacheFolder::kept() const {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/base/file.h"
 #include "mirrorball/base/result.h"
 
 namespace mirrorball {
@@ -20,8 +21,15 @@ enum class CachedKind {
   occlusion,          ///< rays/occlusion_cache.h
 };
 
+/// What was written into a file of the cache, found to be whole.
+struct CachedContent {
+  FileReader file;
+  std::uint64_t size = 0;  ///< of the content, which begins the file [bytes]; the file's seal follows
+};
+
 /// A folder of files that are slow to make, found by keys: the digits of a ContentHash of all that they are made from.
-/// It is only a convenience: what cannot be read or written is made again.
+/// It is only a convenience: what cannot be read or written is made again. Each file ends with a seal, which holds its
+/// kind, its key and a checksum of its content: what is damaged, cut or under another's name is not found.
 class CacheFolder {
  public:
   static constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
@@ -55,23 +63,24 @@ class CacheFolder {
 
   /// What was kept, now the most recently used.
   ///
-  /// read     of a path; returns an optional value, or something else that is false where the file is of no use
-  /// returns  what `read` does; its default where there is no file
+  /// read     of a CachedContent; returns an optional value, or something else that is false where it is of no use
+  /// returns  what `read` does; its default where there is no file, or a damaged one
+  /// cost     one pass over the file for its checksum, at some GB/s, besides `read`
   template <typename Read>
   auto find(const std::string& key, CachedKind kind, Read&& read) const {
-    const std::filesystem::path path = pathOf(key, kind);
+    const std::optional<CachedContent> content = open(key, kind);
+    if (!content) return decltype(read(*content)){};
+    auto found = read(*content);
     std::error_code status;
-    if (!std::filesystem::exists(path, status)) return decltype(read(path)){};
-    auto found = read(path);
-    if (found) std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), status);
+    if (found)
+      std::filesystem::last_write_time(pathOf(key, kind), std::filesystem::file_time_type::clock::now(), status);
     return found;
   }
 
   /// Keeps a file, and removes the least recently used files while the cache takes more than maxBytes().
   ///
-  /// write    writes all of the file of a path, or leaves none (FileWriter)
-  void keep(const std::string& key, CachedKind kind,
-            const std::function<Result<void>(const std::filesystem::path&)>& write) const;
+  /// write    writes the content, which ends with the last byte that it has written
+  void keep(const std::string& key, CachedKind kind, const std::function<Result<void>(const FileWriter&)>& write) const;
 
  private:
   struct Kept {
@@ -80,6 +89,7 @@ class CacheFolder {
     std::uintmax_t bytes;
   };
   std::filesystem::path pathOf(const std::string& key, CachedKind kind) const;
+  std::optional<CachedContent> open(const std::string& key, CachedKind kind) const;
   std::vector<Kept> kept() const;
   void dropOldest() const;
 

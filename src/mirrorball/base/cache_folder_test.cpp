@@ -23,6 +23,9 @@ namespace fs = std::filesystem;
 constexpr std::array<CachedKind, 3> kKinds{CachedKind::prefiltered_chain, CachedKind::irradiance,
                                            CachedKind::occlusion};
 
+/// The bytes that a file has beside its content.
+constexpr std::size_t kSeal = 80;
+
 class CacheFolderTest : public ::testing::Test {
  protected:
   CacheFolderTest() { fs::remove_all(folder_); }
@@ -39,12 +42,12 @@ class CacheFolderTest : public ::testing::Test {
   }
 
   static void keep(const CacheFolder& cache, const std::string& key, CachedKind kind, std::size_t size) {
-    cache.keep(key, kind, [size](const fs::path& path) { return writeFile(path, Bytes(size, 'x')); });
+    cache.keep(key, kind, [size](const FileWriter& file) { return file.writeAt(0, Bytes(size, 'x')); });
   }
 
   /// The size of what is found; nothing: it is not.
   static std::optional<std::uintmax_t> find(const CacheFolder& cache, const std::string& key, CachedKind kind) {
-    return cache.find(key, kind, [](const fs::path& path) { return std::optional(fs::file_size(path)); });
+    return cache.find(key, kind, [](const CachedContent& content) { return std::optional(content.size); });
   }
 
   /// All that is there was last used so long ago.
@@ -76,12 +79,54 @@ TEST_F(CacheFolderTest, AFolderThatCannotBeMadeDoesNoHarm) {
 
 TEST_F(CacheFolderTest, WhatCannotBeWrittenIsNotThere) {
   const CacheFolder cache(folder_);
-  cache.keep(keyOf(1), CachedKind::occlusion, [](const fs::path& path) -> Result<void> {
-    MIRRORBALL_TRY(writer, FileWriter::create(path));
-    MIRRORBALL_TRY_VOID(writer.writeAt(0, Bytes(5)));
+  cache.keep(keyOf(1), CachedKind::occlusion, [](const FileWriter& file) -> Result<void> {
+    MIRRORBALL_TRY_VOID(file.writeAt(0, Bytes(5)));
     return fail(ErrorCode::io, "the disk is full");
   });
   EXPECT_EQ(files(), 0u);
+}
+
+// Each byte counts, of the content and of the seal, and each length.
+TEST_F(CacheFolderTest, WhatIsDamagedIsNotFound) {
+  const CacheFolder cache(folder_);
+  keep(cache, keyOf(1), CachedKind::occlusion, 1000);
+  const fs::path path = fs::directory_iterator(folder_)->path();
+  const Bytes whole = readFile(path).value();
+  const auto isFound = [&](const Bytes& bytes) {
+    EXPECT_TRUE(writeFile(path, bytes));
+    return find(cache, keyOf(1), CachedKind::occlusion).has_value();
+  };
+  EXPECT_TRUE(isFound(whole));
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    Bytes damaged = whole;
+    damaged[i] ^= 4u;
+    EXPECT_FALSE(isFound(damaged)) << "byte " << i;
+  }
+  for (const std::size_t size : {std::size_t{0}, std::size_t{79}, whole.size() - 1, whole.size() + 1}) {
+    Bytes other = whole;
+    other.resize(size);
+    EXPECT_FALSE(isFound(other)) << size << " bytes";
+  }
+  EXPECT_TRUE(isFound(whole));
+}
+
+TEST_F(CacheFolderTest, AFileUnderTheNameOfAnotherIsNotFound) {
+  const CacheFolder cache(folder_);
+  keep(cache, keyOf(1), CachedKind::occlusion, 1000);
+  const fs::path path = fs::directory_iterator(folder_)->path();
+  fs::copy_file(path, folder_ / (keyOf(2) + "-occlusion.bin"));
+  fs::copy_file(path, folder_ / (keyOf(1) + "-irradiance.ktx2"));
+  EXPECT_TRUE(find(cache, keyOf(1), CachedKind::occlusion));
+  EXPECT_FALSE(find(cache, keyOf(2), CachedKind::occlusion));
+  EXPECT_FALSE(find(cache, keyOf(1), CachedKind::irradiance));
+}
+
+TEST_F(CacheFolderTest, LargeContentIsFound) {
+  const CacheFolder cache(folder_);
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1} << 20u, (std::size_t{1} << 21u) + 1}) {
+    keep(cache, keyOf(1), CachedKind::occlusion, size);
+    EXPECT_EQ(find(cache, keyOf(1), CachedKind::occlusion), size);
+  }
 }
 
 // One limit for all kinds together; and a file that was found counts as used.
@@ -90,12 +135,12 @@ TEST_F(CacheFolderTest, WhatWasNotUsedForLongestIsDroppedOfAllKindsAndNothingEls
   std::ofstream(folder_ / "mine.ktx2") << std::string(5000, 'x');
   std::ofstream(folder_ / (keyOf(1) + "-photo.jpg")) << "begins as a key does";
   const CacheFolder cache(folder_, 2500);
-  keep(cache, keyOf(1), CachedKind::occlusion, 1000);
+  keep(cache, keyOf(1), CachedKind::occlusion, 1000 - kSeal);
   age(std::chrono::hours(1));
-  keep(cache, keyOf(2), CachedKind::prefiltered_chain, 1000);
+  keep(cache, keyOf(2), CachedKind::prefiltered_chain, 1000 - kSeal);
   age(std::chrono::hours(1));
   EXPECT_TRUE(find(cache, keyOf(1), CachedKind::occlusion)) << "now the last that was used";
-  keep(cache, keyOf(3), CachedKind::irradiance, 1000);
+  keep(cache, keyOf(3), CachedKind::irradiance, 1000 - kSeal);
   EXPECT_TRUE(find(cache, keyOf(1), CachedKind::occlusion));
   EXPECT_FALSE(find(cache, keyOf(2), CachedKind::prefiltered_chain));
   EXPECT_TRUE(find(cache, keyOf(3), CachedKind::irradiance));
@@ -110,7 +155,7 @@ TEST_F(CacheFolderTest, WhatIsOfNoUseIsNotUsed) {
   age(std::chrono::hours(2));
   keep(cache, keyOf(2), CachedKind::occlusion, 1000);
   age(std::chrono::hours(1));
-  EXPECT_FALSE(cache.find(keyOf(1), CachedKind::occlusion, [](const fs::path&) { return std::optional<int>(); }));
+  EXPECT_FALSE(cache.find(keyOf(1), CachedKind::occlusion, [](const CachedContent&) { return std::optional<int>(); }));
   keep(cache, keyOf(3), CachedKind::occlusion, 1000);
   EXPECT_FALSE(find(cache, keyOf(1), CachedKind::occlusion));
   EXPECT_TRUE(find(cache, keyOf(2), CachedKind::occlusion));
@@ -132,7 +177,7 @@ TEST_F(CacheFolderTest, ClearRemovesWhatItKeptAndNothingElse) {
   for (const std::string& name : foreign) std::ofstream(folder_ / name) << "mine";
   const auto contents = cache.contents();
   EXPECT_EQ(contents.files, 5u);
-  EXPECT_EQ(contents.bytes, 308u);
+  EXPECT_EQ(contents.bytes, 308u + 3 * kSeal);
   const auto removed = cache.clear();
   ASSERT_TRUE(removed) << removed.error().message;
   EXPECT_EQ(removed->files, 5u);

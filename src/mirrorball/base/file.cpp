@@ -42,6 +42,20 @@ Result<void> checkRegular(const std::filesystem::path& path) {
   return {};
 }
 
+/// Reads up to the file's end at most.
+Result<std::size_t> readFrom(int descriptor, std::uint64_t offset, std::span<std::uint8_t> bytes) {
+  std::size_t filled = 0;
+  while (filled < bytes.size()) {
+    const ssize_t count =
+        ::pread(descriptor, bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return fail(ErrorCode::io, "reading failed: " + reason());
+    if (count == 0) break;
+    filled += static_cast<std::size_t>(count);
+  }
+  return filled;
+}
+
 }  // namespace
 
 Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest) try {
@@ -101,16 +115,7 @@ FileReader::~FileReader() {
 }
 
 Result<std::size_t> FileReader::readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
-  std::size_t filled = 0;
-  while (filled < bytes.size()) {
-    const ssize_t count =
-        ::pread(descriptor_, bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return fail(ErrorCode::io, "reading failed: " + reason());
-    if (count == 0) break;
-    filled += static_cast<std::size_t>(count);
-  }
-  return filled;
+  return readFrom(descriptor_, offset, bytes);
 }
 
 FileWriter::FileWriter(std::string name, UnfinishedPath temporary, int descriptor)
@@ -129,7 +134,7 @@ Result<FileWriter> FileWriter::create(const std::filesystem::path& path) {
   const std::string name = path.string();
   UnfinishedPath temporary(name + ".part" + std::to_string(::getpid()));
   constexpr mode_t kReadAndWrite = 0666;  // less what the user's umask takes away
-  const int descriptor = ::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kReadAndWrite);
+  const int descriptor = ::open(temporary.path().c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, kReadAndWrite);
   if (descriptor < 0)
     return fail(ErrorCode::io,
                 name + ": cannot be written: " + reason() + "; check that the folder exists and is writable");
@@ -147,9 +152,21 @@ Result<void> FileWriter::writeAt(std::uint64_t offset, std::span<const std::uint
   return {};
 }
 
+Result<std::size_t> FileWriter::readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
+  return readFrom(descriptor_, offset, bytes);
+}
+
+Result<std::uint64_t> FileWriter::size() const {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0) return fail(ErrorCode::io, "its size is not known: " + reason());
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
 Result<void> FileWriter::commit() {
-  if (::close(std::exchange(descriptor_, -1)) == 0 && temporary_.finishAs(name_)) return {};
-  return cannotBeWritten(errno);
+  const bool is_on_disk = ::fsync(descriptor_) == 0;
+  const int why = errno;
+  if (::close(std::exchange(descriptor_, -1)) == 0 && is_on_disk && temporary_.finishAs(name_)) return {};
+  return cannotBeWritten(is_on_disk ? errno : why);
 }
 
 Result<void> writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {

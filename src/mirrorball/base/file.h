@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "mirrorball/base/result.h"
@@ -13,6 +14,13 @@
 namespace mirrorball {
 
 using Bytes = std::vector<std::uint8_t>;
+
+/// Values as their bytes lie in memory.
+template <typename Value>
+std::span<const std::uint8_t> bytesOf(std::span<const Value> values) {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size_bytes()};
+}
 
 /// Reads a whole file.
 ///
@@ -67,7 +75,16 @@ class FileWriter {
   /// errors   io (disk full); without the file's name, as commit()'s
   Result<void> writeAt(std::uint64_t offset, std::span<const std::uint8_t> bytes) const;
 
-  /// Gives the file its name. Nothing can be written any more.
+  /// Reads again what was written; as FileReader::readAt.
+  Result<std::size_t> readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+
+  /// Up to the last byte that was written [bytes].
+  ///
+  /// errors   io
+  Result<std::uint64_t> size() const;
+
+  /// Gives the file its name, after all of it has reached the disk: whatever happens then to the machine, under this
+  /// name are the old bytes or the new ones. Nothing can be written any more.
   ///
   /// errors   io (the name is a folder's, disk full)
   Result<void> commit();

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <filesystem>
 #include <set>
 #include <span>
 #include <type_traits>
@@ -18,8 +16,6 @@
 
 namespace mirrorball {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// The maps of a material that findOcclusion reads, which normals and layers of other light do not change.
 std::vector<const TextureSlot*> slotsOf(const Material& m, const SceneOcclusionSettings& settings) {
@@ -63,26 +59,6 @@ void addCounted(const std::vector<Value>& values, ContentHash& hash) {
   hash.addAll(std::span(values));
 }
 
-/// What a file begins with. Its numbers are as this machine has them: on another one they are not those that are
-/// expected, and the file is made again.
-struct Header {
-  std::array<char, 8> magic{'M', 'B', 'o', 'c', 'c', 'l', '\r', '\n'};
-  std::uint32_t version = OcclusionCache::kVersion;
-  std::uint32_t has_looks = 0;
-  std::array<char, ContentHash::kDigits> key{};
-  std::array<char, ContentHash::kDigits> checksum{};  ///< of all that follows
-
-  bool operator==(const Header&) const = default;
-};
-static_assert(sizeof(Header) == 16 + 2 * ContentHash::kDigits, "nothing lies between its members");
-static_assert(sizeof(VertexOcclusion) == 13 * sizeof(float) && sizeof(VertexLook) == 8 * sizeof(float));
-
-std::array<char, ContentHash::kDigits> digitsOf(const std::string& written) {
-  std::array<char, ContentHash::kDigits> digits{};
-  std::copy_n(written.begin(), std::min(written.size(), digits.size()), digits.begin());
-  return digits;
-}
-
 std::size_t verticesOf(const Scene& scene, const Instance& instance) {
   return scene.meshes[std::size_t(instance.mesh)].vertices.size();
 }
@@ -93,7 +69,7 @@ std::size_t verticesOf(const Scene& scene) {
   return vertices;
 }
 
-Header headerOf(const std::string& key, bool has_looks) { return {.has_looks = has_looks, .key = digitsOf(key)}; }
+static_assert(sizeof(VertexOcclusion) == 13 * sizeof(float) && sizeof(VertexLook) == 8 * sizeof(float));
 
 /// What a file holds.
 struct Known {
@@ -110,50 +86,38 @@ struct Known {
   std::vector<OfInstance> instances;
 };
 
-template <typename Value>
-std::span<const std::uint8_t> bytesOf(std::span<const Value> values) {
-  return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size_bytes()};
-}
-
-/// Reads values one after the other, and hashes what it has read.
+/// Reads values one after the other.
 class KnownReader {
  public:
-  explicit KnownReader(const FileReader& file) : file_(file) {}
+  explicit KnownReader(const CachedContent& content) : content_(content) {}
 
   template <typename Value>
   bool read(std::span<Value> values) {
     const std::span<std::uint8_t> bytes{reinterpret_cast<std::uint8_t*>(values.data()), values.size_bytes()};
-    const auto count = file_.readAt(offset_, bytes);
-    content_.addAll(bytesOf(std::span<const Value>(values)));
+    if (bytes.size() > left()) return false;
+    const auto count = content_.file.readAt(offset_, bytes);
     offset_ += bytes.size();
     return count && *count == bytes.size();
   }
-  /// As many values more as there are to be; no memory is taken for what the file is too short for.
+  /// As many values more as there are to be; no memory is taken for what the content is too short for.
   template <typename Value>
   bool read(std::vector<Value>& values, std::uint64_t count) {
-    if (count > (file_.size() - std::min(offset_, file_.size())) / sizeof(Value)) return false;
+    if (count > left() / sizeof(Value)) return false;
     values.resize(count);
     return read(std::span(values));
   }
 
-  bool isAtEnd() const { return offset_ == file_.size(); }
-  std::string digits() const { return content_.digits(); }
-  void skipHeader() { offset_ = sizeof(Header); }
+  std::uint64_t left() const { return content_.size - offset_; }
 
  private:
-  const FileReader& file_;
+  const CachedContent& content_;
   std::uint64_t offset_ = 0;
-  ContentHash content_;
 };
 
-/// What a file holds; nothing: it is not the one that is expected, or damaged.
-std::optional<Known> readKnown(const fs::path& path, const Header& expected, const Scene& scene) {
-  const auto file = FileReader::open(path);
-  if (!file || !checkMemory(file->size())) return {};
-  Header header;
-  if (!KnownReader(*file).read(std::span(&header, 1))) return {};
-  KnownReader reader(*file);
-  reader.skipHeader();
+/// What a file holds; nothing: it is none of such a scene.
+std::optional<Known> readKnown(const CachedContent& content, bool has_looks, const Scene& scene) {
+  if (!checkMemory(content.size)) return {};
+  KnownReader reader(content);
   Known known{.meshes = std::vector<Known::OfMesh>(scene.meshes.size()),
               .instances = std::vector<Known::OfInstance>(scene.instances.size())};
   for (Known::OfMesh& mesh : known.meshes)
@@ -166,27 +130,21 @@ std::optional<Known> readKnown(const fs::path& path, const Header& expected, con
     Known::OfInstance& of_instance = known.instances[i];
     if (!reader.read(std::span<std::uint64_t>(of_instance.sides)) || of_instance.sides[0] > 2 ||
         !reader.read(of_instance.occlusion, of_instance.sides[0] * vertices) ||
-        !reader.read(of_instance.looks, expected.has_looks != 0 ? vertices : 0))
+        !reader.read(of_instance.looks, has_looks ? vertices : 0))
       return {};
   }
-  Header as_read = expected;
-  as_read.checksum = digitsOf(reader.digits());
-  if (!reader.isAtEnd() || header != as_read) return {};
+  if (reader.left() != 0) return {};
   return known;
 }
 
-Result<void> write(const fs::path& path, Header header, const Scene& scene,
+Result<void> write(const FileWriter& file, bool has_looks, const Scene& scene,
                    std::span<const MeshRefinement> refinements) {
-  MIRRORBALL_TRY(writer, FileWriter::create(path));
-  ContentHash content;
-  std::uint64_t offset = sizeof(Header);
+  std::uint64_t offset = 0;
   Result<void> written;
   const auto add = [&](const auto& values) {
     const std::span<const typename std::remove_cvref_t<decltype(values)>::value_type> all(values);
-    const auto bytes = bytesOf(all);
-    if (written) written = writer.writeAt(offset, bytes);
-    content.addAll(bytes);
-    offset += bytes.size();
+    if (written) written = file.writeAt(offset, bytesOf(all));
+    offset += all.size_bytes();
   };
   for (const MeshRefinement& refinement : refinements) {
     add(std::array<std::uint64_t, 2>{refinement.parents.size(), refinement.indices.size()});
@@ -197,12 +155,9 @@ Result<void> write(const fs::path& path, Header header, const Scene& scene,
     add(std::array<std::uint64_t, 1>{instance.occlusion.size() /
                                      std::max<std::size_t>(verticesOf(scene, instance), 1)});
     add(instance.occlusion);
-    if (header.has_looks != 0) add(instance.looks);
+    if (has_looks) add(instance.looks);
   }
-  MIRRORBALL_TRY_VOID(written);
-  header.checksum = digitsOf(content.digits());
-  MIRRORBALL_TRY_VOID(writer.writeAt(0, bytesOf(std::span<const Header>(&header, 1))));
-  return writer.commit();
+  return written;
 }
 
 }  // namespace
@@ -246,7 +201,7 @@ std::string OcclusionCache::keyOf(const Scene& scene, const SceneOcclusionSettin
 
 bool OcclusionCache::find(const std::string& key, bool has_looks, Scene& scene) const {
   auto known = folder_.find(key, CachedKind::occlusion,
-                            [&](const fs::path& path) { return readKnown(path, headerOf(key, has_looks), scene); });
+                            [&](const CachedContent& content) { return readKnown(content, has_looks, scene); });
   if (!known) return false;
   for (std::size_t i = 0; i < known->meshes.size(); ++i) refine(scene.meshes[i], known->meshes[i].refinement);
   for (std::size_t i = 0; i < known->instances.size(); ++i) {
@@ -259,7 +214,7 @@ bool OcclusionCache::find(const std::string& key, bool has_looks, Scene& scene) 
 void OcclusionCache::keep(const std::string& key, bool has_looks, const Scene& scene,
                           std::span<const MeshRefinement> refinements) const {
   folder_.keep(key, CachedKind::occlusion,
-               [&](const fs::path& path) { return write(path, headerOf(key, has_looks), scene, refinements); });
+               [&](const FileWriter& file) { return write(file, has_looks, scene, refinements); });
 }
 
 namespace {

@@ -67,6 +67,14 @@ Result<ImageFormatId> containerFor(const std::filesystem::path& path, const Text
   return container;
 }
 
+/// The container that takes these images.
+Result<ImageFormatId> containerOf(const std::filesystem::path& path, const ImageSet& images,
+                                  const TextureWriteOptions& options) {
+  MIRRORBALL_TRY(container, containerFor(path, options));
+  MIRRORBALL_TRY_VOID(withName(path.string(), checkShape(images, options.format)));
+  return container;
+}
+
 Result<TextureLayout> layoutIn(ImageFormatId container, const TextureShape& shape, int channels,
                                const TextureWriteOptions& options) {
   if (container == ImageFormatId::dds) return ddsLayout(shape, channels == 4, options);
@@ -103,17 +111,18 @@ bool isImageSet(std::span<const std::uint8_t> bytes) { return isKtx2(bytes) || i
 
 Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& images,
                            const TextureWriteOptions& options) {
-  const std::string name = path.string();
-  MIRRORBALL_TRY(container, containerFor(path, options));
-  MIRRORBALL_TRY_VOID(withName(name, checkShape(images, options.format)));
+  MIRRORBALL_TRY_VOID(containerOf(path, images, options));
   MIRRORBALL_TRY(writer, FileWriter::create(path));
-  return withName(name, withinMemory<void>([&]() -> Result<void> {
-                    const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) {
-                      return writer.writeAt(offset, bytes);
-                    };
-                    MIRRORBALL_TRY_VOID(writeIn(container, images, options, write));
-                    return writer.commit();
-                  }));
+  MIRRORBALL_TRY_VOID(writeImageSet(writer, images, options));
+  return withName(path.string(), writer.commit());
+}
+
+Result<void> writeImageSet(const FileWriter& file, const ImageSet& images, const TextureWriteOptions& options) {
+  MIRRORBALL_TRY(container, containerOf(file.name(), images, options));
+  const WriteAt write = [&](std::uint64_t offset, std::span<const std::uint8_t> bytes) {
+    return file.writeAt(offset, bytes);
+  };
+  return withName(file.name(), withinMemory<void>([&] { return writeIn(container, images, options, write); }));
 }
 
 Result<TextureWriter> TextureWriter::create(const std::filesystem::path& path, glm::ivec2 size, int faces, int channels,

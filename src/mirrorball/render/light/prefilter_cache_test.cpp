@@ -93,6 +93,22 @@ TEST_F(PrefilterCacheTest, ADamagedFileIsMadeAnew) {
   EXPECT_FALSE(cache.find(keyOfValue(1.0f), kShape));
 }
 
+// A texel of another value is as good a texel as any: only the checksum tells.
+TEST_F(PrefilterCacheTest, ADamagedTexelIsNotShown) {
+  const PrefilterCache cache{CacheFolder(folder_)};
+  const std::string key = keyOfValue(1.0f);
+  for (const char* ending : {"-chain.ktx2", "-irradiance.ktx2"}) {
+    cache.keep(key, {cubeOfValue(0.25f), cubeOfValue(0.5f)}, TexelFormat::half);
+    ASSERT_TRUE(cache.find(key, kShape));
+    const fs::path path = folder_ / (key + ending);
+    Bytes bytes = readFile(path).value();
+    bytes[bytes.size() - 200] ^= 1u;
+    ASSERT_TRUE(decodeImageSet(bytes)) << "it is a texture still";
+    ASSERT_TRUE(writeFile(path, bytes));
+    EXPECT_FALSE(cache.find(key, kShape)) << ending;
+  }
+}
+
 TEST_F(PrefilterCacheTest, AnotherShapeIsMadeAnew) {
   const PrefilterCache cache{CacheFolder(folder_)};
   const std::string key = keyOfValue(1.0f);

@@ -231,6 +231,7 @@ Command captureCommand() {
   addReference(command, request->reference, request->given);
   addOptions(command, materialOptions(), request->materials);
   command.action = [request] {
+    request->look.proxy.load.inside_only = request->scene.inside_only;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->output.output,
                                [&] { return capture(*request); });
   };

@@ -20,6 +20,11 @@ inline constexpr OptionText kMaxMemoryText{
     .value = "BYTES",
     .help = "maximum memory for images, as in 1.5G or 800M; without it, 3/4 of the machine's memory"};
 
+/// --inside-only, of every command that reads models (ModelLoadOptions).
+inline constexpr OptionText kInsideOnlyText{
+    .name = "inside-only",
+    .help = "read nothing that a model names outside of its own folder, be it by .. or through a symbolic link"};
+
 /// --rotate, of commands that can turn the light.
 inline constexpr OptionText kRotateText{
     .name = "rotate",

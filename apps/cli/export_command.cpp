@@ -61,7 +61,7 @@ Result<void> exportScene(const ExportRequest& request) {
 }  // namespace
 
 Command exportCommand() {
-  constexpr std::array<std::string_view, 2> kOfScene{"up", "max-memory"};
+  constexpr std::array<std::string_view, 3> kOfScene{"up", "inside-only", "max-memory"};
   constexpr std::array<std::string_view, 5> kOfFrame{"size", "camera", "target", "fov", "orthographic"};
   static const std::vector<Option<SceneRequest>> scene_options = rowsNamed(sceneOptions(), kOfScene);
   static const std::vector<Option<FrameSettings>> frame_options = rowsNamed(frameOptions(), kOfFrame);

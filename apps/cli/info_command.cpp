@@ -32,6 +32,7 @@ struct InfoOptions {
   std::vector<float> direction;
   bool json = false;
   std::string from;
+  bool inside_only = false;
   std::string max_memory;
 };
 
@@ -48,6 +49,7 @@ const auto kInfoOptions = std::to_array<Option<InfoOptions>>({
       .help = "form of the map, if it is not recognised (see convert --from)",
       .names = projectionNames},
      &InfoOptions::from},
+    {kInsideOnlyText, &InfoOptions::inside_only},
     {kMaxMemoryText, &InfoOptions::max_memory},
 });
 
@@ -89,16 +91,15 @@ Result<RadianceStatistics> statisticsOf(const Environment& environment) {
 
 /// What is known of an input.
 ///
-/// direction  that is asked for
-/// json       tells all, while a reader who asks for a direction wants no more
+/// direction  that is asked for; with --json all is told, while another reader who asks for one wants no more
 Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions& how,
-                         std::optional<glm::vec3> direction, bool json) {
+                         std::optional<glm::vec3> direction, const InfoOptions& options) {
   MIRRORBALL_TRY(table, brdfTableIn(input));
   if (table) return InputInfo{shown(input), std::move(*table)};
   MIRRORBALL_TRY(rows, lobeRowsIn(input));
   if (rows) return InputInfo{shown(input), std::move(*rows)};
   if (const auto format = modelFormatOf(input); format && !direction) {
-    MIRRORBALL_TRY(scene, loadModel(input));
+    MIRRORBALL_TRY(scene, loadModel(input, {.inside_only = options.inside_only}));
     return InputInfo{shown(input), ModelInfo{std::string(*format).substr(format->find(' ') + 1), std::move(scene)}};
   }
   MIRRORBALL_TRY(loaded, loadMap(input, how));
@@ -111,7 +112,7 @@ Result<InputInfo> infoOf(const std::string& input, const EnvironmentLoadOptions&
   if (const auto text = said.find(kFilamentHarmonicsKey); text != said.end())
     map.harmonics = filamentHarmonicsIn(text->second);
   if (direction) map.direction = directionInfo(map.loaded.environment, *direction);
-  if (!direction || json) {
+  if (!direction || options.json) {
     MIRRORBALL_TRY(statistics, statisticsOf(map.loaded.environment));
     map.statistics = statistics;
   }
@@ -136,7 +137,7 @@ Result<void> info(const std::vector<std::string>& inputs, const InfoOptions& opt
   std::size_t failed = 0;
   for (const std::string& input : inputs) {
     if (interrupted()) break;
-    auto found = infoOf(input, how, direction, options.json);
+    auto found = infoOf(input, how, direction, options);
     if (!found && is_one) return fail(std::move(found));
     if (!found) {
       ++failed;

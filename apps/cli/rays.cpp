@@ -22,7 +22,7 @@ Result<void> findSceneOcclusion(Scene& scene, const FrameSettings& look, const s
 
 Result<MadeMap> normalsOfModel(Image normals, const std::string& input, const SurfaceOptions& options) {
   const bool to_object = options.to == SurfaceMap::object_normal;
-  MIRRORBALL_TRY(model, loadModel(options.model));
+  MIRRORBALL_TRY(model, loadModel(options.model, {.inside_only = options.inside_only}));
   for (const std::string& warning : model.warnings) remark(warning);
   // What is wrong with the model is said under its name, before the map is looked at.
   MIRRORBALL_TRY(surface, withName(options.model, MappedSurface::make(model)));

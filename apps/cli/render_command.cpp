@@ -276,6 +276,7 @@ Command renderCommand() {
   addOptions(command, materialOptions(), request->materials, &request->given);
   command.action = [request] {
     setTheStage(*request);
+    request->frame.proxy.load.inside_only = request->scene.inside_only;
     request->scene.objects_move = request->turntable.turn == Turn::object;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return render(*request); });

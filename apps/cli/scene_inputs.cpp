@@ -45,6 +45,7 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
       .help = "axis of the model that points up: z in many .stl and CAD files, which lie on their side without it",
       .group = "Files"},
      choiceField<&SceneRequest::up>},
+    {kInsideOnlyText, &SceneRequest::inside_only},
     {{.name = "repair",
       .help = "replace NaN and infinite texels of the environment by the mean of their neighbours",
       .group = "Files"},
@@ -91,6 +92,7 @@ Result<RenderInputNames> inputNamesOf(const SceneRequest& request, const Materia
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
   MIRRORBALL_TRY(hint, formHintNamed(request.from));
   return RenderInputNames{.model = request.model,
+                          .load_model = {.inside_only = request.inside_only},
                           .up = request.up,
                           .materials = materials,
                           .relief = look.relief,

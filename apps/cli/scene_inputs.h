@@ -22,6 +22,7 @@ struct SceneRequest {
   Quality quality = Quality::draft;
   bool objects_move = false;  ///< among each other, in a turntable
   bool repair = false;
+  bool inside_only = false;
   bool is_uncached = false;
   bool timings = false;
   std::string max_memory = {};

@@ -18,6 +18,7 @@
 
 #include "cli/interruption.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/descriptor.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/unfinished.h"
 
@@ -30,33 +31,8 @@ constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
 constexpr const char* kInputName = "standard input";
 constexpr const char* kOutputName = "standard output";
 
-/// A file descriptor that is closed with its owner.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 tl::unexpected<Error> failed(const char* name, const char* what) {
   return fail(ErrorCode::io, std::string(name) + ": " + what + ": " + std::strerror(errno));
-}
-
-Result<void> writeAll(int to, std::span<const std::uint8_t> bytes, const char* name) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(to, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return failed(name, "cannot be written");
-    bytes = bytes.subspan(static_cast<std::size_t>(count));
-  }
-  return {};
 }
 
 /// Copies all that there is to read.
@@ -77,7 +53,7 @@ Result<void> copyAll(int from, int to, const char* name, std::uint64_t max) {
     if (count == 0) return {};
     copied += static_cast<std::uint64_t>(count);
     if (copied > max) return withName(name, checkMemory(copied));
-    MIRRORBALL_TRY_VOID(writeAll(to, std::span(piece).first(static_cast<std::size_t>(count)), name));
+    MIRRORBALL_TRY_VOID(withName(name, writeOn(to, std::span(piece).first(static_cast<std::size_t>(count)))));
   }
 }
 

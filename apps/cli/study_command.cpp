@@ -148,6 +148,7 @@ Command studyCommand() {
   command.action = [request]() -> Result<void> {
     MIRRORBALL_TRY_VOID(check(*request));
     const std::string line = commandOf(*request);
+    request->settings.frame.proxy.load.inside_only = request->scene.inside_only;
     return withStandardStreams({&request->scene.model, &request->scene.environment}, request->files.output,
                                [&] { return studyAndWrite(*request, line); });
   };

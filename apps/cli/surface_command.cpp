@@ -94,6 +94,7 @@ const auto kSurfaceOptions = std::to_array<Option<SurfaceOptions>>({
       .help = "in how many directions the horizon is looked for, of occlusion and bent-normal",
       .group = "Heights"},
      choiceField<&SurfaceOptions::azimuths>},
+    {kInsideOnlyText, &SurfaceOptions::inside_only},
     {kMaxMemoryText, &SurfaceOptions::max_memory},
 });
 
@@ -108,6 +109,7 @@ constexpr OptionOfMaps kOptionsOfMaps[]{
     {"edges", " normal derivative height cone pyramid occlusion bent-normal "},
     {"directx", " normal height bent-normal object-normal tangent-normal "},
     {"model", " object-normal tangent-normal "},
+    {"inside-only", " object-normal tangent-normal "},
     {"cones", " cone "},
     {"azimuths", " occlusion bent-normal "},
 };

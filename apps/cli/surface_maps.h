@@ -35,6 +35,7 @@ struct SurfaceOptions {
   ConeKind cones = ConeKind::conservative;
   int azimuths = 2;        ///< 8 << azimuths
   std::string model = {};  ///< whose normals they are, of object_normal and tangent_normal
+  bool inside_only = false;
   std::string max_memory = {};
 };
 

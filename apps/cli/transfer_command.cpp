@@ -41,6 +41,7 @@ struct TransferRequest {
   int padding = 8;
   int rays = 64;
   int triangles = 0;
+  bool inside_only = false;
   std::string max_memory;
   GivenOptions given;
 
@@ -135,6 +136,7 @@ const auto kTransferOptions = std::to_array<Option<TransferRequest>>({
       .help = "make LOW of HIGH, with so many triangles at most, and unwrap it; 0: LOW is given",
       .group = "Light model"},
      &TransferRequest::triangles},
+    {kInsideOnlyText, &TransferRequest::inside_only},
     {kMaxMemoryText, &TransferRequest::max_memory},
 });
 
@@ -163,8 +165,8 @@ Result<void> checkTransfer(const TransferRequest& request) {
   return refuseOverwriting(std::array{request.high, request.low}, outputs);
 }
 
-Result<Scene> loaded(const std::string& model) {
-  MIRRORBALL_TRY(scene, loadModel(model));
+Result<Scene> loaded(const std::string& model, const TransferRequest& request) {
+  MIRRORBALL_TRY(scene, loadModel(model, {.inside_only = request.inside_only}));
   for (const std::string& warning : scene.warnings) remark(warning);
   return scene;
 }
@@ -254,9 +256,9 @@ Result<void> writeModel(Scene low, const Image& normals, const std::string& outp
 Result<void> transfer(const TransferRequest& request) {
   MIRRORBALL_TRY_VOID(useMemoryLimit(request.max_memory));
   MIRRORBALL_TRY_VOID(checkTransfer(request));
-  MIRRORBALL_TRY(high, loaded(request.high));
+  MIRRORBALL_TRY(high, loaded(request.high, request));
   if (high.empty()) return fail(ErrorCode::bad_shape, request.high + ": has no triangles");
-  MIRRORBALL_TRY(low, request.low.empty() ? lightModelOf(high, request) : loaded(request.low));
+  MIRRORBALL_TRY(low, request.low.empty() ? lightModelOf(high, request) : loaded(request.low, request));
   const TransferSettings settings{.size = glm::ivec2(request.size),
                                   .samples_side = 1 << request.samples,
                                   .space = request.space,

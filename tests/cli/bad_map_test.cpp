@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/stat.h>
+
 #include "cli/cli_testing.h"
 
 namespace mirrorball::testing {
@@ -38,6 +40,11 @@ TEST_F(BadMapTest, AFileThatIsNotThere) {
 TEST_F(BadMapTest, AFolder) {
   std::filesystem::create_directory(path("folder.hdr"));
   everyCommandRefuses("folder.hdr", "is a folder");
+}
+
+TEST_F(BadMapTest, APipe) {
+  ASSERT_EQ(::mkfifo(path("pipe.hdr").c_str(), 0600), 0);
+  everyCommandRefuses("pipe.hdr", "a pipe or a device");
 }
 
 TEST_F(BadMapTest, ATable) {

@@ -1,6 +1,8 @@
 // Models by name and from files of every format.
 
 #include <cstdint>
+#include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,8 @@
 
 namespace mirrorball::testing {
 namespace {
+
+namespace fs = std::filesystem;
 
 class ModelCliTest : public RenderCliTest {
  protected:
@@ -75,6 +79,32 @@ TEST_F(ModelCliTest, RealModelsAreSeen) {
     EXPECT_GT(contents.texels, 300) << model;
     EXPECT_GT(contents.mean, 0.02) << model;
   }
+}
+
+// All commands that read models, wherever these are told.
+TEST_F(ModelCliTest, WhatAModelNamesOutsideOfItsFolderIsRefusedByAllCommandsIfToldSo) {
+  fs::create_directory(path("in"));
+  constexpr float kPositions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const auto positions = bytesOf(std::span<const float>(kPositions));
+  write("outside.bin", Bytes(positions.begin(), positions.end()));
+  write("in/model.gltf", std::string(R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":)"
+                                     R"([{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
+                                     R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,)"
+                                     R"("byteLength":36}],"buffers":[{"byteLength":36,"uri":"../outside.bin"}]})"));
+  write("normals.exr", Image(8, 8, 3, 0.5f));
+  for (const std::string command :
+       {"render in/model.gltf -e smooth.exr --size 8x8 -o out.exr",
+        "render sphere --proxy in/model.gltf -e smooth.exr --size 8x8 -o out.exr",
+        "render in/model.gltf --reference -e smooth.exr --size 8x8 -o out.exr",
+        "capture in/model.gltf --at 0,0,1 -e smooth.exr --size 8 -o out.exr",
+        "capture sphere --proxy in/model.gltf --at 0,0,2 -e smooth.exr --size 8 -o out.exr",
+        "study in/model.gltf -e smooth.exr --size 8x8 -o out.html", "export in/model.gltf -o out.glb",
+        "info in/model.gltf", "transfer in/model.gltf sphere --size 8 -o out.png",
+        "transfer sphere in/model.gltf --size 8 -o out.png",
+        "surface normals.exr --to object-normal --model in/model.gltf -o out.exr"})
+    EXPECT_THAT(refuse(1, command + " --inside-only"), ::testing::HasSubstr("lies outside of the model's folder"))
+        << command;
+  EXPECT_THAT(run("export in/model.gltf -o out.glb").err, ::testing::HasSubstr("outside of its folder"));
 }
 
 }  // namespace

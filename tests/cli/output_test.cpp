@@ -1,5 +1,6 @@
 // The files that come out: formats, alpha, turntables, and the same bytes every time.
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <thread>
@@ -175,6 +176,18 @@ void expectTheSameAgain(const std::function<void(const std::string& output, Star
   make("one", {.cores = 1});
   EXPECT_TRUE(bytes("all") == bytes("again")) << "another run gives another file";
   EXPECT_TRUE(bytes("all") == bytes("one")) << "one core gives another file";
+}
+
+TEST_F(OutputTest, ALinkIsWrittenThrough) {
+  write("far.exr", std::string("old"));
+  std::filesystem::create_symlink("far.exr", path("near.exr"));
+  std::filesystem::create_symlink("/dev/null", path("nothing.exr"));
+  for (const std::string output : {"near.exr", "nothing.exr"}) {
+    succeed("convert smooth.exr --to sphere --size 8 -o " + output);
+    EXPECT_TRUE(std::filesystem::is_symlink(path(output))) << output;
+  }
+  EXPECT_EQ(image("far.exr").width(), 8);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
 // Takes seconds: fifteen runs, five of them on one core.

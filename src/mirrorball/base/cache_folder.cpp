@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 /// Behind the key, in the order of CachedKind.
 constexpr std::array<std::string_view, 3> kEndings{"-chain.ktx2", "-irradiance.ktx2", "-occlusion.bin"};
 
-/// Whether it is a key with one of these endings, or what is left of such a file that was never finished: whatever else
-/// lies in the folder is not touched.
-bool isOurs(fs::path path) {
-  if (path.extension().string().starts_with(".part")) path.replace_extension();
+/// Whether it is a key with one of these endings, or a file that is not finished: whatever else lies in the folder is
+/// not touched.
+bool isOurs(const fs::path& path) {
+  if (isPartName(path.filename())) return true;
   const std::string name = path.filename().string();
   const auto isDigit = [](unsigned char letter) { return std::isxdigit(letter) != 0; };
   if (name.size() <= ContentHash::kDigits ||

@@ -166,8 +166,8 @@ TEST_F(CacheFolderTest, ClearRemovesWhatItKeptAndNothingElse) {
   EXPECT_EQ(cache.contents().files, 0u) << "there is no folder yet";
   ASSERT_TRUE(cache.clear());
   for (const CachedKind kind : kKinds) keep(cache, keyOf(1), kind, 100);
-  std::ofstream(folder_ / (keyOf(2) + "-chain.ktx2.part123")) << "half";
-  std::ofstream(folder_ / (keyOf(2) + "-occlusion.bin.part9")) << "half";
+  std::ofstream(folder_ / ".mirrorball-0123456789abcdef.part") << "half";
+  std::ofstream(folder_ / ".mirrorball-0000000000000009.part") << "half";
   const std::string foreign[] = {"holiday.ktx2",
                                  "-occlusion.bin",
                                  keyOf(3),

@@ -8,8 +8,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "mirrorball/base/descriptor.h"
+#include "mirrorball/base/part_file.h"
 #include "mirrorball/base/result.h"
-#include "mirrorball/base/unfinished.h"
 
 namespace mirrorball {
 
@@ -22,23 +23,17 @@ std::span<const std::uint8_t> bytesOf(std::span<const Value> values) {
   return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size_bytes()};
 }
 
-/// Reads a whole file.
+/// Reads a whole file, after its size was compared with memoryLimit().
 ///
-/// errors   not_found; io (a folder, no permission); too_large (above `largest`, or no memory)
+/// errors   not_found; io (a folder, no permission; a pipe or a device, which may never end); too_large (above
+///          `largest`, or more than the memory that may be used)
 Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest = std::uintmax_t{1} << 34);
-
-/// The same for a file that another file names: a device or a pipe is refused, since it may never end.
-Result<Bytes> readRegularFile(const std::filesystem::path& path);
 
 /// A file whose bytes are read where and when they are needed.
 class FileReader {
  public:
   /// errors   not_found; io (a folder, no permission; a pipe or a device, which tell no size)
   static Result<FileReader> open(const std::filesystem::path& path);
-
-  FileReader(FileReader&& other) noexcept;
-  FileReader& operator=(FileReader&&) = delete;
-  ~FileReader();
 
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
@@ -50,24 +45,24 @@ class FileReader {
   Result<std::size_t> readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
 
  private:
-  FileReader(std::string name, int descriptor, std::uint64_t size)
-      : name_(std::move(name)), descriptor_(descriptor), size_(size) {}
+  FileReader(std::string name, Descriptor file, std::uint64_t size)
+      : name_(std::move(name)), file_(std::move(file)), size_(size) {}
 
   std::string name_;
-  int descriptor_ = -1;
+  Descriptor file_;
   std::uint64_t size_ = 0;
 };
 
-/// A file that is either wholly there or not at all: written under a temporary name beside its own, then renamed.
-/// Without commit() the temporary file goes away and what had the name stays.
+/// A file that is either wholly there or not at all: written under a temporary name beside its own (PartFile), then
+/// renamed. Without commit() the temporary file goes away and what had the name stays.
+///
+/// Of a symbolic link, what it leads to is replaced, and the link stays. A pipe or a device stays too: its bytes are
+/// kept in a file without a name, and commit() writes them into it.
 class FileWriter {
  public:
   /// errors   io (no such folder, no permission)
+  /// cost     that of listing the folder; of a pipe, until somebody reads it
   static Result<FileWriter> create(const std::filesystem::path& path);
-
-  FileWriter(FileWriter&& other) noexcept;
-  FileWriter& operator=(FileWriter&&) = delete;
-  ~FileWriter();
 
   /// Writes bytes at a place counted from the file's beginning, in any order; what is never written reads as 0.
   /// Several threads may write different places at the same time.
@@ -92,11 +87,13 @@ class FileWriter {
   const std::string& name() const { return name_; }
 
  private:
-  FileWriter(std::string name, UnfinishedPath temporary, int descriptor);
+  FileWriter(std::string name, std::string target, PartFile part);
+  Result<void> passOn();
 
   std::string name_;
-  UnfinishedPath temporary_;
-  int descriptor_ = -1;  // -1 once it is closed or moved away
+  std::string target_;  // what the name leads to
+  PartFile part_;
+  Descriptor sink_;  // the pipe or device, if it is one
 };
 
 /// Writes a whole file with a FileWriter.

@@ -1,8 +1,16 @@
 #include "mirrorball/base/file.h"
 
+#include <array>
+#include <thread>
+
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
+
+#include "mirrorball/base/memory.h"
 
 namespace mirrorball {
 namespace {
@@ -74,13 +82,84 @@ TEST_F(FileTest, WithoutCommitTheOldFileStays) {
 
 TEST_F(FileTest, AFullDiskIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  // The temporary name is a link to the device that is always full.
-  fs::create_symlink("/dev/full", (folder_ / "a").string() + ".part" + std::to_string(::getpid()));
+  fs::create_symlink("/dev/full", folder_ / "a");
   const auto result = writeFile(folder_ / "a", Bytes(10));
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::io);
   EXPECT_THAT(result.error().message, HasSubstr("No space"));
-  EXPECT_EQ(fileCount(), 0u) << "the temporary file stayed";
+  EXPECT_EQ(fileCount(), 1u) << "the temporary file stayed";
+}
+
+TEST_F(FileTest, ALinkIsWrittenThrough) {
+  fs::create_directories(folder_ / "far");
+  ASSERT_TRUE(writeFile(folder_ / "far" / "a", Bytes{1}));
+  fs::create_symlink("far/a", folder_ / "near");
+  fs::create_symlink(folder_ / "near", folder_ / "farther");
+  fs::create_symlink("far/new", folder_ / "dangling");
+  for (const char* name : {"near", "farther", "dangling"}) {
+    ASSERT_TRUE(writeFile(folder_ / name, Bytes{2, 3})) << name;
+    EXPECT_TRUE(fs::is_symlink(folder_ / name)) << name;
+    EXPECT_EQ(*readFile(folder_ / name), (Bytes{2, 3})) << name;
+  }
+  EXPECT_FALSE(fs::is_symlink(folder_ / "far" / "a"));
+  EXPECT_TRUE(fs::exists(folder_ / "far" / "new"));
+  EXPECT_EQ(fileCount(), 4u);
+  fs::create_symlink("round", folder_ / "round");
+  EXPECT_THAT(writeFile(folder_ / "round", Bytes{1}).error().message, HasSubstr("symbolic links"));
+}
+
+TEST_F(FileTest, APipeIsWrittenInto) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  Bytes bytes(300'000);  // more than a pipe holds
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * 7 / 5);
+  const Descriptor reading(::open(pipe.c_str(), O_RDONLY | O_NONBLOCK));
+  Bytes got;
+  std::thread reader([&] {
+    std::array<std::uint8_t, 4096> piece;
+    pollfd begun{.fd = reading.number(), .events = POLLIN, .revents = 0};
+    while (::poll(&begun, 1, 5000) > 0) {
+      const ssize_t count = ::read(reading.number(), piece.data(), piece.size());
+      if (count <= 0) break;
+      got.insert(got.end(), piece.begin(), piece.begin() + count);
+    }
+  });
+  EXPECT_TRUE(writeFile(pipe, bytes));
+  reader.join();
+  EXPECT_TRUE(got == bytes);
+  EXPECT_TRUE(fs::is_fifo(pipe)) << "it was replaced";
+  EXPECT_EQ(fileCount(), 1u);
+}
+
+// File systems allow 255 bytes.
+TEST_F(FileTest, ALongNameIsWritten) {
+  for (const std::size_t length : {250u, 254u, 255u}) {
+    const auto written = writeFile(folder_ / std::string(length, 'n'), Bytes{1});
+    EXPECT_TRUE(written) << length << ": " << written.error().message;
+  }
+  EXPECT_EQ(fileCount(), 3u);
+}
+
+TEST_F(FileTest, WhatMayNeverEndIsNotRead) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  for (const fs::path& path : {folder_ / "pipe", fs::path("/dev/zero")}) {
+    const auto read = readFile(path);
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().message, HasSubstr("a pipe or a device"));
+  }
+}
+
+// Of a file with a hole that is larger than all memory nothing is read.
+TEST_F(FileTest, WhatDoesNotFitIntoMemoryIsNotRead) {
+  ASSERT_TRUE(writeFile(folder_ / "a", {}));
+  fs::resize_file(folder_ / "a", 3u << 20u);
+  const std::uint64_t limit = memoryLimit();
+  setMemoryLimit(2u << 20u);
+  const auto read = readFile(folder_ / "a");
+  setMemoryLimit(limit);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().code, ErrorCode::too_large);
+  EXPECT_THAT(read.error().message, HasSubstr("a: "));
 }
 
 TEST(ExtensionOf, IsLowerCaseWithoutDot) {

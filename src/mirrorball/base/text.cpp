@@ -170,12 +170,58 @@ std::string formatNumber(double number) {
   return sign + (is_plain || fixed.size() <= scientific.size() ? fixed : scientific);
 }
 
-std::string printable(std::string_view text) {
-  constexpr char kDelete = 0x7f;
-  std::string clean(text);
-  std::replace_if(
-      clean.begin(), clean.end(),
-      [](char letter) { return (static_cast<unsigned char>(letter) < ' ') || letter == kDelete; }, '?');
+namespace {
+
+/// A code point of UTF-8, and how many bytes of a text it takes.
+struct CodePoint {
+  char32_t value = 0;
+  std::size_t bytes = 1;
+  bool is_valid = false;  ///< else the byte is none of UTF-8, or not in its place
+};
+
+CodePoint firstCodePoint(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return {first, 1, true};
+  // Of two, three and four bytes: what marks the first, and the least value that is not written shorter.
+  constexpr struct {
+    unsigned char mask, mark;
+    char32_t least;
+  } kForms[] = {{0xE0, 0xC0, 0x80}, {0xF0, 0xE0, 0x800}, {0xF8, 0xF0, 0x10000}};
+  for (std::size_t form = 0; form < std::size(kForms); ++form) {
+    const auto& [mask, mark, least] = kForms[form];
+    const std::size_t count = form + 2;
+    if ((first & mask) != mark || text.size() < count) continue;
+    char32_t value = first & static_cast<unsigned char>(~mask);
+    for (std::size_t i = 1; i < count; ++i) {
+      if ((byte(i) & 0xC0) != 0x80) return {};
+      value = value << 6 | (byte(i) & 0x3Fu);
+    }
+    const bool is_surrogate = value >= 0xD800 && value < 0xE000;
+    if (value < least || value > 0x10FFFF || is_surrogate) return {};
+    return {value, count, true};
+  }
+  return {};
+}
+
+/// Whether it acts on a terminal instead of being shown there: controls, line separators, directions of writing.
+bool isControl(char32_t point) {
+  return point < 0x20 || (point >= 0x7F && point < 0xA0) || point == 0x200E || point == 0x200F ||
+         (point >= 0x2028 && point <= 0x202E) || (point >= 0x2066 && point <= 0x2069);
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) { return excerpt(text, text.size()); }
+
+std::string excerpt(std::string_view text, std::size_t longest) {
+  std::string clean;
+  for (std::size_t count = 0; !text.empty(); ++count) {
+    if (count == longest) return clean + "… (" + std::to_string(text.size()) + " bytes more)";
+    const CodePoint point = firstCodePoint(text);
+    clean += point.is_valid && !isControl(point.value) ? text.substr(0, point.bytes) : "?";
+    text.remove_prefix(point.bytes);
+  }
   return clean;
 }
 

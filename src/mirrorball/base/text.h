@@ -33,8 +33,15 @@ std::string countedAre(std::size_t count, std::string_view noun);
 /// The shortest text that reads back as the same float: "0.3", "1000000", "1e-07".
 std::string formatNumber(double number);
 
-/// A foreign file's text as it may stand in a message: one line, with '?' for every control character.
+/// A foreign text as it may stand in a line on a terminal: with '?' for each character that does something there
+/// instead of being shown (control characters, of C1 too, and those that turn the direction of writing), and for each
+/// byte that is no UTF-8.
 std::string printable(std::string_view text);
+
+/// The same for messages, shortened: "aaa… (4920 bytes more)".
+///
+/// longest  how many code points remain
+std::string excerpt(std::string_view text, std::size_t longest = 80);
 
 /// Whether a file's name is an address of the network, such as https://…
 bool isUrl(std::string_view name);

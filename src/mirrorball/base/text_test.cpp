@@ -68,6 +68,25 @@ TEST(FormatNumber, ReadsBackAsTheSameFloat) {
 TEST(Printable, LeavesNoControlCharacter) {
   EXPECT_EQ(printable("R\nG\x1b[31m\x7f"), "R?G?[31m?");
   EXPECT_EQ(printable("grün"), "grün");
+  EXPECT_EQ(printable("\u20AC\U0001F4A1"), "\u20AC\U0001F4A1");
+  EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a?b");
+  EXPECT_EQ(printable("\u009B31m"), "?31m") << "as ESC [ of C1";
+  EXPECT_EQ(printable("\u202Egnp.exe\u2028"), "?gnp.exe?");
+  // Bytes that are no UTF-8: alone, cut short, longer than needed, half of a pair, beyond the last.
+  EXPECT_EQ(printable("\x9b"
+                      "31m"),
+            "?31m");
+  EXPECT_EQ(printable("a\xE2\x82"), "a??");
+  EXPECT_EQ(printable("\xC0\x8A"), "??");
+  EXPECT_EQ(printable("\xED\xA0\x80"), "???");
+  EXPECT_EQ(printable("\xF4\x90\x80\x80"), "????");
+}
+
+TEST(Excerpt, TellsHowMuchIsLeftOut) {
+  EXPECT_EQ(excerpt("short\n"), "short?");
+  EXPECT_EQ(excerpt(std::string(80, 'a')), std::string(80, 'a'));
+  EXPECT_EQ(excerpt(std::string(5'000'000, 'a')), std::string(80, 'a') + "… (4999920 bytes more)");
+  EXPECT_EQ(excerpt("üü\x1büü", 3), "üü?… (4 bytes more)") << "no letter is cut";
 }
 
 TEST(UnknownName, SuggestsTheNearestAndListsAll) {

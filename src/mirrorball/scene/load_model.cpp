@@ -81,12 +81,13 @@ struct ModelFormat {
   std::string_view extension;
   std::string_view name;   ///< with its article
   std::string_view magic;  ///< the first bytes; empty where they do not tell
-  Result<Scene> (*decode)(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
+  Result<Scene> (*decode)(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                          const ModelLoadOptions& options);
 };
 
 /// A format whose files name no others.
 template <Result<Scene> (*decode)(std::span<const std::uint8_t>)>
-Result<Scene> withoutPath(std::span<const std::uint8_t> bytes, const std::filesystem::path&) {
+Result<Scene> withoutPath(std::span<const std::uint8_t> bytes, const std::filesystem::path&, const ModelLoadOptions&) {
   return decode(bytes);
 }
 
@@ -169,7 +170,7 @@ bool hasArea(const Scene& scene) {
 
 std::span<const std::string_view> builtinModelNames() { return builtinNames(); }
 
-Result<Scene> loadModel(const std::string& name_or_path) {
+Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions& options) {
   if (const auto index = indexOfName(name_or_path, builtinNames())) return builtinScene(*index);
   if (isUrl(name_or_path)) return tl::unexpected<Error>(downloadsNothing(name_or_path));
 
@@ -178,7 +179,7 @@ Result<Scene> loadModel(const std::string& name_or_path) {
   const std::vector<std::uint8_t> begin = firstBytes(name_or_path);
   if (const ModelFormat* format = formatOf(name_or_path, begin)) {
     MIRRORBALL_TRY(bytes, readFile(name_or_path));
-    MIRRORBALL_TRY(scene, withName(name_or_path, format->decode(bytes, name_or_path)));
+    MIRRORBALL_TRY(scene, withName(name_or_path, format->decode(bytes, name_or_path, options)));
     MIRRORBALL_TRY_VOID(withName(name_or_path, checkExtent(scene)));
     if (!hasArea(scene))
       scene.warnings.push_back(name_or_path + ": none of its triangles has an area; nothing is seen");

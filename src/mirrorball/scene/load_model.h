@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/model_files.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -16,7 +17,7 @@ namespace mirrorball {
 /// returns  a scene whose every index is in range and every number finite: safe to draw
 /// errors   not_found (lists the built-ins); bad_file (key or byte named); unsupported (of a folder it names the models
 ///          in it); too_large
-Result<Scene> loadModel(const std::string& name_or_path);
+Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions& options = {});
 
 /// The name of a file's format, if loadModel would take it: "a glTF", "an OBJ". Nothing if it would not, or there is no
 /// such file.

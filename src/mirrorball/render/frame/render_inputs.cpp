@@ -23,7 +23,7 @@ void warnOfNoHeights(Scene& scene, ReliefKind kind) {
 }  // namespace
 
 Result<Scene> loadScene(const RenderInputNames& names, const std::function<int()>& largest_texture) {
-  MIRRORBALL_TRY(scene, loadModel(names.model));
+  MIRRORBALL_TRY(scene, loadModel(names.model, names.load_model));
   standUpright(scene, names.up);
   MIRRORBALL_TRY_VOID(changeMaterials(scene, names.materials));
   warnOfNoHeights(scene, names.relief);

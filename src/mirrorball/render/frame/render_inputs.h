@@ -9,6 +9,7 @@
 #include "mirrorball/environment/file/load.h"
 #include "mirrorball/render/frame/renderer.h"
 #include "mirrorball/scene/material/material_changes.h"
+#include "mirrorball/scene/model_files.h"
 #include "mirrorball/scene/relief/relief.h"
 #include "mirrorball/scene/scene.h"
 
@@ -17,6 +18,7 @@ namespace mirrorball {
 /// A model and an environment, by their names.
 struct RenderInputNames {
   std::string model = "showcase";  ///< a file or a built-in: loadModel
+  ModelLoadOptions load_model = {};
   UpAxis up = UpAxis::y;
   MaterialChanges materials = {};
   ReliefKind relief = ReliefKind::bump;   ///< that will be drawn

@@ -300,10 +300,12 @@ class SceneBuilder {
 }  // namespace
 }  // namespace gltf
 
-Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  MIRRORBALL_TRY(file, gltf::openFile(bytes, path));
+Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                         const ModelLoadOptions& options) {
+  ModelFiles named(path, options);
+  MIRRORBALL_TRY(file, gltf::openFile(bytes, path, named));
   MIRRORBALL_TRY(scene, gltf::SceneBuilder(file).build());
-  scene.files.insert(scene.files.end(), file.files.begin(), file.files.end());
+  tellOfFiles(named, scene);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/model_files.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -18,9 +19,11 @@ namespace mirrorball {
 ///
 /// returns  one mesh a primitive; an instance whose node mirrors gets a copy of its mesh with turned triangles, so that
 ///          counter-clockwise is outside everywhere
-/// path     its folder is where buffers and pictures lie; warnings begin with it
+/// path     its folder is where the paths of buffers and pictures begin (ModelFiles); warnings begin with it
 /// errors   io (of a buffer or picture); bad_file (the key is named: a range that its buffer does not have, an index
-///          out of range, a missing picture or buffer, NaN); unsupported (version 1, a required extension); too_large
-Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
+///          out of range, a missing picture or buffer, NaN); unsupported (version 1, a required extension, a
+///          file that is not to be read); too_large
+Result<Scene> decodeGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                         const ModelLoadOptions& options = {});
 
 }  // namespace mirrorball

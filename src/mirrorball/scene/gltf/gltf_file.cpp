@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/gltf_meshopt.h"
 
 namespace mirrorball::gltf {
@@ -112,12 +113,14 @@ std::string percentDecoded(std::string_view text) {
   return decoded;
 }
 
-/// A uri as a message can show it: short, and without letters that would break the line.
-std::string shownUri(std::string_view uri) {
-  constexpr std::size_t kLongest = 100;
-  std::string line;
-  for (const char letter : uri.substr(0, kLongest)) line += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
-  return uri.size() > kLongest ? line + "…" : line;
+/// What a buffer's uri names.
+Result<std::span<const std::uint8_t>> readBuffer(File& file, const std::string& uri, const std::string& key) {
+  if (!isData(uri)) {
+    MIRRORBALL_TRY(path, findFile(file, uri, key));
+    return file.named.read(path);
+  }
+  MIRRORBALL_TRY(bytes, decodeData(uri, key));
+  return std::span<const std::uint8_t>(file.storage.emplace_back(std::move(bytes)));
 }
 
 Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
@@ -130,16 +133,15 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
     }
     std::span<const std::uint8_t> bytes = binary;
     if (buffer.uri) {
-      MIRRORBALL_TRY(read, readUri(file, *buffer.uri, key + ".uri"));
-      bytes = file.storage.emplace_back(std::move(read));
-      if (const auto path = fileOf(file, *buffer.uri)) file.files.push_back(path->string());
+      MIRRORBALL_TRY(read, readBuffer(file, *buffer.uri, key + ".uri"));
+      bytes = read;
     } else if (i > 0 || binary.empty()) {
       // Only the first may be the binary chunk; another has its content in an extension that is not read.
       bytes = {};
     }
     if (bytes.size() < buffer.byte_length)
       return fail(ErrorCode::bad_file, key + ".byteLength is " + std::to_string(buffer.byte_length) + ", but " +
-                                           (buffer.uri ? "'" + shownUri(*buffer.uri) + "'" : "the binary chunk") +
+                                           (buffer.uri ? "'" + excerpt(*buffer.uri) + "'" : "the binary chunk") +
                                            " has " + std::to_string(bytes.size()) + " bytes");
     file.buffers.push_back(bytes.first(buffer.byte_length));
   }
@@ -158,34 +160,25 @@ Result<void> checkIndex(int index, std::size_t count, const std::string& key, co
               key + " is " + std::to_string(index) + ", but there are " + std::to_string(count) + " " + things);
 }
 
-std::optional<std::filesystem::path> fileOf(const File& file, const std::string& uri) {
-  if (uri.starts_with("data:")) return {};
-  return file.folder / percentDecoded(uri);
+bool isData(std::string_view uri) { return uri.starts_with("data:"); }
+
+Result<Bytes> decodeData(const std::string& uri, const std::string& key) {
+  constexpr std::string_view kMark = ";base64,";
+  const std::size_t mark = uri.find(kMark);
+  std::optional<Bytes> bytes;
+  if (mark != std::string::npos) bytes = decodeBase64(std::string_view(uri).substr(mark + kMark.size()));
+  if (!bytes) return fail(ErrorCode::bad_file, key + " is no base64 data: '" + excerpt(uri) + "'");
+  return std::move(*bytes);
 }
 
-Result<Bytes> readUri(const File& file, const std::string& uri, const std::string& key) {
-  if (uri.starts_with("data:")) {
-    constexpr std::string_view kMark = ";base64,";
-    const std::size_t mark = uri.find(kMark);
-    std::optional<Bytes> bytes;
-    if (mark != std::string::npos) bytes = decodeBase64(std::string_view(uri).substr(mark + kMark.size()));
-    if (!bytes) return fail(ErrorCode::bad_file, key + " is no base64 data: '" + shownUri(uri) + "'");
-    return std::move(*bytes);
-  }
-  if (uri.find("://") != std::string::npos)
-    return fail(ErrorCode::unsupported,
-                key + " '" + shownUri(uri) + "' lies in a network; fetch it and put it beside the model");
-  const std::filesystem::path path = *fileOf(file, uri);
-  std::error_code status;
-  if (!std::filesystem::is_regular_file(path, status))
-    return fail(ErrorCode::bad_file, key + " '" + shownUri(uri) + "' is missing; put it beside the model");
-  return readFile(path);
+Result<std::filesystem::path> findFile(const File& file, const std::string& uri, const std::string& key) {
+  auto path = file.named.find(percentDecoded(uri));
+  if (!path) path.error().message.insert(0, key + " '" + excerpt(uri) + "' ");
+  return path;
 }
 
-Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  File file;
-  file.name = path.string();
-  file.folder = path.parent_path();
+Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path, ModelFiles& named) {
+  File file{.name = path.string(), .named = named, .document = {}, .buffers = {}, .storage = {}};
   Container container;
   if (isGlb(bytes)) {
     MIRRORBALL_TRY(glb, readGlb(bytes));

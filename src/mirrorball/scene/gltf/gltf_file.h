@@ -6,39 +6,47 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/gltf/gltf_document.h"
+#include "mirrorball/scene/model_files.h"
 
 namespace mirrorball::gltf {
 
 /// A glTF file: its JSON, and the bytes of its buffers. Everything that reads an accessor, a buffer view or a picture
 /// checks its range here.
 struct File {
-  std::string name;  ///< for warnings
-  std::filesystem::path folder;
+  std::string name;   ///< for warnings
+  ModelFiles& named;  ///< the files that it names
   Document document;
   std::vector<std::span<const std::uint8_t>> buffers;
-  std::vector<Bytes> storage;      ///< of the buffers that do not lie in the file itself
-  std::vector<std::string> files;  ///< where those were read
+  std::vector<Bytes> storage;  ///< of the buffers that lie in the JSON
 };
 
 /// Reads the container (.glb or .gltf, told by its first bytes), the JSON, and the buffers.
 ///
 /// bytes    must live as long as the result, which points into them
+/// named    so must this
 /// errors   bad_file; unsupported; io
-Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
+Result<File> openFile(std::span<const std::uint8_t> bytes, const std::filesystem::path& path, ModelFiles& named);
 
-/// The file that a uri names; nothing for data in the uri itself.
-std::optional<std::filesystem::path> fileOf(const File& file, const std::string& uri);
+/// Whether a uri has the bytes itself.
+bool isData(std::string_view uri);
 
-/// The bytes that a uri names: base64 data, or a file beside or below the model.
+/// The bytes of such a uri, in base64.
 ///
 /// key      what holds the uri, for messages
-/// errors   bad_file (no base64; a missing file); unsupported (a network address)
-Result<Bytes> readUri(const File& file, const std::string& uri, const std::string& key);
+/// errors   bad_file
+Result<Bytes> decodeData(const std::string& uri, const std::string& key);
+
+/// The file that another uri names.
+///
+/// key      what holds the uri, for messages
+/// errors   as ModelFiles::find's
+Result<std::filesystem::path> findFile(const File& file, const std::string& uri, const std::string& key);
 
 /// An attribute's numbers: `components` to an element.
 struct Numbers {

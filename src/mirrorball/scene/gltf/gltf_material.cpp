@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "mirrorball/scene/gltf/gltf_document_material.h"
-#include "mirrorball/scene/picture_decoding.h"
 
 namespace mirrorball::gltf {
 
@@ -63,13 +62,29 @@ Result<int> Materials::sceneTexture(int index, bool srgb, std::optional<float> g
   return textures_[use] = static_cast<int>(scene_.textures.size()) - 1;
 }
 
-Result<std::span<const std::uint8_t>> Materials::encoded(int index) {
+Result<std::size_t> Materials::pictureOf(int index) {
+  if (const auto known = picture_of_image_.find(index); known != picture_of_image_.end()) return known->second;
   const Image& image = file_.document.images[std::size_t(index)];
   const std::string key = quoted("images", std::size_t(index));
-  if (!image.uri) return viewBytes(file_, image.buffer_view, key + ".bufferView");
-  MIRRORBALL_TRY(bytes, readUri(file_, *image.uri, key + ".uri"));
-  if (const auto path = fileOf(file_, *image.uri)) scene_.files.push_back(path->string());
-  return std::span<const std::uint8_t>(storage_[index] = std::move(bytes));
+  std::string source;  // what images that show the same have in common
+  std::span<const std::uint8_t> bytes;
+  if (!image.uri) {
+    MIRRORBALL_TRY(view, viewBytes(file_, image.buffer_view, key + ".bufferView"));
+    source = "bufferViews " + std::to_string(image.buffer_view);
+    bytes = view;
+  } else if (isData(*image.uri)) {
+    MIRRORBALL_TRY(decoded, decodeData(*image.uri, key + ".uri"));
+    source = *image.uri;
+    bytes = storage_[index] = std::move(decoded);
+  } else {
+    MIRRORBALL_TRY(path, findFile(file_, *image.uri, key + ".uri"));
+    MIRRORBALL_TRY(read, file_.named.read(path));
+    source = path.string();
+    bytes = read;
+  }
+  const auto [picture, is_new] = pictures_.try_emplace(source, encoded_.size());
+  if (is_new) encoded_.push_back(bytes);
+  return picture_of_image_[index] = picture->second;
 }
 
 namespace {
@@ -87,22 +102,19 @@ void makeRoughness(Image8& image, float glossiness) {
 }  // namespace
 
 Result<void> Materials::decodeTextures() {
-  std::map<int, std::size_t> place;  // glTF image → which of `pictures`
-  std::vector<EncodedPicture> pictures;
+  std::vector<std::size_t> place;  // of each texture's picture
   for (const Planned& planned : planned_) {
-    if (!place.emplace(planned.image, pictures.size()).second) continue;
-    MIRRORBALL_TRY(bytes, encoded(planned.image));
-    pictures.push_back(bytes);
+    MIRRORBALL_TRY(picture, pictureOf(planned.image));
+    place.push_back(picture);
   }
-
-  std::vector<Result<Image8>> decoded = decodePictures(pictures);
-  for (const Planned& planned : planned_)
-    if (Result<Image8>& picture = decoded[place[planned.image]]; !picture)
-      return fail(withName(quoted("images", std::size_t(planned.image)), std::move(picture)));
-  std::vector<std::size_t> users(pictures.size(), 0);
-  for (const Planned& planned : planned_) ++users[place[planned.image]];
+  std::vector<Result<Image8>> decoded = decodePictures(encoded_);
+  for (std::size_t i = 0; i < planned_.size(); ++i)
+    if (Result<Image8>& picture = decoded[place[i]]; !picture)
+      return fail(withName(quoted("images", std::size_t(planned_[i].image)), std::move(picture)));
+  std::vector<std::size_t> users(encoded_.size(), 0);
+  for (const std::size_t picture : place) ++users[picture];
   for (std::size_t i = 0; i < planned_.size(); ++i) {
-    const std::size_t picture = place[planned_[i].image];
+    const std::size_t picture = place[i];
     // The last texture that shows a picture takes it; those before it need a copy.
     Image8& image = scene_.textures[i].image;
     image = --users[picture] == 0 ? std::move(*decoded[picture]) : *decoded[picture];

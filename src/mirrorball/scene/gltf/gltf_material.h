@@ -10,6 +10,7 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
+#include "mirrorball/scene/picture_decoding.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball::gltf {
@@ -41,7 +42,8 @@ class Materials {
 
   Result<void> bindTexture(TextureSlot& slot, bool srgb, std::optional<float> glossiness, const std::string& key);
   Result<int> sceneTexture(int texture, bool srgb, std::optional<float> glossiness, const std::string& key);
-  Result<std::span<const std::uint8_t>> encoded(int image);
+  /// Which of `encoded_` an image shows.
+  Result<std::size_t> pictureOf(int image);
 
   const File& file_;
   Scene& scene_;
@@ -49,7 +51,10 @@ class Materials {
   std::map<int, int> materials_;                                   // glTF index → scene index
   std::map<TextureUse, int> textures_;                             // → scene index
   std::vector<Planned> planned_;                                   // by scene index
-  std::map<int, Bytes> storage_;                                   // of the images that do not lie in a buffer
+  std::map<int, Bytes> storage_;                                   // of the images that lie in the JSON
+  std::vector<EncodedPicture> encoded_;                            // each different picture once
+  std::map<std::string, std::size_t> pictures_;                    // file or place → which of them
+  std::map<int, std::size_t> picture_of_image_;                    // glTF index → likewise
 };
 
 }  // namespace mirrorball::gltf

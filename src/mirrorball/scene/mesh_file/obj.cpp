@@ -193,7 +193,7 @@ std::optional<std::string> wordThatIsNoNumber(std::string_view text) {
     if (wrong == std::string_view::npos) continue;
     const std::size_t first = values.find_last_of(" \t", wrong) + 1;
     const std::string_view word = values.substr(first, values.find_first_of(" \t", wrong) - first);
-    return "line " + std::to_string(line_number) + ": '" + printable(std::string(word)) + "' is no number";
+    return "line " + std::to_string(line_number) + ": '" + excerpt(word) + "' is no number";
   }
   return {};
 }
@@ -201,16 +201,15 @@ std::optional<std::string> wordThatIsNoNumber(std::string_view text) {
 /// Reads a .mtl beside the model.
 class MaterialReader : public tinyobj::MaterialReader {
  public:
-  MaterialReader(std::filesystem::path folder, Scene& scene) : folder_(std::move(folder)), scene_(scene) {}
+  MaterialReader(ModelFiles& named, Scene& scene) : named_(named), scene_(scene) {}
 
   bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
                   std::map<std::string, int>* indices, std::string*, std::string*) override {
-    const Result<Bytes> bytes = readRegularFile(folder_ / name);
+    const auto bytes = readNamed(named_, name);
     if (!bytes) {
       scene_.warnings.push_back(bytes.error().message + "; its materials are left out");
       return false;
     }
-    scene_.files.push_back((folder_ / name).string());
     ByteStream stream(*bytes);
     std::string warning;
     std::string problem;
@@ -219,7 +218,7 @@ class MaterialReader : public tinyobj::MaterialReader {
   }
 
  private:
-  std::filesystem::path folder_;
+  ModelFiles& named_;
   Scene& scene_;
 };
 
@@ -328,14 +327,15 @@ class MeshBuilder {
 
 }  // namespace
 
-Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  const std::filesystem::path folder = path.parent_path();
+Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                        const ModelLoadOptions& options) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (const auto wrong = wordThatIsNoNumber(text)) return fail(ErrorCode::bad_file, *wrong);
   Scene scene;
   ByteStream stream(bytes);
   Geometry geometry(stream);
-  MaterialReader reader(folder, scene);
+  ModelFiles named(path, options);
+  MaterialReader reader(named, scene);
   try {
     tinyobj::LoadObjWithCallback(stream, callbacks(), &geometry, &reader);
   } catch (const std::exception& exception) {
@@ -346,7 +346,7 @@ Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesyst
   if (geometry.faces.empty())
     return fail(ErrorCode::bad_file, "holds no faces; it is no OBJ file, or only points and lines");
   for (const std::string& material : geometry.unknown_materials)
-    scene.warnings.push_back(path.string() + ": no .mtl has the material '" + material + "'");
+    scene.warnings.push_back(path.string() + ": no .mtl has the material '" + excerpt(material) + "'");
 
   addMissingNormals(geometry);
   std::map<int, Mesh> meshes = MeshBuilder(geometry).build();
@@ -361,7 +361,8 @@ Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesyst
     else
       scene.materials.emplace_back();  // the least key comes first, and so does its material
   }
-  addObjMaterials(used, folder, scene);
+  addObjMaterials(used, named, scene);
+  tellOfFiles(named, scene);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/scene/model_files.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -16,9 +17,10 @@ namespace mirrorball {
 /// exponent have), Pr, Pm, map_Kd, map_Ke and norm. Where the file has no normals, `s N` makes edges smooth within a
 /// smoothing group and `s off` all sharp; in a file without any `s`, edges are smooth under 45°.
 ///
-/// path     its folder is where the .mtl and the pictures lie; warnings begin with it
-/// returns  a missing or damaged .mtl or picture is a warning in the scene
+/// path     its folder is where the paths of the .mtl and the pictures begin (ModelFiles); warnings begin with it
+/// returns  a .mtl or picture that is missing, damaged or not to be read is a warning in the scene
 /// errors   bad_file (indices out of range; numbers that are not finite); too_large
-Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
+Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                        const ModelLoadOptions& options = {});
 
 }  // namespace mirrorball

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mirrorball/base/file.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/picture_decoding.h"
 
 namespace mirrorball {
@@ -17,37 +17,47 @@ constexpr int kDiffuseWithoutHighlight = 1;  // an illumination model of the .mt
 
 float share(float number) { return std::isfinite(number) ? std::clamp(number, 0.0f, 1.0f) : 0.0f; }
 
+std::string withSlashes(std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
+std::string inQuotes(const std::string& name) { return "'" + excerpt(name) + "'"; }
+
 /// Pictures that materials share are read once for each of the two ways to read their colours.
 class Pictures {
  public:
-  Pictures(std::filesystem::path folder, Scene& scene) : folder_(std::move(folder)), scene_(scene) {}
+  Pictures(ModelFiles& named, Scene& scene) : named_(named), scene_(scene) {}
 
   /// The texture's index in the scene, or −1 where there is none or it cannot be read.
-  int texture(std::string name, bool srgb) {
+  int texture(const std::string& name, bool srgb) {
     if (name.empty()) return -1;
-    std::replace(name.begin(), name.end(), '\\', '/');  // as programs on Windows write it
     const auto [found, is_new] = textures_.try_emplace({name, srgb}, -1);
     if (!is_new) return found->second;
-    Result<Bytes> bytes = readRegularFile(folder_ / name);
+    const auto bytes = readNamed(named_, name);
     if (!bytes) {
       scene_.warnings.push_back(bytes.error().message + "; the material goes without it");
       return -1;
     }
-    pending_.push_back({(folder_ / name).string(), std::move(*bytes)});
-    scene_.files.push_back(pending_.back().first);
-    scene_.textures.emplace_back().srgb = srgb;
-    return found->second = static_cast<int>(scene_.textures.size()) - 1;
+    // Under another name it may be known already; what is read of one file lies in one place.
+    const auto [same, is_first] =
+        of_bytes_.try_emplace({bytes->data(), srgb}, static_cast<int>(scene_.textures.size()));
+    if (is_first) {
+      pending_.emplace_back(name, *bytes);
+      scene_.textures.emplace_back().srgb = srgb;
+    }
+    return found->second = same->second;
   }
 
   void decode() {
     std::vector<EncodedPicture> encoded;
-    for (const auto& [name, bytes] : pending_) encoded.emplace_back(bytes);
+    for (const auto& [name, bytes] : pending_) encoded.push_back(bytes);
     std::vector<Result<Image8>> decoded = decodePictures(encoded);
     for (std::size_t i = 0; i < decoded.size(); ++i) {
       if (decoded[i]) {
         scene_.textures[i].image = std::move(*decoded[i]);
       } else {
-        scene_.warnings.push_back(pending_[i].first + ": " + decoded[i].error().message +
+        scene_.warnings.push_back(inQuotes(pending_[i].first) + ": " + decoded[i].error().message +
                                   "; the material goes without it");
         scene_.textures[i].image = Image8(1, 1, 4, 255);
       }
@@ -55,10 +65,11 @@ class Pictures {
   }
 
  private:
-  std::filesystem::path folder_;
+  ModelFiles& named_;
   Scene& scene_;
   std::map<std::pair<std::string, bool>, int> textures_;
-  std::vector<std::pair<std::string, Bytes>> pending_;
+  std::map<std::pair<const std::uint8_t*, bool>, int> of_bytes_;
+  std::vector<std::pair<std::string, EncodedPicture>> pending_;
 };
 
 Material convert(const tinyobj::material_t& source, Pictures& pictures, std::vector<std::string>& warnings) {
@@ -89,18 +100,24 @@ Material convert(const tinyobj::material_t& source, Pictures& pictures, std::vec
   if (material.emission_map.texture >= 0 && material.emission == glm::vec3(0.0f)) material.emission = glm::vec3(1.0f);
   for (const std::string& left_out : {source.bump_texname, source.alpha_texname})
     if (!left_out.empty())
-      warnings.push_back("material '" + source.name + "': the picture '" + left_out + "' is left out");
+      warnings.push_back("material " + inQuotes(source.name) + ": the picture " + inQuotes(left_out) + " is left out");
   return material;
 }
 
 }  // namespace
 
-void addObjMaterials(std::span<const tinyobj::material_t> materials, const std::filesystem::path& folder,
-                     Scene& scene) {
-  Pictures pictures(folder, scene);
+void addObjMaterials(std::span<const tinyobj::material_t> materials, ModelFiles& named, Scene& scene) {
+  Pictures pictures(named, scene);
   for (const tinyobj::material_t& material : materials)
     scene.materials.push_back(convert(material, pictures, scene.warnings));
   pictures.decode();
+}
+
+Result<std::span<const std::uint8_t>> readNamed(ModelFiles& named, const std::string& name) {
+  auto file = named.find(withSlashes(name));
+  if (!file) file.error().message.insert(0, inQuotes(name) + " ");
+  MIRRORBALL_TRY(path, std::move(file));
+  return named.read(path);
 }
 
 }  // namespace mirrorball

@@ -68,7 +68,7 @@ Result<Proxy> placedGround(const ProxyOptions& options, const Scene& scene) {
 }
 
 Result<Proxy> placedMesh(const ProxyOptions& options) {
-  MIRRORBALL_TRY(scene, loadModel(options.file));
+  MIRRORBALL_TRY(scene, loadModel(options.file, options.load));
   MIRRORBALL_TRY(tree, withName(options.file, triangleTree(scene)));
   if (!tree) return fail(ErrorCode::usage, options.file + ": has no triangles, and so encloses nothing");
   Proxy proxy{.kind = ProxyKind::mesh};

@@ -10,6 +10,7 @@
 #include "formula/proxy.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/bodies/body_tree.h"
+#include "mirrorball/scene/model_files.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -32,6 +33,7 @@ struct ProxyOptions {
   float height = 0.0f;                        ///< of the panorama's camera above the ground; 0: two model radii
   float ground_roughness = 1.0f;              ///< perceptual: of a ground; below 1 it mirrors the scene
   std::string file = {};                      ///< of a mesh, or the name of a built-in model
+  ModelLoadOptions load = {};                 ///< of that file
   std::optional<glm::vec3> captured_at = {};  ///< where the map was; without it the middle, or above the model
 
   bool operator==(const ProxyOptions&) const = default;

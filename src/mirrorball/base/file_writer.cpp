@@ -1,0 +1,106 @@
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/part_file.h"
+
+namespace mirrorball {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a name stands for: of a link, what it leads to, be it there or not.
+Result<fs::path> withoutLinks(fs::path path) {
+  constexpr int kMost = 40;  // as Linux follows
+  std::error_code status;
+  for (int followed = 0; fs::is_symlink(fs::symlink_status(path, status)); ++followed) {
+    if (followed == kMost) return cannotBeWritten(ELOOP);
+    const fs::path target = fs::read_symlink(path, status);
+    if (status) return cannotBeWritten(status.value());
+    path = path.parent_path() / target;  // which is the target, if that begins at the root
+  }
+  return path;
+}
+
+/// Whether a name is that of a pipe or a device, whose bytes go on to somebody else.
+bool passesBytesOn(const fs::path& path) {
+  std::error_code status;
+  const fs::file_status what = fs::status(path, status);
+  return fs::exists(what) && !fs::is_regular_file(what) && !fs::is_directory(what);
+}
+
+/// Whether it has reached the disk; some file systems cannot be asked for that.
+bool reachesDisk(const Descriptor& file) {
+  return ::fsync(file.number()) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;
+}
+
+}  // namespace
+
+FileWriter::FileWriter(std::string name, std::string target, PartFile part)
+    : name_(std::move(name)), target_(std::move(target)), part_(std::move(part)) {}
+
+Result<FileWriter> FileWriter::create(const fs::path& path) {
+  const auto named = [&](const Error& error) {
+    return fail(ErrorCode::io, path.string() + ": cannot be written: " + error.message +
+                                   "; check that the folder exists and is writable");
+  };
+  const bool passes_on = passesBytesOn(path);
+  MIRRORBALL_TRY(target, passes_on ? path : withName(path.string(), withoutLinks(path)));
+  std::error_code status;
+  auto part = makePart(passes_on ? fs::temp_directory_path(status) : target.parent_path());
+  if (!part) return named(part.error());
+  FileWriter writer(path.string(), target.string(), std::move(*part));
+  if (!passes_on) return writer;
+  writer.part_.path.remove();  // its bytes are read through the descriptor
+  writer.sink_ = Descriptor(::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+  if (!writer.sink_.isOpen()) return withName(path.string(), Result<FileWriter>(cannotBeWritten(errno)));
+  return writer;
+}
+
+Result<void> FileWriter::writeAt(std::uint64_t offset, std::span<const std::uint8_t> bytes) const {
+  return mirrorball::writeAt(part_.file, offset, bytes);
+}
+
+Result<std::size_t> FileWriter::readAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
+  return mirrorball::readAt(part_.file, offset, bytes);
+}
+
+Result<std::uint64_t> FileWriter::size() const {
+  struct stat status {};
+  if (::fstat(part_.file.number(), &status) != 0)
+    return fail(ErrorCode::io, std::string("its size is not known: ") + std::strerror(errno));
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
+Result<void> FileWriter::commit() {
+  if (sink_.isOpen()) return passOn();
+  if (!reachesDisk(part_.file) || !part_.path.finishAs(target_)) return cannotBeWritten(errno);
+  part_.file.close();  // and not before: it is locked so long
+  return {};
+}
+
+Result<void> FileWriter::passOn() {
+  std::array<std::uint8_t, std::size_t{1} << 16u> piece;
+  for (std::uint64_t offset = 0;;) {
+    MIRRORBALL_TRY(count, readAt(offset, piece));
+    if (count == 0) break;
+    MIRRORBALL_TRY_VOID(writeOn(sink_.number(), std::span(piece).first(count)));
+    offset += count;
+  }
+  if (!sink_.close()) return cannotBeWritten(errno);
+  return {};
+}
+
+Result<void> writeFile(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  MIRRORBALL_TRY(writer, FileWriter::create(path));
+  MIRRORBALL_TRY_VOID(withName(path.string(), writer.writeAt(0, bytes)));
+  return withName(path.string(), writer.commit());
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mirrorball/base/file.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// How a model is loaded.
+struct ModelLoadOptions {
+  /// Refuses the files that the model names outside of its folder, be it by `..` or through a symbolic link: for models
+  /// from people who are not to learn what lies there.
+  bool inside_only = false;
+
+  bool operator==(const ModelLoadOptions&) const = default;
+};
+
+/// The files that a model's file names: buffers, pictures, tables of materials. Names are paths from the model's
+/// folder; what begins at the root of the file system or is an address, and what is no regular file, is refused.
+class ModelFiles {
+ public:
+  /// model    the model's own file
+  ModelFiles(const std::filesystem::path& model, const ModelLoadOptions& options);
+
+  /// The file that a name leads to, without links and dots: names that are spelled otherwise and lead to the same file
+  /// have the same.
+  ///
+  /// errors   bad_file, unsupported: how the name's sentence goes on, as in "is missing; put it beside the model"
+  Result<std::filesystem::path> find(const std::string& name);
+
+  /// The content of a file of find(), which is read once. It lives as long as this does.
+  ///
+  /// errors   as readFile's
+  Result<std::span<const std::uint8_t>> read(const std::filesystem::path& file);
+
+  /// What was read.
+  std::vector<std::string> files() const;
+
+  /// A remark on those that lie outside of the model's folder; empty: none was read.
+  std::string remarkOnOutside() const;
+
+ private:
+  bool isOutside(const std::filesystem::path& file) const;
+
+  std::string model_;
+  std::filesystem::path folder_;       // as it was given
+  std::filesystem::path true_folder_;  // without links
+  ModelLoadOptions options_;
+  std::map<std::filesystem::path, Bytes> contents_;
+};
+
+/// Notes in a scene which files were read for it, and remarks on those outside of the model's folder.
+void tellOfFiles(const ModelFiles& files, Scene& scene);
+
+}  // namespace mirrorball

@@ -26,7 +26,7 @@ constexpr std::size_t kMaxVertices = std::size_t{1} << 26;
 // Likewise: each primitive has a material in each of a file's variants.
 constexpr std::size_t kMaxVariantMaterials = std::size_t{1} << 24;
 
-// More than anybody chooses from; each name is compared with all others.
+// More than anybody chooses from.
 constexpr std::size_t kMaxCameras = 1000;
 
 bool isFinite(const glm::dmat4& matrix) {
@@ -63,6 +63,23 @@ int tangentUvSet(const Material& material) {
     if (slot->texture >= 0) return slot->uv_set;
   return 0;
 }
+
+/// Names of which each is another one.
+class Names {
+ public:
+  /// The name, or if it is taken "name 2", "name 3" and so on.
+  std::string unlike(const std::string& wanted) {
+    std::string name = wanted;
+    // What was tried before stays taken.
+    for (int& number = last_number_.try_emplace(wanted, 1).first->second; !taken_.insert(name).second;)
+      name = wanted + " " + std::to_string(++number);
+    return name;
+  }
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, int> last_number_;  // that was behind a name
+};
 
 class SceneBuilder {
  public:
@@ -167,11 +184,7 @@ class SceneBuilder {
     ModelCamera& added = scene_.cameras.emplace_back(*camera);
     added.world_from_view = *place;
     if (!node.name.empty()) added.name = node.name;
-    if (added.name.empty()) added.name = "camera";
-    const std::string wanted = added.name;
-    const auto is_taken = [&](const ModelCamera& other) { return &other != &added && other.name == added.name; };
-    for (int number = 2; std::any_of(scene_.cameras.begin(), scene_.cameras.end(), is_taken); ++number)
-      added.name = wanted + " " + std::to_string(number);
+    added.name = camera_names_.unlike(added.name.empty() ? "camera" : added.name);
     return {};
   }
 
@@ -291,6 +304,7 @@ class SceneBuilder {
   const Document& document_;
   Scene scene_;
   Materials materials_;
+  Names camera_names_;
   bool has_more_lights_ = false;
   std::size_t left_of_variants_ = kMaxVariantMaterials;
   std::map<int, std::vector<int>> scene_meshes_;  // mesh of the file → its primitives in the scene

@@ -1,6 +1,8 @@
 // What a glTF file holds beside its meshes: variants of materials, cameras and lights.
 
+#include <chrono>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -163,6 +165,22 @@ TEST(GltfCameras, ThatShowNothingAreLeftOut) {
   expectSceneRefused(triangleWith(right + nodes(R"("camera":1)")), "nodes[1].camera is 1, but there are 1 cameras");
   expectSceneRefused(triangleWith(R"("cameras":[{"type":"perspective"}])"), "cameras[0].perspective is missing");
   expectSceneRefused(triangleWith(R"("cameras":[{}])"), "cameras[0].type is missing");
+}
+
+// A thousand cameras of one name, which is long and differs at its end: comparing each with all others took hours.
+TEST(GltfCameras, OfOneNameAreToldApartInLittleTime) {
+  const std::string name(10'000, 'c');
+  std::string many = R"("nodes":[{"mesh":0})";
+  for (int i = 0; i < 1500; ++i) many += R"(,{"camera":0})";
+  const auto begin = std::chrono::steady_clock::now();
+  const Scene scene = read(triangleWith(R"("cameras":[{"type":"perspective","name":")" + name +
+                                        R"(","perspective":{"yfov":1,"znear":1}}],)" + many + "]"));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+  ASSERT_EQ(scene.cameras.size(), 1000u);
+  std::set<std::string> names;
+  for (const ModelCamera& camera : scene.cameras) names.insert(camera.name);
+  EXPECT_EQ(names.size(), 1000u);
+  EXPECT_EQ(scene.cameras[999].name, name + " 1000");
 }
 
 TEST(GltfCameras, AreFoundByTheirNames) {

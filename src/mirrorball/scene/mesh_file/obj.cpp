@@ -173,7 +173,9 @@ tinyobj::callback_t callbacks() {
     geometry.material = material;
   };
   callback.mtllib_cb = [](void* data, const tinyobj::material_t* materials, int count) {
-    static_cast<Geometry*>(data)->materials.assign(materials, materials + count);
+    // All that are known so far: they only grow more.
+    auto& known = static_cast<Geometry*>(data)->materials;
+    known.insert(known.end(), materials + known.size(), materials + count);
   };
   return callback;
 }
@@ -205,11 +207,15 @@ class MaterialReader : public tinyobj::MaterialReader {
 
   bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
                   std::map<std::string, int>* indices, std::string*, std::string*) override {
+    const auto [known, is_new] = was_read_.try_emplace(name, false);
+    if (!is_new) return known->second;
     const auto bytes = readNamed(named_, name);
     if (!bytes) {
       scene_.warnings.push_back(bytes.error().message + "; its materials are left out");
       return false;
     }
+    known->second = true;
+    if (!tables_.insert(bytes->data()).second) return true;  // it was read by another name
     ByteStream stream(*bytes);
     std::string warning;
     std::string problem;
@@ -220,6 +226,8 @@ class MaterialReader : public tinyobj::MaterialReader {
  private:
   ModelFiles& named_;
   Scene& scene_;
+  std::map<std::string, bool> was_read_;  // of each name that there was
+  std::set<const std::uint8_t*> tables_;  // where those lie that were read
 };
 
 /// Refuses indices past the last element; positive ones may name elements that come later in the file.

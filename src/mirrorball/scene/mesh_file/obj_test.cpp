@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <random>
@@ -191,6 +192,23 @@ TEST(Obj, PicturesMayBeTgaBmpOrPpm) {
     EXPECT_THAT(scene->warnings, ::testing::IsEmpty());
     EXPECT_THAT(scene->textures.at(0).image.samples(), ::testing::ElementsAre(1, 2, 3, 255)) << name;
   }
+}
+
+// Whoever names a table once more is told what is known: it is read once, and its materials are handed on once.
+TEST(Obj, ManyLinesThatNameTablesTakeLittleTime) {
+  std::string table;
+  for (int i = 0; i < 1000; ++i) table += "newmtl red" + std::to_string(i) + "\nKd 1 0 0\n";
+  writeText("obj_many.mtl", table);
+  std::string text, spelling = "obj_many.mtl";
+  for (int i = 0; i < 30'000; ++i) text += "mtllib obj_many.mtl\nmtllib nowhere.mtl\n";
+  for (int i = 0; i < 500; ++i) text += "mtllib " + (spelling = "./" + spelling) + "\n";
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<Scene> scene = decodeObjText(text + "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red999\nf 1 2 3\n");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_THAT(scene->warnings, ::testing::ElementsAre(HasSubstr("nowhere.mtl"))) << "once";
+  EXPECT_THAT(scene->files, ::testing::SizeIs(1));
+  EXPECT_EQ(scene->materials.at(0).name, "red999");
 }
 
 TEST(Obj, WithoutItsMaterialsIsAWarning) {

@@ -1,5 +1,6 @@
 #include "mirrorball/scene/mesh_file/polygon.h"
 
+#include <chrono>
 #include <cmath>
 
 #include <glm/glm.hpp>
@@ -52,6 +53,54 @@ TEST(Triangulate, KeepsInsideAStar) {
   EXPECT_EQ(triangulate(star).size(), 38u);
   EXPECT_NEAR(areasOf(star).sum, exact, 1e-5f);
   EXPECT_LT(areasOf(star).wrong, 1e-6f);
+}
+
+/// A band of that many corners along a spiral: all of one side bend inwards, and ears are at its two ends alone.
+std::vector<glm::vec3> spiral(int corners) {
+  std::vector<glm::vec3> outer, inner;
+  for (int i = 0; i < corners / 2; ++i) {
+    const float angle = 0.2f * static_cast<float>(i);
+    const glm::vec3 direction(std::cos(angle), std::sin(angle), 0.0f);
+    outer.push_back((1.0f + 0.1f * angle) * direction);
+    inner.push_back((0.8f + 0.1f * angle) * direction);
+  }
+  outer.insert(outer.end(), inner.rbegin(), inner.rend());
+  return outer;
+}
+
+TEST(Triangulate, KeepsInsideASpiral) {
+  for (const int corners : {100, 1000}) {
+    const std::vector<glm::vec3> band = spiral(corners);
+    double exact = 0.0;
+    for (std::size_t i = 0; i < band.size(); ++i) {
+      const glm::dvec3 a(band[i]), b(band[(i + 1) % band.size()]);
+      exact += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+    EXPECT_EQ(triangulate(band).size(), std::size_t(corners - 2));
+    EXPECT_NEAR(areasOf(band).sum, exact, 1e-4 * exact);
+    EXPECT_LT(areasOf(band).wrong, 1e-5f);
+  }
+}
+
+TEST(Triangulate, ATiltedPolygonIsCutAsOneThatIsNot) {
+  for (const std::vector<glm::vec3>& flat :
+       {spiral(60), std::vector<glm::vec3>{{2, 0, 0}, {-1, 2, 0}, {0, 0, 0}, {-1, -2, 0}}}) {
+    std::vector<glm::vec3> tilted;
+    for (const glm::vec3& corner : flat)
+      tilted.push_back(corner.x * glm::vec3(0.6f, 0.0f, -0.8f) + corner.y * glm::vec3(0.48f, 0.8f, 0.36f) + 3.0f);
+    EXPECT_EQ(triangulate(tilted), triangulate(flat));
+  }
+}
+
+// A file of 1 MB has some two hundred of these. With each corner compared with all others at each cut, they took half
+// a minute.
+TEST(Triangulate, ManyLargePolygonsTakeLittleTime) {
+  std::vector<glm::vec3> band;  // up and down, and back above that
+  for (int i = 0; i < 500; ++i) band.emplace_back(i, i % 2 * 5, 0);
+  for (int i = 500; i-- > 0;) band.emplace_back(i, i % 2 * 5 + 1, 0);
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(triangulate(band).size(), 998u);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
 TEST(Triangulate, EndsForPolygonsWithoutEars) {

@@ -1,8 +1,8 @@
 #include "mirrorball/scene/gltf/gltf.h"
 
-#include "fuzz.h"
+#include "model.h"
 
 MIRRORBALL_HARNESS(gltf) {
-  mirrorball::fuzz::checkError(mirrorball::decodeGltf({data, size}, "a.gltf"));
+  mirrorball::fuzz::checkModel(mirrorball::decodeGltf({data, size}, "a.gltf"));
   return 0;
 }

@@ -1,8 +1,8 @@
 #include "mirrorball/scene/mesh_file/obj.h"
 
-#include "fuzz.h"
+#include "model.h"
 
 MIRRORBALL_HARNESS(obj) {
-  mirrorball::fuzz::checkError(mirrorball::decodeObj({data, size}, "a.obj"));
+  mirrorball::fuzz::checkModel(mirrorball::decodeObj({data, size}, "a.obj"));
   return 0;
 }

@@ -1,8 +1,8 @@
 #include "mirrorball/scene/mesh_file/ply.h"
 
-#include "fuzz.h"
+#include "model.h"
 
 MIRRORBALL_HARNESS(ply) {
-  mirrorball::fuzz::checkError(mirrorball::decodePly({data, size}));
+  mirrorball::fuzz::checkModel(mirrorball::decodePly({data, size}));
   return 0;
 }

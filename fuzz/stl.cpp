@@ -1,8 +1,8 @@
 #include "mirrorball/scene/mesh_file/stl.h"
 
-#include "fuzz.h"
+#include "model.h"
 
 MIRRORBALL_HARNESS(stl) {
-  mirrorball::fuzz::checkError(mirrorball::decodeStl({data, size}));
+  mirrorball::fuzz::checkModel(mirrorball::decodeStl({data, size}));
   return 0;
 }

@@ -35,7 +35,8 @@ bool isTerminal() { return ::isatty(STDERR_FILENO) == 1 && !is_quiet; }
 
 void say(std::FILE* stream, const std::string& line) {
   clearProgress();
-  std::fprintf(stream, "%s\n", shown(line).c_str());
+  // A file's name on the command line may hold anything: a terminal is to show it, not to obey it.
+  std::fprintf(stream, "%s\n", printable(shown(line)).c_str());
 }
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }

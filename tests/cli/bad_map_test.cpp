@@ -42,6 +42,13 @@ TEST_F(BadMapTest, AFolder) {
   everyCommandRefuses("folder.hdr", "is a folder");
 }
 
+TEST_F(BadMapTest, ANameThatATerminalWouldObey) {
+  const std::string name = "a\x1b[2J\nb.hdr";
+  EXPECT_THAT(refuse(1, Arguments(std::vector<std::string>{"info", name})), StartsWith("a?[2J?b.hdr: no such file"));
+  write(name, std::string("no picture"));
+  EXPECT_THAT(refuse(1, Arguments(std::vector<std::string>{"info", name})), StartsWith("a?[2J?b.hdr: "));
+}
+
 TEST_F(BadMapTest, APipe) {
   ASSERT_EQ(::mkfifo(path("pipe.hdr").c_str(), 0600), 0);
   everyCommandRefuses("pipe.hdr", "a pipe or a device");

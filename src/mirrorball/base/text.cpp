@@ -263,9 +263,11 @@ Error unknownName(std::string_view what, std::string_view given, std::span<const
 
 Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right,
                   std::optional<std::string_view> meant) {
-  std::string message = "no " + std::string(what) + " is named '" + std::string(given) + "'";
-  if (meant) message += "; did you mean '" + std::string(*meant) + "'?";
-  return {ErrorCode::usage, message + " (there are: " + join(right) + ")"};
+  std::string message = "no " + std::string(what) + " is named '" + excerpt(given) + "'";
+  if (meant) message += "; did you mean '" + excerpt(*meant) + "'?";
+  std::vector<std::string> shown;
+  for (const std::string_view name : right) shown.push_back(excerpt(name));
+  return {ErrorCode::usage, message + " (there are: " + join(shown) + ")"};
 }
 
 bool isUrl(std::string_view name) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mirrorball/base/text.h"
+
 namespace mirrorball {
 namespace {
 
@@ -25,11 +27,12 @@ Result<void> checkMetadata(const Metadata& metadata) {
     if (!isMetadataKey(key) || key.size() > kLongestKey || !isPrintable(key) ||
         key.find_first_of(" =") != std::string::npos)
       return fail(ErrorCode::usage,
-                  "the metadata key '" + key + "' cannot be stored; use envmap, sh or mirrorball:WORD");
+                  "the metadata key '" + excerpt(key) + "' cannot be stored; use envmap, sh or mirrorball:WORD");
     if (!isPrintable(value))
-      return fail(ErrorCode::usage, "the metadata value of " + key + " cannot be stored; use printable ASCII only");
+      return fail(ErrorCode::usage,
+                  "the metadata value of " + excerpt(key) + " cannot be stored; use printable ASCII only");
     if (key == "envmap" && value != "latlong" && value != "cube")
-      return fail(ErrorCode::usage, "the metadata value envmap=" + value + " is unknown; use latlong or cube");
+      return fail(ErrorCode::usage, "the metadata value envmap=" + excerpt(value) + " is unknown; use latlong or cube");
   }
   return {};
 }

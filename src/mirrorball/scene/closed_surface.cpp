@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/box.h"
 
 namespace mirrorball {
@@ -83,7 +84,8 @@ std::vector<std::string> openBodies(const Scene& scene) {
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (open[i] == 0) continue;
     const std::string& name = scene.materials[i].name;
-    const std::string of_material = name.empty() ? "material " + std::to_string(i) : "the material '" + name + "'";
+    const std::string of_material =
+        name.empty() ? "material " + std::to_string(i) : "the material '" + excerpt(name) + "'";
     const std::string surfaces = bodies[i] == 1 ? "the surface of " + of_material + " is"
                                                 : std::to_string(open[i]) + " of " + std::to_string(bodies[i]) +
                                                       " surfaces of " + of_material + " are";

@@ -31,7 +31,8 @@ Scene sceneOf(Mesh mesh, Material material) {
 
 Result<void> chooseVariant(Scene& scene, const std::string& name) {
   if (scene.variants.empty())
-    return fail(ErrorCode::usage, "the model has no variants of its materials, so none is named '" + name + "'");
+    return fail(ErrorCode::usage,
+                "the model has no variants of its materials, so none is named '" + excerpt(name) + "'");
   const std::vector<std::string_view> names(scene.variants.begin(), scene.variants.end());
   const auto index = indexOfName(name, names);
   if (!index) return tl::unexpected<Error>(unknownName("variant", name, names));

@@ -54,7 +54,7 @@ std::string iccDescription(Span profile) {
     const Span text = clipped(value, numberAt(value, 24), numberAt(value, 20));
     for (std::size_t i = 0; i + 1 < text.size(); i += 2) name += text[i] == 0 ? static_cast<char>(text[i + 1]) : '?';
   }
-  name = printable(name.substr(0, name.find('\0')));
+  name = excerpt(name.substr(0, name.find('\0')));
   std::replace_if(
       name.begin(), name.end(), [](char letter) { return letter < 0; }, '?');
   return name.empty() ? "unnamed" : name;

@@ -76,7 +76,7 @@ std::string listChannels(const Imf::MultiPartInputFile& file) {
 Result<Selection> select(const Imf::MultiPartInputFile& file) {
   for (int part = 0; part < file.parts(); ++part)
     if (auto selection = selectInPart(file.header(part), part)) return std::move(*selection);
-  return fail(ErrorCode::unsupported, "has no colour that can be read (its channels: " + printable(listChannels(file)) +
+  return fail(ErrorCode::unsupported, "has no colour that can be read (its channels: " + excerpt(listChannels(file)) +
                                           "); R G B, Y, or Y RY BY are needed, and no deep data");
 }
 
@@ -168,9 +168,10 @@ std::optional<Primaries> ExrPart::primaries() const {
 std::string reasonOf(const std::exception& exception) {
   // 'Cannot read image file "". Unknown compression type in image header.': our streams have no name.
   constexpr std::string_view kUnnamed = "\"\". ";
-  const std::string text = printable(exception.what());
+  constexpr std::size_t kLongestReason = 200;
+  const std::string text = exception.what();
   const std::size_t at = text.rfind(kUnnamed);
-  return at == std::string::npos ? text : text.substr(at + kUnnamed.size());
+  return excerpt(at == std::string::npos ? text : text.substr(at + kUnnamed.size()), kLongestReason);
 }
 
 }  // namespace mirrorball

@@ -78,7 +78,7 @@ Result<void> readVariable(std::string_view line, const LineReader& reader, HdrHe
   } else if (const auto format = valueOf("FORMAT=")) {
     header.xyz = *format == "32-bit_rle_xyze";
     if (!header.xyz && *format != "32-bit_rle_rgbe")
-      return reader.failure(ErrorCode::unsupported, "names the format '" + std::string(*format) +
+      return reader.failure(ErrorCode::unsupported, "names the format '" + excerpt(*format) +
                                                         "'; 32-bit_rle_rgbe and 32-bit_rle_xyze are read");
   } else if (const auto exposure = valueOf("EXPOSURE=")) {
     MIRRORBALL_TRY_VOID(applyExposure(*exposure, 1, reader, header));

@@ -260,6 +260,14 @@ TEST(Hdr, HeaderErrorsNameTheLine) {
         << resolution;
 }
 
+TEST(Hdr, WhatTheHeaderSaysIsQuoted) {
+  const auto image = decodeHdr(file("FORMAT=\x1b[2J\x9b" + std::string(100'000, 'x') + "\n", "-Y 1 +X 1", {}));
+  ASSERT_FALSE(image);
+  EXPECT_THAT(image.error().message, HasSubstr("'?[2J?xxx"));
+  EXPECT_THAT(image.error().message, HasSubstr("bytes more)'"));
+  EXPECT_LT(image.error().message.size(), 300u);
+}
+
 TEST(Hdr, SizesThatLieAreRefusedBeforeMemoryIsTaken) {
   EXPECT_EQ(failureOf(file("", "-Y 0 +X 1", {1, 1, 1, 1})).code, ErrorCode::bad_file);
   EXPECT_EQ(failureOf(file("", "-Y 1 +X -1", {1, 1, 1, 1})).code, ErrorCode::bad_file);

@@ -11,6 +11,7 @@
 #include <png.h>
 #include <zlib.h>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/srgb.h"
 #include "mirrorball/codec/ldr/coded_picture.h"
 #include "mirrorball/codec/ldr/png_color.h"
@@ -151,8 +152,8 @@ Metadata readTexts(png_structp png, png_infop info) {
 }
 
 tl::unexpected<Error> damaged(const PngReader& reader) {
-  return fail(ErrorCode::bad_file,
-              "is a damaged PNG, at byte " + std::to_string(reader.context.at) + ": " + reader.context.message);
+  return fail(ErrorCode::bad_file, "is a damaged PNG, at byte " + std::to_string(reader.context.at) + ": " +
+                                       excerpt(reader.context.message));
 }
 
 /// Checks the chunks' sizes against the file's, up to its end chunk: libpng takes a chunk's memory,

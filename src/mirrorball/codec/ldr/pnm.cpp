@@ -68,7 +68,7 @@ Result<void> readPamHeader(PnmWords& words, PnmHeader& header) {
   constexpr std::string_view kKinds[]{"",    "BLACKANDWHITE", "BLACKANDWHITE_ALPHA", "GRAYSCALE", "GRAYSCALE_ALPHA",
                                       "RGB", "RGB_ALPHA"};
   if (header.channels < 1 || header.channels > 4 || !contains(kKinds, kind))
-    return fail(ErrorCode::unsupported, "is a PAM of the kind '" + printable(kind) + "' with " +
+    return fail(ErrorCode::unsupported, "is a PAM of the kind '" + excerpt(kind) + "' with " +
                                             std::to_string(header.channels) +
                                             " samples a texel; grey and RGB, with or without alpha, are read");
   return {};

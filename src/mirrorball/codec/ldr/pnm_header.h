@@ -69,7 +69,7 @@ class PnmWords {
   }
 
   tl::unexpected<Error> failure(const std::string& what, std::string_view found) const {
-    const std::string there = found.empty() ? "the file ends there" : "it is '" + printable(found.substr(0, 20)) + "'";
+    const std::string there = found.empty() ? "the file ends there" : "it is '" + excerpt(found, 20) + "'";
     return fail(ErrorCode::bad_file, "at byte " + std::to_string(at_) + " " + what + ", and " + there);
   }
 

@@ -31,7 +31,8 @@ TiffFile::~TiffFile() {
 }
 
 tl::unexpected<Error> TiffFile::damaged() const {
-  const std::string what = printable(error_[0] != '\0' ? error_ : warning_);
+  constexpr std::size_t kLongestReason = 200;
+  const std::string what = excerpt(error_[0] != '\0' ? error_ : warning_, kLongestReason);
   return fail(ErrorCode::bad_file, "is a damaged or truncated TIFF" + (what.empty() ? "" : ": " + what));
 }
 

@@ -88,7 +88,7 @@ Result<Environment> builtinEnvironment(std::string_view name) {
     return skyEnvironment(parameters);
   }
   if (!written.empty())
-    return fail(ErrorCode::usage, "the environment '" + std::string(base) + "' takes no parameters; only sky does");
+    return fail(ErrorCode::usage, "the environment '" + excerpt(base) + "' takes no parameters; only sky does");
   if (base == "studio") return Environment(studioRadiance, 1024);
   if (base == "sunset") return sunsetEnvironment();
   if (base == "uv") return Environment(uvRadiance, 1024);

@@ -162,7 +162,7 @@ Result<FaceOrder> faceOrderNamed(std::string_view written) {
   }
   if (axes.size() != order.size() || std::find(seen.begin(), seen.end(), false) != seen.end())
     return fail(ErrorCode::usage,
-                "the face order '" + std::string(written) + "' is not each of the six once, as in +x,-x,+y,-y,+z,-z");
+                "the face order '" + excerpt(written) + "' is not each of the six once, as in +x,-x,+y,-y,+z,-z");
   return order;
 }
 

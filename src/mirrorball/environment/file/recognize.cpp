@@ -64,7 +64,7 @@ Result<void> applyWord(const std::string& word, FormHint& hint) {
     return {};
   }
   if (!isCube(hint))
-    return fail(ErrorCode::usage, "'" + word + "' says nothing of a map of projection " +
+    return fail(ErrorCode::usage, "'" + excerpt(word) + "' says nothing of a map of projection " +
                                       std::string(nameOf(*hint.projection)) +
                                       (*hint.projection == Projection::equirect ? "; for=PROGRAM and centre=AXIS do"
                                                                                 : ", which takes no parameters"));

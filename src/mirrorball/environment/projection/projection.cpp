@@ -85,7 +85,7 @@ std::string textOf(Projection projection) {
 Result<Projection> ballAtDistance(std::string_view written) {
   const auto distance = parseNumber(written);
   if (!distance || *distance < double(Projection::kMinBallDistance))
-    return fail(ErrorCode::usage, "the distance of a ball's camera is '" + std::string(written) +
+    return fail(ErrorCode::usage, "the distance of a ball's camera is '" + excerpt(written) +
                                       "'; it takes a number of ball radii, at least " +
                                       formatNumber(double(Projection::kMinBallDistance)));
   return Projection::ballFrom(static_cast<float>(*distance));
@@ -99,10 +99,9 @@ Result<Projection> projectionNamed(std::string_view name) {
   if (colon == std::string_view::npos) return kind;
   const std::string_view parameter = name.substr(colon + 1);
   if (kind == Projection::ball && !parameter.starts_with(kBallParameter))
-    return fail(ErrorCode::usage,
-                "'" + std::string(name) + "': a ball's parameter is distance, as in ball:distance=20");
+    return fail(ErrorCode::usage, "'" + excerpt(name) + "': a ball's parameter is distance, as in ball:distance=20");
   if (kind != Projection::ball)
-    return fail(ErrorCode::usage, "'" + std::string(name) + "': only a ball takes a parameter, as in ball:distance=20");
+    return fail(ErrorCode::usage, "'" + excerpt(name) + "': only a ball takes a parameter, as in ball:distance=20");
   return ballAtDistance(parameter.substr(kBallParameter.size()));
 }
 

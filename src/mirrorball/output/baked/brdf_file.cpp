@@ -31,7 +31,7 @@ Metadata brdfMetadata(const BrdfTableFacts& facts) {
 std::optional<BrdfTableFacts> factsIn(const Metadata& metadata) {
   const auto find = [&](const char* key) {
     const auto entry = metadata.find(key);
-    return entry == metadata.end() ? std::string() : printable(entry->second);
+    return entry == metadata.end() ? std::string() : excerpt(entry->second);
   };
   if (!isBrdfTable(metadata)) return {};
   return BrdfTableFacts{find(kDistributionKey), find(kAxesKey), find(kChannelsKey) == "2" ? 2 : 3};
@@ -45,7 +45,7 @@ std::optional<BrdfTableFacts> factsBeside(const std::filesystem::path& path) {
   if (!manifest.is_object() || !manifest.contains(kManifestKey) || !manifest[kManifestKey].is_object()) return {};
   const Json& brdf = manifest[kManifestKey];
   const auto word = [&](const char* key) {
-    return brdf.contains(key) && brdf[key].is_string() ? printable(brdf[key].get<std::string>()) : std::string();
+    return brdf.contains(key) && brdf[key].is_string() ? excerpt(brdf[key].get<std::string>()) : std::string();
   };
   if (word("file") != path.filename().string()) return {};
   const std::string axes = word("axes");

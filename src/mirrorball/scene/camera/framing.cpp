@@ -151,7 +151,7 @@ Result<const ModelCamera*> cameraNamed(const Scene& scene, const std::string& na
   std::vector<std::string_view> names;
   for (const ModelCamera& camera : scene.cameras) names.emplace_back(camera.name);
   if (names.empty())
-    return fail(ErrorCode::usage, "the model has no cameras of its own, so none is named '" + name + "'");
+    return fail(ErrorCode::usage, "the model has no cameras of its own, so none is named '" + excerpt(name) + "'");
   const auto index = indexOfName(name, names);
   if (!index) return tl::unexpected<Error>(unknownName("camera", name, names));
   return &scene.cameras[*index];

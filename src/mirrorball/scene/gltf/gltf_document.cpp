@@ -178,7 +178,7 @@ void parseAll(const JsonReader& array, Part (*parse)(const JsonReader&), std::ve
 Result<void> checkVersion(const JsonReader& root) {
   const std::string version = root["asset"].required()["version"].required().text("");
   if (!version.empty() && (!version.starts_with("2.") || root["asset"]["minVersion"].text("2.0") > "2.0"))
-    return fail(ErrorCode::unsupported, "asset.version is '" + version + "'; only glTF 2.0 is read");
+    return fail(ErrorCode::unsupported, "asset.version is '" + excerpt(version) + "'; only glTF 2.0 is read");
   return {};
 }
 

@@ -33,20 +33,17 @@ constexpr auto kRead = std::to_array<std::string_view>({
     "KHR_texture_transform",
 });
 
-bool isRead(std::string_view extension) { return contains(kRead, extension); }
+/// Of an extension, in a message.
+constexpr std::size_t kLongestName = 60;
 
-/// A name as a message can show it.
-std::string shownName(const std::string& name) {
-  constexpr std::size_t kLongest = 60;
-  return name.size() > kLongest ? printable(name.substr(0, kLongest)) + "…" : printable(name);
-}
+bool isRead(std::string_view extension) { return contains(kRead, extension); }
 
 }  // namespace
 
 Result<std::vector<std::string>> unreadExtensions(const JsonReader& root) {
   for (const JsonReader& required : root["extensionsRequired"].elements())
     if (const std::string name = required.text(""); !isRead(name))
-      return fail(ErrorCode::unsupported, "extensionsRequired names '" + shownName(name) +
+      return fail(ErrorCode::unsupported, "extensionsRequired names '" + excerpt(name, kLongestName) +
                                               "', which this program cannot read; export the model without it");
   std::set<std::string> used;
   for (const JsonReader& declared : root["extensionsUsed"].elements()) used.insert(declared.text(""));
@@ -56,7 +53,7 @@ Result<std::vector<std::string>> unreadExtensions(const JsonReader& root) {
   std::vector<std::string> unread;
   for (const std::string& name : used) {
     if (isRead(name)) continue;
-    unread.push_back(unread.size() < kMostNamed ? shownName(name) : "…");
+    unread.push_back(unread.size() < kMostNamed ? excerpt(name, kLongestName) : "…");
     if (unread.size() > kMostNamed) break;
   }
   return unread;

@@ -122,7 +122,7 @@ class MaterialWriter {
     file_.append("materials", std::move(json));
     if (lost.empty()) return;
     left_out_.push_back(quoted("materials", index) +
-                        (material.name.empty() ? "" : " (" + printable(material.name) + ")") + ": " +
+                        (material.name.empty() ? "" : " (" + excerpt(material.name) + ")") + ": " +
                         join(lost, ", ", " and ") + (lost.size() == 1 ? " is" : " are") + " left out");
   }
 

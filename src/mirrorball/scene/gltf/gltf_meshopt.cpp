@@ -28,9 +28,8 @@ constexpr auto kFilters = std::to_array<std::string_view>({"NONE", "OCTAHEDRAL",
 std::string problemOf(const BufferView& view) {
   const Compression& how = *view.compression;
   const auto isAny = [](const auto& names, std::string_view name) { return contains(names, name); };
-  if (!isAny(kModes, how.mode)) return "mode is '" + printable(how.mode.substr(0, 20)) + "', none of " + join(kModes);
-  if (!isAny(kFilters, how.filter))
-    return "filter is '" + printable(how.filter.substr(0, 20)) + "', none of " + join(kFilters);
+  if (!isAny(kModes, how.mode)) return "mode is '" + excerpt(how.mode, 20) + "', none of " + join(kModes);
+  if (!isAny(kFilters, how.filter)) return "filter is '" + excerpt(how.filter, 20) + "', none of " + join(kFilters);
   const std::size_t stride = how.byte_stride;
   const std::string written = "byteStride is " + std::to_string(stride);
   const bool is_vertices = how.mode == "ATTRIBUTES";

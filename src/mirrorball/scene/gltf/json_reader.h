@@ -12,6 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mirrorball/base/text.h"
+
 namespace mirrorball {
 
 /// What went wrong first while a JSON was read.
@@ -73,7 +75,7 @@ class JsonReader {
       refuse("is no object");
     else
       for (const auto& [name, member] : value_->items())
-        members.emplace_back(name, JsonReader(&member, key_ + "." + name, *problem_));
+        members.emplace_back(name, JsonReader(&member, key_ + "." + excerpt(name), *problem_));
     return members;
   }
 

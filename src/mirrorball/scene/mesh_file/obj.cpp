@@ -347,7 +347,7 @@ Result<Scene> decodeObj(std::span<const std::uint8_t> bytes, const std::filesyst
   try {
     tinyobj::LoadObjWithCallback(stream, callbacks(), &geometry, &reader);
   } catch (const std::exception& exception) {
-    geometry.refuse(exception.what());
+    geometry.refuse(excerpt(exception.what()));
   }
   if (!geometry.problem.empty()) return fail(ErrorCode::bad_file, geometry.problem);
   MIRRORBALL_TRY_VOID(checkIndices(geometry));

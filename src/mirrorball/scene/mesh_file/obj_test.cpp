@@ -218,6 +218,21 @@ TEST(Obj, WithoutItsMaterialsIsAWarning) {
   EXPECT_EQ(scene->materials.size(), 1u);
 }
 
+TEST(Obj, WhatItSaysIsQuoted) {
+  const std::string name = "\x1b[2J\x9b" + std::string(100'000, 'x');
+  writeText("obj_quoted.mtl", "newmtl red\nmap_Kd " + name + "\nbump " + name + "\n");
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const Result<Scene> scene = decodeObjText("mtllib " + name + "\nmtllib obj_quoted.mtl\nusemtl " + name + "\n" +
+                                            triangle + "usemtl red\nf 1 2 3\n");
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->warnings.size(), 4u);
+  for (const std::string& warning : scene->warnings) {
+    EXPECT_THAT(warning, HasSubstr("'?[2J?xxx"));
+    EXPECT_LT(warning.size(), 400u);
+  }
+  expectObjRefused("v \x1b[2J 0 0\n" + triangle, "'?[2J' is no number");
+}
+
 TEST(Obj, NamesWhatIsWrong) {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   expectObjRefused("", "holds no faces");

@@ -13,6 +13,7 @@
 #include "formula/color.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/memory.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/mesh_file/polygon.h"
 #include "mirrorball/scene/mesh_file/smoothing.h"
 #include "mirrorball/scene/mesh_file/text_scanner.h"
@@ -186,7 +187,7 @@ Result<Header> parseHeader(std::string_view text) {
       else if (encoding == "binary_big_endian")
         header.encoding = Encoding::big_endian;
       else
-        return wrong("unknown format '" + std::string(encoding) + "'");
+        return wrong("unknown format '" + excerpt(encoding) + "'");
       has_format = true;
     } else if (key == "element") {
       Element& element = header.elements.emplace_back();
@@ -202,7 +203,7 @@ Result<Header> parseHeader(std::string_view text) {
     } else if (lines.position() >= text.size()) {
       return fail(ErrorCode::bad_file, "the header does not end; the file is truncated");
     } else if (key != "comment" && key != "obj_info" && !key.empty()) {
-      return wrong("unknown key '" + std::string(key) + "'");
+      return wrong("unknown key '" + excerpt(key) + "'");
     }
   }
   if (!has_format) return fail(ErrorCode::bad_file, "the header names no format");
@@ -303,8 +304,9 @@ class PlyDecoder {
     for (const Property& property : element.properties)
       min += reader_.minSize(property.count_type.value_or(property.type));
     if (element.count > 0 && (min == 0 || element.count > reader_.remaining() / min))
-      return fail(ErrorCode::bad_file, "the header names " + std::to_string(element.count) + " of '" + element.name +
-                                           "', more than its " + std::to_string(reader_.remaining()) +
+      return fail(ErrorCode::bad_file, "the header names " + std::to_string(element.count) + " of '" +
+                                           excerpt(element.name) + "', more than its " +
+                                           std::to_string(reader_.remaining()) +
                                            " bytes of data can hold; the file is truncated");
     return {};
   }
@@ -330,7 +332,8 @@ class PlyDecoder {
           continue;
         }
         const std::optional<double> value = reader_.next(property.type);
-        if (!value) return wrong("no finite number for '" + property.name + "' of vertex " + std::to_string(row));
+        if (!value)
+          return wrong("no finite number for '" + excerpt(property.name) + "' of vertex " + std::to_string(row));
         if (roles[i]) values[*roles[i]] = *value;
       }
       MIRRORBALL_TRY_VOID(addVertex(values, scales));
@@ -374,7 +377,7 @@ class PlyDecoder {
     for (std::size_t row = 0; row < element.count; ++row) {
       for (const Property& property : element.properties) {
         if (!property.count_type) {
-          if (!reader_.next(property.type)) return wrong("no finite number for '" + property.name + "'");
+          if (!reader_.next(property.type)) return wrong("no finite number for '" + excerpt(property.name) + "'");
           continue;
         }
         MIRRORBALL_TRY_VOID(readList(property));
@@ -393,11 +396,11 @@ class PlyDecoder {
     const std::optional<double> length = reader_.next(*property.count_type);
     if (!length || *length < 0 || *length != std::floor(*length) ||
         *length > static_cast<double>(reader_.remaining() / reader_.minSize(property.type)))
-      return wrong("the list '" + property.name + "' has no valid length; the file may be truncated");
+      return wrong("the list '" + excerpt(property.name) + "' has no valid length; the file may be truncated");
     list_.clear();
     for (auto left = static_cast<std::size_t>(*length); left > 0; --left) {
       const std::optional<double> value = reader_.next(property.type);
-      if (!value) return wrong("no finite number in the list '" + property.name + "'");
+      if (!value) return wrong("no finite number in the list '" + excerpt(property.name) + "'");
       list_.push_back(*value);
     }
     return {};

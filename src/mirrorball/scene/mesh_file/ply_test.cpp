@@ -190,5 +190,21 @@ TEST(Ply, MemoryIsAskedForBeforeItIsTaken) {
   EXPECT_TRUE(decodePlyText(binaryPlySquare(std::endian::little)));
 }
 
+TEST(Ply, WhatTheHeaderSaysIsQuoted) {
+  const std::string name = "\x1b[2J\x9b" + std::string(100'000, 'x');
+  const std::string ascii = "format ascii 1.0\n", end = "\nend_header\n";
+  for (const std::string& header :
+       {"format " + name + " 1.0" + end, ascii + name + end,
+        ascii + "element " + name + " 4000000000\nproperty list uchar int a" + end,
+        ascii + "element vertex 1\nproperty char x\nproperty char y\nproperty char z\nproperty float " + name + end +
+            "0 0 0 x\n",
+        ascii + "element face 1\nproperty list char int " + name + end + "-1\n"}) {
+    const Result<Scene> scene = decodePlyText(plyBytes("ply\n" + header));
+    ASSERT_FALSE(scene);
+    EXPECT_THAT(scene.error().message, HasSubstr("'?[2J?xxx"));
+    EXPECT_LT(scene.error().message.size(), 400u);
+  }
+}
+
 }  // namespace
 }  // namespace mirrorball

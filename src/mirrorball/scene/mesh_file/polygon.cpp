@@ -52,9 +52,9 @@ bool contains(dvec2 a, dvec2 b, dvec2 c, dvec2 point) {
 
 /// What is left of a polygon while ears are cut off.
 ///
-/// Only corners that do not bend outwards can be the innermost of those within an ear, so only they are looked at; and a
-/// cut changes nothing for corners but those beside it (Eberly, "Triangulation by Ear Clipping", 2002). So each corner is
-/// compared with the inward ones three times, and not with all at each cut.
+/// Only corners that do not bend outwards can be the innermost of those within an ear, so only they are looked at; and
+/// a cut changes nothing for corners but those beside it (Eberly, "Triangulation by Ear Clipping", 2002). So each
+/// corner is compared with the inward ones three times, and not with all at each cut.
 class Clipping {
  public:
   explicit Clipping(std::vector<dvec2> corners) : corners_(std::move(corners)), remaining_(corners_.size()) {

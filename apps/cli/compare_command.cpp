@@ -119,7 +119,7 @@ struct ComparedSide {
 };
 
 Result<ComparedSide> readComparedSide(const std::string& path, bool repair) {
-  MIRRORBALL_TRY(bytes, readFile(path));
+  MIRRORBALL_TRY(bytes, readImageFile(path));
   const ImageKind kind = holdsCodes(bytes) ? ImageKind::picture : ImageKind::light;
   MIRRORBALL_TRY(decoded, withName(path, decodeImage(bytes, progressBar("reading " + shown(path)))));
   if (const NonFinite bad = findNonFinite(decoded.image); repair && bad.count > 0) {

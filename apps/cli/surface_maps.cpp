@@ -96,7 +96,7 @@ Result<MadeMap> makeSurfaceMap(const std::string& input, const SurfaceOptions& o
     if (options.to == SurfaceMap::height) return MadeMap{ImageSet(std::move(heights)), false};
     return withName(input, mapOfHeights(heights, options));
   }
-  MIRRORBALL_TRY(bytes, readFile(input));
+  MIRRORBALL_TRY(bytes, readImageFile(input));
   MIRRORBALL_TRY(numbers, withName(input, decodeNumbers(bytes, progressBar("reading " + shown(input)))));
   if (!isOfNormals(options.to)) return withName(input, mapOfHeights(heightsOf(std::move(numbers), input), options));
   MIRRORBALL_TRY(normals, withName(input, normalsOf(std::move(numbers), bytes)));

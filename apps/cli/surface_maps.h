@@ -41,7 +41,7 @@ struct SurfaceOptions {
 
 /// Reads heights or normals, and makes the map. What there is to say of the input is said.
 ///
-/// errors   as readFile's, decodeNumbers', loadModel's and the maps'; with the input's name
+/// errors   as readImageFile's, decodeNumbers', loadModel's and the maps'; with the input's name
 Result<MadeMap> makeSurfaceMap(const std::string& input, const SurfaceOptions& options);
 
 }  // namespace mirrorball::cli

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cctype>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <utility>
 
 #include <unistd.h>
 
@@ -34,6 +36,15 @@ std::atomic<std::uint64_t>& limit() {
   return bytes;
 }
 
+/// The innermost one.
+thread_local MemoryShare* share_of_thread = nullptr;
+
+tl::unexpected<Error> tooMuch(std::uint64_t bytes) {
+  return fail(ErrorCode::too_large,
+              "needs " + textOfBytes(bytes) + " of memory, and " + textOfBytes(memoryLimit()) + " may be used",
+              Remedy::raise_memory_or_shrink);
+}
+
 }  // namespace
 
 std::uint64_t memoryLimit() { return limit(); }
@@ -41,10 +52,36 @@ std::uint64_t memoryLimit() { return limit(); }
 void setMemoryLimit(std::uint64_t bytes) { limit() = bytes; }
 
 Result<void> checkMemory(std::uint64_t bytes) {
-  if (bytes <= memoryLimit()) return {};
-  return fail(ErrorCode::too_large,
-              "needs " + textOfBytes(bytes) + " of memory, and " + textOfBytes(memoryLimit()) + " may be used",
-              Remedy::raise_memory_or_shrink);
+  if (share_of_thread != nullptr) return share_of_thread->raiseTo(bytes);
+  return bytes <= memoryLimit() ? Result<void>() : tooMuch(bytes);
+}
+
+Result<void> MemoryBudget::take(std::uint64_t bytes) {
+  for (std::uint64_t before = taken_;;) {
+    const std::uint64_t limit = memoryLimit();
+    if (bytes > limit || before > limit - bytes) return tooMuch(bytes > UINT64_MAX - before ? bytes : before + bytes);
+    if (taken_.compare_exchange_weak(before, before + bytes)) return {};
+  }
+}
+
+MemoryShare::MemoryShare(MemoryBudget& budget) : budget_(budget), outer_(std::exchange(share_of_thread, this)) {}
+
+MemoryShare::~MemoryShare() {
+  share_of_thread = outer_;
+  budget_.giveBack(taken_ - kept_);
+}
+
+Result<void> MemoryShare::raiseTo(std::uint64_t bytes) {
+  if (bytes <= taken_) return {};
+  MIRRORBALL_TRY_VOID(budget_.take(bytes - taken_));
+  taken_ = bytes;
+  return {};
+}
+
+Result<void> MemoryShare::keep(std::uint64_t bytes) {
+  MIRRORBALL_TRY_VOID(raiseTo(bytes));
+  kept_ = bytes;
+  return {};
 }
 
 std::string textOfBytes(std::uint64_t bytes) {

@@ -1,5 +1,9 @@
 #include "mirrorball/base/memory.h"
 
+#include <atomic>
+#include <thread>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace mirrorball {
@@ -32,6 +36,64 @@ TEST(Memory, MoreThanTheLimitIsRefused) {
   EXPECT_EQ(refused.error().message, "needs 2.0 GB of memory, and 1.0 GB may be used");
   EXPECT_EQ(refused.error().remedy, Remedy::raise_memory_or_shrink);
   setMemoryLimit(usual);
+}
+
+/// 100 bytes may be used while it lives.
+class Limit {
+ public:
+  Limit() { setMemoryLimit(100); }
+  ~Limit() { setMemoryLimit(usual_); }
+
+ private:
+  std::uint64_t usual_ = memoryLimit();
+};
+
+TEST(MemoryBudget, GivesAsMuchAsTheLimit) {
+  const Limit limit;
+  MemoryBudget budget;
+  EXPECT_TRUE(budget.take(60));
+  EXPECT_EQ(budget.take(41).error().code, ErrorCode::too_large);
+  EXPECT_EQ(budget.take(UINT64_MAX).error().code, ErrorCode::too_large);
+  EXPECT_TRUE(budget.take(40)) << "what was refused is not taken";
+  EXPECT_EQ(budget.taken(), 100u);
+  budget.giveBack(60);
+  EXPECT_TRUE(budget.take(60));
+}
+
+TEST(MemoryBudget, IsWhatAShareOfAThreadAsks) {
+  const Limit limit;
+  MemoryBudget budget;
+  ASSERT_TRUE(budget.take(50));
+  {
+    MemoryShare share(budget);
+    EXPECT_TRUE(checkMemory(30));
+    EXPECT_TRUE(checkMemory(20)) << "of what is taken already";
+    EXPECT_EQ(budget.taken(), 80u);
+    EXPECT_FALSE(checkMemory(51));
+    std::thread([] { EXPECT_TRUE(checkMemory(100)) << "of no share"; }).join();
+    {
+      MemoryShare inner(budget);
+      EXPECT_FALSE(checkMemory(21));
+      EXPECT_TRUE(checkMemory(20));
+    }
+    EXPECT_EQ(budget.taken(), 80u) << "given back";
+    EXPECT_TRUE(share.keep(10));
+  }
+  EXPECT_EQ(budget.taken(), 60u) << "but what is kept";
+  EXPECT_TRUE(checkMemory(100)) << "and the thread has none any more";
+}
+
+TEST(MemoryBudget, IsNotExceededByManyThreads) {
+  const Limit limit;
+  MemoryBudget budget;
+  std::atomic<int> taken = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 1000; ++k) taken += budget.take(1) ? 1 : 0;
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(taken, 100);
 }
 
 }  // namespace

@@ -88,8 +88,23 @@ Result<void> checkShape(const ImageOf<Sample>& image) {
 
 }  // namespace
 
+Result<Bytes> readImageFile(const std::filesystem::path& path) {
+  constexpr std::size_t kTelling = std::size_t{1} << 16;  // bytes at each end; TGA is told by its last ones
+  constexpr std::uint64_t kLarge = std::uint64_t{1} << 24;
+  MIRRORBALL_TRY(file, FileReader::open(path));
+  if (file.size() > kLarge) {
+    Bytes ends(2 * kTelling);
+    const std::span<std::uint8_t> all(ends);
+    MIRRORBALL_TRY_VOID(withName(file.name(), file.readAt(0, all.first(kTelling))));
+    MIRRORBALL_TRY_VOID(withName(file.name(), file.readAt(file.size() - kTelling, all.last(kTelling))));
+    MIRRORBALL_TRY(codec, withName(file.name(), codecFor(ends)));
+    if (!codec) return withName(file.name(), Result<Bytes>(unknownFormat(ends, readFormatNames())));
+  }
+  return readFile(path);
+}
+
 Result<DecodedImage> readImage(const std::filesystem::path& path) {
-  MIRRORBALL_TRY(bytes, readFile(path));
+  MIRRORBALL_TRY(bytes, readImageFile(path));
   return withName(path.string(), decodeImage(bytes));
 }
 

@@ -47,6 +47,12 @@ struct ImageWriteOptions {
   std::vector<ImageLayer> layers = {};  ///< OpenEXR alone
 };
 
+/// Reads a file that is to be decoded, as a whole. A large one that holds no image is refused by what it begins and ends
+/// with, before its memory is taken.
+///
+/// errors   as readFile's; bad_file, unsupported: it is none of image_format.h
+Result<Bytes> readImageFile(const std::filesystem::path& path);
+
 /// Reads every format of image_format.h by its first bytes, not by its name. Integers are decoded to linear light, from
 /// sRGB unless a PNG states another curve; floats are linear light. Of a texture with one face, the largest level is
 /// read. NaN and infinity are kept: callers that need light check with findNonFinite.

@@ -1,12 +1,17 @@
 #include "mirrorball/codec/image_file.h"
 
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <limits>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/codec/picture_testing.h"
 #include "mirrorball/codec/texture/texture_testing.h"
 #include "mirrorball/codec/written_format_testing.h"
 
@@ -120,6 +125,32 @@ TEST(Codec, WhatIsNoImageIsNamed) {
   EXPECT_THAT(decodeTexture(bytesOf("#?RADIANCE\n\n-Y 1 +X 1\n1234")).error().message,
               AllOf(HasSubstr("is Radiance HDR"), HasSubstr("BMP or PNM for textures")));
   EXPECT_EQ(readImage("no such file.hdr").error().code, ErrorCode::not_found);
+}
+
+// It has a hole, and takes no room on the disk. Were it read before it is looked at, it would not fit.
+TEST(ImageFile, ALargeFileOfNothingIsNotRead) {
+  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "hole.hdr";
+  ASSERT_TRUE(writeFile(path, {}));
+  std::filesystem::resize_file(path, std::uintmax_t{3} << 30u);
+  const std::uint64_t usual = memoryLimit();
+  setMemoryLimit(std::uint64_t{64} << 20u);
+  EXPECT_THAT(readImage(path).error().message, HasSubstr("hole.hdr: is not an image that can be read"));
+  setMemoryLimit(usual);
+  std::filesystem::remove(path);
+}
+
+// Which a footer tells, at its end.
+TEST(ImageFile, ALargeTgaIsRead) {
+  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "large.tga";
+  constexpr int kSide = 2400;
+  const Bytes tga = testing::withTgaFooter(
+      testing::tgaOf({.width = kSide, .height = kSide}, std::vector<std::uint8_t>(std::size_t{3} * kSide * kSide, 90)),
+      0);
+  ASSERT_TRUE(writeFile(path, tga));
+  const auto image = readImage(path);
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(image->image.width(), kSide);
+  std::filesystem::remove(path);
 }
 
 }  // namespace

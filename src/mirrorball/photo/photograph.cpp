@@ -11,7 +11,7 @@ namespace mirrorball {
 
 Result<Photograph> readPhotograph(const std::filesystem::path& path) {
   Photograph photograph{.name = path.string(), .codes = {}, .light = {}, .exif = {}};
-  MIRRORBALL_TRY(bytes, readFile(path));
+  MIRRORBALL_TRY(bytes, readImageFile(path));
   if (isJpeg(bytes)) photograph.exif = readExif(bytes);
   if (holdsCodes(bytes)) {
     MIRRORBALL_TRY(codes, withName(photograph.name, decodeTexture(bytes)));

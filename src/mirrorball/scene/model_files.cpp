@@ -30,8 +30,7 @@ Result<void> checkName(std::string_view name) {
   if (name.find('\0') != std::string_view::npos) return fail(ErrorCode::bad_file, "has a NUL in it, as no file's name");
   if (beginsAtRoot(name))
     return fail(ErrorCode::unsupported,
-                "is no path from the model's folder; put the file beside the model, and name "
-                "it without a folder");
+                "is no path from the model's folder; put the file beside the model, and name it without a folder");
   if (name.find("://") != std::string_view::npos)
     return fail(ErrorCode::unsupported, "lies in a network; fetch it and put it beside the model");
   return {};
@@ -57,8 +56,7 @@ Result<fs::path> ModelFiles::find(const std::string& name) {
   // Before it is asked whether there is such a file, which would be to learn something.
   if (options_.inside_only && (status || isOutside(file)))
     return fail(ErrorCode::unsupported,
-                "lies outside of the model's folder, of which nothing is to be read; put the "
-                "file into the folder");
+                "lies outside of the model's folder, where nothing is to be read; put the file into the folder");
   if (status || !fs::exists(file, status)) return fail(ErrorCode::bad_file, "is missing; put it beside the model");
   if (!fs::is_regular_file(file, status))
     return fail(ErrorCode::bad_file, "is no regular file; put a file beside the model");
@@ -68,7 +66,9 @@ Result<fs::path> ModelFiles::find(const std::string& name) {
 Result<std::span<const std::uint8_t>> ModelFiles::read(const fs::path& file) {
   if (const auto found = contents_.find(file); found != contents_.end())
     return std::span<const std::uint8_t>(found->second);
+  MemoryShare share(budget_);
   MIRRORBALL_TRY(bytes, readFile(file));
+  MIRRORBALL_TRY_VOID(share.keep(bytes.size()));
   return std::span<const std::uint8_t>(contents_[file] = std::move(bytes));
 }
 

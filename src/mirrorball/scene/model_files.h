@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/scene/scene.h"
 
@@ -37,8 +38,11 @@ class ModelFiles {
 
   /// The content of a file of find(), which is read once. It lives as long as this does.
   ///
-  /// errors   as readFile's
+  /// errors   as readFile's; too_large: the budget has not so much
   Result<std::span<const std::uint8_t>> read(const std::filesystem::path& file);
+
+  /// The memory for all that the model holds: its files, meshes and pictures.
+  MemoryBudget& budget() { return budget_; }
 
   /// What was read.
   std::vector<std::string> files() const;
@@ -54,6 +58,7 @@ class ModelFiles {
   std::filesystem::path true_folder_;  // without links
   ModelLoadOptions options_;
   std::map<std::filesystem::path, Bytes> contents_;
+  MemoryBudget budget_;
 };
 
 /// Notes in a scene which files were read for it, and remarks on those outside of the model's folder.

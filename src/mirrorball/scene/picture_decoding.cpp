@@ -7,10 +7,21 @@
 
 namespace mirrorball {
 
-std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures) {
+namespace {
+
+Result<Image8> decodeWithin(MemoryBudget& budget, EncodedPicture picture) {
+  MemoryShare share(budget);
+  MIRRORBALL_TRY(image, decodeTexture(picture));
+  MIRRORBALL_TRY_VOID(share.keep(image.samples().size_bytes()));
+  return image;
+}
+
+}  // namespace
+
+std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget) {
   std::vector<Result<Image8>> images(pictures.size());
   parallelFor(pictures.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) images[i] = decodeTexture(pictures[i]);
+    for (std::size_t i = begin; i < end; ++i) images[i] = decodeWithin(budget, pictures[i]);
   });
   return images;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/image/image.h"
 
@@ -16,7 +17,8 @@ using EncodedPicture = std::span<const std::uint8_t>;
 /// Decodes pictures (codec.h: decodeTexture), several at the same time: with large textures this is where a model's
 /// loading time goes.
 ///
+/// budget   from which the images' memory is taken, and that of decoding each while it lasts
 /// returns  for each picture its image of 4 channels as stored, or why it cannot be read
-std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures);
+std::vector<Result<Image8>> decodePictures(std::span<const EncodedPicture> pictures, MemoryBudget& budget);
 
 }  // namespace mirrorball

@@ -244,7 +244,7 @@ Result<LoadedEnvironment> decodeEnvironment(std::span<const std::uint8_t> bytes,
 
 Result<LoadedEnvironment> loadFile(const std::string& path, const EnvironmentLoadOptions& options,
                                    const ProgressFunction& progress) {
-  MIRRORBALL_TRY(bytes, readFile(path));
+  MIRRORBALL_TRY(bytes, readImageFile(path));
   MIRRORBALL_TRY(loaded, withName(path, decodeEnvironment(bytes, options, progress)));
   loaded.files = {path};
   return loaded;

@@ -234,6 +234,7 @@ class SceneBuilder {
           return fail(ErrorCode::too_large,
                       key + " brings the model above " + std::to_string(kMaxVertices) + " vertices");
         left -= size;
+        MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(size * (sizeof(Vertex) + sizeof(std::uint32_t)))));
         MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
         MIRRORBALL_TRY(of_variants, materialsOfVariants(primitive, material, key));
         const int tangent_uv_set = tangentUvSet(scene_.materials[std::size_t(material)]);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "mirrorball/base/content_hash.h"
 #include "mirrorball/scene/gltf/gltf_document_material.h"
 
 namespace mirrorball::gltf {
@@ -36,15 +37,13 @@ Result<void> Materials::bindTexture(TextureSlot& slot, bool srgb, std::optional<
 
 Result<int> Materials::sceneTexture(int index, bool srgb, std::optional<float> glossiness, const std::string& key) {
   MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.textures.size(), key, "textures"));
-  const TextureUse use{index, srgb, glossiness};
-  if (const auto found = textures_.find(use); found != textures_.end()) return found->second;
-
   const Texture& source = file_.document.textures[std::size_t(index)];
   const std::string texture_key = quoted("textures", std::size_t(index));
   if (source.image == -1) {
-    scene_.warnings.push_back(file_.name + ": " + texture_key +
-                              " has its picture only in an extension that is not read; it is left out");
-    return textures_[use] = -1;
+    if (without_picture_.insert(index).second)
+      scene_.warnings.push_back(file_.name + ": " + texture_key +
+                                " has its picture only in an extension that is not read; it is left out");
+    return -1;
   }
   MIRRORBALL_TRY_VOID(checkIndex(source.image, file_.document.images.size(), texture_key + ".source", "images"));
   mirrorball::Texture texture;
@@ -57,34 +56,37 @@ Result<int> Materials::sceneTexture(int index, bool srgb, std::optional<float> g
     texture.wrap_t = sampler.wrap_t;
     texture.nearest = sampler.nearest;
   }
+  const int image = sameImage(source.image);
+  const auto [known, is_new] = textures_.try_emplace(
+      {image, srgb, glossiness, texture.wrap_s, texture.wrap_t, texture.nearest}, int(scene_.textures.size()));
+  if (!is_new) return known->second;
   scene_.textures.push_back(std::move(texture));
-  planned_.push_back({source.image, glossiness});
-  return textures_[use] = static_cast<int>(scene_.textures.size()) - 1;
+  planned_.push_back({image, glossiness});
+  return known->second;
 }
 
-Result<std::size_t> Materials::pictureOf(int index) {
-  if (const auto known = picture_of_image_.find(index); known != picture_of_image_.end()) return known->second;
+int Materials::sameImage(int index) {
+  const Image& image = file_.document.images[std::size_t(index)];
+  const auto sourceOf = [&](const std::string& uri) {
+    ContentHash data;
+    if (isData(uri)) return data.addAll(std::span<const char>(uri)), data.digits();
+    const auto path = findFile(file_, uri, {});
+    return path ? path->string() : uri;  // what is not found is told of when it is read
+  };
+  const std::string source = image.uri ? sourceOf(*image.uri) : "bufferViews " + std::to_string(image.buffer_view);
+  return images_.try_emplace(source, index).first->second;
+}
+
+Result<std::span<const std::uint8_t>> Materials::encoded(int index) {
   const Image& image = file_.document.images[std::size_t(index)];
   const std::string key = quoted("images", std::size_t(index));
-  std::string source;  // what images that show the same have in common
-  std::span<const std::uint8_t> bytes;
-  if (!image.uri) {
-    MIRRORBALL_TRY(view, viewBytes(file_, image.buffer_view, key + ".bufferView"));
-    source = "bufferViews " + std::to_string(image.buffer_view);
-    bytes = view;
-  } else if (isData(*image.uri)) {
-    MIRRORBALL_TRY(decoded, decodeData(*image.uri, key + ".uri"));
-    source = *image.uri;
-    bytes = storage_[index] = std::move(decoded);
-  } else {
-    MIRRORBALL_TRY(path, findFile(file_, *image.uri, key + ".uri"));
-    MIRRORBALL_TRY(read, file_.named.read(path));
-    source = path.string();
-    bytes = read;
+  if (!image.uri) return viewBytes(file_, image.buffer_view, key + ".bufferView");
+  if (isData(*image.uri)) {
+    MIRRORBALL_TRY(bytes, decodeData(*image.uri, key + ".uri"));
+    return std::span<const std::uint8_t>(storage_[index] = std::move(bytes));
   }
-  const auto [picture, is_new] = pictures_.try_emplace(source, encoded_.size());
-  if (is_new) encoded_.push_back(bytes);
-  return picture_of_image_[index] = picture->second;
+  MIRRORBALL_TRY(path, findFile(file_, *image.uri, key + ".uri"));
+  return file_.named.read(path);
 }
 
 namespace {
@@ -102,22 +104,29 @@ void makeRoughness(Image8& image, float glossiness) {
 }  // namespace
 
 Result<void> Materials::decodeTextures() {
-  std::vector<std::size_t> place;  // of each texture's picture
+  std::map<int, std::size_t> place;  // glTF image → which of `pictures`
+  std::vector<EncodedPicture> pictures;
   for (const Planned& planned : planned_) {
-    MIRRORBALL_TRY(picture, pictureOf(planned.image));
-    place.push_back(picture);
+    if (!place.emplace(planned.image, pictures.size()).second) continue;
+    MIRRORBALL_TRY(bytes, encoded(planned.image));
+    pictures.push_back(bytes);
   }
-  std::vector<Result<Image8>> decoded = decodePictures(encoded_);
-  for (std::size_t i = 0; i < planned_.size(); ++i)
-    if (Result<Image8>& picture = decoded[place[i]]; !picture)
-      return fail(withName(quoted("images", std::size_t(planned_[i].image)), std::move(picture)));
-  std::vector<std::size_t> users(encoded_.size(), 0);
-  for (const std::size_t picture : place) ++users[picture];
+
+  std::vector<Result<Image8>> decoded = decodePictures(pictures, file_.named.budget());
+  for (const Planned& planned : planned_)
+    if (Result<Image8>& picture = decoded[place[planned.image]]; !picture)
+      return fail(withName(quoted("images", std::size_t(planned.image)), std::move(picture)));
+  std::vector<std::size_t> users(pictures.size(), 0);
+  for (const Planned& planned : planned_) ++users[place[planned.image]];
   for (std::size_t i = 0; i < planned_.size(); ++i) {
-    const std::size_t picture = place[i];
+    const std::size_t picture = place[planned_[i].image];
+    const bool is_last = --users[picture] == 0;
+    if (!is_last)
+      MIRRORBALL_TRY_VOID(withName(quoted("images", std::size_t(planned_[i].image)),
+                                   file_.named.budget().take(decoded[picture]->samples().size_bytes())));
     // The last texture that shows a picture takes it; those before it need a copy.
     Image8& image = scene_.textures[i].image;
-    image = --users[picture] == 0 ? std::move(*decoded[picture]) : *decoded[picture];
+    image = is_last ? std::move(*decoded[picture]) : *decoded[picture];
     if (planned_[i].glossiness) makeRoughness(image, *planned_[i].glossiness);
   }
   storage_.clear();

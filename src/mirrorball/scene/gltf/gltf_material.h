@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <tuple>
@@ -42,19 +43,20 @@ class Materials {
 
   Result<void> bindTexture(TextureSlot& slot, bool srgb, std::optional<float> glossiness, const std::string& key);
   Result<int> sceneTexture(int texture, bool srgb, std::optional<float> glossiness, const std::string& key);
-  /// Which of `encoded_` an image shows.
-  Result<std::size_t> pictureOf(int image);
+  /// The first image that shows the same picture, as far as that is asked for.
+  int sameImage(int image);
+  Result<std::span<const std::uint8_t>> encoded(int image);
 
   const File& file_;
   Scene& scene_;
-  using TextureUse = std::tuple<int, bool, std::optional<float>>;  // glTF index, sRGB, glossiness
-  std::map<int, int> materials_;                                   // glTF index → scene index
-  std::map<TextureUse, int> textures_;                             // → scene index
-  std::vector<Planned> planned_;                                   // by scene index
-  std::map<int, Bytes> storage_;                                   // of the images that lie in the JSON
-  std::vector<EncodedPicture> encoded_;                            // each different picture once
-  std::map<std::string, std::size_t> pictures_;                    // file or place → which of them
-  std::map<int, std::size_t> picture_of_image_;                    // glTF index → likewise
+  /// What a texture of the scene is made from: image, sRGB, glossiness, how it goes on beyond its edges, nearest.
+  using TextureUse = std::tuple<int, bool, std::optional<float>, Wrap, Wrap, bool>;
+  std::map<int, int> materials_;        // glTF index → scene index
+  std::map<TextureUse, int> textures_;  // → scene index
+  std::set<int> without_picture_;       // glTF textures that are left out
+  std::vector<Planned> planned_;        // by scene index
+  std::map<std::string, int> images_;   // file, data or view → the first image of it
+  std::map<int, Bytes> storage_;        // of the images that lie in the JSON
 };
 
 }  // namespace mirrorball::gltf

@@ -8,7 +8,6 @@
 
 #include <meshoptimizer.h>
 
-#include "mirrorball/base/memory.h"
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
 
@@ -75,11 +74,10 @@ Result<Bytes> decoded(const File& file, const BufferView& view, const std::strin
 }  // namespace
 
 Result<void> decodeMeshopt(File& file) {
-  std::uint64_t all = 0;
   for (std::size_t i = 0; i < file.document.buffer_views.size(); ++i) {
     BufferView& view = file.document.buffer_views[i];
     if (!view.compression) continue;
-    MIRRORBALL_TRY_VOID(checkMemory(all += std::min<std::uint64_t>(view.byte_length, std::uint64_t{1} << 40)));
+    MIRRORBALL_TRY_VOID(file.named.budget().take(view.byte_length));
     MIRRORBALL_TRY(bytes, decoded(file, view, quoted("bufferViews", i) + ".extensions.EXT_meshopt_compression"));
     view = {
         .buffer = static_cast<int>(file.buffers.size()), .byte_length = bytes.size(), .byte_stride = view.byte_stride};

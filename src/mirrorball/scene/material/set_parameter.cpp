@@ -20,7 +20,7 @@ namespace {
 Result<Image8> pictureOf(Scene& scene, const std::string& path) {
   const auto names = builtinPictureNames();
   if (contains(names, path)) return builtinPicture(path);
-  MIRRORBALL_TRY(bytes, readFile(path));
+  MIRRORBALL_TRY(bytes, readImageFile(path));
   MIRRORBALL_TRY(image, withName(path, decodeTexture(bytes)));
   scene.files.push_back(path);
   return image;
@@ -62,7 +62,7 @@ bool stretchToUnit(Image& heights) {
 }
 
 Result<PictureHeights> readHeights(const std::string& path) {
-  MIRRORBALL_TRY(bytes, readFile(path));
+  MIRRORBALL_TRY(bytes, readImageFile(path));
   MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
   PictureHeights of_picture = heightsOfPicture(std::move(numbers));
   MIRRORBALL_TRY_VOID(withName(path, checkHeights(of_picture.heights)));
@@ -95,7 +95,7 @@ constexpr std::array<std::string_view, 1> kSlopesName{"derivative_map"};
 
 Result<void> setSlopes(Scene& scene, const std::string& path) {
   MIRRORBALL_TRY_VOID(checkGiven("derivative_map", path));
-  MIRRORBALL_TRY(bytes, readFile(path));
+  MIRRORBALL_TRY(bytes, readImageFile(path));
   MIRRORBALL_TRY(numbers, withName(path, decodeNumbers(bytes)));
   MIRRORBALL_TRY(slopes, withName(path, slopesOfPicture(numbers, holdsCodes(bytes))));
   if (!scene.meshes.empty() && std::none_of(scene.meshes.begin(), scene.meshes.end(), hasTextureCoordinates))

@@ -52,7 +52,7 @@ class Pictures {
   void decode() {
     std::vector<EncodedPicture> encoded;
     for (const auto& [name, bytes] : pending_) encoded.push_back(bytes);
-    std::vector<Result<Image8>> decoded = decodePictures(encoded);
+    std::vector<Result<Image8>> decoded = decodePictures(encoded, named_.budget());
     for (std::size_t i = 0; i < decoded.size(); ++i) {
       if (decoded[i]) {
         scene_.textures[i].image = std::move(*decoded[i]);

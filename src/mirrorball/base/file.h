@@ -23,7 +23,7 @@ std::span<const std::uint8_t> bytesOf(std::span<const Value> values) {
   return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size_bytes()};
 }
 
-/// Reads a whole file, after its size was compared with memoryLimit().
+/// Reads a whole file; the size of one of more than 64 MB is first compared with memoryLimit().
 ///
 /// errors   not_found; io (a folder, no permission; a pipe or a device, which may never end); too_large (above
 ///          `largest`, or more than the memory that may be used)

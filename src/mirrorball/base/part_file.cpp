@@ -56,11 +56,17 @@ bool lock(const Descriptor& file) {
   return ::fstat(file.number(), &status) == 0 && status.st_nlink > 0;
 }
 
+/// Whether locks exclude others where a part lies that we have locked. Not all file systems have them, and some only
+/// say so.
+bool locksHold(const PartFile& part) {
+  const Descriptor again(::open(part.path.path().c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+  return again.isOpen() && ::flock(again.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
 }  // namespace
 
 Result<PartFile> makePart(const fs::path& folder) {
   const fs::path place = folder.empty() ? fs::path(".") : folder;
-  removeAbandoned(place);
   constexpr int kAttempts = 100;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     PartFile part{.file = {}, .path = UnfinishedPath((place / newName()).string())};
@@ -68,7 +74,10 @@ Result<PartFile> makePart(const fs::path& folder) {
     constexpr mode_t kReadAndWrite = 0666;  // less what the user's umask takes away
     part.file = Descriptor(::open(part.path.path().c_str(), kHow, kReadAndWrite));
     const int why = errno;
-    if (part.file.isOpen() && lock(part.file)) return part;
+    if (part.file.isOpen() && lock(part.file)) {
+      if (locksHold(part)) removeAbandoned(place);
+      return part;
+    }
     part.path.keep();  // what has that name, if anything has, is not ours
     if (!part.file.isOpen() && why != EEXIST) return fail(ErrorCode::io, std::strerror(why));
   }

@@ -47,8 +47,8 @@ struct ImageWriteOptions {
   std::vector<ImageLayer> layers = {};  ///< OpenEXR alone
 };
 
-/// Reads a file that is to be decoded, as a whole. A large one that holds no image is refused by what it begins and ends
-/// with, before its memory is taken.
+/// Reads a file that is to be decoded, as a whole. A large one that holds no image is refused by what it begins and
+/// ends with, before its memory is taken.
 ///
 /// errors   as readFile's; bad_file, unsupported: it is none of image_format.h
 Result<Bytes> readImageFile(const std::filesystem::path& path);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <iomanip>
 #include <memory>
@@ -11,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/help.h"
 #include "cli/suggestions.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
@@ -28,20 +30,10 @@ Result<void> useMemoryLimit(const std::string& written) {
 
 namespace {
 
-/// Help whose columns are as straight as code points make them: CLI11 counts bytes.
-class HelpFormatter : public CLI::Formatter {
- public:
-  std::string make_option(const CLI::Option* option, bool is_positional) const override {
-    const std::string name = "  " + make_option_name(option, is_positional) + make_option_opts(option);
-    std::string line = name;
-    if (columnsOf(name) >= column_width_) line += "\n" + std::string(column_width_, ' ');
-    if (columnsOf(name) < column_width_) line.append(column_width_ - columnsOf(name), ' ');
-    return line + make_option_desc(option) + "\n";
-  }
-};
-
 /// All words behind it are arguments, even those that begin with a dash (POSIX, Utility Syntax Guidelines, 10).
 constexpr std::string_view kEndOfOptions = "--";
+/// Behind --help it asks for all options.
+constexpr std::string_view kAllOfHelp = "all";
 
 /// Whether a word is written as an option, which is no value: a number may be negative.
 bool isOption(const Command& command, std::string_view word) {
@@ -83,7 +75,8 @@ void addArgumentTo(CLI::App& app, const Argument& argument) {
   option->required(!argument.missing.empty())->type_name("");
 }
 
-void addOptionTo(CLI::App& app, const Command& command, const CommandOption& command_option) {
+/// is_shown   in help
+void addOptionTo(CLI::App& app, const Command& command, const CommandOption& command_option, bool is_shown) {
   const OptionText& text = command_option.text;
   std::string flags = "--" + std::string(text.name);
   if (!text.letter.empty()) flags = "-" + std::string(text.letter) + "," + flags;
@@ -106,15 +99,10 @@ void addOptionTo(CLI::App& app, const Command& command, const CommandOption& com
     // seen.
     option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
-  if (!text.group.empty()) option->group(std::string(text.group));
-}
-
-std::string examplesOf(const Command& command) {
-  if (command.examples.empty()) return "";
-  std::string text = "Examples:";
-  for (const Example& example : command.examples)
-    text += "\n  mirrorball " + std::string(example.line) + "\n      " + std::string(example.what);
-  return text;
+  if (!is_shown)
+    option->group("");
+  else if (!text.group.empty())
+    option->group(std::string(text.group));
 }
 
 /// The error for arguments that no option or positional takes: says what may have been meant.
@@ -210,8 +198,22 @@ std::vector<std::string> withHelpLast(std::vector<std::string> words, std::span<
   if (words.size() == 1 && words.front() == "version") return {"--version"};
   if (words.empty() || words.front() != "help") return words;
   if (words.size() == 1) return {"--help"};
-  if (std::ranges::find(commands, words[1], &Command::name) != commands.end()) return {words[1], "--help"};
-  return {words[1]};
+  const bool names_command = std::ranges::find(commands, words[1], &Command::name) != commands.end();
+  std::vector<std::string> asked{words[1]};
+  if (names_command) asked.emplace_back("--help");
+  if (names_command && words.size() == 3 && words[2] == kAllOfHelp) asked.push_back(words[2]);
+  return asked;
+}
+
+/// Takes "all" away behind --help.
+///
+/// returns   whether it was there
+bool takeAllOfHelp(std::vector<std::string>& words) {
+  if (words.size() < 2 || words.back() != kAllOfHelp) return false;
+  const std::string& before = words[words.size() - 2];
+  if (before != "--help" && before != "-h") return false;
+  words.pop_back();
+  return true;
 }
 
 /// An option whose value may be missing has one only where a number follows: what else does may be a model's name.
@@ -229,24 +231,31 @@ std::vector<std::string> withImpliedValues(std::vector<std::string> words, std::
 
 /// CLI11's view of the commands.
 struct Reader {
-  CLI::App program{"Environment mapping: what mirrors, glass, rough metal and bumpy surfaces look like in a place"};
+  CLI::App program{
+      wrapped("Environment mapping: what mirrors, glass, rough metal and bumpy surfaces look like in a place",
+              helpColumns(), 0)};
   std::vector<CLI::App*> apps;
 
-  explicit Reader(std::span<const Command> commands) {
+  Reader(std::span<const Command> commands, bool shows_all) {
     const std::string left_out = MIRRORBALL_LEFT_OUT;
     const std::string version =
         std::string("mirrorball ") + MIRRORBALL_VERSION + (left_out.empty() ? "" : "\nbuilt without " + left_out);
     program.name("mirrorball");
-    program.formatter(std::make_shared<HelpFormatter>());
+    program.formatter(helpFormatter());
     program.set_version_flag("--version", version);
     program.set_help_flag("-h,--help", "Print this help");
-    program.footer("mirrorball help COMMAND tells what a command takes; the pages are in docs/ and `man mirrorball`.");
+    program.footer(
+        wrapped("mirrorball help COMMAND tells what a command takes, mirrorball help COMMAND all the options "
+                "that few people need too, and mirrorball help materials what --set changes; the pages are "
+                "in docs/ and `man mirrorball`.",
+                helpColumns(), 0));
     for (const Command& command : commands) {
       CLI::App& app = *program.add_subcommand(std::string(command.name), std::string(command.help));
       app.allow_extras()->set_version_flag("--version", version);
-      app.footer(examplesOf(command));
+      app.footer(endOfHelp(command, shows_all));
       for (const Argument& argument : command.arguments) addArgumentTo(app, argument);
-      for (const CommandOption& option : command.options) addOptionTo(app, command, option);
+      for (const CommandOption& option : command.options)
+        addOptionTo(app, command, option, shows_all || isInShortHelp(command, option));
       apps.push_back(&app);
     }
     program.allow_extras()->require_subcommand(0, 1);
@@ -280,11 +289,17 @@ Result<void> checkAllTaken(const Reader& reader, const Command* command, const s
 
 Result<Action> readCommandLine(int argc, const char* const* argv, std::span<const Command> commands) {
   const std::vector<std::string> given(argv + std::min(argc, 1), argv + argc);
-  const std::vector<std::string> words = withImpliedValues(withHelpLast(given, commands), commands);
+  std::vector<std::string> words = withImpliedValues(withHelpLast(given, commands), commands);
+  if (given == std::vector<std::string>{"help", "materials"})
+    return Action([]() -> Result<void> {
+      std::fputs(helpOnMaterials().c_str(), stdout);
+      return {};
+    });
+  const bool shows_all = takeAllOfHelp(words);
   const auto named = std::ranges::find(commands, words.empty() ? "" : words.front(), &Command::name);
   if (named != commands.end() && named->left_out) return tl::unexpected<Error>(*named->left_out);
   MIRRORBALL_TRY_VOID(checkDashes(words, commands));
-  Reader reader(commands);
+  Reader reader(commands, shows_all);
   try {
     // CLI11 takes them from the last to the first.
     reader.program.parse(std::vector<std::string>(words.rbegin(), words.rend()));

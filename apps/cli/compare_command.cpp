@@ -1,6 +1,7 @@
 #include "cli/compare_command.h"
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -11,9 +12,11 @@
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/memory.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
+#include "mirrorball/image/resize.h"
 #include "mirrorball/metric/picture/heat_map.h"
 
 namespace mirrorball::cli {
@@ -85,6 +88,8 @@ const auto kCompareOptions = std::to_array<Option<CompareOptions>>({
      &CompareOptions::pixels_per_degree},
     {{.name = "repair", .help = "replace NaN and infinite texels by the mean of their neighbours"},
      &CompareOptions::repair},
+    {{.name = "resize", .help = "bring A to the size of B first, by the mean of what each of its pixels covers"},
+     &CompareOptions::resize},
     {kMaxMemoryText, &CompareOptions::max_memory},
     {{.name = "heat-map", .value = "FILE", .help = kHeatMapHelp, .group = "Pictures", .takes_path = true},
      &CompareOptions::heat_map},
@@ -139,6 +144,24 @@ Result<void> refuseDifferentKinds(const ComparedSide& test, const ComparedSide& 
   };
   return fail(ErrorCode::bad_shape,
               told(test) + " and " + told(reference) + "; their numbers mean different things: compare two of a kind");
+}
+
+/// Brings one image to the size of the other.
+///
+/// errors   too_large
+Result<void> resizeTo(const ComparedImage& reference, ComparedSide& side) {
+  const glm::ivec2 size(reference.light.width(), reference.light.height());
+  const glm::ivec2 own(side.image.light.width(), side.image.light.height());
+  if (own == size) return {};
+  constexpr std::uint64_t kBytesOfPixel = 4 * sizeof(float);
+  // What it is made of, and between the two what has the new width alone.
+  MIRRORBALL_TRY_VOID(withName(
+      side.name, checkMemory(kBytesOfPixel * std::uint64_t(size.x) * (std::uint64_t(size.y) + std::uint64_t(own.y)))));
+  side.image.light = resized(side.image.light, size);
+  if (!side.image.alpha.empty()) side.image.alpha = resized(side.image.alpha, size);
+  const auto written = [](glm::ivec2 of) { return std::to_string(of.x) + "x" + std::to_string(of.y); };
+  remark(side.name + ": resized from " + written(own) + " to " + written(size));
+  return {};
 }
 
 /// errors   usage: an option has nothing to act on
@@ -236,6 +259,7 @@ Result<void> compare(const std::string& test_name, const std::string& reference_
   MIRRORBALL_TRY(reference, readComparedSide(reference_name, options.repair));
   MIRRORBALL_TRY_VOID(refuseDifferentKinds(test, reference));
   MIRRORBALL_TRY_VOID(refuseOptionsOfLight(test, given));
+  if (options.resize) MIRRORBALL_TRY_VOID(resizeTo(reference.image, test));
 
   const std::string names = test_name + " against " + reference_name;
   const ComparisonSettings settings{.pixels_per_degree = options.pixels_per_degree,
@@ -268,8 +292,8 @@ Command compareCommand() {
       .name = "compare",
       .help = "Compares two pictures, or two images of light: RMSE, relMSE, PSNR, SSIM, FLIP",
       .about =
-          "B is the reference. A and B are both pictures or both linear light, of one size, or one of them - for "
-          "standard input.",
+          "B is the reference. A and B are both pictures or both linear light, of one size (or --resize brings "
+          "A to that of B). One of them may be - for standard input.",
       .examples = {{"compare a.png b.png --sheet sheet.png", "the numbers, and both with their difference on a sheet"},
                    {"compare a.exr truth.exr --threshold flip=0.05 --threshold psnr=40 --json",
                     "numbers for a program; exit code 1 if one is worse"}}};

@@ -28,6 +28,7 @@ struct CompareOptions {
   Display display{0.0f, ToneMap::neutral};
   bool json = false;
   bool repair = false;
+  bool resize = false;
   std::string max_memory;
 };
 

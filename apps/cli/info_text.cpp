@@ -29,7 +29,8 @@ std::string fileText(const MapInfo& map) {
   std::string said = line("format", loaded.format) + line("colour", loaded.color);
   if (loaded.recognition) {
     said += line("size", sizeText(loaded.file_size));
-    said += line("projection", textOf(loaded.recognition->form) + " (told by " + loaded.recognition->told_by + ")");
+    said +=
+        line("projection", textOf(loaded.recognition->form) + " (recognised by " + loaded.recognition->told_by + ")");
     if (loaded.recognition->is_guess)
       said += line("mirroring", "OpenGL's table or as seen from inside: mirrored writing in a picture tells which");
     if (map.covered < 1.0f)

@@ -8,7 +8,8 @@ const Option<ReferenceOptions> kReference{
     {.name = "reference",
      .help = "path-trace the picture instead of drawing it: slow, and right where objects block light and send it to "
              "each other; it needs no graphics driver",
-     .group = "Reference"},
+     .group = "Reference",
+     .is_daily = true},
     &ReferenceOptions::is_wanted};
 
 const Option<LadderOptions> kLadder{

@@ -41,15 +41,6 @@ std::vector<CommandOption> rowsOf(std::span<const Option<Target>> table) {
   return rows;
 }
 
-std::vector<CommandOption> rowsOfMaterials() {
-  std::vector<CommandOption> rows;
-  for (const MaterialParameter& parameter : materialParameters())
-    rows.push_back(rowOf<Material>(parameter, Material{}));
-  for (const MaterialMap& map : materialMaps())
-    rows.push_back({.text = {.name = map.name, .value = "FILE", .help = map.help}, .default_value = ""});
-  return rows;
-}
-
 /// "a|b" would end a cell of a Markdown table.
 std::string escaped(std::string_view text) {
   std::string result;
@@ -117,6 +108,15 @@ Result<void> printReference(ReferenceFormat format) {
 }
 
 }  // namespace
+
+std::vector<CommandOption> rowsOfMaterials() {
+  std::vector<CommandOption> rows;
+  for (const MaterialParameter& parameter : materialParameters())
+    rows.push_back(rowOf<Material>(parameter, Material{}));
+  for (const MaterialMap& map : materialMaps())
+    rows.push_back({.text = {.name = map.name, .value = "FILE", .help = map.help}, .default_value = ""});
+  return rows;
+}
 
 Reference makeReference() {
   Reference reference{

@@ -25,6 +25,9 @@ struct Reference {
 
 Reference makeReference();
 
+/// --set's parameters, and the maps of materials.
+std::vector<CommandOption> rowsOfMaterials();
+
 /// docs/options.md.
 std::string markdownOf(const Reference& reference);
 

@@ -43,7 +43,13 @@ const std::string kPictureHelp = "the picture file, " + writtenExtensions(Holds:
                                  " (linear radiance); -.png is standard output, likewise with the other extensions";
 
 const auto kRenderFileOptions = std::to_array<Option<RenderFiles>>({
-    {{.name = "output", .value = "OUT", .help = kPictureHelp, .letter = "o", .group = "Files", .takes_path = true},
+    {{.name = "output",
+      .value = "OUT",
+      .help = kPictureHelp,
+      .letter = "o",
+      .group = "Files",
+      .takes_path = true,
+      .is_daily = true},
      &RenderFiles::output},
 });
 

@@ -50,9 +50,10 @@ Result<void> writePicture(TracedPicture& picture, const FrameSettings& frame, co
                                       frame.background == BackgroundKind::display_color ? backdrop : glm::vec4(0.0f)));
 }
 
-/// "64 paths a pixel, standard error 0.0031"
+/// "64 paths a pixel, standard error at most 0.0031 of white"
 std::string foundOut(const TracedPicture& picture) {
-  return formatted("%d paths a pixel, standard error at most %.2g of white", picture.samples, double(picture.noise));
+  return formatted("%d path%s a pixel, standard error at most %.2g of white", picture.samples,
+                   picture.samples == 1 ? "" : "s", double(picture.noise));
 }
 
 /// A progress bar with the noise so far. From the first whole pass on, an interruption waits for the picture so far to
@@ -102,7 +103,7 @@ Result<void> tellTraced(const TracedPicture& picture, const std::string& output)
     remark(countedAre(picture.lost_paths, "path") + " without a number as its light, and counted as black");
   if (picture.is_interrupted)
     return fail(ErrorCode::interrupted, "interrupted; " + output + " is the picture so far: " + foundOut(picture));
-  tell(foundOut(picture));
+  tellAside(foundOut(picture));
   return {};
 }
 

@@ -31,6 +31,7 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
       .letter = "e",
       .group = "Files",
       .takes_path = true,
+      .is_daily = true,
       .names = builtinEnvironmentNames},
      &SceneRequest::environment},
     {{.name = "from",
@@ -43,7 +44,8 @@ const auto kSceneOptions = std::to_array<Option<SceneRequest>>({
       .choices = "y|z",
       .aliases = "+y=y|+z=z",
       .help = "axis of the model that points up: z in many .stl and CAD files, which lie on their side without it",
-      .group = "Files"},
+      .group = "Files",
+      .is_daily = true},
      choiceField<&SceneRequest::up>},
     {kInsideOnlyText, &SceneRequest::inside_only},
     {{.name = "repair",
@@ -65,7 +67,8 @@ const auto kQualityOptions = std::to_array<Option<SceneRequest>>({
       .help = "how much the options that are not given do for the picture: draft is the fastest; good lets glass show "
               "what is behind it, and objects hide and mirror each other, where the model has any of that; best also "
               "takes more samples and traces through all glass",
-      .group = "Look"},
+      .group = "Look",
+      .is_daily = true},
      choiceField<&SceneRequest::quality>},
 });
 

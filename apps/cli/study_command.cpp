@@ -1,4 +1,5 @@
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/interruption.h"
 #include "cli/scene_inputs.h"
 #include "cli/stage_clock.h"
 #include "cli/standard_streams.h"
@@ -102,6 +104,18 @@ std::string titleOf(const StudyRequest& request) {
   return nameOf(request.scene.model) + (material.empty() ? "" : " of " + material) + place;
 }
 
+/// A progress bar. From the first whole subject on, an interruption waits for the page so far to be written.
+StudyObserver observerUntilInterrupted() {
+  const auto has_subject = std::make_shared<std::atomic<bool>>(false);
+  return {.progress =
+              [bar = progressBar("study"), has_subject](std::size_t done, std::size_t total) {
+                if (bar(done, total)) return true;
+                if (*has_subject) claimEnd();
+                return false;
+              },
+          .section_done = [has_subject] { *has_subject = true; }};
+}
+
 Result<void> studyAndWrite(const StudyRequest& request, const std::string& command) {
   StageClock clock;
   const std::string& output = request.files.output;
@@ -110,7 +124,7 @@ Result<void> studyAndWrite(const StudyRequest& request, const std::string& comma
   FrameSettings look = request.settings.frame;
   MIRRORBALL_TRY(inputs, loadInputs(scene, request.materials, look, {}, {&output, 1}, clock));
   MIRRORBALL_TRY(made, clock.time("pictures: draw, trace, compare", [&] {
-    return study(std::move(inputs), request.isBuiltIn(), request.settings, progressBar("study"));
+    return study(std::move(inputs), request.isBuiltIn(), request.settings, observerUntilInterrupted());
   }));
   MIRRORBALL_TRY(
       page, clock.time("page: encode", [&] { return pageOf(made, {.title = titleOf(request), .made_by = command}); }));
@@ -119,6 +133,9 @@ Result<void> studyAndWrite(const StudyRequest& request, const std::string& comma
   }));
   if (request.scene.timings) clock.print();
   announce(output);
+  if (made.isInterrupted())
+    return fail(ErrorCode::interrupted, "interrupted; " + output + " has " + std::to_string(made.sections.size()) +
+                                            " of " + std::to_string(made.planned) + " subjects");
   return {};
 }
 

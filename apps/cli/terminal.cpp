@@ -48,15 +48,28 @@ struct BarState {
   Clock::time_point drawn = start;
 };
 
+/// Of the time that so much of the work took [s].
+double secondsLeft(std::size_t done, std::size_t total, double elapsed_s) {
+  return elapsed_s * static_cast<double>(total - done) / static_cast<double>(done);
+}
+
 void drawBar(const std::string& what, std::size_t done, std::size_t total, double elapsed) {
   constexpr std::size_t kWidth = 30;
   const std::size_t filled = kWidth * done / total;
-  const double left = elapsed * static_cast<double>(total - done) / static_cast<double>(done);
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-  std::fprintf(stderr, "\r%s [%s] %zu/%zu, %.0f s left \033[K", what.c_str(), bar.c_str(), done, total, left);
+  std::fprintf(stderr, "\r%s [%s] %zu/%zu, %.0f s left \033[K", what.c_str(), bar.c_str(), done, total,
+               secondsLeft(done, total, elapsed));
   std::fflush(stderr);
   bar_shown = true;
 }
+
+/// "study: 12 of 80, 240 s left"
+std::string progressLine(const std::string& what, std::size_t done, std::size_t total, double elapsed_s) {
+  return what + ": " + std::to_string(done) + " of " + std::to_string(total) + ", " +
+         std::to_string(static_cast<long>(secondsLeft(done, total, elapsed_s))) + " s left";
+}
+
+constexpr double kBetweenLines_s = 30.0;
 
 }  // namespace
 
@@ -83,15 +96,21 @@ ProgressFunction progressBar(const std::string& what) {
 
 ProgressFunction progressBar(std::function<std::string()> what) {
   const bool on_terminal = isTerminal();
+  // Work that ends within half a second shows no bar at all. A log has a line twice a minute.
+  const double first_s = on_terminal ? 0.5 : kBetweenLines_s;
+  const double between_s = on_terminal ? 0.1 : kBetweenLines_s;
   auto state = std::make_shared<BarState>();
   return [=](std::size_t done, std::size_t total) {
-    if (!on_terminal || done == 0 || total == 0) return !interrupted();
+    if (is_quiet || done == 0 || total == 0) return !interrupted();
     const std::lock_guard lock(state->mutex);
     const Clock::time_point now = Clock::now();
-    // Work that ends within half a second shows no bar at all.
-    if (seconds(now - state->start) > 0.5 && seconds(now - state->drawn) > 0.1) {
+    const double elapsed_s = seconds(now - state->start);
+    if (elapsed_s > first_s && seconds(now - state->drawn) > between_s) {
       state->drawn = now;
-      drawBar(what(), done, total, seconds(now - state->start));
+      if (on_terminal)
+        drawBar(what(), done, total, elapsed_s);
+      else
+        say(stderr, progressLine(what(), done, total, elapsed_s));
     }
     return !interrupted();
   };
@@ -100,6 +119,10 @@ ProgressFunction progressBar(std::function<std::string()> what) {
 void announce(const std::string& path) {
   noteWritten();
   if (isTerminal()) say(stderr, "wrote " + path);
+}
+
+void tellAside(const std::string& line) {
+  if (!is_quiet) say(stderr, line);
 }
 
 void tell(const std::string& line) {
@@ -176,6 +199,8 @@ std::string adviceOn(Remedy remedy) {
       return ", or give --response srgb";
     case Remedy::convert_to_panorama:
       return " (convert --to equirect)";
+    case Remedy::resize:
+      return ", or --resize the first";
   }
   return "";
 }

@@ -23,8 +23,8 @@ std::string shown(std::string text);
 void keepStandardOutputFree();
 bool isStandardOutputTaken();
 
-/// A progress bar with the time left, on standard error if that is a terminal; else silent. Stops the work when the
-/// program is interrupted.
+/// A progress bar with the time left, on standard error if that is a terminal; else a line there twice a minute. Stops
+/// the work when the program is interrupted.
 ProgressFunction progressBar(const std::string& what);
 /// Whether they are seen.
 bool showsProgress();
@@ -36,6 +36,9 @@ void announce(const std::string& path);
 
 /// Says what was found out on the way to a file, a line on standard output.
 void tell(const std::string& line);
+
+/// Says on standard error how the work went that was asked for.
+void tellAside(const std::string& line);
 
 /// Sends off what was printed on standard output, by whomever.
 ///

@@ -2,8 +2,8 @@
 // (reflection_lobe.glsl), all in the plane of incidence.
 //
 // Facets of GGX turn the light by twice the angle that they are tilted by within the plane of incidence, but across it
-// only by 2 n·v as much. Seen aslant, the lobe is stretched towards the normal and the horizon, and masking draws it
-// away from the mirror direction. A single round lobe, as from above, is too wide across. Narrower ones beside each
+// only by 2 n·v as much. Seen at an angle, the lobe is stretched towards the normal and the horizon, and masking draws
+// it away from the mirror direction. A single round lobe, as from above, is too wide across. Narrower ones beside each
 // other can be as long as it is and as narrow. Which ones, bake/lobe_row/ has fitted; docs/lobe_rows.md tells of it.
 // Needs: microfacet.
 

@@ -1,5 +1,5 @@
 // Part "look-up" (look_up_environment.glsl). Here: from a row of round lobes, which is right where the surface is seen
-// aslant.
+// at an angle.
 #include "row_of_lobes.glsl"
 
 vec3 reflectedLight(Surface s, SurfacePoint point) {

@@ -87,6 +87,13 @@ std::string CliTest::succeed(const Arguments& arguments, Start how) const {
   return outcome.out;
 }
 
+std::string CliTest::trace(const Arguments& arguments) const {
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << arguments.text() << "\n" << outcome.err;
+  EXPECT_EQ(outcome.out, "") << arguments.text();
+  return outcome.err;
+}
+
 std::uint64_t CliTest::peakOf(const Arguments& arguments) const {
   const Outcome outcome = run(arguments);
   EXPECT_EQ(outcome.exit_code, 0) << arguments.text() << "\n" << outcome.err;

@@ -48,6 +48,9 @@ class CliTest : public ::testing::Test {
   /// Runs the program, which must succeed and complain about nothing; returns what it printed.
   std::string succeed(const Arguments& arguments, Start how = {}) const;
 
+  /// Runs a --reference, which must succeed; returns what it says on standard error of how it went.
+  std::string trace(const Arguments& arguments) const;
+
   /// Runs the program, which must succeed; returns the most memory that it had at a time [bytes].
   std::uint64_t peakOf(const Arguments& arguments) const;
 

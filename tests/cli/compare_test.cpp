@@ -106,12 +106,23 @@ TEST_F(CompareTest, WhatIsNoThresholdIsWrongUsage) {
   EXPECT_THAT(refuse(2, "compare a.png b.png --map flip --scale 1 --sheet s.png"), HasSubstr("goes from 0 to 1"));
 }
 
+TEST_F(CompareTest, ResizeBringsTheFirstToTheSecondsSize) {
+  write("large.exr", Image(30, 20, 3, 0.5f));
+  write("small.exr", Image(12, 8, 3, 0.25f));
+  const Outcome outcome = run("compare large.exr small.exr --resize --json");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "mirrorball: note: large.exr: resized from 30x20 to 12x8\n");
+  EXPECT_THAT(outcome.out, HasSubstr("\"rmse\": 0.25"));
+  EXPECT_EQ(succeed("compare small.exr small.exr --resize"), succeed("compare small.exr small.exr"));
+}
+
 TEST_F(CompareTest, SizesAndKindsThatDifferAreTold) {
   writeGreys("a.png", 153, "b.png", 102);
   write("small.png", Image(12, 16, 3, 0.5f));
   write("light.exr", Image(24, 16, 3, 0.5f));
   EXPECT_EQ(refuse(1, "compare a.png small.png"),
-            "a.png against small.png: their sizes differ, 24x16 and 12x16; bring them to one size first");
+            "a.png against small.png: their sizes differ, 24x16 and 12x16; bring them to one size first, or --resize "
+            "the first");
   EXPECT_EQ(refuse(1, "compare a.png light.exr"),
             "a.png is a picture for a display (PNG, 8 bit) and light.exr is linear light (OpenEXR, float, ZIP); their "
             "numbers mean different things: compare two of a kind");

@@ -1,9 +1,12 @@
 // What the program says of itself: --help, --version and the reference.
 
+#include <algorithm>
+#include <cstdlib>
 #include <iterator>
 #include <regex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/cli_testing.h"
@@ -28,6 +31,9 @@ using ::testing::MatchesRegex;
 using HelpTest = CliTest;
 const char* const kCommands[] = {"render", "convert", "bake",  "capture", "export",   "info",  "compare",
                                  "study",  "fresnel", "photo", "surface", "transfer", "cache", "reference"};
+
+/// Help with all options, whose lines are joined again.
+std::string unwrapped(const std::string& help) { return std::regex_replace(help, std::regex("\n +"), " "); }
 
 std::set<std::string> optionsIn(const std::string& help) {
   std::set<std::string> options;
@@ -56,7 +62,7 @@ TEST_F(HelpTest, EveryCommandHasTheVersion) {
 }
 
 TEST_F(HelpTest, HelpOfRenderHasEveryOptionWithUnitRangeAndDefault) {
-  const std::string help = succeed("render --help");
+  const std::string help = unwrapped(succeed("render --help all"));
   for (const Option<FrameSettings>& option : frameOptions()) {
     const std::string name(option.text.name);
     EXPECT_THAT(optionsIn(help), Contains("--" + name));
@@ -79,7 +85,7 @@ TEST_F(HelpTest, TheReferenceHasEveryOptionAndParameter) {
   for (const Option<SkyParameters>& parameter : skyParameters())
     EXPECT_THAT(reference, HasSubstr("| `" + std::string(parameter.text.name) + "` |"));
   for (const std::string command : kCommands) {
-    const std::string help = succeed(command + " --help");
+    const std::string help = succeed(command + " --help all");
     const std::set<std::string> options = optionsIn(help.substr(0, help.find("Examples:")));
     EXPECT_GE(options.size(), 3u) << command;
     for (const std::string& option : options)
@@ -92,10 +98,12 @@ TEST_F(HelpTest, TheReferenceHasEveryOptionAndParameter) {
 TEST_F(HelpTest, ListsOfFormatsAreTheTables) {
   const std::string read(readExtensions());
   for (const std::string command : {"info", "compare", "convert", "render", "capture"})
-    EXPECT_THAT(succeed(command + " --help"), HasSubstr(read)) << command;
-  EXPECT_THAT(succeed("render --help"), HasSubstr(writtenExtensions(Holds::picture)));
+    EXPECT_THAT(unwrapped(succeed(command + " --help all")), HasSubstr(read)) << command;
+  EXPECT_THAT(unwrapped(succeed("render --help")), HasSubstr(writtenExtensions(Holds::picture)));
   for (const std::string command : {"convert", "capture", "photo"})
-    EXPECT_THAT(succeed(command + " --help"), HasSubstr(writtenExtensions(Holds::texture) + " (textures")) << command;
+    EXPECT_THAT(unwrapped(succeed(command + " --help all")),
+                HasSubstr(writtenExtensions(Holds::texture) + " (textures"))
+        << command;
   const auto readme = readFile(std::filesystem::path(MIRRORBALL_SOURCE_DIR) / "README.md");
   ASSERT_TRUE(readme) << readme.error().message;
   EXPECT_THAT(std::string(readme->begin(), readme->end()), HasSubstr("Maps: `" + read + "`"));
@@ -105,7 +113,7 @@ TEST_F(HelpTest, ListsOfFormatsAreTheTables) {
 
 TEST_F(HelpTest, ListsOfNamesAreTheTables) {
   const auto expectIn = [&](const std::string& command, std::string_view list) {
-    EXPECT_THAT(succeed(command + " --help"), HasSubstr(list)) << command;
+    EXPECT_THAT(unwrapped(succeed(command + " --help all")), HasSubstr(list)) << command;
   };
   const std::string textures = writtenExtensions(Holds::texture, " and ");
   std::vector<std::string_view> formats;
@@ -136,9 +144,54 @@ TEST_F(HelpTest, HelpIsACommandToo) {
   EXPECT_THAT(refuse(2, "help rendr"), HasSubstr("did you mean 'render'?"));
 }
 
+// Of a command with many options those that most people use are shown, and how to see the others.
+TEST_F(HelpTest, DailyOptionsComeFirst) {
+  const std::string daily = succeed("render --help"), all = succeed("render --help all");
+  EXPECT_EQ(succeed("help render all"), all);
+  EXPECT_EQ(succeed("render -h all"), all);
+  for (const char* option : {"--env", "--output", "--quality", "--size", "--material", "--camera", "--stand"})
+    EXPECT_THAT(optionsIn(daily), Contains(option));
+  for (const char* option : {"--lobe-taps", "--texture-matrix", "--threads"}) {
+    EXPECT_THAT(optionsIn(daily), ::testing::Not(Contains(option)));
+    EXPECT_THAT(optionsIn(all), Contains(option));
+  }
+  const std::size_t left_out = optionsIn(all.substr(0, all.find("Examples:"))).size() - optionsIn(daily).size();
+  EXPECT_GT(left_out, 20u);
+  EXPECT_THAT(daily, ::testing::ContainsRegex("[0-9]+ more options: mirrorball help render all"));
+  EXPECT_THAT(all, ::testing::Not(HasSubstr("more options:")));
+  EXPECT_EQ(succeed("info --help all"), succeed("info --help")) << "which has few";
+}
+
+TEST_F(HelpTest, HelpIsAsWideAsItIsToBe) {
+  const auto widestOf = [&](const std::string& words) {
+    std::size_t widest = 0;
+    for (const std::string& line : split(succeed(words), '\n'))
+      // A line that is wider is one long word, or a line to type.
+      if (line.find(" mirrorball ") == std::string::npos && line.find_last_of(' ') > 30)
+        widest = std::max(widest, columnsOf(line));
+    return widest;
+  };
+  for (const auto& [columns, widest] : {std::pair("60", 60u), {"100", 100u}, {"100000", 120u}, {"wide", 100u}}) {
+    ::setenv("COLUMNS", columns, 1);
+    EXPECT_LE(widestOf("render --help all"), widest) << columns;
+    EXPECT_GT(widestOf("render --help all"), widest - 12) << columns;
+    EXPECT_LE(widestOf("--help"), widest) << columns;
+  }
+  ::unsetenv("COLUMNS");
+}
+
+TEST_F(HelpTest, HelpOnMaterialsHasTheirNamesAndParameters) {
+  const std::string help = unwrapped(succeed("help materials"));
+  EXPECT_THAT(help, HasSubstr(join(materialNames(), " ")));
+  for (const Option<Material>& parameter : materialParameters()) {
+    EXPECT_THAT(help, HasSubstr(" " + std::string(parameter.text.name) + " ")) << parameter.text.name;
+    EXPECT_THAT(help, HasSubstr(parameter.text.help));
+  }
+}
+
 TEST_F(HelpTest, EveryHelpEndsWithTwoExamplesWhoseOptionsThereAre) {
   for (const std::string command : kCommands) {
-    const std::string help = succeed(command + " --help");
+    const std::string help = succeed(command + " --help all");
     const std::size_t begin = help.find("\nExamples:\n");
     ASSERT_NE(begin, std::string::npos) << command;
     const std::string examples = help.substr(begin);
@@ -161,11 +214,12 @@ TEST_F(HelpTest, ColumnsAreStraight) {
 }
 
 TEST_F(HelpTest, OutputSaysWhatIsTrueOfItsCommand) {
-  EXPECT_THAT(succeed("convert --help"), HasSubstr("for several inputs, a folder"));
+  EXPECT_THAT(unwrapped(succeed("convert --help")), HasSubstr("for several inputs, a folder"));
   for (const std::string command : {"capture", "photo"})
-    EXPECT_THAT(succeed(command + " --help"), ::testing::Not(HasSubstr("several inputs"))) << command;
-  EXPECT_THAT(succeed("capture --help"), ::testing::AllOf(::testing::Not(HasSubstr("transparent")),
-                                                          ::testing::Not(HasSubstr("reflection|normal|sphere"))));
+    EXPECT_THAT(unwrapped(succeed(command + " --help all")), ::testing::Not(HasSubstr("several inputs"))) << command;
+  EXPECT_THAT(unwrapped(succeed("capture --help all")),
+              ::testing::AllOf(::testing::Not(HasSubstr("transparent")),
+                               ::testing::Not(HasSubstr("reflection|normal|sphere"))));
 }
 
 TEST_F(HelpTest, TheDocumentationHasTheReferenceAsItIs) {

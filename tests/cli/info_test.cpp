@@ -37,7 +37,7 @@ TEST_F(InfoTest, EveryFormatIsAMap) {
                                      {"map.pfm", "PFM, big-endian"}}) {
     const std::string said = succeed(std::string("info ") + name);
     EXPECT_THAT(said, HasSubstr(std::string("format       ") + format + "\n"));
-    EXPECT_THAT(said, HasSubstr("projection   equirect (told by its shape, 2:1)\n"));
+    EXPECT_THAT(said, HasSubstr("projection   equirect (recognised by its shape, 2:1)\n"));
     succeed(std::string("convert ") + name + " --to equirect --size 2 -o " + name + ".exr");
     EXPECT_EQ(image(std::string(name) + ".exr").samples()[0], 1.0f) << name;
   }
@@ -54,7 +54,7 @@ TEST_F(InfoTest, SaysWhatAFileIs) {
   EXPECT_TRUE(said.starts_with("map.exr\n")) << said;
   EXPECT_THAT(said, HasSubstr("format       OpenEXR, float"));
   EXPECT_THAT(said, HasSubstr("size         4x2\n"));
-  EXPECT_THAT(said, HasSubstr("projection   equirect (told by its shape, 2:1)\n"));
+  EXPECT_THAT(said, HasSubstr("projection   equirect (recognised by its shape, 2:1)\n"));
   EXPECT_THAT(said, HasSubstr("bad texels   none\n"));
   EXPECT_THAT(said, HasSubstr("range        0.5 0.5 0.25 to 4 4 4\n"));
   // All eight texels of two rows have the same solid angle: (7 · 0.5 + 4) / 8, and less an eighth of 0.25 in blue.

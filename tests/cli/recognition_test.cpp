@@ -27,9 +27,9 @@ class RecognitionTest : public CliTest {
 TEST_F(RecognitionTest, EveryFileSaysItself) {
   for (const std::string extension : {"exr", "hdr", "png", "jpg"}) {
     succeed("convert uv --to angular --size 16 -o probe." + extension);
-    EXPECT_EQ(formOf("probe." + extension), "angular (told by the file's metadata)");
+    EXPECT_EQ(formOf("probe." + extension), "angular (recognised by the file's metadata)");
     succeed("convert uv --to cube --layout vstrip --size 8 -o strip." + extension);
-    EXPECT_EQ(formOf("strip." + extension), "cube, vstrip (told by the file's metadata)");
+    EXPECT_EQ(formOf("strip." + extension), "cube, vstrip (recognised by the file's metadata)");
   }
 }
 
@@ -38,13 +38,13 @@ TEST_F(RecognitionTest, AFileThatSaysNothingIsToldByItsShape) {
     glm::ivec2 size;
     const char* form;
   };
-  for (const Shape& shape :
-       {Shape{{16, 8}, "equirect (told by its shape, 2:1)"}, Shape{{16, 16}, "sphere (told by its shape, 1:1)"},
-        Shape{{16, 12}, "cube, hcross (told by its shape, 4:3)"},
-        Shape{{12, 16}, "cube, vcross (told by its shape, 3:4)"},
-        Shape{{24, 4}, "cube, hstrip (told by its shape, 6:1)"},
-        Shape{{4, 24}, "cube, vstrip (told by its shape, 1:6)"},
-        Shape{{12, 8}, "cube, 3x2 (told by its shape, 3:2)"}}) {
+  for (const Shape& shape : {Shape{{16, 8}, "equirect (recognised by its shape, 2:1)"},
+                             Shape{{16, 16}, "sphere (recognised by its shape, 1:1)"},
+                             Shape{{16, 12}, "cube, hcross (recognised by its shape, 4:3)"},
+                             Shape{{12, 16}, "cube, vcross (recognised by its shape, 3:4)"},
+                             Shape{{24, 4}, "cube, hstrip (recognised by its shape, 6:1)"},
+                             Shape{{4, 24}, "cube, vstrip (recognised by its shape, 1:6)"},
+                             Shape{{12, 8}, "cube, 3x2 (recognised by its shape, 3:2)"}}) {
     write("map.exr", Image(shape.size.x, shape.size.y, 3, 1.0f));
     EXPECT_EQ(formOf("map.exr"), shape.form);
   }
@@ -52,7 +52,7 @@ TEST_F(RecognitionTest, AFileThatSaysNothingIsToldByItsShape) {
 
 TEST_F(RecognitionTest, FromOverridesWhatTheFileSays) {
   succeed("convert uv --to angular --size 32 -o probe.exr");
-  EXPECT_EQ(formOf("probe.exr --from sphere"), "sphere (told by --from)");
+  EXPECT_EQ(formOf("probe.exr --from sphere"), "sphere (recognised by --from)");
   succeed("convert probe.exr --to equirect --size 16 -o by_metadata.exr");
   succeed("convert probe.exr --to equirect --size 16 -o by_name.exr --from angular");
   succeed("convert probe.exr --to equirect --size 16 -o as_sphere.exr --from sphere");
@@ -79,27 +79,27 @@ TEST_F(RecognitionTest, InfoSaysWhetherMinusZStandsOnItsHead) {
     for (int x = 0; x < 64; ++x)
       std::copy_n(cross.texel(127 - x, 255 - y), cross.channels(), upright.texel(64 + x, 192 + y));
   write("cross.exr", upright);
-  EXPECT_EQ(formOf("cross.exr"), "cube, vcross, turn=-z (told by its shape, 3:4, and how its edges meet)");
+  EXPECT_EQ(formOf("cross.exr"), "cube, vcross, turn=-z (recognised by its shape, 3:4, and how its edges meet)");
   succeed("convert cross.exr --to cube --layout vcross -o again.exr");
   // Half floats have 11 bits.
   const Image again = readImage(path("again.exr"))->image;
   EXPECT_TRUE(std::ranges::equal(again.samples(), cross.samples(),
                                  [](float a, float b) { return std::abs(a - b) <= 5e-4f * std::max(a, b); }));
-  EXPECT_EQ(formOf("cross.exr --from vcross"), "cube, vcross (told by --from)");
+  EXPECT_EQ(formOf("cross.exr --from vcross"), "cube, vcross (recognised by --from)");
 }
 
 TEST_F(RecognitionTest, FromNamesACubesLayoutToo) {
   write("map.exr", Image(24, 4, 3, 1.0f));
-  EXPECT_EQ(formOf("map.exr --from cube"), "cube, hstrip (told by --from)");
-  EXPECT_EQ(formOf("map.exr --from hstrip"), "cube, hstrip (told by --from)");
+  EXPECT_EQ(formOf("map.exr --from cube"), "cube, hstrip (recognised by --from)");
+  EXPECT_EQ(formOf("map.exr --from hstrip"), "cube, hstrip (recognised by --from)");
   EXPECT_THAT(refuse(1, "info map.exr --from vcross"), HasSubstr("map.exr: is 24x4"));
   EXPECT_THAT(refuse(1, "info map.exr --from equirect"), HasSubstr("2:1"));
 }
 
 TEST_F(RecognitionTest, OneOfSixFacesStandsForTheCube) {
   succeed("convert uv --to cube --layout faces --size 8 -o room.png");
-  EXPECT_EQ(formOf("room_ny.png"), "cube, faces (told by its name, one of six faces px nx py ny pz nz)");
-  EXPECT_EQ(formOf("room_ny.png --from faces"), "cube, faces (told by --from)");
+  EXPECT_EQ(formOf("room_ny.png"), "cube, faces (recognised by its name, one of six faces px nx py ny pz nz)");
+  EXPECT_EQ(formOf("room_ny.png --from faces"), "cube, faces (recognised by --from)");
   std::filesystem::remove(path("room_nz.png"));
   EXPECT_THAT(refuse(1, "info room_ny.png"), HasSubstr("room_nz.png: no such file"));
 }

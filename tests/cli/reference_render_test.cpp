@@ -13,6 +13,7 @@ namespace {
 using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 using ReferenceRenderTest = CliTest;
 using ReferenceAgainstRendererTest = RenderCliTest;
@@ -30,11 +31,11 @@ double psnr(const Image& a, const Image& b) {
 
 TEST_F(ReferenceRenderTest, WritesAPictureAndSaysHowGoodItIs) {
   const std::string line = "render sphere --reference --size 32x24 --samples 8 -e white -o ";
-  EXPECT_THAT(succeed(line + "ball.png"),
+  EXPECT_THAT(trace(line + "ball.png"),
               ContainsRegex("^8 paths a pixel, standard error at most [0-9.e-]+ of white\n$"));
-  succeed(line + "again.png");
+  trace(line + "again.png");
   EXPECT_EQ(bytes("ball.png"), bytes("again.png"));
-  succeed(line + "ball.exr --background transparent");
+  trace(line + "ball.exr --background transparent");
   const Image ball = image("ball.exr");
   EXPECT_EQ(ball.texel(0, 0)[3], 0.0f);
   EXPECT_NEAR(ball.texel(16, 12)[3], 1.0f, 1e-6f);
@@ -42,7 +43,7 @@ TEST_F(ReferenceRenderTest, WritesAPictureAndSaysHowGoodItIs) {
 
 TEST_F(ReferenceRenderTest, StopsWhenThePictureIsGoodEnough) {
   const std::string line = "render sphere --reference --size 24x24 -e studio -o ball.png ";
-  const auto pathsOf = [&](const std::string& options) { return std::stoi(succeed(line + options)); };
+  const auto pathsOf = [&](const std::string& options) { return std::stoi(trace(line + options)); };
   const int coarse = pathsOf("--noise 0.02"), fine = pathsOf("--noise 0.006");
   EXPECT_GE(coarse, 16);
   EXPECT_GT(fine, 3 * coarse);
@@ -55,7 +56,7 @@ TEST_F(ReferenceAgainstRendererTest, AgreesWhereTheRendererIsExact) {
   succeed("convert studio --to cube --size 256 --format float32 -o room.ktx2");
   const std::string line = "render sphere --material mirror -e room.ktx2 --size 96x96 --samples 64 ";
   succeed(line + "-o drawn.exr");
-  succeed(line + "--reference --bounces 1 --unoccluded -o traced.exr");
+  trace(line + "--reference --bounces 1 --unoccluded -o traced.exr");
   EXPECT_GE(psnr(image("drawn.exr"), image("traced.exr")), 45.0);
 }
 
@@ -86,7 +87,7 @@ TEST_F(ReferenceAgainstRendererTest, StonesSeenFromLowAreWhatPathsMeet) {
   const std::string line =
       "render plane --set base_color=0.4 --set height=cobbles --camera 30,10,2.5 --size 40x30 -e sky "
       "--background transparent ";
-  succeed(line + "--relief exact --reference --samples 64 -o traced.exr");
+  trace(line + "--relief exact --reference --samples 64 -o traced.exr");
   const Image traced = image("traced.exr");
   const auto psnrOf = [&](const std::string& relief) {
     succeed(line + "--samples 16 -o drawn.exr --relief " + relief);
@@ -121,7 +122,7 @@ TEST_F(ReferenceAgainstRendererTest, AgreesOnTheIndexOfAWavelength) {
     succeed(prism + "--refraction traced --resolve radiance --wavelength " + wavelength + " -o drawn.exr");
     return image("drawn.exr");
   };
-  succeed(prism + "--reference --wavelength 400 -o traced.exr");
+  trace(prism + "--reference --wavelength 400 -o traced.exr");
   const Image traced = image("traced.exr");
   const double violet = psnr(drawn("400"), traced), red = psnr(drawn("700"), traced);
   EXPECT_GT(violet, red + 10.0) << violet << " dB, " << red << " dB";
@@ -143,13 +144,14 @@ TEST_F(ReferenceRenderTest, WhatDoesNotGoTogetherIsRefused) {
 // The same line with --reference added shows the truth beside a picture.
 TEST_F(ReferenceRenderTest, TakesEveryOptionOfThePictureBesideIt) {
   const std::string line = "render sphere --reference --size 8x8 --samples 1 -o ball.png";
-  EXPECT_EQ(run(line + " --quality good --blur mip --texture-filter nearest --self-reflection --refraction traced "
-                       "--inner-bounces 2 --background blur")
-                .err,
-            "mirrorball: note: the reference shows what is right, and so needs no --blur, --texture-filter, "
-            "--self-reflection, --quality, --refraction, --inner-bounces and no --background blur\n");
-  EXPECT_EQ(run(line + " --proxy ground --background transparent").err,
-            "mirrorball: note: the reference shows no shadow where --background leaves the ground out\n");
+  EXPECT_THAT(
+      trace(line + " --quality good --blur mip --texture-filter nearest --self-reflection --refraction traced "
+                   "--inner-bounces 2 --background blur"),
+      StartsWith(
+          "mirrorball: note: the reference shows what is right, and so needs no --blur, --texture-filter, "
+          "--self-reflection, --quality, --refraction, --inner-bounces and no --background blur\n1 path a pixel, "));
+  EXPECT_THAT(trace(line + " --proxy ground --background transparent"),
+              StartsWith("mirrorball: note: the reference shows no shadow where --background leaves the ground out\n"));
 }
 
 TEST_F(ReferenceRenderTest, AnInterruptionLeavesThePictureSoFar) {
@@ -167,9 +169,9 @@ TEST_F(ReferenceRenderTest, AnInterruptionLeavesThePictureSoFar) {
 
 TEST_F(ReferenceRenderTest, ASceneWithoutLightIsBlackAndOneWithoutAModelIsItsEnvironment) {
   write("dark.exr", Image(8, 4, 3, 0.0f));
-  succeed("render sphere --reference -e dark.exr --size 16x16 --samples 4 -o dark.png");
+  trace("render sphere --reference -e dark.exr --size 16x16 --samples 4 -o dark.png");
   EXPECT_EQ(image("dark.png").texel(8, 8)[1], 0.0f);
-  succeed("render none --reference -e white --size 16x16 --samples 4 -o none.exr");
+  trace("render none --reference -e white --size 16x16 --samples 4 -o none.exr");
   EXPECT_NEAR(image("none.exr").texel(8, 8)[1], 1.0f, 1e-5f);
 }
 

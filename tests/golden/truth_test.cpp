@@ -1,5 +1,6 @@
-// A golden picture is only yesterday's. So what the renderer draws of each case is held to what the path tracer says
-// too, where light does no more than an environment map can know of. Nothing of this is stored: both pictures are made.
+// A golden picture is only yesterday's. So what the renderer draws of each case is compared with what the path tracer
+// says too, where light does no more than an environment map can know of. Nothing of this is stored: both pictures are
+// made.
 
 #include <algorithm>
 #include <future>

@@ -420,21 +420,19 @@ const Case kSurfaceCases[] = {
            vec4(isHole(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, (1.0f - q.x) * q.y))) ? 1.0f
                                                                                                               : 0.0f,
                 0.0f, 0.0f, 0.0f)),
-    PARITY(sceneSurfaceAt, unit, kTight,
-           vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
-                    .shown,
-                0.0f)),
-    PARITY(sceneSurfaceAt, unit, kTight,
-           vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
-                    .lit_from,
-                0.0f)),
-    PARITY(sceneSurfaceAt, unit, kTight,
-           vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
-                    .emitted,
-                0.0f)),
     PARITY(
         sceneSurfaceAt, unit, kTight,
-        sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f).hidden),
+        vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
+                 .shown,
+             1.0f) +
+            vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
+                         .lit_from +
+                     sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)),
+                                    vec3(r) - 0.51f)
+                         .emitted,
+                 1.0f) +
+            sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
+                .hidden),
 
     // triangle_tree
     PARITY(leafOf, unit, kExact, vec4(float(leafOf(int(1000.0f * p.x), 1 + int(7.0f * p.y))), 0.0f, 0.0f, 0.0f)),

@@ -33,6 +33,7 @@ struct OptionText {
   std::string_view group = {};    ///< heading in help
   std::string_view also = {};     ///< "env-rotation": the option's other name
   bool takes_path = false;        ///< the value is a file's or a folder's name
+  bool is_daily = false;          ///< most people use it: the help of a command with many options shows it at once
   /// The names that a text may be, or begin with; they complete it on the command line.
   std::span<const std::string_view> (*names)() = nullptr;
 };

@@ -12,10 +12,10 @@ namespace mirrorball {
 /// length does not depend on that name, which may so be as long as file systems allow.
 ///
 /// A run that is killed leaves its part behind. Whoever makes a part in a folder also removes what others left there;
-/// that a part is in use is told by a lock (flock), which the kernel takes away from a process however that ends. Parts
-/// of processes that run at the same time are thereby safe: a part is removed only by who holds its lock, and one that
-/// was removed between its making and its locking is seen to have no name any more, and is made again. Where our own
-/// lock does not keep us out, as in file systems without any, nothing is removed.
+/// that a part is in use is known by a lock (flock), which the kernel takes away from a process however that ends.
+/// Parts of processes that run at the same time are thereby safe: a part is removed only by who holds its lock, and one
+/// that was removed between its making and its locking is seen to have no name any more, and is made again. Where our
+/// own lock does not keep us out, as in file systems without any, nothing is removed.
 struct PartFile {
   Descriptor file;      ///< open for reading and writing; locked until it is closed
   UnfinishedPath path;  ///< goes away before the lock does

@@ -40,6 +40,7 @@ enum class Remedy {
   give_exposures,          ///< MergeOptions::exposures
   name_response,           ///< MergeOptions::response, as sRGB
   convert_to_panorama,     ///< convert to Projection::equirect
+  resize,                  ///< resized: to the size of the other one
 };
 
 /// A failure as the user reads it: one line that says what is wrong and what to do. Whoever knows the name of the file

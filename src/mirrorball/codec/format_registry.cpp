@@ -20,7 +20,7 @@ namespace {
 
 using Span = std::span<const std::uint8_t>;
 
-/// How each format is told by a file's first bytes, in the order of kImageFormats.
+/// How each format is recognised by a file's first bytes, in the order of kImageFormats.
 constexpr std::array<bool (*)(Span), kImageFormats.size()> kBegins{isHdr,  isExr,  isPng, isJpeg, isKtx2, isKtx1, isDds,
                                                                    isTiff, isWebp, isTga, isBmp,  isPnm,  isPfm};
 

@@ -89,7 +89,7 @@ Result<void> checkShape(const ImageOf<Sample>& image) {
 }  // namespace
 
 Result<Bytes> readImageFile(const std::filesystem::path& path) {
-  constexpr std::size_t kTelling = std::size_t{1} << 16;  // bytes at each end; TGA is told by its last ones
+  constexpr std::size_t kTelling = std::size_t{1} << 16;  // bytes at each end; TGA is recognised by its last ones
   constexpr std::uint64_t kLarge = std::uint64_t{1} << 24;
   MIRRORBALL_TRY(file, FileReader::open(path));
   if (file.size() > kLarge) {

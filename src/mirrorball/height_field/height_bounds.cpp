@@ -17,7 +17,7 @@ Image negated(Image heights) {
   return heights;
 }
 
-/// Patches along an axis, the first and the last one; those beyond the map's edges are told by edges.
+/// Patches along an axis, the first and the last one; those beyond the map's edges are known by edges.
 struct Patches {
   int first;
   int last;

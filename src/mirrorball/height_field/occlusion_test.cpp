@@ -70,7 +70,7 @@ void expectRaysToAgree(const Image& heights, MapEdges edges, int steps, float to
     }
 }
 
-// Noise is held to what is seen from row to row, since between them its bilinear surface is another.
+// Noise is compared with what is seen from row to row, since between them its bilinear surface is another.
 TEST(Occlusion, IsWhatRaysSee) {
   for (const MapEdges edges : kAllEdges) {
     expectRaysToAgree(hills(32, 24, 3), edges, 8, 0.015f);

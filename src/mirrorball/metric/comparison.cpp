@@ -126,8 +126,10 @@ Result<Comparison> compareImages(ComparedImage test, ComparedImage reference, Im
     return std::to_string(image.width()) + "x" + std::to_string(image.height());
   };
   if (test.light.width() != reference.light.width() || test.light.height() != reference.light.height())
-    return fail(ErrorCode::bad_shape, "their sizes differ, " + sizeOf(test.light) + " and " + sizeOf(reference.light) +
-                                          "; bring them to one size first");
+    return fail(ErrorCode::bad_shape,
+                "their sizes differ, " + sizeOf(test.light) + " and " + sizeOf(reference.light) +
+                    "; bring them to one size first",
+                Remedy::resize);
   Comparison comparison;
   comparison.kind = kind;
   const auto set = [&](Metric metric, std::optional<double> value) {

@@ -1,4 +1,4 @@
-// Bumps told by heights, by normals in tangent or object space, and by slopes: the same normals as the renderer's
+// Bumps of heights, by normals in tangent or object space, and by slopes: the same normals as the renderer's
 // (render/frame/bump_maps_test.cpp).
 
 #include <utility>

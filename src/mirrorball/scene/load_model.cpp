@@ -179,6 +179,7 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
   const std::vector<std::uint8_t> begin = firstBytes(name_or_path);
   if (const ModelFormat* format = formatOf(name_or_path, begin)) {
     MIRRORBALL_TRY(bytes, readFile(name_or_path));
+    if (bytes.empty()) return fail(ErrorCode::bad_file, name_or_path + ": is empty");
     MIRRORBALL_TRY(scene, withName(name_or_path, format->decode(bytes, name_or_path, options)));
     MIRRORBALL_TRY_VOID(withName(name_or_path, checkExtent(scene)));
     if (!hasArea(scene))

@@ -18,7 +18,7 @@ namespace mirrorball {
 /// without texture coordinates 1. Tangents are unit vectors orthogonal to their normals.
 ///
 /// cost     1 µs a triangle; 200 bytes of memory
-/// from     Mikkelsen 2008, "Simulation of wrinkled surfaces revisited", and mikktspace.com; held to Blender's
+/// from     Mikkelsen 2008, "Simulation of wrinkled surfaces revisited", and mikktspace.com; compared with Blender's
 ///          calc_tangents in tests/peer/tangents_test.cpp
 void computeTangents(Mesh& mesh, int set = 0);
 

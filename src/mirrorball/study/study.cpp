@@ -303,7 +303,7 @@ Result<StudiedSection> Workshop::section(const Subject& subject, const std::vect
   StudiedSection section{.id = std::string(subject.id),
                          .title = std::string(subject.title),
                          .teaches = std::string(subject.teaches),
-                         .held_to = std::string(subject.held_to),
+                         .compared_with = std::string(subject.compared_with),
                          .axis = subject.series ? std::string(subject.series->axis) : "",
                          .by_angle = subject.by_angle};
   Image angles;
@@ -339,17 +339,23 @@ std::size_t stepsOf(const Plan& plan) {
   return to_trace.size() * kStepsOfTraced + to_draw * kStepsOfDrawn;
 }
 
-Result<Study> studied(RenderInputs inputs, const Plan& plan, StudySettings settings, const ProgressFunction& progress) {
+Result<Study> studied(RenderInputs inputs, const Plan& plan, StudySettings settings, const StudyObserver& observer) {
   settings.frame.samples = std::min(settings.frame.samples, settings.paths.value_or(settings.frame.samples));
   settings.frame.resolve = Resolve::radiance;
   MIRRORBALL_TRY(renderer, Renderer::on(std::move(inputs.context)));
   MIRRORBALL_TRY_VOID(renderer.setEnvironment(inputs.environment, inputs.prepared));
   Workshop workshop(std::move(renderer), std::move(inputs.scene), std::move(inputs.environment),
-                    std::move(inputs.prepared), settings, Steps(progress, stepsOf(plan)));
-  Study study{.driver = workshop.driver(), .size = settings.frame.size, .samples = settings.frame.samples};
+                    std::move(inputs.prepared), settings, Steps(observer.progress, stepsOf(plan)));
+  Study study{.driver = workshop.driver(),
+              .size = settings.frame.size,
+              .samples = settings.frame.samples,
+              .planned = plan.size()};
   for (const auto& [subject, shots] : plan) {
-    MIRRORBALL_TRY(section, workshop.section(*subject, shots));
-    study.sections.push_back(std::move(section));
+    auto section = workshop.section(*subject, shots);
+    if (!section && section.error().code == ErrorCode::interrupted && !study.sections.empty()) return study;
+    if (!section) return tl::unexpected<Error>(std::move(section.error()));
+    study.sections.push_back(std::move(*section));
+    if (observer.section_done) observer.section_done();
   }
   return study;
 }
@@ -357,11 +363,11 @@ Result<Study> studied(RenderInputs inputs, const Plan& plan, StudySettings setti
 }  // namespace
 
 Result<Study> study(RenderInputs inputs, bool is_built_in, const StudySettings& settings,
-                    const ProgressFunction& progress) {
+                    const StudyObserver& observer) {
   Plan plan;
   for (const Subject& subject : subjects())
     if (is_built_in || subject.applies(inputs.scene)) plan.emplace_back(&subject, plannedShots(subject, is_built_in));
-  return studied(std::move(inputs), plan, settings, progress);
+  return studied(std::move(inputs), plan, settings, observer);
 }
 
 Result<StudiedSection> studySeries(RenderInputs inputs, std::string_view id, const StudySettings& settings,
@@ -371,7 +377,7 @@ Result<StudiedSection> studySeries(RenderInputs inputs, std::string_view id, con
     return fail(ErrorCode::usage, "there is no subject " + std::string(id) + " with a series");
   std::vector<PlannedShot> shots;
   planSeries(shots, *subject, "");
-  MIRRORBALL_TRY(study, studied(std::move(inputs), {{&*subject, std::move(shots)}}, settings, progress));
+  MIRRORBALL_TRY(study, studied(std::move(inputs), {{&*subject, std::move(shots)}}, settings, {.progress = progress}));
   return std::move(study.sections.front());
 }
 

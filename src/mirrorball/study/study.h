@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -77,8 +78,8 @@ struct StudiedSection {
   std::string id;
   std::string title;
   std::string teaches;
-  std::string held_to;  ///< "up to 16 bounces"
-  std::string axis;     ///< of the series; empty: there is none
+  std::string compared_with;  ///< "up to 16 bounces"
+  std::string axis;           ///< of the series; empty: there is none
   bool by_angle = false;
   std::vector<StudiedShot> shots = {};
 };
@@ -89,17 +90,25 @@ struct Study {
   glm::ivec2 size{0};
   int samples = 0;  ///< of a pixel of the renderer's pictures
   std::vector<StudiedSection> sections = {};
+  std::size_t planned = 0;  ///< how many sections there are to be: more than there are after an interruption
+
+  bool isInterrupted() const { return sections.size() < planned; }
+};
+
+/// Watches the making of a study.
+struct StudyObserver {
+  ProgressFunction progress = {};           ///< tells of pictures, a path-traced one as several
+  std::function<void()> section_done = {};  ///< after each subject
 };
 
 /// Renders a scene by every technique that applies to it, and measures each against the path-traced reference.
 ///
 /// is_built_in  not the scene that was given, but those that each subject has for itself
-/// progress     tells of pictures, a path-traced one as several
-/// returns      the same for any number of threads, but for times
-/// errors       as Renderer's and PathTracer's; interrupted
+/// returns      the same for any number of threads, but for times; after an interruption, the subjects that are done
+/// errors       as Renderer's and PathTracer's; interrupted before the first subject is done
 /// cost         for the built-in scenes some 30 path-traced pictures and 50 of the renderer
 Result<Study> study(RenderInputs inputs, bool is_built_in, const StudySettings& settings,
-                    const ProgressFunction& progress = {});
+                    const StudyObserver& observer = {});
 
 /// One subject in the scene that was given, over its series alone.
 ///

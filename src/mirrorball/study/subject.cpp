@@ -9,6 +9,7 @@
 
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/rays/seen_from.h"
 #include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/material/material_changes.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
@@ -19,7 +20,7 @@ namespace {
 using enum Technique::Maker;
 
 constexpr std::string_view kKnownToMap = "bounces=1 unoccluded=yes";  // all that an environment map can know
-constexpr std::string_view kHeldToMap = "one bounce, and nothing blocks the light";
+constexpr std::string_view kComparedWithMap = "one bounce, and nothing blocks the light";
 
 constexpr std::string_view kRoom = "proxy=box:-3,-1.5,-4,5,3,4";
 
@@ -143,6 +144,11 @@ bool hasOcclusionMap(const Scene& scene) {
                      [](const Material& m) { return m.occlusion_map.texture >= 0; });
 }
 
+/// Whether light may meet more than one of its surfaces: of a convex body all numbers of bounces are the same picture.
+bool mayReflectItself(const Scene& scene) {
+  return traitsOf(scene).lets_light_through || hidesItself(scene).value_or(true);
+}
+
 bool hasHeights(const Scene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),
                      [](const Material& m) { return m.height != HeightKind::none; });
@@ -154,11 +160,12 @@ constexpr std::array kSubjects{
             .teaches = "The reflected ray finds the light that a mirror shows. A sphere map is addressed by the normal "
                        "instead, as if all rays from the eye were parallel: the wider the field of view, the wronger. "
                        "The normal in a cube map only looks like something shiny. A sphere map that is made for the "
-                       "camera and addressed by the reflected ray is right again.",
+                       "camera and addressed by the reflected ray is right again for a mirror. Both are sharp on rough "
+                       "surfaces too, which the cube has in all degrees of blur.",
             .models = kSphere,
             .material = "mirror",
             .reference = kKnownToMap,
-            .held_to = kHeldToMap,
+            .compared_with = kComparedWithMap,
             .techniques = kLookUps,
             .series = Series{"field of view in degrees", kFields_deg, setFieldOfView, false},
             .applies = always},
@@ -170,7 +177,7 @@ constexpr std::array kSubjects{
             .models = kSphere,
             .material = "mirror",
             .reference = kKnownToMap,
-            .held_to = kHeldToMap,
+            .compared_with = kComparedWithMap,
             .techniques = kTexels,
             .series = Series{"perceptual roughness", kMipRoughnesses, setRoughness, true},
             .applies = always},
@@ -184,7 +191,7 @@ constexpr std::array kSubjects{
             .view = "camera=25,6,1.2",
             .parameters = "base_color_map=stripes base_color=1 specular=0",
             .reference = kKnownToMap,
-            .held_to = kHeldToMap,
+            .compared_with = kComparedWithMap,
             .techniques = kFilters,
             .applies = hasPictures},
     Subject{.id = "relief",
@@ -197,7 +204,7 @@ constexpr std::array kSubjects{
             .view = "camera=30,45,1.3",
             .parameters = "height=cobbles base_color=0.4",
             .shows = "relief=exact",
-            .held_to = "the exact surface, up to 16 bounces",
+            .compared_with = "the exact surface, up to 16 bounces",
             .techniques = kReliefs,
             .series = Series{"degrees above the plane", kElevations_deg, setElevation, true},
             .applies = hasHeights},
@@ -208,7 +215,7 @@ constexpr std::array kSubjects{
             .models = kSphere,
             .material = "mirror",
             .reference = kKnownToMap,
-            .held_to = kHeldToMap,
+            .compared_with = kComparedWithMap,
             .techniques = kReflectAt,
             .series = Series{"rings of the sphere", kRings, setRings, false, true},
             .applies = always},
@@ -220,20 +227,21 @@ constexpr std::array kSubjects{
             .models = kSphere,
             .material = "rough-metal",
             .reference = kKnownToMap,
-            .held_to = kHeldToMap,
+            .compared_with = kComparedWithMap,
             .techniques = kBlurs,
             .series = Series{"perceptual roughness", kRoughnesses, setRoughness, true},
             .by_angle = true,
             .applies = always},
     Subject{.id = "lobes",
             .title = "A round lobe, or a row of them",
-            .teaches = "What a rough surface reflects is a round spot of light only where it is seen from above. "
-                       "Aslant, the spot is as long as ever but n·v as narrow, and bends away from the horizon. A row "
-                       "of narrower round lobes in the plane of incidence is nearly that.",
+            .teaches =
+                "What a rough surface reflects is a round spot of light only where it is seen from above. "
+                "At an angle, the spot is as long as ever but n·v as narrow, and bends away from the horizon. A row "
+                "of narrower round lobes in the plane of incidence is nearly that.",
             .models = kSphere,
             .material = "rough-metal",
             .reference = kKnownToMap,
-            .held_to = kHeldToMap,
+            .compared_with = kComparedWithMap,
             .techniques = kLobeTaps,
             .series = Series{"perceptual roughness", kRoughnesses, setRoughness, true},
             .by_angle = true,
@@ -246,9 +254,9 @@ constexpr std::array kSubjects{
             .models = kInterreflecting,
             .material = "mirror",
             .view = "camera=20,40",
-            .held_to = "up to 16 bounces",
+            .compared_with = "up to 16 bounces",
             .techniques = kSteps,
-            .applies = always},
+            .applies = mayReflectItself},
     Subject{.id = "self-occlusion",
             .title = "What objects hide and mirror of themselves",
             .teaches =
@@ -257,9 +265,9 @@ constexpr std::array kSubjects{
                 "of its neighbours. Probes capture what is around whole objects, and so know nothing of folds.",
             .models = kHidingThemselves,
             .view = "camera=20,40",
-            .held_to = "up to 16 bounces",
+            .compared_with = "up to 16 bounces",
             .techniques = kHiding,
-            .applies = always},
+            .applies = mayReflectItself},
     Subject{.id = "proxy",
             .title = "A room that is near",
             .teaches = "A mirror ball off the middle of a room shows the walls where they are only if the shader knows "
@@ -269,7 +277,7 @@ constexpr std::array kSubjects{
             .material = "mirror",
             .shows = kRoom,
             .reference = kKnownToMap,
-            .held_to = "the same room, one bounce",
+            .compared_with = "the same room, one bounce",
             .techniques = kProxies,
             .applies = never},
     Subject{.id = "quality",
@@ -278,18 +286,19 @@ constexpr std::array kSubjects{
                        "alone with its environment; good knows what hides it and what is behind glass; best traces all "
                        "glass. All have the same number of samples here.",
             .models = kOfEachKind,
-            .held_to = "up to 16 bounces",
+            .compared_with = "up to 16 bounces",
             .techniques = kQualities,
             .applies = always},
     Subject{.id = "occlusion-map",
             .title = "What an occlusion map brings",
-            .teaches = "An occlusion map says how much of the sky each place sees, but not which part. Inside of a "
-                       "spherical bowl that share is the same everywhere: the opening's share of the sphere. Held to "
-                       "one bounce, which has the shadows themselves.",
+            .teaches =
+                "An occlusion map says how much of the sky each place sees, but not which part. Inside of a "
+                "spherical bowl that share is the same everywhere: the opening's share of the sphere. Compared with "
+                "one bounce, which has the shadows themselves.",
             .models = kBowl,
             .view = "camera=20,40",
             .reference = "bounces=1",
-            .held_to = "one bounce, with shadows",
+            .compared_with = "one bounce, with shadows",
             .techniques = kOcclusion,
             .applies = hasOcclusionMap},
     Subject{.id = "distance",
@@ -298,7 +307,7 @@ constexpr std::array kSubjects{
                        "error falls as the neighbour moves away and fills less of the mirror.",
             .models = kSphere,
             .material = "mirror",
-            .held_to = "up to 16 bounces",
+            .compared_with = "up to 16 bounces",
             .techniques = kDistantMap,
             .series = Series{"gap between the spheres, in radii", kGaps, setGap, false, true},
             .applies = never},

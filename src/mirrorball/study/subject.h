@@ -43,12 +43,12 @@ struct Subject {
   std::string_view material = {};            ///< of materialNames(), for those; empty: their own
   std::string_view view = {};                ///< of those, of frameOptions()
   std::string_view parameters = {};          ///< of those, of all materials (materialParameters() and materialMaps())
-  std::string_view shows = {};               ///< what it is held to, of frameOptions(), of any scene: "relief=exact"
-  std::string_view reference = {};           ///< what it is held to, of traceOptions(); empty: all bounces
-  std::string_view held_to;                  ///< that in words: "all bounces"
+  std::string_view shows = {};      ///< what it is compared with, of frameOptions(), of any scene: "relief=exact"
+  std::string_view reference = {};  ///< what it is compared with, of traceOptions(); empty: all bounces
+  std::string_view compared_with;   ///< that in words: "all bounces"
   std::span<const Technique> techniques;
   std::optional<Series> series = {};
-  bool by_angle = false;                ///< the error is also told by n·v; the series changes materials alone
+  bool by_angle = false;                ///< the error is also shown over n·v; the series changes materials alone
   bool (*applies)(const Scene& scene);  ///< to a scene that is not built for it
 };
 

@@ -16,7 +16,7 @@ constexpr int kSize = formula::kLobeRowSize;
 constexpr int kMiddle = kSize / 2;
 constexpr std::array<int, 3> kRows{2, 4, 6};
 
-/// How strongly a row is held to its neighbours. Without, lobes change their roles from one to the next.
+/// How strongly a row is pulled to its neighbours. Without, lobes change their roles from one to the next.
 constexpr double kSmoothness = 3e-3;
 
 /// How often all rows are fitted beside the mean of their neighbours.

@@ -1,5 +1,5 @@
 // A decoder interpolates between ends in numbers of 16 bits that stand for half floats, nearly the logarithm of light:
-// there lines are fitted to the texels, by their spread and then by least squares. What they are worth is told by the
+// there lines are fitted to the texels, by their spread and then by least squares. What they are worth is known by the
 // error of the light that they decode to.
 
 #include "mirrorball/codec/bc6h/bc6h_search.h"

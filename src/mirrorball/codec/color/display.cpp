@@ -23,13 +23,18 @@ OptionText exposureText() {
           .minimum = -30,
           .maximum = 30,
           .help = help,
-          .group = "Picture"};
+          .group = "Picture",
+          .is_daily = true};
 }
 
 OptionText toneMapText() {
   static const std::string help =
       "curve by which radiance becomes a picture (" + writtenExtensions(Holds::picture) + ")";
-  return {.name = "tone-map", .choices = "agx|aces|neutral|reinhard|linear", .help = help, .group = "Picture"};
+  return {.name = "tone-map",
+          .choices = "agx|aces|neutral|reinhard|linear",
+          .help = help,
+          .group = "Picture",
+          .is_daily = true};
 }
 
 void showOn(const Display& display, Image& image) {

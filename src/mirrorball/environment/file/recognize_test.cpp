@@ -67,7 +67,7 @@ TEST(Recognize, TheHintComesBeforeAll) {
   EXPECT_THAT(recognize(100, 60, {}, *formHintNamed("vcross")).error().message, HasSubstr("3:4"));
 }
 
-// What convert writes is read back: 1:1 and 2:1 pictures of other projections are told by the file alone.
+// What convert writes is read back: 1:1 and 2:1 pictures of other projections are recognised by the file alone.
 TEST(Recognize, EveryFormIsReadBackFromItsMetadata) {
   for (const Projection projection : testing::kEveryProjection)
     for (const CubeLayout layout : {CubeLayout::hcross, CubeLayout::vcross}) {

@@ -18,8 +18,8 @@ inline constexpr float kMinPixelsPerDegree = 5.0f;
 /// returns            one channel in [0, 1]; 0 where nothing differs. Symmetric. Its mean is what is called FLIP
 /// errors             interrupted
 /// cost               about 0.5 µs a pixel on one core at the usual density; bit-identical for any number of threads
-/// from               Andersson et al. 2020, "FLIP: A Difference Evaluator for Alternating Images"; held to values of
-///                    the published program in flip_test
+/// from               Andersson et al. 2020, "FLIP: A Difference Evaluator for Alternating Images"; compared with
+///                    values of the published program in flip_test
 Result<Image> ldrFlip(const Image& a, const Image& b, float pixels_per_degree, const ProgressFunction& progress = {});
 
 /// The exposures at which HDR-FLIP shows light: `count` of them, evenly from `start_ev` to `stop_ev` [stops].

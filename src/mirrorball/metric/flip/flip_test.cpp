@@ -1,8 +1,7 @@
-// FLIP is held to the published program: the C++ header of github.com/NVlabs/flip, version 1.6, compiled by itself with
-// g++ 12 and given the same pictures (flip_testing.h), which printed the numbers here. The same arithmetic in another
-// order leaves a few units of a float's last place, which powers of nearly 0 make more of: hence 2e-6 for single
-// pixels.
-
+// FLIP is compared with the published program: the C++ header of github.com/NVlabs/flip, version 1.6, compiled by
+// itself with g++ 12 and given the same pictures (flip_testing.h), which printed the numbers here. The same arithmetic
+// in another order leaves a few units of a float's last place, which powers of nearly 0 make more of: hence 2e-6 for
+// single pixels.
 #include "mirrorball/metric/flip/flip.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Bumps told by heights, by normals in tangent or object space, and by slopes: the same surface in the same light.
+// Bumps of heights, by normals in tangent or object space, and by slopes: the same surface in the same light.
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "mirrorball/render/frame/frame_fields.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -33,7 +34,10 @@ constinit const Field kSize{
       OptionText bounded = text;
       bounded.minimum = 1;
       bounded.maximum = kLongestSide;
-      if (sides.size() != 2 || size.x == 0 || size.y == 0) return misused(bounded, "WIDTHxHEIGHT", written);
+      // A width alone keeps the shape.
+      if (sides.size() == 1 && size.x > 0)
+        size.y = std::clamp(int(std::lround(double(size.x) * s.size.y / s.size.x)), 1, kLongestSide);
+      if (sides.size() > 2 || size.x == 0 || size.y == 0) return misused(bounded, "WIDTHxHEIGHT or WIDTH", written);
       s.size = size;
       return {};
     }};

@@ -97,9 +97,13 @@ TEST(FrameOptions, SizesAreChecked) {
   FrameSettings settings;
   EXPECT_EQ(set(settings, "size", "640x480"), "");
   EXPECT_EQ(settings.size, glm::ivec2(640, 480));
-  for (const char* wrong : {"", "640", "640x", "0x480", "640x480x3", "640.5x480", "-1x5", "99999x1", "axb"})
+  for (const char* wrong : {"", "640x", "0x480", "640x480x3", "640.5x480", "-1x5", "99999x1", "axb"})
     EXPECT_THAT(set(settings, "size", wrong), HasSubstr("size takes WIDTHxHEIGHT")) << wrong;
   EXPECT_EQ(settings.size, glm::ivec2(640, 480)) << "a wrong one changes nothing";
+  EXPECT_EQ(set(settings, "size", "320"), "");
+  EXPECT_EQ(settings.size, glm::ivec2(320, 240)) << "a width alone keeps the shape";
+  EXPECT_EQ(set(settings, "size", "1"), "");
+  EXPECT_EQ(settings.size, glm::ivec2(1, 1));
 }
 
 TEST(FrameOptions, BackgroundsAreParsed) {

@@ -38,7 +38,8 @@ const auto kTurntableOptions = std::to_array<Option<Turntable>>({
       .maximum = 100000,
       .help = "number of pictures in a turntable, one full turn; %04d or #### in the output's name stands for the "
               "picture's number, which otherwise comes at the end; 0: a single picture",
-      .group = "Picture"},
+      .group = "Picture",
+      .is_daily = true},
      &Turntable::frames},
     {{.name = "turn",
       .value = "camera|model|environment|N",

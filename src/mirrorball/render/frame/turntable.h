@@ -31,7 +31,7 @@ std::span<const Option<Turntable>> turntableOptions();
 FrameSettings turned(FrameSettings settings, Turn what, float angle_deg);
 
 /// The settings of a picture of a scene, for another scene in which camera and ground stay where they are: what counts
-/// in model radii, or from the model's middle, is said in numbers.
+/// in model radii, or from the model's middle, is given in numbers.
 ///
 /// errors   as placedProxy's
 Result<FrameSettings> standingStill(FrameSettings settings, const Scene& scene, const BoundingSphere& bounds,

@@ -148,8 +148,9 @@ bool reflectsAtFragment(const FrameSettings& settings, const CoordinateChoice& c
   return is_reflection && !coordinates.is_sphere_map;
 }
 
-/// Rays into wide lobes are speckles until there are many, and cost as much as others. A coat has its own.
-bool raysAreCalm(const Material& material, const FrameSettings& settings) {
+/// Whether rays find a clean reflection: into wide lobes they are speckles until there are many, and cost as much as
+/// others. A coat has its own.
+bool hasFewSpeckles(const Material& material, const FrameSettings& settings) {
   constexpr int kSamplesOfRough = 16;
   constexpr float kSmooth = 0.3f;  // sky_past_scene_traced.glsl has no rays from there on
   const bool is_rough = material.perceptual_roughness >= kSmooth && material.roughness_map.texture < 0;
@@ -164,7 +165,7 @@ SkyPart skyPart(const SurfaceVariant& variant, const Material& material, const F
   if (!variant.has(Part::point, PointPart::raster)) return SkyPart::over_horizons;
   if (settings.occlusion == OcclusionKind::none) return SkyPart::open;
   const bool is_traced = settings.self_reflection && reflectsAtFragment(settings, coordinates) &&
-                         variant.has(Part::transmission, TransmissionPart::none) && raysAreCalm(material, settings);
+                         variant.has(Part::transmission, TransmissionPart::none) && hasFewSpeckles(material, settings);
   return is_traced ? SkyPart::past_scene_traced : SkyPart::past_scene;
 }
 

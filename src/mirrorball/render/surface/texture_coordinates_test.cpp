@@ -64,7 +64,7 @@ FrameSettings orthographic(float azimuth_deg = 0.0f, float elevation_deg = 0.0f)
   return frame;
 }
 
-/// Greatest difference of two pictures, where the unit sphere fills them and is not seen too aslant.
+/// Greatest difference of two pictures, where the unit sphere fills them and is not seen at too grazing an angle.
 float greatestDifference(const Image& a, const Image& b) {
   float greatest = 0.0f;
   for (int y = 0; y < kSide; ++y)

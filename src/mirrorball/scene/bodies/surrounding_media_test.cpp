@@ -41,7 +41,7 @@ TEST(SurroundingMedia, AreThoseBodiesThatAPointLiesIn) {
   EXPECT_EQ(mediaIn(scene, glm::vec3(0.0f, 5.0f, 0.0f)).count, 0);
 }
 
-// What an open mesh would enclose is not told by its triangles.
+// What an open mesh would enclose is not known from its triangles.
 TEST(SurroundingMedia, AnOpenSheetSurroundsNothing) {
   const Scene sheet = glassOf(planeMesh());
   for (const float side : {-0.1f, 0.1f}) {

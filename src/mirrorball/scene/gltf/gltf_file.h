@@ -26,7 +26,7 @@ struct File {
   std::vector<Bytes> storage;  ///< of the buffers that lie in the JSON
 };
 
-/// Reads the container (.glb or .gltf, told by its first bytes), the JSON, and the buffers.
+/// Reads the container (.glb or .gltf, recognised by its first bytes), the JSON, and the buffers.
 ///
 /// bytes    must live as long as the result, which points into them
 /// named    so must this

@@ -155,31 +155,17 @@ Result<std::string> sectionOf(const StudiedSection& section) {
   return "<section id=\"" + section.id + "\" aria-labelledby=\"" + section.id + "-title\" data-axis=\"" +
          escaped(section.axis) + "\">\n<h2 id=\"" + section.id + "-title\">" + escaped(section.title) +
          "</h2>\n<p class=\"teaches\">" + escaped(section.teaches) +
-         "</p>\n<p class=\"note\">Held to paths of light with " + escaped(section.held_to) + ".</p>\n" + shots +
-         plotsOf(section) + "</section>\n";
+         "</p>\n<p class=\"note\">Compared with paths of light with " + escaped(section.compared_with) + ".</p>\n" +
+         shots + plotsOf(section) + "</section>\n";
 }
 
-/// Of one technique the least and the greatest of a metric over all shots: "21.40 dB … 38.12 dB".
-std::string rangeOf(const StudiedSection& section, std::size_t technique, Metric metric) {
-  std::optional<double> low, high;
-  for (const StudiedShot& shot : section.shots) {
-    const auto& value = shot.pictures[technique].values[static_cast<std::size_t>(metric)];
-    if (!value) continue;
-    low = std::min(low.value_or(*value), *value);
-    high = std::max(high.value_or(*value), *value);
-  }
-  const std::string last = metricText(metric, high);
-  return low == high ? last : metricText(metric, low) + " … " + last;
-}
-
-/// The shot that costs a technique most.
-const StudiedPicture& dearest(const StudiedSection& section, std::size_t technique) {
-  const auto costOf = [technique](const StudiedShot& shot) {
-    const StudiedPicture& picture = shot.pictures[technique];
-    return picture.traced ? 1e3 * picture.traced->time_s : picture.drawn->frame_ms;
+/// The shot in which a technique is farthest from the truth, by its PSNR.
+const StudiedShot& worstShot(const StudiedSection& section, std::size_t technique) {
+  const auto psnrOf = [technique](const StudiedShot& shot) {
+    return shot.pictures[technique].values[static_cast<std::size_t>(Metric::psnr)].value_or(INFINITY);
   };
-  const auto costs_less = [&](const StudiedShot& a, const StudiedShot& b) { return costOf(a) < costOf(b); };
-  return std::max_element(section.shots.begin(), section.shots.end(), costs_less)->pictures[technique];
+  return *std::min_element(section.shots.begin(), section.shots.end(),
+                           [&](const StudiedShot& a, const StudiedShot& b) { return psnrOf(a) < psnrOf(b); });
 }
 
 /// All techniques in one table.
@@ -192,14 +178,20 @@ std::string glanceOf(const Study& study) {
       if (i == 0)
         rows += "<th scope=\"rowgroup\" rowspan=\"" + std::to_string(pictures.size()) + "\"><a href=\"#" + section.id +
                 "\">" + escaped(section.title) + "</a></th>";
-      rows += cell(pictures[i].technique) + cell(rangeOf(section, i, Metric::psnr)) +
-              cell(rangeOf(section, i, Metric::flip)) + costCells(dearest(section, i)) + "</tr>\n";
+      const StudiedShot& shot = worstShot(section, i);
+      const StudiedPicture& picture = shot.pictures[i];
+      const auto valueCell = [&](Metric metric) {
+        return cell(metricText(metric, picture.values[static_cast<std::size_t>(metric)]));
+      };
+      rows += cell(picture.technique) + cell(shot.label) + valueCell(Metric::psnr) + valueCell(Metric::flip) +
+              costCells(picture) + "</tr>\n";
     }
   }
   return "<section id=\"glance\" aria-labelledby=\"glance-title\">\n<h2 id=\"glance-title\">At a glance</h2>\n"
-         "<p class=\"note\">The least and the greatest of all pictures of a subject; the cost is that of the "
-         "slowest.</p>\n"
-         "<div class=\"wide\"><table><thead><tr><th>Subject</th><th>Technique</th><th>PSNR</th><th>FLIP</th>" +
+         "<p class=\"note\">Of each technique the picture that is farthest from the truth, by its PSNR, with its own "
+         "numbers and cost.</p>\n"
+         "<div class=\"wide\"><table><thead><tr><th>Subject</th><th>Technique</th><th>Worst in</th><th>PSNR</th>"
+         "<th>FLIP</th>" +
          std::string(kCostHeads) + "</tr></thead>\n<tbody>" + rows + "</tbody></table></div>\n</section>\n";
 }
 
@@ -208,6 +200,13 @@ std::string navigationOf(const Study& study) {
   for (const StudiedSection& section : study.sections)
     links += "<a href=\"#" + section.id + "\">" + escaped(section.title) + "</a>\n";
   return links + "<a href=\"#numbers\">About the numbers</a>\n";
+}
+
+/// How much of the page is missing.
+std::string interruptionOf(const Study& study) {
+  if (!study.isInterrupted()) return "";
+  return "<p class=\"note\">Interrupted: " + std::to_string(study.sections.size()) + " of " +
+         std::to_string(study.planned) + " subjects are here.</p>\n";
 }
 
 /// What the numbers mean, and on what they were measured.
@@ -242,9 +241,9 @@ Result<std::string> pageOf(const Study& study, const PageText& text) {
          std::string(pageFile("plot.css").value()) +
          "</style>\n<script>document.documentElement.classList.add('scripted')</script>\n</"
          "head>\n<body>\n<header>\n<h1>" +
-         escaped(text.title) + "</h1>\n<nav>" + navigationOf(study) + "</nav>\n</header>\n<main>\n" + glanceOf(study) +
-         sections + aboutOf(study, text) + "</main>\n<script>\n" + std::string(pageFile("page.js").value()) +
-         "</script>\n</body>\n</html>\n";
+         escaped(text.title) + "</h1>\n<nav>" + navigationOf(study) + "</nav>\n</header>\n<main>\n" +
+         interruptionOf(study) + glanceOf(study) + sections + aboutOf(study, text) + "</main>\n<script>\n" +
+         std::string(pageFile("page.js").value()) + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace mirrorball

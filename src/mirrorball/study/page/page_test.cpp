@@ -51,7 +51,7 @@ Study smallStudy() {
   StudiedSection section{.id = "blur",
                          .title = "Rough <metal>",
                          .teaches = "Blur & more.",
-                         .held_to = "all bounces",
+                         .compared_with = "all bounces",
                          .axis = "perceptual roughness",
                          .by_angle = true};
   for (const double value : {0.1, 0.5, 1.0})
@@ -59,7 +59,8 @@ Study smallStudy() {
                              .value = value,
                              .reference = Image8(2, 2, 3, 200),
                              .pictures = {pictureOf("exact", 30.0 + value, 100), pictureOf("mip", 20.0, 90)}});
-  StudiedSection other{.id = "look-up", .title = "Look-up", .teaches = "One.", .held_to = "one bounce", .axis = ""};
+  StudiedSection other{
+      .id = "look-up", .title = "Look-up", .teaches = "One.", .compared_with = "one bounce", .axis = ""};
   other.shots.push_back(
       {.label = "sphere", .reference = Image8(2, 2, 3, 1), .pictures = {pictureOf("cube", INFINITY, 1)}});
   return {.driver = "a <driver>", .size = {2, 2}, .samples = 4, .sections = {section, other}};
@@ -123,10 +124,22 @@ TEST_F(PageTest, AsksForNothing) {
 }
 
 TEST_F(PageTest, TellsTheNumbersAndTextsAsTheyAre) {
-  for (const char* text :
-       {"<title>A &amp; B</title>", "Rough &lt;metal&gt;", "Blur &amp; more.", "a &lt;driver&gt;",
-        "mirrorball study &lt;x&gt;", "30.10 dB … 31.00 dB", "infinite", "1.25 ms", "3.00 MiB", "<td>7</td>"})
+  for (const char* text : {"<title>A &amp; B</title>", "Rough &lt;metal&gt;", "Blur &amp; more.", "a &lt;driver&gt;",
+                           "mirrorball study &lt;x&gt;", "30.10 dB", "infinite", "1.25 ms", "3.00 MiB", "<td>7</td>"})
     EXPECT_THAT(page_, HasSubstr(text));
+}
+
+// All numbers of a row at a glance are of one picture, the worst one.
+TEST_F(PageTest, AGlanceIsOfTheWorstPictures) {
+  EXPECT_THAT(page_, HasSubstr("<td>exact</td><td>0.100000</td><td>30.10 dB</td><td>0.125</td><td>1.25 ms</td>"));
+  EXPECT_THAT(page_, HasSubstr("<td>cube</td><td>sphere</td><td>infinite</td>"));
+}
+
+TEST_F(PageTest, TellsWhatAnInterruptionLeftOut) {
+  EXPECT_THAT(page_, Not(HasSubstr("Interrupted")));
+  Study interrupted = smallStudy();
+  interrupted.planned = 3;
+  EXPECT_THAT(*pageOf(interrupted, {.title = "x"}), HasSubstr("Interrupted: 2 of 3 subjects are here."));
 }
 
 TEST_F(PageTest, PlotsWhatThereIsToPlot) {

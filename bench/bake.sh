@@ -21,7 +21,7 @@ cd "$folder"
 "$program" convert "$panorama" --to equirect -o in.exr
 "$program" convert "$panorama" --to equirect -o in.hdr
 
-# The command line of each task; what it does is written beside it in docs/performance.md.
+# The command line of each task; what it does is written beside it in docs/performance/prefiltering.md.
 commandOf() {
   case $1 in
     ours) echo "$program bake in.exr -o ours" ;;

@@ -1,7 +1,7 @@
 #!/bin/bash
 # usage: bench/build.sh ROWS COMMIT…
 #
-# Times what one waits for who works on Mirrorball, and prints it as a table for docs/performance.md. Each row is measured
+# Times what one waits for who works on Mirrorball, and prints it as a table for docs/performance/build.md. Each row is measured
 # with each commit in turn, in a fresh clone of its own under $TMPDIR, without a compiler cache, with all packages there.
 #
 #   ROWS    with commas between, or `all`:

@@ -1,5 +1,5 @@
 // Holds what widens the lobe of bumps that a pixel averages away to the mean over the pixel, and prints the table of
-// docs/techniques.md, "Bumps and relief": a plane of a rough mirror by the renderer's formulas, on the CPU. The error
+// docs/truth/relief.md: a plane of a rough mirror by the renderer's formulas, on the CPU. The error
 // is that of radiance that is clipped at 1 in each pixel.
 //   one lobe   widened by the mean of the slopes' variances
 //   Toksvig    by the length of the mean normal (2005, "Mipmapping normal maps")

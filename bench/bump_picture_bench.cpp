@@ -1,5 +1,5 @@
 // Holds pictures of bumps that a pixel averages away to pictures of very many samples, and prints the table of
-// docs/techniques.md, "Bumps and relief": the renderer's own, of a plane of a rough mirror whose bumps are told by
+// docs/truth/relief.md: the renderer's own, of a plane of a rough mirror whose bumps are told by
 // heights or by a normal map. The error is that of radiance that is clipped at 1 in each pixel; beside it stands how
 // much too bright the picture is. Derivative maps have the same moments as heights.
 //   unfiltered   the finest level of the map, 4 samples a pixel

@@ -1,4 +1,4 @@
-// Holds each --texture-filter to the mean over a pixel, and prints the tables of docs/techniques.md, "Texture
+// Holds each --texture-filter to the mean over a pixel, and prints the tables of docs/truth/renderer.md, "Texture
 // filtering": the error of a picture, its shimmer from one frame of a turn to the next, and the time of a frame.
 
 #include <algorithm>

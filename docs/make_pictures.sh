@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: docs/make_pictures.sh [DATA]
 #
-# Makes every picture of README.md and docs/*.md by the commands that are printed in them: each of their lines that
+# Makes every picture of README.md and of the pages under docs/ by the commands that are printed in them: each of their lines that
 # begins with "./mirrorball" and writes to docs/pictures/ is run as it stands, so that the text cannot say another
 # command than the one that made the picture. So are those that write to $MADE/, a folder for what later ones read.
 #
@@ -9,7 +9,7 @@
 #                         else $DATA, else $MIRRORBALL_DATA, else ../shared/data beside the checkout
 #   MIRRORBALL_PROGRAM=…  runs another program than ./mirrorball
 #
-# Plots (.svg) are made by the benchmarks that docs/performance.md names, and only their sizes are looked at here.
+# Plots (.svg) are made by the benchmarks that docs/performance/prefiltering.md names, and only their sizes are looked at here.
 #
 # Exit code 1 if a command fails, a picture is shown that no command makes or made and not shown, or one is larger than
 # 300 KB (all together: 4 MB).
@@ -36,10 +36,10 @@ trap 'rm -rf "$MADE"' EXIT
 export MADE
 
 # The arguments of each command, once. The commands are this repository's own text: the shell may read them.
-commands=$(sed -n 's#^\./mirrorball \(.* \(docs/pictures\|\$MADE\)/.*\)$#\1#p' README.md docs/*.md | awk '!seen[$0]++')
+commands=$(sed -n 's#^\./mirrorball \(.* \(docs/pictures\|\$MADE\)/.*\)$#\1#p' README.md docs/*.md docs/*/*.md | awk '!seen[$0]++')
 # What a command writes is named last: after -o, or --heat-map of `compare`, which reads others.
 made=$(echo "$commands" | sed -n 's|.* docs/pictures/\([^ ]*\).*|\1|p' | sort)
-shown=$(cat README.md docs/*.md | grep -o '[("][a-z/]*pictures/[A-Za-z0-9_]*\.[a-z]*' | sed 's|.*/||' | sort -u)
+shown=$(cat README.md docs/*.md docs/*/*.md | grep -o '[("][a-z./]*pictures/[A-Za-z0-9_]*\.[a-z]*' | sed 's|.*/||' | sort -u)
 is_plot() { [ "${1##*.}" = svg ]; }
 
 for name in $(echo "$made" | uniq -d); do complain "two commands make $name"; done

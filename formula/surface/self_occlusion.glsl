@@ -73,7 +73,7 @@ FN vec3 lightBesideHidden(vec3 on_surface, vec3 of_hidden_lobe, vec3 through, fl
 
 // How much the latter counts beside the former. It is nearer where what hides lies together and most is open: on a wall
 // that stands on a floor the light comes from its front, where the opening's axis does not point. The bounds are those
-// that were nearest to paths in twenty scenes (docs/techniques.md).
+// that were nearest to paths in twenty scenes (docs/techniques/objects.md).
 FN float shareBesideHidden(Opening opening, float open) {
   return smoothstep(0.3f, 0.65f, open) * smoothstep(0.7f, 0.95f, opening.likeness);
 }

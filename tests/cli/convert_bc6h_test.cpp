@@ -24,7 +24,7 @@ void forEachColor(const ImageSet& images, const ImageSet& exact, const Visit& vi
           visit(double(rgbAt(images.at(0, face), x, y)[c]), double(rgbAt(exact.at(0, face), x, y)[c]));
 }
 
-/// docs/conventions.md's: the root of the mean of squared errors,
+/// docs/conventions/files.md's: the root of the mean of squared errors,
 /// each relative to the sum of the sample and the mean of all.
 double relativeError(const ImageSet& images, const ImageSet& exact) {
   double sum = 0.0;

@@ -36,7 +36,7 @@ const Tolerance kBumpy{60, 0.65, "pores smaller than a pixel, whose slopes follo
 // 64 / 0.67
 const Tolerance kFinelyLined{80, 1.0, "lines and letters smaller than a pixel, mirrored in a curved surface"};
 
-// Why a picture is not what is traced of its command; docs/truth.md has what is left of the distance without noise.
+// Why a picture is not what is traced of its command; docs/truth/renderer.md shows the distance without noise.
 // Each bound is 1 dB below what was measured: a traced picture is the same each time.
 
 constexpr const char* kExact = "exact but for the samples, whose noise lies at edges";

@@ -41,7 +41,7 @@ struct BakedMaps {
 /// returns       those that the settings ask for
 /// errors        too_large, told before anything is made; out_of_range (a value above 1e36 is too bright to be summed);
 ///               interrupted
-/// cost          docs/performance.md; bit-identical for any number of threads
+/// cost          docs/performance/prefiltering.md; bit-identical for any number of threads
 Result<BakedMaps> bake(Environment environment, const BakeSettings& settings = {}, const Observer& observer = {});
 
 }  // namespace mirrorball

@@ -27,7 +27,7 @@ float greatestErrorOf(float ior, float offset, float scale, float power) {
   return greatest;
 }
 
-// docs/techniques.md, "Fresnel".
+// docs/techniques/materials.md, "Fresnel".
 TEST(FresnelForms, FitsAreThoseOfTheDocumentation) {
   struct Known {
     float ior, schlick, fitted, offset, scale, power;

@@ -35,7 +35,7 @@ struct PathLight {
 /// Follows light backwards, from the eye from surface to surface into the environment.
 ///
 /// surroundings   of the world's environment, with these settings
-/// cost     docs/truth.md has paths a second
+/// cost     docs/performance/paths.md has paths a second
 PathLight lightAlong(const World& world, const Surroundings& surroundings, const TraceSettings& settings, Ray ray,
                      SampleSequence& samples);
 

@@ -88,7 +88,7 @@ class PathTracer {
   ///
   /// returns   with `samples` or `noise` as the limit, the same bits for any number of threads
   /// errors    too_large; interrupted, before the first pass (one path a pixel) was whole
-  /// cost      docs/truth.md has paths a second
+  /// cost      docs/performance/paths.md has paths a second
   Result<TracedPicture> render(const Camera& camera, const TraceSettings& settings,
                                const TraceObserver& observer = {}) const;
 

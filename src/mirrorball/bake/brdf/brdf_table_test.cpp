@@ -103,7 +103,7 @@ TEST(BrdfTable, TheCornersOfWarpedAxesAreTheEndsOfBothRanges) {
 }
 
 // Between the centres of its texels and away from the smooth grazing corner, a table of linear axes is right too. In
-// the corner it cannot be, and half a texel from its ends the hardware repeats the last texel: docs/techniques.md.
+// the corner it cannot be, and half a texel from its ends the hardware repeats the last texel: techniques/materials.md.
 TEST(BrdfTable, LookUpsOnLinearAxesAreWrongInTheCornerAndAtTheEnds) {
   const Image table = *brdfTable({});
   const auto worst = [&](float min, float max) {

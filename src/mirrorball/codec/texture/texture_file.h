@@ -22,7 +22,7 @@ enum class TexelFormat {
   float32,     ///< r32g32b32a32 sfloat, 16 bytes
   b10g11r11,   ///< b10g11r11 ufloat, 4 bytes: 6 bits of mantissa (blue 5), 0 to 65024 (blue 64512), no alpha
   e5b9g9r9,    ///< e5b9g9r9 ufloat, 4 bytes: 9 bits of mantissa under a common exponent, 0 to 65408, no alpha
-  bc6h,        ///< bc6h ufloat, 16 bytes for 4 x 4 texels: 0 to 65504 with an error (docs/conventions.md), no alpha
+  bc6h,        ///< bc6h ufloat, 16 bytes for 4 x 4 texels: 0 to 65504 with an error (conventions/files.md), no alpha
   rg_half,     ///< r16g16 sfloat, 4 bytes: red and green only
   rg_float32,  ///< r32g32 sfloat, 8 bytes
 };

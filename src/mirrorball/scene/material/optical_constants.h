@@ -10,7 +10,7 @@ namespace mirrorball {
 
 /// A metal by its complex index of refraction n + ik, as measured. Three wavelengths stand for the three channels of a
 /// picture: 650 nm for red, 550 nm for green and 450 nm for blue; between two rows of a source the index is
-/// interpolated. docs/techniques.md says how far the colours are from those of the whole spectrum.
+/// interpolated. docs/techniques/materials.md says how far the colours are from those of the whole spectrum.
 struct MeasuredMetal {
   std::string_view name;    ///< as in --material: "gold"
   glm::vec3 n;              ///< real part

@@ -17,8 +17,8 @@ struct Tolerance {
 };
 
 /// How near a drawn picture is to the path-traced one of the same command, where light does what an environment map can
-/// know of (`--bounces 1 --unoccluded`), or with relief all that it does. docs/truth/renderer.md shows what was measured,
-/// and how much of the distance is noise.
+/// know of (`--bounces 1 --unoccluded`), or with relief all that it does. docs/truth/renderer.md shows what was
+/// measured, and how much of the distance is noise.
 struct Truth {
   double psnr_db;       ///< at least
   const char* reason;   ///< of the distance

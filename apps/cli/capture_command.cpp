@@ -49,7 +49,8 @@ const auto kCaptureOptions = std::to_array<Option<CaptureOptions>>({
       .min_count = 3,
       .max_count = 3,
       .help = "required: the point around which the light is captured",
-      .group = "Capture"},
+      .group = "Capture",
+      .is_daily = true},
      &CaptureOptions::at},
     {{.name = "near",
       .value = "DISTANCE",
@@ -60,7 +61,12 @@ const auto kCaptureOptions = std::to_array<Option<CaptureOptions>>({
               "from outside the scene, the distance at which it begins; with --reference all are drawn",
       .group = "Capture"},
      &CaptureOptions::nearest},
-    {{.name = "to", .value = "PROJECTION", .help = kProjectionHelp, .group = "Output", .names = projectionNames},
+    {{.name = "to",
+      .value = "PROJECTION",
+      .help = kProjectionHelp,
+      .group = "Output",
+      .is_daily = true,
+      .names = projectionNames},
      &CaptureOptions::to},
     {{.name = "size",
       .value = "N",
@@ -69,7 +75,8 @@ const auto kCaptureOptions = std::to_array<Option<CaptureOptions>>({
       .maximum = 32768,
       .help = "size of the map: the side of a cube face or of a square map, the diameter of a disc, or the height of a "
               "panorama; 0: 256 for cube faces, and the same detail in other projections",
-      .group = "Output"},
+      .group = "Output",
+      .is_daily = true},
      &CaptureOptions::size},
 });
 

@@ -12,9 +12,14 @@ const std::string kMapHelp = "required: the output file, " + writtenExtensions(H
                              writtenExtensions(Holds::texture) + " (textures; a cube as a cube map), " +
                              writtenExtensions(Holds::picture) +
                              " (sRGB, clipped to [0, 1]); -.exr is standard output, likewise with the other extensions";
-const Option<MapOutputOptions> kOutput{
-    {.name = "output", .value = "OUT", .help = kMapHelp, .letter = "o", .group = "Output", .takes_path = true},
-    &MapOutputOptions::output};
+const Option<MapOutputOptions> kOutput{{.name = "output",
+                                        .value = "OUT",
+                                        .help = kMapHelp,
+                                        .letter = "o",
+                                        .group = "Output",
+                                        .takes_path = true,
+                                        .is_daily = true},
+                                       &MapOutputOptions::output};
 
 }  // namespace
 

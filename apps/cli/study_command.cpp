@@ -1,5 +1,4 @@
 #include <array>
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -104,17 +103,9 @@ std::string titleOf(const StudyRequest& request) {
   return nameOf(request.scene.model) + (material.empty() ? "" : " of " + material) + place;
 }
 
-/// A progress bar. From the first whole subject on, an interruption waits for the page so far to be written.
-StudyObserver observerUntilInterrupted() {
-  const auto has_subject = std::make_shared<std::atomic<bool>>(false);
-  return {.progress =
-              [bar = progressBar("study"), has_subject](std::size_t done, std::size_t total) {
-                if (bar(done, total)) return true;
-                if (*has_subject) claimEnd();
-                return false;
-              },
-          .section_done = [has_subject] { *has_subject = true; }};
-}
+/// A progress bar. From the first whole subject on, an interruption waits for the page so far to be written, however
+/// long the step takes that it comes in.
+StudyObserver observerUntilInterrupted() { return {.progress = progressBar("study"), .section_done = claimEnd}; }
 
 Result<void> studyAndWrite(const StudyRequest& request, const std::string& command) {
   StageClock clock;

@@ -159,7 +159,7 @@ TEST_F(BadOptionTest, AWrongNumberIsToldWithWhatIsRight) {
     const char* right;
   };
   for (const Case& wrong : {Case{"--size 0x10", "WIDTHxHEIGHT"},
-                            Case{"--size 10", "WIDTHxHEIGHT"},
+                            Case{"--size 10x", "WIDTHxHEIGHT"},
                             Case{"--size 20000x10", "16384"},
                             Case{"--size -4x4", "WIDTHxHEIGHT"},
                             Case{"--samples 0", "1 … 4096"},

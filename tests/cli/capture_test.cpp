@@ -220,7 +220,7 @@ TEST_F(CaptureTest, APlaceFarOutsideOfTheSceneIsNoted) {
 }
 
 TEST_F(CaptureTest, HasNoOptionOfAPictureOrItsCamera) {
-  const std::string help = succeed("capture --help");
+  const std::string help = succeed("capture --help all");
   for (const char* option : {"--camera", "--fov", "--tone-map", "--exposure", "--frames", "--turn ", "--resolve",
                              "--orthographic", "--target"})
     EXPECT_THAT(help, Not(HasSubstr(option)));

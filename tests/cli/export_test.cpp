@@ -29,8 +29,8 @@ TEST_F(ExportTest, TheFileShowsTheSamePicture) {
     const std::string view = " --camera 70,20 --size 48x32";
     succeed("export " + materials + view + " -o model.glb");
     const std::string how = view + " --reference --samples 4 -e studio -o ";
-    succeed("render " + materials + how + "wanted.exr");
-    succeed("render model.glb" + how + "found.exr");
+    trace("render " + materials + how + "wanted.exr");
+    trace("render model.glb" + how + "found.exr");
     EXPECT_GT(maxDifference(image("wanted.exr"), Image(48, 32, 4, 0.0f)), 0.5f);
     EXPECT_LT(maxDifference(image("wanted.exr"), image("found.exr")), 1e-4f) << materials;
   }

@@ -160,6 +160,8 @@ TEST_F(HelpTest, DailyOptionsComeFirst) {
   EXPECT_THAT(daily, ::testing::ContainsRegex("[0-9]+ more options: mirrorball help render all"));
   EXPECT_THAT(all, ::testing::Not(HasSubstr("more options:")));
   EXPECT_EQ(succeed("info --help all"), succeed("info --help")) << "which has few";
+  for (const char* option : {"--at", "--to", "--size", "--output", "--layout", "--format"})
+    EXPECT_THAT(optionsIn(succeed("capture --help")), Contains(option));
 }
 
 TEST_F(HelpTest, HelpIsAsWideAsItIsToBe) {

@@ -1,6 +1,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <string>
 #include <utility>
 
 #include <fcntl.h>
@@ -33,6 +34,14 @@ bool passesBytesOn(const fs::path& path) {
   std::error_code status;
   const fs::file_status what = fs::status(path, status);
   return fs::exists(what) && !fs::is_regular_file(what) && !fs::is_directory(what);
+}
+
+/// Gives a file the permissions of that which it takes the place of, if there is one.
+void takePermissions(const Descriptor& file, const std::string& target) {
+  struct stat status {};
+  constexpr mode_t kPermissions = 0777;
+  if (::stat(target.c_str(), &status) == 0 && S_ISREG(status.st_mode))
+    static_cast<void>(::fchmod(file.number(), status.st_mode & kPermissions));  // what cannot be is not
 }
 
 /// Whether it has reached the disk; some file systems cannot be asked for that.
@@ -80,6 +89,7 @@ Result<std::uint64_t> FileWriter::size() const {
 
 Result<void> FileWriter::commit() {
   if (sink_.isOpen()) return passOn();
+  takePermissions(part_.file, target_);
   if (!reachesDisk(part_.file) || !part_.path.finishAs(target_)) return cannotBeWritten(errno);
   part_.file.close();  // and not before: it is locked so long
   return {};

@@ -114,21 +114,34 @@ class KnownReader {
   std::uint64_t offset_ = 0;
 };
 
+/// Whether its numbers are those of vertices of a mesh that has so many.
+bool isOfMesh(const MeshRefinement& refinement, std::size_t vertices) {
+  for (std::size_t i = 0; i < refinement.parents.size(); ++i)
+    if (std::max(refinement.parents[i].x, refinement.parents[i].y) >= vertices + i) return false;
+  return refinement.indices.size() % 3 == 0 && (refinement.parents.empty() || !refinement.empty()) &&
+         std::all_of(refinement.indices.begin(), refinement.indices.end(),
+                     [&](std::uint32_t index) { return index < vertices + refinement.parents.size(); });
+}
+
 /// What a file holds; nothing: it is none of such a scene.
 std::optional<Known> readKnown(const CachedContent& content, bool has_looks, const Scene& scene) {
   if (!checkMemory(content.size)) return {};
   KnownReader reader(content);
   Known known{.meshes = std::vector<Known::OfMesh>(scene.meshes.size()),
               .instances = std::vector<Known::OfInstance>(scene.instances.size())};
-  for (Known::OfMesh& mesh : known.meshes)
+  for (std::size_t i = 0; i < known.meshes.size(); ++i) {
+    Known::OfMesh& mesh = known.meshes[i];
     if (!reader.read(std::span<std::uint64_t>(mesh.counts)) || !reader.read(mesh.refinement.parents, mesh.counts[0]) ||
-        !reader.read(mesh.refinement.indices, mesh.counts[1]))
+        !reader.read(mesh.refinement.indices, mesh.counts[1]) ||
+        !isOfMesh(mesh.refinement, scene.meshes[i].vertices.size()))
       return {};
+  }
   for (std::size_t i = 0; i < known.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const std::uint64_t vertices = verticesOf(scene, instance) + known.meshes[std::size_t(instance.mesh)].counts[0];
     Known::OfInstance& of_instance = known.instances[i];
     if (!reader.read(std::span<std::uint64_t>(of_instance.sides)) || of_instance.sides[0] > 2 ||
+        (of_instance.sides[0] == 0 && vertices > 0) ||
         !reader.read(of_instance.occlusion, of_instance.sides[0] * vertices) ||
         !reader.read(of_instance.looks, has_looks ? vertices : 0))
       return {};

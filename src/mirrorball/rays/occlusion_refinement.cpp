@@ -184,17 +184,22 @@ void Refiner::addTo(CutEdges& cut) const {
 ///
 /// returns  whether there were any
 bool Refiner::cutWith(const CutEdges& cut) {
+  // A mesh that stands beside itself in another size would else cut its own halves again and again.
+  const float shortest = kFinest * radius_;
   return refiner_.cutEdges([&](glm::vec3 a, glm::vec3 b) {
     return std::any_of(places_.begin(), places_.end(), [&](const Instance* instance) {
-      return cut.contains(inWorld(*instance, a), inWorld(*instance, b));
+      const glm::vec3 from = inWorld(*instance, a), to = inWorld(*instance, b);
+      return glm::distance(from, to) > shortest && cut.contains(from, to);
     });
   });
 }
 
-/// Cuts edges that meshes have in common in all of them, until none is cut on one side only.
+/// Cuts edges that meshes have in common in all of them, until none of any length is cut on one side only.
 void joinEdges(std::vector<std::optional<Refiner>>& refiners) {
   CutEdges cut;
-  for (bool is_new = true; is_new;) {
+  bool is_new = true;
+  // As often as an edge can have been cut; far from the origin, where middles are rounded to ends, no end would come.
+  for (int round = 0; round < kMostRounds && is_new; ++round) {
     is_new = false;
     for (const auto& refiner : refiners)
       if (refiner) refiner->addTo(cut);

@@ -14,8 +14,8 @@ namespace mirrorball {
 /// interpolated, what places between them see: a floor of two triangles knows nothing of a ball that stands in its
 /// middle. Large triangles are asked by rays from a few places; they are cut where one differs from what lies between
 /// the corners by more than a twelfth of an even sky's light, down to a twenty-fourth of the radius of the middle one
-/// of the objects, by their size. Edges that several meshes
-/// have in common are cut in all of them. Glass is cut at such edges only, and meshes with a relief nowhere.
+/// of the objects, by their size. Edges that several meshes have in common are cut in all of them. Glass is cut at such
+/// edges only, and meshes with a relief nowhere.
 ///
 /// returns  one for each mesh
 /// errors   interrupted

@@ -112,6 +112,20 @@ TEST(OcclusionRefinement, MeshesThatShareAnEdgeAreCutTogether) {
   }
 }
 
+// Beside itself in half its size, so that what one place cuts is a half of what the other has: this once had no end.
+TEST(OcclusionRefinement, AMeshBesideItselfInHalfItsSizeIsCutOnlySoFar) {
+  for (const float far : {0.0f, 1e7f}) {
+    Scene scene = ballOnFloor(12.0f, glm::vec2(1.5f));
+    for (Vertex& vertex : scene.meshes[0].vertices) vertex.position += glm::vec3(12.0f, 0.0f, 12.0f);
+    scene.instances.push_back(scene.instances[0]);
+    scene.instances.back().world_from_object = glm::mat4(0.5f);
+    scene.instances.back().world_from_object[3][3] = 1.0f;
+    scene.instances[1].world_from_object[3] += glm::vec4(1.5f, 0.0f, 1.5f, 0.0f);
+    for (Instance& instance : scene.instances) instance.world_from_object[3].x += far;
+    EXPECT_LT(refinementsOf(scene)[0].parents.size(), 20'000u) << far;
+  }
+}
+
 TEST(OcclusionRefinement, IsTheSameForAnyNumberOfThreads) {
   const Scene scene = ballOnFloor(5.0f, glm::vec2(1.0f));
   const int threads = threadLimit();

@@ -147,15 +147,6 @@ tl::unexpected<Error> folderForModel(const std::string& folder) {
                                           (is_one ? "the model in it: " : "one of the models in it: ") + join(models));
 }
 
-/// Finite coordinates and transforms may still multiply to what no renderer can hold.
-Result<void> checkExtent(const Scene& scene) {
-  const BoundingSphere bounds = boundingSphere(scene);
-  const float reach = glm::length(bounds.center) + bounds.radius;
-  if (reach <= kLargestRadius) return {};
-  return fail(ErrorCode::bad_file, "reaches " + formatNumber(reach) +
-                                       " units from the origin, more than can be drawn; scale the model down");
-}
-
 /// Whether any of its triangles covers anything.
 bool hasArea(const Scene& scene) {
   return std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& mesh) {
@@ -169,6 +160,14 @@ bool hasArea(const Scene& scene) {
 }  // namespace
 
 std::span<const std::string_view> builtinModelNames() { return builtinNames(); }
+
+Result<void> checkExtent(const Scene& scene) {
+  const BoundingSphere bounds = boundingSphere(scene);
+  const float reach = glm::length(bounds.center) + bounds.radius;
+  if (reach <= kLargestRadius) return {};
+  return fail(ErrorCode::bad_file, "reaches " + formatNumber(reach) +
+                                       " units from the origin, more than can be drawn; scale the model down");
+}
 
 Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions& options) {
   if (const auto index = indexOfName(name_or_path, builtinNames())) return builtinScene(*index);

@@ -19,6 +19,11 @@ namespace mirrorball {
 ///          in it); too_large
 Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions& options = {});
 
+/// Refuses what lies or reaches so far away that shaders cannot tell distances, as loadModel does.
+///
+/// errors   bad_file
+Result<void> checkExtent(const Scene& scene);
+
 /// The name of a file's format, if loadModel would take it: "a glTF", "an OBJ". Nothing if it would not, or there is no
 /// such file.
 std::optional<std::string_view> modelFormatOf(const std::string& path);

@@ -66,6 +66,12 @@ Result<int> Materials::sceneTexture(int index, bool srgb, std::optional<float> g
 }
 
 int Materials::sameImage(int index) {
+  const auto [known, is_new] = same_image_.try_emplace(index, index);
+  if (is_new) known->second = firstOfSameSource(index);
+  return known->second;
+}
+
+int Materials::firstOfSameSource(int index) {
   const Image& image = file_.document.images[std::size_t(index)];
   const auto sourceOf = [&](const std::string& uri) {
     ContentHash data;

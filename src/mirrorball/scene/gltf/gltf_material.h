@@ -45,6 +45,7 @@ class Materials {
   Result<int> sceneTexture(int texture, bool srgb, std::optional<float> glossiness, const std::string& key);
   /// The first image that shows the same picture, as far as that is asked for.
   int sameImage(int image);
+  int firstOfSameSource(int image);
   Result<std::span<const std::uint8_t>> encoded(int image);
 
   const File& file_;
@@ -56,6 +57,7 @@ class Materials {
   std::set<int> without_picture_;       // glTF textures that are left out
   std::vector<Planned> planned_;        // by scene index
   std::map<std::string, int> images_;   // file, data or view → the first image of it
+  std::map<int, int> same_image_;       // of each image that was asked for, sameImage
   std::map<int, Bytes> storage_;        // of the images that lie in the JSON
 };
 

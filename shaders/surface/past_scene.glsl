@@ -78,10 +78,13 @@ vec3 reflectedPastScene(LightPastScene light, Surface s, vec3 direction, vec3 re
   float alpha = alphaFromPerceptualRoughness(s.material.perceptual_roughness);
   float polish = s.material.metallic * (1.0 - smoothstep(0.1, 0.5, s.material.perceptual_roughness));
   vec3 hidden = mix(light.hidden, light.tint * reflected, polish) + radianceOfEmission(light, alpha);
-  // Smooth water and glass, of few large triangles, would show where each corner's few rays end as a star.
+  // Smooth water and glass, of few large triangles, would show where each corner's few rays end as a star: there the
+  // opening's edge is soft.
+  const float kSoftEdge = 0.35;
   Opening opening = light.opening;
   opening.is_hidden_by_one *= 1.0 - s.material.transmission;
-  return mix(hidden, reflected, lobeInOpening(opening, s.normal, direction, alpha));
+  return mix(hidden, reflected,
+             lobeInOpening(opening, s.normal, direction, max(alpha, kSoftEdge * s.material.transmission)));
 }
 
 vec3 shadedPastScene(LightPastScene light, Surface s, vec3 reflected, vec3 transmitted, vec3 on_cloth) {

@@ -11,7 +11,7 @@ namespace mirrorball {
 ///
 /// image    any channels, of numbers that may be averaged (linear light), at least one texel
 /// size     at least 1 × 1 texels
-/// cost     4 ns a sample that is read
+/// cost     3 to 5 ns a sample that is read, on one core
 Image resized(const Image& image, glm::ivec2 size);
 
 }  // namespace mirrorball

@@ -7,11 +7,15 @@
 # the difference of the two medians divided by SAMPLES. Prints it, the processors' time (user + system, which waiting for
 # other programs does not lengthen), and both as multiples of the first technique's. Needs GNU time (Debian's package
 # `time`).
+#
+# SAMPLES is 16, and an eighth of it for what is traced. A GPU, whose frames take less than two starts differ by, needs
+# more: SAMPLES=1000 bench/frame_time.sh …
 set -eu
 # shellcheck source=bench/rounds.sh
 . "$(dirname -- "$0")/rounds.sh"
 program=$(realpath -- "$1")
 runs=$2
+samples_measured=${SAMPLES-16}
 size=${3-1280x720}
 environment=$(realpath -- "${4-studio}" 2>/dev/null || echo studio)
 [ -e "$environment" ] || environment=${4-studio}
@@ -59,7 +63,7 @@ techniques=${*:-mirror proxy_box proxy_sphere proxy_ground ground_mirror ground_
   relief_parallax relief_steep relief_occlusion relief_linear_binary relief_cone relief_exact relief_geometry}
 
 # A software driver needs seconds for what is traced.
-samplesOf() { case $1 in traced*) echo 2 ;; *) echo 16 ;; esac; }
+samplesOf() { case $1 in traced*) echo $(((samples_measured + 7) / 8)) ;; *) echo "$samples_measured" ;; esac; }
 
 tasks=
 for technique in $techniques; do tasks="$tasks $technique.one $technique.more"; done

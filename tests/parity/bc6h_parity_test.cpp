@@ -1,6 +1,6 @@
-/// The decoder of BC6H gives the same bits as the OpenGL driver, for every mode, partition and index.
+/// The decoder of BC6H gives the same numbers as the OpenGL driver, for every mode, partition and index. Drivers differ in
+/// the sign of 0.
 
-#include <bit>
 #include <random>
 #include <string>
 #include <vector>
@@ -54,7 +54,7 @@ std::vector<float> decodedByDriver(const std::vector<std::uint8_t>& blocks, GLen
 
 class Bc6hParity : public ::testing::TestWithParam<bool> {};
 
-TEST_P(Bc6hParity, EveryBitIsTheDrivers) {
+TEST_P(Bc6hParity, EveryNumberIsTheDrivers) {
   MIRRORBALL_NEEDS_GL(context, gl::Api::desktop43);
   const bool is_signed = GetParam();
   const std::vector<std::uint8_t> blocks = blocksOfEveryMode();
@@ -68,9 +68,8 @@ TEST_P(Bc6hParity, EveryBitIsTheDrivers) {
     const std::size_t y = block / kBlocksAcross * 4;
     for (std::size_t i = 0; i < halves.size(); ++i) {
       const float driver = expected[((y + i / 12) * kBlocksAcross * 4 + x) * 3 + i % 12];
-      ASSERT_EQ(std::bit_cast<std::uint32_t>(floatFromHalf(halves[i])), std::bit_cast<std::uint32_t>(driver))
-          << "code " << (bytes[0] & 31) << ", block " << block << ", sample " << i << ": " << floatFromHalf(halves[i])
-          << " instead of " << driver;
+      ASSERT_EQ(floatFromHalf(halves[i]), driver)
+          << "code " << (bytes[0] & 31) << ", block " << block << ", sample " << i;
     }
   }
 }

@@ -90,7 +90,11 @@ void Program::destroy(unsigned name) { glDeleteProgram(name); }
 
 std::optional<BlockLayout> Program::connect(const std::string& block, unsigned point) {
   const GLuint index = glGetUniformBlockIndex(handle_.name(), block.c_str());
-  if (index != GL_INVALID_INDEX) glUniformBlockBinding(handle_.name(), index, point);
+  if (index != GL_INVALID_INDEX) {
+    glUniformBlockBinding(handle_.name(), index, point);
+    // NVIDIA's driver (580.159) goes on with the earlier binding point as long as the program stays in use.
+    glUseProgram(0);
+  }
   return BlockLayout::of(handle_.name(), block);
 }
 

@@ -21,7 +21,9 @@ using ::testing::StartsWith;
 std::optional<std::string_view> findProgramShader(std::string_view name) {
   static const std::map<std::string_view, std::string_view> kTexts = {
       {"screen.vert",
+       "out vec2 written_as_pair;\n"
        "void main() {\n"
+       "  written_as_pair = vec2(1.0);\n"
        "  gl_Position = vec4(float(gl_VertexID % 2) * 4.0 - 1.0,\n"
        "                     float(gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);\n"
        "}\n"},
@@ -45,8 +47,8 @@ std::optional<std::string_view> findProgramShader(std::string_view name) {
       {"late.frag", "#include \"empty.glsl\"\nout vec4 color;\nvoid main() {\n  color = late;\n}\n"},
       {"empty.glsl", "\n\n\n"},
       {"unlinked.frag",
-       "in vec3 never_written;\nout vec4 color;\n"
-       "void main() { color = vec4(never_written, 1.0); }\n"},
+       "in vec3 written_as_pair;\nout vec4 color;\n"
+       "void main() { color = vec4(written_as_pair, 1.0); }\n"},
   };
   const auto found = kTexts.find(name);
   if (found == kTexts.end()) return std::nullopt;
@@ -106,7 +108,7 @@ TEST_P(ProgramTest, SaysWhyItDoesNotLink) {
   const auto program = build("unlinked.frag");
   ASSERT_FALSE(program);
   EXPECT_THAT(program.error().message, HasSubstr("cannot link"));
-  EXPECT_THAT(program.error().message, HasSubstr("never_written"));
+  EXPECT_THAT(program.error().message, HasSubstr("written_as_pair"));
 }
 
 TEST_P(ProgramTest, LoadNamesAMissingEntry) {

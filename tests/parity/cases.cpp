@@ -232,7 +232,7 @@ const Case kCases[] = {
     PARITY(scaledErfc, unit, kTight, vec4(scaledErfc(16.0f * p.x), 0.0f, 0.0f, 0.0f)),
     PARITY(airMass, direction, kTranscendental,
            vec4(airMass(32.0f * r.x, 0.5f * p.w - 0.0625f, 8.0f), 0.0f, 0.0f, 0.0f)),
-    PARITY(ozoneColumn, direction, kTight, vec4(ozoneColumn(32.0f * r.x, p.y), 0.0f, 0.0f, 0.0f)),
+    PARITY(ozoneColumn, direction, kTranscendental, vec4(ozoneColumn(32.0f * r.x, p.y), 0.0f, 0.0f, 0.0f)),
     PARITY(columnsTowardsSun, direction, kTranscendental, vec4(columnsTowardsSun(32.0f * r.x, abs(p.y)), 0.0f)),
     PARITY(sunAboveHorizon, unit, kTight, vec4(sunAboveHorizon(0.0f, 0.015625f * (p.x - 0.5f)), 0.0f, 0.0f, 0.0f)),
     PARITY(moleculePhase, direction, kTight, vec4(moleculePhase(p.y), 0.0f, 0.0f, 0.0f)),

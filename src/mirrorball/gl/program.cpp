@@ -90,11 +90,7 @@ void Program::destroy(unsigned name) { glDeleteProgram(name); }
 
 std::optional<BlockLayout> Program::connect(const std::string& block, unsigned point) {
   const GLuint index = glGetUniformBlockIndex(handle_.name(), block.c_str());
-  if (index != GL_INVALID_INDEX) {
-    glUniformBlockBinding(handle_.name(), index, point);
-    // NVIDIA's driver (580.159) goes on with the earlier binding point as long as the program stays in use.
-    glUseProgram(0);
-  }
+  if (index != GL_INVALID_INDEX) glUniformBlockBinding(handle_.name(), index, point);
   return BlockLayout::of(handle_.name(), block);
 }
 

@@ -1,6 +1,9 @@
 // Contexts without a window, by EGL, on GPUs and on Mesa's software driver.
 
 #include <functional>
+#include <map>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include <dlfcn.h>
@@ -11,6 +14,15 @@
 
 namespace mirrorball::gl {
 namespace {
+
+/// A display that is initialised, for as long as a context on it lives.
+struct Display {
+  EGLDisplay handle;
+  explicit Display(EGLDisplay initialised) : handle(initialised) {}
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+  ~Display() { eglTerminate(handle); }
+};
 
 constexpr const char* kHowToInstall =
     "on Debian install libegl1 libopengl0 libgles2 libgl1-mesa-dri, which draw without a GPU too";
@@ -79,10 +91,19 @@ std::vector<Candidate> findCandidates() {
   return candidates;
 }
 
-/// Initialises a display, which then stays initialised until the process ends: EGL counts a display's initialisations as
-/// one, so that the first eglTerminate would end them all, and NVIDIA's driver (580.159) crashes in shaders that are
-/// compiled after a few rounds of eglTerminate and eglInitialize.
-bool initialise(EGLDisplay handle) { return handle != EGL_NO_DISPLAY && eglInitialize(handle, nullptr, nullptr); }
+/// Initialises a display, or shares it with the contexts that are on it already: EGL counts a
+/// display's initialisations as one, so that the first eglTerminate would end them all.
+std::shared_ptr<Display> initialise(EGLDisplay handle) {
+  static std::mutex mutex;
+  static std::map<EGLDisplay, std::weak_ptr<Display>> known;
+  if (handle == EGL_NO_DISPLAY) return nullptr;
+  const std::lock_guard lock(mutex);
+  if (auto display = known[handle].lock()) return display;
+  if (!eglInitialize(handle, nullptr, nullptr)) return nullptr;
+  auto display = std::make_shared<Display>(handle);
+  known[handle] = display;
+  return display;
+}
 
 bool bindApi(Api api) { return eglBindAPI(api == Api::desktop43 ? EGL_OPENGL_API : EGL_OPENGL_ES_API) == EGL_TRUE; }
 
@@ -119,23 +140,24 @@ std::string describeOldDriver(EGLDisplay display, Api api) {
 
 class EglContext : public PlatformContext {
  public:
-  EglContext(EGLDisplay display, EGLContext context, Api api) : display_(display), context_(context), api_(api) {}
+  EglContext(std::shared_ptr<Display> display, EGLContext context, Api api)
+      : display_(std::move(display)), context_(context), api_(api) {}
 
   ~EglContext() override {
     bindApi(api_);  // eglGetCurrentContext answers for the API that is bound
     if (eglGetCurrentContext() == context_) {
-      eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      eglMakeCurrent(display_->handle, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
-    eglDestroyContext(display_, context_);
+    eglDestroyContext(display_->handle, context_);
   }
 
   bool makeCurrent() override {
     bindApi(api_);
-    return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+    return eglMakeCurrent(display_->handle, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
   }
 
  private:
-  EGLDisplay display_;
+  std::shared_ptr<Display> display_;
   EGLContext context_;
   Api api_;
 };
@@ -154,10 +176,10 @@ Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api api) {
   std::string too_old;
   for (const Candidate& candidate : candidates) {
     tried += (tried.empty() ? "" : ", ") + candidate.name;
-    const EGLDisplay display = candidate.open();
-    if (!initialise(display)) continue;
-    if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") ||
-        !epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
+    std::shared_ptr<Display> display = initialise(candidate.open());
+    if (!display) continue;
+    if (!epoxy_has_egl_extension(display->handle, "EGL_KHR_surfaceless_context") ||
+        !epoxy_has_egl_extension(display->handle, "EGL_KHR_no_config_context")) {
       tried += " (draws only into windows)";
       continue;
     }
@@ -165,12 +187,12 @@ Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api api) {
       tried += std::string(" (without ") + nameOf(api) + ")";
       continue;
     }
-    EGLContext handle = createContext(display, api);
+    EGLContext handle = createContext(display->handle, api);
     if (handle == EGL_NO_CONTEXT) {
-      if (too_old.empty()) too_old = describeOldDriver(display, api);
+      if (too_old.empty()) too_old = describeOldDriver(display->handle, api);
       continue;
     }
-    auto context = std::make_unique<EglContext>(display, handle, api);
+    auto context = std::make_unique<EglContext>(std::move(display), handle, api);
     if (context->makeCurrent()) return context;
     tried += " (context refused)";
   }

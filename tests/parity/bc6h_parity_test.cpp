@@ -1,5 +1,5 @@
-/// The decoder of BC6H gives the same numbers as the OpenGL driver, for every mode, partition and index. Drivers differ in
-/// the sign of 0.
+/// The decoder of BC6H gives the same numbers as the OpenGL driver, for every mode, partition and index. Drivers differ
+/// in the sign of 0.
 
 #include <random>
 #include <string>

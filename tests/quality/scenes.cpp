@@ -190,11 +190,28 @@ Scene coat() {
   return scene;
 }
 
+/// A basin of still water, in which a board, a ball and a lamp at its far side are mirrored.
+Scene basin() {
+  Scene scene;
+  add(scene, ground(3.0f), matt(glm::vec3(0.1f)));
+  Material water = *materialNamed("water");
+  water.dispersion = 0.0f;
+  add(scene, box({0.0f, 0.11f, 0.3f}, {1.4f, 0.1f, 1.0f}), water);
+  add(scene, box({-0.8f, 0.7f, -1.0f}, {0.4f, 0.7f, 0.05f}), matt({0.8f, 0.3f, 0.1f}));
+  add(scene, ball({0.15f, 0.55f, -1.1f}, 0.35f), *materialNamed("gold"));
+  Material lamp = matt(glm::vec3(0.05f));
+  lamp.emission = glm::vec3(1.5f, 1.2f, 0.8f);
+  add(scene, ball({0.9f, 0.9f, -1.1f}, 0.2f), lamp);
+  return scene;
+}
+
 constexpr auto kScenes = std::to_array<SampleScene>({
     {"cloth", "SheenChair, SheenCloth", cloth, "-e studio --camera 35,8", 32.6, 38.3},
     {"bottles", "WaterBottle, IridescentDishWithOlives", bottles, "-e studio --camera 20,15", 27.5, 31.4},
     {"panes", "TransmissionTest, CompareVolume, GlassHurricaneCandleHolder", panes, "-e studio --camera 15,12", 22.7,
      31.9},
+    {"basin", "CompareIor, TransmissionTest", basin, "-e studio --camera 12,14,1.3 --target 0,0.4,-0.2 --fov 40", 23.1,
+     27.0},
     {"lamps", "EmissiveStrengthTest, CompareEmissiveStrength", lamps, "-e studio --camera 25,15", 22.6, 29.1},
     {"room", "VertexColorTest, BoxVertexColors", room, "-e studio --camera 40,25", 18.8, 24.4},
     {"labels", "BoomBox, TextureSettingsTest", labels, "-e studio --camera 30,20", 34.3, 36.3},

@@ -140,6 +140,12 @@ Result<gl::Texture> brdfTexture(const Image& table) {
   return texture;
 }
 
+/// Where the scene's triangles are read: what transmits has its bodies or back faces where others have them.
+int sceneTrianglesUnit(const SurfaceVariant& variant) {
+  return variant.has(Part::transmission, TransmissionPart::none) ? TextureUnit::scene_triangles
+                                                                 : TextureUnit::scene_triangles_of_glass;
+}
+
 /// The parts that include brdf_look_up.glsl.
 bool readsBrdfTable(const SurfaceVariant& variant) {
   return variant.has(Part::material, MaterialPart::core) || variant.has(Part::sky, SkyPart::past_scene_traced) ||
@@ -191,7 +197,7 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
     program.set("heights", TextureUnit::heights);
     program.set("slopes", TextureUnit::slopes);
   }
-  if (variant.has(Part::sky, SkyPart::past_scene_traced)) program.set("scene_triangles", TextureUnit::scene_triangles);
+  if (variant.has(Part::sky, SkyPart::past_scene_traced)) program.set("scene_triangles", sceneTrianglesUnit(variant));
   if (variant.has(Part::sky, SkyPart::over_horizons)) program.set("horizons", TextureUnit::horizons);
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_map", TextureUnit::slopes);
   if (variant.has(Part::point, PointPart::exact)) {
@@ -390,7 +396,7 @@ void SurfacePrograms::bindFrameTextures(const SurfaceVariant& variant, const Sur
   else if (!variant.has(Part::proxy, ProxyPart::none))
     proxy_->bind();
   if (bodies_ && variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
-  if (variant.has(Part::sky, SkyPart::past_scene_traced)) scene_triangles_->bind(TextureUnit::scene_triangles);
+  if (variant.has(Part::sky, SkyPart::past_scene_traced)) scene_triangles_->bind(sceneTrianglesUnit(variant));
   if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
     back_faces_->picture().bind(TextureUnit::back_faces);
   if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))

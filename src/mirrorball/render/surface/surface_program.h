@@ -48,6 +48,7 @@ struct TextureUnit {
   static constexpr int mirror_depths = 7;
   static constexpr int first_of_material = 6;
   static constexpr int opaque_picture = first_of_material + kUnitsBesideScreen;
+  static constexpr int scene_triangles_of_glass = opaque_picture + 1;  ///< which reads its bodies as well
   static constexpr int of_material = gl::Texture::kUnits - first_of_material;
   static constexpr int relief_hits = gl::Texture::kUnits - 5;
   static constexpr int horizons = gl::Texture::kUnits - 4;

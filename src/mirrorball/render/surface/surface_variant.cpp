@@ -158,14 +158,19 @@ bool hasFewSpeckles(const Material& material, const FrameSettings& settings) {
   return settings.samples >= kSamplesOfRough || !is_rough || has_smooth_coat;
 }
 
-/// What vertices know is said of the triangles; relief in them tells of more. What transmits reads its bodies where
-/// others read the scene.
+/// Whether none of the maps lies in the texture unit of the scene's triangles, that of what transmits.
+bool leavesSceneUnit(const std::vector<MapSource>& maps) {
+  return std::none_of(maps.begin(), maps.end(), [](const MapSource& map) { return map.unit > kUnitsBesideScreen; });
+}
+
+/// What vertices know is said of the triangles; relief in them tells of more.
 SkyPart skyPart(const SurfaceVariant& variant, const Material& material, const FrameSettings& settings,
                 const CoordinateChoice& coordinates) {
   if (!variant.has(Part::point, PointPart::raster)) return SkyPart::over_horizons;
   if (settings.occlusion == OcclusionKind::none) return SkyPart::open;
   const bool is_traced = settings.self_reflection && reflectsAtFragment(settings, coordinates) &&
-                         variant.has(Part::transmission, TransmissionPart::none) && hasFewSpeckles(material, settings);
+                         (variant.has(Part::transmission, TransmissionPart::none) || leavesSceneUnit(variant.maps)) &&
+                         hasFewSpeckles(material, settings);
   return is_traced ? SkyPart::past_scene_traced : SkyPart::past_scene;
 }
 

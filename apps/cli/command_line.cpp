@@ -112,6 +112,9 @@ Error unexpectedArgument(const Command& command, const std::string& argument) {
   if (!name.starts_with('-'))
     return {ErrorCode::usage,
             "'" + argument + "' was not expected; " + hintForWord(command, argument).value_or("see " + help)};
+  const auto is_meant = [&](const CommandOption& option) { return name == "--" + std::string(option.text.name); };
+  if (std::ranges::any_of(command.options, is_meant))
+    return {ErrorCode::usage, "'" + name + "' stands after --, where all words are inputs; put options before it"};
   std::string message = "there is no option " + name;
   if (const auto hint = hintForOption(command, name)) message += "; " + *hint;
   return {ErrorCode::usage, message + " (" + help + " lists them)"};

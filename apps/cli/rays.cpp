@@ -16,7 +16,7 @@ Result<bool> sceneHidesItself(const Scene& scene) { return hidesItself(scene); }
 
 Result<void> findSceneOcclusion(Scene& scene, const FrameSettings& look, const std::optional<CacheFolder>& cache) {
   return findOcclusionOnce(scene,
-                           {.finds_looks = look.self_reflection, .refines = look.reflect_at == ReflectAt::fragment},
+                           {.finds_materials = look.self_reflection, .refines = look.reflect_at == ReflectAt::fragment},
                            cache, progressBar("occlusion"));
 }
 

@@ -2,8 +2,8 @@
 // has two more parts, which the last words of its texels 1 and 2 give the first texels of:
 //   of a triangle  one texel: the numbers of its corners, the first with its highest bit set where what their backs
 //                  know follows each of them; the texel of its holes, or 0
-//   of a vertex    three texels of half floats: hidden, open, shown, metallic; base colour, roughness, emission, 0;
-//                  lit_from, 0, emitted, 0
+//   of a vertex    three texels of half floats: occluded, open, interreflected, metallic; base colour, roughness,
+//                  emission, 0; lit_from, 0, emitted, 0
 // and further on, for some triangles, their holes: a texel with the number of rows of their cells, and then a bit for
 // each cell, 1 where it is cut away.
 // Needs: triangle_tree.
@@ -13,8 +13,8 @@ const int kTexelsOfVertex = 3;
 struct SceneSurface {
   vec3 normal;            // unit, outwards, interpolated
   vec3 geometric_normal;  // unit, of the triangle
-  vec4 hidden;            // and the share that is open, as VertexOcclusion has them, of the side that is met
-  vec3 shown;
+  vec4 occluded;            // and the share that is open, as VertexOcclusion has them, of the side that is met
+  vec3 interreflected;
   vec3 lit_from;
   vec3 emitted;
   float metallic;
@@ -56,8 +56,8 @@ FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit, vec3 directio
   corners.x &= 0x7FFFFFFFu;
   int side = is_back && knows_backs ? 1 : 0;
   int first = int(fetchWords(tree, 2).w);
-  vec4 hidden = vec4(0.0f);
-  vec4 shown = vec4(0.0f);
+  vec4 occluded = vec4(0.0f);
+  vec4 interreflected = vec4(0.0f);
   vec4 color = vec4(0.0f);
   vec4 emission = vec4(0.0f);
   vec4 lit_from = vec4(0.0f);
@@ -68,8 +68,8 @@ FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit, vec3 directio
                           : (i == 1 ? hit.barycentric.x : hit.barycentric.y);
     uvec4 occlusion = fetchWords(tree, first + vertex * kTexelsOfVertex);
     uvec4 look = fetchWords(tree, first + vertex * kTexelsOfVertex + 1);
-    hidden += weight * halvesOf(occlusion.x, occlusion.y);
-    shown += weight * halvesOf(occlusion.z, occlusion.w);
+    occluded += weight * halvesOf(occlusion.x, occlusion.y);
+    interreflected += weight * halvesOf(occlusion.z, occlusion.w);
     color += weight * halvesOf(look.x, look.y);
     emission += weight * halvesOf(look.z, look.w);
     uvec4 light = fetchWords(tree, first + vertex * kTexelsOfVertex + 2);
@@ -77,8 +77,8 @@ FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit, vec3 directio
     emitted += weight * halvesOf(light.z, light.w);
   }
   float known = is_back && !knows_backs ? 0.0f : 1.0f;
-  hidden = vec4(known * vec3(hidden), mix(1.0f, hidden.w, known));
-  return MAKE(SceneSurface)(surface.normal, surface.geometric_normal, hidden, known * vec3(shown),
-                            known * vec3(lit_from), known * vec3(emitted), shown.w, vec3(color), color.w,
+  occluded = vec4(known * vec3(occluded), mix(1.0f, occluded.w, known));
+  return MAKE(SceneSurface)(surface.normal, surface.geometric_normal, occluded, known * vec3(interreflected),
+                            known * vec3(lit_from), known * vec3(emitted), interreflected.w, vec3(color), color.w,
                             vec3(emission));
 }

@@ -4,12 +4,12 @@
 
 // The part of the hemisphere that is open, as a cone (ambient aperture lighting: Oat & Sander 2007).
 struct Opening {
-  vec3 axis;               // unit: the mean direction of the light of an even sky, the bent normal (Landis 2002)
-  float angle;             // half of its aperture [rad]
-  vec3 hidden_axis;        // of what hides the rest, as a cone likewise
-  float hidden_angle;      // half of its aperture [rad]
-  float likeness;          // of the directions that are hidden: 1 where they are as much alike as those of a cone
-  float is_hidden_by_one;  // 1: what hides lies together, and is less than what is open; 0: it lies all around
+  vec3 axis;                 // unit: the mean direction of the light of an even sky, the bent normal (Landis 2002)
+  float angle;               // half of its aperture [rad]
+  vec3 occluded_axis;        // of what hides the rest, as a cone likewise
+  float occluded_angle;      // half of its aperture [rad]
+  float likeness;            // of the occluded directions: 1 where they are as much alike as those of a cone
+  float is_occluded_by_one;  // 1: what hides lies together, and is less than what is open; 0: it lies all around
 };
 
 // A cone of half the aperture b, all above the surface, whose axis is tilted by t, lets through the share sin² b cos t
@@ -18,22 +18,22 @@ struct Opening {
 //
 // What hides is known by the same two numbers. It lies together, as a knob beside a place does, if its directions are
 // as much alike as those of a cone of its share, whose mean is as long as (1 + cos b) / 2.
-//   n        unit
-//   hidden   the mean of the directions that are hidden, those that are open counting as 0
-//   open     share of the irradiance, in [0, 1]
-FN Opening openingOf(vec3 n, vec3 hidden, float open) {
-  vec3 mean = (2.0f / 3.0f) * n - hidden;
+//   n          unit
+//   occluded   the mean of the occluded directions, those that are open counting as 0
+//   open       share of the irradiance, in [0, 1]
+FN Opening openingOf(vec3 n, vec3 occluded, float open) {
+  vec3 mean = (2.0f / 3.0f) * n - occluded;
   vec3 axis = dot(mean, mean) > 1e-6f ? normalize(mean) : n;
   float squared_sine = clamp(open / max(dot(axis, n), 0.05f), 0.0f, 1.0f);
-  float length_of_hidden = length(hidden);
-  vec3 hidden_axis = length_of_hidden > 1e-3f ? hidden / length_of_hidden : n;
+  float length_of_occluded = length(occluded);
+  vec3 occluded_axis = length_of_occluded > 1e-3f ? occluded / length_of_occluded : n;
   float share = 1.0f - open;
-  float hidden_squared_sine = clamp(share / max(dot(hidden_axis, n), 0.2f), 0.0f, 1.0f);
-  float hidden_cosine = sqrt(1.0f - hidden_squared_sine);
-  float likeness = length_of_hidden / max(share * (0.5f + 0.5f * hidden_cosine), 1e-3f);
-  float is_hidden_by_one = smoothstep(0.8f, 0.95f, likeness) * (1.0f - smoothstep(0.3f, 0.6f, share));
-  return MAKE(Opening)(axis, atan(sqrt(squared_sine), sqrt(1.0f - squared_sine)), hidden_axis,
-                       atan(sqrt(hidden_squared_sine), hidden_cosine), likeness, is_hidden_by_one);
+  float occluded_squared_sine = clamp(share / max(dot(occluded_axis, n), 0.2f), 0.0f, 1.0f);
+  float occluded_cosine = sqrt(1.0f - occluded_squared_sine);
+  float likeness = length_of_occluded / max(share * (0.5f + 0.5f * occluded_cosine), 1e-3f);
+  float is_occluded_by_one = smoothstep(0.8f, 0.95f, likeness) * (1.0f - smoothstep(0.3f, 0.6f, share));
+  return MAKE(Opening)(axis, atan(sqrt(squared_sine), sqrt(1.0f - squared_sine)), occluded_axis,
+                       atan(sqrt(occluded_squared_sine), occluded_cosine), likeness, is_occluded_by_one);
 }
 
 // Of unit vectors; also exact where they are nearly the same, unlike the inverse of the cosine.
@@ -47,8 +47,8 @@ FN float lobeInOpening(Opening opening, vec3 n, vec3 direction, float alpha) {
   float above = 0.5f * kPi - angleBetween(direction, n);
   float inside = opening.angle - angleBetween(direction, opening.axis);
   float open = clamp(smoothstep(-width, width, inside) / max(smoothstep(-width, width, above), 1e-3f), 0.0f, 1.0f);
-  float behind = opening.hidden_angle - angleBetween(direction, opening.hidden_axis);
-  return mix(open, 1.0f - smoothstep(-width, width, behind), opening.is_hidden_by_one);
+  float behind = opening.occluded_angle - angleBetween(direction, opening.occluded_axis);
+  return mix(open, 1.0f - smoothstep(-width, width, behind), opening.is_occluded_by_one);
 }
 
 // The roughness of a GGX lobe along the normal that has half of its weight within the same angle as an even light in a
@@ -67,13 +67,13 @@ FN vec3 lightThroughOpening(vec3 of_lobe, vec3 on_surface, float open) {
 // a sun it may take more than there is: what is left is half of what comes through the opening, at least.
 //   on_surface   where nothing is hidden
 //   through      the opening
-FN vec3 lightBesideHidden(vec3 on_surface, vec3 of_hidden_lobe, vec3 through, float open) {
-  return max(on_surface - (1.0f - open) * of_hidden_lobe, 0.5f * through);
+FN vec3 lightBesideOccluded(vec3 on_surface, vec3 of_occluded_lobe, vec3 through, float open) {
+  return max(on_surface - (1.0f - open) * of_occluded_lobe, 0.5f * through);
 }
 
 // How much the latter counts beside the former. It is nearer where what hides lies together and most is open: on a wall
 // that stands on a floor the light comes from its front, where the opening's axis does not point. The bounds are those
 // that were nearest to paths in twenty scenes (docs/techniques/objects.md).
-FN float shareBesideHidden(Opening opening, float open) {
+FN float shareBesideOccluded(Opening opening, float open) {
   return smoothstep(0.3f, 0.65f, open) * smoothstep(0.7f, 0.95f, opening.likeness);
 }

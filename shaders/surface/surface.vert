@@ -10,8 +10,8 @@ layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 uv_0;
 layout(location = 4) in vec2 uv_1;
 layout(location = 5) in vec4 color;
-layout(location = 6) in vec4 hidden;
-layout(location = 7) in vec3 shown;
+layout(location = 6) in vec4 occluded;
+layout(location = 7) in vec3 interreflected;
 layout(location = 8) in vec3 lit_from;
 layout(location = 9) in vec3 emitted;
 
@@ -23,8 +23,8 @@ out vec4 world_tangent;
 out vec2 texture_uv_0;
 out vec2 texture_uv_1;
 out vec4 vertex_color;
-out vec4 vertex_hidden;
-out vec3 vertex_shown;
+out vec4 vertex_occluded;
+out vec3 vertex_interreflected;
 out vec3 vertex_lit_from;
 out vec3 vertex_emitted;
 out vec4 vertex_look_up;
@@ -42,8 +42,8 @@ void main() {
   texture_uv_0 = uv_0;
   texture_uv_1 = uv_1;
   vertex_color = color;
-  vertex_hidden = hidden;
-  vertex_shown = shown;
+  vertex_occluded = occluded;
+  vertex_interreflected = interreflected;
   vertex_lit_from = lit_from;
   vertex_emitted = emitted;
   // What is interpolated are the coordinates of each corner: not those of the interpolated normal.

@@ -211,6 +211,10 @@ TEST_F(BadOptionTest, AWrongParameterOfTheSkyIsToldToo) {
   EXPECT_THAT(refuse(2, "info white:elevation=3"), HasSubstr("takes no parameters"));
 }
 
+TEST_F(BadOptionTest, AnOptionAfterTheEndOfOptionsIsToldToStandBefore) {
+  EXPECT_THAT(refuse(2, "render -- sphere --size 8x8 -o a.png"), HasSubstr("stands after --"));
+}
+
 TEST_F(BadOptionTest, ALightMayBeRepeatedEightTimes) {
   std::string words;
   for (int light = 0; light < 8; ++light) words += " --light 0,0,5,1,1,1";

@@ -229,9 +229,9 @@ TEST(Height, AMeanOfSlopesKeepsTheShareThatIsTold) {
 // The lobe of a hider in front of a sun holds more than arrives: what is left is not black, nor of another colour.
 TEST(SelfOcclusion, ASunBehindAHiderTakesNotAllTheLight) {
   const glm::vec3 on_surface(1.0f, 1.0f, 1.2f), through(0.3f, 0.4f, 0.6f);
-  const glm::vec3 in_front_of_sun = lightBesideHidden(on_surface, glm::vec3(9.0f, 8.0f, 7.0f), through, 0.7f);
+  const glm::vec3 in_front_of_sun = lightBesideOccluded(on_surface, glm::vec3(9.0f, 8.0f, 7.0f), through, 0.7f);
   EXPECT_NEAR(glm::distance(in_front_of_sun, 0.5f * through), 0.0f, 1e-6f);
-  const glm::vec3 in_even_light = lightBesideHidden(on_surface, glm::vec3(1.0f), through, 0.7f);
+  const glm::vec3 in_even_light = lightBesideOccluded(on_surface, glm::vec3(1.0f), through, 0.7f);
   EXPECT_NEAR(glm::distance(in_even_light, on_surface - 0.3f), 0.0f, 1e-6f);
 }
 

@@ -62,7 +62,7 @@ Result<Scene> helmetLikeLoad() {
 
 Result<Scene> showcaseThatSeesItself() {
   MIRRORBALL_TRY(scene, loadModel("showcase"));
-  MIRRORBALL_TRY_VOID(findOcclusionOnce(scene, {.rays = 16, .finds_looks = true}, {}));
+  MIRRORBALL_TRY_VOID(findOcclusionOnce(scene, {.rays = 16, .finds_materials = true}, {}));
   return scene;
 }
 

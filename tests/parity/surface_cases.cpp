@@ -294,18 +294,18 @@ const Case kSurfaceCases[] = {
     // self_occlusion
     PARITY(openingOf, direction, kTranscendental,
            vec4(openingOf(vec3(p), 0.25f * vec3(q), r.x).axis, openingOf(vec3(p), 0.25f * vec3(q), r.x).angle) +
-               vec4(openingOf(vec3(p), 0.25f * vec3(q), r.x).hidden_axis,
-                    openingOf(vec3(p), 0.25f * vec3(q), r.x).hidden_angle +
+               vec4(openingOf(vec3(p), 0.25f * vec3(q), r.x).occluded_axis,
+                    openingOf(vec3(p), 0.25f * vec3(q), r.x).occluded_angle +
                         openingOf(vec3(p), 0.25f * vec3(q), r.x).likeness +
-                        openingOf(vec3(p), 0.25f * vec3(q), r.x).is_hidden_by_one)),
+                        openingOf(vec3(p), 0.25f * vec3(q), r.x).is_occluded_by_one)),
     PARITY(angleBetween, direction, kTranscendental, vec4(angleBetween(vec3(p), vec3(q)))),
     PARITY(lobeInOpening, direction, kTranscendental,
            vec4(lobeInOpening(Opening(vec3(p), 1.5f * r.x, vec3(q), 0.6f, 1.0f, r.y), vec3(p), vec3(q), r.y))),
     PARITY(roughnessOfCone, unit, kTranscendental, vec4(roughnessOfCone(1.5f * p.x))),
     PARITY(lightThroughOpening, unit, kTight, vec4(lightThroughOpening(vec3(p), vec3(q), r.x), 0.0f)),
-    PARITY(lightBesideHidden, unit, kTight, vec4(lightBesideHidden(vec3(p), vec3(q), 0.5f * vec3(q), r.x), 0.0f)),
-    PARITY(shareBesideHidden, unit, kTight,
-           vec4(shareBesideHidden(Opening(vec3(p), 1.5f, vec3(q), 0.6f, p.y, 0.0f), p.x))),
+    PARITY(lightBesideOccluded, unit, kTight, vec4(lightBesideOccluded(vec3(p), vec3(q), 0.5f * vec3(q), r.x), 0.0f)),
+    PARITY(shareBesideOccluded, unit, kTight,
+           vec4(shareBesideOccluded(Opening(vec3(p), 1.5f, vec3(q), 0.6f, p.y, 0.0f), p.x))),
 
     // shading
     PARITY(hasConductorIndex, direction, kExact,
@@ -423,7 +423,7 @@ const Case kSurfaceCases[] = {
     PARITY(
         sceneSurfaceAt, unit, kTight,
         vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
-                 .shown,
+                 .interreflected,
              1.0f) +
             vec4(sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
                          .lit_from +
@@ -432,7 +432,7 @@ const Case kSurfaceCases[] = {
                          .emitted,
                  1.0f) +
             sceneSurfaceAt(SmallTree(1.0f), TriangleHit(1.0f, int(1.9375f * p.x), vec2(q.x, q.y)), vec3(r) - 0.51f)
-                .hidden),
+                .occluded),
 
     // triangle_tree
     PARITY(leafOf, unit, kExact, vec4(float(leafOf(int(1000.0f * p.x), 1 + int(7.0f * p.y))), 0.0f, 0.0f, 0.0f)),

@@ -22,7 +22,7 @@ std::vector<const TextureSlot*> slotsOf(const Material& m, const SceneOcclusionS
   std::vector<const TextureSlot*> slots{&m.base_color_map,     &m.metallic_map,     &m.specular_map,
                                         &m.specular_color_map, &m.transmission_map, &m.emission_map};
   if (m.iridescence > 0.0f) slots.insert(slots.end(), {&m.iridescence_map, &m.iridescence_thickness_map});
-  if (settings.finds_looks) slots.push_back(&m.roughness_map);
+  if (settings.finds_materials) slots.push_back(&m.roughness_map);
   return slots;
 }
 
@@ -69,7 +69,7 @@ std::size_t verticesOf(const Scene& scene) {
   return vertices;
 }
 
-static_assert(sizeof(VertexOcclusion) == 13 * sizeof(float) && sizeof(VertexLook) == 8 * sizeof(float));
+static_assert(sizeof(VertexOcclusion) == 13 * sizeof(float) && sizeof(VertexMaterial) == 8 * sizeof(float));
 
 /// What a file holds.
 struct Known {
@@ -80,7 +80,7 @@ struct Known {
   struct OfInstance {
     std::array<std::uint64_t, 1> sides{};
     std::vector<VertexOcclusion> occlusion;
-    std::vector<VertexLook> looks;
+    std::vector<VertexMaterial> vertex_materials;
   };
   std::vector<OfMesh> meshes;
   std::vector<OfInstance> instances;
@@ -124,7 +124,7 @@ bool isOfMesh(const MeshRefinement& refinement, std::size_t vertices) {
 }
 
 /// What a file holds; nothing: it is none of such a scene.
-std::optional<Known> readKnown(const CachedContent& content, bool has_looks, const Scene& scene) {
+std::optional<Known> readKnown(const CachedContent& content, bool has_materials, const Scene& scene) {
   if (!checkMemory(content.size)) return {};
   KnownReader reader(content);
   Known known{.meshes = std::vector<Known::OfMesh>(scene.meshes.size()),
@@ -143,14 +143,14 @@ std::optional<Known> readKnown(const CachedContent& content, bool has_looks, con
     if (!reader.read(std::span<std::uint64_t>(of_instance.sides)) || of_instance.sides[0] > 2 ||
         (of_instance.sides[0] == 0 && vertices > 0) ||
         !reader.read(of_instance.occlusion, of_instance.sides[0] * vertices) ||
-        !reader.read(of_instance.looks, has_looks ? vertices : 0))
+        !reader.read(of_instance.vertex_materials, has_materials ? vertices : 0))
       return {};
   }
   if (reader.left() != 0) return {};
   return known;
 }
 
-Result<void> write(const FileWriter& file, bool has_looks, const Scene& scene,
+Result<void> write(const FileWriter& file, bool has_materials, const Scene& scene,
                    std::span<const MeshRefinement> refinements) {
   std::uint64_t offset = 0;
   Result<void> written;
@@ -168,7 +168,7 @@ Result<void> write(const FileWriter& file, bool has_looks, const Scene& scene,
     add(std::array<std::uint64_t, 1>{instance.occlusion.size() /
                                      std::max<std::size_t>(verticesOf(scene, instance), 1)});
     add(instance.occlusion);
-    if (has_looks) add(instance.looks);
+    if (has_materials) add(instance.vertex_materials);
   }
   return written;
 }
@@ -183,7 +183,7 @@ bool OcclusionCache::isWorthAFile(const Scene& scene, const SceneOcclusionSettin
 std::string OcclusionCache::keyOf(const Scene& scene, const SceneOcclusionSettings& settings) {
   ContentHash hash(kVersion);
   hash.add(settings.rays);
-  hash.add(settings.finds_looks);
+  hash.add(settings.finds_materials);
   hash.add(settings.refines);
   hash.add(scene.instances.size());
   for (const Instance& instance : scene.instances) {
@@ -212,22 +212,22 @@ std::string OcclusionCache::keyOf(const Scene& scene, const SceneOcclusionSettin
   return hash.digits();
 }
 
-bool OcclusionCache::find(const std::string& key, bool has_looks, Scene& scene) const {
+bool OcclusionCache::find(const std::string& key, bool has_materials, Scene& scene) const {
   auto known = folder_.find(key, CachedKind::occlusion,
-                            [&](const CachedContent& content) { return readKnown(content, has_looks, scene); });
+                            [&](const CachedContent& content) { return readKnown(content, has_materials, scene); });
   if (!known) return false;
   for (std::size_t i = 0; i < known->meshes.size(); ++i) refine(scene.meshes[i], known->meshes[i].refinement);
   for (std::size_t i = 0; i < known->instances.size(); ++i) {
     scene.instances[i].occlusion = std::move(known->instances[i].occlusion);
-    scene.instances[i].looks = std::move(known->instances[i].looks);
+    scene.instances[i].vertex_materials = std::move(known->instances[i].vertex_materials);
   }
   return true;
 }
 
-void OcclusionCache::keep(const std::string& key, bool has_looks, const Scene& scene,
+void OcclusionCache::keep(const std::string& key, bool has_materials, const Scene& scene,
                           std::span<const MeshRefinement> refinements) const {
   folder_.keep(key, CachedKind::occlusion,
-               [&](const FileWriter& file) { return write(file, has_looks, scene, refinements); });
+               [&](const FileWriter& file) { return write(file, has_materials, scene, refinements); });
 }
 
 namespace {
@@ -251,7 +251,7 @@ Result<void> findOrRead(Scene& scene, const SceneOcclusionSettings& settings, co
   // A few large triangles may become many.
   bool is_kept = cache && cache->maxBytes() > 0 && (settings.refines || OcclusionCache::isWorthAFile(scene, settings));
   const std::string key = is_kept ? OcclusionCache::keyOf(scene, settings) : std::string();
-  if (is_kept && OcclusionCache(*cache).find(key, settings.finds_looks, scene)) return {};
+  if (is_kept && OcclusionCache(*cache).find(key, settings.finds_materials, scene)) return {};
   MIRRORBALL_TRY(geometry, Geometry::make(scene));
   std::vector<MeshRefinement> refinements(scene.meshes.size());
   if (settings.refines) {
@@ -260,7 +260,7 @@ Result<void> findOrRead(Scene& scene, const SceneOcclusionSettings& settings, co
   }
   MIRRORBALL_TRY_VOID(findOcclusion(scene, geometry, settings, progress));
   is_kept = is_kept && OcclusionCache::isWorthAFile(scene, settings);
-  if (is_kept) OcclusionCache(*cache).keep(key, settings.finds_looks, scene, refinements);
+  if (is_kept) OcclusionCache(*cache).keep(key, settings.finds_materials, scene, refinements);
   return {};
 }
 
@@ -269,7 +269,7 @@ Result<void> findOrRead(Scene& scene, const SceneOcclusionSettings& settings, co
 Result<void> findOcclusionOnce(Scene& scene, const SceneOcclusionSettings& settings,
                                const std::optional<CacheFolder>& cache, const ProgressFunction& progress) {
   MIRRORBALL_TRY_VOID(findOrRead(scene, settings, cache, progress));
-  if (settings.finds_looks) findHoles(scene);
+  if (settings.finds_materials) findHoles(scene);
   return {};
 }
 

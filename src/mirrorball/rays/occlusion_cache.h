@@ -35,12 +35,13 @@ class OcclusionCache {
   /// cost     one pass over them, on all cores for the textures
   static std::string keyOf(const Scene& scene, const SceneOcclusionSettings& settings);
 
-  /// Cuts the scene's meshes, and sets Instance::occlusion, and with `has_looks` Instance::looks, of all instances.
+  /// Cuts the scene's meshes, and sets Instance::occlusion, and with `has_materials` Instance::vertex_materials, of all
+  /// instances.
   ///
   /// returns  false: there is none, or it is damaged; then the scene is as before
-  bool find(const std::string& key, bool has_looks, Scene& scene) const;
+  bool find(const std::string& key, bool has_materials, Scene& scene) const;
   /// refinements   how the scene's meshes have been cut; one for each
-  void keep(const std::string& key, bool has_looks, const Scene& scene,
+  void keep(const std::string& key, bool has_materials, const Scene& scene,
             std::span<const MeshRefinement> refinements) const;
 
  private:

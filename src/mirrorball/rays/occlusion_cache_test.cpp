@@ -65,7 +65,7 @@ Scene twoBalls() {
   return scene;
 }
 
-constexpr SceneOcclusionSettings kSettings{.rays = 80, .finds_looks = true};
+constexpr SceneOcclusionSettings kSettings{.rays = 80, .finds_materials = true};
 
 Scene found(Scene scene, const SceneOcclusionSettings& settings, const std::optional<CacheFolder>& cache = {}) {
   EXPECT_TRUE(findOcclusionOnce(scene, settings, cache));
@@ -78,20 +78,21 @@ std::string bitsOf(const Scene& scene) {
   for (const Instance& instance : scene.instances) {
     bits.append(reinterpret_cast<const char*>(instance.occlusion.data()),
                 instance.occlusion.size() * sizeof(VertexOcclusion));
-    bits.append(reinterpret_cast<const char*>(instance.looks.data()), instance.looks.size() * sizeof(VertexLook));
+    bits.append(reinterpret_cast<const char*>(instance.vertex_materials.data()),
+                instance.vertex_materials.size() * sizeof(VertexMaterial));
   }
   return bits;
 }
 
 TEST_F(OcclusionCacheTest, IsFoundAgainBitForBit) {
-  for (const bool finds_looks : {true, false}) {
-    const SceneOcclusionSettings settings{.rays = 80, .finds_looks = finds_looks};
+  for (const bool finds_materials : {true, false}) {
+    const SceneOcclusionSettings settings{.rays = 80, .finds_materials = finds_materials};
     const std::string made = bitsOf(found(twoBalls(), settings));
     EXPECT_TRUE(bitsOf(found(twoBalls(), settings, cache_)) == made);
     Scene again = twoBalls();
-    EXPECT_TRUE(OcclusionCache(*cache_).find(OcclusionCache::keyOf(again, settings), finds_looks, again));
+    EXPECT_TRUE(OcclusionCache(*cache_).find(OcclusionCache::keyOf(again, settings), finds_materials, again));
     EXPECT_TRUE(bitsOf(again) == made);
-    EXPECT_EQ(again.instances[1].looks.empty(), !finds_looks);
+    EXPECT_EQ(again.instances[1].vertex_materials.empty(), !finds_materials);
   }
   EXPECT_EQ(files().size(), 2u);
 }
@@ -148,7 +149,7 @@ using Change = std::function<void(Scene&, SceneOcclusionSettings&)>;
 TEST_F(OcclusionCacheTest, AnotherKeyForAllThatItReads) {
   const std::pair<const char*, Change> changes[] = {
       {"rays", [](Scene&, auto& settings) { settings.rays = 81; }},
-      {"looks", [](Scene&, auto& settings) { settings.finds_looks = false; }},
+      {"materials", [](Scene&, auto& settings) { settings.finds_materials = false; }},
       {"position", [](Scene& scene, auto&) { scene.meshes[0].vertices[40].position.x += 0.01f; }},
       {"normal",
        [](Scene& scene, auto&) {
@@ -181,8 +182,8 @@ TEST_F(OcclusionCacheTest, AnotherKeyForAllThatItReads) {
 // Also of textures that are added to what is read later on.
 TEST_F(OcclusionCacheTest, AnotherKeyForEachMapThatItReads) {
   std::size_t that_count = 0;
-  for (const bool finds_looks : {true, false}) {
-    const SceneOcclusionSettings settings{.rays = 80, .finds_looks = finds_looks};
+  for (const bool finds_materials : {true, false}) {
+    const SceneOcclusionSettings settings{.rays = 80, .finds_materials = finds_materials};
     const std::string key = OcclusionCache::keyOf(twoBalls(), settings);
     const std::string bits = bitsOf(found(twoBalls(), settings));
     std::set<std::string> keys{key};
@@ -192,7 +193,7 @@ TEST_F(OcclusionCacheTest, AnotherKeyForEachMapThatItReads) {
       const std::string key_with = OcclusionCache::keyOf(scene, settings);
       const bool counts = bitsOf(found(scene, settings)) != bits;
       that_count += counts ? 1u : 0u;
-      EXPECT_EQ(key_with != key, counts) << map.name << (finds_looks ? " with looks" : "");
+      EXPECT_EQ(key_with != key, counts) << map.name << (finds_materials ? " with materials" : "");
       if (!counts) continue;
       EXPECT_TRUE(keys.insert(key_with).second) << map.name << ": the key of the same texture as another map";
       const std::pair<const char*, std::function<void(Scene&)>> changes[] = {
@@ -212,7 +213,7 @@ TEST_F(OcclusionCacheTest, AnotherKeyForEachMapThatItReads) {
       }
     }
   }
-  EXPECT_EQ(that_count, 9u + 8u) << "with looks, and without";
+  EXPECT_EQ(that_count, 9u + 8u) << "with materials, and without";
 }
 
 // Also of numbers that are added.
@@ -280,8 +281,8 @@ TEST(OcclusionCacheVersion, GoesUpWithOtherValues) {
   std::vector<float> values;
   for (const std::size_t vertex : {140u, 165u, 190u}) {
     const VertexOcclusion& occlusion = scene.instances[0].occlusion[vertex];
-    values.insert(values.end(),
-                  {occlusion.hidden.x, occlusion.open, occlusion.shown.y, occlusion.lit_from.x, occlusion.emitted.z});
+    values.insert(values.end(), {occlusion.occluded.x, occlusion.open, occlusion.interreflected.y, occlusion.lit_from.x,
+                                 occlusion.emitted.z});
   }
   EXPECT_EQ(OcclusionCache::kVersion, 4u);
   EXPECT_THAT(values, ::testing::Pointwise(::testing::FloatNear(1e-3f),

@@ -18,7 +18,7 @@
 #include "mirrorball/rays/hiding.h"
 #include "mirrorball/rays/seen_from.h"
 #include "mirrorball/rays/surface_point.h"
-#include "mirrorball/rays/vertex_looks.h"
+#include "mirrorball/rays/vertex_materials.h"
 #include "mirrorball/rays/vertex_places.h"
 
 namespace mirrorball {
@@ -59,9 +59,9 @@ float brightestOf(const std::vector<glm::vec3>& lights) {
 
 /// Adds what is known of one vertex, so many times, to a sum.
 void addTo(VertexOcclusion& sum, const VertexOcclusion& each, float times) {
-  sum.hidden += times * each.hidden;
+  sum.occluded += times * each.occluded;
   sum.open += times * each.open;
-  sum.shown += times * each.shown;
+  sum.interreflected += times * each.interreflected;
   sum.lit_from += times * each.lit_from;
   sum.emitted += times * each.emitted;
 }
@@ -96,7 +96,7 @@ class Finder {
 
   Result<void> trace(const ProgressFunction& progress);
   void findAlbedos();
-  void findLooks() { looks_ = looksOfVertices(scene_, places_, world_from_normal_); }
+  void findMaterials() { materials_ = materialsOfVertices(scene_, places_, world_from_normal_); }
   void followReflections();
   void smooth();
   void give(Scene& scene) const;
@@ -123,7 +123,7 @@ class Finder {
   std::vector<glm::vec3> albedos_;             // of the triangles that hide something
   std::vector<VertexOcclusion> found_;         // of each vertex
   std::vector<glm::vec3> emitted_;             // likewise, without reflections
-  std::vector<VertexLook> looks_;              // likewise, if they are asked for
+  std::vector<VertexMaterial> materials_;      // likewise, if they are asked for
 };
 
 Hider Finder::hiderAt(const Hit& hit, glm::vec3 direction) const {
@@ -209,18 +209,18 @@ void Finder::traceVertex(std::size_t vertex) {
       continue;
     }
     hiders_[vertex * rays_ + ray] = hiderAt(*hit, direction);
-    found.hidden += direction;
+    found.occluded += direction;
     found.emitted += emittedTowards(normal, direction, *hit);
   }
   found.emitted += emittedTo(vertex);
-  found.hidden /= static_cast<float>(rays_);
+  found.occluded /= static_cast<float>(rays_);
   found.open = static_cast<float>(open) / static_cast<float>(rays_);
 }
 
 Result<void> Finder::trace(const ProgressFunction& progress) {
   // Beside the rays what is found of vertices, here and in the scene, and of triangles.
-  const std::size_t of_vertex = rays_ * sizeof(Hider) + 7 * sizeof(VertexOcclusion) + 2 * sizeof(VertexLook);
-  const std::size_t of_triangle = sizeof(VertexLook) + sizeof(glm::vec3);
+  const std::size_t of_vertex = rays_ * sizeof(Hider) + 7 * sizeof(VertexOcclusion) + 2 * sizeof(VertexMaterial);
+  const std::size_t of_triangle = sizeof(VertexMaterial) + sizeof(glm::vec3);
   MIRRORBALL_TRY_VOID(withName("the rays of the model's vertices",
                                checkMemory(places_.size() * of_vertex + first_triangle_.back() * of_triangle)));
   hiders_.resize(places_.size() * rays_);
@@ -260,22 +260,22 @@ struct Finder::Lit {
 /// What a vertex gets with one reflection more.
 Finder::Lit Finder::litOnceMore(std::size_t vertex, const std::vector<Lit>& lit) {
   VertexOcclusion& found = found_[vertex];
-  glm::vec3 shown(0.0f), lit_from(0.0f), emitted(0.0f);
+  glm::vec3 interreflected(0.0f), lit_from(0.0f), emitted(0.0f);
   for (std::size_t ray = vertex * rays_; ray < (vertex + 1) * rays_; ++ray) {
     const Hider& hider = hiders_[ray];
     if (hider.vertex == kOpen) continue;
     const glm::vec3 albedo = albedos_[hider.triangle];
     const Lit& there = lit[hider.vertex];
-    shown += albedo * there.by_sky;
+    interreflected += albedo * there.by_sky;
     lit_from += formula::luminance(albedo * there.by_sky) / formula::luminance(there.by_sky + 1e-6f) * there.lit_from;
     emitted += albedo * there.by_emission;
   }
   const auto rays = static_cast<float>(rays_);
-  found.shown = shown / rays;
+  found.interreflected = interreflected / rays;
   found.lit_from = lit_from / rays;
   found.emitted = emitted_[vertex] + emitted / rays;
-  const glm::vec3 axis = formula::openingOf(places_.normal(vertex), found.hidden, found.open).axis;
-  return {found.open + found.shown, found.open * axis + found.lit_from, found.emitted};
+  const glm::vec3 axis = formula::openingOf(places_.normal(vertex), found.occluded, found.open).axis;
+  return {found.open + found.interreflected, found.open * axis + found.lit_from, found.emitted};
 }
 
 /// From light that is all there, each step counts one reflection more; so white light in a white scene stays.
@@ -345,9 +345,9 @@ void Finder::give(Scene& scene) const {
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     Instance& instance = scene.instances[i];
     const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
-    instance.looks.resize(looks_.empty() ? 0 : vertices);
-    for (std::size_t v = 0; v < instance.looks.size(); ++v)
-      instance.looks[v] = looks_[places_.vertexOf(i, static_cast<std::uint32_t>(v))];
+    instance.vertex_materials.resize(materials_.empty() ? 0 : vertices);
+    for (std::size_t v = 0; v < instance.vertex_materials.size(); ++v)
+      instance.vertex_materials[v] = materials_[places_.vertexOf(i, static_cast<std::uint32_t>(v))];
     giveSides(i, instance);
   }
 }
@@ -389,7 +389,7 @@ Result<void> findOcclusion(Scene& scene, const Geometry& geometry, const SceneOc
   finder.findAlbedos();
   finder.followReflections();
   finder.smooth();
-  if (settings.finds_looks) finder.findLooks();
+  if (settings.finds_materials) finder.findMaterials();
   finder.give(scene);
   return {};
 }

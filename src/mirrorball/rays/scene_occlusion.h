@@ -10,8 +10,8 @@
 namespace mirrorball {
 
 struct SceneOcclusionSettings {
-  int rays = 0;              ///< from each vertex, at most 4096; 0: as many as make some million in all, from 8 to 256
-  bool finds_looks = false;  ///< Instance::looks too
+  int rays = 0;  ///< from each vertex, at most 4096; 0: as many as make some million in all, from 8 to 256
+  bool finds_materials = false;  ///< Instance::vertex_materials too
   /// Meshes are cut first where their triangles are too large to tell (occlusionRefinements). Only findOcclusionOnce
   /// does so.
   bool refines = false;

@@ -79,7 +79,7 @@ TEST(SceneOcclusion, ABallHidesItsFormFactorFromAPlane) {
     EXPECT_NEAR(scene.instances[0].occlusion[i].open, 1.0f - hidden, 0.012f) << i;
     // What is hidden is towards the ball.
     if (hidden < 0.1f) continue;
-    EXPECT_GT(glm::dot(glm::normalize(scene.instances[0].occlusion[i].hidden), way / distance), 0.97f) << i;
+    EXPECT_GT(glm::dot(glm::normalize(scene.instances[0].occlusion[i].occluded), way / distance), 0.97f) << i;
   }
 }
 
@@ -103,7 +103,7 @@ TEST(SceneOcclusion, ABackSeesItsOwnSide) {
       const VertexOcclusion& below = occlusion[is_clockwise ? i : vertices.size() + i];
       EXPECT_NEAR(below.open, 1.0f - hidden, 0.015f) << i;
       if (hidden < 0.1f) continue;
-      EXPECT_GT(glm::dot(glm::normalize(below.hidden), way / distance), 0.97f) << i;
+      EXPECT_GT(glm::dot(glm::normalize(below.occluded), way / distance), 0.97f) << i;
     }
   }
 }
@@ -128,7 +128,7 @@ TEST(SceneOcclusion, ASheetLetsNoLightThrough) {
   scene.instances.push_back({.mesh = 1, .world_from_object = glm::translate(glm::mat4(1.0f), glm::vec3(0, 0.1f, 0))});
   scene = withOcclusion(std::move(scene), 64);
   const std::size_t middle = scene.meshes[0].vertices.size() / 2;
-  EXPECT_LT(scene.instances[0].occlusion[middle].shown.x, 0.02f);
+  EXPECT_LT(scene.instances[0].occlusion[middle].interreflected.x, 0.02f);
 }
 
 // All of the inside of a hollow ball sees the same share of its opening, and each light is the same at all places
@@ -148,10 +148,10 @@ TEST(SceneOcclusion, ABowlsInsideSeesItsOpeningAndItself) {
       ++inside;
       open += occlusion.open;
       EXPECT_NEAR(occlusion.open, kBowlOpenShare, 0.07f) << i;
-      EXPECT_NEAR(occlusion.shown.x, light - kBowlOpenShare, 0.07f) << i;
+      EXPECT_NEAR(occlusion.interreflected.x, light - kBowlOpenShare, 0.07f) << i;
     } else if (glm::dot(vertex.position, vertex.normal) > 0.9f) {  // outside
       EXPECT_EQ(occlusion.open, 1.0f) << i;
-      EXPECT_EQ(occlusion.hidden, glm::vec3(0.0f)) << i;
+      EXPECT_EQ(occlusion.occluded, glm::vec3(0.0f)) << i;
     }
   }
   ASSERT_GT(inside, 1000u);
@@ -272,8 +272,8 @@ TEST(SceneOcclusion, WhatIsShownIsLitFromWhereItIsOpen) {
   scene = withOcclusion(std::move(scene), 256);
   std::size_t compared = 0;
   for (const VertexOcclusion& occlusion : scene.instances[0].occlusion) {
-    EXPECT_LE(glm::length(occlusion.lit_from), occlusion.shown.y * 1.001f + 1e-6f);
-    if (occlusion.shown.y < 0.05f) continue;
+    EXPECT_LE(glm::length(occlusion.lit_from), occlusion.interreflected.y * 1.001f + 1e-6f);
+    if (occlusion.interreflected.y < 0.05f) continue;
     ++compared;
     const glm::vec3 from = glm::normalize(occlusion.lit_from);
     EXPECT_GT(from.z, 0.5f);
@@ -311,7 +311,7 @@ TEST(SceneOcclusion, AWhiteSceneIsWhiteUnderAWhiteSky) {
   bowl.materials[0].base_color = glm::vec3(1.0f);
   bowl = withOcclusion(std::move(bowl), 16);
   for (const VertexOcclusion& occlusion : bowl.instances[0].occlusion)
-    EXPECT_NEAR(occlusion.open + occlusion.shown.x, 1.0f, 1e-5f);
+    EXPECT_NEAR(occlusion.open + occlusion.interreflected.x, 1.0f, 1e-5f);
 }
 
 TEST(SceneOcclusion, GlassAndWhatIsCutAwayHideNothing) {
@@ -372,8 +372,8 @@ TEST(SceneOcclusion, TakesMeshesThatAreNotSound) {
   const Scene scene = withOcclusion(sceneOf(std::move(mesh), shining), 64);
   for (const VertexOcclusion& occlusion : scene.instances[0].occlusion) {
     EXPECT_EQ(occlusion.open, 1.0f);
-    EXPECT_EQ(occlusion.hidden, glm::vec3(0.0f));
-    EXPECT_EQ(occlusion.shown, glm::vec3(0.0f));
+    EXPECT_EQ(occlusion.occluded, glm::vec3(0.0f));
+    EXPECT_EQ(occlusion.interreflected, glm::vec3(0.0f));
     EXPECT_EQ(occlusion.lit_from, glm::vec3(0.0f));
     EXPECT_EQ(occlusion.emitted, glm::vec3(0.0f));
   }
@@ -404,14 +404,14 @@ TEST(SceneOcclusion, LooksAreWhatTexturesHoldAroundAVertex) {
   scene.materials[0].emission = glm::vec3(3.0f);
   const auto geometry = Geometry::make(scene);
   ASSERT_TRUE(geometry);
-  ASSERT_TRUE(findOcclusion(scene, *geometry, {.rays = 1, .finds_looks = true}));
-  ASSERT_THAT(scene.instances[0].looks, SizeIs(scene.meshes[0].vertices.size()));
+  ASSERT_TRUE(findOcclusion(scene, *geometry, {.rays = 1, .finds_materials = true}));
+  ASSERT_THAT(scene.instances[0].vertex_materials, SizeIs(scene.meshes[0].vertices.size()));
   for (std::size_t v = 0; v < scene.meshes[0].vertices.size(); ++v) {
-    const VertexLook& look = scene.instances[0].looks[v];
+    const VertexMaterial& material = scene.instances[0].vertex_materials[v];
     const float x = scene.meshes[0].vertices[v].position.x;
     const float expected = x < -0.1f ? 0.0f : (x > 0.1f ? 0.5f : 0.25f);
-    EXPECT_NEAR(look.base_color.x, expected, x > -0.1f && x < 0.1f ? 0.13f : 0.01f) << x;
-    EXPECT_EQ(look.emission, glm::vec3(3.0f));
+    EXPECT_NEAR(material.base_color.x, expected, x > -0.1f && x < 0.1f ? 0.13f : 0.01f) << x;
+    EXPECT_EQ(material.emission, glm::vec3(3.0f));
   }
 }
 

@@ -53,18 +53,18 @@ PlacedTriangle placedTriangle(const Mesh& mesh, const Instance& instance, std::s
 glm::vec4 seenFrom(const Scene& scene, const Geometry& geometry, const PlacedTriangle& placed, glm::vec3 weights) {
   const Frame frame(placed.normalAt(weights));
   const glm::vec3 origin = formula::besideSurface(placed.at(weights), 0.0f, placed.geometric_normal);
-  glm::vec3 hidden(0.0f);
+  glm::vec3 occluded(0.0f);
   int open = 0;
   for (int ray = 0; ray < kRays; ++ray) {
     const glm::vec2 even = formula::evenPoint(glm::vec2(0.0f), static_cast<float>(ray));
     const glm::vec3 direction =
         raisedAbove(placed.geometric_normal, frame.toWorld(formula::sampleDiffuse({even.y, even.x})));
     if (hidingHit(scene, geometry, origin, direction, mixed(0u, static_cast<std::uint32_t>(ray))))
-      hidden += direction;
+      occluded += direction;
     else
       ++open;
   }
-  return glm::vec4(hidden, static_cast<float>(open)) / static_cast<float>(kRays);
+  return glm::vec4(occluded, static_cast<float>(open)) / static_cast<float>(kRays);
 }
 
 bool showsBacks(const Scene& scene, const Geometry& geometry, const Instance& instance) {

@@ -32,7 +32,7 @@ PlacedTriangle placedTriangle(const Mesh& mesh, const Instance& instance, std::s
 /// what differs is the place.
 ///
 /// weights   of the triangle's corners, at most places none of which is 0: at edges, folds are seen from neither side
-/// returns   the mean of the hidden directions, those that are open counting as 0; the open share
+/// returns   the mean of the occluded directions, those that are open counting as 0; the open share
 glm::vec4 seenFrom(const Scene& scene, const Geometry& geometry, const PlacedTriangle& placed, glm::vec3 weights);
 
 /// Whether the backs of an instance's triangles are drawn and may be seen: those of a closed body are not. Of at most

@@ -34,7 +34,7 @@ Scene checkeredSquare() {
   scene.materials[0].base_color_map.texture = 0;
   scene.materials[0].alpha_mode = AlphaMode::mask;
   scene.instances[0].occlusion.resize(4);
-  scene.instances[0].looks.resize(4);
+  scene.instances[0].vertex_materials.resize(4);
   return scene;
 }
 

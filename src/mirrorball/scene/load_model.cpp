@@ -28,8 +28,15 @@
 namespace mirrorball {
 namespace {
 
-// Beyond it squares of distances overflow in a shader's floats.
+// Beyond them squares of distances overflow in a shader's floats, or are 0.
 constexpr float kLargestRadius = 1e15f;
+constexpr float kLeastRadius = 1e-15f;
+
+/// Whether a model is so far from the origin that the steps between floats are seen.
+bool isFarAway(const BoundingSphere& bounds) {
+  constexpr float kRadiiAway = 2e4f;
+  return glm::length(bounds.center) > kRadiiAway * bounds.radius;
+}
 
 Material doubleSided() {
   Material material;
@@ -164,6 +171,9 @@ std::span<const std::string_view> builtinModelNames() { return builtinNames(); }
 Result<void> checkExtent(const Scene& scene) {
   const BoundingSphere bounds = boundingSphere(scene);
   const float reach = glm::length(bounds.center) + bounds.radius;
+  if (bounds.radius > 0.0f && bounds.radius < kLeastRadius)
+    return fail(ErrorCode::bad_file, "has a radius of " + formatNumber(bounds.radius) +
+                                         " units, less than can be drawn; scale the model up");
   if (reach <= kLargestRadius) return {};
   return fail(ErrorCode::bad_file, "reaches " + formatNumber(reach) +
                                        " units from the origin, more than can be drawn; scale the model down");
@@ -183,6 +193,10 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
     MIRRORBALL_TRY_VOID(withName(name_or_path, checkExtent(scene)));
     if (!hasArea(scene))
       scene.warnings.push_back(name_or_path + ": none of its triangles has an area; nothing is seen");
+    else if (isFarAway(boundingSphere(scene)))
+      scene.warnings.push_back(name_or_path +
+                               ": lies so far from the origin that its numbers are coarse, and its picture may be "
+                               "blurred or doubled; move the model to the origin");
     return scene;
   }
   if (isImage(begin) || isImageSet(begin))

@@ -94,6 +94,25 @@ TEST(LoadModel, TheFilesNameStandsInFrontOfAnErrorOnce) {
   }
 }
 
+TEST(LoadModel, SaysWhereNumbersAreTooCoarseAndRefusesWhatIsTooSmall) {
+  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "placed.obj";
+  const auto loaded = [&](const std::string& x, const std::string& size) {
+    const std::string text = "v " + x + " 0 0\nv " + x + " " + size + " 0\nv " + x + " 0 " + size + "\nf 1 2 3\n";
+    EXPECT_TRUE(writeFile(file, Bytes(text.begin(), text.end())));
+    return loadModel(file.string());
+  };
+  const auto far = loaded("1e6", "1");
+  ASSERT_TRUE(far) << far.error().message;
+  EXPECT_THAT(far->warnings, ::testing::ElementsAre(HasSubstr("move the model to the origin")));
+  const auto near = loaded("1e3", "1");
+  ASSERT_TRUE(near) << near.error().message;
+  EXPECT_THAT(near->warnings, ::testing::IsEmpty());
+  const auto tiny = loaded("0", "1e-18");
+  ASSERT_FALSE(tiny);
+  EXPECT_THAT(tiny.error().message, HasSubstr("scale the model up"));
+  EXPECT_TRUE(loaded("0", "1e-12"));
+}
+
 TEST(LoadModel, LoadsRealFiles) {
   struct Expected {
     const char* file;

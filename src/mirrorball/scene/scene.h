@@ -31,17 +31,18 @@ struct Texture {
 /// What the scene hides of the environment from a vertex, and what it shows there instead: each weighted by the cosine
 /// to the vertex's normal. The GPU reads it as it is.
 struct VertexOcclusion {
-  glm::vec3 hidden{0.0f};  ///< world: the mean of the directions that are hidden, those that are open counting as 0
-  float open = 1.0f;       ///< the share of an even sky's irradiance that arrives
-  glm::vec3 shown{0.0f};   ///< what the scene sends instead under that sky: red, green, blue; with `open` at most 1
+  glm::vec3 occluded{0.0f};  ///< world: the mean of the occluded directions, those that are open counting as 0
+  float open = 1.0f;         ///< the share of an even sky's irradiance that arrives
+  glm::vec3 interreflected{
+      0.0f};  ///< what the scene sends instead under that sky: red, green, blue; with `open` at most 1
   /// World: the mean direction in which the surfaces that send it are open, weighted by their part of its luminance; no
   /// longer than that.
   glm::vec3 lit_from{0.0f};
   glm::vec3 emitted{0.0f};  ///< what arrives of the scene's own emission, with its reflections: irradiance over π
 };
 
-/// What a vertex looks like to reflections of the scene in itself: its material, with what textures hold around it.
-struct VertexLook {
+/// The material at a vertex, for reflections of the scene in itself: its own, with what textures hold around it.
+struct VertexMaterial {
   glm::vec3 base_color{0.8f};
   float metallic = 0.0f;
   glm::vec3 emission{0.0f};
@@ -61,8 +62,8 @@ struct Instance {
   /// Of the mesh's vertices, as their triangles are seen counter-clockwise; then, if they show something, of their
   /// backs. Empty: not known (rays/scene_occlusion.h).
   std::vector<VertexOcclusion> occlusion = {};
-  std::vector<VertexLook> looks = {};     ///< of the mesh's vertices; empty: not known
-  std::vector<TriangleHoles> holes = {};  ///< of its triangles; empty: none, or not known (findHoles)
+  std::vector<VertexMaterial> vertex_materials = {};  ///< of the mesh's vertices; empty: not known
+  std::vector<TriangleHoles> holes = {};              ///< of its triangles; empty: none, or not known (findHoles)
 };
 
 /// A ball that encloses everything; what "model radii" on the command line means.

@@ -27,7 +27,7 @@ class SelfOcclusion : public testing::HeadlessTest {
  protected:
   static Image drawn(Scene scene, const Environment& environment, const FrameSettings& frame, bool refines = true) {
     const auto draw = [&]() -> Result<Image> {
-      MIRRORBALL_TRY_VOID(findOcclusionOnce(scene, {.rays = 24, .finds_looks = true, .refines = refines}, {}));
+      MIRRORBALL_TRY_VOID(findOcclusionOnce(scene, {.rays = 24, .finds_materials = true, .refines = refines}, {}));
       MIRRORBALL_TRY(prepared, testing::prepareOnce(environment));
       MIRRORBALL_TRY(renderer, testing::rendererOf(std::move(scene), environment, prepared));
       return renderer.renderRadiance(frame);

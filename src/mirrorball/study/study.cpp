@@ -193,7 +193,7 @@ Result<void> prepareLook(const Technique& technique, Scene& scene, FrameSettings
   fillIn(technique.quality, traits, given, frame);
   if (frame.occlusion == OcclusionKind::none) return {};
   return findOcclusionOnce(
-      scene, {.finds_looks = frame.self_reflection, .refines = frame.reflect_at == ReflectAt::fragment}, {});
+      scene, {.finds_materials = frame.self_reflection, .refines = frame.reflect_at == ReflectAt::fragment}, {});
 }
 
 Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {

@@ -242,7 +242,11 @@ Result<Recognition> recognize(int width, int height, const Metadata& metadata, c
     return fail(ErrorCode::bad_shape, "is a BRDF table, no map; `mirrorball info` tells what it holds");
   if (isLobeRows(metadata))
     return fail(ErrorCode::bad_shape, "is a table of lobe rows, no map; `mirrorball info` tells what it holds");
-  MIRRORBALL_TRY(stated, hintOfMetadata(metadata));
+  const auto stated_form = hintOfMetadata(metadata);
+  // Nobody has typed what is wrong here.
+  if (!stated_form)
+    return fail(ErrorCode::bad_file, "its own metadata is wrong: " + stated_form.error().message, Remedy::name_form);
+  const FormHint& stated = *stated_form;
   if (stated.layout == CubeLayout::faces)
     return fail(ErrorCode::bad_shape,
                 "is one face of a cube; the names of all six must end in _px _nx _py _ny _pz _nz, or as "

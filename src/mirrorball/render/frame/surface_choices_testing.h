@@ -136,12 +136,12 @@ inline const std::vector<SurfaceChoice>& surfaceChoices() {
                [](Case& asked) { makeGlass(asked, RefractionKind::image_space); }),
       choiceOf(P::transmission, TransmissionPart::traced, "refraction traced", false,
                [](Case& asked) { makeGlass(asked, RefractionKind::traced); }),
-      choiceOf(P::sky, SkyPart::past_scene, "occlusion", true,
+      choiceOf(P::sky, SkyPart::occluded, "occlusion", true,
                [](Case& asked) {
                  asked.is_in_scene = true;
                  asked.settings.occlusion = OcclusionKind::vertex;
                }),
-      choiceOf(P::sky, SkyPart::past_scene_traced, "self-reflection", true,
+      choiceOf(P::sky, SkyPart::occluded_traced, "self-reflection", true,
                [](Case& asked) {
                  asked.is_in_scene = true;
                  asked.settings.occlusion = OcclusionKind::vertex;
@@ -213,7 +213,7 @@ inline Scene sceneOfCase(const SurfaceCase& asked) {
   if (asked.is_in_scene) {
     const std::size_t vertices = scene.meshes[0].vertices.size();
     scene.instances[0].occlusion.resize(vertices);
-    scene.instances[0].looks.resize(vertices);
+    scene.instances[0].vertex_materials.resize(vertices);
   }
   return scene;
 }
@@ -233,11 +233,11 @@ inline SurfaceVariant variantOfCase(const SurfaceCase& asked) {
                                           settings.lights.size(), coordinates);
   if (is_inside) variant.choose(Part::material, MaterialPart::from_inside);
   const bool reads_probe = settings.probes > 0 && !coordinates.is_sphere_map && !seen.unlit &&
-                           !variant.has(Part::sky, SkyPart::past_scene_traced);
+                           !variant.has(Part::sky, SkyPart::occluded_traced);
   if (reads_probe) {
     variant.choose(Part::proxy, ProxyPart::captured);
     variant.choose(Part::arriving_light, ArrivingLightPart::distant);
-    if (variant.has(Part::sky, SkyPart::past_scene)) variant.choose(Part::sky, SkyPart::open);
+    if (variant.has(Part::sky, SkyPart::occluded)) variant.choose(Part::sky, SkyPart::open);
   }
   return variant;
 }

@@ -30,12 +30,12 @@ constexpr std::array<gl::Attribute, 6> kAttributes{{
 }};
 
 constexpr std::array<gl::Attribute, 4> kOcclusionAttributes{{
-    {6, 4, offsetof(VertexOcclusion, hidden)},  // and `open` after it
-    {7, 3, offsetof(VertexOcclusion, shown)},
+    {6, 4, offsetof(VertexOcclusion, occluded)},  // and `open` after it
+    {7, 3, offsetof(VertexOcclusion, interreflected)},
     {8, 3, offsetof(VertexOcclusion, lit_from)},
     {9, 3, offsetof(VertexOcclusion, emitted)},
 }};
-static_assert(offsetof(VertexOcclusion, open) == offsetof(VertexOcclusion, hidden) + sizeof(glm::vec3));
+static_assert(offsetof(VertexOcclusion, open) == offsetof(VertexOcclusion, occluded) + sizeof(glm::vec3));
 
 gl::Sampling::Wrap samplingWrap(Wrap wrap) {
   switch (wrap) {

@@ -84,7 +84,7 @@ int materialOf(const Scene& scene, int instance) {
 void readProbe(SurfaceVariant& variant, const SurfaceLight& probe) {
   variant.choose(Part::proxy, probe.nearness ? ProxyPart::captured : ProxyPart::none);
   variant.choose(Part::arriving_light, ArrivingLightPart::distant);
-  if (variant.has(Part::sky, SkyPart::past_scene)) variant.choose(Part::sky, SkyPart::open);
+  if (variant.has(Part::sky, SkyPart::occluded)) variant.choose(Part::sky, SkyPart::open);
 }
 
 /// As shaders/surface/transmission_traced.glsl reads them.
@@ -148,7 +148,7 @@ int sceneTrianglesUnit(const SurfaceVariant& variant) {
 
 /// The parts that include brdf_look_up.glsl.
 bool readsBrdfTable(const SurfaceVariant& variant) {
-  return variant.has(Part::material, MaterialPart::core) || variant.has(Part::sky, SkyPart::past_scene_traced) ||
+  return variant.has(Part::material, MaterialPart::core) || variant.has(Part::sky, SkyPart::occluded_traced) ||
          variant.has(Part::look_up, LookUpPart::lobe_row) || variant.has(Part::look_up, LookUpPart::pieces);
 }
 
@@ -197,7 +197,7 @@ void SurfacePrograms::connect(gl::Program& program, const SurfaceVariant& varian
     program.set("heights", TextureUnit::heights);
     program.set("slopes", TextureUnit::slopes);
   }
-  if (variant.has(Part::sky, SkyPart::past_scene_traced)) program.set("scene_triangles", sceneTrianglesUnit(variant));
+  if (variant.has(Part::sky, SkyPart::occluded_traced)) program.set("scene_triangles", sceneTrianglesUnit(variant));
   if (variant.has(Part::sky, SkyPart::over_horizons)) program.set("horizons", TextureUnit::horizons);
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_map", TextureUnit::slopes);
   if (variant.has(Part::point, PointPart::exact)) {
@@ -298,7 +298,7 @@ void SurfacePrograms::setLights(const EnvironmentLight& light, const FrameUnifor
 
 int SurfacePrograms::lightRead(const SurfaceVariant& variant, int instance) const {
   // Rays meet the other objects themselves.
-  if (light_of_instance_.empty() || variant.has(Part::sky, SkyPart::past_scene_traced)) return 0;
+  if (light_of_instance_.empty() || variant.has(Part::sky, SkyPart::occluded_traced)) return 0;
   return light_of_instance_[std::size_t(instance)] + 1;
 }
 
@@ -376,7 +376,7 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
 bool SurfacePrograms::isCostly(const Scene& scene, int instance, const SceneBuffers& buffers,
                                const FrameSettings& settings) const {
   const SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
-  const bool is_traced = variant.has(Part::sky, SkyPart::past_scene_traced) ||
+  const bool is_traced = variant.has(Part::sky, SkyPart::occluded_traced) ||
                          variant.has(Part::transmission, TransmissionPart::image_space) ||
                          variant.has(Part::transmission, TransmissionPart::traced);
   return is_traced && variant.has(Part::point, PointPart::raster) && variant.has(Part::alpha, AlphaPart::opaque);
@@ -396,7 +396,7 @@ void SurfacePrograms::bindFrameTextures(const SurfaceVariant& variant, const Sur
   else if (!variant.has(Part::proxy, ProxyPart::none))
     proxy_->bind();
   if (bodies_ && variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
-  if (variant.has(Part::sky, SkyPart::past_scene_traced)) scene_triangles_->bind(sceneTrianglesUnit(variant));
+  if (variant.has(Part::sky, SkyPart::occluded_traced)) scene_triangles_->bind(sceneTrianglesUnit(variant));
   if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
     back_faces_->picture().bind(TextureUnit::back_faces);
   if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))
@@ -416,7 +416,7 @@ void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffe
     program.set("height_form", glm::vec2(heights->slope_unit, settings.relief_steps));
   }
   if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_unit", buffers.slopesOf(scene, material)->unit);
-  if (variant.has(Part::sky, SkyPart::past_scene_traced))
+  if (variant.has(Part::sky, SkyPart::occluded_traced))
     program.set("unseen_by_itself", unseen_by_itself_[std::size_t(instance)]);
   frame_->bind(frame_point);
   const int light = lightRead(variant, instance);
@@ -426,7 +426,7 @@ void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffe
   materialBlock(scene, material).bind(material_point);
   program.use();
   const int mesh = scene.instances[std::size_t(instance)].mesh;
-  if (variant.has(Part::sky, SkyPart::past_scene) || variant.has(Part::sky, SkyPart::past_scene_traced))
+  if (variant.has(Part::sky, SkyPart::occluded) || variant.has(Part::sky, SkyPart::occluded_traced))
     return buffers.drawMeshWithOcclusion(scene, instance);
   if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(mesh);
   glDisable(GL_CULL_FACE);

@@ -37,8 +37,8 @@ constexpr auto kBehind = std::to_array<Names>({"behind_light.glsl", "behind_scre
 constexpr auto kTransmission =
     std::to_array<Names>({"transmission_none.glsl", "transmission_single.glsl", "transmission_thin.glsl",
                           "transmission_image_space.glsl", "transmission_traced.glsl"});
-constexpr auto kSky = std::to_array<Names>(
-    {"sky_open.glsl", "sky_over_horizons.glsl", "sky_past_scene.glsl", "sky_past_scene_traced.glsl"});
+constexpr auto kSky =
+    std::to_array<Names>({"sky_open.glsl", "sky_over_horizons.glsl", "sky_occluded.glsl", "sky_occluded_traced.glsl"});
 constexpr auto kLamps = std::to_array<Names>({"lamps_none.glsl", "lamps_listed.glsl"});
 constexpr auto kCoat = std::to_array<Names>({"coat_none.glsl", "coat_clear.glsl", "coat_clear_mapped.glsl"});
 constexpr auto kAlpha = std::to_array<Names>({"alpha_opaque.glsl", "alpha_mask.glsl", "alpha_blend.glsl"});
@@ -152,7 +152,7 @@ bool reflectsAtFragment(const FrameSettings& settings, const CoordinateChoice& c
 /// others. A coat has its own.
 bool hasFewSpeckles(const Material& material, const FrameSettings& settings) {
   constexpr int kSamplesOfRough = 16;
-  constexpr float kSmooth = 0.3f;  // sky_past_scene_traced.glsl has no rays from there on
+  constexpr float kSmooth = 0.3f;  // sky_occluded_traced.glsl has no rays from there on
   const bool is_rough = material.perceptual_roughness >= kSmooth && material.roughness_map.texture < 0;
   const bool has_smooth_coat = material.clearcoat > 0.0f && material.clearcoat_roughness < kSmooth;
   return settings.samples >= kSamplesOfRough || !is_rough || has_smooth_coat;
@@ -171,7 +171,7 @@ SkyPart skyPart(const SurfaceVariant& variant, const Material& material, const F
   const bool is_traced = settings.self_reflection && reflectsAtFragment(settings, coordinates) &&
                          (variant.has(Part::transmission, TransmissionPart::none) || leavesSceneUnit(variant.maps)) &&
                          hasFewSpeckles(material, settings);
-  return is_traced ? SkyPart::past_scene_traced : SkyPart::past_scene;
+  return is_traced ? SkyPart::occluded_traced : SkyPart::occluded;
 }
 
 LookUpPart lookUpPart(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {

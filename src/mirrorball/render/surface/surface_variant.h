@@ -71,7 +71,7 @@ enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched, piece
 enum class DispersionPart : std::uint8_t { channels, spectral };
 enum class BehindPart : std::uint8_t { light, screen };
 enum class TransmissionPart : std::uint8_t { none, single, thin, image_space, traced };
-enum class SkyPart : std::uint8_t { open, over_horizons, past_scene, past_scene_traced };
+enum class SkyPart : std::uint8_t { open, over_horizons, occluded, occluded_traced };
 enum class LampsPart : std::uint8_t { none, listed };
 enum class CoatPart : std::uint8_t { none, clear, clear_mapped };
 enum class AlphaPart : std::uint8_t { opaque, mask, blend };

@@ -214,12 +214,13 @@ std::uint32_t halves(float a, float b) {
   return glm::packHalf2x16(glm::clamp(glm::vec2(a, b), glm::vec2(-65504.0f), glm::vec2(65504.0f)));
 }
 
-void writeLook(const VertexOcclusion& occlusion, const VertexLook& look, std::vector<Texel>& words) {
-  const auto& [hidden, open, shown, lit_from, emitted] = occlusion;
-  words.emplace_back(halves(hidden.x, hidden.y), halves(hidden.z, open), halves(shown.x, shown.y),
-                     halves(shown.z, look.metallic));
-  words.emplace_back(halves(look.base_color.x, look.base_color.y), halves(look.base_color.z, look.perceptual_roughness),
-                     halves(look.emission.x, look.emission.y), halves(look.emission.z, 0.0f));
+void writeVertex(const VertexOcclusion& occlusion, const VertexMaterial& material, std::vector<Texel>& words) {
+  const auto& [occluded, open, interreflected, lit_from, emitted] = occlusion;
+  words.emplace_back(halves(occluded.x, occluded.y), halves(occluded.z, open),
+                     halves(interreflected.x, interreflected.y), halves(interreflected.z, material.metallic));
+  words.emplace_back(halves(material.base_color.x, material.base_color.y),
+                     halves(material.base_color.z, material.perceptual_roughness),
+                     halves(material.emission.x, material.emission.y), halves(material.emission.z, 0.0f));
   words.emplace_back(halves(lit_from.x, lit_from.y), halves(lit_from.z, 0.0f), halves(emitted.x, emitted.y),
                      halves(emitted.z, 0.0f));
 }
@@ -246,18 +247,20 @@ Result<std::optional<BodyTree>> sceneTree(const Scene& scene) {
   const IsWanted is_wanted = [](const Scene& of, std::size_t instance) {
     const Material& material = materialOf(of, instance);
     return material.transmission <= 0.0f && material.alpha_mode != AlphaMode::blend &&
-           !of.instances[instance].looks.empty();
+           !of.instances[instance].vertex_materials.empty();
   };
   MIRRORBALL_TRY(sorted, sortedTriangles(scene, "the triangles that reflections show", is_wanted, true));
   if (!sorted) return std::optional<BodyTree>();
   std::vector<Texel>& words = sorted->tree.words;
   const auto sidesOf = [&](std::size_t instance) { return knowsBacks(scene, instance) ? 2u : 1u; };
-  // Three texels for each side of a vertex of all instances with looks, and where those of an instance begin.
+  // Three texels for each side of a vertex of all instances whose materials are known, and where those of an instance
+  // begin.
   std::vector<std::uint32_t> first_vertex;
   std::uint32_t vertices = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     first_vertex.push_back(vertices);
-    if (is_wanted(scene, i)) vertices += sidesOf(i) * static_cast<std::uint32_t>(scene.instances[i].looks.size());
+    if (is_wanted(scene, i))
+      vertices += sidesOf(i) * static_cast<std::uint32_t>(scene.instances[i].vertex_materials.size());
   }
   words[1].w = static_cast<std::uint32_t>(words.size());
   words[2].w = static_cast<std::uint32_t>(words.size() + sorted->triangles.size());
@@ -272,9 +275,10 @@ Result<std::optional<BodyTree>> sceneTree(const Scene& scene) {
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (!is_wanted(scene, i)) continue;
-    for (std::size_t v = 0; v < instance.looks.size(); ++v)
+    for (std::size_t v = 0; v < instance.vertex_materials.size(); ++v)
       for (std::size_t side = 0; side < sidesOf(i); ++side)
-        writeLook(instance.occlusion[side * instance.looks.size() + v], instance.looks[v], words);
+        writeVertex(instance.occlusion[side * instance.vertex_materials.size() + v], instance.vertex_materials[v],
+                    words);
   }
   for (std::size_t i = 0; i < sorted->triangles.size(); ++i) {
     const PlacedTriangle& triangle = sorted->triangles[i];

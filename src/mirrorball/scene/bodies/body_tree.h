@@ -32,8 +32,9 @@ Result<std::optional<BodyTree>> bodyTree(const Scene& scene);
 /// The same of the triangles of all instances, whatever they are made of.
 Result<std::optional<BodyTree>> triangleTree(const Scene& scene);
 
-/// The same of the instances that are not seen through and whose looks are known (Instance::occlusion, looks), with
-/// those and with their holes: as formula/bodies/scene_surface.glsl reads them too. Balls (isBall) are kept apart.
+/// The same of the instances that are not seen through and whose vertices are known (Instance::occlusion,
+/// vertex_materials), with those and with their holes: as formula/bodies/scene_surface.glsl reads them too. Balls
+/// (isBall) are kept apart.
 ///
 /// cost     as bodyTree's; 16 bytes a triangle and 32 a vertex more are kept, and for a triangle with holes up to 144
 Result<std::optional<BodyTree>> sceneTree(const Scene& scene);

@@ -143,24 +143,24 @@ Scene withLooks() {
   for (Instance& instance : scene.instances)
     for (std::size_t v = 0; v < scene.meshes[std::size_t(instance.mesh)].vertices.size(); ++v) {
       instance.occlusion.push_back({any(), unit(random), any(), any(), any()});
-      instance.looks.push_back({any(), unit(random), 9.0f * any(), unit(random)});
+      instance.vertex_materials.push_back({any(), unit(random), 9.0f * any(), unit(random)});
     }
   for (std::size_t v = 0; v < scene.meshes[1].vertices.size(); ++v)
     scene.instances[1].occlusion.push_back({any(), unit(random), any(), any(), any()});
   return scene;
 }
 
-void expectKnown(const formula::SceneSurface& met, const VertexOcclusion& occlusion, const VertexLook& look) {
+void expectKnown(const formula::SceneSurface& met, const VertexOcclusion& occlusion, const VertexMaterial& material) {
   const float near = 0.02f;  // of values up to 1
-  EXPECT_NEAR(glm::distance(glm::vec3(met.hidden), occlusion.hidden), 0.0f, near);
-  EXPECT_NEAR(met.hidden.w, occlusion.open, near);
-  EXPECT_NEAR(glm::distance(met.shown, occlusion.shown), 0.0f, near);
-  EXPECT_NEAR(glm::distance(met.base_color, look.base_color), 0.0f, near);
+  EXPECT_NEAR(glm::distance(glm::vec3(met.occluded), occlusion.occluded), 0.0f, near);
+  EXPECT_NEAR(met.occluded.w, occlusion.open, near);
+  EXPECT_NEAR(glm::distance(met.interreflected, occlusion.interreflected), 0.0f, near);
+  EXPECT_NEAR(glm::distance(met.base_color, material.base_color), 0.0f, near);
   EXPECT_NEAR(glm::distance(met.lit_from, occlusion.lit_from), 0.0f, near);
   EXPECT_NEAR(glm::distance(met.emitted, occlusion.emitted), 0.0f, near);
-  EXPECT_NEAR(glm::distance(met.emission, look.emission), 0.0f, 9.0f * near);
-  EXPECT_NEAR(met.metallic, look.metallic, near);
-  EXPECT_NEAR(met.perceptual_roughness, look.perceptual_roughness, near);
+  EXPECT_NEAR(glm::distance(met.emission, material.emission), 0.0f, 9.0f * near);
+  EXPECT_NEAR(met.metallic, material.metallic, near);
+  EXPECT_NEAR(met.perceptual_roughness, material.perceptual_roughness, near);
 }
 
 // What the tree tells at a corner of a triangle is what its vertex knows, as half floats hold it; from behind, what its
@@ -188,7 +188,7 @@ TEST(SceneTree, TellsWhatVerticesKnow) {
         const std::size_t known = corner(2) + (is_back ? mesh.vertices.size() : 0);
         expectKnown(formula::sceneSurfaceAt(**tree, hit, direction),
                     known < instance.occlusion.size() ? instance.occlusion[known] : VertexOcclusion(),
-                    instance.looks[corner(2)]);
+                    instance.vertex_materials[corner(2)]);
       }
       ++compared;
     }
@@ -198,7 +198,7 @@ TEST(SceneTree, TellsWhatVerticesKnow) {
 
 TEST(SceneTree, LeavesOutWhatIsSeenThroughAndWhatIsNotKnown) {
   Scene scene = withLooks();
-  scene.instances[0].looks.clear();
+  scene.instances[0].vertex_materials.clear();
   const auto of_cube = sceneTree(scene);
   ASSERT_TRUE(of_cube && *of_cube);
   const auto hit =
@@ -218,7 +218,7 @@ TEST(SceneTree, KeepsApartWhatABallDoesNotSeeOfItself) {
   for (Instance& instance : scene.instances) {
     const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
     instance.occlusion.resize(vertices);
-    instance.looks.resize(vertices);
+    instance.vertex_materials.resize(vertices);
   }
   const auto tree = sceneTree(scene);
   ASSERT_TRUE(tree && *tree);

@@ -21,7 +21,7 @@ formula::Material materialInMiddle(const Scene& scene, std::span<const glm::mat3
 /// Of each vertex on the side of its normal the mean of the triangles around it.
 ///
 /// world_from_normal   normalMatrices
-std::vector<VertexLook> looksOfVertices(const Scene& scene, const VertexPlaces& places,
-                                        std::span<const glm::mat3> world_from_normal);
+std::vector<VertexMaterial> materialsOfVertices(const Scene& scene, const VertexPlaces& places,
+                                                std::span<const glm::mat3> world_from_normal);
 
 }  // namespace mirrorball

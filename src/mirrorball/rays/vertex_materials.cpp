@@ -1,4 +1,4 @@
-#include "mirrorball/rays/vertex_looks.h"
+#include "mirrorball/rays/vertex_materials.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -18,39 +18,39 @@ formula::Material materialInMiddle(const Scene& scene, std::span<const glm::mat3
 
 namespace {
 
-void addTo(VertexLook& sum, const VertexLook& each) {
+void addTo(VertexMaterial& sum, const VertexMaterial& each) {
   sum.base_color += each.base_color;
   sum.metallic += each.metallic;
   sum.emission += each.emission;
   sum.perceptual_roughness += each.perceptual_roughness;
 }
 
-VertexLook scaled(const VertexLook& look, float by) {
-  return {by * look.base_color, by * look.metallic, by * look.emission, by * look.perceptual_roughness};
+VertexMaterial scaled(const VertexMaterial& material, float by) {
+  return {by * material.base_color, by * material.metallic, by * material.emission, by * material.perceptual_roughness};
 }
 
 /// Of each triangle of an instance.
-std::vector<VertexLook> looksOfTriangles(const Scene& scene, std::span<const glm::mat3> world_from_normal,
-                                         std::size_t instance) {
-  std::vector<VertexLook> looks(scene.meshes[std::size_t(scene.instances[instance].mesh)].indices.size() / 3);
-  parallelFor(looks.size(), 1024, [&](std::size_t begin, std::size_t end) {
+std::vector<VertexMaterial> materialsOfTriangles(const Scene& scene, std::span<const glm::mat3> world_from_normal,
+                                                 std::size_t instance) {
+  std::vector<VertexMaterial> materials(scene.meshes[std::size_t(scene.instances[instance].mesh)].indices.size() / 3);
+  parallelFor(materials.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const formula::Material material = materialInMiddle(scene, world_from_normal, instance, i);
-      looks[i] = {material.base_color, material.metallic, material.emission, material.perceptual_roughness};
+      materials[i] = {material.base_color, material.metallic, material.emission, material.perceptual_roughness};
     }
   });
-  return looks;
+  return materials;
 }
 
 }  // namespace
 
-std::vector<VertexLook> looksOfVertices(const Scene& scene, const VertexPlaces& places,
-                                        std::span<const glm::mat3> world_from_normal) {
-  std::vector<VertexLook> sums(places.size(), {glm::vec3(0.0f), 0.0f, glm::vec3(0.0f), 0.0f});
+std::vector<VertexMaterial> materialsOfVertices(const Scene& scene, const VertexPlaces& places,
+                                                std::span<const glm::mat3> world_from_normal) {
+  std::vector<VertexMaterial> sums(places.size(), {glm::vec3(0.0f), 0.0f, glm::vec3(0.0f), 0.0f});
   std::vector<float> counts(places.size(), 0.0f);
   for (std::size_t instance = 0; instance < scene.instances.size(); ++instance) {
     const std::vector<std::uint32_t>& indices = scene.meshes[std::size_t(scene.instances[instance].mesh)].indices;
-    const std::vector<VertexLook> of_triangles = looksOfTriangles(scene, world_from_normal, instance);
+    const std::vector<VertexMaterial> of_triangles = materialsOfTriangles(scene, world_from_normal, instance);
     for (std::size_t i = 0; i < 3 * of_triangles.size(); ++i) {
       const std::uint32_t vertex = places.vertexOf(instance, indices[i]);
       addTo(sums[vertex], of_triangles[i / 3]);

@@ -1,4 +1,4 @@
-// Part "sky" (sky_open.glsl). Here: as in sky_past_scene.glsl, and what a surface reflects of the scene is found by a
+// Part "sky" (sky_open.glsl). Here: as in sky_occluded.glsl, and what a surface reflects of the scene is found by a
 // ray into its lobe, and lit by the environment as it is drawn.
 #include "brdf_look_up.glsl"
 #include "ggx.glsl"
@@ -6,11 +6,11 @@
 #include "octahedral.glsl"
 #include "triangle_tree.glsl"
 #include "scene_surface.glsl"
-#include "past_scene.glsl"
+#include "occluded_light.glsl"
 #include "sampling.glsl"
 
-in vec4 vertex_hidden;
-in vec3 vertex_shown;
+in vec4 vertex_occluded;
+in vec3 vertex_interreflected;
 in vec3 vertex_lit_from;
 in vec3 vertex_emitted;
 
@@ -32,12 +32,12 @@ vec3 lightOfScene(vec3 place, vec3 direction, SceneSurface met) {
   s.stretched_share = 1.0;
   s.sheen_albedo = 0.0;
   s = seenAlong(s, direction);
-  LightPastScene light =
-      lightPastScene(place, s.normal, PlaceInScene(met.hidden, met.shown, met.lit_from, met.emitted));
+  OccludedLight light =
+      occludedLight(place, s.normal, PlaceInScene(met.occluded, met.interreflected, met.lit_from, met.emitted));
   vec3 mirrored = reflect(direction, s.normal);
-  vec3 reflected = reflectedPastScene(light, s, mirrored,
+  vec3 reflected = occludedReflection(light, s, mirrored,
                                       incomingLight(place, mirrored, met.perceptual_roughness, 0.0));
-  return shadedPastScene(light, s, reflected, vec3(0.0), vec3(0.0));
+  return shadedOccluded(light, s, reflected, vec3(0.0), vec3(0.0));
 }
 
 // A direction that facets of the surface reflect towards the eye, another one for each sample of a pixel.
@@ -83,12 +83,12 @@ float shareOfRays(Surface s) {
 
 vec3 litByEnvironment(Surface s, SurfacePoint point, vec3 transmitted, vec3 on_cloth) {
   vec3 across = cross(dFdx(point.position), dFdy(point.position));
-  LightPastScene light = lightAtPoint(
-      s, point, PlaceInScene(vertex_hidden, vertex_shown, vertex_lit_from, vertex_emitted));
+  OccludedLight light = lightAtPoint(
+      s, point, PlaceInScene(vertex_occluded, vertex_interreflected, vertex_lit_from, vertex_emitted));
   vec3 of_environment = reflectedLight(s, point);
   vec3 found = of_environment;
   float share = dot(across, across) > 0.0 ? shareOfRays(s) : 0.0;
   if (share > 0.0) reflectScene(point, across, sampledReflection(s, point), found);
-  vec3 reflected = reflectedPastScene(light, s, reflect(point.ray, s.normal), of_environment);
-  return shadedPastScene(light, s, mix(reflected, found, share), transmitted, on_cloth);
+  vec3 reflected = occludedReflection(light, s, reflect(point.ray, s.normal), of_environment);
+  return shadedOccluded(light, s, mix(reflected, found, share), transmitted, on_cloth);
 }

@@ -4,29 +4,29 @@
 
 // What is known of a place: VertexOcclusion.
 struct PlaceInScene {
-  vec4 hidden;  // and the share that is open
-  vec3 shown;
+  vec4 occluded;  // and the share that is open
+  vec3 interreflected;
   vec3 lit_from;
   vec3 emitted;
 };
 
-struct LightPastScene {
+struct OccludedLight {
   float open;
   Opening opening;
   vec3 share;       // of an even light, what arrives with all that the scene reflects
   vec3 irradiance;  // over pi, likewise
   vec3 tint;        // of what hides the environment: its mean radiance in white light
-  vec3 hidden;      // and in this light, if it is matt
+  vec3 occluded;    // and in this light, if it is matt
   vec3 emitted;     // the scene's own irradiance, over pi
 };
 
 const PlaceInScene kInTheOpen = PlaceInScene(vec4(0.0, 0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), vec3(0.0));
 
-// The light on the surfaces that a place is shown, which face the same way by the length of `lit_from`; those that do
-// not are lit as the place is.
+// The light on the surfaces that hide the sky from a place, which face the same way by the length of `lit_from`; those
+// that do not are lit as the place is.
 //   on_axis   on a surface along the opening's axis, divided by π
-vec3 lightOnShown(vec3 position, PlaceInScene place, vec3 on_axis) {
-  float brightness = luminance(place.shown);
+vec3 lightOnOccluders(vec3 position, PlaceInScene place, vec3 on_axis) {
+  float brightness = luminance(place.interreflected);
   float size = length(place.lit_from);
   if (size < 1e-3 * brightness || size <= 0.0) return on_axis;
   return mix(on_axis, arrivingIrradiance(position, place.lit_from / size), min(size / brightness, 1.0));
@@ -37,57 +37,57 @@ vec3 lightOnShown(vec3 position, PlaceInScene place, vec3 on_axis) {
 vec3 lightPastHiders(vec3 position, vec3 normal, Opening opening, float open, vec3 on_axis) {
   vec3 of_lobe = incomingLight(position, opening.axis, roughnessOfCone(opening.angle), 0.0);
   vec3 through = open * lightThroughOpening(of_lobe, on_axis, open);
-  float share = shareBesideHidden(opening, open);
+  float share = shareBesideOccluded(opening, open);
   if (share <= 0.0) return through;
-  vec3 of_hidden = incomingLight(position, opening.hidden_axis, roughnessOfCone(opening.hidden_angle), 0.0);
-  vec3 beside = lightBesideHidden(arrivingIrradiance(position, normal), of_hidden, through, open);
+  vec3 of_occluded = incomingLight(position, opening.occluded_axis, roughnessOfCone(opening.occluded_angle), 0.0);
+  vec3 beside = lightBesideOccluded(arrivingIrradiance(position, normal), of_occluded, through, open);
   return mix(through, beside, share);
 }
 
-LightPastScene lightPastScene(vec3 position, vec3 normal, PlaceInScene place) {
-  LightPastScene light;
-  light.open = clamp(place.hidden.w, 0.0, 1.0);
-  light.opening = openingOf(normal, place.hidden.xyz, light.open);
-  light.share = light.open + place.shown;
+OccludedLight occludedLight(vec3 position, vec3 normal, PlaceInScene place) {
+  OccludedLight light;
+  light.open = clamp(place.occluded.w, 0.0, 1.0);
+  light.opening = openingOf(normal, place.occluded.xyz, light.open);
+  light.share = light.open + place.interreflected;
   vec3 on_axis = arrivingIrradiance(position, light.opening.axis);
-  vec3 on_shown = lightOnShown(position, place, on_axis);
+  vec3 on_occluders = lightOnOccluders(position, place, on_axis);
   light.irradiance = lightPastHiders(position, normal, light.opening, light.open, on_axis) +
-                     place.shown * on_shown + place.emitted;
-  light.tint = place.shown / max(1.0 - light.open, 1e-3);
+                     place.interreflected * on_occluders + place.emitted;
+  light.tint = place.interreflected / max(1.0 - light.open, 1e-3);
   light.emitted = place.emitted;
-  light.hidden = light.tint * on_shown;
+  light.occluded = light.tint * on_occluders;
   return light;
 }
 
 // Of a surface that is drawn. Where it is seen from behind something is known if backs are drawn by themselves.
-LightPastScene lightAtPoint(Surface s, SurfacePoint point, PlaceInScene place) {
-  return lightPastScene(point.position, s.normal, seesFront() || knows_backs > 0 ? place : kInTheOpen);
+OccludedLight lightAtPoint(Surface s, SurfacePoint point, PlaceInScene place) {
+  return occludedLight(point.position, s.normal, seesFront() || knows_backs > 0 ? place : kInTheOpen);
 }
 
 // The mean radiance of what shines, for a lobe that sees at least what hides: of a small lamp a rough surface shows no
 // more than its share of the lobe. Where among the hiders a lamp lies is not known, so that it counts as at least half
 // of the hemisphere: else three lamps over metal would be three wedges between the corners of its triangles.
-vec3 radianceOfEmission(LightPastScene light, float alpha) {
+vec3 radianceOfEmission(OccludedLight light, float alpha) {
   float sine = sin(min(2.0 * atan(alpha), 0.5 * kPi));
   return light.emitted / max(max(1.0 - light.open, sine * sine), 0.5);
 }
 
 // What a surface reflects around a direction, where the environment shows `reflected`. What hides the environment from
 // polished metal is most often more of it, and shows about as bright a part of the environment.
-vec3 reflectedPastScene(LightPastScene light, Surface s, vec3 direction, vec3 reflected) {
+vec3 occludedReflection(OccludedLight light, Surface s, vec3 direction, vec3 reflected) {
   float alpha = alphaFromPerceptualRoughness(s.material.perceptual_roughness);
   float polish = s.material.metallic * (1.0 - smoothstep(0.1, 0.5, s.material.perceptual_roughness));
-  vec3 hidden = mix(light.hidden, light.tint * reflected, polish) + radianceOfEmission(light, alpha);
+  vec3 occluded = mix(light.occluded, light.tint * reflected, polish) + radianceOfEmission(light, alpha);
   // Smooth water and glass, of few large triangles, would show where each corner's few rays end as a star: there the
   // opening's edge is soft.
   const float kSoftEdge = 0.35;
   Opening opening = light.opening;
-  opening.is_hidden_by_one *= 1.0 - s.material.transmission;
-  return mix(hidden, reflected,
+  opening.is_occluded_by_one *= 1.0 - s.material.transmission;
+  return mix(occluded, reflected,
              lobeInOpening(opening, s.normal, direction, max(alpha, kSoftEdge * s.material.transmission)));
 }
 
-vec3 shadedPastScene(LightPastScene light, Surface s, vec3 reflected, vec3 transmitted, vec3 on_cloth) {
+vec3 shadedOccluded(OccludedLight light, Surface s, vec3 reflected, vec3 transmitted, vec3 on_cloth) {
   // A texture that says so too does not darken twice, but where it knows of more.
   s.occlusion = min(s.occlusion / max(light.open, 1e-3), 1.0);
   return shadedByEnvironment(s, reflected, transmitted, light.irradiance, on_cloth * light.share);

@@ -13,7 +13,7 @@ const int kTexelsOfVertex = 3;
 struct SceneSurface {
   vec3 normal;            // unit, outwards, interpolated
   vec3 geometric_normal;  // unit, of the triangle
-  vec4 occluded;            // and the share that is open, as VertexOcclusion has them, of the side that is met
+  vec4 occluded;          // and the share that is open, as VertexOcclusion has them, of the side that is met
   vec3 interreflected;
   vec3 lit_from;
   vec3 emitted;
@@ -67,11 +67,11 @@ FN SceneSurface sceneSurfaceAt(WORD_SAMPLER tree, TriangleHit hit, vec3 directio
     float weight = i == 0 ? 1.0f - hit.barycentric.x - hit.barycentric.y
                           : (i == 1 ? hit.barycentric.x : hit.barycentric.y);
     uvec4 occlusion = fetchWords(tree, first + vertex * kTexelsOfVertex);
-    uvec4 look = fetchWords(tree, first + vertex * kTexelsOfVertex + 1);
+    uvec4 material = fetchWords(tree, first + vertex * kTexelsOfVertex + 1);
     occluded += weight * halvesOf(occlusion.x, occlusion.y);
     interreflected += weight * halvesOf(occlusion.z, occlusion.w);
-    color += weight * halvesOf(look.x, look.y);
-    emission += weight * halvesOf(look.z, look.w);
+    color += weight * halvesOf(material.x, material.y);
+    emission += weight * halvesOf(material.z, material.w);
     uvec4 light = fetchWords(tree, first + vertex * kTexelsOfVertex + 2);
     lit_from += weight * halvesOf(light.x, light.y);
     emitted += weight * halvesOf(light.z, light.w);

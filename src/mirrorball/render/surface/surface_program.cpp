@@ -222,7 +222,10 @@ SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int instance, cons
   FrameSettings decided = settings;
   decided.refraction = refractionOf(scene, material, settings.refraction);
   if (scene.instances[std::size_t(instance)].occlusion.empty()) decided.occlusion = OcclusionKind::none;
-  decided.self_reflection = settings.self_reflection && scene_triangles_ != nullptr;
+  // What is seen through comes from the probe, which a surface with rays does not read.
+  const bool sees_probe_behind = settings.behind == BehindKind::probes && from_outside.transmission > 0.0f &&
+                                 !light_of_instance_.empty() && light_of_instance_[std::size_t(instance)] >= 0;
+  decided.self_reflection = settings.self_reflection && scene_triangles_ != nullptr && !sees_probe_behind;
   const auto variant = [&](const Material& seen) {
     SurfaceVariant made = surfaceVariant(seen, buffers.mapsOf(material), decided,
                                          settings.lights.size() + scene.lights.size(), coordinates_);

@@ -14,6 +14,7 @@
 
 #include "fuzz.h"
 #include "mirrorball/base/file.h"
+#include "model_mutation.h"
 
 namespace mirrorball::fuzz {
 namespace {
@@ -30,6 +31,20 @@ std::vector<std::string> decoders() {
   std::vector<std::string> names;
   for (const auto& [decoder, harness] : harnesses()) names.push_back(decoder);
   return names;
+}
+
+/// The harnesses that show models, which other harnesses decode; none in a build without Embree.
+std::vector<std::string> harnessesOfPictures() {
+  std::vector<std::string> names;
+  for (const char* name : {"reference", "render"})
+    if (harnesses().contains(name)) names.emplace_back(name);
+  return names;
+}
+
+/// The corpora that a harness reads, which has its own unless it is for what others decode.
+std::vector<std::string> corporaOf(const std::string& harness) {
+  if (std::ranges::count(harnessesOfPictures(), harness) > 0) return {"gltf", "obj", "ply", "stl"};
+  return {harness};
 }
 
 fs::path corpora() { return fs::path(MIRRORBALL_SOURCE_DIR) / "fuzz/corpus"; }
@@ -53,7 +68,8 @@ class Corpus : public ::testing::TestWithParam<std::string> {
 
 TEST_P(Corpus, EveryInputIsSurvived) {
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(corpora() / GetParam())) files.push_back(entry.path());
+  for (const std::string& corpus : corporaOf(GetParam()))
+    for (const fs::directory_entry& entry : fs::directory_iterator(corpora() / corpus)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   EXPECT_FALSE(files.empty());
   for (const fs::path& file : files) {
@@ -66,6 +82,26 @@ TEST_P(Corpus, EveryInputIsSurvived) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfADecoder, Corpus, ::testing::ValuesIn(decoders()),
+                         [](const auto& instance) { return instance.param; });
+
+class MutatedModels : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(MutatedModels, AreShown) {
+  // A driver compiles shaders of a model for seconds.
+  const std::uint32_t models = GetParam() == "render" ? 3 : 20;
+  constexpr std::uint32_t kChanges = 40;
+  for (std::uint32_t model = 0; model < models; ++model) {
+    for (std::uint32_t change = 0; change < kChanges; ++change) {
+      const Bytes bytes = mutatedModel(model, change);
+      std::printf("model %u, change %u\n", model, change);
+      std::fflush(stdout);
+      harnesses().at(GetParam())(bytes.data(), bytes.size());
+    }
+  }
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(MutatedModels);
+INSTANTIATE_TEST_SUITE_P(Of, MutatedModels, ::testing::ValuesIn(harnessesOfPictures()),
                          [](const auto& instance) { return instance.param; });
 
 TEST(Corpora, AllHaveAHarness) {

@@ -56,8 +56,8 @@ inline Bytes anyModel(std::mt19937& random) {
   return encodeGlb(scene)->bytes;
 }
 
-/// The parts of a .glb: 12 bytes that say what it is, a chunk of JSON and one of a buffer, each behind 8 bytes that say how
-/// long it is and of what kind.
+/// The parts of a .glb: 12 bytes that say what it is, a chunk of JSON and one of a buffer, each behind 8 bytes that say
+/// how long it is and of what kind.
 struct GlbParts {
   std::string json;
   Bytes buffer;
@@ -123,8 +123,8 @@ inline Bytes withAnotherNumber(const Bytes& glb, std::mt19937& random) {
   return glbOf(std::move(parts));
 }
 
-/// A model of any materials of which up to three numbers are others, as a .glb: the same for the same two numbers. Models
-/// that differ in `change` alone have few shaders that are not the same, which take most of the time.
+/// A model of any materials of which up to three numbers are others, as a .glb: the same for the same two numbers.
+/// Models that differ in `change` alone have few shaders that are not the same, which take most of the time.
 inline Bytes mutatedModel(std::uint32_t model, std::uint32_t change) {
   std::mt19937 random(model);
   Bytes glb = anyModel(random);

@@ -1,5 +1,5 @@
-// How libFuzzer makes models to be shown: most are made of a seed (model_mutation.h), which get past the readers; the others
-// are its own changes of those that it has.
+// How libFuzzer makes models to be shown: most are made of a seed (model_mutation.h), which get past the readers; the
+// others are its own changes of those that it has.
 
 #include <algorithm>
 

@@ -188,6 +188,18 @@ FN Surface seenAlong(Surface s, vec3 ray) {
   return s;
 }
 
+// The same of a surface that lies in another body, as water in a glass, behind a surface of that body which is parallel
+// to it: the ray that meets it is the refracted one, and its index is relative to that body's.
+//   ray          unit, from the eye, before it is refracted
+//   ior_around   of the body around it; 1: it lies in air
+FN Surface seenWithin(Surface s, vec3 ray, float ior_around) {
+  Material own = s.material;
+  s.material.ior /= ior_around;
+  s = seenAlong(s, ior_around == 1.0f ? ray : refractedDirection(ray, s.normal, ior_around));
+  s.material = own;
+  return s;
+}
+
 // A material that answers to no light and shows a colour as radiance (KHR_materials_unlit).
 FN Material unlitMaterial(Material m, vec3 color) {
   m.base_color = vec3(0.0f);

@@ -88,3 +88,5 @@ float lightThatArrives(SurfacePoint point, vec3 towards) {
 }
 
 bool seesFront() { return true; }
+
+float iorAroundVertices() { return 1.0; }

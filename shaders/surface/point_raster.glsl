@@ -4,6 +4,7 @@
 //   void setDepth(SurfacePoint point)                           where that is not where the triangle is
 //   float lightThatArrives(SurfacePoint point, vec3 towards)    the share that relief does not block
 //   bool seesFront()                                            whether the eye is outside
+//   float iorAroundVertices()                                   of the body that the mesh lies in there; 1: not known
 // Here: where the triangle was drawn.
 #include "raster_point.glsl"
 

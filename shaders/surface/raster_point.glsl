@@ -9,10 +9,13 @@ in vec4 world_tangent;
 in vec2 texture_uv_0;
 in vec2 texture_uv_1;
 in vec4 vertex_color;
+in float vertex_ior_around;
 
 SurfaceChange raster_change;  // known before any branch, where neighbours are still compared
 
 SurfaceChange rasterChange() { return raster_change; }
+
+float iorAroundVertices() { return vertex_ior_around; }
 
 SurfacePoint rasterPoint() {
   raster_change = changeOf(dFdx(world_position), dFdy(world_position), dFdx(texture_uv_0), dFdy(texture_uv_0));

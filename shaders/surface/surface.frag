@@ -42,7 +42,7 @@ void main() {
   if (isCutAway(color.w)) discard;
   vec3 normal = detailedNormal(point, smoothNormal(point));
   normal = facingNormal(seesFront() ? normal : -normal, point.ray);
-  Surface s = seenAlong(surfaceAt(point, normal, color.xyz), point.ray);
+  Surface s = seenWithin(surfaceAt(point, normal, color.xyz), point.ray, iorAround());
   vec3 light = litByEnvironment(s, point, transmittedLight(s, point), lightOnCloth(s, point));
   setDepth(point);
   fragment = shownAs(coated(s, point, light + lightOfLamps(s, point)), color.w);

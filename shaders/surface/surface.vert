@@ -14,6 +14,7 @@ layout(location = 6) in vec4 occluded;
 layout(location = 7) in vec3 interreflected;
 layout(location = 8) in vec3 lit_from;
 layout(location = 9) in vec3 emitted;
+layout(location = 10) in float ior_around_less_one;  // so that it is 0 where it is not given
 
 out vec3 object_position;
 out vec3 object_normal;
@@ -27,6 +28,7 @@ out vec4 vertex_occluded;
 out vec3 vertex_interreflected;
 out vec3 vertex_lit_from;
 out vec3 vertex_emitted;
+out float vertex_ior_around;
 out vec4 vertex_look_up;
 out vec4 vertex_picture;
 flat out vec4 triangle_look_up;
@@ -46,6 +48,7 @@ void main() {
   vertex_interreflected = interreflected;
   vertex_lit_from = lit_from;
   vertex_emitted = emitted;
+  vertex_ior_around = 1.0 + ior_around_less_one;
   // What is interpolated are the coordinates of each corner: not those of the interpolated normal.
   vec3 ray = orthographic > 0.5 ? camera_forward : normalize(world.xyz - camera_position);
   TexgenPoint corner = TexgenPoint(position, world.xyz, normalize(world_normal), ray, eye_from_world);

@@ -7,6 +7,8 @@
 
 uniform sampler2D back_faces;
 
+float iorAround() { return iorAroundVertices(); }
+
 const int kSearchSteps = 12;
 const int kNewtonSearchSteps = 5;  // where the picture jumps from one face to another, the others halve what is left
 const float kNearEnough = 2e-3;  // of the way; the last step brings it nearer by far

@@ -1,6 +1,7 @@
 // Part "transmission" (transmission_none.glsl). Here: the light from where the ray goes after this one surface, for
 // each kind of light its own where the glass disperses.
 #include "beam.glsl"
+#include "lies_in_air.glsl"
 
 vec3 lightThrough(Surface s, SurfacePoint point, float ior) {
   vec3 d = refractedDirection(point.ray, s.normal, ior);

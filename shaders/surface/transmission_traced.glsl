@@ -5,6 +5,7 @@
 // `inner_bounces` surfaces.
 // Compilers copy each function to where it is called: what is large is called in one place.
 #include "entering_beam.glsl"
+#include "lies_in_air.glsl"
 #include "media.glsl"
 #include "octahedral.glsl"
 #include "triangle_tree.glsl"

@@ -362,6 +362,11 @@ const Case kSurfaceCases[] = {
                 seenAlong(testSurface(p, q, r), vec3(p)).reflectance.multiple_scattering.y,
                 seenAlong(testSurface(p, q, r), vec3(p)).diffuse_albedo.x,
                 seenAlong(testSurface(p, q, r), vec3(p)).diffuse_albedo.z)),
+    PARITY(seenWithin, direction, kTranscendental,
+           vec4(seenWithin(testSurface(p, q, r), vec3(p), 1.0f + 0.5f * r.y).reflectance.single_scattering.x,
+                seenWithin(testSurface(p, q, r), vec3(p), 1.0f + 0.5f * r.y).reflectance.grazing.y,
+                seenWithin(testSurface(p, q, r), vec3(p), 1.0f + 0.5f * r.y).diffuse_albedo.z,
+                seenWithin(testSurface(p, q, r), vec3(p), 1.0f + 0.5f * r.y).material.ior)),
     PARITY(underSheen, unit, kTight, vec4(underSheen(testSurface(p, q, r), vec3(r), vec3(q)), 0.0f)),
     PARITY(coreMaterial, direction, kExact,
            vec4(coreMaterial(testSurface(p, q, r).material, vec3(p), q.w, r.x, vec3(r)).base_color, q.w) +

@@ -54,6 +54,12 @@ void VertexArray::read(const Buffer& buffer, std::size_t stride, std::span<const
   glBindVertexArray(0);
 }
 
+void VertexArray::stopReading(unsigned location) {
+  glBindVertexArray(handle_.name());
+  glDisableVertexAttribArray(location);
+  glBindVertexArray(0);
+}
+
 void VertexArray::destroy(unsigned name) { glDeleteVertexArrays(1, &name); }
 
 void VertexArray::drawIndexed(std::size_t count) const {

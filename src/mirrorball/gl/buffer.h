@@ -55,6 +55,9 @@ class VertexArray {
   /// stride   bytes from one vertex to the next
   void read(const Buffer& buffer, std::size_t stride, std::span<const Attribute> attributes);
 
+  /// An attribute is 0 for all vertices, until it is read again.
+  void stopReading(unsigned location);
+
   /// Draws `count` indices from the first, as triangles.
   void drawIndexed(std::size_t count) const;
 

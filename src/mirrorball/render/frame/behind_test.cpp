@@ -189,7 +189,7 @@ TEST_P(BehindTest, ABodyIsSeenThroughTheOneThatItLiesIn) {
   red.base_color = glm::vec3(1.0f);
   red.transmission = 1.0f;
   red.perceptual_roughness = 0.0f;
-  red.ior = 1.01f;
+  red.ior = kIor;  // so that nothing is reflected between the two
   red.attenuation_color = {0.5f, 0.1f, 0.1f};
   red.attenuation_distance = 1.0f;
   EXPECT_NEAR(middleWithin(red, "far").g, 1.0f, 1e-2f);
@@ -197,6 +197,19 @@ TEST_P(BehindTest, ABodyIsSeenThroughTheOneThatItLiesIn) {
   const float fresnel = formula::fresnelDielectric(1.0f, kIor);
   EXPECT_NEAR(seen.r, fresnel + (1.0f - fresnel) * 0.5f, 2e-2f);
   EXPECT_NEAR(seen.g, fresnel + (1.0f - fresnel) * 0.1f, 2e-2f);
+}
+
+// What a surface reflects depends on what light meets it from: water in glass reflects a fifth of what it does in air.
+TEST_P(BehindTest, ABodyIsMetFromTheOneThatItLiesIn) {
+  Material dark_water;
+  dark_water.base_color = glm::vec3(0.0f);
+  dark_water.transmission = 1.0f;
+  dark_water.perceptual_roughness = 0.0f;
+  dark_water.ior = 1.33f;
+  const glm::vec3 seen = middleWithin(dark_water, "screen");
+  const float of_glass = formula::fresnelDielectric(1.0f, kIor);
+  const float of_water = formula::fresnelDielectric(1.0f, dark_water.ior / kIor);
+  EXPECT_NEAR(seen.g, of_glass + (1.0f - of_glass) * of_water, 2e-3f);
 }
 
 // All there is to be seen lies in one plane, and so does its box.

@@ -47,6 +47,7 @@ Result<void> SceneDrawing::setScene(Scene scene) {
   for (const Mesh& mesh : scene_.meshes) centers_.push_back(centerOf(mesh));
   body_tree_.reset();
   bodies_.reset();
+  knows_ior_around_.clear();
   scene_triangles_.reset();
   if (surfaces_) surfaces_->forgetScene();
   return {};
@@ -115,6 +116,7 @@ void SceneDrawing::moveInstances(const std::vector<Instance>& instances) {
   scene_triangles_.reset();
   body_tree_.reset();
   bodies_.reset();
+  knows_ior_around_.clear();
   if (surfaces_) surfaces_->forgetScene();
 }
 
@@ -124,6 +126,7 @@ Result<void> SceneDrawing::begin(const gl::Context& context, const FrameSettings
   MIRRORBALL_TRY_VOID(background_.make(context.api(), *frame.proxy));
   MIRRORBALL_TRY_VOID(filterMaps(context, settings.texture_filter));
   MIRRORBALL_TRY_VOID(makeBodies(settings, frame));
+  MIRRORBALL_TRY_VOID(findIorAround(settings));
   MIRRORBALL_TRY_VOID(makeSceneTriangles(settings, frame));
   MIRRORBALL_TRY(coordinates, coordinateMatrices(scene_, bounds_, frame.camera, settings));
   frame.coordinates = coordinates;
@@ -167,16 +170,22 @@ bool SceneDrawing::someRefract(RefractionKind kind, RefractionKind chosen) const
   return false;
 }
 
+Result<void> SceneDrawing::makeBodyTree() {
+  if (body_tree_) return {};
+  MIRRORBALL_TRY(tree, bodyTree(scene_));
+  body_tree_ = std::move(tree);
+  return {};
+}
+
 /// The bodies for a frame that traces them, and those that its camera is in.
 Result<void> SceneDrawing::makeBodies(const FrameSettings& settings, FrameUniforms& frame) {
   frame.bodies = nullptr;
   frame.eye_media = {};
   if (!someRefract(RefractionKind::traced, settings.refraction)) return {};
-  if (!body_tree_) {
-    MIRRORBALL_TRY(tree, bodyTree(scene_));
-    if (!tree) return {};
-    MIRRORBALL_TRY(made, withName("the triangles of glass", gl::Texture::fromWords(tree->words)));
-    body_tree_ = std::move(tree);
+  MIRRORBALL_TRY_VOID(makeBodyTree());
+  if (!body_tree_) return {};
+  if (!bodies_) {
+    MIRRORBALL_TRY(made, withName("the triangles of glass", gl::Texture::fromWords(body_tree_->words)));
     bodies_ = std::move(made);
   }
   frame.bodies = &*bodies_;
@@ -184,6 +193,27 @@ Result<void> SceneDrawing::makeBodies(const FrameSettings& settings, FrameUnifor
   if (!frame.camera.orthographic) frame.eye_media = surroundingMedia(scene_, frame.camera.position, *body_tree_);
   for (const int hidden : frame.hidden)
     while (formula::timesEntered(frame.eye_media, hidden) > 0) frame.eye_media = formula::left(frame.eye_media, hidden);
+  return {};
+}
+
+/// Whether an instance lies in a body.
+bool SceneDrawing::liesInBody(std::size_t instance) const {
+  for (std::size_t other = 0; other < boxes_.size(); ++other)
+    if (isBody(materialOf(scene_, other)) && liesIn(boxes_[instance], boxes_[other]) &&
+        !liesIn(boxes_[other], boxes_[instance]))
+      return true;
+  return false;
+}
+
+/// What bodies are met from that lie in others, where back faces are looked for in a picture.
+Result<void> SceneDrawing::findIorAround(const FrameSettings& settings) {
+  if (!someRefract(RefractionKind::image_space, settings.refraction)) return {};
+  if (boxes_.empty()) boxes_ = boxesOf(scene_);
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    if (!isBody(materialOf(scene_, i)) || !liesInBody(i) || !knows_ior_around_.insert(i).second) continue;
+    MIRRORBALL_TRY_VOID(makeBodyTree());
+    if (body_tree_) buffers_.setIorAround(i, iorAround(scene_, i, *body_tree_));
+  }
   return {};
 }
 

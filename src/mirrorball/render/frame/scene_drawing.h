@@ -2,6 +2,7 @@
 
 #include <future>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -70,7 +71,10 @@ class SceneDrawing {
   Result<void> filterMaps(const gl::Context& context, TextureFilter filter);
   Result<void> makePrisms(ReliefKind relief);
   bool someRefract(RefractionKind kind, RefractionKind chosen) const;
+  Result<void> makeBodyTree();
   Result<void> makeBodies(const FrameSettings& settings, FrameUniforms& frame);
+  bool liesInBody(std::size_t instance) const;
+  Result<void> findIorAround(const FrameSettings& settings);
   Result<void> makeSceneTriangles(const FrameSettings& settings, FrameUniforms& frame);
   Result<void> drawBackFaces(const FrameSettings& settings, FrameUniforms& frame);
   bool someSeeScreenRoughly(const FrameSettings& settings) const;
@@ -96,6 +100,7 @@ class SceneDrawing {
   std::vector<glm::vec3> centers_;              ///< of the meshes, each in its own frame
   std::optional<BodyTree> body_tree_;           ///< of the scene, made when it is first traced
   std::optional<gl::Texture> bodies_;           ///< its words
+  std::set<std::size_t> knows_ior_around_;      ///< instances whose surroundings the buffers know
   std::optional<gl::Texture> scene_triangles_;  ///< sceneTree(), made for the first frame that reflects it
   std::vector<int> unseen_by_itself_;           ///< its instances
   std::optional<BackFaces> back_faces_;         ///< made when a frame first needs them

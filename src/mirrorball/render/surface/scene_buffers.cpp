@@ -35,6 +35,7 @@ constexpr std::array<gl::Attribute, 4> kOcclusionAttributes{{
     {8, 3, offsetof(VertexOcclusion, lit_from)},
     {9, 3, offsetof(VertexOcclusion, emitted)},
 }};
+constexpr std::array<gl::Attribute, 1> kIorAroundAttribute{{{10, 1, 0}}};
 static_assert(offsetof(VertexOcclusion, open) == offsetof(VertexOcclusion, occluded) + sizeof(glm::vec3));
 
 gl::Sampling::Wrap samplingWrap(Wrap wrap) {
@@ -263,6 +264,7 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
            instance.occlusion.size() == 2 * vertices);
     auto& occlusion = buffers.occlusions_.emplace_back();
     if (!instance.occlusion.empty()) occlusion.emplace(instance.occlusion);
+    buffers.ior_around_.emplace_back();
   }
   const std::vector<MipLevels> levels = makeMipLevels(scene);
   buffers.textures_.resize(scene.textures.size());
@@ -330,6 +332,23 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit, bo
   } else if (const Slopes* slopes = slopesOf(scene, material)) {
     slopes->texture.bind(first_unit + units_ - 1);
   }
+}
+
+void SceneBuffers::setIorAround(std::size_t instance, std::span<const float> ior) {
+  std::vector<float> less_one(ior.begin(), ior.end());
+  for (float& each : less_one) each -= 1.0f;
+  std::optional<gl::Buffer>& buffer = ior_around_[instance];
+  buffer.reset();
+  if (!less_one.empty()) buffer.emplace(less_one);
+}
+
+void SceneBuffers::readIorAround(const Scene& scene, int instance, bool is_known) {
+  const std::optional<gl::Buffer>& buffer = ior_around_[std::size_t(instance)];
+  gl::VertexArray& vertices = meshes_[std::size_t(scene.instances[std::size_t(instance)].mesh)].vertices;
+  if (is_known && buffer)
+    vertices.read(*buffer, sizeof(float), kIorAroundAttribute);
+  else
+    vertices.stopReading(kIorAroundAttribute[0].location);
 }
 
 Result<void> SceneBuffers::makePrisms(const Scene& scene, int mesh) {

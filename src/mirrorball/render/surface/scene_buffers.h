@@ -32,6 +32,11 @@ class SceneBuffers {
   /// Of an instance whose occlusion is known.
   void drawMeshWithOcclusion(const Scene& scene, int instance);
 
+  /// Sets what an instance's surface is met from (iorAround); empty: it lies in air.
+  void setIorAround(std::size_t instance, std::span<const float> ior);
+  /// Whether the next drawing of an instance's mesh knows that; else it lies in air.
+  void readIorAround(const Scene& scene, int instance, bool is_known);
+
   /// Makes what drawPrisms needs, once.
   ///
   /// mesh     its material has a height texture
@@ -90,6 +95,7 @@ class SceneBuffers {
   };
   std::vector<MeshBuffers> meshes_;
   std::vector<std::optional<gl::Buffer>> occlusions_;  // of instances
+  std::vector<std::optional<gl::Buffer>> ior_around_;  // of instances, less 1
   std::vector<std::optional<gl::Texture>> textures_;   // those that have a unit of their own
   std::vector<MaterialMaps> materials_;
   std::vector<Heights> heights_;  // of Scene::height_textures

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "mirrorball/base/parallel.h"
+
 namespace mirrorball {
 namespace {
 
@@ -59,6 +61,44 @@ formula::Media surroundingMedia(const Scene& scene, glm::vec3 point, const BodyT
                             return Crossing{hit.distance, static_cast<std::size_t>(surface.body),
                                             glm::dot(direction, surface.geometric_normal) < 0.0f};
                           });
+}
+
+namespace {
+
+/// The middle of a triangle where an instance puts it.
+glm::vec3 middleOf(const Mesh& mesh, const Instance& instance, std::size_t triangle) {
+  glm::vec3 sum(0.0f);
+  for (std::size_t corner = 0; corner < 3; ++corner) sum += mesh.vertices[mesh.indices[3 * triangle + corner]].position;
+  return glm::vec3(instance.world_from_object * glm::vec4(sum / 3.0f, 1.0f));
+}
+
+/// Of each vertex a triangle that it belongs to; those of no triangle have the first.
+std::vector<std::size_t> trianglesOfVertices(const Mesh& mesh) {
+  std::vector<std::size_t> triangles(mesh.vertices.size(), 0);
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) triangles[mesh.indices[i]] = i / 3;
+  return triangles;
+}
+
+}  // namespace
+
+std::vector<float> iorAround(const Scene& scene, std::size_t instance, const BodyTree& tree) {
+  constexpr std::size_t kGrain = 64;
+  const Instance& placed = scene.instances[instance];
+  const int own = static_cast<int>(instance);
+  const Mesh& mesh = scene.meshes[std::size_t(placed.mesh)];
+  if (mesh.indices.empty()) return {};
+  const std::vector<std::size_t> triangles = trianglesOfVertices(mesh);
+  std::vector<float> indices(mesh.vertices.size(), 1.0f);
+  parallelFor(indices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      formula::Media around = surroundingMedia(scene, middleOf(mesh, placed, triangles[i]), tree);
+      while (formula::timesEntered(around, own) > 0) around = formula::left(around, own);
+      const int body = formula::fillingBody(around);
+      if (body >= 0) indices[i] = materialOf(scene, std::size_t(body)).ior;
+    }
+  });
+  const bool lies_in_air = std::all_of(indices.begin(), indices.end(), [](float ior) { return ior == 1.0f; });
+  return lies_in_air ? std::vector<float>() : indices;
 }
 
 }  // namespace mirrorball

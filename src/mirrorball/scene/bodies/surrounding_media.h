@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -33,5 +34,12 @@ formula::Media surroundingMedia(const Scene& scene, glm::vec3 point, const FindC
 ///
 /// cost     three rays through all that they meet
 formula::Media surroundingMedia(const Scene& scene, glm::vec3 point, const BodyTree& tree);
+
+/// The index of refraction of what a body's surface is met from: of the body that fills the place around it, or 1.
+///
+/// instance  of a body (isBody)
+/// returns   for each vertex of its mesh, that of the middle of a triangle that it belongs to; empty: all lies in air
+/// cost      three rays for each of those triangles, on all cores
+std::vector<float> iorAround(const Scene& scene, std::size_t instance, const BodyTree& tree);
 
 }  // namespace mirrorball

@@ -5,6 +5,7 @@
 
 #include "mirrorball/scene/mesh_testing.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
+#include "mirrorball/scene/shapes/tumbler.h"
 
 namespace mirrorball {
 namespace {
@@ -39,6 +40,20 @@ TEST(SurroundingMedia, AreThoseBodiesThatAPointLiesIn) {
   EXPECT_EQ(in_hole.count, 1);
   EXPECT_EQ(formula::fillingBody(in_hole), 2);
   EXPECT_EQ(mediaIn(scene, glm::vec3(0.0f, 5.0f, 0.0f)).count, 0);
+}
+
+// The water's sides and bottom lie in the glass, its surface in air, though its edge is in the middle of the wall.
+TEST(IorAround, WaterLiesInItsGlassAndInAir) {
+  const Scene scene = tumblerWaterScene();
+  const auto tree = bodyTree(scene);
+  ASSERT_TRUE(tree && *tree);
+  const std::vector<float> around = iorAround(scene, 1, **tree);
+  const Mesh& water = scene.meshes[1];
+  ASSERT_EQ(around.size(), water.vertices.size());
+  for (const std::uint32_t i : water.indices) {
+    const bool is_top = water.vertices[i].normal.y > 0.9f;
+    ASSERT_EQ(around[i], is_top ? 1.0f : scene.materials[0].ior) << i;
+  }
 }
 
 // What an open mesh would enclose is not known from its triangles.

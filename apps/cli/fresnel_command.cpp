@@ -170,8 +170,10 @@ Command fresnelCommand() {
                .names = materialNames},
               request->material);
   addOptions<FresnelRequest>(command, kFresnelOptions, *request, &request->given);
-  command.action = [request] {
+  command.action = [request]() -> Result<void> {
     const bool prints = !request->output.starts_with("-.");
+    if (request->json && !prints)
+      return fail(ErrorCode::usage, request->output + ": standard output has the JSON; name a file");
     return withStandardStreams({}, request->output, [&] { return tellFresnel(*request, prints); });
   };
   return command;

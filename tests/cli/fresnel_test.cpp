@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -54,6 +55,12 @@ TEST_F(FresnelTest, PlotsIntoAFileOrToStandardOutput) {
   const std::string svg(file.begin(), file.end());
   EXPECT_THAT(svg, AllOf(StartsWith("<svg xmlns="), HasSubstr("reflectance of water"), HasSubstr("F82")));
   EXPECT_EQ(succeed("fresnel water -o -.svg"), svg);
+}
+
+TEST_F(FresnelTest, StandardOutputHasTheJsonOrThePlot) {
+  EXPECT_EQ(refuse(2, "fresnel water --json -o -.svg"), "-.svg: standard output has the JSON; name a file");
+  EXPECT_EQ(Json::parse(succeed("fresnel water --json -o water.svg"))["title"], "water");
+  EXPECT_EQ(files(), std::vector<std::string>{"water.svg"});
 }
 
 TEST_F(FresnelTest, RefusesWhatHasNoIndexAndWhatIsNoPlot) {

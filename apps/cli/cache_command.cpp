@@ -17,7 +17,7 @@ std::span<const std::string_view> cacheActionNames() { return kActions; }
 
 std::string contentsText(const CacheFolder::Contents& contents) {
   if (contents.files == 0) return "nothing";
-  return std::to_string(contents.files) + (contents.files == 1 ? " file, " : " files, ") + textOfBytes(contents.bytes);
+  return counted(contents.files, "file") + ", " + textOfBytes(contents.bytes);
 }
 
 Result<void> showOrClear(const std::string& what) {

@@ -6,6 +6,7 @@
 
 #include "cli/compare_command.h"
 #include "cli/formatted.h"
+#include "mirrorball/base/text.h"
 
 namespace mirrorball::cli {
 namespace {
@@ -33,8 +34,8 @@ std::string meaningOf(const MetricText& metric, const ToldComparison& told) {
     meaning += formatted(", %.4g pixels per degree", double(told.options.pixels_per_degree));
     const ExposureRange& exposures = told.comparison.exposures;
     if (is_light)
-      meaning += formatted(", %d exposures from %.3g to %.3g stops", exposures.count, double(exposures.start_ev),
-                           double(exposures.stop_ev));
+      meaning += ", " + counted(std::size_t(exposures.count), "exposure") +
+                 formatted(" from %.3g to %.3g stops", double(exposures.start_ev), double(exposures.stop_ev));
   }
   if (is_light && (metric.metric == Metric::psnr || metric.metric == Metric::ssim))
     meaning += " (" + std::string(choiceAt(toneMapText(), static_cast<int>(told.options.display.tone_map))) + ", " +

@@ -183,7 +183,7 @@ Result<void> convertMany(const std::vector<std::string>& inputs, const ConvertRe
   whenInterrupted(interruptedAmongMany(folder));
   std::atomic<std::size_t> done = 0;
   std::atomic<std::size_t> failed = 0;
-  const ProgressFunction bar = progressBar("convert");
+  const ProgressFunction bar = progressBar("convert", "files");
   // One bar for all of them.
   Observer observer = terminalObserver();
   observer.progress = [](std::string_view) -> ProgressFunction {

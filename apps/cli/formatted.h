@@ -16,11 +16,6 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-/// "1 chart", "3 charts".
-inline std::string counted(std::size_t count, const char* noun) {
-  return formatted(count == 1 ? "%zu %s" : "%zu %ss", count, noun);
-}
-
 /// A number, or three, with the digits that a reader wants.
 inline std::string shortText(double number) { return formatted("%.5g", number); }
 inline std::string shortText(glm::vec3 v) { return formatted("%.5g %.5g %.5g", double(v.x), double(v.y), double(v.z)); }

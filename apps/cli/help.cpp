@@ -87,7 +87,8 @@ std::string endOfHelp(const Command& command, bool shows_all) {
       std::ranges::count_if(command.options, [&](const auto& option) { return !isInShortHelp(command, option); });
   std::string text;
   if (left_out > 0 && !shows_all)
-    text += wrapped(std::to_string(left_out) + " more options: mirrorball help " + std::string(command.name) + " all",
+    text += wrapped(counted(std::size_t(left_out), "more option") + ": mirrorball help " + std::string(command.name) +
+                        " all",
                     helpColumns(), 0) +
             "\n\n";
   text += "Examples:";

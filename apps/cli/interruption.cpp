@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "cli/terminal.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/base/unfinished.h"
 
 namespace mirrorball::cli {
@@ -94,7 +95,7 @@ void noteWritten() {
 
 std::string interruptedAfter(std::size_t whole, std::size_t all) {
   if (whole == 0) return kNothingWritten;
-  return "interrupted after " + std::to_string(whole) + " of " + std::to_string(all) + " pictures; " +
+  return "interrupted after " + std::to_string(whole) + " of " + counted(all, "picture") + "; " +
          (whole == 1 ? "that one is whole" : "those are whole");
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/files.h"
 #include "cli/terminal.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/texture/texture_file.h"
 
@@ -45,9 +46,9 @@ Image8 pictureOf(const MadeMap& map, const std::string& output) {
     return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(share, 0.0f, 1.0f)));
   });
   if (clipped > 0)
-    remark(
-        output + ": " + std::to_string(clipped) + " of " + std::to_string(numbers.samples().size()) +
-        " numbers are beyond what .png holds, and became its least or greatest; .exr holds them, or a smaller --scale");
+    remark(output + ": " + countedAre(clipped, "number") + " beyond what .png holds, of " +
+           std::to_string(numbers.samples().size()) +
+           ", and became its least or greatest; .exr holds them, or a smaller --scale");
   return picture;
 }
 

@@ -22,6 +22,7 @@
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/option.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/sunset.h"
@@ -139,7 +140,7 @@ Result<std::vector<std::string>> outputPaths(const RenderRequest& request) {
 
 Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, const Turntable& turntable,
                              const std::vector<std::string>& paths, StageClock& clock) {
-  const ProgressFunction progress = progressBar("turntable");
+  const ProgressFunction progress = progressBar("turntable", "pictures");
   const ProgressFunction untilInterrupted = [](std::size_t, std::size_t) { return !interrupted(); };
   const std::size_t frames = paths.size();
   const Scene still = turntable.turn == Turn::object ? renderer.scene() : Scene{};

@@ -52,8 +52,8 @@ Result<void> writePicture(TracedPicture& picture, const FrameSettings& frame, co
 
 /// "64 paths a pixel, standard error at most 0.0031 of white"
 std::string foundOut(const TracedPicture& picture) {
-  return formatted("%d path%s a pixel, standard error at most %.2g of white", picture.samples,
-                   picture.samples == 1 ? "" : "s", double(picture.noise));
+  return counted(std::size_t(picture.samples), "path") +
+         formatted(" a pixel, standard error at most %.2g of white", double(picture.noise));
 }
 
 /// A progress bar with the noise so far. From the first whole pass on, an interruption waits for the picture so far to
@@ -127,7 +127,7 @@ Result<void> checkReference(const ReferenceOptions& options, const FrameSettings
   const std::vector<std::string> idle = idleForReference(options, frame, given);
   if (!frame.showsEnvironment() && frame.proxy.kind == ProxyKind::ground)
     remark("the reference shows no shadow where --background leaves the ground out");
-  if (!idle.empty()) remark("the reference shows what is right, and so needs no " + join(idle, ", ", " and no "));
+  if (!idle.empty()) remark(changesNothing(idle, "the reference shows what is right in any case"));
   return {};
 }
 

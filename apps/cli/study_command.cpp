@@ -14,6 +14,7 @@
 #include "cli/standard_streams.h"
 #include "cli/terminal.h"
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/study/page/page.h"
 #include "mirrorball/study/study.h"
@@ -105,7 +106,9 @@ std::string titleOf(const StudyRequest& request) {
 
 /// A progress bar. From the first whole subject on, an interruption waits for the page so far to be written, however
 /// long the step takes that it comes in.
-StudyObserver observerUntilInterrupted() { return {.progress = progressBar("study"), .section_done = claimEnd}; }
+StudyObserver observerUntilInterrupted() {
+  return {.progress = progressBar("study", "steps"), .section_done = claimEnd};
+}
 
 Result<void> studyAndWrite(const StudyRequest& request, const std::string& command) {
   StageClock clock;
@@ -126,7 +129,7 @@ Result<void> studyAndWrite(const StudyRequest& request, const std::string& comma
   announce(output);
   if (made.isInterrupted())
     return fail(ErrorCode::interrupted, "interrupted; " + output + " has " + std::to_string(made.sections.size()) +
-                                            " of " + std::to_string(made.planned) + " subjects");
+                                            " of " + counted(made.planned, "subject"));
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <map>
@@ -53,20 +54,26 @@ double secondsLeft(std::size_t done, std::size_t total, double elapsed_s) {
   return elapsed_s * static_cast<double>(total - done) / static_cast<double>(done);
 }
 
-void drawBar(const std::string& what, std::size_t done, std::size_t total, double elapsed) {
+/// Of how many how much is done, and the time that the rest takes: "80 pictures, 240 s left".
+std::string totalAndTime(std::size_t done, std::size_t total, const std::string& unit, double elapsed_s) {
+  return std::to_string(total) + (unit.empty() ? "" : " " + unit) + ", " +
+         std::to_string(std::lround(secondsLeft(done, total, elapsed_s))) + " s left";
+}
+
+void drawBar(const std::string& what, std::size_t done, std::size_t total, const std::string& unit, double elapsed_s) {
   constexpr std::size_t kWidth = 30;
   const std::size_t filled = kWidth * done / total;
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-  std::fprintf(stderr, "\r%s [%s] %zu/%zu, %.0f s left \033[K", what.c_str(), bar.c_str(), done, total,
-               secondsLeft(done, total, elapsed));
+  std::fprintf(stderr, "\r%s [%s] %zu/%s \033[K", what.c_str(), bar.c_str(), done,
+               totalAndTime(done, total, unit, elapsed_s).c_str());
   std::fflush(stderr);
   bar_shown = true;
 }
 
-/// "study: 12 of 80, 240 s left"
-std::string progressLine(const std::string& what, std::size_t done, std::size_t total, double elapsed_s) {
-  return what + ": " + std::to_string(done) + " of " + std::to_string(total) + ", " +
-         std::to_string(static_cast<long>(secondsLeft(done, total, elapsed_s))) + " s left";
+/// "study: 12 of 80 steps, 240 s left"
+std::string progressLine(const std::string& what, std::size_t done, std::size_t total, const std::string& unit,
+                         double elapsed_s) {
+  return what + ": " + std::to_string(done) + " of " + totalAndTime(done, total, unit, elapsed_s);
 }
 
 constexpr double kBetweenLines_s = 30.0;
@@ -90,11 +97,11 @@ void keepStandardOutputFree() { output_is_taken = true; }
 
 bool isStandardOutputTaken() { return output_is_taken; }
 
-ProgressFunction progressBar(const std::string& what) {
-  return progressBar([what] { return what; });
+ProgressFunction progressBar(const std::string& what, const std::string& unit) {
+  return progressBar([what] { return what; }, unit);
 }
 
-ProgressFunction progressBar(std::function<std::string()> what) {
+ProgressFunction progressBar(std::function<std::string()> what, const std::string& unit) {
   const bool on_terminal = isTerminal();
   // Work that ends within half a second shows no bar at all. A log has a line twice a minute.
   const double first_s = on_terminal ? 0.5 : kBetweenLines_s;
@@ -108,9 +115,9 @@ ProgressFunction progressBar(std::function<std::string()> what) {
     if (elapsed_s > first_s && seconds(now - state->drawn) > between_s) {
       state->drawn = now;
       if (on_terminal)
-        drawBar(what(), done, total, elapsed_s);
+        drawBar(what(), done, total, unit, elapsed_s);
       else
-        say(stderr, progressLine(what(), done, total, elapsed_s));
+        say(stderr, progressLine(what(), done, total, unit, elapsed_s));
     }
     return !interrupted();
   };
@@ -182,7 +189,7 @@ std::string adviceOn(Remedy remedy) {
     case Remedy::store_floats:
       return ", or use --format float32";
     case Remedy::scale_light:
-      return "; --scale-light 1e-6 makes them fit";
+      return "; --scale-light 1e-6 of convert or bake makes them fit";
     case Remedy::name_projection:
       return "; say which it gets: --to " + join(projectionNames(), "|");
     case Remedy::name_form:
@@ -199,6 +206,8 @@ std::string adviceOn(Remedy remedy) {
       return ", or give --response srgb";
     case Remedy::convert_to_panorama:
       return " (convert --to equirect)";
+    case Remedy::give_angles:
+      return "; give --camera AZIMUTH,ELEVATION, as in --camera 30,15";
     case Remedy::resize:
       return ", or --resize the first";
   }

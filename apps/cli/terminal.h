@@ -25,11 +25,13 @@ bool isStandardOutputTaken();
 
 /// A progress bar with the time left, on standard error if that is a terminal; else a line there twice a minute. Stops
 /// the work when the program is interrupted.
-ProgressFunction progressBar(const std::string& what);
+///
+/// unit     what is counted, if `what` leaves that open: "pictures"
+ProgressFunction progressBar(const std::string& what, const std::string& unit = {});
 /// Whether they are seen.
 bool showsProgress();
 /// The same with a text that changes.
-ProgressFunction progressBar(std::function<std::string()> what);
+ProgressFunction progressBar(std::function<std::string()> what, const std::string& unit = {});
 
 /// Says on standard error what was written, if that is a terminal; and notes it (interruption.h).
 void announce(const std::string& path);

@@ -149,7 +149,8 @@ Result<void> checkTransfer(const TransferRequest& request) {
   if (!request.low.empty() && request.triangles > 0)
     return fail(ErrorCode::usage, "--simplify makes the light model itself; leave " + request.low + " out");
   if (request.given.contains("rays") && request.occlusion.empty() && request.bent_normals.empty())
-    return fail(ErrorCode::usage, "--rays changes nothing without --occlusion or --bent-normal; leave it out");
+    return fail(ErrorCode::usage, changesNothing(std::array<std::string, 1>{"--rays"},
+                                                 "neither --occlusion nor --bent-normal is made; leave it out"));
   for (const std::string& output : outputs)
     if (output != request.model_out) MIRRORBALL_TRY_VOID(numberFormat(output));
   if (!request.model_out.empty()) {

@@ -106,7 +106,7 @@ TEST_F(InterruptRenderTest, ATurntableShowsItsProgressOnATerminalAndClearsIt) {
   program.waitUntilShown(" s left");
   program.interrupt();
   const std::string shown = program.wait().err;
-  EXPECT_THAT(shown, ContainsRegex("turntable \\[#*\\.*\\] [0-9]+/100000, [0-9]+ s left"));
+  EXPECT_THAT(shown, ContainsRegex("turntable \\[#*\\.*\\] [0-9]+/100000 pictures, [0-9]+ s left"));
   EXPECT_THAT(shown, HasSubstr("\r\033[Kmirrorball: interrupted after "));
 }
 

@@ -66,6 +66,11 @@ std::optional<std::vector<float>> numbersIn(const OptionText& bounds, std::strin
 
 }  // namespace
 
+std::string changesNothing(std::span<const std::string> options, std::string_view why) {
+  return join(options, ", ", " and ") + (options.size() == 1 ? " changes nothing: " : " change nothing: ") +
+         std::string(why);
+}
+
 tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, std::string_view given) {
   std::string message = std::string(text.name) + " takes " + std::string(wants);
   if (!text.unit.empty()) message += (text.max_count > 1 ? ", in " : " in ") + std::string(text.unit);
@@ -105,7 +110,7 @@ std::vector<std::string_view> choicesOf(const OptionText& text) { return partsOf
 Result<int> parseChoice(const OptionText& text, std::string_view written) {
   const auto choices = choicesOf(text);
   if (const auto index = indexOfName(written, choices, aliasesOf(text))) return static_cast<int>(*index);
-  Error error = unknownName("value", written, choices);
+  Error error = unknownName("value", written, choices, aliasesOf(text));
   error.message = std::string(text.name) + ": " + error.message;
   return tl::unexpected<Error>(error);
 }

@@ -111,6 +111,12 @@ struct Option {
   }
 };
 
+/// What is said of options that have nothing to act on: "--rays changes nothing: no occlusion is made", "--blur and
+/// --probes change nothing: ...".
+///
+/// options   with their dashes; not empty
+std::string changesNothing(std::span<const std::string> options, std::string_view why);
+
 /// "fov takes a number in degrees (1 … 170); it was given 'wide'", with the option's own name, unit and range.
 tl::unexpected<Error> misused(const OptionText& text, std::string_view wants, std::string_view given);
 

@@ -40,6 +40,7 @@ enum class Remedy {
   give_exposures,          ///< MergeOptions::exposures
   name_response,           ///< MergeOptions::response, as sRGB
   convert_to_panorama,     ///< convert to Projection::equirect
+  give_angles,             ///< CameraOptions' azimuth and elevation in place of a name
   resize,                  ///< resized: to the size of the other one
 };
 

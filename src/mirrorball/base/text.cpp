@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -145,17 +146,17 @@ std::string join(std::span<const std::string> words, std::string_view separator,
   return join(std::vector<std::string_view>(words.begin(), words.end()), separator, before_last);
 }
 
-std::size_t columnsOf(std::string_view text) {
-  // Bytes 10xxxxxx continue a code point. U+0300 to U+036F, which mark the letter before, begin with 0xCC or 0xCD.
-  constexpr unsigned char kContinues = 0x80;
-  constexpr unsigned char kTopBits = 0xC0;
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](unsigned char byte) {
-    return (byte & kTopBits) != kContinues && byte != 0xCC && byte != 0xCD;
-  }));
+std::string counted(std::uint64_t count, std::string_view noun) {
+  const char* ending = count == 1 ? "" : noun.ends_with("sh") ? "es" : "s";
+  return std::to_string(count) + " " + std::string(noun) + ending;
 }
 
-std::string countedAre(std::size_t count, std::string_view noun) {
-  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? " is" : "s are");
+std::string countedAre(std::uint64_t count, std::string_view noun) {
+  return counted(count, noun) + (count == 1 ? " is" : " are");
+}
+
+std::string thereAre(std::uint64_t count, std::string_view noun) {
+  return (count == 1 ? "there is " : "there are ") + counted(count, noun);
 }
 
 std::string formatNumber(double number) {
@@ -210,7 +211,26 @@ bool isControl(char32_t point) {
          (point >= 0x2028 && point <= 0x202E) || (point >= 0x2066 && point <= 0x2069);
 }
 
+/// Whether it marks the letter before it: Unicode's blocks of combining diacritical marks.
+bool isMark(char32_t point) {
+  constexpr struct {
+    char32_t first, last;
+  } kBlocks[] = {{0x300, 0x36F}, {0x1AB0, 0x1AFF}, {0x1DC0, 0x1DFF}, {0x20D0, 0x20FF}, {0xFE20, 0xFE2F}};
+  return std::any_of(std::begin(kBlocks), std::end(kBlocks),
+                     [&](const auto& block) { return point >= block.first && point <= block.last; });
+}
+
 }  // namespace
+
+std::size_t columnsOf(std::string_view text) {
+  std::size_t columns = 0;
+  while (!text.empty()) {
+    const CodePoint point = firstCodePoint(text);
+    if (!isMark(point.value)) ++columns;
+    text.remove_prefix(point.bytes);
+  }
+  return columns;
+}
 
 std::string printable(std::string_view text) { return excerpt(text, text.size()); }
 
@@ -257,8 +277,11 @@ std::optional<std::string_view> nearestWord(std::string_view text, std::span<con
   return nearest;
 }
 
-Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right) {
-  return unknownName(what, given, right, nearestWord(given, right));
+Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right,
+                  std::span<const Alias> aliases) {
+  std::vector<std::string_view> known(right.begin(), right.end());
+  for (const Alias& alias : aliases) known.push_back(alias.written);
+  return unknownName(what, given, right, nearestWord(given, known));
 }
 
 Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,8 +28,12 @@ std::string join(std::span<const std::string> words, std::string_view separator 
 /// them.
 std::size_t columnsOf(std::string_view text);
 
+/// "1 texel", "3 texels", "2 meshes"
+std::string counted(std::uint64_t count, std::string_view noun);
 /// "1 texel is", "3 texels are"
-std::string countedAre(std::size_t count, std::string_view noun);
+std::string countedAre(std::uint64_t count, std::string_view noun);
+/// "there is 1 texel", "there are 3 texels"
+std::string thereAre(std::uint64_t count, std::string_view noun);
 
 /// The shortest text that reads back as the same float: "0.3", "1000000", "1e-07".
 std::string formatNumber(double number);
@@ -65,10 +70,12 @@ std::optional<std::size_t> indexOfName(std::string_view written, std::span<const
 /// or a fifth of its letters away from one.
 std::optional<std::string_view> nearestWord(std::string_view text, std::span<const std::string_view> words);
 
-/// The error for a name that is not in a list: names the thing, suggests the nearest and lists the right ones.
+/// The error for a name that is not in a list: names the thing, suggests the nearest of them and of their aliases, and
+/// lists the right ones.
 ///
 /// what     what the name should name, as in "material"
-Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right);
+Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right,
+                  std::span<const Alias> aliases = {});
 
 /// The same where it is known otherwise which of them is meant, if any is.
 Error unknownName(std::string_view what, std::string_view given, std::span<const std::string_view> right,

@@ -36,6 +36,11 @@ TEST(CountedAre, AgreesWithTheNumber) {
   EXPECT_EQ(countedAre(1, "texel"), "1 texel is");
   EXPECT_EQ(countedAre(0, "texel"), "0 texels are");
   EXPECT_EQ(countedAre(12, "texel"), "12 texels are");
+  EXPECT_EQ(counted(1, "mesh"), "1 mesh");
+  EXPECT_EQ(counted(2, "mesh"), "2 meshes");
+  EXPECT_EQ(counted(2, "path"), "2 paths");
+  EXPECT_EQ(thereAre(1, "light"), "there is 1 light");
+  EXPECT_EQ(thereAre(0, "light"), "there are 0 lights");
 }
 
 TEST(FormatNumber, HasTheFewestDigits) {
@@ -131,6 +136,9 @@ TEST(Text, ColumnsAreCodePoints) {
   EXPECT_EQ(columnsOf("T,T,…"), 5u);
   EXPECT_EQ(columnsOf("schön"), 5u);
   EXPECT_EQ(columnsOf("scho\u0308n"), 5u) << "o and a mark";
+  EXPECT_EQ(columnsOf("\u036F\u1AB0\u1DC0\u20D0\uFE20"), 0u) << "marks of all blocks";
+  EXPECT_EQ(columnsOf("\u0370\u037Fθ\u1DBF\u2100"), 5u) << "letters beside them";
+  EXPECT_EQ(columnsOf("\xCC\xFF"), 2u) << "bytes that are no UTF-8";
 }
 
 }  // namespace

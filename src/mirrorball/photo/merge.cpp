@@ -50,8 +50,8 @@ Result<std::vector<double>> exposuresOf(std::span<const Photograph> photographs,
     exposures = std::move(read);
   }
   if (exposures.size() != photographs.size())
-    return fail(ErrorCode::usage, std::to_string(exposures.size()) + " exposures are given for " +
-                                      std::to_string(photographs.size()) + " photographs; give one each");
+    return fail(ErrorCode::usage, countedAre(exposures.size(), "exposure") + " given for " +
+                                      counted(photographs.size(), "photograph") + "; give one each");
   const auto [shortest, longest] = std::minmax_element(exposures.begin(), exposures.end());
   const double min = *shortest;
   const double max = *longest;

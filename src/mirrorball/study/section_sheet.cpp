@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "mirrorball/base/range.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/metric/picture/lettering.h"
 #include "mirrorball/metric/picture/side_by_side.h"
 
@@ -33,8 +34,9 @@ std::vector<Panel> panelsOf(const StudiedShot& shot, std::string_view compared_t
   std::vector<Panel> panels;
   for (const StudiedPicture& picture : shot.pictures)
     panels.push_back({&picture.picture, wordsOf(picture, shot, compared_to)});
-  panels.push_back({&shot.reference,
-                    {"path-traced", std::to_string(shot.cost.paths) + " paths", twoDecimals(shot.cost.time_s) + " s"}});
+  panels.push_back(
+      {&shot.reference,
+       {"path-traced", counted(std::size_t(shot.cost.paths), "path"), twoDecimals(shot.cost.time_s) + " s"}});
   return panels;
 }
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/image/image.h"
 
@@ -101,8 +102,8 @@ class HeaderWalker {
                                              " bytes, more than the file; it is truncated or damaged");
       if (!isRightSize(type, size))
         return fail(ErrorCode::bad_file, "the header's attribute at byte " + std::to_string(at_ - 4) + " says it has " +
-                                             std::to_string(size) +
-                                             " bytes, which its type does not have; the file is damaged");
+                                             counted(size, "byte") +
+                                             ", which its type does not have; the file is damaged");
       MIRRORBALL_TRY_VOID(checkAttribute(attribute, type, size));
       at_ += size;
     }

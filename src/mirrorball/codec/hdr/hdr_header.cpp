@@ -56,7 +56,7 @@ std::optional<std::vector<double>> parseNumbers(std::string_view text, std::size
 Result<void> applyExposure(std::string_view value, std::size_t count, const LineReader& reader, HdrHeader& header) {
   const auto numbers = parseNumbers(value, count);
   if (!numbers)
-    return reader.failure(ErrorCode::bad_file, "should have " + std::to_string(count) + " number(s) behind its '='");
+    return reader.failure(ErrorCode::bad_file, "should have " + counted(count, "number") + " behind its '='");
   for (int c = 0; c < 3; ++c) {
     const double factor = (*numbers)[count == 1 ? 0 : std::size_t(c)];
     const double product = static_cast<double>(header.exposure[c]) * factor;

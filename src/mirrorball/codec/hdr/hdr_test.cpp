@@ -253,7 +253,7 @@ TEST(Hdr, HeaderErrorsNameTheLine) {
   EXPECT_THAT(failureOf(file("A=1\nFORMAT=raw\n", "-Y 1 +X 1", {})).message, HasSubstr("line 3"));
   EXPECT_THAT(failureOf(file("EXPOSURE=x\n", "-Y 1 +X 1", {})).message, HasSubstr("line 2"));
   EXPECT_THAT(failureOf(file("EXPOSURE=0\n", "-Y 1 +X 1", {})).message, HasSubstr("exposure 0"));
-  EXPECT_THAT(failureOf(file("COLORCORR=1 2\n", "-Y 1 +X 1", {})).message, HasSubstr("3 number(s)"));
+  EXPECT_THAT(failureOf(file("COLORCORR=1 2\n", "-Y 1 +X 1", {})).message, HasSubstr("3 numbers behind"));
   for (const char* resolution :
        {"Y 1 +X 1", "-Y 1", "-Y 1 +Y 1", "-Y one +X 1", "-Y 1.5 +X 1", "-Y 1e300 +X 1", "-Z 1 +X 1", "-Y 1 +X 1 ", ""})
     EXPECT_THAT(failureOf(file("", resolution, {1, 1, 1, 1})).message, HasSubstr("line 3 should be the resolution"))

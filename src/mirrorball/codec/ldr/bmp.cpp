@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mirrorball/base/range.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/color/icc_profile.h"
 
@@ -85,8 +86,8 @@ Result<BmpHeader> readBmpHeader(Span bytes) {
   BmpHeader header{.size = littleU32(&bytes[kFileHeader]), .texels_at = littleU32(&bytes[10])};
   const bool is_core = header.size == kCoreHeader;
   if (!is_core && (header.size < 16 || header.size > 1000))
-    return fail(ErrorCode::bad_file, "says that its header has " + std::to_string(header.size) +
-                                         " bytes, which no bitmap's has; the file is damaged");
+    return fail(ErrorCode::bad_file, "says that its header has " + counted(header.size, "byte") +
+                                         ", which no bitmap's has; the file is damaged");
   if (bytes.size() < kFileHeader + header.size) return truncated(bytes.size());
   const std::uint8_t* fields = &bytes[kFileHeader];
   if (is_core) {
@@ -104,7 +105,7 @@ Result<BmpHeader> readBmpHeader(Span bytes) {
   header.height = std::abs(header.height);
   MIRRORBALL_TRY_VOID(checkDimensions(header.width, header.height));
   if (!isKnown(header))
-    return fail(ErrorCode::unsupported, "is a bitmap of " + std::to_string(header.bits) + " bits with compression " +
+    return fail(ErrorCode::unsupported, "is a bitmap of " + counted(header.bits, "bit") + " with compression " +
                                             std::to_string(header.compression) +
                                             ", which is not read; save it plain, or as PNG");
   if (!header.isRunLengthCoded() && !header.hasPalette() && header.bits != 24)
@@ -137,9 +138,8 @@ Result<std::vector<BmpColor>> readPalette(const BmpHeader& header, Span bytes) {
   const std::size_t there = end < at ? 0 : (end - at) / entry;
   const std::size_t count = header.colors == 0 ? max : std::min<std::size_t>(header.colors, max);
   if (there < count && header.colors != 0)
-    return fail(ErrorCode::bad_file, "says that its palette has " + std::to_string(count) +
-                                         " colours, and has room for " + std::to_string(there) +
-                                         "; the file is damaged");
+    return fail(ErrorCode::bad_file, "says that its palette has " + counted(count, "colour") + ", and has room for " +
+                                         std::to_string(there) + "; the file is damaged");
   std::vector<BmpColor> palette;
   for (std::size_t i = 0; i < std::min(count, there); ++i) {
     const std::uint8_t* color = &bytes[at + i * entry];

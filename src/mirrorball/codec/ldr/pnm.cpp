@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mirrorball/base/range.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/ldr/pnm_header.h"
 
@@ -69,8 +70,8 @@ Result<void> readPamHeader(PnmWords& words, PnmHeader& header) {
                                       "RGB", "RGB_ALPHA"};
   if (header.channels < 1 || header.channels > 4 || !contains(kKinds, kind))
     return fail(ErrorCode::unsupported, "is a PAM of the kind '" + excerpt(kind) + "' with " +
-                                            std::to_string(header.channels) +
-                                            " samples a texel; grey and RGB, with or without alpha, are read");
+                                            counted(std::size_t(header.channels), "sample") +
+                                            " a texel; grey and RGB, with or without alpha, are read");
   return {};
 }
 

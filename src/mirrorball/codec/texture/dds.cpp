@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/little_endian_writer.h"
 #include "mirrorball/codec/texture/dds_layout.h"
@@ -92,7 +93,7 @@ Result<StoredFormat> formatBeforeDx10(const std::uint8_t* pixel_format) {
     for (const MaskRow& row : kMaskRows)
       if (row.bits == bits && row.red == mask(0) && row.green == mask(1) && row.blue == mask(2) && row.alpha == alpha)
         return row.format;
-  return unsupportedTexture("a pixel format of " + std::to_string(bits) + " bits with masks of its own", kDdsInstead);
+  return unsupportedTexture("a pixel format of " + counted(bits, "bit") + " with masks of its own", kDdsInstead);
 }
 
 Result<void> readDx10Header(const std::uint8_t* dx10, DdsHeader& header) {

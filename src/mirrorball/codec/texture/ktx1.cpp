@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/texture/format_numbers.h"
 #include "mirrorball/codec/texture/ktx1_layout.h"
@@ -154,7 +155,7 @@ class Reader {
       const std::uint32_t stated = u32(at_);
       if (stated != expected)
         return fail(ErrorCode::bad_file, "level " + std::to_string(level) + " at byte " + std::to_string(at_) +
-                                             " says it has " + std::to_string(stated) + " bytes; as " + nameOf(format) +
+                                             " says it has " + counted(stated, "byte") + "; as " + nameOf(format) +
                                              " it has " + std::to_string(expected));
       at_ += 4;
       for (int layer = 0; layer < images.layers(); ++layer)

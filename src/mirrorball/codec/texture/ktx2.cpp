@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/byte_order.h"
 #include "mirrorball/codec/texture/data_format_descriptor.h"
 #include "mirrorball/codec/texture/format_numbers.h"
@@ -91,7 +92,7 @@ Result<void> checkRanges(const Ktx2Header& header, std::size_t file_size) {
     ranges.push_back({header.levels[level].offset, header.levels[level].size, "level " + std::to_string(level)});
   for (const Range& range : ranges)
     if (range.begin > file_size || range.size > file_size - range.begin)
-      return fail(ErrorCode::bad_file, range.what + " says it has " + std::to_string(range.size) + " bytes from byte " +
+      return fail(ErrorCode::bad_file, range.what + " says it has " + counted(range.size, "byte") + " from byte " +
                                            std::to_string(range.begin) + " on, but the file has " +
                                            std::to_string(file_size) + "; it is truncated or damaged");
   std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.begin < b.begin; });
@@ -137,12 +138,11 @@ Result<void> checkLevelSizes(const Ktx2Header& header, const StoredFormat& forma
     const bool is_plain = header.scheme == kKtx2Plain;
     const std::uint64_t stated = is_plain ? level.size : level.unpacked_size;
     if (stated != expected)
-      return fail(ErrorCode::bad_file, place + " says it has " + std::to_string(stated) + " bytes of texels; as " +
+      return fail(ErrorCode::bad_file, place + " says it has " + counted(stated, "byte") + " of texels; as " +
                                            nameOf(format) + " it has " + std::to_string(expected));
     if (!is_plain && !mayUnpackTo(level.size, expected))
-      return fail(ErrorCode::bad_file, place + " has " + std::to_string(level.size) +
-                                           " compressed bytes, too few for " + std::to_string(expected) +
-                                           "; the file is damaged");
+      return fail(ErrorCode::bad_file, place + " has " + counted(level.size, "compressed byte") + ", too few for " +
+                                           std::to_string(expected) + "; the file is damaged");
   }
   return {};
 }

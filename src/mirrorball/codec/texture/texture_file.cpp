@@ -3,6 +3,7 @@
 #include <cassert>
 #include <memory>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/codec/texture/dds.h"
@@ -27,7 +28,7 @@ Result<DecodedImageSet> decodeByMagic(std::span<const std::uint8_t> bytes) {
 
 std::string sizeText(const Image& image) {
   return std::to_string(image.width()) + "x" + std::to_string(image.height()) + " with " +
-         std::to_string(image.channels()) + " channels";
+         counted(std::size_t(image.channels()), "channel");
 }
 
 /// All images have the size that their level makes them, and the channels of the first, which the format can hold.

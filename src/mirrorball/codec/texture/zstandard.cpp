@@ -6,6 +6,7 @@
 #include <zstd.h>
 
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
 
 namespace mirrorball {
 namespace {
@@ -23,7 +24,7 @@ Result<void> unpackZstandard(std::span<const std::uint8_t> packed, std::span<std
   if (ZSTD_isError(count))
     return fail(ErrorCode::bad_file, std::string("is not sound Zstandard data: ") + ZSTD_getErrorName(count));
   if (count != to.size())
-    return fail(ErrorCode::bad_file, "unpacks to " + std::to_string(count) + " bytes instead of " +
+    return fail(ErrorCode::bad_file, "unpacks to " + counted(count, "byte") + " instead of " +
                                          std::to_string(to.size()) + "; the file is damaged");
   return {};
 }

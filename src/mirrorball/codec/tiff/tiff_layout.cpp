@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/color/icc_profile.h"
 #include "mirrorball/codec/ldr/coded_picture.h"
 
@@ -104,8 +105,8 @@ Result<void> readSamples(TIFF* tiff, TiffLayout& layout) {
                                        : (format == SAMPLEFORMAT_UINT || format == SAMPLEFORMAT_VOID) &&
                                              layout.bits >= 1 && (layout.bits <= 16 || layout.bits == 32);
   if (is_read) return {};
-  return fail(ErrorCode::unsupported, "has samples of " + std::to_string(layout.bits) + " bits and TIFF's kind " +
-                                          std::to_string(format) +
+  return fail(ErrorCode::unsupported, "has samples of " + counted(std::size_t(layout.bits), "bit") +
+                                          " and TIFF's kind " + std::to_string(format) +
                                           ", which are not read; save it with 8 or 16 bits, or with floats of 32");
 }
 

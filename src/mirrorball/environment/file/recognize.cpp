@@ -177,7 +177,7 @@ Result<FormHint> formHintNamed(std::string_view name) {
   } else {
     std::vector<std::string_view> all(projectionNames().begin(), projectionNames().end());
     all.insert(all.end(), cubeLayoutNames().begin(), cubeLayoutNames().end());
-    return tl::unexpected<Error>(unknownName("projection or cube layout", base, all));
+    return tl::unexpected<Error>(unknownName("projection or cube layout", base, all, projectionAliases()));
   }
   if (colon == std::string_view::npos) return hint;
   for (const std::string& word : split(name.substr(colon + 1), ',')) MIRRORBALL_TRY_VOID(applyWord(word, hint));

@@ -73,6 +73,8 @@ float nearness(Projection projection) { return 1.0f / projection.ball_distance; 
 
 std::span<const std::string_view> projectionNames() { return kNames; }
 
+std::span<const Alias> projectionAliases() { return kAliases; }
+
 std::string_view nameOf(Projection projection) { return rowOf(projection).name; }
 
 std::string textOf(Projection projection) {
@@ -94,7 +96,7 @@ Result<Projection> ballAtDistance(std::string_view written) {
 Result<Projection> projectionNamed(std::string_view name) {
   const std::size_t colon = name.find(':');
   const auto found = indexOfName(name.substr(0, colon), kNames, kAliases);
-  if (!found) return tl::unexpected<Error>(unknownName("projection", name, kNames));
+  if (!found) return tl::unexpected<Error>(unknownName("projection", name, kNames, kAliases));
   const auto kind = static_cast<Projection::Kind>(*found);
   if (colon == std::string_view::npos) return kind;
   const std::string_view parameter = name.substr(colon + 1);

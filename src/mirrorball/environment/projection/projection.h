@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/result.h"
+#include "mirrorball/base/text.h"
 
 namespace mirrorball {
 
@@ -56,6 +57,8 @@ struct Projection {
 /// "equirect", "sphere", "angular", "cube", "ball", "paraboloid", "octahedral", "hemioctahedral", "equal-area", "eac":
 /// the order of the kinds.
 std::span<const std::string_view> projectionNames();
+/// Other names that they are understood by.
+std::span<const Alias> projectionAliases();
 std::string_view nameOf(Projection projection);
 
 /// The name, and a ball's distance: "ball:distance=20". projectionNamed reads it back.

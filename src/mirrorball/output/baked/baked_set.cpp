@@ -13,6 +13,7 @@
 #include "mirrorball/base/folder.h"
 #include "mirrorball/base/memory.h"
 #include "mirrorball/base/parallel.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/codec/metadata.h"
 #include "mirrorball/environment/convert/convert.h"
 #include "mirrorball/output/baked/baked_files.h"
@@ -62,10 +63,10 @@ class LaterTable {
 void tellFewLevels(const BakedSetSettings& settings, bool is_counted, const Observer& observer) {
   const int last = settings.levels - 1;
   if (!is_counted && last == 0)
-    observer.tell(
-        RemarkKind::levels_few,
-        "a chain of " + std::to_string(settings.size) + " texels a face has level 0 only, the environment itself",
-        std::to_string(maxLevels(settings.size)));
+    observer.tell(RemarkKind::levels_few,
+                  "a chain of " + counted(std::size_t(settings.size), "texel") +
+                      " a face has level 0 only, the environment itself",
+                  std::to_string(maxLevels(settings.size)));
   constexpr int kLastLevelOfUnity = 6;  // UNITY_SPECCUBE_LOD_STEPS
   if (settings.mip_mapping == MipMapping::unity && last != kLastLevelOfUnity)
     observer.tell(RemarkKind::levels_few,
@@ -188,7 +189,7 @@ Result<BakedSet> BakedSet::resolve(const std::string& output, const BakedSetSett
   MIRRORBALL_TRY(set, engineSetFor(settings.file.program));
   if (settings.levels > maxLevels(settings.size))
     return fail(ErrorCode::usage, std::to_string(settings.levels) + " levels: a cube of " +
-                                      std::to_string(settings.size) + " texels a face has at most " +
+                                      counted(std::size_t(settings.size), "texel") + " a face has at most " +
                                       std::to_string(maxLevels(settings.size)) +
                                       ", the last of one texel a face; ask for no more");
   BakedSetSettings settled = settings;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "mirrorball/base/option.h"
+
 namespace mirrorball {
 namespace {
 
@@ -76,7 +78,7 @@ std::vector<std::string> idleOptions(const Scene& scene, const FrameSettings& se
   if (scene.empty()) return lines;
   for (const Idle& idle : kIdle)
     if (given.contains(idle.option) && !idle.acts(scene, settings))
-      lines.push_back("--" + std::string(idle.option) + " changes nothing: " + std::string(idle.why));
+      lines.push_back(changesNothing(std::array{"--" + std::string(idle.option)}, idle.why));
   if (settings.refraction == RefractionKind::single && absorbs(scene))
     lines.emplace_back("--refraction single knows of no way through glass, and so of no absorption; image-space does");
   return lines;

@@ -125,7 +125,7 @@ class SceneBuilder {
   Result<std::vector<Visit>> rootNodes() const {
     std::vector<Visit> roots;
     if (const int scene = document_.scene; scene != -1) {
-      MIRRORBALL_TRY_VOID(checkIndex(scene, document_.scenes.size(), "scene", "scenes"));
+      MIRRORBALL_TRY_VOID(checkIndex(scene, document_.scenes.size(), "scene", "scene"));
       for (const int node : document_.scenes[std::size_t(scene)])
         roots.push_back({node, glm::dmat4(1.0), quoted("scenes", std::size_t(scene)) + ".nodes"});
       return roots;
@@ -147,7 +147,7 @@ class SceneBuilder {
     while (!pending.empty()) {
       const Visit visit = std::move(pending.back());
       pending.pop_back();
-      MIRRORBALL_TRY_VOID(checkIndex(visit.node, document_.nodes.size(), visit.key, "nodes"));
+      MIRRORBALL_TRY_VOID(checkIndex(visit.node, document_.nodes.size(), visit.key, "node"));
       const auto index = std::size_t(visit.node);
       const std::string key = quoted("nodes", index);
       if (visited[index])
@@ -158,7 +158,7 @@ class SceneBuilder {
       const glm::dmat4 world_from_node = visit.world_from_parent * node.parent_from_node;
       if (!isFinite(world_from_node)) return fail(ErrorCode::bad_file, key + " has a transform that is too large");
       if (node.mesh != -1) {
-        MIRRORBALL_TRY_VOID(checkIndex(node.mesh, document_.meshes.size(), key + ".mesh", "meshes"));
+        MIRRORBALL_TRY_VOID(checkIndex(node.mesh, document_.meshes.size(), key + ".mesh", "mesh"));
         // What is scaled to nothing is a file's way to hide it.
         if (determinantOf(world_from_node) != 0.0) placements.push_back({node.mesh, world_from_node});
       }
@@ -173,7 +173,7 @@ class SceneBuilder {
   /// Puts a node's camera into the scene, under the node's name, else its own.
   Result<void> addCamera(const Node& node, const glm::dmat4& world_from_node, const std::string& key) {
     if (node.camera == -1) return {};
-    MIRRORBALL_TRY_VOID(checkIndex(node.camera, document_.cameras.size(), key + ".camera", "cameras"));
+    MIRRORBALL_TRY_VOID(checkIndex(node.camera, document_.cameras.size(), key + ".camera", "camera"));
     const std::optional<ModelCamera>& camera = document_.cameras[std::size_t(node.camera)];
     const std::optional<glm::mat4> place = rigidPart(world_from_node);
     if (!camera || !place) {
@@ -191,7 +191,7 @@ class SceneBuilder {
   Result<void> addLight(const Node& node, const glm::dmat4& world_from_node, const std::string& key) {
     if (node.light == -1) return {};
     const std::string light_key = key + ".extensions.KHR_lights_punctual.light";
-    MIRRORBALL_TRY_VOID(checkIndex(node.light, document_.lights.size(), light_key, "lights"));
+    MIRRORBALL_TRY_VOID(checkIndex(node.light, document_.lights.size(), light_key, "light"));
     const std::optional<ModelLight>& light = document_.lights[std::size_t(node.light)];
     const std::optional<glm::mat4> place = rigidPart(world_from_node);
     if (!light || !place) {
@@ -258,7 +258,7 @@ class SceneBuilder {
       const std::string mapping_key = extension + quoted("mappings", i);
       MIRRORBALL_TRY(mapped, materials_.sceneMaterial(mapping.material, mapping_key + ".material"));
       for (const int variant : mapping.variants) {
-        MIRRORBALL_TRY_VOID(checkIndex(variant, materials.size(), mapping_key + ".variants", "variants"));
+        MIRRORBALL_TRY_VOID(checkIndex(variant, materials.size(), mapping_key + ".variants", "variant"));
         materials[std::size_t(variant)] = mapped;
       }
     }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 
 // How an accessor's elements lie in its buffer: glTF 2.0, section 3.6.
@@ -142,7 +143,7 @@ Result<void> addSparse(const File& file, const Sparse& sparse, const std::string
 }
 
 Result<Layout> layoutOf(const File& file, int index, const std::string& referrer) {
-  MIRRORBALL_TRY_VOID(checkIndex(index, file.document.accessors.size(), referrer, "accessors"));
+  MIRRORBALL_TRY_VOID(checkIndex(index, file.document.accessors.size(), referrer, "accessor"));
   const Accessor& accessor = file.document.accessors[std::size_t(index)];
   const std::string key = quoted("accessors", std::size_t(index));
   Layout layout;
@@ -175,17 +176,17 @@ void forEachElement(const Layout& layout, Take&& take) {
 
 Result<std::span<const std::uint8_t>> bufferBytes(const File& file, int buffer, std::size_t offset, std::size_t length,
                                                   const std::string& key) {
-  MIRRORBALL_TRY_VOID(checkIndex(buffer, file.buffers.size(), key + ".buffer", "buffers"));
+  MIRRORBALL_TRY_VOID(checkIndex(buffer, file.buffers.size(), key + ".buffer", "buffer"));
   const std::span<const std::uint8_t> data = file.buffers[std::size_t(buffer)];
   if (offset > data.size() || length > data.size() - offset)
-    return fail(ErrorCode::bad_file, key + " takes " + std::to_string(length) + " bytes from byte " +
+    return fail(ErrorCode::bad_file, key + " takes " + counted(length, "byte") + " from byte " +
                                          std::to_string(offset) + " of " + quoted("buffers", std::size_t(buffer)) +
                                          ", which has " + std::to_string(data.size()));
   return data.subspan(offset, length);
 }
 
 Result<std::span<const std::uint8_t>> viewBytes(const File& file, int view_index, const std::string& key) {
-  MIRRORBALL_TRY_VOID(checkIndex(view_index, file.document.buffer_views.size(), key, "bufferViews"));
+  MIRRORBALL_TRY_VOID(checkIndex(view_index, file.document.buffer_views.size(), key, "bufferView"));
   const BufferView& view = file.document.buffer_views[std::size_t(view_index)];
   const std::string view_key = quoted("bufferViews", std::size_t(view_index));
   return bufferBytes(file, view.buffer, view.byte_offset, view.byte_length, view_key);

@@ -74,7 +74,7 @@ TEST(GltfDamage, NamesTheKeyOfAWrongAccessor) {
                    "\"type\":\"VEC3\"}"),
       "past the end of every buffer");
   expectDamageRefused(withAccessor("{\"bufferView\":7,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}"),
-                      "accessors[0].bufferView is 7, but there are 1 bufferViews");
+                      "accessors[0].bufferView is 7, but there is 1 bufferView");
   expectDamageRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"count\":-3,\"type\":\"VEC3\"}"),
                       "accessors[0].count is no whole number");
   expectDamageRefused(withAccessor("{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\"}"),
@@ -123,14 +123,14 @@ TEST(GltfDamage, NamesTheKeyOfAWrongPrimitive) {
   maker.accessor(kDamagedTriangle, "VEC3");
   maker.accessor(std::vector<float>{0, 0, 1}, "VEC3");
   expectDamageRefused(maker.gltf("{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}}"),
-                      "NORMAL has 1 elements, but POSITION has 3");
+                      "NORMAL has 1 element, but POSITION has 3");
   GltfMaker not_finite;
   not_finite.accessor(std::vector<float>{0, 0, 0, 1, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 0}, "VEC3");
   expectDamageRefused(not_finite.gltf(kPrimitive), "holds NaN or infinity in element 1");
 }
 
 TEST(GltfDamage, NamesTheKeyOfAWrongNode) {
-  expectDamageRefused(withRest("\"nodes\":[{\"mesh\":4}]"), "nodes[0].mesh is 4, but there are 1 meshes");
+  expectDamageRefused(withRest("\"nodes\":[{\"mesh\":4}]"), "nodes[0].mesh is 4, but there is 1 mesh");
   expectDamageRefused(withRest("\"nodes\":[{\"children\":[9]}]"), "nodes[0].children is 9");
   expectDamageRefused(
       withRest("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"children\":[1]},{\"children\":[0]}]"),

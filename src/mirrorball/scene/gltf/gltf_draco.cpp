@@ -4,6 +4,7 @@
 
 #include <draco/compression/decode.h>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/gltf/gltf_file.h"
 
 // KHR_draco_mesh_compression: a buffer view holds a whole mesh, indices and attributes, as Draco's bitstream 2.2.
@@ -18,7 +19,7 @@ Result<Numbers> dracoNumbers(const draco::Mesh& mesh, const draco::PointAttribut
   Numbers numbers;
   const int components = attribute.num_components();
   if (components < 1 || components > kMaxComponents)
-    return fail(ErrorCode::bad_file, key + " has " + std::to_string(components) + " components");
+    return fail(ErrorCode::bad_file, key + " has " + counted(std::size_t(components), "component"));
   numbers.components = std::size_t(components);
   numbers.values.resize(mesh.num_points() * numbers.components);
   for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {

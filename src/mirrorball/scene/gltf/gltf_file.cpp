@@ -142,7 +142,7 @@ Result<void> readBuffers(File& file, std::span<const std::uint8_t> binary) {
     if (bytes.size() < buffer.byte_length)
       return fail(ErrorCode::bad_file, key + ".byteLength is " + std::to_string(buffer.byte_length) + ", but " +
                                            (buffer.uri ? "'" + excerpt(*buffer.uri) + "'" : "the binary chunk") +
-                                           " has " + std::to_string(bytes.size()) + " bytes");
+                                           " has " + counted(bytes.size(), "byte"));
     file.buffers.push_back(bytes.first(buffer.byte_length));
   }
   return {};
@@ -154,10 +154,9 @@ std::string quoted(const char* array, std::size_t index) {
   return std::string(array) + "[" + std::to_string(index) + "]";
 }
 
-Result<void> checkIndex(int index, std::size_t count, const std::string& key, const char* things) {
+Result<void> checkIndex(int index, std::size_t count, const std::string& key, const char* thing) {
   if (index >= 0 && std::size_t(index) < count) return {};
-  return fail(ErrorCode::bad_file,
-              key + " is " + std::to_string(index) + ", but there are " + std::to_string(count) + " " + things);
+  return fail(ErrorCode::bad_file, key + " is " + std::to_string(index) + ", but " + thereAre(count, thing));
 }
 
 bool isData(std::string_view uri) { return uri.starts_with("data:"); }

@@ -85,7 +85,7 @@ struct DracoMesh {
 Result<DracoMesh> decodeDraco(const File& file, const Primitive& primitive, const std::string& key);
 
 /// Refuses an index that is not that of one of `count` things.
-Result<void> checkIndex(int index, std::size_t count, const std::string& key, const char* things);
+Result<void> checkIndex(int index, std::size_t count, const std::string& key, const char* thing);
 
 /// "accessors[3]"
 std::string quoted(const char* array, std::size_t index);

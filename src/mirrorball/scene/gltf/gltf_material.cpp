@@ -13,7 +13,7 @@ Result<int> Materials::sceneMaterial(int index, const std::string& key) {
   if (const auto found = materials_.find(index); found != materials_.end()) return found->second;
   Material material = defaultMaterial();
   if (index >= 0) {
-    MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.materials.size(), key, "materials"));
+    MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.materials.size(), key, "material"));
     const FileMaterial& source = file_.document.materials[std::size_t(index)];
     material = source.material;
     const std::string own = quoted("materials", std::size_t(index)) + ".";
@@ -36,7 +36,7 @@ Result<void> Materials::bindTexture(TextureSlot& slot, bool srgb, std::optional<
 }
 
 Result<int> Materials::sceneTexture(int index, bool srgb, std::optional<float> glossiness, const std::string& key) {
-  MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.textures.size(), key, "textures"));
+  MIRRORBALL_TRY_VOID(checkIndex(index, file_.document.textures.size(), key, "texture"));
   const Texture& source = file_.document.textures[std::size_t(index)];
   const std::string texture_key = quoted("textures", std::size_t(index));
   if (source.image == -1) {
@@ -45,12 +45,12 @@ Result<int> Materials::sceneTexture(int index, bool srgb, std::optional<float> g
                                 " has its picture only in an extension that is not read; it is left out");
     return -1;
   }
-  MIRRORBALL_TRY_VOID(checkIndex(source.image, file_.document.images.size(), texture_key + ".source", "images"));
+  MIRRORBALL_TRY_VOID(checkIndex(source.image, file_.document.images.size(), texture_key + ".source", "image"));
   mirrorball::Texture texture;
   texture.srgb = srgb;
   if (source.sampler != -1) {
     MIRRORBALL_TRY_VOID(
-        checkIndex(source.sampler, file_.document.samplers.size(), texture_key + ".sampler", "samplers"));
+        checkIndex(source.sampler, file_.document.samplers.size(), texture_key + ".sampler", "sampler"));
     const Sampler& sampler = file_.document.samplers[std::size_t(source.sampler)];
     texture.wrap_s = sampler.wrap_s;
     texture.wrap_t = sampler.wrap_t;

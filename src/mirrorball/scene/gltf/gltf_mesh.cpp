@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/tangents.h"
 
 namespace mirrorball::gltf {
@@ -25,9 +26,9 @@ Result<Numbers> readAttribute(const File& file, const Primitive& primitive, Drac
     numbers = std::move(read);
   }
   if (numbers.components < min_components || numbers.components > max_components)
-    return fail(ErrorCode::bad_file, key + " has " + std::to_string(numbers.components) + " components");
+    return fail(ErrorCode::bad_file, key + " has " + counted(numbers.components, "component"));
   if (vertices && numbers.count() != *vertices)
-    return fail(ErrorCode::bad_file, key + " has " + std::to_string(numbers.count()) + " elements, but POSITION has " +
+    return fail(ErrorCode::bad_file, key + " has " + counted(numbers.count(), "element") + ", but POSITION has " +
                                          std::to_string(*vertices));
   return numbers;
 }
@@ -115,7 +116,7 @@ Result<std::vector<std::uint32_t>> readCorners(const File& file, const Primitive
     if (corners[i] >= vertices)
       return fail(ErrorCode::bad_file, "accessors[" + std::to_string(primitive.indices) + "] (" + key +
                                            ".indices) names vertex " + std::to_string(corners[i]) + " in element " +
-                                           std::to_string(i) + ", but there are " + std::to_string(vertices));
+                                           std::to_string(i) + ", but POSITION has " + counted(vertices, "element"));
   return triangleCorners(std::move(corners), primitive.mode);
 }
 

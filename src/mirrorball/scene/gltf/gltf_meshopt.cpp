@@ -64,8 +64,8 @@ Result<Bytes> decoded(const File& file, const BufferView& view, const std::strin
   if (const std::string problem = problemOf(view); !problem.empty())
     return fail(ErrorCode::bad_file, key + "." + problem);
   if (view.byte_length / kMostOfAByte > how.byte_length)
-    return fail(ErrorCode::bad_file, key + ": its " + std::to_string(how.byte_length) + " bytes cannot hold " +
-                                         std::to_string(view.byte_length));
+    return fail(ErrorCode::bad_file,
+                key + ": " + counted(how.byte_length, "byte") + " cannot hold " + std::to_string(view.byte_length));
   Bytes bytes(view.byte_length);
   if (!decode(how, compressed, bytes)) return fail(ErrorCode::bad_file, key + ": the compressed bytes are damaged");
   return bytes;

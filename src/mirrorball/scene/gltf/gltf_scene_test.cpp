@@ -162,7 +162,7 @@ TEST(GltfCameras, ThatShowNothingAreLeftOut) {
   }
   const std::string right = R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":1}}],)";
   EXPECT_THAT(read(triangleWith(right + nodes(R"("camera":0,"scale":[1,0,1])"))).cameras, IsEmpty());
-  expectSceneRefused(triangleWith(right + nodes(R"("camera":1)")), "nodes[1].camera is 1, but there are 1 cameras");
+  expectSceneRefused(triangleWith(right + nodes(R"("camera":1)")), "nodes[1].camera is 1, but there is 1 camera");
   expectSceneRefused(triangleWith(R"("cameras":[{"type":"perspective"}])"), "cameras[0].perspective is missing");
   expectSceneRefused(triangleWith(R"("cameras":[{}])"), "cameras[0].type is missing");
 }
@@ -272,7 +272,7 @@ TEST(GltfLights, ThatAreDamagedAreToldOrRefused) {
   const std::string bulb = R"({"type":"point"})";
   EXPECT_THAT(read(triangleWith(lights(bulb) + lightNode(R"(,"scale":[1,1,0])"))).lights, IsEmpty());
   expectSceneRefused(triangleWith(lights(bulb) + nodes(R"("extensions":{"KHR_lights_punctual":{"light":1}})")),
-                     "nodes[1].extensions.KHR_lights_punctual.light is 1, but there are 1 lights");
+                     "nodes[1].extensions.KHR_lights_punctual.light is 1, but there is 1 light");
   expectSceneRefused(triangleWith(lights("{}") + lightNode()), "lights[0].type is missing");
   const Scene wild = read(triangleWith(lights(R"({"type":"spot","intensity":-5,"color":[1e300,1,1],"range":-1,)"
                                               R"("spot":{"innerConeAngle":9,"outerConeAngle":-9}})") +

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "mirrorball/base/file.h"
+#include "mirrorball/base/text.h"
 #include "mirrorball/scene/mesh_file/text_scanner.h"
 #include "mirrorball/scene/tangents.h"
 
@@ -108,7 +109,7 @@ Result<Scene> decodeStl(std::span<const std::uint8_t> bytes) {
   const bool is_binary = count && binary_size == bytes.size();
   if (!is_binary && !text.starts_with("solid")) {
     if (!count) return fail(ErrorCode::bad_file, "is too short for an STL file");
-    return fail(ErrorCode::bad_file, "its header names " + std::to_string(*count) + " facets, which take " +
+    return fail(ErrorCode::bad_file, "its header names " + counted(*count, "facet") + ", which take " +
                                          std::to_string(binary_size) + " bytes, but it has " +
                                          std::to_string(bytes.size()) + "; it is truncated or no STL file");
   }

@@ -37,7 +37,7 @@ std::string metricText(Metric metric, const std::optional<double>& value) {
 }
 
 std::string traceText(const TraceCost& cost) {
-  return std::to_string(cost.paths) + " paths a pixel, standard error at most " +
+  return counted(std::size_t(cost.paths), "path") + " a pixel, standard error at most " +
          formatted("%.2g", double(cost.noise)) + " of white, " + formatted("%.1f s", cost.time_s);
 }
 
@@ -45,7 +45,7 @@ std::string traceText(const TraceCost& cost) {
 std::string costCells(const StudiedPicture& picture) {
   if (picture.traced)
     return cell(formatted("%.1f s", picture.traced->time_s)) + cell("–") +
-           cell(std::to_string(picture.traced->paths) + " paths");
+           cell(counted(std::size_t(picture.traced->paths), "path"));
   return cell(formatted("%.2f ms", picture.drawn->frame_ms)) + cell(bytesText(picture.drawn->light.texture_bytes)) +
          cell(std::to_string(picture.drawn->light.reads));
 }
@@ -206,7 +206,7 @@ std::string navigationOf(const Study& study) {
 std::string interruptionOf(const Study& study) {
   if (!study.isInterrupted()) return "";
   return "<p class=\"note\">Interrupted: " + std::to_string(study.sections.size()) + " of " +
-         std::to_string(study.planned) + " subjects are here.</p>\n";
+         counted(study.planned, "subject") + " are here.</p>\n";
 }
 
 /// What the numbers mean, and on what they were measured.
@@ -217,7 +217,7 @@ std::string aboutOf(const Study& study, const PageText& text) {
       "too.</p>\n<p>Time: the median of the frames of one sample a pixel that the "
       "picture is the mean of, " +
       std::to_string(study.size.x) + " × " + std::to_string(study.size.y) + " pixels, " +
-      std::to_string(study.samples) + " samples, on " + escaped(study.driver) +
+      counted(std::size_t(study.samples), "sample") + ", on " + escaped(study.driver) +
       "; of what is path-traced, the whole picture.</p>\n<p>Textures: those that hold the arriving light and are read, "
       "with all of their levels. Look-ups: reads of these textures for one sample of a pixel, counted in the formulas "
       "that the shaders consist of; one of them is always the irradiance.</p>\n";

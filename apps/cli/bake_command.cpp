@@ -110,8 +110,10 @@ Observer observerFor(const std::string& output) {
 /// errors   usage: what can be refused before anything is made
 Result<BakedSet> resolveSet(const BakeRequest& request, StageClock& clock) {
   const std::string& output = request.options.output;
-  MIRRORBALL_TRY_VOID(refuseIdleBakeOptions(request));
+  if (isOneFile(output)) MIRRORBALL_TRY_VOID(refuseOverwriting({&request.environment, 1}, {&output, 1}));
   MIRRORBALL_TRY(set, BakedSet::resolve(output, request.settings, clock.observing(observerFor(output))));
+  // Only of an output that can be made it makes sense to say what it has no place for.
+  MIRRORBALL_TRY_VOID(refuseIdleBakeOptions(request));
   if (isOneFile(output)) MIRRORBALL_TRY_VOID(checkFolder(output));
   return set;
 }

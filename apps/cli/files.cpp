@@ -5,6 +5,7 @@
 #include <map>
 #include <string_view>
 
+#include "mirrorball/base/file.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/image_format.h"
@@ -14,15 +15,17 @@
 namespace mirrorball::cli {
 
 Result<void> checkFolder(const std::string& output) {
-  if (output.empty()) return fail(ErrorCode::usage, "--output needs a file name");
   if (isFolder(output)) return fail(ErrorCode::usage, output + ": is a folder; name a file in it");
-  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+  MIRRORBALL_TRY(target, withName(output, withoutLinks(output)));
+  const std::filesystem::path folder = target.parent_path();
   std::error_code status;
   if (folder.empty() || std::filesystem::is_directory(folder, status)) return {};
   const bool exists = std::filesystem::exists(folder, status);
+  const std::string link = target == output ? "" : "is a link to " + target.string() + ", and ";
   return fail(ErrorCode::io,
-              output + (exists ? ": cannot be written, since " + folder.string() + " is no folder"
-                               : ": there is no folder " + folder.string() + "; make it (mkdir -p), or name another"));
+              output + ": " + link +
+                  (exists ? "cannot be written, since " + folder.string() + " is no folder"
+                          : "there is no folder " + folder.string() + "; make it (mkdir -p), or name another"));
 }
 
 Result<void> refusePictureOptions(const GivenOptions& given, const std::string& output, const std::string& instead) {

@@ -15,7 +15,7 @@ namespace mirrorball::cli {
 /// Refuses a file whose folder is not there, before long work is begun for it. It is not made: a slip in its name would
 /// go unnoticed. A folder that is itself the output is (makeFolder).
 ///
-/// errors   usage (no name at all, or a folder's); io
+/// errors   usage (a folder's name); io
 Result<void> checkFolder(const std::string& output);
 
 /// Refuses --exposure, --tone-map and --resolve, which say how light becomes a picture, for an output that holds light.

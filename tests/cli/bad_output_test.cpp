@@ -50,6 +50,30 @@ TEST_F(BadOutputTest, AFolderInTheFilesPlace) {
   EXPECT_EQ(image("folder.exr/map.exr").width(), 8);
 }
 
+TEST_F(BadOutputTest, AFileInAFoldersPlace) {
+  EXPECT_EQ(refuse(1, "convert map.exr -o map.exr/"),
+            "map.exr/: cannot be made a folder, since map.exr is a file; name another folder, or a file, without / "
+            "behind it");
+  EXPECT_THAT(refuse(1, "convert map.exr -o map.exr/deep/"), HasSubstr("since map.exr is a file; "));
+  fs::create_symlink("nowhere", path("link"));
+  EXPECT_THAT(refuse(1, "convert map.exr -o link/"), HasSubstr("since link is a link that leads to nothing; "));
+  EXPECT_THAT(refuse(1, "bake map.exr --size 4 --brdf-size 4 -o link"), HasSubstr("leads to nothing; "));
+  EXPECT_TRUE(fs::is_symlink(path("link"))) << "it is not ours to remove";
+}
+
+TEST_F(BadOutputTest, ALinkToAFolderThatIsNotThere) {
+  fs::create_symlink("none/far.exr", path("link.exr"));
+  refuseOutput(1, "link.exr", "is a link to none/far.exr, and there is no folder none; make it");
+}
+
+TEST_F(BadOutputTest, AChainIsNoPictureWhateverElseIsAsked) {
+  for (const std::string options : {"", " --brdf-size 64"}) {
+    EXPECT_THAT(refuse(2, "bake map.exr -o out.png" + options), StartsWith("out.png: a prefiltered chain goes into "));
+    EXPECT_THAT(refuse(2, "bake map.exr -o map.exr" + options), StartsWith("map.exr: is the input itself"));
+  }
+  EXPECT_THAT(refuse(2, "bake map.exr -o out.ktx2 --brdf-size 64"), HasSubstr("--brdf-size is for what lies beside"));
+}
+
 TEST_F(BadOutputTest, AFolderThatNobodyMayWriteTo) { refuseOutput(1, "/proc/out.exr", "cannot be written"); }
 
 TEST_F(BadOutputTest, AFolderThatIsReadOnly) {

@@ -96,6 +96,11 @@ class FileWriter {
   Descriptor sink_;  // the pipe or device, if it is one
 };
 
+/// What a name stands for: of a symbolic link, what it leads to, be it there or not.
+///
+/// errors   io (links in a circle); without the file's name
+Result<std::filesystem::path> withoutLinks(std::filesystem::path path);
+
 /// Writes a whole file with a FileWriter.
 ///
 /// errors   io (no such folder, no permission, disk full); the temporary file is removed

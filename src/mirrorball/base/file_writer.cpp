@@ -16,19 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a name stands for: of a link, what it leads to, be it there or not.
-Result<fs::path> withoutLinks(fs::path path) {
-  constexpr int kMost = 40;  // as Linux follows
-  std::error_code status;
-  for (int followed = 0; fs::is_symlink(fs::symlink_status(path, status)); ++followed) {
-    if (followed == kMost) return cannotBeWritten(ELOOP);
-    const fs::path target = fs::read_symlink(path, status);
-    if (status) return cannotBeWritten(status.value());
-    path = path.parent_path() / target;  // which is the target, if that begins at the root
-  }
-  return path;
-}
-
 /// Whether a name is that of a pipe or a device, whose bytes go on to somebody else.
 bool passesBytesOn(const fs::path& path) {
   std::error_code status;
@@ -51,16 +38,29 @@ bool reachesDisk(const Descriptor& file) {
 
 }  // namespace
 
+Result<fs::path> withoutLinks(fs::path path) {
+  constexpr int kMost = 40;  // as Linux follows
+  std::error_code status;
+  for (int followed = 0; fs::is_symlink(fs::symlink_status(path, status)); ++followed) {
+    if (followed == kMost) return cannotBeWritten(ELOOP);
+    const fs::path target = fs::read_symlink(path, status);
+    if (status) return cannotBeWritten(status.value());
+    path = path.parent_path() / target;  // which is the target, if that begins at the root
+  }
+  return path;
+}
+
 FileWriter::FileWriter(std::string name, std::string target, PartFile part)
     : name_(std::move(name)), target_(std::move(target)), part_(std::move(part)) {}
 
 Result<FileWriter> FileWriter::create(const fs::path& path) {
-  const auto named = [&](const Error& error) {
-    return fail(ErrorCode::io, path.string() + ": cannot be written: " + error.message +
-                                   "; check that the folder exists and is writable");
-  };
   const bool passes_on = passesBytesOn(path);
   MIRRORBALL_TRY(target, passes_on ? path : withName(path.string(), withoutLinks(path)));
+  const auto named = [&](const Error& error) {
+    const std::string link = target == path ? "" : "is a link to " + target.string() + ", which ";
+    return fail(ErrorCode::io, path.string() + ": " + link + "cannot be written: " + error.message +
+                                   "; check that the folder exists and is writable");
+  };
   std::error_code status;
   auto part = makePart(passes_on ? fs::temp_directory_path(status) : target.parent_path());
   if (!part) return named(part.error());

@@ -16,7 +16,7 @@ bool isOneFile(const std::string& output);
 
 /// Makes a folder, and those above it, if it is not there.
 ///
-/// errors   io
+/// errors   io (something else is in its place)
 Result<void> makeFolder(const std::string& folder);
 
 /// A folder for files that belong together. What was not there before goes away again with all that was put into it,

@@ -112,7 +112,7 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
     {{.name = "extension",
       .value = kCubeExtensions,
       .help = "extension of the files in a folder: textures, or pictures of each level and face (m0_px.exr); without "
-              "it, ktx2, and for filament ktx",
+              "it, ktx2, for filament ktx and for openexr exr",
       .names = bakedCubeExtensions},
      &BakedSetSettings::extension},
 });

@@ -16,6 +16,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
 using ::testing::UnorderedElementsAre;
 
 class BakedSetTest : public testing::InFolder {
@@ -47,6 +48,15 @@ TEST_F(BakedSetTest, ATextureHoldsTheChainAlone) {
   ASSERT_TRUE(saved) << saved.error().message;
   EXPECT_THAT(saved->paths, ElementsAre(path("chain.ktx2")));
   EXPECT_TRUE(std::filesystem::exists(path("chain.ktx2")));
+}
+
+// No other format says that its texels lie on OpenEXR's edges.
+TEST_F(BakedSetTest, OpenexrGetsItsOwnFiles) {
+  BakedSetSettings settings = small();
+  settings.file.program = "openexr";
+  const auto set = BakedSet::resolve(path("set"), settings);
+  ASSERT_TRUE(set) << set.error().message;
+  EXPECT_THAT(set->paths(), IsSupersetOf({path("set/m0_+X.exr"), path("set/brdf.exr")}));
 }
 
 TEST_F(BakedSetTest, WhatTheReaderMissesIsARemark) {

@@ -24,6 +24,7 @@ constexpr auto kEngineSets = std::to_array<EngineSet>({
      .format = TexelFormat::b10g11r11,
      .other_formats = kOfFilament,
      .smallest_face = 16},
+    {.program = "openexr", .extension = "exr"},
 });
 
 }  // namespace

@@ -37,6 +37,18 @@ TEST_F(BadMapTest, AFileThatIsNotThere) {
   everyCommandRefuses("stduio", "studio");
 }
 
+TEST_F(BadMapTest, LightThatCannotBeSummed) {
+  Image map = smoothPanorama();
+  map.samples()[5] = 3e38f;
+  write("map.exr", map);
+  for (const std::string command :
+       {"bake map.exr --size 8 -o maps", "render none --size 8x8 -o out.png -e map.exr",
+        "render sphere --reference --size 8x8 -o out.png -e map.exr", "capture none --at 0,0,0 -o out.exr -e map.exr"})
+    EXPECT_THAT(refuse(1, command), AllOf(StartsWith("map.exr: 1 value is above 1e36, too bright to be summed"),
+                                          HasSubstr("--scale-light")))
+        << command;
+}
+
 TEST_F(BadMapTest, AFolder) {
   std::filesystem::create_directory(path("folder.hdr"));
   everyCommandRefuses("folder.hdr", "is a folder");

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "mirrorball/base/memory.h"
-#include "mirrorball/base/text.h"
 #include "mirrorball/environment/convert/convert.h"
 
 namespace mirrorball {
@@ -12,19 +11,6 @@ namespace {
 
 bool needsIrradiance(const BakeSettings& settings) {
   return settings.irradiance_size > 0 || settings.harmonics_degree > 0;
-}
-
-/// Takes light below 0 as none.
-///
-/// errors   out_of_range: too bright
-Result<ValueCounts> checkLight(EnvironmentMap& map, const Observer& observer) {
-  ValueCounts counts;
-  for (int face = 0; face < map.faces(); ++face) counts.add(map.face(face));
-  if (counts.too_bright > 0)
-    return fail(ErrorCode::out_of_range,
-                countedAre(counts.too_bright, "value") + " above 1e36, too bright to be summed", Remedy::scale_light);
-  raiseNegativeLight(map, observer);
-  return counts;
 }
 
 /// The most memory that is needed at a time, that of the environment, the maps and the caller included.

@@ -247,10 +247,16 @@ std::size_t raiseNegativeLight(EnvironmentMap& map) {
   return count;
 }
 
-void raiseNegativeLight(EnvironmentMap& map, const Observer& observer) {
+Result<ValueCounts> checkLight(EnvironmentMap& map, const Observer& observer) {
+  ValueCounts counts;
+  for (int face = 0; face < map.faces(); ++face) counts.add(map.face(face));
+  if (counts.too_bright > 0)
+    return fail(ErrorCode::out_of_range,
+                countedAre(counts.too_bright, "value") + " above 1e36, too bright to be summed", Remedy::scale_light);
   if (const std::size_t negative = raiseNegativeLight(map); negative > 0)
     observer.tell(RemarkKind::negative_raised,
                   countedAre(negative, "value") + " negative, which light cannot be; taken as 0");
+  return counts;
 }
 
 }  // namespace mirrorball

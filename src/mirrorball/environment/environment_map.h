@@ -5,10 +5,12 @@
 #include <glm/glm.hpp>
 
 #include "mirrorball/base/observer.h"
+#include "mirrorball/base/result.h"
 #include "mirrorball/environment/projection/projection.h"
 #include "mirrorball/environment/projection/smooth_region.h"
 #include "mirrorball/image/filter.h"
 #include "mirrorball/image/image_set.h"
+#include "mirrorball/image/value_counts.h"
 
 namespace mirrorball {
 
@@ -91,7 +93,10 @@ class EnvironmentMap {
 std::size_t raiseNegativeLight(EnvironmentMap& map);
 std::size_t raiseNegativeLight(Image& image);
 
-/// The same, which a remark tells.
-void raiseNegativeLight(EnvironmentMap& map, const Observer& observer);
+/// The same, which a remark tells, of light that can be summed over the whole sphere.
+///
+/// returns  counts of the map as it was
+/// errors   out_of_range: a value is so bright that such a sum would not be finite
+Result<ValueCounts> checkLight(EnvironmentMap& map, const Observer& observer);
 
 }  // namespace mirrorball

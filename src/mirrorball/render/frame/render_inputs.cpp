@@ -38,7 +38,8 @@ Result<LoadedEnvironment> loadLight(const RenderInputNames& names, const Observe
     return loadEnvironment(names.environment, names.load, observer.progressOf("read"));
   }));
   tellAbout(loaded, observer);
-  if (EnvironmentMap* map = loaded.environment.map()) raiseNegativeLight(*map, observer.named(loaded.name));
+  if (EnvironmentMap* map = loaded.environment.map())
+    MIRRORBALL_TRY_VOID(withName(loaded.name, checkLight(*map, observer.named(loaded.name))));
   return loaded;
 }
 

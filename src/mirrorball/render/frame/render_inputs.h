@@ -52,13 +52,14 @@ Result<Scene> loadScene(const RenderInputNames& names, const std::function<int()
 /// Loads the model and the environment at the same time, without a driver.
 ///
 /// observer told what is doubtful about them; values of the environment below 0 are taken as 0
-/// errors   usage (materials that are not there); as loadModel's and loadEnvironment's
+/// errors   usage (materials that are not there); as loadModel's, loadEnvironment's and checkLight's
 Result<SceneInputs> loadSceneInputs(const RenderInputNames& names, const Observer& observer = {});
 
 /// Loads the model and the environment and starts the driver, all at the same time.
 ///
 /// observer told what is doubtful about them; values of the environment below 0 are taken as 0
-/// errors   usage (materials that are not there); as loadModel's, loadEnvironment's and gl::Context::createHeadless's
+/// errors   usage (materials that are not there); as loadModel's, loadEnvironment's, checkLight's and
+///          gl::Context::createHeadless's
 /// cost     that of the slowest of the three
 Result<RenderInputs> loadRenderInputs(const RenderInputNames& names, const Observer& observer = {});
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/gtc/constants.hpp>
@@ -151,10 +152,26 @@ Result<const ModelCamera*> cameraNamed(const Scene& scene, const std::string& na
   std::vector<std::string_view> names;
   for (const ModelCamera& camera : scene.cameras) names.emplace_back(camera.name);
   if (names.empty())
-    return fail(ErrorCode::usage, "the model has no cameras of its own, so none is named '" + excerpt(name) + "'");
+    return fail(ErrorCode::usage, "the model has no cameras of its own, so none is named '" + excerpt(name) + "'",
+                Remedy::give_angles);
   const auto index = indexOfName(name, names);
-  if (!index) return tl::unexpected<Error>(unknownName("camera", name, names));
+  if (!index) {
+    Error error = unknownName("camera", name, names);
+    error.remedy = Remedy::give_angles;
+    return tl::unexpected<Error>(std::move(error));
+  }
   return &scene.cameras[*index];
+}
+
+/// errors   usage: nothing of the model would be seen, and depths would all be the same float
+Result<Camera> withinReach(Camera camera, const Scene& scene, const BoundingSphere& bounds) {
+  constexpr double kMostRadii = 1e6;  // a pixel of the largest picture with the narrowest view
+  const double radii = glm::distance(glm::dvec3(camera.position), glm::dvec3(bounds.center)) / double(bounds.radius);
+  if (scene.empty() || radii <= kMostRadii) return camera;
+  return fail(ErrorCode::usage, "the camera is " + formatNumber(radii) +
+                                    " model radii away from the model, too far to see it; bring it and its target to "
+                                    "within " +
+                                    formatNumber(kMostRadii) + " radii");
 }
 
 /// Slopes of the borders to the right and upwards.
@@ -206,9 +223,9 @@ Result<Camera> framedCamera(const Scene& scene, const BoundingSphere& bounds, co
   const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
   if (!options.name.empty()) {
     MIRRORBALL_TRY(own, cameraNamed(scene, options.name));
-    return cameraOf(*own, bounds, aspect);
+    return withinReach(cameraOf(*own, bounds, aspect), scene, bounds);
   }
-  return makeCamera(framed(scene, bounds, options, aspect), bounds, aspect);
+  return withinReach(makeCamera(framed(scene, bounds, options, aspect), bounds, aspect), scene, bounds);
 }
 
 }  // namespace mirrorball

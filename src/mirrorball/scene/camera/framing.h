@@ -27,7 +27,7 @@ CameraOptions framed(const Scene& scene, const BoundingSphere& bounds, const Cam
 
 /// The camera of a picture of that size: framed, or the scene's own of that name.
 ///
-/// errors   usage: the scene has no camera of the options' name
+/// errors   usage: the scene has no camera of the options' name; the camera is too far away from it to see anything
 Result<Camera> framedCamera(const Scene& scene, const BoundingSphere& bounds, const CameraOptions& options,
                             glm::ivec2 size);
 

@@ -34,6 +34,8 @@ namespace {
 constexpr std::string_view kEndOfOptions = "--";
 /// Behind --help it asks for all options.
 constexpr std::string_view kAllOfHelp = "all";
+/// Behind "help" it asks for what --material and --set take.
+constexpr std::string_view kMaterials = "materials";
 
 /// Whether a word is written as an option, which is no value: a number may be negative.
 bool isOption(const Command& command, std::string_view word) {
@@ -41,6 +43,11 @@ bool isOption(const Command& command, std::string_view word) {
   return std::ranges::any_of(command.options, [&](const CommandOption& option) {
     return !option.text.letter.empty() && word == "-" + std::string(option.text.letter);
   });
+}
+
+bool isFile(const std::string& word) {
+  std::error_code status;
+  return std::filesystem::is_regular_file(word, status);
 }
 
 /// What is said where an option is given without its value.
@@ -52,8 +59,9 @@ std::string neededBy(const CommandOption& option) {
 /// errors   usage: what was given is no value, or there are more than count
 Result<void> checkValues(const Command& command, const CommandOption& option, const std::vector<std::string>& values) {
   for (const std::string& value : values)
-    if (isOption(command, value))
-      return fail(ErrorCode::usage, neededBy(option) + "; it was given '" + value + "', which is an option");
+    if (value.empty() || isOption(command, value))
+      return fail(ErrorCode::usage, neededBy(option) + "; it was given '" + value + "', which is " +
+                                        (value.empty() ? "empty" : "an option"));
   if (option.may_repeat || values.size() < 2) return {};
   const std::string times = values.size() == 2 ? "twice" : std::to_string(values.size()) + " times";
   return fail(ErrorCode::usage, "--" + std::string(option.text.name) + " is given " + times + ", as '" +
@@ -69,7 +77,14 @@ void takeAll(const SetValue& set, const std::vector<std::string>& values) {
 
 void addArgumentTo(CLI::App& app, const Argument& argument) {
   CLI::Option* option = app.add_option_function<std::vector<std::string>>(
-      std::string(argument.name), [&argument](const auto& values) { takeAll(argument.set, values); },
+      std::string(argument.name),
+      [&argument](const std::vector<std::string>& values) {
+        if (std::ranges::find(values, "") != values.end())
+          throw CLI::ValidationError(
+              std::string(argument.name) + " was given '', which is empty; " +
+              std::string(argument.missing.empty() ? "name one, or leave it out" : argument.missing));
+        takeAll(argument.set, values);
+      },
       std::string(argument.help));
   if (!argument.may_repeat) option->expected(1)->allow_extra_args(false);
   option->required(!argument.missing.empty())->type_name("");
@@ -116,7 +131,9 @@ Error unexpectedArgument(const Command& command, const std::string& argument) {
   if (std::ranges::any_of(command.options, is_meant))
     return {ErrorCode::usage, "'" + name + "' stands after --, where all words are inputs; put options before it"};
   std::string message = "there is no option " + name;
-  if (const auto hint = hintForOption(command, name)) message += "; " + *hint;
+  const auto hint =
+      isFile(argument) ? std::optional("for the file of that name say ./" + argument) : hintForOption(command, name);
+  if (hint) message += "; " + *hint;
   return {ErrorCode::usage, message + " (" + help + " lists them)"};
 }
 
@@ -144,16 +161,27 @@ Result<void> checkDashes(std::span<const std::string> words, std::span<const Com
   return {};
 }
 
+/// The error for an argument that is missing, or was taken for an option.
+///
+/// not_taken   the words that nothing takes
+Error missingArgument(const Command& command, const Argument& argument, const std::vector<std::string>& not_taken) {
+  const auto option = std::ranges::find_if(not_taken, [](const std::string& word) { return word.starts_with('-'); });
+  if (option != not_taken.end()) return unexpectedArgument(command, *option);
+  return {ErrorCode::usage, std::string(argument.missing) + ": mirrorball " + synopsisOf(command)};
+}
+
 /// The one line of a CLI11 error, in our words where CLI11 speaks of its own types.
-Error parseError(const CLI::ParseError& error, const Command* command) {
+///
+/// command     null: none was named
+/// not_taken   the words that nothing takes
+Error parseError(const CLI::ParseError& error, const Command* command, const std::vector<std::string>& not_taken) {
   std::string message = error.what();
   // It puts the name of an exception in front of its own.
   if (message.starts_with("--: ")) message.erase(0, 4);
   if (command == nullptr) return {ErrorCode::usage, message};
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
     for (const Argument& argument : command->arguments)
-      if (message.starts_with(argument.name))
-        return {ErrorCode::usage, std::string(argument.missing) + ": mirrorball " + synopsisOf(*command)};
+      if (message.starts_with(argument.name)) return missingArgument(*command, argument, not_taken);
   if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr)
     for (const CommandOption& option : command->options)
       if (const std::string name = "--" + std::string(option.text.name); message.find(name + " ") != std::string::npos)
@@ -187,8 +215,7 @@ Error missingCommand(const std::vector<std::string>& words, std::span<const Comm
   const std::vector<std::string_view> names = namesOf(commands);
   if (words.empty()) return {ErrorCode::usage, "name a command: " + join(names) + help};
   const std::string& word = words.front();
-  std::error_code status;
-  if (std::filesystem::is_regular_file(word, status))
+  if (isFile(word))
     return {ErrorCode::usage, "'" + word + "' is a file; say what is to be done with it: " + join(names) + help};
   Error error = word.starts_with('-') ? optionWithoutCommand(word, commands)
                                       : unknownName("command", word, names, commandMeantBy(word, commands));
@@ -196,15 +223,29 @@ Error missingCommand(const std::vector<std::string>& words, std::span<const Comm
   return error;
 }
 
+bool isCommand(const std::string& word, std::span<const Command> commands) {
+  return std::ranges::find(commands, word, &Command::name) != commands.end();
+}
+
+/// errors   usage: a word too many behind "help render" or "help materials"
+Result<void> checkWordsOfHelp(const std::vector<std::string>& words, std::span<const Command> commands) {
+  if (words.size() < 3 || words[0] != "help") return {};
+  const bool names_command = isCommand(words[1], commands);
+  if (!names_command && words[1] != kMaterials) return {};  // which is said then
+  const bool shows_all = names_command && words[2] == kAllOfHelp;
+  if (shows_all && words.size() == 3) return {};
+  return fail(ErrorCode::usage, "'" + words[shows_all ? 3 : 2] + "' was not expected; say mirrorball help " + words[1] +
+                                    (names_command ? ", or mirrorball help " + words[1] + " all" : ""));
+}
+
 /// "help render" asks for what "render --help" does, "version" for what "--version" does.
 std::vector<std::string> withHelpLast(std::vector<std::string> words, std::span<const Command> commands) {
   if (words.size() == 1 && words.front() == "version") return {"--version"};
   if (words.empty() || words.front() != "help") return words;
   if (words.size() == 1) return {"--help"};
-  const bool names_command = std::ranges::find(commands, words[1], &Command::name) != commands.end();
-  std::vector<std::string> asked{words[1]};
-  if (names_command) asked.emplace_back("--help");
-  if (names_command && words.size() == 3 && words[2] == kAllOfHelp) asked.push_back(words[2]);
+  std::vector<std::string> asked(words.begin() + 1, words.end());
+  if (!isCommand(asked.front(), commands)) return {asked.front()};
+  asked.insert(asked.begin() + 1, "--help");
   return asked;
 }
 
@@ -269,6 +310,16 @@ struct Reader {
     const auto app = std::ranges::find_if(apps, [](const CLI::App* candidate) { return candidate->parsed(); });
     return app == apps.end() ? nullptr : &commands[static_cast<std::size_t>(app - apps.begin())];
   }
+
+  /// The words behind a subcommand that it does not take.
+  std::vector<std::string> notTaken() const {
+    std::vector<std::string> words;
+    for (const CLI::App* app : program.get_subcommands())
+      for (const std::string& word : app->remaining()) words.push_back(word);
+    // CLI11 counts what ends the options among them.
+    std::erase(words, kEndOfOptions);
+    return words;
+  }
 };
 
 /// errors   usage: no subcommand, or what nothing takes
@@ -279,12 +330,8 @@ Result<void> checkAllTaken(const Reader& reader, const Command* command, const s
     return tl::unexpected<Error>(optionWithoutCommand(extras.front(), commands));
   else if (!extras.empty())
     return fail(ErrorCode::usage, "'" + extras.front() + "' was not expected; mirrorball --help tells what may be");
-  for (const CLI::App* app : reader.program.get_subcommands()) {
-    // CLI11 counts what ends the options among what nothing takes.
-    std::vector<std::string> extras = app->remaining();
-    std::erase(extras, kEndOfOptions);
-    if (!extras.empty()) return tl::unexpected<Error>(unexpectedArgument(*command, extras.front()));
-  }
+  const std::vector<std::string> extras = reader.notTaken();
+  if (!extras.empty()) return tl::unexpected<Error>(unexpectedArgument(*command, extras.front()));
   return {};
 }
 
@@ -292,8 +339,9 @@ Result<void> checkAllTaken(const Reader& reader, const Command* command, const s
 
 Result<Action> readCommandLine(int argc, const char* const* argv, std::span<const Command> commands) {
   const std::vector<std::string> given(argv + std::min(argc, 1), argv + argc);
+  MIRRORBALL_TRY_VOID(checkWordsOfHelp(given, commands));
   std::vector<std::string> words = withImpliedValues(withHelpLast(given, commands), commands);
-  if (given == std::vector<std::string>{"help", "materials"})
+  if (given == std::vector<std::string>{"help", std::string(kMaterials)})
     return Action([]() -> Result<void> {
       std::fputs(helpOnMaterials().c_str(), stdout);
       return {};
@@ -310,7 +358,7 @@ Result<Action> readCommandLine(int argc, const char* const* argv, std::span<cons
     reader.program.exit(help_or_version);
     return Action([]() -> Result<void> { return {}; });
   } catch (const CLI::ParseError& error) {
-    return tl::unexpected<Error>(parseError(error, reader.parsed(commands)));
+    return tl::unexpected<Error>(parseError(error, reader.parsed(commands), reader.notTaken()));
   }
   const Command* command = reader.parsed(commands);
   MIRRORBALL_TRY_VOID(checkAllTaken(reader, command, words, commands));

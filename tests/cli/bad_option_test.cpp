@@ -53,6 +53,39 @@ TEST_F(BadOptionTest, BehindTwoDashesAllAreArguments) {
   EXPECT_THAT(refuse(2, "info --"), HasSubstr("name an input map"));
 }
 
+TEST_F(BadOptionTest, AFileWithADashIsNamedByItsFolder) {
+  write("-dash.exr", smoothPanorama());
+  for (const std::string command : {"info", "convert -o out.exr", "render -o out.png", "info white"})
+    EXPECT_THAT(refuse(2, command + " -dash.exr"), HasSubstr("for the file of that name say ./-dash.exr")) << command;
+  succeed("info ./-dash.exr");
+  EXPECT_THAT(refuse(2, "info --dash.exr"), AllOf(HasSubstr("no option --dash.exr"), Not(HasSubstr("./"))));
+}
+
+TEST_F(BadOptionTest, AnEmptyNameIsNone) {
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(refuse(2, Words{"render", "none", "--env", "", "-o", "a.png"}),
+            "--env needs a file name; it was given '', which is empty");
+  EXPECT_THAT(refuse(2, Words{"convert", "white", "--to", "", "-o", "a.exr"}), HasSubstr("--to needs a value"));
+  EXPECT_EQ(refuse(2, Words{"convert", "", "-o", "a.exr"}), "IN was given '', which is empty; name an input map");
+  EXPECT_THAT(refuse(2, Words{"render", "", "-o", "a.png"}), HasSubstr("MODEL was given '', which is empty; "));
+}
+
+TEST_F(BadOptionTest, ACameraIsANameOrAngles) {
+  for (const std::string name : {"nan", "inf", "front"})
+    EXPECT_EQ(refuse(2, "render sphere -e white --size 8x8 -o a.png --camera " + name),
+              "the model has no cameras of its own, so none is named '" + name +
+                  "'; give --camera AZIMUTH,ELEVATION, as in --camera 30,15");
+}
+
+TEST_F(BadOptionTest, ACameraSeesAsFarAsFloatsTellDepthsApart) {
+  const std::string line = "render sphere -e white --size 8x8 -o a.png ";
+  for (const std::string options : {"--camera 0,0,1e30", "--target 1e30,0,0", "--camera 0,0,1e30 --reference",
+                                    "--target 0,1.1e6,0 --camera 0,0,3 --orthographic 2"})
+    EXPECT_THAT(refuse(2, line + options), AllOf(HasSubstr("the camera is "), HasSubstr("radii away from the model")))
+        << options;
+  succeed(line + "--camera 0,0,9e5");
+}
+
 TEST_F(BadOptionTest, AFilmIsMadeOfPictures) {
   EXPECT_THAT(refuse(2, "render none -e white -o turn.mp4"),
               AllOf(HasSubstr("--frames 90 -o turn_%04d.png"), HasSubstr("ffmpeg")));

@@ -98,18 +98,30 @@ TEST_F(SuggestionTest, ALongOptionHasTwoDashes) {
 
 TEST_F(SuggestionTest, AWordTooManyIsToldWhereItBelongs) {
   write("a.hdr", std::string("light"));
-  expectHints({{"render teapot gold", "did you mean --material gold?"},
-               {"render teapot studio", "for its light say -e studio"},
-               {"render teapot a.hdr", "for its light say -e a.hdr"},
-               {"render teapot b.png", "to write it say -o b.png"},
-               {"render teapot --fov 40 20", "numbers of one option have commas between"},
-               {"convert a.hdr --to cube --rotate 90 20 -o b.exr", "there are 2 inputs (a.hdr, 20)"},
-               {"convert a b c d --to cube -o b.exr", "there are 4 inputs (a, b, c, …)"},
-               {"bake a.hdr b.hdr -o b.ktx2", "there are 2 inputs (a.hdr, b.hdr)"},
-               {"convert a.hdr --mips=maybe -o b.ktx2", "--mips is there or not, and takes no value"},
-               {"help rendr", "did you mean 'render'?"}});
-  EXPECT_EQ(succeed("help render teapot -o b.png"), succeed("render --help")) << "nothing is drawn";
+  expectHints(
+      {{"render teapot gold", "did you mean --material gold?"},
+       {"render teapot studio", "for its light say -e studio"},
+       {"render teapot a.hdr", "for its light say -e a.hdr"},
+       {"render teapot b.png", "to write it say -o b.png"},
+       {"render teapot --fov 40 20", "numbers of one option have commas between"},
+       {"convert a.hdr --to cube --rotate 90 20 -o b.exr", "there are 2 inputs (a.hdr, 20)"},
+       {"convert a b c d --to cube -o b.exr", "there are 4 inputs (a, b, c, …)"},
+       {"bake a.hdr b.hdr -o b.ktx2", "there are 2 inputs (a.hdr, b.hdr)"},
+       {"convert a.hdr --mips=maybe -o b.ktx2", "--mips is there or not, and takes no value"},
+       {"help rendr", "did you mean 'render'?"},
+       {"help rendr x", "did you mean 'render'?"},
+       {"help render alll", "'alll' was not expected; say mirrorball help render, or mirrorball help render all"},
+       {"help render all more", "'more' was not expected; say mirrorball help render"},
+       {"help render teapot -o b.png", "'teapot' was not expected"},
+       {"help materials extra", "'extra' was not expected; say mirrorball help materials"}});
   EXPECT_EQ(succeed("version"), succeed("--version"));
+}
+
+TEST_F(SuggestionTest, AMisspeltAliasIsSuggestedToo) {
+  expectHints({{"convert uv --to equirectangluar -o a.exr", "did you mean 'equirectangular'?"},
+               {"info uv --from lat-lnog", "did you mean 'lat-long'?"},
+               {"convert uv --to cueb -o a.exr", "did you mean 'cube'?"},
+               {"convert uv --filter lineer -o a.exr", "did you mean 'linear'?"}});
 }
 
 TEST_F(SuggestionTest, ALayoutIsNoProjection) {

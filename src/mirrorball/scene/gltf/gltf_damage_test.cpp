@@ -114,7 +114,7 @@ TEST(GltfDamage, NamesTheKeyOfAWrongPrimitive) {
   expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":5}}"),
                       "meshes[0].primitives[0].attributes.POSITION is 5, but there are 2 accessors");
   expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"indices\":0}"), "accessors[0] has a type");
-  expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":1}}"), "attributes.POSITION has 1 components");
+  expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":1}}"), "attributes.POSITION has 1 component");
   expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"material\":2}"), "primitives[0].material is 2");
   expectDamageRefused(withPrimitive("{}"), "meshes[0].primitives[0].attributes is missing");
   expectDamageRefused(withPrimitive("{\"attributes\":{\"POSITION\":0},\"mode\":1}"), "shows no triangles");

@@ -217,7 +217,7 @@ TEST(Merge, WrongSeriesAreRefusedInOneLine) {
   auto series = seriesOf(light, {0.5, 1.0}, srgb);
   EXPECT_EQ(errorOf(series, {}, ErrorCode::usage).remedy, Remedy::give_exposures);
   EXPECT_THAT(errorOf(series, {.exposures = {1.0}, .response = {}}, ErrorCode::usage).message,
-              HasSubstr("1 exposures"));
+              HasSubstr("1 exposure is given for 2 photographs"));
   EXPECT_THAT(errorOf(series, {.exposures = {1.0, 1.0}, .response = {}}, ErrorCode::usage).message,
               HasSubstr("different"));
   const auto black = seriesOf(Image(40, 40, 3, 0.0f), {0.5, 1.0}, srgb);

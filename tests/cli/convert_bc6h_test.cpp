@@ -59,7 +59,7 @@ TEST_F(ConvertBc6hTest, RealPanoramasKeepTheirLight) {
   }
 }
 
-/// Converted piece by piece, as a whole for its mip levels or for Zstandard: the same texels in every file.
+/// Converted strip by strip, as a whole for its mip levels or for Zstandard: the same texels in every file.
 TEST_F(ConvertBc6hTest, EveryFileHasTheSameTexels) {
   write("map.exr", smoothPanorama());
   const std::string convert = "convert map.exr --to cube --size 30 --format bc6h -o ";

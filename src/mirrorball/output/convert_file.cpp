@@ -50,7 +50,7 @@ Result<void> writeConverted(const MapFile& output, int size, std::uint64_t sourc
                             const std::function<Result<void>(const TakeTexels&)>& convert_to) {
   const Projection to = output.form().projection;
   MIRRORBALL_TRY_VOID(output.checkLevelOfSize(size));
-  if (output.takesPieces()) return output.writePieces(size, convert_to);
+  if (output.takesStrips()) return output.writeByStrips(size, convert_to);
   MIRRORBALL_TRY_VOID(withName("the converted map", checkMemory(source_bytes + bytesOfMap(to, size))));
   MIRRORBALL_TRY(images, imagesFor(to, size));
   MIRRORBALL_TRY_VOID(convert_to(copyInto(images)));
@@ -83,7 +83,7 @@ Result<void> convertByRows(const std::string& input, std::optional<PanoramaRows>
   Resampling resampling = conversion.resampling;
   resampling.source_from_target = panorama->picture_from_world * resampling.source_from_target;
   const bool is_copy = keepsTexels({Projection::equirect, picture.height, picture.channels}, to, size, resampling);
-  const std::uint64_t target = output.takesPieces() ? 0 : bytesOfMap(to, size);
+  const std::uint64_t target = output.takesStrips() ? 0 : bytesOfMap(to, size);
   const std::uint64_t window = memoryLimit() > target ? memoryLimit() - target : 0;
   return writeConverted(output, size, 0, [&](const TakeTexels& take) -> Result<void> {
     // A second time the file is read from its beginning once more.
@@ -173,7 +173,7 @@ Result<std::vector<std::string>> convertLoaded(const LoadedEnvironment& loaded, 
   const ProgressFunction progress = observer.progressOf("convert");
   MIRRORBALL_TRY_VOID(writeConverted(output, size, loaded.environment.bytes(), [&](const TakeTexels& take) {
     if (is_copy) return copyMap(*map, take);
-    return convertPiecewise(loaded.environment, to, size, conversion.resampling, take, progress);
+    return convertByStrips(loaded.environment, to, size, conversion.resampling, take, progress);
   }));
   return output.paths();
 }

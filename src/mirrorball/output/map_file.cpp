@@ -120,7 +120,7 @@ std::vector<std::string> MapFile::paths() const {
   return paths;
 }
 
-bool MapFile::takesPieces() const {
+bool MapFile::takesStrips() const {
   return is_texture_ && !hasLevels() && zstandard_level_ == 0 && faceCount(form_.projection) != 2 &&
          form_.arrangement == CubeArrangement{} && form_.centre == SignedAxis::plus_z;
 }
@@ -184,7 +184,7 @@ void MapFile::remarkOnLosses(std::size_t negative) const {
     observer_.tell(RemarkKind::alpha_lost, path_ + ": the format holds no alpha; beside the disc is black");
 }
 
-Result<void> MapFile::writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const {
+Result<void> MapFile::writeByStrips(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const {
   const Projection projection = form_.projection;
   LostLight all_lost;
   std::size_t all_negative = 0;

@@ -63,7 +63,7 @@ class MapFile {
   std::vector<std::string> paths() const;
 
   /// Whether the map can be written while it is converted: a texture of one level whose texels stay where they are.
-  bool takesPieces() const;
+  bool takesStrips() const;
 
   /// Whether the smaller levels that a texture has are wanted, if its map is not changed.
   bool takesOwnLevels() const { return (all_levels_ || level_.value_or(0) > 0) && mip_source_ == MipSource::automatic; }
@@ -83,9 +83,9 @@ class MapFile {
   /// The same for a map's own levels, which are in the form of the file.
   Result<void> write(ImageSet levels) const;
 
-  /// Writes a map that `convert_to` converts and hands on piece by piece. May call it twice: where the format is left
+  /// Writes a map that `convert_to` converts and hands on strip by strip. May call it twice: where the format is left
   /// to us and half floats do not hold the light, it is written in 32-bit floats.
-  Result<void> writePieces(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const;
+  Result<void> writeByStrips(int size, const std::function<Result<void>(const TakeTexels&)>& convert_to) const;
 
   /// Writes the texture of a cube whose levels all exist already.
   ///

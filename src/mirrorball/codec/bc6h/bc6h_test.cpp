@@ -297,22 +297,22 @@ TEST(Bc6hFile, OtherFormsAreRead) {
 
 using Bc6hFileTest = testing::FolderTest;
 
-/// Pieces as `convert` makes them put the same bytes where the whole does.
-TEST_F(Bc6hFileTest, PiecesGiveTheSameFile) {
+/// Strips as `convert` makes them put the same bytes where the whole does.
+TEST_F(Bc6hFileTest, StripsGiveTheSameFile) {
   const Image image = noise(1030, 22);
   for (const std::string name : {"whole.ktx2", "whole.dds"}) {
     const TextureWriteOptions options{.format = TexelFormat::bc6h};
     ASSERT_TRUE(writeImageSet(folder_ / name, ImageSet(image), options));
-    auto writer = TextureWriter::create(folder_ / ("pieces_" + name), {1030, 22}, 1, 3, options);
+    auto writer = TextureWriter::create(folder_ / ("strips_" + name), {1030, 22}, 1, 3, options);
     ASSERT_TRUE(writer) << writer.error().message;
     for (const glm::ivec2 begin : {glm::ivec2(1024, 16), glm::ivec2(0, 0), glm::ivec2(1024, 0), glm::ivec2(0, 16)}) {
-      Image piece(std::min(1024, 1030 - begin.x), std::min(16, 22 - begin.y), 3);
-      for (int y = 0; y < piece.height(); ++y)
-        std::copy_n(image.texel(begin.x, begin.y + y), 3 * piece.width(), piece.texel(0, y));
-      ASSERT_TRUE(writer->write(0, begin, piece));
+      Image strip(std::min(1024, 1030 - begin.x), std::min(16, 22 - begin.y), 3);
+      for (int y = 0; y < strip.height(); ++y)
+        std::copy_n(image.texel(begin.x, begin.y + y), 3 * strip.width(), strip.texel(0, y));
+      ASSERT_TRUE(writer->write(0, begin, strip));
     }
     ASSERT_TRUE(writer->commit());
-    EXPECT_TRUE(*readFile(folder_ / name) == *readFile(folder_ / ("pieces_" + name))) << name;
+    EXPECT_TRUE(*readFile(folder_ / name) == *readFile(folder_ / ("strips_" + name))) << name;
   }
 }
 

@@ -97,7 +97,7 @@ Result<void> writeImageSet(const std::filesystem::path& path, const ImageSet& im
 /// The same into a file that is open, and stays so.
 Result<void> writeImageSet(const FileWriter& file, const ImageSet& images, const TextureWriteOptions& options = {});
 
-/// A texture file of one level that is written piece by piece, for images that are never in memory as a whole. Without
+/// A texture file of one level that is written strip by strip, for images that are never in memory as a whole. Without
 /// commit() the file is removed.
 class TextureWriter {
  public:

@@ -74,7 +74,7 @@ struct Sample {
 
 /// A rectangle of a target's texels, no larger than those that conversion.cpp converts in one way.
 struct Tile {
-  Piece piece;
+  Strip strip;
   std::vector<Sample> samples;
 };
 
@@ -94,13 +94,13 @@ struct Target {
           if (count++ % kEach == 0) add({face, {x, y}, glm::min(glm::ivec2(x, y) + kSize, extent)});
   }
 
-  void add(const Piece& piece) {
-    Tile tile{piece, {}};
-    for (int y = piece.begin.y; y < piece.end.y; ++y)
-      for (int x = piece.begin.x + y % 3; x < piece.end.x; x += 3) {
+  void add(const Strip& strip) {
+    Tile tile{strip, {}};
+    for (int y = strip.begin.y; y < strip.end.y; ++y)
+      for (int x = strip.begin.x + y % 3; x < strip.end.x; x += 3) {
         const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / glm::vec2(conversion.extent());
         if (!covers(conversion.to(), uv)) continue;
-        const glm::vec3 direction = directionAt(conversion.to(), {piece.face, uv});
+        const glm::vec3 direction = directionAt(conversion.to(), {strip.face, uv});
         tile.samples.push_back({{x, y},
                                 direction,
                                 testing::waves(direction).x,
@@ -129,17 +129,17 @@ Difference differenceOf(const Environment& source, const Target& target) {
   std::size_t count = 0;
   double compared = 0.0;
   double covered = 0.0;
-  for (const auto& [piece, samples] : target.tiles) {
-    Image texels = Image::withoutValues(piece.size().x, piece.size().y, conversion.channels());
-    conversion.fill(source, piece, texels);
-    const bool is_mean = pointsPerTexel(source, conversion.to(), conversion.extent(), piece.face, piece.begin,
-                                        piece.end, glm::mat3(1.0f))
+  for (const auto& [strip, samples] : target.tiles) {
+    Image texels = Image::withoutValues(strip.size().x, strip.size().y, conversion.channels());
+    conversion.fill(source, strip, texels);
+    const bool is_mean = pointsPerTexel(source, conversion.to(), conversion.extent(), strip.face, strip.begin,
+                                        strip.end, glm::mat3(1.0f))
                              .smooth != glm::ivec2(1);
     for (const Sample& sample : samples) {
       if (!covers(from, sample.direction)) continue;
       covered += double(sample.solid_angle);
       if (is_mean || !isRegular(from, sample.direction)) continue;
-      const glm::ivec2 place = sample.texel - piece.begin;
+      const glm::ivec2 place = sample.texel - strip.begin;
       const double error = std::abs(double(rgbAt(texels, place.x, place.y).x) - double(sample.light));
       sum += error * error;
       difference.largest = std::max(difference.largest, error);

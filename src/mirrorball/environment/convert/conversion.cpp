@@ -15,19 +15,19 @@ constexpr int kTileWidth = 32;
 constexpr int kTileHeight = 16;
 constexpr std::size_t kTileTexels = std::size_t{kTileWidth} * kTileHeight;
 
-/// A piece has a row of tiles and, in the formats of a GPU, up to 256 KiB: it stays in a core's cache until it is
+/// A strip has a row of tiles and, in the formats of a GPU, up to 256 KiB: it stays in a core's cache until it is
 /// written.
-constexpr int kPieceWidth = 1024;
+constexpr int kStripWidth = 1024;
 
 }  // namespace
 
-std::vector<Piece> Conversion::pieces() const {
-  std::vector<Piece> pieces;
+std::vector<Strip> Conversion::strips() const {
+  std::vector<Strip> strips;
   for (int face = 0; face < faceCount(to_); ++face)
     for (int y = 0; y < extent_.y; y += kTileHeight)
-      for (int x = 0; x < extent_.x; x += kPieceWidth)
-        pieces.push_back({face, {x, y}, glm::min(glm::ivec2(x + kPieceWidth, y + kTileHeight), extent_)});
-  return pieces;
+      for (int x = 0; x < extent_.x; x += kStripWidth)
+        strips.push_back({face, {x, y}, glm::min(glm::ivec2(x + kStripWidth, y + kTileHeight), extent_)});
+  return strips;
 }
 
 struct Conversion::Tile {
@@ -297,10 +297,10 @@ void Conversion::fillTile(const Environment& source, const Tile& tile, glm::ivec
   }
 }
 
-void Conversion::fill(const Environment& source, const Piece& piece, Image& texels) const {
-  for (int x = piece.begin.x; x < piece.end.x; x += kTileWidth)
-    fillTile(source, {piece.face, {x, piece.begin.y}, {std::min(x + kTileWidth, piece.end.x), piece.end.y}},
-             piece.begin, texels);
+void Conversion::fill(const Environment& source, const Strip& strip, Image& texels) const {
+  for (int x = strip.begin.x; x < strip.end.x; x += kTileWidth)
+    fillTile(source, {strip.face, {x, strip.begin.y}, {std::min(x + kTileWidth, strip.end.x), strip.end.y}},
+             strip.begin, texels);
 }
 
 }  // namespace mirrorball

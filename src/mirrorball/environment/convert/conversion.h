@@ -11,9 +11,9 @@
 
 namespace mirrorball {
 
-/// A rectangle of a target's texels that is converted as one piece of work: as wide as the target, but for very large
+/// A rectangle of a target's texels that is converted as one unit of work: as wide as the target, but for very large
 /// ones, so that its rows follow each other in a file.
-struct Piece {
+struct Strip {
   int face = 0;
   glm::ivec2 begin{0};
   glm::ivec2 end{0};
@@ -21,7 +21,7 @@ struct Piece {
   glm::ivec2 size() const { return end - begin; }
 };
 
-/// One conversion: what every piece of it needs to know.
+/// One conversion: what every strip of it needs to know.
 class Conversion {
  public:
   Conversion(Projection to, int size, const Resampling& resampling)
@@ -30,15 +30,15 @@ class Conversion {
   Projection to() const { return to_; }
   glm::ivec2 extent() const { return extent_; }
   const glm::mat3& sourceFromTarget() const { return resampling_.source_from_target; }
-  /// All pieces of the target, in the order of its texels.
-  std::vector<Piece> pieces() const;
+  /// All strips of the target, in the order of its texels.
+  std::vector<Strip> strips() const;
   int channels() const { return convertedChannels(to_); }
 
-  /// Converts one piece.
+  /// Converts one strip.
   ///
-  /// source   light; of a panorama of which only some rows are there, all rows that the piece needs
-  /// texels   of the piece's size; every sample of it is set
-  void fill(const Environment& source, const Piece& piece, Image& texels) const;
+  /// source   light; of a panorama of which only some rows are there, all rows that the strip needs
+  /// texels   of the strip's size; every sample of it is set
+  void fill(const Environment& source, const Strip& strip, Image& texels) const;
 
  private:
   struct Tile;

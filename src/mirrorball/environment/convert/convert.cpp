@@ -60,19 +60,19 @@ TakeTexels copyInto(ImageSet& images) {
   };
 }
 
-Result<void> convertPiecewise(const Environment& source, Projection to, int size, const Resampling& resampling,
-                              const TakeTexels& take, const ProgressFunction& progress) {
+Result<void> convertByStrips(const Environment& source, Projection to, int size, const Resampling& resampling,
+                             const TakeTexels& take, const ProgressFunction& progress) {
   const Conversion conversion(to, size, resampling);
   MIRRORBALL_TRY_VOID(withName("the converted map", checkDimensions(conversion.extent().x, conversion.extent().y)));
-  const std::vector<Piece> pieces = conversion.pieces();
-  ParallelConversion work(conversion, take, progress, pieces.size());
-  return work.run(source, pieces);
+  const std::vector<Strip> strips = conversion.strips();
+  ParallelConversion work(conversion, take, progress, strips.size());
+  return work.run(source, strips);
 }
 
 Result<EnvironmentMap> convert(const Environment& source, Projection to, int size, const Resampling& resampling,
                                const ProgressFunction& progress) {
   MIRRORBALL_TRY(images, imagesFor(to, size));
-  MIRRORBALL_TRY_VOID(convertPiecewise(source, to, size, resampling, copyInto(images), progress));
+  MIRRORBALL_TRY_VOID(convertByStrips(source, to, size, resampling, copyInto(images), progress));
   return EnvironmentMap(to, std::move(images));
 }
 

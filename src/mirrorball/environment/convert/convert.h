@@ -54,8 +54,8 @@ using TakeTexels = std::function<Result<void>(int face, glm::ivec2 begin, const 
 /// The same without ever holding the whole map: texels are handed on while they are in a core's cache.
 ///
 /// errors   interrupted; too_large; what `take` returns
-Result<void> convertPiecewise(const Environment& source, Projection to, int size, const Resampling& resampling,
-                              const TakeTexels& take, const ProgressFunction& progress = {});
+Result<void> convertByStrips(const Environment& source, Projection to, int size, const Resampling& resampling,
+                             const TakeTexels& take, const ProgressFunction& progress = {});
 
 /// The channels of a converted map's texels: 4 where there is a disc, with alpha, else 3.
 int convertedChannels(Projection projection);

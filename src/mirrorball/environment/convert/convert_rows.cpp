@@ -20,26 +20,26 @@ constexpr std::size_t kUsualWindow_bytes = std::size_t{256} << 20;
 /// So many rows are decoded at a time.
 constexpr int kRowsPerRead = 64;
 
-/// Pieces and the rows that they need, ordered by the first of these.
+/// Strips and the rows that they need, ordered by the first of these.
 struct Plan {
-  std::vector<Piece> pieces;
+  std::vector<Strip> strips;
   std::vector<RowRange> rows;
   int max_rows = 0;
 };
 
 Plan planOf(const Conversion& conversion, int height) {
-  const std::vector<Piece> pieces = conversion.pieces();
-  std::vector<RowRange> rows(pieces.size());
-  parallelFor(pieces.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) rows[i] = rowsNeeded(conversion, pieces[i], height);
+  const std::vector<Strip> strips = conversion.strips();
+  std::vector<RowRange> rows(strips.size());
+  parallelFor(strips.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) rows[i] = rowsNeeded(conversion, strips[i], height);
   });
-  std::vector<std::size_t> order(pieces.size());
+  std::vector<std::size_t> order(strips.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return rows[a].begin < rows[b].begin; });
   Plan plan;
   for (const std::size_t index : order) {
-    plan.pieces.push_back(pieces[index]);
+    plan.strips.push_back(strips[index]);
     plan.rows.push_back(rows[index]);
     plan.max_rows = std::max(plan.max_rows, rows[index].count());
   }
@@ -79,7 +79,7 @@ class RowFeed {
   EnvironmentMap& window_;
 };
 
-/// How many pieces from `begin` on find their rows in one window.
+/// How many strips from `begin` on find their rows in one window.
 std::size_t endOfGroup(const Plan& plan, std::size_t begin, int capacity) {
   std::size_t end = begin;
   while (end < plan.rows.size() && plan.rows[end].end <= plan.rows[begin].begin + capacity) ++end;
@@ -113,11 +113,11 @@ Result<void> convertRows(RowReader& source, std::size_t memory, Projection to, i
 
   Environment window(EnvironmentMap::windowOfPanorama(picture.height, picture.channels, capacity));
   RowFeed feed(source, *window.map());
-  ParallelConversion work(conversion, take, progress, plan.pieces.size());
-  for (std::size_t begin = 0; begin < plan.pieces.size();) {
+  ParallelConversion work(conversion, take, progress, plan.strips.size());
+  for (std::size_t begin = 0; begin < plan.strips.size();) {
     const std::size_t end = endOfGroup(plan, begin, capacity);
     MIRRORBALL_TRY_VOID(feed.feed(rowsOfGroup(plan, begin, end)));
-    MIRRORBALL_TRY_VOID(work.run(window, std::span(plan.pieces).subspan(begin, end - begin)));
+    MIRRORBALL_TRY_VOID(work.run(window, std::span(plan.strips).subspan(begin, end - begin)));
     begin = end;
   }
   return {};

@@ -123,20 +123,20 @@ TEST_F(ConvertRows, StopsWhenItIsTold) {
   EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
 }
 
-// The rows that a piece needs are found without looking its texels up; here every texel's row is compared with them.
-TEST(RowsNeeded, HoldEveryTexelOfThePiece) {
+// The rows that a strip needs are found without looking its texels up; here every texel's row is compared with them.
+TEST(RowsNeeded, HoldEveryTexelOfTheStrip) {
   constexpr int kHeight = 4096;
   for (const Projection to : kEveryProjection)
     for (const int size : {3, 40, 300}) {
       const Conversion conversion(to, size, {});
-      for (const Piece& piece : conversion.pieces()) {
-        const RowRange rows = rowsNeeded(conversion, piece, kHeight);
-        for (int y = piece.begin.y; y < piece.end.y; ++y)
-          for (int x = piece.begin.x; x < piece.end.x; ++x)
+      for (const Strip& strip : conversion.strips()) {
+        const RowRange rows = rowsNeeded(conversion, strip, kHeight);
+        for (int y = strip.begin.y; y < strip.end.y; ++y)
+          for (int x = strip.begin.x; x < strip.end.x; ++x)
             for (const glm::vec2 inside : {glm::vec2(0.05f), glm::vec2(0.5f), glm::vec2(0.05f, 0.95f)}) {
               const glm::vec2 uv = (glm::vec2(x, y) + inside) / glm::vec2(conversion.extent());
               if (!covers(to, uv)) continue;
-              const auto place = positionOf(Projection::equirect, directionAt(to, {piece.face, uv}));
+              const auto place = positionOf(Projection::equirect, directionAt(to, {strip.face, uv}));
               const int row = static_cast<int>(place.uv.y * kHeight);
               ASSERT_TRUE(row - 2 >= rows.begin || rows.begin == 0) << testing::testName(to) << " " << x << " " << y;
               ASSERT_TRUE(row + 2 < rows.end || rows.end == kHeight) << testing::testName(to) << " " << x << " " << y;
@@ -145,11 +145,11 @@ TEST(RowsNeeded, HoldEveryTexelOfThePiece) {
     }
 }
 
-// A window must move: a piece needs far fewer rows than there are.
+// A window must move: a strip needs far fewer rows than there are.
 TEST(RowsNeeded, AreFew) {
   const Conversion conversion(Projection::cube, 4096, {});
   int max = 0;
-  for (const Piece& piece : conversion.pieces()) max = std::max(max, rowsNeeded(conversion, piece, 8192).count());
+  for (const Strip& strip : conversion.strips()) max = std::max(max, rowsNeeded(conversion, strip, 8192).count());
   EXPECT_LT(max, 8192 / 5);
 }
 

@@ -9,10 +9,10 @@
 namespace mirrorball {
 namespace {
 
-/// So many pieces share one buffer, and are one step of progress.
-constexpr std::size_t kPiecesPerTask = 4;
+/// So many strips share one buffer, and are one step of progress.
+constexpr std::size_t kStripsPerTask = 4;
 
-/// The failure of the first piece, whichever thread comes first.
+/// The failure of the first strip, whichever thread comes first.
 class FirstFailure {
  public:
   void add(std::size_t index, const Error& error) {
@@ -31,18 +31,18 @@ class FirstFailure {
 
 }  // namespace
 
-Result<void> ParallelConversion::run(const Environment& source, std::span<const Piece> pieces) {
+Result<void> ParallelConversion::run(const Environment& source, std::span<const Strip> strips) {
   std::atomic<bool> failed = false;
   FirstFailure failure;
-  parallelFor(pieces.size(), kPiecesPerTask, [&](std::size_t begin, std::size_t end) {
+  parallelFor(strips.size(), kStripsPerTask, [&](std::size_t begin, std::size_t end) {
     Image texels;
     for (std::size_t index = begin; index < end && !failed && !steps_.stopped(); ++index) {
-      const Piece& piece = pieces[index];
-      const glm::ivec2 size = piece.size();
+      const Strip& strip = strips[index];
+      const glm::ivec2 size = strip.size();
       if (texels.width() != size.x || texels.height() != size.y)
         texels = Image::withoutValues(size.x, size.y, conversion_.channels());
-      conversion_.fill(source, piece, texels);
-      if (const auto taken = take_(piece.face, piece.begin, texels); !taken) {
+      conversion_.fill(source, strip, texels);
+      if (const auto taken = take_(strip.face, strip.begin, texels); !taken) {
         failure.add(index, taken.error());
         failed = true;
       }

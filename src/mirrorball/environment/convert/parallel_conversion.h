@@ -8,16 +8,16 @@
 
 namespace mirrorball {
 
-/// Converts pieces on all cores and hands them on, until all are done, one cannot be taken, or `progress` says stop.
+/// Converts strips on all cores and hands them on, until all are done, one cannot be taken, or `progress` says stop.
 class ParallelConversion {
  public:
-  /// total    how many pieces there will be in all runs together, for `progress`
+  /// total    how many strips there will be in all runs together, for `progress`
   ParallelConversion(const Conversion& conversion, const TakeTexels& take, const ProgressFunction& progress,
                      std::size_t total)
       : conversion_(conversion), take_(take), steps_(progress, total) {}
 
-  /// errors   interrupted; of the pieces that could not be taken the first one's
-  Result<void> run(const Environment& source, std::span<const Piece> pieces);
+  /// errors   interrupted; of the strips that could not be taken the first one's
+  Result<void> run(const Environment& source, std::span<const Strip> strips);
 
  private:
   const Conversion& conversion_;

@@ -9,7 +9,7 @@
 namespace mirrorball {
 namespace {
 
-/// Directions are taken on a grid: at every fourth corner of texels, and in five places across the smallest piece. What
+/// Directions are taken on a grid: at every fourth corner of texels, and in five places across the smallest strip. What
 /// lies between is no farther from one of them than they are from each other.
 constexpr int kTexelsPerStep = 4;
 constexpr int kMinSteps = 4;
@@ -38,19 +38,19 @@ float angleBetween(glm::vec3 a, glm::vec3 b) { return 2.0f * std::asin(std::min(
 
 }  // namespace
 
-RowRange rowsNeeded(const Conversion& conversion, const Piece& piece, int height) {
-  const std::vector<float> columns = gridLines(piece.begin.x, piece.end.x);
+RowRange rowsNeeded(const Conversion& conversion, const Strip& strip, int height) {
+  const std::vector<float> columns = gridLines(strip.begin.x, strip.end.x);
   const bool has_disc = hasDisc(conversion.to());
   std::vector<glm::vec3> above;
   float min = formula::kPi;
   float max = 0.0f;
   float spacing = 0.0f;
-  for (const float y : gridLines(piece.begin.y, piece.end.y)) {
+  for (const float y : gridLines(strip.begin.y, strip.end.y)) {
     std::vector<glm::vec3> line;
     for (const float x : columns) {
       const glm::vec2 uv = glm::vec2(x, y) / glm::vec2(conversion.extent());
       const glm::vec3 direction =
-          conversion.sourceFromTarget() * directionAt(conversion.to(), {piece.face, has_disc ? ontoDisc(uv) : uv});
+          conversion.sourceFromTarget() * directionAt(conversion.to(), {strip.face, has_disc ? ontoDisc(uv) : uv});
       const float polar = std::acos(glm::clamp(direction.y, -1.0f, 1.0f));
       min = std::min(min, polar);
       max = std::max(max, polar);

@@ -4,9 +4,9 @@
 
 namespace mirrorball {
 
-/// The rows of a panorama, `height` in all, that hold everything a piece looks up in it.
+/// The rows of a panorama, `height` in all, that hold everything a strip looks up in it.
 ///
-/// cost     a sixteenth of looking up the piece's texels
-RowRange rowsNeeded(const Conversion& conversion, const Piece& piece, int height);
+/// cost     a sixteenth of looking up the strip's texels
+RowRange rowsNeeded(const Conversion& conversion, const Strip& strip, int height);
 
 }  // namespace mirrorball

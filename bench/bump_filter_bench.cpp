@@ -4,7 +4,7 @@
 //   one lobe   widened by the mean of the slopes' variances
 //   Toksvig    by the length of the mean normal (2005, "Mipmapping normal maps")
 //   LEAN       a Gaussian of their covariance (Olano & Baker 2010)
-//   pieces     what the renderer does
+//   strata     what the renderer does
 
 #include <algorithm>
 #include <array>
@@ -210,19 +210,19 @@ float lodOf(const Seen& s, float part) {
   return std::log2(std::max(glm::length(s.across), glm::length(s.down)) * part * kSide);
 }
 
-enum class Method { mean_normal, one_lobe, toksvig, lean, pieces };
-constexpr std::array<const char*, 5> kNames{"mean normal", "one lobe", "Toksvig", "LEAN", "pieces"};  // by Method
+enum class Method { mean_normal, one_lobe, toksvig, lean, strata };
+constexpr std::array<const char*, 5> kNames{"mean normal", "one lobe", "Toksvig", "LEAN", "strata"};  // by Method
 
-/// As shaders/surface/look_up_pieces.glsl reads them: each as if it were a quarter as wide.
-float lightOfPieces(const Bumps& bumps, const Light& light, const Seen& s, float part, glm::vec2 shift) {
+/// As shaders/surface/look_up_strata.glsl reads them: each as if it were a quarter as wide.
+float lightOfStrata(const Bumps& bumps, const Light& light, const Seen& s, float part, glm::vec2 shift) {
   float sum = 0.0f;
-  for (int i = 0; i < formula::kPieces; ++i) {
-    const glm::vec2 at = part * formula::placeOfPiece(i, shift);
-    const float width = 0.25f * part / float(formula::kPiecesAcross);
+  for (int i = 0; i < formula::kStrata; ++i) {
+    const glm::vec2 at = part * formula::placeInStratum(i, shift);
+    const float width = 0.25f * part / float(formula::kStrataAcross);
     const Moments m = bumps.at(s.uv + at.x * s.across + at.y * s.down, lodOf(s, width));
     sum += roundLobe(light, s.v, normalOf(m.slope), m.variance, shiftOf(shift, i), kLobeSamples / 2);
   }
-  return sum / float(formula::kPieces);
+  return sum / float(formula::kStrata);
 }
 
 /// What a sample of a pixel shows.
@@ -237,8 +237,8 @@ float sampleOf(Method method, const Bumps& bumps, const Light& light, const Seen
       return roundLobe(light, s.v, m.normal / length, std::max(1.0f - length, 0.0f) / length, shift, kLobeSamples);
     case Method::lean:
       return leanLobe(light, s.v, m, shift);
-    case Method::pieces:
-      return lightOfPieces(bumps, light, s, part, shift);
+    case Method::strata:
+      return lightOfStrata(bumps, light, s, part, shift);
     case Method::mean_normal:
       break;
   }

@@ -4,7 +4,7 @@
 // much too bright the picture is. Derivative maps have the same moments as heights.
 //   unfiltered   the finest level of the map, 4 samples a pixel
 //   one lobe     widened by what is averaged away; of a normal map Toksvig's (2005, "Mipmapping normal maps")
-//   pieces       what the renderer does
+//   strata       what the renderer does
 //   truth        the 512 samples themselves, against the path tracer
 // With a number as argument, bumps are as many times as steep.
 
@@ -48,13 +48,13 @@ Image drawn(Renderer& renderer, const Camera& camera, int samples, TextureFilter
   return renderer.radiance();
 }
 
-/// One lobe where pieces are not read: brushed so little that it is not seen.
+/// One lobe where strata are not read: brushed so little that it is not seen.
 Image drawnInOneLobe(Renderer& renderer, const Camera& camera, Scene scene) {
-  Scene with_pieces = scene;
+  Scene with_strata = scene;
   scene.materials.front().anisotropy = 1e-3f;
   if (!renderer.setScene(std::move(scene))) std::exit(1);
   Image image = drawn(renderer, camera, 4);
-  if (!renderer.setScene(std::move(with_pieces))) std::exit(1);
+  if (!renderer.setScene(std::move(with_strata))) std::exit(1);
   return image;
 }
 
@@ -111,7 +111,7 @@ int main(int count, char** arguments) {
   const Environment light = orExit(builtinEnvironment("studio"));
   Renderer renderer = orExit(Renderer::headless());
   if (!renderer.setEnvironment(light, std::nullopt)) std::exit(1);
-  std::printf("| surface, a pixel | unfiltered, 4 | one lobe, 4 | pieces, 4 | pieces, 8 | truth |\n");
+  std::printf("| surface, a pixel | unfiltered, 4 | one lobe, 4 | strata, 4 | strata, 8 | truth |\n");
   std::printf("|---|--:|--:|--:|--:|--:|\n");
   for (const HeightKind kind : {HeightKind::orange, HeightKind::brick, HeightKind::waves})
     for (const testing::BumpForm form : {testing::BumpForm::heights, testing::BumpForm::normal_map})

@@ -120,7 +120,7 @@ Result<void> refuseIdleSurfaceOptions(const SurfaceRequest& request) {
   for (const auto& [option, maps] : kOptionsOfMaps)
     if (request.given.contains(option) && maps.find(" " + map + " ") == std::string_view::npos)
       return fail(ErrorCode::usage, changesNothing(std::array{"--" + std::string(option)},
-                                                   "--to " + map + " does not heed it; leave it out"));
+                                                   "--to " + map + " does not use it; leave it out"));
   return {};
 }
 
@@ -143,7 +143,7 @@ Result<void> ladder(const SurfaceRequest& request) {
   for (const std::string_view option : request.given)
     if (option != "scale" && option != kMaxMemoryText.name)
       return fail(ErrorCode::usage,
-                  changesNothing(std::array{"--" + std::string(option)}, "--ladder does not heed it; leave it out"));
+                  changesNothing(std::array{"--" + std::string(option)}, "--ladder does not use it; leave it out"));
   if (request.output.empty()) return fail(ErrorCode::usage, "surface needs an output: -o FILE.png");
   MIRRORBALL_TRY_VOID(refuseOverwriting(std::array{request.input}, {&request.output, 1}));
   const float scale = request.given.contains("scale") ? request.options.field.scale : 0.0f;

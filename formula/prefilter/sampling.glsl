@@ -14,16 +14,17 @@ FN vec2 sampleOffset(int i, int count) {
   return in_pairs % 2 == 0 ? p : vec2(1.0f, 1.0f) - p;
 }
 
-// A sample's own footprint on a surface is read in so many pieces where each of them looks another way.
-const int kPiecesAcross = 4;
-const int kPieces = kPiecesAcross * kPiecesAcross;
+// A sample's own footprint on a surface is read in so many strata, the cells of a grid, where each of them looks another
+// way.
+const int kStrataAcross = 4;
+const int kStrata = kStrataAcross * kStrataAcross;
 
 // Where the i-th of them lies from the middle, in footprints: at random in its place of a grid.
 //   random   in [0, 1)², of the sample
-FN vec2 placeOfPiece(int i, vec2 random) {
-  vec2 corner = vec2(float(i % kPiecesAcross), float(i / kPiecesAcross));
+FN vec2 placeInStratum(int i, vec2 random) {
+  vec2 corner = vec2(float(i % kStrataAcross), float(i / kStrataAcross));
   vec2 inside = evenPoint(random, float(i));
-  return (corner + inside) / float(kPiecesAcross) - 0.5f;
+  return (corner + inside) / float(kStrataAcross) - 0.5f;
 }
 
 // The solid angle that one sample of a pixel sees, in steradians: from the direction's change to the next pixel across

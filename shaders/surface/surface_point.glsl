@@ -21,7 +21,7 @@ struct SurfacePoint {
 // A part of what a sample of a pixel sees.
 //   at      from its middle, in footprints
 //   share   of their sides
-SurfacePoint pieceOf(SurfacePoint point, vec2 at, float share) {
+SurfacePoint stratumOf(SurfacePoint point, vec2 at, float share) {
   at /= sqrt(samples_per_pixel);
   point.uv_0 += at.x * point.uv_across + at.y * point.uv_down;
   point.uv_1 += at.x * point.uv_1_across + at.y * point.uv_1_down;

@@ -192,7 +192,7 @@ const Case kCases[] = {
     // sampling
     PARITY(evenPoint, unit, kTight, vec4(evenPoint(vec2(p), 64.0f * q.x), 0.0f, 0.0f)),
     PARITY(sampleOffset, unit, kTight, vec4(sampleOffset(int(1024.0f * p.x), 1025), 0.0f, 0.0f)),
-    PARITY(placeOfPiece, unit, kTight, vec4(placeOfPiece(int(15.9375f * p.x), vec2(q)), 0.0f, 0.0f)),
+    PARITY(placeInStratum, unit, kTight, vec4(placeInStratum(int(15.9375f * p.x), vec2(q)), 0.0f, 0.0f)),
     PARITY(sampleFootprint, direction, kTight,
            vec4(sampleFootprint(vec3(p), vec3(q), 1.0f + 16.0f * r.y), 0.0f, 0.0f, 0.0f)),
     PARITY(footprintLod, unit, kTight, vec4(footprintLod(p.x, 1.0f + 2048.0f * r.x), 0.0f, 0.0f, 0.0f)),

@@ -55,7 +55,7 @@ int lobesOfReflection(float perceptual_roughness, const Material& material, cons
 /// How many directions reflected light is read from at most.
 int readsOfReflection(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
   if (stretchesLobes(material, settings, coordinates)) return formula::kTapsOfStretchedLobe;
-  if (readsPieces(material, settings, coordinates)) return formula::kPieces;
+  if (readsStrata(material, settings, coordinates)) return formula::kStrata;
   return lobesOfReflection(material.perceptual_roughness, material, settings, coordinates);
 }
 

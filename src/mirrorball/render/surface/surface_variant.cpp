@@ -31,7 +31,7 @@ constexpr auto kArrivingLight = std::to_array<Names>(
     {"arriving_light_distant.glsl", "arriving_light_flat.glsl", "arriving_light_flat_nearest.glsl"});
 constexpr auto kLookUp =
     std::to_array<Names>({"look_up_environment.glsl", "look_up_sphere_map.glsl", "look_up_stretched.glsl",
-                          "look_up_pieces.glsl", "look_up_lobe_row.glsl"});
+                          "look_up_strata.glsl", "look_up_lobe_row.glsl"});
 constexpr auto kDispersion = std::to_array<Names>({"dispersion_channels.glsl", "dispersion_spectral.glsl"});
 constexpr auto kBehind = std::to_array<Names>({"behind_light.glsl", "behind_screen.glsl"});
 constexpr auto kTransmission =
@@ -177,7 +177,7 @@ SkyPart skyPart(const SurfaceVariant& variant, const Material& material, const F
 LookUpPart lookUpPart(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
   if (coordinates.is_sphere_map) return LookUpPart::sphere_map;
   if (stretchesLobes(material, settings, coordinates)) return LookUpPart::stretched;
-  if (readsPieces(material, settings, coordinates)) return LookUpPart::pieces;
+  if (readsStrata(material, settings, coordinates)) return LookUpPart::strata;
   return readsLobeRow(material, settings, coordinates) ? LookUpPart::lobe_row : LookUpPart::environment;
 }
 
@@ -332,7 +332,7 @@ bool hasBumps(const Material& material, const FrameSettings& settings) {
   return normalPart(material, settings) != NormalPart::vertex || detailPart(material) != DetailPart::none;
 }
 
-bool readsPieces(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
+bool readsStrata(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates) {
   return hasBumps(material, settings) && !stretchesLobes(material, settings, coordinates) &&
          reflectsAtFragment(settings, coordinates);
 }

@@ -67,7 +67,7 @@ enum class MaterialPart : std::uint8_t { core, unlit, from_inside };
 /// ProxyKind's, and what a probe has captured.
 enum class ProxyPart : std::uint8_t { none, box, sphere, ground, mesh, captured };
 enum class ArrivingLightPart : std::uint8_t { distant, flat, flat_nearest };
-enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched, pieces, lobe_row };
+enum class LookUpPart : std::uint8_t { environment, sphere_map, stretched, strata, lobe_row };
 enum class DispersionPart : std::uint8_t { channels, spectral };
 enum class BehindPart : std::uint8_t { light, screen };
 enum class TransmissionPart : std::uint8_t { none, single, thin, image_space, traced };
@@ -121,8 +121,8 @@ bool stretchesLobes(const Material& material, const FrameSettings& settings, con
 /// Whether a surface's normals are not its mesh's alone, so that a pixel may hide some of them.
 bool hasBumps(const Material& material, const FrameSettings& settings);
 
-/// Whether it comes from pieces of what a sample sees of bumps, likewise.
-bool readsPieces(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates);
+/// Whether it comes from strata of what a sample sees of bumps, likewise.
+bool readsStrata(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates);
 
 /// Whether it comes from a row of lobes in the plane of incidence, likewise.
 bool readsLobeRow(const Material& material, const FrameSettings& settings, const CoordinateChoice& coordinates);

@@ -22,7 +22,8 @@ out vec4 fragment;
 void main() {
   vec3 d = eyeDirection();
   ProxySight sight = sightFrom(originOfEye(eyeOrigin(), d), d);
-  float footprint = sampleFootprint(dFdx(d), dFdy(d), samples_per_pixel) * sight.enlargement;
+  // Of what is seen from pixel to pixel: of an eye outside of the proxy each ray begins elsewhere.
+  float footprint = sampleFootprint(dFdx(sight.direction), dFdy(sight.direction), samples_per_pixel);
   float minified = readsMipLevels(texture_filter) ? footprintLod(footprint, texels_per_radian) : 0.0;
   vec3 seen = environment_from_world * sight.direction;
   float blurred = lobe_roughness > 0.0 ? lodOfLobe(lobe_roughness, texels_per_radian, seen) : min_level;

@@ -21,6 +21,10 @@ struct ProxySight {
 // Beyond which a solid angle is not enlarged further: of a ray along the surface it would be infinite.
 const float kMostEnlargement = 1e4f;
 
+// The square of a distance, in distances of the capture, below which a ray leaves the proxy where it begins: it sees that
+// place whatever its direction, and where it goes along the surface, cosines are roundings.
+const float kLeavesWhereItBegins = 1e-6f;
+
 // Both see the same area, which takes a solid angle of cos / distance² of it.
 FN ProxySight sightOfProxy(ProxyHit hit, vec3 captured_at, vec3 d) {
   vec3 to = hit.place - captured_at;
@@ -30,6 +34,7 @@ FN ProxySight sightOfProxy(ProxyHit hit, vec3 captured_at, vec3 d) {
   float there = abs(dot(direction, hit.normal)) * hit.distance * hit.distance;
   float here = abs(dot(d, hit.normal)) * squared;
   float enlargement = there < kMostEnlargement * here ? there / here : kMostEnlargement;
+  if (hit.distance * hit.distance < kLeavesWhereItBegins * squared) enlargement = 0.0f;
   return MAKE(ProxySight)(direction, enlargement, hit.place, hit.is_ground);
 }
 

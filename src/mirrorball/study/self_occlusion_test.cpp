@@ -226,6 +226,27 @@ TEST_F(SelfOcclusion, ASmallLampMakesNoRoughMetalGlow) {
   }
 }
 
+// Rays show what is reflected; what is seen through comes from the probe, as it does without them.
+TEST_F(SelfOcclusion, GlassThatIsSeenThroughByProbesKeepsItsProbe) {
+  Scene scene = onFloor(sphereMesh(24, 48), 1.2f);
+  scene.materials[0].emission = {2.0f, 0.0f, 0.0f};
+  scene.materials[1] = *materialNamed("glass");
+  FrameSettings frame = shotIntoBowl();
+  frame.samples = 1;
+  testing::aim(frame, 0.0f, 89.0f);
+  testing::set(frame, "refraction", "single");
+  testing::set(frame, "behind", "probes");
+  testing::set(frame, "probes", "1");
+  testing::set(frame, "probe-size", "64");
+  frame.camera.target = glm::vec3(0.0f, 1.2f, 0.0f);
+  frame.camera.orthographic_height = 0.5f;
+  const Environment dark([](glm::vec3) { return glm::vec3(0.05f); }, 64);
+  const float without_rays = drawn(scene, dark, with(frame, OcclusionKind::vertex, false)).texel(24, 24)[0];
+  const float with_rays = drawn(scene, dark, with(frame, OcclusionKind::vertex, true)).texel(24, 24)[0];
+  EXPECT_GT(without_rays, 1.5f) << "the floor";
+  EXPECT_NEAR(with_rays, without_rays, 0.1f);
+}
+
 // The light of a bowl that reflects all of it has nowhere else to go.
 TEST_F(SelfOcclusion, AWhiteBowlIsWhiteInTheFurnace) {
   const Environment white = *builtinEnvironment("white");

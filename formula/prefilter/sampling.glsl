@@ -14,8 +14,8 @@ FN vec2 sampleOffset(int i, int count) {
   return in_pairs % 2 == 0 ? p : vec2(1.0f, 1.0f) - p;
 }
 
-// A sample's own footprint on a surface is read in so many strata, the cells of a grid, where each of them looks another
-// way.
+// A sample's own footprint on a surface is read in so many strata, the cells of a grid, where each of them looks
+// another way.
 const int kStrataAcross = 4;
 const int kStrata = kStrataAcross * kStrataAcross;
 

@@ -21,8 +21,8 @@ struct ProxySight {
 // Beyond which a solid angle is not enlarged further: of a ray along the surface it would be infinite.
 const float kMostEnlargement = 1e4f;
 
-// The square of a distance, in distances of the capture, below which a ray leaves the proxy where it begins: it sees that
-// place whatever its direction, and where it goes along the surface, cosines are roundings.
+// The square of a distance, in distances of the capture, below which a ray leaves the proxy where it begins: it sees
+// that place whatever its direction, and where it goes along the surface, cosines are roundings.
 const float kLeavesWhereItBegins = 1e-6f;
 
 // Both see the same area, which takes a solid angle of cos / distance² of it.

@@ -1,6 +1,6 @@
 // Part "look-up" (look_up_environment.glsl). Here: bumps hide in what a sample of a pixel sees, and no one lobe is what
-// they all reflect. Strata of it, a place in each cell of a grid, have normals of their own. Each is read as if it were a
-// quarter as wide as it is: what one lobe tells of it is little, and others lie beside it.
+// they all reflect. Strata of it, a place in each cell of a grid, have normals of their own. Each is read as if it were
+// a quarter as wide as it is: what one lobe tells of it is little, and others lie beside it.
 #include "grid_random.glsl"
 #include "row_of_lobes.glsl"
 

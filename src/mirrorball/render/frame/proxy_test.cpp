@@ -152,20 +152,21 @@ TEST_F(ProxyTest, TheFurnaceIsWhiteOnEveryProxy) {
 // A ray that passes a small sphere touches it at most: it sees the nearest place of it, as sharply as it is.
 TEST_F(ProxyTest, BesideASmallSphereTheBackgroundIsSmooth) {
   constexpr int kSize = 48;
-  constexpr float kHeight = 5.0f;
   const auto light = [](glm::vec3 d) { return 0.5f + 0.4f * glm::sin(glm::vec3(9.0f, 8.0f, 7.0f) * d); };
   FrameSettings settings = frontOf(kSize);
   settings.samples = 1;
-  settings.camera.orthographic_height = kHeight;
+  settings.camera = {.azimuth_deg = 0.0f, .elevation_deg = 0.0f, .distance = 4.0f, .fov_deg = 90.0f};
   settings.background = BackgroundKind::environment;
   testing::set(settings, "proxy", "sphere:0,0,0,0.5");
   const Image image = drawn(ballAt(glm::vec3(0.0f), 1.0f, mirrorOfProxy()), Environment(light, 256), settings);
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) {
-      const glm::vec2 at = ((glm::vec2(x, kSize - 1 - y) + 0.5f) / float(kSize) - 0.5f) * kHeight;
-      if (glm::length(at) < 1.1f) continue;
+      const glm::vec2 at = (glm::vec2(x, kSize - 1 - y) + 0.5f) / (0.5f * float(kSize)) - 1.0f;
+      const glm::vec3 eye(0.0f, 0.0f, 4.0f);
+      const glm::vec3 nearest = formula::nearestToCapture(eye, glm::normalize(glm::vec3(at, -1.0f)), glm::vec3(0.0f));
+      if (glm::length(nearest) < 1.1f) continue;
       const glm::vec3 shown(image.texel(x, y)[0], image.texel(x, y)[1], image.texel(x, y)[2]);
-      ASSERT_LT(glm::distance(shown, light(glm::vec3(glm::normalize(at), 0.0f))), 0.02f) << x << ", " << y;
+      ASSERT_LT(glm::distance(shown, light(glm::normalize(nearest))), 0.02f) << x << ", " << y;
     }
 }
 

@@ -80,16 +80,17 @@ TEST(Microfacet, SingleAndMultipleScatteringOfAWhiteSurfaceAddUpToOne) {
 }
 
 TEST(Microfacet, EachFurtherBounceTakesItsShare) {
-  const float single_scattering = 0.5f;
   const float mean_fresnel = 0.8f;
   const float missing = 0.4f;
+  const float leaves = 1.0f - kKeptOfMissing * missing;
   float sum = 0.0f;
-  float share = single_scattering;
+  float share = 0.9f * missing;  // of the first facets, which reflect 0.9
   for (int bounce = 0; bounce < 50; ++bounce) {
-    share *= mean_fresnel * missing;
-    sum += share;
+    share *= mean_fresnel;
+    sum += leaves * share;
+    share *= 1.0f - leaves;
   }
-  EXPECT_NEAR(multipleScattering(vec3(single_scattering), vec3(mean_fresnel), missing).x, sum, 1e-6f);
+  EXPECT_NEAR(multipleScattering(vec3(0.9f * (1.0f - missing)), vec3(mean_fresnel), missing).x, sum, 1e-6f);
 }
 
 TEST(Microfacet, MeanFresnelIsThatOfTheWholeHemisphere) {

@@ -1,8 +1,12 @@
 #include "mirrorball/trace/microsurface.h"
 
+#include <array>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
+
+#include "formula/bsdf.h"
 
 namespace mirrorball {
 namespace {
@@ -65,6 +69,42 @@ TEST(Microsurface, DensitiesIntegrateToOne) {
                  kSteps;
         }
       EXPECT_NEAR(sum, 1.0, 2e-3) << alpha << ", " << z;
+    }
+}
+
+/// How many facets a ray meets before it escapes, from above at that cosine: the share of the rays that meet one, two …
+std::array<float, 24> sharesOfBounces(float alpha, float cosine, int rays) {
+  std::array<float, 24> shares{};
+  std::mt19937 random(1);
+  const auto uniform = [&] { return static_cast<float>(random() >> 8u) * 0x1p-24f; };
+  for (int i = 0; i < rays; ++i) {
+    glm::vec3 w(-std::sqrt(1.0f - cosine * cosine), 0.0f, -cosine);
+    float height = kAboveAllFacets;
+    std::size_t met = 0;
+    while (met + 1 < shares.size() && (met == 0 || uniform() >= escapeProbability(glm::vec2(alpha), w, height))) {
+      height = heightOfNextFacet(glm::vec2(alpha), w, height, uniform());
+      const glm::vec2 u(uniform(), uniform());
+      w = glm::reflect(w, formula::sampleVisibleNormal(glm::vec2(alpha), -w, u));
+      ++met;
+    }
+    shares[met] += 1.0f / static_cast<float>(rays);
+  }
+  return shares;
+}
+
+// The renderer's formula, for facets that reflect the same share at every angle.
+TEST(MultipleScattering, IsWhatRaysBetweenTheFacetsBring) {
+  for (const float roughness : {0.45f, 0.7f, 0.85f, 1.0f})
+    for (const float cosine : {1.0f, 0.6f, 0.25f, 0.1f}) {
+      const auto shares = sharesOfBounces(roughness * roughness, cosine, 50'000);
+      for (const float reflectance : {0.1f, 0.5f, 0.9f}) {
+        float several = 0.0f;
+        for (std::size_t bounces = 2; bounces < shares.size(); ++bounces)
+          several += shares[bounces] * std::pow(reflectance, static_cast<float>(bounces));
+        const glm::vec3 found =
+            formula::multipleScattering(glm::vec3(reflectance * shares[1]), glm::vec3(reflectance), 1.0f - shares[1]);
+        EXPECT_NEAR(found.x, several, 0.01f) << roughness << " at " << cosine << ", " << reflectance;
+      }
     }
 }
 

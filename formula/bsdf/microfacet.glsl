@@ -14,9 +14,9 @@ FN float widenedRoughness(float perceptual_roughness, float variance) {
 }
 
 // Of the light that has met two facets or more, the share that meets another one, over what is missing after one. Who
-// has left a facet is higher than who comes from above, and so escapes more often. Fitted to random walks between the facets
-// (trace/microsurface.h) at roughness 1 along the normal, where such light is most; elsewhere it is off by at most 0.01
-// of all light (the test MultipleScattering).
+// has left a facet is higher than who comes from above, and so escapes more often. Fitted to random walks between the
+// facets (trace/microsurface.h) at roughness 1 along the normal, where such light is most; elsewhere it is off by at most
+// 0.01 of all light (the test MultipleScattering).
 const float kKeptOfMissing = 0.72f;
 
 // Multiple scattering: the share of white light that leaves a rough surface after two or more bounces between its

@@ -15,16 +15,16 @@ FN float widenedRoughness(float perceptual_roughness, float variance) {
 
 // Of the light that has met two facets or more, the share that meets another one, over what is missing after one. Who
 // has left a facet is higher than who comes from above, and so escapes more often. Fitted to random walks between the
-// facets (trace/microsurface.h) at roughness 1 along the normal, where such light is most; elsewhere it is off by at most
-// 0.01 of all light (the test MultipleScattering).
+// facets (trace/microsurface.h) at roughness 1 along the normal, where such light is most; elsewhere it is off by at
+// most 0.01 of all light (the test MultipleScattering).
 const float kKeptOfMissing = 0.72f;
 
 // Multiple scattering: the share of white light that leaves a rough surface after two or more bounces between its
 // facets. Of the missing share, which does not leave at a bounce, the next facet reflects the mean share F. Of that the
 // part e leaves, and of the rest the same. This is a geometric series, as in Fdez-Agüera 2019 ("A multiple-scattering
 // microfacet model for real-time image-based lighting", eqs. 9 to 12), whose e is 1 − missing: too small, so that grey
-// metal of roughness 1 lost a seventh of its light. For facets that reflect everything it adds up to exactly what single
-// scattering leaves missing.
+// metal of roughness 1 lost a seventh of its light. For facets that reflect everything it adds up to exactly what
+// single scattering leaves missing.
 //   single_scattering  what leaves after one bounce
 //   mean_fresnel       the facets' reflectance, averaged over the cosine-weighted hemisphere
 //   missing            1 − scale − bias: the share that facets with reflectance 1 do not send away at the first bounce;

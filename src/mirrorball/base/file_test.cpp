@@ -128,7 +128,7 @@ TEST_F(FileTest, APipeIsWrittenInto) {
   std::thread reader([&] {
     std::array<std::uint8_t, 4096> piece;
     pollfd begun{.fd = reading.number(), .events = POLLIN, .revents = 0};
-    while (::poll(&begun, 1, 5000) > 0) {
+    while (::poll(&begun, 1, 60'000) > 0) {
       const ssize_t count = ::read(reading.number(), piece.data(), piece.size());
       if (count <= 0) break;
       got.insert(got.end(), piece.begin(), piece.begin() + count);

@@ -72,6 +72,18 @@ bool isBall(const Mesh& mesh) {
   return true;
 }
 
+bool facesInwards(const Mesh& mesh) {
+  if (mesh.indices.empty()) return false;
+  // The sum of the tetrahedra between one place and the triangles, which count as negative where they face it.
+  const glm::dvec3 apex(mesh.vertices[mesh.indices[0]].position);
+  double volume = 0.0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const auto corner = [&](std::size_t k) { return glm::dvec3(mesh.vertices[mesh.indices[i + k]].position) - apex; };
+    volume += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+  }
+  return volume < 0.0 && isClosed(mesh);
+}
+
 std::vector<std::string> openBodies(const Scene& scene) {
   std::vector<std::size_t> bodies(scene.materials.size(), 0), open(scene.materials.size(), 0);
   for (const Mesh& mesh : scene.meshes) {

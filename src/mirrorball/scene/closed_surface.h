@@ -20,6 +20,11 @@ bool isClosed(const Mesh& mesh);
 /// cost     O(triangles)
 bool isBall(const Mesh& mesh);
 
+/// Whether a mesh's surface is closed and its triangles face the inside: from outside, its far side alone is seen.
+///
+/// cost     O(triangles); isClosed's where the volume that they enclose is negative
+bool facesInwards(const Mesh& mesh);
+
 /// What to say of transmitting materials whose bodies are not closed (and not thin_walled): one line for each.
 ///
 /// cost     isClosed of each mesh of such a material

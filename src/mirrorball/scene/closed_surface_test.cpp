@@ -80,6 +80,19 @@ TEST(IsBall, KnowsBallsByTheirTriangles) {
   EXPECT_FALSE(isBall(dented));
 }
 
+TEST(ClosedSurface, FacesInwardsIfItsTrianglesAreTurnedRound) {
+  for (Mesh mesh : {sphereMesh(8, 16), torusMesh(24, 12), cubeMesh()}) {
+    for (Vertex& vertex : mesh.vertices) vertex.position += glm::vec3(7.0f, -3.0f, 2.0f);
+    EXPECT_FALSE(facesInwards(mesh));
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i], mesh.indices[i + 1]);
+    EXPECT_TRUE(facesInwards(mesh));
+    mesh.indices.resize(mesh.indices.size() - 3);
+    EXPECT_FALSE(facesInwards(mesh)) << "it is open";
+  }
+  EXPECT_FALSE(facesInwards(planeMesh()));
+  EXPECT_FALSE(facesInwards(Mesh{}));
+}
+
 TEST(OpenBodies, AreThoseThatTransmitAndHaveAnInside) {
   Scene scene = *loadModel("plane");
   EXPECT_TRUE(openBodies(scene).empty()) << "it is opaque";

@@ -13,6 +13,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_file.h"
 #include "mirrorball/codec/texture/texture_file.h"
+#include "mirrorball/scene/closed_surface.h"
 #include "mirrorball/scene/gltf/gltf.h"
 #include "mirrorball/scene/mesh_file/obj.h"
 #include "mirrorball/scene/mesh_file/ply.h"
@@ -164,6 +165,13 @@ bool hasArea(const Scene& scene) {
   });
 }
 
+/// Whether some one-sided mesh shows its inside alone.
+bool someFaceInwards(const Scene& scene) {
+  return std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
+    return !scene.materials[std::size_t(mesh.material)].double_sided && facesInwards(mesh);
+  });
+}
+
 }  // namespace
 
 std::span<const std::string_view> builtinModelNames() { return builtinNames(); }
@@ -197,6 +205,11 @@ Result<Scene> loadModel(const std::string& name_or_path, const ModelLoadOptions&
       scene.warnings.push_back(name_or_path +
                                ": lies so far from the origin that its numbers are coarse, and its picture may be "
                                "blurred or doubled; move the model to the origin");
+    if (someFaceInwards(scene))
+      scene.warnings.push_back(
+          name_or_path +
+          ": triangles of a closed surface face its inside, and that alone is seen; if that is not "
+          "meant, turn its normals outwards in the program that it comes from");
     return scene;
   }
   if (isImage(begin) || isImageSet(begin))

@@ -113,6 +113,20 @@ TEST(LoadModel, SaysWhereNumbersAreTooCoarseAndRefusesWhatIsTooSmall) {
   EXPECT_TRUE(loaded("0", "1e-12"));
 }
 
+TEST(LoadModel, SaysWhereAClosedSurfaceShowsItsInside) {
+  const std::string path = ::testing::TempDir() + "mirrorball_inwards.obj";
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const auto warnings = [&](const std::string& faces) {
+    const std::string text = corners + faces;
+    EXPECT_TRUE(writeFile(path, Bytes(text.begin(), text.end())));
+    const Result<Scene> scene = loadModel(path);
+    EXPECT_TRUE(scene);
+    return scene->warnings;
+  };
+  EXPECT_THAT(warnings("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"), ::testing::IsEmpty());
+  EXPECT_THAT(warnings("f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"), ::testing::ElementsAre(HasSubstr("face its inside")));
+}
+
 TEST(LoadModel, LoadsRealFiles) {
   struct Expected {
     const char* file;

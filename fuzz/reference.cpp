@@ -9,25 +9,21 @@
 namespace mirrorball::fuzz {
 namespace {
 
-Result<TracedPicture> traced(Scene scene) {
+Result<Image> traced(Scene scene) {
   static const Environment light = lightToShowIn();
   TraceSettings settings;
   settings.size = kShownSize;
   settings.samples = 2;
   MIRRORBALL_TRY(camera, framedCamera(scene, boundingSphere(scene), {}, kShownSize));
   MIRRORBALL_TRY(tracer, PathTracer::make(std::move(scene), light));
-  return tracer.render(camera, settings);
+  MIRRORBALL_TRY(picture, tracer.render(camera, settings));
+  return std::move(picture.radiance);
 }
 
 }  // namespace
 }  // namespace mirrorball::fuzz
 
 MIRRORBALL_HARNESS(reference) {
-  using namespace mirrorball::fuzz;
-  auto scene = modelToShow({data, size});
-  if (!scene) return 0;
-  const auto picture = traced(std::move(*scene));
-  checkError(picture);
-  if (picture) checkPicture(picture->radiance);
+  mirrorball::fuzz::checkShown({data, size}, mirrorball::fuzz::traced);
   return 0;
 }

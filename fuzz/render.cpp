@@ -50,11 +50,6 @@ Result<Image> drawn(Scene scene) {
 }  // namespace mirrorball::fuzz
 
 MIRRORBALL_HARNESS(render) {
-  using namespace mirrorball::fuzz;
-  auto scene = modelToShow({data, size});
-  if (!scene) return 0;
-  const auto picture = drawn(std::move(*scene));
-  checkError(picture);
-  if (picture) checkPicture(*picture);
+  mirrorball::fuzz::checkShown({data, size}, mirrorball::fuzz::drawn);
   return 0;
 }

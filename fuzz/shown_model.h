@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include <glm/glm.hpp>
 
@@ -61,6 +62,18 @@ inline constexpr glm::ivec2 kShownSize{16, 16};
 inline void checkPicture(const Image& picture) {
   check(glm::ivec2(picture.width(), picture.height()) == kShownSize, "a picture has the size that was asked for");
   checkFinite(picture.samples(), "pixels are numbers");
+}
+
+/// What a harness does that shows models: each is refused in a line, or becomes such a picture.
+///
+/// show   Result<Image>(Scene)
+template <typename Show>
+void checkShown(std::span<const std::uint8_t> bytes, Show show) {
+  auto scene = modelToShow(bytes);
+  if (!scene) return;
+  const Result<Image> picture = show(std::move(*scene));
+  checkError(picture);
+  if (picture) checkPicture(*picture);
 }
 
 }  // namespace mirrorball::fuzz

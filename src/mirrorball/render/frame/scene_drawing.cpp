@@ -199,9 +199,7 @@ Result<void> SceneDrawing::makeBodies(const FrameSettings& settings, FrameUnifor
 /// Whether an instance lies in a body.
 bool SceneDrawing::liesInBody(std::size_t instance) const {
   for (std::size_t other = 0; other < boxes_.size(); ++other)
-    if (isBody(materialOf(scene_, other)) && liesIn(boxes_[instance], boxes_[other]) &&
-        !liesIn(boxes_[other], boxes_[instance]))
-      return true;
+    if (isBody(materialOf(scene_, other)) && liesInside(boxes_[instance], boxes_[other])) return true;
   return false;
 }
 

@@ -45,7 +45,7 @@ std::vector<ScreenLayer> screenLayers(const Scene& scene, std::span<const Box> b
     }
     const auto depth = std::count_if(order.begin(), order.end(), [&](int other) {
       const Box& whole = boxes[std::size_t(other)];
-      return liesIn(box, whole) && !liesIn(whole, box) && showsInside(scene, other, settings);
+      return liesInside(box, whole) && showsInside(scene, other, settings);
     });
     by_depth[-depth].instances.push_back(instance);
   }

@@ -30,6 +30,8 @@ bool liesIn(const Box& part, const Box& whole) {
          radiusOf(part) <= radiusOf(whole);
 }
 
+bool liesInside(const Box& part, const Box& whole) { return liesIn(part, whole) && !liesIn(whole, part); }
+
 bool isReflective(const Material& material) {
   constexpr float kGlossy = 0.5f;  // perceptual roughness
   if (material.unlit) return false;

@@ -30,6 +30,8 @@ std::vector<Box> boxesOf(const Scene& scene);
 
 /// Whether a box belongs to what is in another: its middle is in that, and it is no larger.
 bool liesIn(const Box& part, const Box& whole);
+/// The same, and not the other way round.
+bool liesInside(const Box& part, const Box& whole);
 
 /// An instance and those that lie in it.
 std::vector<int> withParts(const Scene& scene, int instance);

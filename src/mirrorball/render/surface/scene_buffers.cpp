@@ -342,10 +342,10 @@ void SceneBuffers::setIorAround(std::size_t instance, std::span<const float> ior
   if (!less_one.empty()) buffer.emplace(less_one);
 }
 
-void SceneBuffers::readIorAround(const Scene& scene, int instance, bool is_known) {
+void SceneBuffers::readIorAround(const Scene& scene, int instance) {
   const std::optional<gl::Buffer>& buffer = ior_around_[std::size_t(instance)];
   gl::VertexArray& vertices = meshes_[std::size_t(scene.instances[std::size_t(instance)].mesh)].vertices;
-  if (is_known && buffer)
+  if (buffer)
     vertices.read(*buffer, sizeof(float), kIorAroundAttribute);
   else
     vertices.stopReading(kIorAroundAttribute[0].location);

@@ -34,8 +34,8 @@ class SceneBuffers {
 
   /// Sets what an instance's surface is met from (iorAround); empty: it lies in air.
   void setIorAround(std::size_t instance, std::span<const float> ior);
-  /// Whether the next drawing of an instance's mesh knows that; else it lies in air.
-  void readIorAround(const Scene& scene, int instance, bool is_known);
+  /// Makes the next drawing of an instance's mesh know that.
+  void readIorAround(const Scene& scene, int instance);
 
   /// Makes what drawPrisms needs, once.
   ///

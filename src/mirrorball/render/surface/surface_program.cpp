@@ -429,7 +429,7 @@ void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffe
   materialBlock(scene, material).bind(material_point);
   program.use();
   const int mesh = scene.instances[std::size_t(instance)].mesh;
-  buffers.readIorAround(scene, instance, variant.has(Part::transmission, TransmissionPart::image_space));
+  if (variant.has(Part::transmission, TransmissionPart::image_space)) buffers.readIorAround(scene, instance);
   if (variant.has(Part::sky, SkyPart::occluded) || variant.has(Part::sky, SkyPart::occluded_traced))
     return buffers.drawMeshWithOcclusion(scene, instance);
   if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(mesh);

@@ -199,17 +199,43 @@ TEST_P(BehindTest, ABodyIsSeenThroughTheOneThatItLiesIn) {
   EXPECT_NEAR(seen.g, fresnel + (1.0f - fresnel) * 0.1f, 2e-2f);
 }
 
+/// It reflects, and lets nothing through.
+Material darkWater() {
+  Material water;
+  water.base_color = glm::vec3(0.0f);
+  water.transmission = 1.0f;
+  water.perceptual_roughness = 0.0f;
+  water.ior = 1.33f;
+  return water;
+}
+
 // What a surface reflects depends on what light meets it from: water in glass reflects a fifth of what it does in air.
 TEST_P(BehindTest, ABodyIsMetFromTheOneThatItLiesIn) {
-  Material dark_water;
-  dark_water.base_color = glm::vec3(0.0f);
-  dark_water.transmission = 1.0f;
-  dark_water.perceptual_roughness = 0.0f;
-  dark_water.ior = 1.33f;
+  const Material dark_water = darkWater();
   const glm::vec3 seen = middleWithin(dark_water, "screen");
   const float of_glass = formula::fresnelDielectric(1.0f, kIor);
   const float of_water = formula::fresnelDielectric(1.0f, dark_water.ior / kIor);
   EXPECT_NEAR(seen.g, of_glass + (1.0f - of_glass) * of_water, 2e-3f);
+}
+
+TEST_P(BehindTest, ABodyThatHasLeftAnotherOneIsMetFromAir) {
+  const Material dark_water = darkWater();
+  Scene scene = glassBeforeLamps();
+  scene.instances.resize(1);
+  testing::addBall(scene, glm::vec3(0.0f), 0.5f, dark_water, 48);
+  Renderer renderer = testing::rendererFor(scene, Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64));
+  FrameSettings settings = frontOfGlass(renderer);
+  settings.size = {33, 33};
+  testing::set(settings, "refraction", "image-space");
+  testing::set(settings, "behind", "screen");
+  ASSERT_TRUE(renderer.renderRadiance(settings));
+  std::vector<Instance> apart = scene.instances;
+  apart[0].world_from_object[3].x = 10.0f;
+  renderer.moveInstances(apart);
+  settings.camera.orthographic_height = kGlassWide / renderer.bounds().radius;
+  const auto image = renderer.renderRadiance(settings);
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_NEAR(rgbAt(*image, 16, 16).g, formula::fresnelDielectric(1.0f, dark_water.ior), 2e-3f);
 }
 
 // All there is to be seen lies in one plane, and so does its box.

@@ -208,9 +208,10 @@ Result<void> SceneDrawing::findIorAround(const FrameSettings& settings) {
   if (!someRefract(RefractionKind::image_space, settings.refraction)) return {};
   if (boxes_.empty()) boxes_ = boxesOf(scene_);
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    if (!isBody(materialOf(scene_, i)) || !liesInBody(i) || !knows_ior_around_.insert(i).second) continue;
-    MIRRORBALL_TRY_VOID(makeBodyTree());
-    if (body_tree_) buffers_.setIorAround(i, iorAround(scene_, i, *body_tree_));
+    if (!isBody(materialOf(scene_, i)) || !knows_ior_around_.insert(i).second) continue;
+    const bool lies_in_body = liesInBody(i);  // which it may have left
+    if (lies_in_body) MIRRORBALL_TRY_VOID(makeBodyTree());
+    buffers_.setIorAround(i, lies_in_body && body_tree_ ? iorAround(scene_, i, *body_tree_) : std::vector<float>());
   }
   return {};
 }

@@ -86,7 +86,12 @@ Result<Program> Program::load(Api api, std::string_view vertex_entry, std::strin
   return build(vertex, fragment, std::string(vertex_entry) + " with " + std::string(fragment_entry));
 }
 
-void Program::destroy(unsigned name) { glDeleteProgram(name); }
+void Program::destroy(unsigned name) {
+  // One that is deleted in use lives on until another is used. NVIDIA's driver (580.159) then lost the first draw of the
+  // program that was given its name next.
+  glUseProgram(0);
+  glDeleteProgram(name);
+}
 
 std::optional<BlockLayout> Program::connect(const std::string& block, unsigned point) {
   const GLuint index = glGetUniformBlockIndex(handle_.name(), block.c_str());

@@ -111,6 +111,17 @@ TEST_P(ProgramTest, SaysWhyItDoesNotLink) {
   EXPECT_THAT(program.error().message, HasSubstr("written_as_pair"));
 }
 
+TEST_P(ProgramTest, IsNoLongerInUseWhenItIsDeleted) {
+  {
+    auto program = build("uniforms.frag");
+    ASSERT_TRUE(program) << program.error().message;
+    program->use();
+  }
+  GLint in_use = -1;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &in_use);
+  EXPECT_EQ(in_use, 0);
+}
+
 TEST_P(ProgramTest, LoadNamesAMissingEntry) {
   const auto program = Program::load(GetParam(), "no_such.vert", "no_such.frag");
   ASSERT_FALSE(program);

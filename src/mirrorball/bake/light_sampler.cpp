@@ -70,6 +70,7 @@ Result<LightSampler> LightSampler::make(const Environment& environment, const Pr
   MIRRORBALL_TRY(map, convert(environment, Projection::equal_area, sampler.size_, {}, progress));
   const std::vector<float> brightness = brightnessOf(map.face(0));
   const double sum = std::accumulate(brightness.begin(), brightness.end(), 0.0);
+  sampler.mean_luminance_ = static_cast<float>(sum / double(size * size));
   const double uniform_weight = kUniformShare * sum / double(size * size);
   sampler.columns_.resize(size * size);
   std::vector<double> row_sums(size);

@@ -39,10 +39,14 @@ class LightSampler {
   /// The density with which `sample` returns directions around that one [1/sr].
   float pdf(glm::vec3 direction) const;
 
+  /// Of the environment's light, over all directions.
+  float meanLuminance() const { return mean_luminance_; }
+
  private:
   float densityOf(int x, int y) const;
 
   int size_ = 0;
+  float mean_luminance_ = 0.0f;
   std::vector<float> rows_;     // of each row, the share of the light up to its end
   std::vector<float> columns_;  // of each row and in it each column, the share of the row's light up to its end
 };

@@ -87,8 +87,8 @@ Result<Program> Program::load(Api api, std::string_view vertex_entry, std::strin
 }
 
 void Program::destroy(unsigned name) {
-  // One that is deleted in use lives on until another is used. NVIDIA's driver (580.159) then lost the first draw of the
-  // program that was given its name next.
+  // One that is deleted in use lives on until another is used. NVIDIA's driver (580.159) then lost the first draw of
+  // the program that was given its name next.
   glUseProgram(0);
   glDeleteProgram(name);
 }

@@ -36,8 +36,11 @@ void EmissiveTriangles::add(std::uint32_t instance, std::uint32_t triangle) {
   float brightness = 0.0f;
   for (const glm::vec2 place : kPlaces)
     brightness += formula::luminance(emission({.instance = instance, .triangle = triangle, .barycentric = place}));
-  const double power = double(area) * double(brightness);
+  const double power = double(area) * double(brightness) / double(kPlaces.size());
   if (!(power > 0.0) || !std::isfinite(power)) return;
+  const glm::dvec3 middle = glm::dvec3(a + b + c) / 3.0;
+  places_ += power * middle;
+  squares_ += power * glm::dot(middle, middle);
   sums_.push_back((sums_.empty() ? 0.0 : sums_.back()) + power);
   triangles_.push_back({instance, triangle, area});
   kept_[instance][triangle] = static_cast<std::uint32_t>(triangles_.size());
@@ -64,6 +67,14 @@ float EmissiveTriangles::density(const Hit& hit) const {
   const std::size_t number = of_instance[hit.triangle] - 1;
   const double power = sums_[number] - (number == 0 ? 0.0 : sums_[number - 1]);
   return static_cast<float>(power / sums_.back()) / triangles_[number].area;
+}
+
+float EmissiveTriangles::largestIrradiance(glm::vec3 place) const {
+  const double power = sums_.back();
+  const glm::dvec3 center = places_ / power;
+  const glm::dvec3 away = glm::dvec3(place) - center;
+  const double spread = std::max(squares_ / power - glm::dot(center, center), 0.0);
+  return static_cast<float>(power / std::max(glm::dot(away, away) + spread, 1e-30));
 }
 
 glm::vec3 EmissiveTriangles::emission(const Hit& hit) const {

@@ -41,6 +41,12 @@ class EmissiveTriangles {
   /// a small part of it.
   float density(const Hit& hit) const;
 
+  /// The irradiance [luminance] that they would have together at a place, if all faced it and nothing were in the way:
+  /// as of a small lamp whose distance is their mean one (root of the mean of squares).
+  ///
+  /// errors   none may be asked for if it is empty()
+  float largestIrradiance(glm::vec3 place) const;
+
   /// The radiance that leaves a place.
   glm::vec3 emission(const Hit& hit) const;
 
@@ -56,6 +62,8 @@ class EmissiveTriangles {
   const std::vector<glm::mat3>& world_from_normal_;
   std::vector<Triangle> triangles_;
   std::vector<double> sums_;                      // of their power, up to and with each
+  glm::dvec3 places_{0.0};                        // sum of their middles times their power
+  double squares_ = 0.0;                          // likewise of those middles' squares
   std::vector<std::vector<std::uint32_t>> kept_;  // of each instance's triangles the number in triangles_ + 1; 0: dark
 };
 

@@ -16,12 +16,11 @@
 #include "mirrorball/trace/lamp_surface.h"
 #include "mirrorball/trace/layered_bsdf.h"
 #include "mirrorball/trace/path_on_ground.h"
+#include "mirrorball/trace/surface_finder.h"
 
 namespace mirrorball {
 namespace {
 
-/// The next surface after so many cut-away or transparent ones is taken as solid.
-constexpr int kMaxPassed = 512;
 /// From this surface on, dark paths are ended at random (Russian roulette).
 constexpr int kFirstRoulette = 4;
 
@@ -29,8 +28,6 @@ constexpr int kFirstRoulette = 4;
 glm::vec3 albedoOf(const formula::Material& material) {
   return glm::mix(material.base_color, formula::metalReflectance(material, 1.0f), material.metallic);
 }
-
-Surfaces surfacesOf(ReliefKind kind) { return movesSurface(kind) ? Surfaces::reliefs : Surfaces::triangles; }
 
 /// The point at which a ray leaves a surface, so far beside it as rounding may have put it on the wrong side.
 glm::vec3 besideHit(const Ray& arriving, const Hit& hit, bool goes_out) {
@@ -46,11 +43,14 @@ glm::vec3 besideHit(const Ray& arriving, const Hit& hit, bool goes_out) {
 /// A path on its way from the eye.
 class Path {
  public:
-  Path(const World& world, const Surroundings& surroundings, const TraceSettings& settings, SampleSequence& samples)
+  Path(const World& world, const Surroundings& surroundings, const Emitters& emitters, const TraceSettings& settings,
+       SampleSequence& samples)
       : world_(world),
         surroundings_(surroundings),
+        emitters_(emitters),
         settings_(settings),
         samples_(samples),
+        finder_(world, settings.relief, samples),
         on_ground_(surroundings, settings.strategy, samples),
         wavelength_(settings.wavelength_nm / 1000.0f) {}
 
@@ -72,16 +72,18 @@ class Path {
   glm::vec3 shareThatArrives(Ray ray, float distance);
   bool hasBeenInside(const Ray& ray) const;
   bool meetsSurfaces(const Ray& ray) const;
-  bool passes(const Hit& hit, Ray& ray);
-  bool isHole(const Hit& hit);
-  glm::vec3 transmittance(const formula::Media& media, float distance) const;
   float iorOf(const formula::Material& material) const;
   bool needsWavelength(const Vertex& vertex) const;
   Refraction refractionAt(const Vertex& vertex, float new_wavelength) const;
   Vertex vertexAt(const Hit& hit, const Ray& ray) const;
   float iorBeyond(const Vertex& vertex) const;
   formula::Material materialAt(const Vertex& vertex) const;
-  LightSample sampleLight(glm::vec3 place);
+  float shareOfEmitters(glm::vec3 place) const;
+  Emitters::Choice sampleEmitter(glm::vec3 place, glm::vec2 u, float share);
+  Emitters::Choice sampleLight(glm::vec3 place);
+  glm::vec3 emittedAlong(Ray ray, const Emitters::Choice& chosen);
+  float weightOfEmission(const Vertex& vertex) const;
+  void addEmittedToGround(Ray ray);
   void seeEnvironment(const Ray& ray);
   std::optional<float> groundBefore(const Ray& ray, const std::optional<Hit>& hit) const;
   glm::vec3 lightOfLamps(const Vertex& vertex, const formula::Material& material, const Frame& frame);
@@ -92,59 +94,20 @@ class Path {
 
   const World& world_;
   const Surroundings& surroundings_;
+  const Emitters& emitters_;
   const TraceSettings& settings_;
   SampleSequence& samples_;
+  SurfaceFinder finder_;
   CarriedLight light_;
   PathOnGround on_ground_;
   float wavelength_;        // µm, that of the settings, or once light is dispersed; 0: all are there
+  int surfaces_ = 0;        // that were met before this one
   int inner_surfaces_ = 0;  // that were met from within bodies, and after them
 };
 
-/// Whether a ray goes on as if a triangle were not there: it is the one that it leaves, it is cut away, it lets this
-/// ray through, it is the back of a surface that has only a front, or of a body where another one fills the place.
-bool Path::passes(const Hit& hit, Ray& ray) {
-  if (ray.from && !ray.from->relief && ray.from->instance == hit.instance && ray.from->triangle == hit.triangle)
-    return true;
-  const Material& material = materialOf(world_.scene, hit.instance);
-  const bool is_entering = glm::dot(ray.direction, hit.geometric_normal) < 0.0f;
-  const bool has_back = material.double_sided || material.transmission > 0.0f || !ray.passes_backs;
-  if (!has_back && !is_entering) return true;
-  const bool is_there = hit.distance >= ray.nearest && !isHole(hit);
-  const bool meets_bodies_alone = settings_.is_unoccluded && hasBeenInside(ray) && ray.from;
-  if (!isBody(material)) return !is_there || meets_bodies_alone;
-  const int body = static_cast<int>(hit.instance);
-  if (is_there && formula::hasSurface(ray.media, body, material.priority, is_entering)) return false;
-  // Also at a hole a body begins or ends.
-  ray.media = is_entering ? formula::entered(ray.media, body, material.priority) : formula::left(ray.media, body);
-  return true;
-}
-
-/// Whether a surface is cut away there, or lets this ray through.
-bool Path::isHole(const Hit& hit) {
-  const float opacity = opacityAt(world_.scene, hit);
-  return opacity <= 0.0f || (opacity < 1.0f && samples_.nextIndependent() >= opacity);
-}
-
-/// The first surface that is there for a ray, if it is not farther away than that.
-///
-/// share    is dimmed by what bodies absorb on the way; not on a way without an end
+/// SurfaceFinder::first.
 std::optional<Hit> Path::firstHit(Ray& ray, float farthest, glm::vec3& share) {
-  float absorbed_to = ray.nearest;
-  const auto absorbTo = [&](const formula::Media& media, float distance) {
-    if (distance > absorbed_to && distance < INFINITY) share *= transmittance(media, distance - absorbed_to);
-    absorbed_to = std::max(distance, absorbed_to);
-  };
-  float nearest = 0.0f;
-  for (int passed = 0;; ++passed) {
-    const auto hit = world_.geometry.hit(ray.origin, ray.direction, nearest, surfacesOf(settings_.relief));
-    const bool is_reached = hit && hit->distance < farthest;
-    const formula::Media before = ray.media;
-    const bool is_passed = is_reached && passed < kMaxPassed && passes(*hit, ray);
-    absorbTo(before, is_reached ? hit->distance : farthest);
-    if (!is_reached) return std::nullopt;
-    if (!is_passed) return hit;
-    nearest = justBehind(hit->distance);
-  }
+  return finder_.first(ray, farthest, settings_.is_unoccluded && hasBeenInside(ray), share);
 }
 
 /// Whether a ray is, or was, in a body.
@@ -160,14 +123,6 @@ glm::vec3 Path::shareThatArrives(Ray ray, float distance) {
   glm::vec3 share(1.0f);
   if (meetsSurfaces(ray) && firstHit(ray, distance, share)) return glm::vec3(0.0f);
   return share;
-}
-
-/// What the body that fills a place leaves of light over a distance.
-glm::vec3 Path::transmittance(const formula::Media& media, float distance) const {
-  const int filling = formula::fillingBody(media);
-  if (filling < 0) return glm::vec3(1.0f);
-  const Material& material = materialOf(world_.scene, std::size_t(filling));
-  return formula::bodyTransmittance(material.attenuation_color, material.attenuation_distance, distance);
 }
 
 float Path::iorOf(const formula::Material& material) const { return formula::atWavelength(material, wavelength_).ior; }
@@ -221,13 +176,61 @@ Refraction Path::refractionAt(const Vertex& vertex, float new_wavelength) const 
   return refraction;
 }
 
-/// A direction that the environment chooses, seen from a place.
-LightSample Path::sampleLight(glm::vec3 place) {
-  const glm::vec2 u = samples_.next();
+/// How many light samples look for emitters: none where the next surface's light is not asked for any more.
+float Path::shareOfEmitters(glm::vec3 place) const {
+  return surfaces_ + 1 < settings_.bounces ? emitters_.share(place) : 0.0f;
+}
+
+/// A place that shines, chosen by that share of the light samples.
+Emitters::Choice Path::sampleEmitter(glm::vec3 place, glm::vec2 u, float share) {
+  Emitters::Choice choice = emitters_.chosen(place, {samples_.nextIndependent(), u});
+  choice.sample.pdf *= share;
+  choice.sample.is_weighed = settings_.strategy == LightStrategy::both;
+  return choice;
+}
+
+/// A direction that the environment chooses, seen from a place, or to an emitter (whose distance is not 0).
+Emitters::Choice Path::sampleLight(glm::vec3 place) {
+  glm::vec2 u = samples_.next();
   if (settings_.strategy == LightStrategy::surface) return {};
-  LightSample sample = surroundings_.sample(place, u);
-  sample.is_weighed = settings_.strategy == LightStrategy::both;
-  return sample;
+  const float share = light_.emitter_share = shareOfEmitters(place);
+  if (u.x < share) return sampleEmitter(place, {u.x / share, u.y}, share);
+  if (share > 0.0f) u.x = std::min((u.x - share) / (1.0f - share), 0x1.fffffep-1f);
+  Emitters::Choice choice{surroundings_.sample(place, u)};
+  choice.sample.pdf *= 1.0f - share;
+  choice.sample.is_weighed = settings_.strategy == LightStrategy::both;
+  return choice;
+}
+
+/// The light of a chosen emitter that gets to a ray's origin.
+glm::vec3 Path::emittedAlong(Ray ray, const Emitters::Choice& chosen) {
+  constexpr float kRounding = 1.001f;  // of the distance
+  glm::vec3 share(1.0f);
+  const auto hit = firstHit(ray, kRounding * chosen.distance, share);
+  const bool is_met = hit && hit->instance == chosen.instance && hit->triangle == chosen.triangle;
+  return is_met && !groundBefore(ray, hit) ? share * vertexAt(*hit, ray).point.material.emission : glm::vec3(0.0f);
+}
+
+/// How much the light of a surface counts that the path has met.
+float Path::weightOfEmission(const Vertex& vertex) const {
+  if (light_.emitter_share <= 0.0f || light_.pdf <= 0.0f) return 1.0f;
+  const float pdf = light_.emitter_share * emitters_.pdf(vertex.hit, vertex.arriving.direction);
+  return pdf > 0.0f ? light_.weightBeside(pdf, settings_.strategy) : 1.0f;
+}
+
+/// Adds the light of an emitter to that of matt ground.
+///
+/// ray    along which the path goes on from there
+void Path::addEmittedToGround(Ray ray) {
+  const bool is_matt = light_.pdf > 0.0f;
+  if (!is_matt || shareOfEmitters(ray.origin) <= 0.0f) return;
+  light_.emitter_share = 1.0f;
+  const Emitters::Choice emitter = sampleEmitter(ray.origin, samples_.next(), 1.0f);
+  ray.direction = emitter.sample.direction;
+  if (emitter.sample.pdf <= 0.0f || ray.direction.y <= 0.0f) return;
+  const float cosine = ray.direction.y / formula::kPi;
+  light_.sum += light_.throughput * emittedAlong(ray, emitter) *
+                (lightWeight(emitter.sample, cosine) * cosine / emitter.sample.pdf);
 }
 
 /// The normal of a clear coat, on the side that the ray comes from.
@@ -304,13 +307,19 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
     if (material.clearcoat > 0.0f) bsdf.addCoat(material, Frame(coatNormal(vertex)));
   }
   const glm::vec3 place = vertex.arriving.origin + vertex.hit.distance * vertex.arriving.direction;
-  const LightSample light = bsdf.takesLightSamples() ? sampleLight(place) : LightSample();
-  const LayeredScattering scattered = bsdf.scatter(-vertex.arriving.direction, light, samples_);
+  const glm::vec3 emission = weightOfEmission(vertex) * material.emission;
+  light_.emitter_share = 0.0f;
+  const Emitters::Choice light = bsdf.takesLightSamples() ? sampleLight(place) : Emitters::Choice();
+  const LayeredScattering scattered = bsdf.scatter(-vertex.arriving.direction, light.sample, samples_);
   const auto& [direct, next, enters] = scattered.scattering;
-  if (direct != glm::vec3(0.0f))
-    light_.sum += light_.throughput * direct * shareThatArrives(leaving(vertex, light.direction), INFINITY) *
-                  surroundings_.radiance(place, light.direction);
-  light_.sum += light_.throughput * (lightOfLamps(vertex, material, frame) + scattered.share_below * material.emission);
+  if (direct != glm::vec3(0.0f)) {
+    const Ray towards = leaving(vertex, light.sample.direction);
+    light_.sum += light_.throughput * direct *
+                  (light.distance > 0.0f
+                       ? emittedAlong(towards, light)
+                       : shareThatArrives(towards, INFINITY) * surroundings_.radiance(place, towards.direction));
+  }
+  light_.sum += light_.throughput * (lightOfLamps(vertex, material, frame) + scattered.share_below * emission);
   if (!next) return std::nullopt;
   if (next->is_refracted && new_wavelength > 0.0f) wavelength_ = new_wavelength;
   light_.throughput *= next->weight;
@@ -320,8 +329,8 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
 
 void Path::seeEnvironment(const Ray& ray) {
   const glm::vec3 origin = ray.from ? ray.origin : surroundings_.originOfEye(ray.origin, ray.direction);
-  const float weight =
-      light_.weightBeside(light_.pdf > 0.0f ? surroundings_.pdf(origin, ray.direction) : 0.0f, settings_.strategy);
+  const float pdf = light_.pdf > 0.0f ? (1.0f - light_.emitter_share) * surroundings_.pdf(origin, ray.direction) : 0.0f;
+  const float weight = light_.weightBeside(pdf, settings_.strategy);
   light_.sum += light_.throughput * weight * surroundings_.radiance(origin, ray.direction);
 }
 
@@ -339,47 +348,48 @@ PathLight Path::follow(Ray ray) {
     return result;
   };
   const auto arrives = [this](const Ray& towards) { return shareThatArrives(towards, INFINITY); };
-  for (int surfaces = 0;; ++surfaces) {
-    const bool meets = surfaces == 0 || meetsSurfaces(ray);
+  for (;; ++surfaces_) {
+    const bool meets = surfaces_ == 0 || meetsSurfaces(ray);
     if (hasBeenInside(ray)) ++inner_surfaces_;
     const auto hit = meets ? firstHit(ray, INFINITY, light_.throughput) : std::nullopt;
     if (!on_ground_.goesOn(ray, hit.has_value(), light_)) return ended();
     const auto ground = groundBefore(ray, hit);
     if (!hit || ground) {
-      if (surfaces == 0 && !settings_.shows_environment) {
+      if (surfaces_ == 0 && !settings_.shows_environment) {
         if (settings_.background) result.radiance = glm::vec4(light_.throughput * *settings_.background, 1.0f);
         return result;
       }
       seeEnvironment(ray);
-      if (!ground || surfaces == settings_.bounces) return ended();
+      if (!ground || surfaces_ == settings_.bounces) return ended();
       ray = on_ground_.scatter(ray, *ground, arrives, light_);
+      addEmittedToGround(ray);
       continue;
     }
-    if (surfaces == settings_.bounces && !settings_.is_unoccluded) return ended();
+    if (surfaces_ == settings_.bounces && !settings_.is_unoccluded) return ended();
     const Vertex vertex = vertexAt(*hit, ray);
     // A thin surface is the same from both sides; a body has an inside.
     const float facing = vertex.is_outside || !vertex.is_body ? 1.0f : -1.0f;
     glm::vec3 normal = vertex.is_outside || vertex.is_body ? vertex.point.normal : -vertex.point.normal;
     normal = facing * formula::facingNormal(facing * normal, ray.direction);
-    if (surfaces == 0) {
+    if (surfaces_ == 0) {
       result.albedo = albedoOf(vertex.point.material);
       result.normal = facing * normal;
     }
     if (vertex.surface.unlit) {
-      light_.sum += light_.throughput * vertex.point.material.emission;
+      light_.sum += light_.throughput * weightOfEmission(vertex) * vertex.point.material.emission;
       return ended();
     }
     const auto next = scatter(vertex, normal);
-    if (!next || (surfaces >= kFirstRoulette && !survivesRoulette())) return ended();
+    if (!next || (surfaces_ >= kFirstRoulette && !survivesRoulette())) return ended();
     ray = *next;
   }
 }
 
 }  // namespace
 
-PathLight lightAlong(const World& world, const Surroundings& surroundings, const TraceSettings& settings, Ray ray,
-                     SampleSequence& samples) {
-  return Path(world, surroundings, settings, samples).follow(ray);
+PathLight lightAlong(const World& world, const Surroundings& surroundings, const Emitters& emitters,
+                     const TraceSettings& settings, Ray ray, SampleSequence& samples) {
+  return Path(world, surroundings, emitters, settings, samples).follow(ray);
 }
 
 formula::Media mediaAt(const World& world, glm::vec3 point, ReliefKind relief) {

@@ -38,6 +38,7 @@ Ray PathOnGround::scatterMatt(Ray next, glm::vec3 photographed, const ShareThatA
     light.sum -= light.throughput * hidden(next, strategy_ == LightStrategy::light, arrives);
   const glm::vec3 scattered = formula::sampleDiffuse(samples_.next());
   light.pdf = formula::pdfDiffuse(scattered);
+  light.emitter_share = 0.0f;
   next.direction = formula::aboveGround(scattered);
   left_ = Left::scattered;
   return next;
@@ -51,6 +52,7 @@ Ray PathOnGround::mirror(const Ray& ray, Ray next, glm::vec3 photographed, const
   light.throughput *= formula::shareMirroredByGround(ray.direction, next.direction, alpha) / kMirroredPaths;
   replaced_ = photographed - surroundings_.albedoOfGround(photographed) * hidden(next, true, arrives);
   light.pdf = 0.0f;
+  light.emitter_share = 0.0f;
   left_ = Left::mirrored;
   return next;
 }

@@ -74,8 +74,9 @@ struct PathTracer::State : World {
   }
   Result<Film> trace(const CameraRays& rays, const TraceSettings& settings, TracedPicture& picture,
                      const TraceObserver& observer) const;
-  bool drawPass(const CameraRays& rays, const Surroundings& surroundings, const TraceSettings& settings,
-                const PassRange& range, Film& pass, const ProgressFunction& progress) const;
+  bool drawPass(const CameraRays& rays, const Surroundings& surroundings, const Emitters& emitters,
+                const TraceSettings& settings, const PassRange& range, Film& pass,
+                const ProgressFunction& progress) const;
 };
 
 PathTracer::PathTracer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -90,8 +91,10 @@ Result<PathTracer> PathTracer::make(Scene scene, Environment environment, const 
   MIRRORBALL_TRY(lights, LightSampler::make(environment, progress));
   MIRRORBALL_TRY(geometry, Geometry::make(scene));
   std::vector<glm::mat3> world_from_normal = normalMatrices(scene);
-  return PathTracer(std::unique_ptr<State>(new State{{std::move(scene), std::move(environment), std::move(lights),
-                                                      std::move(geometry), std::move(world_from_normal)}}));
+  PathTracer made(std::unique_ptr<State>(new State{{std::move(scene), std::move(environment), std::move(lights),
+                                                    std::move(geometry), std::move(world_from_normal)}}));
+  made.state_->findEmissive();
+  return made;
 }
 
 Result<void> PathTracer::setScene(Scene scene) {
@@ -99,16 +102,18 @@ Result<void> PathTracer::setScene(Scene scene) {
   state_->geometry = std::move(geometry);
   state_->world_from_normal = normalMatrices(scene);
   state_->scene = std::move(scene);
+  state_->findEmissive();
   return {};
 }
 
 void PathTracer::setMaterials(std::vector<Material> materials) {
   assert(materials.size() == state_->scene.materials.size());
   state_->scene.materials = std::move(materials);
+  state_->findEmissive();
 }
 
 /// returns  whether the pass is whole
-bool PathTracer::State::drawPass(const CameraRays& rays, const Surroundings& surroundings,
+bool PathTracer::State::drawPass(const CameraRays& rays, const Surroundings& surroundings, const Emitters& emitters,
                                  const TraceSettings& settings, const PassRange& range, Film& pass,
                                  const ProgressFunction& progress) const {
   std::atomic<bool> is_stopped = false;
@@ -126,7 +131,7 @@ bool PathTracer::State::drawPass(const CameraRays& rays, const Surroundings& sur
         for (int index = range.first; index < range.first + range.count; ++index) {
           SampleSequence samples(static_cast<std::uint32_t>(y * size.x + x), static_cast<std::uint32_t>(index));
           if (const auto ray = rays(glm::vec2(x, y) + samples.next()))
-            addPath(sums, lightAlong(*this, surroundings, settings, *ray, samples));
+            addPath(sums, lightAlong(*this, surroundings, emitters, settings, *ray, samples));
         }
         paths_done += std::size_t(range.count);
         if (progress && !progress(paths_done, paths_in_all)) is_stopped = true;
@@ -147,13 +152,14 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
       withName("the picture", checkMemory(pixels * (2 * sizeof(PixelSums) + channels * sizeof(float)))));
   MIRRORBALL_TRY(proxy, placedProxy(settings.proxy, scene));
   const Surroundings surroundings(environment, lights, std::move(proxy), settings);
+  const Emitters emitters(scene, *emissive, settings.environment_intensity * lights.meanLuminance(), settings);
   Film film(size), pass(size);
   const int max_samples = std::max(settings.samples, 1);
   int expected = max_samples;
   while (film.samples() < max_samples) {
     const int done = film.samples();
     const int count = std::min({std::max(done, 1), kLargestPass, max_samples - done});
-    if (!drawPass(rays, surroundings, settings, {done, count, std::max(expected, done + count)}, pass,
+    if (!drawPass(rays, surroundings, emitters, settings, {done, count, std::max(expected, done + count)}, pass,
                   observer.progress)) {
       picture.is_interrupted = true;
       break;

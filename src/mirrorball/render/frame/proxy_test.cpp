@@ -147,8 +147,6 @@ TEST_F(ProxyTest, TheFurnaceIsWhiteOnEveryProxy) {
     }
 }
 
-// The share of a level ground's light that a ball hides, standing on it: sin² β cos θ, the ball being seen at the angle
-// θ from the vertical with half-angle β.
 // A ray that passes a small sphere touches it at most: it sees the nearest place of it, as sharply as it is.
 TEST_F(ProxyTest, BesideASmallSphereTheBackgroundIsSmooth) {
   constexpr int kSize = 48;
@@ -170,6 +168,8 @@ TEST_F(ProxyTest, BesideASmallSphereTheBackgroundIsSmooth) {
     }
 }
 
+// The share of a level ground's light that a ball hides, standing on it: sin² β cos θ, the ball being seen at the angle
+// θ from the vertical with half-angle β.
 TEST_F(ProxyTest, ABallThrowsItsShadowOnTheGround) {
   const auto white = Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64);
   FrameSettings settings;
@@ -188,6 +188,38 @@ TEST_F(ProxyTest, ABallThrowsItsShadowOnTheGround) {
     const double away = std::sqrt(beside * beside + 1.0);
     EXPECT_NEAR(seen, 1.0 - 1.0 / (away * away * away), 0.04) << pixel;
   }
+}
+
+// Light passes the backs of what has only a front, in whatever direction it goes: as on the way to the eye.
+TEST_F(ProxyTest, ASheetThrowsAShadowWhereTheGroundSeesItsFront) {
+  const auto white = [] { return Environment([](glm::vec3) { return glm::vec3(1.0f); }, 64); };
+  const auto brightnessBelow = [&](bool faces_ground, bool is_double_sided) {
+    Scene scene;
+    Material material;
+    material.double_sided = is_double_sided;
+    const glm::mat4 above = glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.5f, 0.0f));
+    scene.meshes.push_back(planeMesh());
+    scene.instances.push_back(
+        {0, faces_ground ? glm::rotate(above, formula::kPi, glm::vec3(1.0f, 0.0f, 0.0f)) : above});
+    scene.materials.push_back(material);
+    // Foot of the scene, far away.
+    scene.meshes.push_back(planeMesh());
+    scene.instances.push_back(
+        {1, glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(9.0f, 0.0f, 0.0f)), glm::vec3(0.01f))});
+    scene.meshes[1].material = 0;
+    FrameSettings settings;
+    settings.size = {33, 33};
+    settings.samples = 1;
+    settings.resolve = Resolve::radiance;
+    settings.camera = {.azimuth_deg = 0.0f, .elevation_deg = 5.0f, .distance = 0.4f, .target = glm::vec3(0.0f)};
+    testing::set(settings, "proxy", "ground:2");
+    return drawn(std::move(scene), white(), settings).texel(16, 16)[1];
+  };
+  EXPECT_GT(brightnessBelow(false, false), 0.99f);
+  const float below_front = brightnessBelow(true, false);
+  EXPECT_LT(below_front, 0.6f);
+  EXPECT_NEAR(brightnessBelow(true, true), below_front, 0.01f);
+  EXPECT_NEAR(brightnessBelow(false, true), below_front, 0.01f);
 }
 
 // Bad input is one line.

@@ -18,6 +18,9 @@ glm::vec3 straightThrough(const Material& material) {
   return material.transmission * (1.0f - reflected) * (1.0f - reflected) * material.base_color;
 }
 
+/// Whether light passes the backs of its triangles, as the eye does.
+bool hasFrontsAlone(const Material& material) { return !material.double_sided && material.transmission <= 0.0f; }
+
 /// The instances, what is solid before glass: the first that is drawn decides.
 std::vector<std::size_t> solidFirst(const Scene& scene) {
   std::vector<std::size_t> order(scene.instances.size());
@@ -71,7 +74,7 @@ void GroundShadow::draw(const Scene& scene, const Proxy& ground, const GroundLig
   framebuffer_.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glDisable(GL_CULL_FACE);
+  glFrontFace(GL_CCW);  // of what faces the ground, as seen from below it: x to the right, z upwards
   // Each light draws nearer than those before it and all of it equally near: so it counts once, however many triangles
   // are in its way.
   glEnable(GL_DEPTH_TEST);
@@ -87,6 +90,10 @@ void GroundShadow::draw(const Scene& scene, const Proxy& ground, const GroundLig
     program_.set("towards_light", light.direction);
     program_.set("depth", 1.0f - 2.0f * ++drawn / (count + 1.0f));
     for (const std::size_t i : order) {
+      if (hasFrontsAlone(materialOf(scene, i)))
+        glEnable(GL_CULL_FACE);
+      else
+        glDisable(GL_CULL_FACE);
       program_.set("missing", light.share * (1.0f - straightThrough(materialOf(scene, i))));
       program_.set("world_from_object", scene.instances[i].world_from_object);
       const Caster& caster = casters_[std::size_t(scene.instances[i].mesh)];

@@ -45,7 +45,7 @@ Image drawn(Renderer& renderer, const Camera& camera, int samples, TextureFilter
     std::fprintf(stderr, "%s\n", done.error().message.c_str());
     std::exit(1);
   }
-  return renderer.radiance();
+  return orExit(renderer.radiance());
 }
 
 /// One lobe where strata are not read: brushed so little that it is not seen.

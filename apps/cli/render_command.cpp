@@ -69,7 +69,7 @@ Result<void> renderFrame(Renderer& renderer, const FrameSettings& settings, cons
                          StageClock& clock, const ProgressFunction& progress) {
   MIRRORBALL_TRY_VOID(clock.time("frame: draw", [&] { return renderer.draw(settings, progress); }));
   if (storesLinearLight(output)) {
-    const Image radiance = clock.time("frame: finish and read back", [&] { return renderer.radiance(); });
+    MIRRORBALL_TRY(radiance, clock.time("frame: finish and read back", [&] { return renderer.radiance(); }));
     return clock.time("picture: encode and write", [&] { return writeImage(output, radiance); });
   }
   MIRRORBALL_TRY(picture, clock.time("frame: finish, tone map, read back", [&] { return renderer.picture(); }));
@@ -150,7 +150,7 @@ Result<void> renderTurntable(Renderer& renderer, const FrameSettings& settings, 
     const float angle_deg = 360.0f * static_cast<float>(frame) / static_cast<float>(frames);
     FrameSettings of_frame = turned(settings, turntable.turn, angle_deg);
     if (turntable.turn == Turn::object) {
-      renderer.moveInstances(orbited(still, turntable.object - 1, axis, angle_deg));
+      MIRRORBALL_TRY_VOID(renderer.moveInstances(orbited(still, turntable.object - 1, axis, angle_deg)));
       MIRRORBALL_TRY(standing, standingStill(of_frame, still, still_bounds, renderer.bounds()));
       of_frame = standing;
     }

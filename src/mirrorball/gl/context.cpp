@@ -1,23 +1,23 @@
 #include "mirrorball/gl/context.h"
 
-#include <cassert>
+#include <cstdint>
 #include <utility>
 
+#include "mirrorball/gl/context_state.h"
 #include "mirrorball/gl/gl_api.h"
+#include "mirrorball/gl/handle.h"
 #include "mirrorball/gl/platform/gl_string.h"
 #include "mirrorball/gl/platform/platform.h"
 
 namespace mirrorball::gl {
 namespace {
 
-/// State that every part of this room and of the renderer counts on.
-void setDefaults(Api api) {
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  if (api == Api::desktop43) {  // in OpenGL ES 3.0 both are always on
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    glEnable(GL_FRAMEBUFFER_SRGB);
-  }
+/// One of the driver's numbers: `get` is glGetFloatv or glGetIntegerv.
+template <typename Number, typename Get>
+Number ask(Get get, GLenum of) {
+  Number number{};
+  get(of, &number);
+  return number;
 }
 
 }  // namespace
@@ -27,20 +27,29 @@ const char* nameOf(Api api) { return api == Api::desktop43 ? "OpenGL 4.3" : "Ope
 struct Context::State {
   std::unique_ptr<PlatformContext> own;  ///< none of an adopted context
   Api api;
+  std::uintptr_t adopted;  ///< currentContext() then; 0: it is not known
+  // What drivers say only of the current context:
+  std::string renderer = glString(GL_RENDERER);
+  std::string version = glString(GL_VERSION);
+  bool filters_floats = api == Api::desktop43 || hasExtension("GL_OES_texture_float_linear");
+  float largest_anisotropy = hasExtension("GL_EXT_texture_filter_anisotropic")
+                                 ? ask<GLfloat>(glGetFloatv, GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT)
+                                 : 1.0f;
+  int largest_texture = ask<GLint>(glGetIntegerv, GL_MAX_TEXTURE_SIZE);
 };
 
 Result<Context> Context::createHeadless(Api api) {
   MIRRORBALL_TRY(made, makeHeadlessContext(api));
   enableExtensions();
-  setDefaults(api);
-  return Context(std::make_unique<State>(State{std::move(made), api}));
+  setOurState(api);
+  return Context(std::make_unique<State>(State{std::move(made), api, 0}));
 }
 
 Result<Context> Context::adoptCurrent() {
   MIRRORBALL_TRY(api, apiOfCurrentContext());
   enableExtensions();
-  setDefaults(api);
-  return Context(std::make_unique<State>(State{nullptr, api}));
+  setOurState(api);
+  return Context(std::make_unique<State>(State{nullptr, api, currentContext()}));
 }
 
 Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -48,30 +57,36 @@ Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
 
-void Context::makeCurrent() {
-  assert(state_->own && "an adopted context is made current by its owner");
-  [[maybe_unused]] const bool made = state_->own->makeCurrent();
-  assert(made && "the context is current in another thread");
+Result<void> Context::makeCurrent() const {
+  if (state_->own) {
+    if (state_->own->makeCurrent()) return {};
+    return fail(ErrorCode::no_gl, "this OpenGL context is current in another thread; make none current there first");
+  }
+  if (state_->adopted == 0 || state_->adopted == currentContext()) return {};
+  return fail(ErrorCode::no_gl,
+              "the OpenGL context that was taken over is not current in this thread; make it so first");
 }
+
+Result<void> Context::enter() const {
+  MIRRORBALL_TRY_VOID(makeCurrent());
+  if (!state_->own) setOurState(state_->api);
+  return {};
+}
+
+Result<void> Context::leave() const {
+  MIRRORBALL_TRY_VOID(makeCurrent());
+  if (!state_->own) setInitialState(state_->api);
+  return {};
+}
+
+Deletion::Deletion(const Context& context) : before_(leaves_names) { leaves_names = !context.makeCurrent(); }
+Deletion::~Deletion() { leaves_names = before_; }
 
 Api Context::api() const { return state_->api; }
-std::string Context::renderer() const { return glString(GL_RENDERER); }
-std::string Context::version() const { return glString(GL_VERSION); }
-
-bool Context::filtersFloats() const {
-  return state_->api == Api::desktop43 || hasExtension("GL_OES_texture_float_linear");
-}
-
-float Context::largestAnisotropy() const {
-  GLfloat largest = 1.0f;
-  if (hasExtension("GL_EXT_texture_filter_anisotropic")) glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &largest);
-  return largest;
-}
-
-int Context::largestTexture() const {
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  return largest;
-}
+const std::string& Context::renderer() const { return state_->renderer; }
+const std::string& Context::version() const { return state_->version; }
+bool Context::filtersFloats() const { return state_->filters_floats; }
+float Context::largestAnisotropy() const { return state_->largest_anisotropy; }
+int Context::largestTexture() const { return state_->largest_texture; }
 
 }  // namespace mirrorball::gl

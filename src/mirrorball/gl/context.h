@@ -16,8 +16,8 @@ enum class Api {
 /// "OpenGL 4.3" or "OpenGL ES 3.0", for messages.
 const char* nameOf(Api api);
 
-/// An OpenGL context without a window. Everything else in this room works on the context that is
-/// current in the calling thread, and must be destroyed before it.
+/// An OpenGL context, made without a window or taken over. Everything else in this room works on the context that is
+/// current in the calling thread, and must be destroyed before it, while it is current or under a Deletion.
 class Context {
  public:
   /// Makes a context without a display server, and makes it current. Cube maps are filtered across their edges, and
@@ -28,8 +28,8 @@ class Context {
   /// cost     about 25 ms on Mesa's llvmpipe, of which nearly all is the driver's own start
   static Result<Context> createHeadless(Api api = Api::desktop43);
 
-  /// Takes over the context that is current in the calling thread, for instance a window's. The owner keeps it, makes
-  /// it current, and must outlive this object. GL state is set as createHeadless does.
+  /// Takes over the context that is current in the calling thread, for instance a window's. The owner keeps it, and it
+  /// must outlive this object. GL state is set as createHeadless does.
   ///
   /// errors   no_gl: none is current, or it is older than OpenGL 4.3 and OpenGL ES 3.0
   static Result<Context> adoptCurrent();
@@ -38,13 +38,28 @@ class Context {
   Context& operator=(Context&&) noexcept;
   ~Context();
 
-  /// Makes this context current in the calling thread, for programs that have more than one. The owner of an adopted
-  /// context makes it current instead.
-  void makeCurrent();
+  /// Makes this context current in the calling thread, which costs nothing if it is. An adopted one is made current by
+  /// its owner; here it is only asked for.
+  ///
+  /// errors   no_gl: it is current in another thread, or adopted and not current
+  Result<void> makeCurrent() const;
+
+  // A context that is taken over has a host with a state of its own: a window's library that clips, blends and leaves
+  // its textures bound. Between enter() and leave() the context is ours. One of our own both only make current.
+
+  /// Sets all state that this room and the renderer count on and do not set at each draw.
+  ///
+  /// errors   as makeCurrent's
+  /// cost     some 50 calls of OpenGL, none of which waits
+  Result<void> enter() const;
+  /// Sets all state that they change as a new context has it, no textures, buffers and programs bound.
+  ///
+  /// errors   as makeCurrent's
+  Result<void> leave() const;
 
   Api api() const;
-  std::string renderer() const;  ///< the driver's name for the device: "llvmpipe (LLVM 15.0.6, 256 bits)"
-  std::string version() const;   ///< the driver's version line: "4.5 (Core Profile) Mesa 22.3.6"
+  const std::string& renderer() const;  ///< the driver's name for the device: "llvmpipe (LLVM 15.0.6, 256 bits)"
+  const std::string& version() const;   ///< the driver's version line: "4.5 (Core Profile) Mesa 22.3.6"
   /// Whether textures of 32-bit floats are interpolated: always, except on OpenGL ES without OES_texture_float_linear.
   bool filtersFloats() const;
   /// The largest Sampling::anisotropy; 1 where the driver has no EXT_texture_filter_anisotropic.
@@ -55,6 +70,19 @@ class Context {
   struct State;
   explicit Context(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
+};
+
+/// While it lives, what is destroyed in this thread is deleted from that context, which it makes current. If that is
+/// not possible, nothing is deleted: its names may be others' in the context that is current.
+class Deletion {
+ public:
+  explicit Deletion(const Context& context);
+  ~Deletion();
+  Deletion(const Deletion&) = delete;
+  Deletion& operator=(const Deletion&) = delete;
+
+ private:
+  bool before_;  // the thread's state
 };
 
 }  // namespace mirrorball::gl

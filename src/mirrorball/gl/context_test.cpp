@@ -40,27 +40,29 @@ TEST(Context, TwoLiveSideBySide) {
   {
     MIRRORBALL_NEEDS_GL(embedded, Api::es30);
     EXPECT_THAT(embedded.version(), StartsWith("OpenGL ES"));
-    desktop.makeCurrent();
+    ASSERT_TRUE(desktop.makeCurrent());
     EXPECT_THAT(desktop.version(), Not(StartsWith("OpenGL ES")));
-    embedded.makeCurrent();
+    ASSERT_TRUE(embedded.makeCurrent());
     EXPECT_THAT(embedded.version(), StartsWith("OpenGL ES"));
   }
   // The second one's end leaves the display that they share.
-  desktop.makeCurrent();
+  ASSERT_TRUE(desktop.makeCurrent());
   EXPECT_FALSE(desktop.version().empty());
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
 TEST_P(ContextTest, TheCurrentOneCanBeAdoptedAndStaysItsOwners) {
   MIRRORBALL_NEEDS_GL(owner, GetParam());
-  glDisable(GL_DITHER);
+  glClearStencil(7);
   {
     const Result<Context> adopted = Context::adoptCurrent();
     ASSERT_TRUE(adopted) << adopted.error().message;
     EXPECT_EQ(adopted->api(), GetParam());
     EXPECT_EQ(adopted->largestTexture(), owner.largestTexture());
   }
-  EXPECT_EQ(glIsEnabled(GL_DITHER), GL_FALSE) << "the same context is still there and current";
+  GLint cleared = 0;
+  glGetIntegerv(GL_STENCIL_CLEAR_VALUE, &cleared);
+  EXPECT_EQ(cleared, 7) << "the same context is still there and current";
 }
 
 TEST(Context, WithoutACurrentOneThereIsNothingToAdopt) {

@@ -4,8 +4,11 @@
 
 namespace mirrorball::gl {
 
+/// Whether this thread deletes no object now, since the context that holds them is not current (Deletion).
+inline thread_local bool leaves_names = false;
+
 /// Owns the name of one OpenGL object and deletes it with `destroy`. Movable, not copyable. It must be destroyed while
-/// the context that made the object (or one sharing with it) is current.
+/// the context that made the object (or one sharing with it) is current, or under a Deletion (context.h).
 template <void (*destroy)(unsigned name)>
 class Handle {
  public:
@@ -17,7 +20,7 @@ class Handle {
     return *this;
   }
   ~Handle() {
-    if (name_ != 0) destroy(name_);
+    if (name_ != 0 && !leaves_names) destroy(name_);
   }
 
   unsigned name() const { return name_; }

@@ -225,7 +225,8 @@ Result<Drawn> Workshop::draw(const Stage& stage, const Technique& technique) {
     std::nth_element(times_ms.begin(), middle, times_ms.end());
     cost.frame_ms = *middle;
   }
-  return Drawn{renderer_.radiance(), cost};
+  MIRRORBALL_TRY(radiance, renderer_.radiance());
+  return Drawn{std::move(radiance), cost};
 }
 
 /// Sorts triangles anew only where they are others: for millions of them it takes longer than small pictures.

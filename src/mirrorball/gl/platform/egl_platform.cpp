@@ -153,6 +153,7 @@ class EglContext : public PlatformContext {
 
   bool makeCurrent() override {
     bindApi(api_);
+    if (eglGetCurrentContext() == context_) return true;
     return eglMakeCurrent(display_->handle, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
   }
 
@@ -201,6 +202,22 @@ Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api api) {
               std::string("no driver for ") + nameOf(api) + " found (tried: " + tried + "); " + kHowToInstall);
 }
 
+// EGL's, or that of X11's own way to OpenGL, which libraries for windows may choose.
+std::uintptr_t currentContext() {
+  if (epoxy_has_egl())
+    if (const EGLContext context = eglGetCurrentContext(); context != EGL_NO_CONTEXT)
+      return reinterpret_cast<std::uintptr_t>(context);
+  for (const char* library : {"libGL.so.1", "libGLX.so.0"}) {
+    void* const loaded = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
+    if (!loaded) continue;
+    const auto current = reinterpret_cast<void* (*)()>(dlsym(loaded, "glXGetCurrentContext"));
+    const auto context = current ? reinterpret_cast<std::uintptr_t>(current()) : 0;
+    dlclose(loaded);  // counts as it did before
+    if (context != 0) return context;
+  }
+  return 0;
+}
+
 Result<Api> apiOfCurrentContext() {
   if (glGetString(GL_VERSION) == nullptr)
     return fail(ErrorCode::no_gl, "no OpenGL context is current in this thread; make the window's current first");
@@ -213,6 +230,15 @@ Result<Api> apiOfCurrentContext() {
 
 // A driver's extensions are there unasked.
 void enableExtensions() {}
+
+void resetDesktop(Api api) {
+  glDisable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+  if (api == Api::es30) return;
+  for (const GLenum capability : {GL_COLOR_LOGIC_OP, GL_PRIMITIVE_RESTART, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
+                                  GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE1, GL_CLIP_DISTANCE2, GL_CLIP_DISTANCE3})
+    glDisable(capability);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
 
 bool hasExtension(const char* name) { return epoxy_has_gl_extension(name); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "mirrorball/base/result.h"
@@ -17,7 +18,7 @@ class PlatformContext {
   PlatformContext(const PlatformContext&) = delete;
   PlatformContext& operator=(const PlatformContext&) = delete;
 
-  /// Makes it current in the calling thread; false where that is refused.
+  /// Makes it current in the calling thread, unless it is; false where that is refused.
   virtual bool makeCurrent() = 0;
 
  protected:
@@ -29,6 +30,10 @@ class PlatformContext {
 /// errors   as Context::createHeadless
 Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api api);
 
+/// The context that is current in the calling thread, whoever has made it; 0: none is, or it is of a kind that is not
+/// known here.
+std::uintptr_t currentContext();
+
 /// Which of both APIs the calling thread's current context has.
 ///
 /// errors   no_gl: none is current, or it is older than both
@@ -37,6 +42,9 @@ Result<Api> apiOfCurrentContext();
 /// Enables what WebGL has only where it is asked for by name: float targets, blending into them, filtering of floats.
 /// For the current context.
 void enableExtensions();
+
+/// Sets what a drawing depends on and WebGL does not have as a new context has it.
+void resetDesktop(Api api);
 
 /// Whether the current context has the extension: "GL_OES_texture_float_linear".
 bool hasExtension(const char* name);

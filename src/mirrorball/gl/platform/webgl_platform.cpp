@@ -26,6 +26,8 @@ Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api) {
   return fail(ErrorCode::no_gl, "in a browser a context belongs to a canvas; make one of WebGL 2 current and adopt it");
 }
 
+std::uintptr_t currentContext() { return static_cast<std::uintptr_t>(emscripten_webgl_get_current_context()); }
+
 Result<Api> apiOfCurrentContext() {
   EmscriptenWebGLContextAttributes attributes;
   const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_get_current_context();
@@ -39,6 +41,8 @@ Result<Api> apiOfCurrentContext() {
 void enableExtensions() {
   for (const char* name : kWanted) enable(name);
 }
+
+void resetDesktop(Api) {}
 
 // Whether it could be enabled, as it is by that; WebGL's names lack OpenGL's "GL_".
 bool hasExtension(const char* name) { return enable(name + 3); }

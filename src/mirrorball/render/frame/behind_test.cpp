@@ -231,7 +231,7 @@ TEST_P(BehindTest, ABodyThatHasLeftAnotherOneIsMetFromAir) {
   ASSERT_TRUE(renderer.renderRadiance(settings));
   std::vector<Instance> apart = scene.instances;
   apart[0].world_from_object[3].x = 10.0f;
-  renderer.moveInstances(apart);
+  ASSERT_TRUE(renderer.moveInstances(apart));
   settings.camera.orthographic_height = kGlassWide / renderer.bounds().radius;
   const auto image = renderer.renderRadiance(settings);
   ASSERT_TRUE(image) << image.error().message;

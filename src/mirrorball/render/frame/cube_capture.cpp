@@ -31,7 +31,8 @@ Result<EnvironmentMap> captureEnvironment(Renderer& renderer, const CaptureSetti
     };
     MIRRORBALL_TRY_VOID(renderer.draw(cubeFaceCamera(face, settings.position, depths), frame,
                                       progress ? ProgressFunction(ofAllFaces) : ProgressFunction()));
-    copyFace(renderer.radiance(), faces.at(0, face));
+    MIRRORBALL_TRY(radiance, renderer.radiance());
+    copyFace(radiance, faces.at(0, face));
   }
   return EnvironmentMap(Projection::cube, std::move(faces));
 }

@@ -35,7 +35,7 @@ class NormalFilterTest : public testing::HeadlessTest {
     EXPECT_TRUE(renderer_->setScene(std::move(scene)));
     const FrameSettings settings{.size = kSize_px, .samples = samples, .resolve = Resolve::radiance};
     EXPECT_TRUE(renderer_->draw(testing::cameraOverPlane(texels_a_pixel, kSize_px), settings));
-    return renderer_->radiance();
+    return *renderer_->radiance();
   }
 
  private:

@@ -215,7 +215,7 @@ TEST_P(ProbesTest, AreCapturedAgainOnlyIfWhatTheySeeHasChanged) {
   const Image before = testing::drawn(renderer, settings);
   std::vector<Instance> instances = renderer.scene().instances;
   instances[1].world_from_object[3].y += 0.5f;
-  renderer.moveInstances(instances);
+  ASSERT_TRUE(renderer.moveInstances(instances));
   EXPECT_EQ(capturesOf(settings), 4);
   Scene scene = renderer.scene();
   ASSERT_TRUE(renderer.setScene(scene));
@@ -238,7 +238,7 @@ TEST_P(ProbesTest, AMovedBallIsSeenWhereItIs) {
   testing::set(settings, "probes", "2");
   testing::set(settings, "proxy", kProbeRoom);
   testing::drawn(renderer, settings);
-  renderer.moveInstances(there.scene().instances);
+  ASSERT_TRUE(renderer.moveInstances(there.scene().instances));
   const Image image = testing::drawn(renderer, settings);
   const Image expected = testing::drawn(there, settings);
   for (int y = 0; y < 48; ++y)

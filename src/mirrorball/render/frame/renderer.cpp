@@ -38,7 +38,12 @@ struct Renderer::State {
   FrameUniforms frame = {};     ///< of it
 };
 
-Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+void Renderer::End::operator()(State* state) const {
+  const gl::Deletion deletion(state->context);
+  delete state;
+}
+
+Renderer::Renderer(OwnedState state) : state_(std::move(state)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
@@ -49,14 +54,15 @@ Result<Renderer> Renderer::headless() {
 }
 
 Result<Renderer> Renderer::on(gl::Context context) {
+  MIRRORBALL_TRY_VOID(context.enter());
   const gl::Api api = context.api();
   std::future<Result<Image>> brdf_table = std::async(besideOthers(), surfaceBrdfTable);
   MIRRORBALL_TRY(samples, SampleSum::make(api));
-  return Renderer(
-      std::unique_ptr<State>(new State{std::move(context), std::move(samples), SceneDrawing(std::move(brdf_table))}));
+  return Renderer(OwnedState(new State{std::move(context), std::move(samples), SceneDrawing(std::move(brdf_table))}));
 }
 
 Result<void> Renderer::setScene(Scene scene) {
+  MIRRORBALL_TRY_VOID(state_->context.enter());
   MIRRORBALL_TRY_VOID(state_->drawing.setScene(std::move(scene)));
   state_->light.forgetScene();
   return {};
@@ -69,6 +75,7 @@ Result<void> Renderer::setEnvironment(Environment environment, const std::option
 }
 
 Result<void> Renderer::setEnvironment(Environment environment, const PreparedEnvironment& prepared) {
+  MIRRORBALL_TRY_VOID(state_->context.enter());
   state_->probes.forgetLight();
   return state_->light.setEnvironment(std::move(environment), prepared, state_->context.filtersFloats());
 }
@@ -93,9 +100,11 @@ LightCost Renderer::lightCost() const {
 const Scene& Renderer::scene() const { return state_->drawing.scene(); }
 const BoundingSphere& Renderer::bounds() const { return state_->drawing.bounds(); }
 
-void Renderer::moveInstances(const std::vector<Instance>& instances) {
+Result<void> Renderer::moveInstances(const std::vector<Instance>& instances) {
+  MIRRORBALL_TRY_VOID(state_->context.enter());
   state_->drawing.moveInstances(instances);
   state_->light.forgetScene();
+  return {};
 }
 
 int Renderer::probeCaptures() const { return state_->probes.captures(); }
@@ -143,6 +152,7 @@ Result<void> Renderer::begin(const FrameSettings& settings) {
 Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings) {
   State& state = *state_;
   assert(state.light.hasEnvironment() && "a frame needs an environment");
+  MIRRORBALL_TRY_VOID(state.context.enter());
   state.settings = settings;
   state.frame.camera = camera;
   MIRRORBALL_TRY_VOID(state.samples.begin(settings));
@@ -156,6 +166,7 @@ Result<void> Renderer::begin(const Camera& camera, const FrameSettings& settings
 
 Result<int> Renderer::drawSample() {
   State& state = *state_;
+  MIRRORBALL_TRY_VOID(state.context.enter());
   const int samples = state.settings.samples;
   const int drawn = state.samples.count();
   if (drawn == samples) return samples;
@@ -168,7 +179,8 @@ Result<int> Renderer::drawSample() {
   return state.samples.count();
 }
 
-void Renderer::show(unsigned framebuffer) const {
+Result<void> Renderer::show(unsigned framebuffer) const {
+  MIRRORBALL_TRY_VOID(state_->context.enter());
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, state_->settings.size.x, state_->settings.size.y);
   // What is written is encoded already.
@@ -176,10 +188,19 @@ void Renderer::show(unsigned framebuffer) const {
   if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
   state_->samples.show();
   if (encodes) glEnable(GL_FRAMEBUFFER_SRGB);
+  return {};
 }
 
-Image Renderer::radiance() const { return state_->samples.radiance(); }
+Result<void> Renderer::leave() const { return state_->context.leave(); }
 
-Result<Image8> Renderer::picture() { return state_->samples.picture(); }
+Result<Image> Renderer::radiance() const {
+  MIRRORBALL_TRY_VOID(state_->context.enter());
+  return state_->samples.radiance();
+}
+
+Result<Image8> Renderer::picture() {
+  MIRRORBALL_TRY_VOID(state_->context.enter());
+  return state_->samples.picture();
+}
 
 }  // namespace mirrorball

@@ -32,8 +32,11 @@ struct LightCost {
 /// of the display or as radiance. It is drawn at once (render, draw) or sample by sample (begin, drawSample, show), for
 /// windows that must respond in between.
 ///
-/// Its context must be current in the thread that calls it. Before the first frame it needs an environment; without a
-/// scene, it shows only the environment.
+/// Each call makes its context current, and leaves it so; several renderers live side by side in one thread. An adopted
+/// context must be current, else calls fail with no_gl and its end leaves OpenGL's objects to the context; each call
+/// sets the state that it needs (gl::Context::enter), whatever the host's is.
+///
+/// Before the first frame it needs an environment; without a scene, it shows only the environment.
 class Renderer {
  public:
   /// On an OpenGL context of its own, without a window.
@@ -73,7 +76,9 @@ class Renderer {
   /// Of the scene.
   const BoundingSphere& bounds() const;
   /// Puts the scene's instances elsewhere: as many, of the same meshes.
-  void moveInstances(const std::vector<Instance>& instances);
+  ///
+  /// errors   no_gl
+  Result<void> moveInstances(const std::vector<Instance>& instances);
   /// How often a probe was captured until now: only what has changed is captured again.
   int probeCaptures() const;
 
@@ -110,18 +115,30 @@ class Renderer {
   /// 0 at the bottom. It fills the lower left corner as far as it goes.
   ///
   /// framebuffer  OpenGL's name of it, of 8 bits a channel; 0 is a window's. It stays bound
-  void show(unsigned framebuffer) const;
+  /// errors       no_gl
+  Result<void> show(unsigned framebuffer) const;
+
+  /// Gives a context that was taken over back to its host, with the state of a new one; the next call takes it again.
+  ///
+  /// errors   no_gl
+  Result<void> leave() const;
 
   /// Linear radiance: 4 channels, premultiplied alpha, row 0 at the top. Of a whole frame with Resolve::radiance.
-  Image radiance() const;
+  ///
+  /// errors   no_gl
+  Result<Image> radiance() const;
   /// The whole frame as `render` returns it.
   Result<Image8> picture();
 
  private:
   struct State;
+  struct End {
+    void operator()(State* state) const;
+  };
+  using OwnedState = std::unique_ptr<State, End>;
   Result<Camera> cameraFor(const FrameSettings& settings) const;
-  explicit Renderer(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit Renderer(OwnedState state);
+  OwnedState state_;
 };
 
 }  // namespace mirrorball

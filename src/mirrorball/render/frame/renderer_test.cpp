@@ -257,7 +257,7 @@ TEST_F(RendererTest, ShowsTheMeanOfTheSamplesThatThereAreInAnotherFramebuffer) {
       window->bind();
       GLint name = 0;
       glGetIntegerv(GL_FRAMEBUFFER_BINDING, &name);
-      renderer->show(static_cast<unsigned>(name));
+      ASSERT_TRUE(renderer->show(static_cast<unsigned>(name)));
       const Image8 shown = window->readBytes();
       double difference = 0.0;
       for (int y = 0; y < whole.height(); ++y)

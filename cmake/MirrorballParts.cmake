@@ -27,7 +27,7 @@ mirrorball_part(WEBP WebP "Read .webp" pkg_check_modules webp libwebp libwebpdem
 mirrorball_part(JPEG JPEG "Read and write .jpg" find_package JPEG)
 mirrorball_part(EXR OpenEXR "Read and write .exr; the built-in environment sunset" find_package OpenEXR)
 mirrorball_part(ZSTD Zstandard "Read and write .ktx2 under Zstandard" pkg_check_modules zstd libzstd)
-mirrorball_part(EMBREE Embree "Trace rays: the path tracer, studies, transfer, occlusion" find_package embree 3 CONFIG)
+mirrorball_part(EMBREE Embree "Trace rays by Embree, which is faster" find_package embree 3 CONFIG)
 mirrorball_part(DRACO Draco "Read meshes that Draco has compressed" find_package draco CONFIG)
 mirrorball_part(MESHOPTIMIZER meshoptimizer "Read meshes that meshoptimizer has compressed, and simplify meshes"
                 find_package meshoptimizer CONFIG)

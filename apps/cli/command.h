@@ -58,7 +58,6 @@ struct Command {
   std::vector<CommandOption> options = {};
   std::vector<Example> examples = {};
   Action action = {};
-  std::optional<Error> left_out = {};  ///< why this build cannot do it, and reads nothing else of its command line
 };
 
 /// Adds an argument that sets `target`, which must outlive the command's action.

@@ -347,8 +347,6 @@ Result<Action> readCommandLine(int argc, const char* const* argv, std::span<cons
       return {};
     });
   const bool shows_all = takeAllOfHelp(words);
-  const auto named = std::ranges::find(commands, words.empty() ? "" : words.front(), &Command::name);
-  if (named != commands.end() && named->left_out) return tl::unexpected<Error>(*named->left_out);
   MIRRORBALL_TRY_VOID(checkDashes(words, commands));
   Reader reader(commands, shows_all);
   try {

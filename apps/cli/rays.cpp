@@ -4,15 +4,10 @@
 
 #include "cli/terminal.h"
 #include "mirrorball/rays/occlusion_cache.h"
-#include "mirrorball/rays/seen_from.h"
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/transfer/normal_space.h"
 
 namespace mirrorball::cli {
-
-bool tracesRays() { return true; }
-
-Result<bool> sceneHidesItself(const Scene& scene) { return hidesItself(scene); }
 
 Result<void> findSceneOcclusion(Scene& scene, const FrameSettings& look, const std::optional<CacheFolder>& cache) {
   return findOcclusionOnce(scene,

@@ -10,25 +10,18 @@
 
 namespace mirrorball::cli {
 
-/// What commands ask of the rooms that trace rays, beside those that are about nothing else (study_command.cpp,
-/// render_reference.h and the like). A build without Embree has none of those rooms: rays_absent.cpp stands for all of
-/// these files, and fails by one line.
-
-bool tracesRays();
-
-/// Whether a scene hides the sky from itself; false: !tracesRays()
-Result<bool> sceneHidesItself(const Scene& scene);
+// What several commands ask of the rooms that trace rays.
 
 /// Finds what a scene's vertices see of the sky, or takes it from the cache.
 ///
 /// scene     cut where its triangles are too large to tell, unless they themselves are what is shown
-/// errors    as findOcclusionOnce's; unsupported: !tracesRays()
+/// errors    as findOcclusionOnce's
 Result<void> findSceneOcclusion(Scene& scene, const FrameSettings& look, const std::optional<CacheFolder>& cache);
 
 /// A normal map of a model in the other space; one of tangents has green up or down.
 ///
 /// input    its name
-/// errors   as loadModel's and normalsInSpace's; unsupported: !tracesRays()
+/// errors   as loadModel's and normalsInSpace's
 Result<MadeMap> normalsOfModel(Image normals, const std::string& input, const SurfaceOptions& options);
 
 }  // namespace mirrorball::cli

@@ -11,6 +11,7 @@
 #include "mirrorball/base/text.h"
 #include "mirrorball/codec/image_format.h"
 #include "mirrorball/environment/builtin/builtin.h"
+#include "mirrorball/rays/seen_from.h"
 #include "mirrorball/render/frame/idle_options.h"
 #include "mirrorball/scene/camera/framing.h"
 #include "mirrorball/scene/load_model.h"
@@ -182,9 +183,9 @@ std::string nameOf(Quality quality) { return written(kQualityOptions.front(), Sc
 Result<SceneTraits> traitsFor(const Scene& scene, const SceneRequest& request, const GivenOptions& given,
                               const FrameSettings& look) {
   SceneTraits traits = traitsOf(scene);
-  traits.can_trace_rays = tracesRays() && !request.objects_move;
+  traits.can_trace_rays = !request.objects_move;
   if (!dependsOnHiding(request.quality, traits, given, look)) return traits;
-  MIRRORBALL_TRY(hides, sceneHidesItself(scene));
+  MIRRORBALL_TRY(hides, hidesItself(scene));
   traits.hides_itself = hides;
   return traits;
 }

@@ -32,14 +32,24 @@ enum class Surfaces {
   reliefs,    ///< below triangles whose material has heights, in their place
 };
 
-/// The triangles of a scene and the reliefs below them, sorted for rays by Intel's Embree 3 (Wald et al. 2014).
+/// What finds the surfaces that rays meet. Both find the same but for rounding.
+enum class RayTracer {
+  embree,  ///< Intel's Embree 3, which is faster
+  own,     ///< a tree as the shaders have it (ray_tree.h)
+};
+
+/// Embree, if it is in this build.
+RayTracer fastestRayTracer();
+
+/// The triangles of a scene and the reliefs below them, sorted for rays.
 class Geometry {
  public:
   /// scene    positions that are not finite are left out with their triangles
   ///          instances do not mirror (Scene)
   /// errors   too_large; unsupported (Embree does not run here)
-  /// cost     0.6 µs a triangle on two cores, and at most 130 bytes; measured on grids of up to 8 million triangles
-  static Result<Geometry> make(const Scene& scene);
+  /// cost     Embree: 0.6 µs a triangle on two cores, and at most 130 bytes; measured on grids of up to 8 million
+  ///          triangles
+  static Result<Geometry> make(const Scene& scene, RayTracer tracer = fastestRayTracer());
 
   /// Adds the reliefs, once: without it rays meet triangles in their place.
   ///
@@ -51,6 +61,8 @@ class Geometry {
   Geometry(Geometry&&) noexcept;
   Geometry& operator=(Geometry&&) noexcept;
   ~Geometry();
+
+  RayTracer tracer() const;
 
   /// The nearest surface along a ray.
   ///

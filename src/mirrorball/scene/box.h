@@ -6,6 +6,8 @@
 
 namespace mirrorball {
 
+inline bool isFinite(glm::vec3 p) { return !glm::any(glm::isnan(p)) && !glm::any(glm::isinf(p)); }
+
 /// A box along the axes. As it begins, it holds nothing.
 struct Box {
   glm::vec3 low{INFINITY};

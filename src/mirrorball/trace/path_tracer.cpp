@@ -86,10 +86,11 @@ PathTracer::~PathTracer() = default;
 
 const Scene& PathTracer::scene() const { return state_->scene; }
 
-Result<PathTracer> PathTracer::make(Scene scene, Environment environment, const ProgressFunction& progress) {
+Result<PathTracer> PathTracer::make(Scene scene, Environment environment, const ProgressFunction& progress,
+                                    RayTracer tracer) {
   if (EnvironmentMap* map = environment.map()) raiseNegativeLight(*map);
   MIRRORBALL_TRY(lights, LightSampler::make(environment, progress));
-  MIRRORBALL_TRY(geometry, Geometry::make(scene));
+  MIRRORBALL_TRY(geometry, Geometry::make(scene, tracer));
   std::vector<glm::mat3> world_from_normal = normalMatrices(scene);
   PathTracer made(std::unique_ptr<State>(new State{{std::move(scene), std::move(environment), std::move(lights),
                                                     std::move(geometry), std::move(world_from_normal)}}));
@@ -98,7 +99,7 @@ Result<PathTracer> PathTracer::make(Scene scene, Environment environment, const 
 }
 
 Result<void> PathTracer::setScene(Scene scene) {
-  MIRRORBALL_TRY(geometry, Geometry::make(scene));
+  MIRRORBALL_TRY(geometry, Geometry::make(scene, state_->geometry.tracer()));
   state_->geometry = std::move(geometry);
   state_->world_from_normal = normalMatrices(scene);
   state_->scene = std::move(scene);

@@ -12,6 +12,7 @@
 #include "mirrorball/base/result.h"
 #include "mirrorball/environment/environment.h"
 #include "mirrorball/image/image.h"
+#include "mirrorball/rays/geometry.h"
 #include "mirrorball/scene/camera/camera.h"
 #include "mirrorball/scene/scene.h"
 #include "mirrorball/trace/trace_settings.h"
@@ -65,7 +66,8 @@ class PathTracer {
  public:
   /// errors   too_large; unsupported (Embree does not run here); interrupted
   /// cost     the tree of triangles (geometry.h) and the environment's table (light_sampler.h)
-  static Result<PathTracer> make(Scene scene, Environment environment, const ProgressFunction& progress = {});
+  static Result<PathTracer> make(Scene scene, Environment environment, const ProgressFunction& progress = {},
+                                 RayTracer tracer = fastestRayTracer());
 
   PathTracer(PathTracer&&) noexcept;
   PathTracer& operator=(PathTracer&&) noexcept;

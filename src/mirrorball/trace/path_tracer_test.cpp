@@ -89,6 +89,23 @@ TEST(PathTracer, OcclusionDarkensAndBouncesBrighten) {
   EXPECT_LT(often, unoccluded);
 }
 
+// Rays through Embree's tree and through ours: the same paths, but for rounding.
+TEST(PathTracer, IsTheSameByEitherTreeOfTriangles) {
+  if (fastestRayTracer() != RayTracer::embree) GTEST_SKIP() << "this build has no Embree";
+  const Scene scene = *loadModel("showcase");
+  const auto by = [&](RayTracer tracer) {
+    const auto made = PathTracer::make(scene, lightOf(1.0f), {}, tracer);
+    return made->render(makeCamera({}, boundingSphere(scene), 1.0f), small(16))->radiance;
+  };
+  const Image embree = by(RayTracer::embree), own = by(RayTracer::own);
+  int differ = 0;
+  for (int y = 0; y < embree.height(); ++y)
+    for (int x = 0; x < embree.width(); ++x)
+      if (glm::distance(rgbAt(embree, x, y), rgbAt(own, x, y)) > 1e-3f) ++differ;
+  EXPECT_LE(differ, 5);
+  EXPECT_NEAR(meanOf(own), meanOf(embree), 2e-3f);
+}
+
 TEST(PathTracer, GivesTheSameBitsForAnyNumberOfThreads) {
   const auto image = [](int threads) {
     setThreadLimit(threads);

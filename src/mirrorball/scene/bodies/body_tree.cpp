@@ -49,8 +49,6 @@ struct PlacedTriangle {
   }
 };
 
-bool isFinite(glm::vec3 p) { return !glm::any(glm::isnan(p)) && !glm::any(glm::isinf(p)); }
-
 /// Adds the triangles of one instance.
 void addTriangles(const Scene& scene, std::uint32_t number, std::vector<PlacedTriangle>& triangles) {
   const Instance& instance = scene.instances[number];

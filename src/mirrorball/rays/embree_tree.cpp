@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <embree3/rtcore.h>
+
+#include "mirrorball/rays/ray_tree.h"
+#include "mirrorball/scene/box.h"
+
+namespace mirrorball {
+namespace {
+
+/// A mesh's triangles where an instance puts them.
+RTCGeometry placedMesh(RTCDevice device, const Scene& scene, std::size_t instance) {
+  const Mesh& mesh = scene.meshes[std::size_t(scene.instances[instance].mesh)];
+  const glm::mat4& world_from_object = scene.instances[instance].world_from_object;
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.vertices.size()));
+  for (std::size_t i = 0; positions && i < mesh.vertices.size(); ++i) {
+    const glm::vec3 place(world_from_object * glm::vec4(mesh.vertices[i].position, 1.0f));
+    // Embree leaves triangles out that are as large as this.
+    positions[i] = isFinite(place) ? place : glm::vec3(std::numeric_limits<float>::max());
+  }
+  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.indices.size() / 3));
+  if (indices) std::copy_n(mesh.indices.begin(), mesh.indices.size() / 3 * 3, indices);
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+/// What a ray asks, with the place of the nearest relief so far.
+struct Query : RTCIntersectContext {
+  Hit::Relief relief;
+};
+
+void boundsOfPrism(const RTCBoundsFunctionArguments* arguments) {
+  const auto& prisms = *static_cast<const ReliefPrisms*>(arguments->geometryUserPtr);
+  const PrismBounds bounds = prisms.boundsOf(arguments->primID);
+  RTCBounds& out = *arguments->bounds_o;
+  out.lower_x = bounds.low.x;
+  out.lower_y = bounds.low.y;
+  out.lower_z = bounds.low.z;
+  out.upper_x = bounds.high.x;
+  out.upper_y = bounds.high.y;
+  out.upper_z = bounds.high.z;
+}
+
+/// Of one ray, as rtcIntersect1 has it.
+void meetPrism(const RTCIntersectFunctionNArguments* arguments) {
+  if (!arguments->valid[0]) return;
+  const auto& prisms = *static_cast<const ReliefPrisms*>(arguments->geometryUserPtr);
+  auto& ray_hit = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
+  RTCRay& ray = ray_hit.ray;
+  const auto place = prisms.hit(arguments->primID, {ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z},
+                                ray.tnear, ray.tfar);
+  if (!place || !(place->distance < ray.tfar)) return;
+  ray.tfar = place->distance;
+  RTCHit& hit = ray_hit.hit;
+  hit.u = place->barycentric.x;
+  hit.v = place->barycentric.y;
+  hit.Ng_x = place->geometric_normal.x;
+  hit.Ng_y = place->geometric_normal.y;
+  hit.Ng_z = place->geometric_normal.z;
+  hit.primID = arguments->primID;
+  hit.geomID = arguments->geomID;
+  hit.instID[0] = arguments->context->instID[0];
+  static_cast<Query*>(arguments->context)->relief = {place->position, place->up};
+}
+
+RTCGeometry placedPrisms(RTCDevice device, ReliefPrisms& prisms) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(prisms.size()));
+  rtcSetGeometryUserData(geometry, &prisms);
+  rtcSetGeometryBoundsFunction(
+      geometry, [](const RTCBoundsFunctionArguments* arguments) { boundsOfPrism(arguments); }, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, meetPrism);
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+/// Takes a geometry, as that of an instance.
+void attach(RTCScene scene, std::size_t instance, RTCGeometry geometry) {
+  rtcAttachGeometryByID(scene, geometry, static_cast<unsigned>(instance));
+  rtcReleaseGeometry(geometry);
+}
+
+RTCScene newScene(RTCDevice device) {
+  RTCScene scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+  return scene;
+}
+
+Result<void> checkDevice(RTCDevice device) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_NONE) return {};
+  if (error == RTC_ERROR_OUT_OF_MEMORY) return fail(ErrorCode::too_large, "the scene's triangles: no memory for them");
+  return fail(ErrorCode::unsupported,
+              "Embree cannot sort the scene's triangles (its error " + std::to_string(error) + ")");
+}
+
+class EmbreeTree : public RayTree {
+ public:
+  EmbreeTree(RTCDevice device, const Scene& scene, const PrismsOfInstances& prisms)
+      : device_(device), tree_(newScene(device)), prisms_(prisms) {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      const auto found = prisms.find(i);
+      attach(tree_, i, found == prisms.end() ? placedMesh(device, scene, i) : placedPrisms(device, *found->second));
+    }
+    rtcCommitScene(tree_);
+  }
+  ~EmbreeTree() override {
+    rtcReleaseScene(tree_);
+    rtcReleaseDevice(device_);
+  }
+
+  std::optional<Hit> hit(glm::vec3 origin, glm::vec3 direction, float nearest) const override;
+
+ private:
+  RTCDevice device_;
+  RTCScene tree_;
+  const PrismsOfInstances& prisms_;
+};
+
+std::optional<Hit> EmbreeTree::hit(glm::vec3 origin, glm::vec3 direction, float nearest) const {
+  Query query;
+  rtcInitIntersectContext(&query);
+  RTCRayHit ray{};
+  ray.ray.org_x = origin.x;
+  ray.ray.org_y = origin.y;
+  ray.ray.org_z = origin.z;
+  ray.ray.dir_x = direction.x;
+  ray.ray.dir_y = direction.y;
+  ray.ray.dir_z = direction.z;
+  ray.ray.tnear = nearest;
+  ray.ray.tfar = std::numeric_limits<float>::infinity();
+  ray.ray.mask = ~0u;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(tree_, &query, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const glm::vec3 normal(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z);
+  Hit hit{ray.ray.tfar, ray.hit.geomID, ray.hit.primID, {ray.hit.u, ray.hit.v}, glm::normalize(normal)};
+  if (prisms_.contains(hit.instance)) hit.relief = query.relief;
+  return hit;
+}
+
+}  // namespace
+
+RayTracer fastestRayTracer() { return RayTracer::embree; }
+
+Result<std::unique_ptr<RayTree>> embreeTree(const Scene& scene, const PrismsOfInstances& prisms) {
+  RTCDevice device = rtcNewDevice(nullptr);
+  if (!device) return fail(ErrorCode::unsupported, "Embree cannot be started on this processor");
+  auto tree = std::make_unique<EmbreeTree>(device, scene, prisms);
+  MIRRORBALL_TRY_VOID(checkDevice(device));
+  return Result<std::unique_ptr<RayTree>>(std::move(tree));
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/rays/geometry.h"
+#include "mirrorball/rays/relief_prisms.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// Of instances with relief, what stands in the place of their triangles.
+using PrismsOfInstances = std::map<std::size_t, std::unique_ptr<ReliefPrisms>>;
+
+/// What rays meet of a scene, sorted for them.
+class RayTree {
+ public:
+  virtual ~RayTree() = default;
+  RayTree(const RayTree&) = delete;
+  RayTree& operator=(const RayTree&) = delete;
+
+  /// Geometry::hit of a ray that is finite and begins at most 10¹⁸ away.
+  virtual std::optional<Hit> hit(glm::vec3 origin, glm::vec3 direction, float nearest) const = 0;
+
+ protected:
+  RayTree() = default;
+};
+
+/// Embree's (Wald et al. 2014).
+///
+/// prisms   must outlive it
+/// errors   too_large; unsupported (Embree does not run here, or is not in this build)
+Result<std::unique_ptr<RayTree>> embreeTree(const Scene& scene, const PrismsOfInstances& prisms);
+
+/// Our own: that tree of boxes which the shaders read (scene/bodies/box_tree.h), and for triangles a test through which
+/// no ray slips between two that share an edge (Woop, Benthin & Wald 2013, "Watertight ray/triangle intersection").
+///
+/// prisms   must outlive it
+Result<std::unique_ptr<RayTree>> ownTree(const Scene& scene, const PrismsOfInstances& prisms);
+
+}  // namespace mirrorball

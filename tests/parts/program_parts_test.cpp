@@ -68,21 +68,20 @@ TEST_F(ProgramParts, WhatIsLeftOutIsAnsweredByOneLine) {
     const char* line;
     const char* answer;
   };
-  for (const Case& one :
-       {Case{"OpenEXR", "info a.exr", "a.exr: this build reads no OpenEXR"},
-        Case{"JPEG", "info a.jpg", "a.jpg: this build reads no JPEG"},
-        Case{"PNG", "info a.png", "a.png: this build reads no PNG"},
-        Case{"TIFF", "info a.tif", "a.tif: this build reads no TIFF"},
-        Case{"WebP", "info a.webp", "a.webp: this build reads no WebP"},
-        Case{"OpenEXR", "convert white --size 8 -o b.exr", "b.exr: this build writes no OpenEXR"},
-        Case{"JPEG", "convert white --size 8 -o b.jpg", "b.jpg: this build writes no JPEG"},
-        Case{"PNG", "convert white --size 8 -o b.png", "b.png: this build writes no PNG"},
-        Case{"OpenEXR", "convert sunset --size 8 -o b.hdr", "this build has no sunset"},
-        Case{"Zstandard", "convert white --to cube --size 8 --zstd 3 -o b.ktx2",
-             "b.ktx2: this build knows no Zstandard"},
-        Case{"Draco", "export draco.gltf -o b.glb", "this build reads no meshes compressed by Draco"},
-        Case{"meshoptimizer", "export meshopt.gltf -o b.glb",
-             "this build reads no meshes compressed by meshoptimizer"}}) {
+  for (const Case& one : {Case{"OpenEXR", "info a.exr", "a.exr: this build reads no OpenEXR"},
+                          Case{"JPEG", "info a.jpg", "a.jpg: this build reads no JPEG"},
+                          Case{"PNG", "info a.png", "a.png: this build reads no PNG"},
+                          Case{"TIFF", "info a.tif", "a.tif: this build reads no TIFF"},
+                          Case{"WebP", "info a.webp", "a.webp: this build reads no WebP"},
+                          Case{"OpenEXR", "convert white --size 8 -o b.exr", "b.exr: this build writes no OpenEXR"},
+                          Case{"JPEG", "convert white --size 8 -o b.jpg", "b.jpg: this build writes no JPEG"},
+                          Case{"PNG", "convert white --size 8 -o b.png", "b.png: this build writes no PNG"},
+                          Case{"OpenEXR", "convert sunset --size 8 -o b.hdr", "this build has no sunset"},
+                          Case{"Zstandard", "convert white --to cube --size 8 --zstd 3 -o b.ktx2",
+                               "b.ktx2: this build knows no Zstandard"},
+                          Case{"Draco", "export draco.gltf -o b.glb", "this build reads no meshes compressed by Draco"},
+                          Case{"meshoptimizer", "export meshopt.gltf -o b.glb",
+                               "this build reads no meshes compressed by meshoptimizer"}}) {
     const Outcome outcome = run(one.line);
     EXPECT_EQ(outcome.err.find(one.answer) != std::string::npos, isLeftOut(one.part)) << one.line << "\n"
                                                                                       << outcome.err;

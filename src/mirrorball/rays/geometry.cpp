@@ -13,7 +13,7 @@ namespace mirrorball {
 namespace {
 
 /// What a triangle takes while its tree is built. Embree's: with the vertices 111 to 128 bytes, of which 78 to 85 are
-/// kept, measured on grids of 0.18 to 8 million triangles. Our own: by the sizes of its parts some 160, of which 65 are.
+/// kept, measured on grids of 0.18 to 8 million triangles. Our own: by the sizes of its parts 160, of which 65 are.
 constexpr std::uint64_t bytesPerTriangle(RayTracer tracer) { return tracer == RayTracer::embree ? 130 : 170; }
 
 /// Of a triangle with relief: its prism, and what a tree takes for that.

@@ -1,5 +1,6 @@
 #include "mirrorball/gl/uniform_block.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstring>
@@ -26,6 +27,15 @@ std::string nameOfUniform(unsigned program, GLuint uniform) {
   std::string text(name.data(), static_cast<std::size_t>(length));
   if (text.ends_with("[0]")) text.resize(text.size() - 3);
   return text;
+}
+
+/// The bytes from one block to the next: where the driver lets one begin.
+std::size_t strideOf(std::size_t size, std::size_t count) {
+  if (count == 1) return size;
+  GLint alignment = 1;
+  glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+  const auto step = static_cast<std::size_t>(alignment);
+  return (size + step - 1) / step * step;
 }
 
 }  // namespace
@@ -58,8 +68,11 @@ const BlockLayout::Member* BlockLayout::find(std::string_view name) const {
   return found == members_.end() ? nullptr : &found->second;
 }
 
-UniformBlock::UniformBlock(std::shared_ptr<const BlockLayout> layout)
-    : layout_(std::move(layout)), bytes_(layout_->size()) {
+UniformBlock::UniformBlock(std::shared_ptr<const BlockLayout> layout, std::size_t count)
+    : layout_(std::move(layout)),
+      stride_(strideOf(layout_->size(), count)),
+      bytes_(stride_ * count),
+      changed_end_(bytes_.size()) {
   GLuint name = 0;
   glGenBuffers(1, &name);
   handle_ = Handle<destroy>(name);
@@ -74,8 +87,10 @@ std::byte* UniformBlock::place(std::string_view name, [[maybe_unused]] unsigned 
   const BlockLayout::Member* member = layout_->find(name);
   assert(member && "the shader's block has no member of that name");
   assert(member->type == type && member->count >= count);
-  is_sent_ = false;
-  return bytes_.data() + member->offset;
+  const std::size_t begin = chosen_ * stride_;
+  changed_begin_ = std::min(changed_begin_, begin);
+  changed_end_ = std::max(changed_end_, begin + stride_);
+  return bytes_.data() + begin + member->offset;
 }
 
 void UniformBlock::set(std::string_view member, float value) {
@@ -107,13 +122,23 @@ void UniformBlock::set(std::string_view member, std::span<const glm::vec4> value
   std::memcpy(place(member, GL_FLOAT_VEC4, values.size()), values.data(), values.size_bytes());
 }
 
-void UniformBlock::bind(unsigned point) {
-  if (!is_sent_) {
+UniformBlock& UniformBlock::at(std::size_t index) {
+  assert((index + 1) * stride_ <= bytes_.size());
+  chosen_ = index;
+  return *this;
+}
+
+void UniformBlock::bind(unsigned point, std::size_t index) {
+  if (changed_begin_ < changed_end_) {
     glBindBuffer(GL_UNIFORM_BUFFER, handle_.name());
-    glBufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(bytes_.size()), bytes_.data());
-    is_sent_ = true;
+    glBufferSubData(GL_UNIFORM_BUFFER, static_cast<GLintptr>(changed_begin_),
+                    static_cast<GLsizeiptr>(changed_end_ - changed_begin_), bytes_.data() + changed_begin_);
+    bytes_sent_ += changed_end_ - changed_begin_;
+    changed_begin_ = bytes_.size();
+    changed_end_ = 0;
   }
-  glBindBufferBase(GL_UNIFORM_BUFFER, point, handle_.name());
+  glBindBufferRange(GL_UNIFORM_BUFFER, point, handle_.name(), static_cast<GLintptr>(index * stride_),
+                    static_cast<GLsizeiptr>(layout_->size()));
 }
 
 }  // namespace mirrorball::gl

@@ -38,10 +38,15 @@ class BlockLayout {
   std::map<std::string, Member, std::less<>> members_;
 };
 
-/// The values of a uniform block on the GPU. They are sent when the block is next bound.
+/// The values of a uniform block on the GPU, or of many that are alike, side by side in one buffer: so a draw needs to
+/// know no more than a number. They are sent when a block is next bound.
 class UniformBlock {
  public:
-  explicit UniformBlock(std::shared_ptr<const BlockLayout> layout);
+  /// count   of blocks
+  explicit UniformBlock(std::shared_ptr<const BlockLayout> layout, std::size_t count = 1);
+
+  /// Chooses which block is set.
+  UniformBlock& at(std::size_t index);
 
   /// Sets a member by its name. That the block has it, and of that type, is asserted.
   void set(std::string_view member, float value);
@@ -53,16 +58,23 @@ class UniformBlock {
   /// An array from its first element on.
   void set(std::string_view member, std::span<const glm::vec4> values);
 
-  /// Makes it what programs read whose block is connected to `point`.
-  void bind(unsigned point);
+  /// Makes a block what programs read whose block is connected to `point`.
+  void bind(unsigned point, std::size_t index = 0);
+
+  /// That were sent until now: blocks, from the first to the last that has changed.
+  std::size_t bytesSent() const { return bytes_sent_; }
 
  private:
   static void destroy(unsigned name);
   std::byte* place(std::string_view member, unsigned type, std::size_t count = 1);
 
   std::shared_ptr<const BlockLayout> layout_;
+  std::size_t stride_;  // from block to block
   std::vector<std::byte> bytes_;
-  bool is_sent_ = false;
+  std::size_t chosen_ = 0;
+  std::size_t changed_begin_ = 0;  // of the bytes that are not sent yet
+  std::size_t changed_end_ = 0;
+  std::size_t bytes_sent_ = 0;
   Handle<destroy> handle_;
 };
 

@@ -91,6 +91,32 @@ TEST_P(UniformBlockTest, EveryTypeArrivesAtItsPlace) {
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
+TEST_P(UniformBlockTest, ManyLieInOneBufferAndOnlyWhatChangedIsSent) {
+  auto program = build();
+  ASSERT_TRUE(program) << program.error().message;
+  const auto layout = program->connect("TestBlock", 3);
+  ASSERT_TRUE(layout);
+  constexpr std::size_t kBlocks = 50;
+  UniformBlock blocks(std::make_shared<BlockLayout>(*layout), kBlocks);
+  for (std::size_t i = 0; i < kBlocks; ++i) {
+    blocks.at(i).set("part.one", float(i));
+    blocks.set("between", 100.0f * float(i));
+  }
+  for (const std::size_t i : {std::size_t{7}, std::size_t{49}, std::size_t{0}}) {
+    blocks.bind(3, i);
+    const glm::vec4 pixel = drawn(*program);
+    EXPECT_EQ(pixel.x, float(i));
+    EXPECT_EQ(pixel.y, 100.0f * float(i));
+  }
+  const std::size_t all = blocks.bytesSent();
+  EXPECT_GE(all, kBlocks * layout->size());
+  blocks.at(20).set("part.one", 1.0f);
+  blocks.bind(3, 20);
+  EXPECT_EQ(drawn(*program).x, 1.0f);
+  EXPECT_EQ(blocks.bytesSent() - all, all / kBlocks);
+  EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
 TEST_P(UniformBlockTest, KnowsWhatThereIsNot) {
   auto program = build();
   ASSERT_TRUE(program);

@@ -107,6 +107,41 @@ TEST_P(RenderersTest, OnAContextThatIsNotCurrentSaySoAndTouchNoOther) {
   glDeleteBuffers(GLsizei(buffers.size()), buffers.data());
 }
 
+// What a renderer keeps of the kinds of frames that it has drawn changes none of them, however often they take turns.
+TEST_P(RenderersTest, KindsOfFramesTakeTurns) {
+  std::vector<FrameSettings> kinds;
+  for (const auto& [option, value] : {std::pair("refraction", "single"),
+                                      {"refraction", "image-space"},
+                                      {"refraction", "traced"},
+                                      {"mapping", "sphere"},
+                                      {"probes", "1"},
+                                      {"light", "1,2,3,5,5,5"},
+                                      {"light", "0,3,0,9,1,1"}}) {
+    FrameSettings& settings = kinds.emplace_back(smallFrame());
+    settings.samples = 1;
+    testing::set(settings, option, value);
+  }
+  Scene scene = shape("cube");
+  scene.materials[0].transmission = 0.5f;
+  testing::addBall(scene, {0.0f, 0.0f, 1.5f}, 0.5f, Material(), 12);
+  scene.materials.back().metallic = 1.0f;
+  const auto make = [&] {
+    Renderer renderer = RenderersTest::make("cube");
+    EXPECT_TRUE(renderer.setScene(scene));
+    return renderer;
+  };
+  Renderer renderer = make();
+  std::vector<Image> first;
+  for (const FrameSettings& settings : kinds) {
+    Renderer fresh = make();
+    first.push_back(testing::drawn(fresh, settings));
+  }
+  for (int turn = 0; turn < 2; ++turn)
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      EXPECT_TRUE(std::ranges::equal(testing::drawn(renderer, kinds[i]).samples(), first[i].samples()))
+          << "kind " << i << " in turn " << turn;
+}
+
 /// What a host may leave behind: all that would change a drawing or an upload.
 void setHostsState(gl::Api api) {
   for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE,

@@ -45,6 +45,12 @@ Result<void> SceneDrawing::setScene(Scene scene) {
   bounds_ = boundingSphere(scene_);
   centers_.clear();
   for (const Mesh& mesh : scene_.meshes) centers_.push_back(centerOf(mesh));
+  traits_.clear();
+  for (const Instance& instance : scene_.instances) {
+    const int index = scene_.meshes[std::size_t(instance.mesh)].material;
+    const Material& material = scene_.materials[std::size_t(index)];
+    traits_.push_back({index, material.alpha_mode == AlphaMode::blend, material.double_sided, isBody(material)});
+  }
   body_tree_.reset();
   bodies_.reset();
   knows_ior_around_.clear();
@@ -302,9 +308,11 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
   // The background covers what is farthest, so it is drawn last of the opaque, and only where nothing else is.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
+  std::vector<bool> sees;  // of each material
+  for (const Material& material : scene_.materials) sees.push_back(seesScreen(material, settings));
   std::vector<int> seeing_nothing;
   std::copy_if(order.begin(), order.end(), std::back_inserter(seeing_nothing),
-               [&](int instance) { return !seesScreen(materialOf(scene_, std::size_t(instance)), settings); });
+               [&](int instance) { return !sees[std::size_t(traits_[std::size_t(instance)].material)]; });
   drawInstances(seeing_nothing, frame, settings);
   if (settings.showsEnvironment() || (!is_mirrored && showsShadowAlone(settings)))
     background_.draw(light, frame, settings);
@@ -318,7 +326,7 @@ Result<void> SceneDrawing::drawOnce(const gl::Framebuffer& target, const Environ
 void SceneDrawing::drawInstances(const std::vector<int>& instances, const FrameUniforms& frame,
                                  const FrameSettings& settings) {
   for (const int instance : instances) {
-    if (!surfaces_->isCostly(scene_, instance, buffers_, settings)) continue;
+    if (!surfaces_->isCostly(instance)) continue;
     chooseCulling(instance, frame);
     depth_pass_->draw(scene_, instance, buffers_, frame.camera);
   }
@@ -331,9 +339,9 @@ void SceneDrawing::drawInstance(int instance, const FrameUniforms& frame, const 
 }
 
 void SceneDrawing::chooseCulling(int instance, const FrameUniforms& frame) const {
-  const Material& material = materialOf(scene_, std::size_t(instance));
-  const bool shows_inside = frame.eye_media.count > 0 && isBody(material);
-  if (material.double_sided || shows_inside)
+  const Traits& traits = traits_[std::size_t(instance)];
+  const bool shows_inside = frame.eye_media.count > 0 && traits.is_body;
+  if (traits.is_double_sided || shows_inside)
     glDisable(GL_CULL_FACE);
   else
     glEnable(GL_CULL_FACE);
@@ -347,7 +355,7 @@ std::vector<int> SceneDrawing::byDistance(const FrameUniforms& frame, bool is_bl
   const Camera& camera = frame.camera;
   std::vector<std::pair<float, int>> order;
   for (int index = 0; index < static_cast<int>(scene_.instances.size()); ++index) {
-    if ((materialOf(scene_, std::size_t(index)).alpha_mode == AlphaMode::blend) != is_blended) continue;
+    if (traits_[std::size_t(index)].is_blended != is_blended) continue;
     if (isAmong(frame.hidden, std::size_t(index))) continue;
     const Instance& instance = scene_.instances[std::size_t(index)];
     const glm::vec4 center(centers_[std::size_t(instance.mesh)], 1.0f);

@@ -97,6 +97,14 @@ class SceneDrawing {
   Box box_;
   std::vector<Box> boxes_;  ///< of the instances, found for the first frame whose surfaces see the screen
   BoundingSphere bounds_;
+  /// What each sample asks of an instance: side by side, since scenes of thousands wait for memory.
+  struct Traits {
+    int material;
+    bool is_blended;
+    bool is_double_sided;
+    bool is_body;
+  };
+  std::vector<Traits> traits_;
   std::vector<glm::vec3> centers_;              ///< of the meshes, each in its own frame
   std::optional<BodyTree> body_tree_;           ///< of the scene, made when it is first traced
   std::optional<gl::Texture> bodies_;           ///< its words

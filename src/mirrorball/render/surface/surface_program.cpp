@@ -241,7 +241,8 @@ SurfaceVariant SurfacePrograms::variantOf(const Scene& scene, int instance, cons
   return from_inside;
 }
 
-Result<gl::Program*> SurfacePrograms::programFor(const SurfaceVariant& variant, ProxyUniforms& proxy) {
+Result<SurfacePrograms::Programs::iterator> SurfacePrograms::programFor(const SurfaceVariant& variant,
+                                                                        ProxyUniforms& proxy) {
   auto found = programs_.find(variant);
   if (found == programs_.end()) {
     MIRRORBALL_TRY(shaders, surfaceShaders(api_, variant));
@@ -249,7 +250,66 @@ Result<gl::Program*> SurfacePrograms::programFor(const SurfaceVariant& variant, 
     connect(program, variant, proxy);
     found = programs_.emplace(variant, std::move(program)).first;
   }
-  return &found->second;
+  return found;
+}
+
+bool SurfacePrograms::DrawList::isFor(const DrawList& frame) const {
+  return coordinates == frame.coordinates && eye_is_inside == frame.eye_is_inside &&
+         has_scene_triangles == frame.has_scene_triangles && light_of_instance == frame.light_of_instance &&
+         captured == frame.captured && settings == frame.settings;
+}
+
+Result<SurfacePrograms::Draw> SurfacePrograms::drawOf(const Scene& scene, int instance, const SceneBuffers& buffers,
+                                                      ProxyUniforms& proxy, const FrameSettings& settings) {
+  MIRRORBALL_TRY(program, programFor(variantOf(scene, instance, buffers, settings), proxy));
+  const SurfaceVariant& variant = program->first;
+  if (variant.has(Part::sheen, SheenPart::cloth)) MIRRORBALL_TRY_VOID(addClothToBrdfTable());
+  const bool is_traced = variant.has(Part::sky, SkyPart::occluded_traced) ||
+                         variant.has(Part::transmission, TransmissionPart::image_space) ||
+                         variant.has(Part::transmission, TransmissionPart::traced);
+  return Draw{.mesh = scene.instances[std::size_t(instance)].mesh,
+              .material = materialOf(scene, instance),
+              .variant = &variant,
+              .program = &program->second,
+              .light = lightRead(variant, instance),
+              .is_costly = is_traced && variant.has(Part::point, PointPart::raster) &&
+                           variant.has(Part::alpha, AlphaPart::opaque)};
+}
+
+/// Finds how the instances are drawn, or that it is known.
+Result<void> SurfacePrograms::findDraws(const Scene& scene, const SceneBuffers& buffers, ProxyUniforms& proxy,
+                                        const FrameSettings& settings) {
+  constexpr std::size_t kMostLists = 4;  // a picture, its mirror image and what probes see of it
+  DrawList list{.settings = settings,
+                .coordinates = coordinates_,
+                .eye_is_inside = eye_is_inside_,
+                .has_scene_triangles = scene_triangles_ != nullptr,
+                .light_of_instance = light_of_instance_};
+  for (const SurfaceLight& light : lights_) list.captured.push_back(light.nearness != nullptr);
+  const auto known =
+      std::find_if(draw_lists_.begin(), draw_lists_.end(), [&](const DrawList& other) { return other.isFor(list); });
+  drawn_ = static_cast<std::size_t>(known - draw_lists_.begin());
+  if (known != draw_lists_.end()) return {};
+  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
+    MIRRORBALL_TRY(draw, drawOf(scene, instance, buffers, proxy, settings));
+    list.draws.push_back(draw);
+  }
+  if (draw_lists_.size() == kMostLists) draw_lists_.erase(draw_lists_.begin());
+  draw_lists_.push_back(std::move(list));
+  drawn_ = draw_lists_.size() - 1;
+  return {};
+}
+
+/// Sets what is the same in all of a program's draws and in no block.
+void SurfacePrograms::setPrograms(const Scene& scene, const FrameUniforms& frame, const FrameSettings& settings) {
+  const std::vector<glm::vec4> lamps = lampRows(scene, settings);
+  const auto eye_media = mediaRows(frame.eye_media);
+  for (auto& [variant, program] : programs_) {
+    if (variant.lamp_count > 0 && std::size_t(variant.lamp_count) * 4 == lamps.size())
+      program.set("lamp_rows", std::span<const glm::vec4>(lamps));
+    if (variant.has(Part::transmission, TransmissionPart::traced))
+      program.set("eye_media", std::span<const glm::vec4>(eye_media));
+  }
 }
 
 void SurfacePrograms::setFrame(const FrameUniforms& frame, const FrameSettings& settings) {
@@ -325,25 +385,26 @@ void SurfacePrograms::bindLight(int light) {
   read.irradiance->bind(TextureUnit::irradiance);
 }
 
-gl::UniformBlock& SurfacePrograms::instanceBlock(const Scene& scene, int instance) {
-  const auto [found, is_new] = instances_.try_emplace(instance, layouts_[instance_point]);
-  if (is_new) {
-    const glm::mat4& world_from_object = scene.instances[std::size_t(instance)].world_from_object;
-    found->second.set("world_from_object", world_from_object);
-    found->second.set("normal_matrix", glm::transpose(glm::inverse(glm::mat3(world_from_object))));
-    found->second.set("instance", instance);
-    found->second.set("knows_backs", knowsBacks(scene, std::size_t(instance)) ? 1 : 0);
+/// Of all instances and materials, once a scene; where some program reads them.
+void SurfacePrograms::makeBlocks(const Scene& scene) {
+  if (!instances_ && layouts_[instance_point]) {
+    instances_.emplace(layouts_[instance_point], scene.instances.size());
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      const glm::mat4& world_from_object = scene.instances[i].world_from_object;
+      gl::UniformBlock& block = instances_->at(i);
+      block.set("world_from_object", world_from_object);
+      block.set("normal_matrix", glm::transpose(glm::inverse(glm::mat3(world_from_object))));
+      block.set("instance", static_cast<int>(i));
+      block.set("knows_backs", knowsBacks(scene, i) ? 1 : 0);
+    }
   }
-  return found->second;
-}
-
-gl::UniformBlock& SurfacePrograms::materialBlock(const Scene& scene, int material) {
-  const auto [found, is_new] = materials_.try_emplace(material, layouts_[material_point]);
-  if (is_new) {
-    setParameters(found->second, scene.materials[std::size_t(material)]);
-    setMaps(found->second, scene.materials[std::size_t(material)]);
+  if (!materials_ && layouts_[material_point]) {
+    materials_.emplace(layouts_[material_point], scene.materials.size());
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      setParameters(materials_->at(i), scene.materials[i]);
+      setMaps(*materials_, scene.materials[i]);
+    }
   }
-  return found->second;
 }
 
 Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buffers, const EnvironmentLight& light,
@@ -354,16 +415,9 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   setLights(light, frame, settings);
   scene_triangles_ = frame.scene_triangles;
   unseen_by_itself_ = frame.unseen_by_itself;
-  const std::vector<glm::vec4> lamps = lampRows(scene, settings);
-  const auto eye_media = mediaRows(frame.eye_media);
-  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
-    const SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
-    MIRRORBALL_TRY(program, programFor(variant, *frame.proxy));
-    if (variant.has(Part::sheen, SheenPart::cloth)) MIRRORBALL_TRY_VOID(addClothToBrdfTable());
-    if (variant.lamp_count > 0) program->set("lamp_rows", std::span<const glm::vec4>(lamps));
-    if (variant.has(Part::transmission, TransmissionPart::traced))
-      program->set("eye_media", std::span<const glm::vec4>(eye_media));
-  }
+  MIRRORBALL_TRY_VOID(findDraws(scene, buffers, *frame.proxy, settings));
+  makeBlocks(scene);
+  setPrograms(scene, frame, settings);
   setFrame(frame, settings);
   bound_light_ = -1;
   brdf_table_.bind(TextureUnit::brdf_table);
@@ -376,18 +430,10 @@ Result<void> SurfacePrograms::begin(const Scene& scene, const SceneBuffers& buff
   return {};
 }
 
-bool SurfacePrograms::isCostly(const Scene& scene, int instance, const SceneBuffers& buffers,
-                               const FrameSettings& settings) const {
-  const SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
-  const bool is_traced = variant.has(Part::sky, SkyPart::occluded_traced) ||
-                         variant.has(Part::transmission, TransmissionPart::image_space) ||
-                         variant.has(Part::transmission, TransmissionPart::traced);
-  return is_traced && variant.has(Part::point, PointPart::raster) && variant.has(Part::alpha, AlphaPart::opaque);
-}
-
 void SurfacePrograms::forgetScene() {
-  instances_.clear();
-  materials_.clear();
+  draw_lists_.clear();
+  instances_.reset();
+  materials_.reset();
 }
 
 /// Those of a frame whose units others take, too.
@@ -407,9 +453,10 @@ void SurfacePrograms::bindFrameTextures(const SurfaceVariant& variant, const Sur
 }
 
 void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings) {
-  const int material = materialOf(scene, instance);
-  const SurfaceVariant variant = variantOf(scene, instance, buffers, settings);
-  gl::Program& program = programs_.find(variant)->second;
+  const Draw& draw = draws()[std::size_t(instance)];
+  const int material = draw.material;
+  const SurfaceVariant& variant = *draw.variant;
+  gl::Program& program = *draw.program;
   const bool shows_heights = variant.has(Part::normal, NormalPart::heights);
   buffers.bindMaps(scene, material, TextureUnit::first_of_material, shows_heights);
   setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
@@ -422,19 +469,17 @@ void SurfacePrograms::draw(const Scene& scene, int instance, SceneBuffers& buffe
   if (variant.has(Part::sky, SkyPart::occluded_traced))
     program.set("unseen_by_itself", unseen_by_itself_[std::size_t(instance)]);
   frame_->bind(frame_point);
-  const int light = lightRead(variant, instance);
-  bindLight(light);
-  bindFrameTextures(variant, lights_[std::size_t(light)]);
-  instanceBlock(scene, instance).bind(instance_point);
-  materialBlock(scene, material).bind(material_point);
+  bindLight(draw.light);
+  bindFrameTextures(variant, lights_[std::size_t(draw.light)]);
+  if (instances_) instances_->bind(instance_point, std::size_t(instance));
+  if (materials_) materials_->bind(material_point, std::size_t(material));
   program.use();
-  const int mesh = scene.instances[std::size_t(instance)].mesh;
   if (variant.has(Part::transmission, TransmissionPart::image_space)) buffers.readIorAround(scene, instance);
   if (variant.has(Part::sky, SkyPart::occluded) || variant.has(Part::sky, SkyPart::occluded_traced))
     return buffers.drawMeshWithOcclusion(scene, instance);
-  if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(mesh);
+  if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(draw.mesh);
   glDisable(GL_CULL_FACE);
-  buffers.bindPrisms(mesh, TextureUnit::prisms);
+  buffers.bindPrisms(draw.mesh, TextureUnit::prisms);
   relief_hits_->bind(TextureUnit::relief_hits);  // a unit of other materials' maps
   screen_.draw(3);
 }

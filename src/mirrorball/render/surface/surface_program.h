@@ -130,7 +130,8 @@ class SurfacePrograms {
   static Result<SurfacePrograms> make(gl::Api api, const Image& brdf_table);
 
   /// Makes the programs that a frame needs and sets what all surfaces share. Each sample begins with it; `draw` must be
-  /// called with the same scene, buffers and settings.
+  /// called with the same scene, buffers and settings. What each instance needs is worked out once and kept, for the last
+  /// few kinds of frame.
   ///
   /// errors   unsupported (the driver does not compile a shader)
   Result<void> begin(const Scene& scene, const SceneBuffers& buffers, const EnvironmentLight& light,
@@ -140,7 +141,7 @@ class SurfacePrograms {
 
   /// Whether an instance's light is searched for along rays, at each fragment, and its place is the mesh's. To be asked
   /// after `begin`.
-  bool isCostly(const Scene& scene, int instance, const SceneBuffers& buffers, const FrameSettings& settings) const;
+  bool isCostly(int instance) const { return draws()[std::size_t(instance)].is_costly; }
 
   /// Must be called when the scene is another one, or its materials or instances have changed.
   void forgetScene();
@@ -152,12 +153,41 @@ class SurfacePrograms {
   /// The binding points of the uniform blocks.
   enum BlockPoint : unsigned { frame_point, instance_point, material_point, light_point, block_points };
 
+  /// How an instance is drawn.
+  struct Draw {
+    int mesh;
+    int material;
+    const SurfaceVariant* variant;  ///< a key of programs_
+    gl::Program* program;
+    int light;  ///< lightRead()
+    bool is_costly;
+  };
+  /// Of a kind of frame: all that draws depend on but the scene, which forgets them.
+  struct DrawList {
+    FrameSettings settings = {};
+    CoordinateChoice coordinates = {};
+    bool eye_is_inside = false;
+    bool has_scene_triangles = false;
+    std::vector<int> light_of_instance = {};
+    std::vector<bool> captured = {};  ///< of each light: whether it has `nearness`
+    std::vector<Draw> draws = {};     ///< of each instance
+
+    bool isFor(const DrawList& frame) const;
+  };
+
   SurfacePrograms(gl::Api api, gl::Texture brdf_table) : api_(api), brdf_table_(std::move(brdf_table)) {}
 
+  const std::vector<Draw>& draws() const { return draw_lists_[drawn_].draws; }
+  Result<void> findDraws(const Scene& scene, const SceneBuffers& buffers, ProxyUniforms& proxy,
+                         const FrameSettings& settings);
+  Result<Draw> drawOf(const Scene& scene, int instance, const SceneBuffers& buffers, ProxyUniforms& proxy,
+                      const FrameSettings& settings);
+  void setPrograms(const Scene& scene, const FrameUniforms& frame, const FrameSettings& settings);
   Result<void> addClothToBrdfTable();
   SurfaceVariant variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
                            const FrameSettings& settings) const;
-  Result<gl::Program*> programFor(const SurfaceVariant& variant, ProxyUniforms& proxy);
+  using Programs = std::map<SurfaceVariant, gl::Program>;
+  Result<Programs::iterator> programFor(const SurfaceVariant& variant, ProxyUniforms& proxy);
   void connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy);
   void setFrame(const FrameUniforms& frame, const FrameSettings& settings);
   void setLights(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
@@ -165,13 +195,14 @@ class SurfacePrograms {
   int lightRead(const SurfaceVariant& variant, int instance) const;
   void bindLight(int light);
   void bindFrameTextures(const SurfaceVariant& variant, const SurfaceLight& light);
-  gl::UniformBlock& instanceBlock(const Scene& scene, int instance);
-  gl::UniformBlock& materialBlock(const Scene& scene, int material);
+  void makeBlocks(const Scene& scene);
 
   gl::Api api_;
   gl::Texture brdf_table_;
   bool brdf_table_has_cloth_ = false;
-  std::map<SurfaceVariant, gl::Program> programs_;
+  Programs programs_;
+  std::vector<DrawList> draw_lists_;
+  std::size_t drawn_ = 0;         ///< which of them the sample has
   CoordinateChoice coordinates_;  ///< of the frame
   bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
   const gl::Texture* scene_triangles_ = nullptr;
@@ -188,8 +219,8 @@ class SurfacePrograms {
   std::vector<gl::UniformBlock> light_blocks_;  ///< of these
   std::vector<int> light_of_instance_;          ///< of the frame's probes
   int bound_light_ = -1;
-  std::map<int, gl::UniformBlock> instances_;
-  std::map<int, gl::UniformBlock> materials_;
+  std::optional<gl::UniformBlock> instances_;  ///< of the scene, a block each; made for its first frame
+  std::optional<gl::UniformBlock> materials_;  ///< likewise
   gl::VertexArray screen_;
 };
 

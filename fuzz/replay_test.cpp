@@ -33,13 +33,8 @@ std::vector<std::string> decoders() {
   return names;
 }
 
-/// The harnesses that show models, which other harnesses decode; none in a build without Embree.
-std::vector<std::string> harnessesOfPictures() {
-  std::vector<std::string> names;
-  for (const char* name : {"reference", "render"})
-    if (harnesses().contains(name)) names.emplace_back(name);
-  return names;
-}
+/// The harnesses that show models, which other harnesses decode.
+std::vector<std::string> harnessesOfPictures() { return {"reference", "render"}; }
 
 /// The corpora that a harness reads, which has its own unless it is for what others decode.
 std::vector<std::string> corporaOf(const std::string& harness) {

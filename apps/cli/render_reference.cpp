@@ -21,6 +21,14 @@
 namespace mirrorball::cli {
 namespace {
 
+const Option<ReferenceOptions> kReference{
+    {.name = "reference",
+     .help = "path-trace the picture instead of drawing it: slow, and right where objects block light and send it to "
+             "each other; it needs no graphics driver",
+     .group = "Reference",
+     .is_daily = true},
+    &ReferenceOptions::is_wanted};
+
 /// All that a path tracer is told, of its own options and of those that the renderer has too.
 TraceSettings traceSettings(const ReferenceOptions& options, const FrameSettings& frame, const GivenOptions& given) {
   TraceSettings trace = tracedFrame(frame, options.trace);
@@ -108,7 +116,7 @@ Result<void> tellTraced(const TracedPicture& picture, const std::string& output)
 }
 
 void addReference(Command& command, ReferenceOptions& options, GivenOptions& given) {
-  addOptions(command, referenceOption(), options);
+  addOptions(command, std::span(&kReference, 1), options);
   addOptions(command, traceOptions(), options.trace, &given);
 }
 

@@ -17,15 +17,12 @@ struct ReferenceOptions {
   TraceSettings trace;
 };
 
-/// --reference, which a build without rays has too, to say that it cannot.
-std::span<const Option<ReferenceOptions>> referenceOption();
-
 /// Adds them.
 void addReference(Command& command, ReferenceOptions& options, GivenOptions& given);
 
 /// Refuses options that only the reference has where it is not wanted; where it is, says which have no meaning for it.
 ///
-/// errors   usage; unsupported: the reference is wanted of a build without rays
+/// errors   usage
 Result<void> checkReference(const ReferenceOptions& options, const FrameSettings& frame, const GivenOptions& given);
 
 /// Says how good a picture is that was written.

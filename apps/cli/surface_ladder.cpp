@@ -20,6 +20,14 @@
 namespace mirrorball::cli {
 namespace {
 
+const Option<LadderOptions> kLadder{
+    {.name = "ladder",
+     .help = "instead of a map, a picture (.png, .jpg): the surface by all kinds of --relief of `render`, 60, 30 and "
+             "10 degrees above the plane, beside the path-traced one; below each its PSNR to that, the time of a "
+             "sample, and that as a multiple of bump's",
+     .group = "Ladder"},
+    &LadderOptions::is_wanted};
+
 constexpr std::string_view kComparedTo = "bump";
 constexpr float kSideOfPlane = std::numbers::sqrt2_v<float>;  ///< planeMesh()
 
@@ -77,7 +85,7 @@ void tellWords(const StudiedSection& section) {
 }  // namespace
 
 void addLadder(Command& command, LadderOptions& options) {
-  addOptions(command, ladderOption(), options);
+  addOptions(command, std::span(&kLadder, 1), options);
   addOptions(command, sceneRows(), options.scene, &options.given);
   addOptions(command, frameRows(), options.study.frame, &options.given);
   addOptions(command, studyRows(), options.study, &options.given);

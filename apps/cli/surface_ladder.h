@@ -17,13 +17,10 @@ struct LadderOptions {
   GivenOptions given = {};  ///< those of the tables below
 };
 
-/// --ladder, which a build without rays has too, to say that it cannot.
-std::span<const Option<LadderOptions>> ladderOption();
-
 /// Adds --ladder and the options of its pictures.
 void addLadder(Command& command, LadderOptions& options);
 
-/// errors   usage: options of the ladder, and none is wanted; unsupported: it is wanted of a build without rays
+/// errors   usage: options of the ladder, and none is wanted
 Result<void> checkLadder(const LadderOptions& options);
 
 /// Draws a tile by all kinds of relief at three angles, beside the path-traced surface, on one sheet; prints the errors

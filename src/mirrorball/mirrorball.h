@@ -41,9 +41,6 @@
 #include "mirrorball/scene/load_model.h"
 #include "mirrorball/scene/material/material_changes.h"
 #include "mirrorball/scene/tangents.h"
-
-// The rooms that trace rays are not in a build without Embree, nor are their headers installed.
-#if __has_include("mirrorball/rays/geometry.h")
 #include "mirrorball/study/fresnel_forms.h"
 #include "mirrorball/study/page/page.h"
 #include "mirrorball/study/section_sheet.h"
@@ -53,4 +50,3 @@
 #include "mirrorball/transfer/normal_space.h"
 #include "mirrorball/transfer/simplify.h"
 #include "mirrorball/transfer/unwrap/unwrap.h"
-#endif

@@ -52,7 +52,8 @@ class Context {
   /// errors   as makeCurrent's
   /// cost     some 50 calls of OpenGL, none of which waits
   Result<void> enter() const;
-  /// Sets all state that they change as a new context has it, no textures, buffers and programs bound.
+  /// Sets the state that they change, but for the viewport, as a new context has it: no textures, buffers and programs
+  /// are bound.
   ///
   /// errors   as makeCurrent's
   Result<void> leave() const;
@@ -73,7 +74,8 @@ class Context {
 };
 
 /// While it lives, what is destroyed in this thread is deleted from that context, which it makes current. If that is
-/// not possible, nothing is deleted: its names may be others' in the context that is current.
+/// not possible, nothing is deleted: its names may be others' in the context that is current. Which context was current
+/// before is not restored.
 class Deletion {
  public:
   explicit Deletion(const Context& context);

@@ -26,7 +26,7 @@ void resetDrawing(Api api) {
   glBlendFunc(GL_ONE, GL_ZERO);
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClearDepthf(1.0f);
-  resetDesktop(api);
+  resetPlatform(api);
 }
 
 void resetPixels(GLint alignment) {

@@ -16,14 +16,15 @@ constexpr std::array<glm::vec2, 4> kPlaces{glm::vec2(1.0f / 3.0f), {0.15f, 0.15f
 
 }  // namespace
 
-EmissiveTriangles::EmissiveTriangles(const Scene& scene, const std::vector<glm::mat3>& world_from_normal)
+EmissiveTriangles::EmissiveTriangles(const Scene& scene, const std::vector<glm::mat3>& world_from_normal,
+                                     const std::function<bool(std::uint32_t instance)>& counts)
     : scene_(scene), world_from_normal_(world_from_normal), kept_(scene.instances.size()) {
   const bool is_all_unlit = std::all_of(scene.materials.begin(), scene.materials.end(),
                                         [](const Material& material) { return material.unlit; });
   if (is_all_unlit) return;
   for (std::uint32_t instance = 0; instance < scene.instances.size(); ++instance) {
     const Material& material = materialOf(scene, instance);
-    if (material.emission == glm::vec3(0.0f) && !material.unlit) continue;
+    if ((material.emission == glm::vec3(0.0f) && !material.unlit) || (counts && !counts(instance))) continue;
     const std::size_t count = scene.meshes[std::size_t(scene.instances[instance].mesh)].indices.size() / 3;
     kept_[instance].assign(count, 0);
     for (std::uint32_t triangle = 0; triangle < count; ++triangle) add(instance, triangle);
@@ -74,7 +75,8 @@ float EmissiveTriangles::largestIrradiance(glm::vec3 place) const {
   const glm::dvec3 center = places_ / power;
   const glm::dvec3 away = glm::dvec3(place) - center;
   const double spread = std::max(squares_ / power - glm::dot(center, center), 0.0);
-  return static_cast<float>(power / std::max(glm::dot(away, away) + spread, 1e-30));
+  constexpr double kLargest = 1e30;  // in the middle of a single triangle
+  return static_cast<float>(std::min(power / std::max(glm::dot(away, away) + spread, 1e-30), kLargest));
 }
 
 glm::vec3 EmissiveTriangles::emission(const Hit& hit) const {

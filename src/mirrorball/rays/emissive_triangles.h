@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -17,11 +18,13 @@ class EmissiveTriangles {
  public:
   /// Nothing shines where every material is unlit: there is nothing to light.
   ///
+  /// counts              which instances; all, if it is empty
   /// scene               must outlive this
   /// world_from_normal   of its instances: normalMatrices; must outlive this, too
   /// cost                four places of each triangle whose material has emission, and 24 bytes for it: less than a
   ///                     fifth of what Geometry has for it
-  EmissiveTriangles(const Scene& scene, const std::vector<glm::mat3>& world_from_normal);
+  EmissiveTriangles(const Scene& scene, const std::vector<glm::mat3>& world_from_normal,
+                    const std::function<bool(std::uint32_t instance)>& counts = {});
 
   /// Whether there is none to choose.
   bool empty() const { return triangles_.empty(); }

@@ -45,8 +45,14 @@ struct Geometry::State {
   PrismsOfInstances prisms = {};
   std::unique_ptr<RayTree> reliefs = {};  // instances with relief by their prisms, others by triangles; null: not made
 
-  Result<std::unique_ptr<RayTree>> treeOf(const Scene& scene, const PrismsOfInstances& of_prisms) const {
-    return tracer == RayTracer::embree ? embreeTree(scene, of_prisms) : ownTree(scene, of_prisms);
+  /// Ours where Embree does not run.
+  Result<std::unique_ptr<RayTree>> treeOf(const Scene& scene, const PrismsOfInstances& of_prisms) {
+    if (tracer == RayTracer::embree) {
+      auto tree = embreeTree(scene, of_prisms);
+      if (tree || tree.error().code != ErrorCode::unsupported) return tree;
+      tracer = RayTracer::own;
+    }
+    return ownTree(scene, of_prisms);
   }
   Result<void> makePrisms(const Scene& scene);
 };

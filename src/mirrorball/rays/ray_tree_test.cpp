@@ -155,7 +155,7 @@ TEST(RayTree, TakesWhatIsNotFiniteOrEmpty) {
               own->hit(glm::vec3(0.0f), {0.0f, 1.0f, 0.0f}, 0.0f));
   EXPECT_FALSE(own->hit(glm::vec3(kNaN), {0.0f, 0.0f, 1.0f}, 0.0f));
   EXPECT_FALSE(own->hit(glm::vec3(0.0f), glm::vec3(kNaN), 0.0f));
-  // Along an axis, and from the plane of a face.
+  // Along an axis.
   const auto along = Geometry::make(of("cube"), RayTracer::own)->hit({0.1f, 0.2f, 5.0f}, {0.0f, 0.0f, -1.0f}, 0.0f);
   ASSERT_TRUE(along);
   EXPECT_NEAR(along->distance, 5.0f - 1.0f / std::sqrt(3.0f), 1e-5f);

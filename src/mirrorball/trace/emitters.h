@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -12,40 +13,38 @@
 namespace mirrorball {
 
 /// The surfaces that shine by themselves, as lights that paths choose: a small lamp is else met by one path in many,
-/// which is then a bright pixel.
+/// which is then a bright pixel. Left to those paths are reliefs, whose surface is elsewhere than its triangles, and
+/// what shines below a clear coat or cloth, which let a share through that only a path finds.
 class Emitters {
  public:
-  /// triangles         of the scene; both must outlive this
-  /// mean_luminance    of the environment, as it is shown
-  Emitters(const Scene& scene, const EmissiveTriangles& triangles, float mean_luminance, const TraceSettings& settings);
+  /// scene, world_from_normal   as EmissiveTriangles has them; they must outlive this
+  /// mean_luminance             of the environment, as it is shown
+  /// cost                       that of EmissiveTriangles
+  Emitters(const Scene& scene, const std::vector<glm::mat3>& world_from_normal, float mean_luminance,
+           const TraceSettings& settings);
 
   /// How many of the light samples at a place look for an emitter, in place of the environment: by the light that both
   /// would send there if nothing were in the way. 0 where none is to be found: none shines, or nothing hides light.
   float share(glm::vec3 place) const;
 
   struct Choice {
-    LightSample sample = {};  ///< towards it, seen from the place
+    LightSample sample = {};  ///< seen from the place
     std::uint32_t instance = 0;
     std::uint32_t triangle = 0;  ///< of its mesh
-    float distance = 0.0f;
+    glm::vec3 position{0.0f};    ///< world
+    bool is_emitter = false;     ///< else it is of the environment
   };
   /// A place that shines, by brightness and area.
   ///
   /// numbers   uniform
-  /// returns   with a density of 0 if what was chosen is not looked for in this way
   Choice chosen(glm::vec3 place, glm::vec3 numbers) const;
 
   /// The density [1/sr] with which `chosen` returns the direction in which a ray has met a triangle; 0: never.
   float pdf(const Hit& hit, glm::vec3 direction) const;
 
  private:
-  bool isChosen(std::uint32_t instance) const;
-
-  const Scene& scene_;
-  const EmissiveTriangles& triangles_;
+  EmissiveTriangles triangles_;
   float irradiance_of_environment_;
-  bool is_used_;
-  bool moves_surface_;
 };
 
 }  // namespace mirrorball

@@ -73,6 +73,44 @@ Scene litByBoth(const Material& material) {
   return scene;
 }
 
+// A lamp of 10 000 triangles far from the origin, where floats are coarse: the ray to the chosen one meets it, not its
+// neighbour, whose light would be lost.
+TEST(Emitters, AFineLampFarAwayLosesNothing) {
+  Scene scene;
+  const glm::vec3 there(1000.0f, 0.0f, 0.0f);
+  const auto addGrid = [&](glm::vec3 middle, float side, float radiance) {
+    constexpr int kCells = 70;
+    Mesh mesh;
+    for (int z = 0; z <= kCells; ++z)
+      for (int x = 0; x <= kCells; ++x)
+        mesh.vertices.push_back(
+            {.position = {float(x) / kCells - 0.5f, 0.0f, float(z) / kCells - 0.5f}, .normal = {0.0f, -1.0f, 0.0f}});
+    for (std::uint32_t z = 0; z < kCells; ++z)
+      for (std::uint32_t x = 0; x < kCells; ++x) {
+        const std::uint32_t a = z * (kCells + 1) + x;
+        for (const std::uint32_t corner : {a, a + 1, a + kCells + 1, a + 1, a + kCells + 2, a + kCells + 1})
+          mesh.indices.push_back(corner);
+      }
+    Material material = matt(0.0f);
+    material.emission = glm::vec3(radiance);
+    add(scene, std::move(mesh), material, glm::scale(glm::translate(glm::mat4(1.0f), middle), glm::vec3(side)));
+  };
+  add(scene, planeMesh(), matt(0.5f), glm::translate(glm::mat4(1.0f), there));
+  addGrid(there + glm::vec3(0.0f, 0.6f, 0.0f), 0.3f, 100.0f);
+  TraceSettings settings{.size = {8, 8}, .bounces = 2};
+  CameraOptions camera = atOrigin();
+  camera.target = there;
+  const auto meanBy = [&](LightStrategy strategy, int samples) {
+    settings.strategy = strategy;
+    settings.samples = samples;
+    return meansOf(picture(scene, 0.0f, camera, settings)).y;
+  };
+  const double by_both = meanBy(LightStrategy::both, 128);
+  EXPECT_GT(by_both, 0.5);
+  EXPECT_NEAR(by_both, meanBy(LightStrategy::surface, 16384), 0.03 * by_both);
+  EXPECT_NEAR(by_both, meanBy(LightStrategy::light, 128), 0.02 * by_both);
+}
+
 /// By paths that meet the lamp by chance, and by those that choose it.
 void expectSameMeans(const Scene& scene, TraceSettings settings, const std::string& what) {
   settings.size = {24, 24};

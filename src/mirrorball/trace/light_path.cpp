@@ -189,7 +189,7 @@ Emitters::Choice Path::sampleEmitter(glm::vec3 place, glm::vec2 u, float share) 
   return choice;
 }
 
-/// A direction that the environment chooses, seen from a place, or to an emitter (whose distance is not 0).
+/// A direction that the environment chooses, seen from a place, or to an emitter.
 Emitters::Choice Path::sampleLight(glm::vec3 place) {
   glm::vec2 u = samples_.next();
   if (settings_.strategy == LightStrategy::surface) return {};
@@ -204,9 +204,14 @@ Emitters::Choice Path::sampleLight(glm::vec3 place) {
 
 /// The light of a chosen emitter that gets to a ray's origin.
 glm::vec3 Path::emittedAlong(Ray ray, const Emitters::Choice& chosen) {
+  // Not the sample's direction: the ray begins beside the place, and would pass a small triangle.
+  const glm::vec3 towards = chosen.position - ray.origin;
+  const float distance = glm::length(towards);
+  if (!(distance > 0.0f)) return glm::vec3(0.0f);
+  ray.direction = towards / distance;
   constexpr float kRounding = 1.001f;  // of the distance
   glm::vec3 share(1.0f);
-  const auto hit = firstHit(ray, kRounding * chosen.distance, share);
+  const auto hit = firstHit(ray, kRounding * distance, share);
   const bool is_met = hit && hit->instance == chosen.instance && hit->triangle == chosen.triangle;
   return is_met && !groundBefore(ray, hit) ? share * vertexAt(*hit, ray).point.material.emission : glm::vec3(0.0f);
 }
@@ -314,10 +319,10 @@ std::optional<Ray> Path::scatter(const Vertex& vertex, glm::vec3 normal) {
   const auto& [direct, next, enters] = scattered.scattering;
   if (direct != glm::vec3(0.0f)) {
     const Ray towards = leaving(vertex, light.sample.direction);
-    light_.sum += light_.throughput * direct *
-                  (light.distance > 0.0f
-                       ? emittedAlong(towards, light)
-                       : shareThatArrives(towards, INFINITY) * surroundings_.radiance(place, towards.direction));
+    light_.sum +=
+        light_.throughput * direct *
+        (light.is_emitter ? emittedAlong(towards, light)
+                          : shareThatArrives(towards, INFINITY) * surroundings_.radiance(place, towards.direction));
   }
   light_.sum += light_.throughput * (lightOfLamps(vertex, material, frame) + scattered.share_below * emission);
   if (!next) return std::nullopt;

@@ -19,7 +19,7 @@ struct PathLight {
   glm::vec3 normal{0.0f};  ///< world, with bumps, on the eye's side
 };
 
-/// Follows light backwards, from the eye from surface to surface into the environment.
+/// Follows light backwards, from the eye from surface to surface to what shines.
 ///
 /// surroundings, emitters   of the world, with these settings
 /// cost     docs/performance/paths.md has paths a second

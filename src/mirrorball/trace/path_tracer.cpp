@@ -92,10 +92,8 @@ Result<PathTracer> PathTracer::make(Scene scene, Environment environment, const 
   MIRRORBALL_TRY(lights, LightSampler::make(environment, progress));
   MIRRORBALL_TRY(geometry, Geometry::make(scene, tracer));
   std::vector<glm::mat3> world_from_normal = normalMatrices(scene);
-  PathTracer made(std::unique_ptr<State>(new State{{std::move(scene), std::move(environment), std::move(lights),
-                                                    std::move(geometry), std::move(world_from_normal)}}));
-  made.state_->findEmissive();
-  return made;
+  return PathTracer(std::unique_ptr<State>(new State{{std::move(scene), std::move(environment), std::move(lights),
+                                                      std::move(geometry), std::move(world_from_normal)}}));
 }
 
 Result<void> PathTracer::setScene(Scene scene) {
@@ -103,14 +101,12 @@ Result<void> PathTracer::setScene(Scene scene) {
   state_->geometry = std::move(geometry);
   state_->world_from_normal = normalMatrices(scene);
   state_->scene = std::move(scene);
-  state_->findEmissive();
   return {};
 }
 
 void PathTracer::setMaterials(std::vector<Material> materials) {
   assert(materials.size() == state_->scene.materials.size());
   state_->scene.materials = std::move(materials);
-  state_->findEmissive();
 }
 
 /// returns  whether the pass is whole
@@ -153,7 +149,7 @@ Result<Film> PathTracer::State::trace(const CameraRays& rays, const TraceSetting
       withName("the picture", checkMemory(pixels * (2 * sizeof(PixelSums) + channels * sizeof(float)))));
   MIRRORBALL_TRY(proxy, placedProxy(settings.proxy, scene));
   const Surroundings surroundings(environment, lights, std::move(proxy), settings);
-  const Emitters emitters(scene, *emissive, settings.environment_intensity * lights.meanLuminance(), settings);
+  const Emitters emitters(scene, world_from_normal, settings.environment_intensity * lights.meanLuminance(), settings);
   Film film(size), pass(size);
   const int max_samples = std::max(settings.samples, 1);
   int expected = max_samples;

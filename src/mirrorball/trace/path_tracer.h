@@ -60,11 +60,12 @@ struct TracedCapture {
 };
 
 /// The truth that the techniques of the renderer are measured against: a path tracer over the same scenes, materials
-/// and environments, which knows that objects block light and send it to each other (Kajiya 1986). The environment is
-/// chosen by its light and surfaces by their BSDF, and both are weighed against each other (Veach & Guibas 1995).
+/// and environments, which knows that objects block light and send it to each other (Kajiya 1986). The environment and
+/// what shines in the scene are chosen by their light, surfaces by their BSDF, and both are weighed against each other
+/// (Veach & Guibas 1995).
 class PathTracer {
  public:
-  /// errors   too_large; unsupported (Embree does not run here); interrupted
+  /// errors   too_large; interrupted
   /// cost     the tree of triangles (geometry.h) and the environment's table (light_sampler.h)
   static Result<PathTracer> make(Scene scene, Environment environment, const ProgressFunction& progress = {},
                                  RayTracer tracer = fastestRayTracer());

@@ -26,9 +26,10 @@ const auto kOptions = std::to_array<Option<TraceSettings>>({
      &TraceSettings::is_unoccluded},
     {{.name = "strategy",
       .choices = "both|light|surface",
-      .help =
-          "how paths find the light: in directions that the environment chooses, that the surfaces choose, or both, "
-          "weighed against each other; all show the same with more or less noise",
+      .help = "how paths find the environment's light and that of lamps in the model: in directions that the light "
+              "chooses, "
+              "that the surfaces choose, or both, "
+              "weighed against each other; all show the same with more or less noise",
       .group = "Reference"},
      choiceField<&TraceSettings::strategy>},
     {{.name = "noise",

@@ -14,10 +14,11 @@
 
 namespace mirrorball {
 
-/// How the light of the environment is found. All find the same light, with more or less noise.
+/// How the light of the environment and of what shines in the scene is found. All find the same, with more or less
+/// noise.
 enum class LightStrategy {
   both,     ///< weighed against each other (Veach & Guibas 1995)
-  light,    ///< in directions that the environment chooses: noisy on what is nearly smooth
+  light,    ///< in directions that the light chooses: noisy on what is nearly smooth
   surface,  ///< in directions that the surfaces choose: noisy where the sun is small
 };
 

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 #include "mirrorball/bake/light_sampler.h"
 #include "mirrorball/environment/environment.h"
-#include "mirrorball/rays/emissive_triangles.h"
 #include "mirrorball/rays/geometry.h"
 #include "mirrorball/scene/scene.h"
 
@@ -19,11 +17,7 @@ struct World {
   Environment environment;
   LightSampler lights;
   Geometry geometry;
-  std::vector<glm::mat3> world_from_normal;        ///< of each instance: normalMatrices
-  std::optional<EmissiveTriangles> emissive = {};  ///< of this scene: findEmissive
-
-  /// After each change of the scene, or of its materials.
-  void findEmissive() { emissive.emplace(scene, world_from_normal); }
+  std::vector<glm::mat3> world_from_normal;  ///< of each instance: normalMatrices
 };
 
 }  // namespace mirrorball

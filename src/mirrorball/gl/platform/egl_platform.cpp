@@ -231,13 +231,17 @@ Result<Api> apiOfCurrentContext() {
 // A driver's extensions are there unasked.
 void enableExtensions() {}
 
-void resetDesktop(Api api) {
+void resetPlatform(Api api) {
   glDisable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
   if (api == Api::es30) return;
-  for (const GLenum capability : {GL_COLOR_LOGIC_OP, GL_PRIMITIVE_RESTART, GL_SAMPLE_MASK, GL_DEPTH_CLAMP,
-                                  GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE1, GL_CLIP_DISTANCE2, GL_CLIP_DISTANCE3})
+  for (const GLenum capability : {GL_COLOR_LOGIC_OP, GL_PRIMITIVE_RESTART, GL_SAMPLE_MASK, GL_DEPTH_CLAMP})
     glDisable(capability);
+  constexpr GLenum kClipDistances = 8;  // that OpenGL promises
+  for (GLenum i = 0; i < kClipDistances; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
+  for (const GLenum parameter : {GL_PACK_SWAP_BYTES, GL_UNPACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_UNPACK_LSB_FIRST})
+    glPixelStorei(parameter, GL_FALSE);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  if (hasExtension("GL_ARB_clip_control")) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 }
 
 bool hasExtension(const char* name) { return epoxy_has_gl_extension(name); }

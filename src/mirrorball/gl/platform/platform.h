@@ -43,8 +43,8 @@ Result<Api> apiOfCurrentContext();
 /// For the current context.
 void enableExtensions();
 
-/// Sets what a drawing depends on and WebGL does not have as a new context has it.
-void resetDesktop(Api api);
+/// Sets what drawing and uploading depend on and only some contexts have, as a new one has it.
+void resetPlatform(Api api);
 
 /// Whether the current context has the extension: "GL_OES_texture_float_linear".
 bool hasExtension(const char* name);

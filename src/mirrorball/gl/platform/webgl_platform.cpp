@@ -42,7 +42,13 @@ void enableExtensions() {
   for (const char* name : kWanted) enable(name);
 }
 
-void resetDesktop(Api) {}
+// What pages' libraries set for their own pictures, and uploads from memory obey.
+void resetPlatform(Api) {
+  constexpr GLenum kFlipY = 0x9240;             // UNPACK_FLIP_Y_WEBGL
+  constexpr GLenum kPremultiplyAlpha = 0x9241;  // UNPACK_PREMULTIPLY_ALPHA_WEBGL
+  glPixelStorei(kFlipY, 0);
+  glPixelStorei(kPremultiplyAlpha, 0);
+}
 
 // Whether it could be enabled, as it is by that; WebGL's names lack OpenGL's "GL_".
 bool hasExtension(const char* name) { return enable(name + 3); }

@@ -20,8 +20,8 @@ struct SceneTraits {
   bool lets_light_through = false;
   bool is_polished = false;     ///< some surface mirrors
   bool has_objects = false;     ///< more than one
-  bool hides_itself = false;    ///< some place sees less than nine tenths of the sky; false where rays cannot tell
-  bool can_trace_rays = false;  ///< this build can, and nothing moves but the whole
+  bool hides_itself = false;    ///< some place sees less than nine tenths of the sky
+  bool can_trace_rays = false;  ///< nothing moves but the whole
   bool is_huge = false;         ///< of more than four million triangles: nothing is looked for in it unasked
 };
 

@@ -40,6 +40,7 @@ struct Renderer::State {
 
 void Renderer::End::operator()(State* state) const {
   const gl::Deletion deletion(state->context);
+  if (state->context.makeCurrent()) (void)state->context.leave();
   delete state;
 }
 

@@ -32,9 +32,10 @@ struct LightCost {
 /// of the display or as radiance. It is drawn at once (render, draw) or sample by sample (begin, drawSample, show), for
 /// windows that must respond in between.
 ///
-/// Each call makes its context current, and leaves it so; several renderers live side by side in one thread. An adopted
-/// context must be current, else calls fail with no_gl and its end leaves OpenGL's objects to the context; each call
-/// sets the state that it needs (gl::Context::enter), whatever the host's is.
+/// Each call makes its context current, and leaves it so; several renderers live side by side in one thread. After the
+/// end of one with a context of its own, none is current. An adopted context must be current, else calls fail with no_gl
+/// and its end leaves OpenGL's objects to the context; each call sets the state that it needs (gl::Context::enter),
+/// whatever the host's is, and the end gives it back as `leave` does.
 ///
 /// Before the first frame it needs an environment; without a scene, it shows only the environment.
 class Renderer {
@@ -45,26 +46,26 @@ class Renderer {
   static Result<Renderer> headless();
   /// On that context, which is current: a window's is Context::adoptCurrent.
   ///
-  /// errors   unsupported (it does not compile a shader)
+  /// errors   no_gl; unsupported (it does not compile a shader)
   static Result<Renderer> on(gl::Context context);
 
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// errors   too_large (a texture for this driver); then the scene is as before
+  /// errors   no_gl; too_large (a texture for this driver): then the scene is as before
   Result<void> setScene(Scene scene);
 
   /// Prepares the environment for drawing, and takes it; values below 0 become 0.
   ///
   /// cache    stores slow results for later processes; optional
-  /// errors   too_large
+  /// errors   no_gl; too_large
   /// cost     about a second on two cores, for a panorama of 1024 rows that is not in the cache;
   ///          some 50 ms for one that is
   Result<void> setEnvironment(Environment environment, const std::optional<CacheFolder>& cache = {});
   /// The same for an environment that was prepared elsewhere, for instance in another thread.
   ///
-  /// errors   too_large (a texture for this driver)
+  /// errors   no_gl; too_large (a texture for this driver)
   Result<void> setEnvironment(Environment environment, const PreparedEnvironment& prepared);
 
   /// The driver's name for its device: "llvmpipe (LLVM 15.0.6, 256 bits)".
@@ -94,7 +95,7 @@ class Renderer {
 
   /// Draws a frame; `radiance`, `picture` and `show` then give this frame.
   ///
-  /// errors    too_large; no_gl (the driver cannot draw floats); unsupported (it does not compile a shader);
+  /// errors    too_large; no_gl (also: the driver cannot draw floats); unsupported (it does not compile a shader);
   ///           interrupted (when `progress` says so)
   Result<void> draw(const FrameSettings& settings, const ProgressFunction& progress = {});
   /// The same with another camera than that of the settings.
@@ -108,7 +109,7 @@ class Renderer {
   /// Draws the next sample of all pixels of the frame, if there is one left.
   ///
   /// returns  how many there are now
-  /// errors   unsupported
+  /// errors   no_gl; unsupported
   Result<int> drawSample();
 
   /// Shows the mean of the samples that there are in a framebuffer, as a picture: exposed, tone mapped and encoded, row

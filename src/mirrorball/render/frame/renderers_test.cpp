@@ -166,6 +166,10 @@ void setHostsState(gl::Api api) {
   for (GLuint unit = 0; unit < 16; ++unit) glBindSampler(unit, sampler);
   if (api == gl::Api::es30) return;
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
+  glPixelStorei(GL_PACK_SWAP_BYTES, GL_TRUE);
+  for (GLenum i = 0; i < 8; ++i) glEnable(GL_CLIP_DISTANCE0 + i);
+  if (epoxy_has_gl_extension("GL_ARB_clip_control")) glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
   glDisable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 }
@@ -231,6 +235,11 @@ TEST_P(RenderersTest, AHostsStateAndOursStayApart) {
   EXPECT_EQ(pictureOf(renderer), picture);
   ASSERT_TRUE(renderer.leave());
   EXPECT_EQ(stateOf(GetParam()), new_context);
+  {
+    Renderer ended = *rendererOn(*gl::Context::adoptCurrent(), "cube");
+    pictureOf(ended);
+  }
+  EXPECT_EQ(stateOf(GetParam()), new_context) << "a renderer's end gives the state back";
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 

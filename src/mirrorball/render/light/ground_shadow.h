@@ -49,7 +49,8 @@ class GroundShadow {
   /// errors   unsupported, no_gl
   static Result<GroundShadow> make(gl::Api api, const Scene& scene, const BoundingSphere& bounds);
 
-  /// Glass lets through what it lets through straight on; what is cut away or blended is taken as solid.
+  /// Glass lets through what it lets through straight on; what is cut away or blended is taken as solid. Of
+  /// surfaces that have a front alone, that is what throws it.
   ///
   /// scene    the same
   /// cost     one pass over the few triangles for each light

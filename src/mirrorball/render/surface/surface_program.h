@@ -130,8 +130,8 @@ class SurfacePrograms {
   static Result<SurfacePrograms> make(gl::Api api, const Image& brdf_table);
 
   /// Makes the programs that a frame needs and sets what all surfaces share. Each sample begins with it; `draw` must be
-  /// called with the same scene, buffers and settings. What each instance needs is worked out once and kept, for the last
-  /// few kinds of frame.
+  /// called with the same scene, buffers and settings. What each instance needs is worked out once and kept, for the
+  /// last few kinds of frame.
   ///
   /// errors   unsupported (the driver does not compile a shader)
   Result<void> begin(const Scene& scene, const SceneBuffers& buffers, const EnvironmentLight& light,

@@ -33,9 +33,9 @@ struct LightCost {
 /// windows that must respond in between.
 ///
 /// Each call makes its context current, and leaves it so; several renderers live side by side in one thread. After the
-/// end of one with a context of its own, none is current. An adopted context must be current, else calls fail with no_gl
-/// and its end leaves OpenGL's objects to the context; each call sets the state that it needs (gl::Context::enter),
-/// whatever the host's is, and the end gives it back as `leave` does.
+/// end of one with a context of its own, none is current. An adopted context must be current, else calls fail with
+/// no_gl and its end leaves OpenGL's objects to the context; each call sets the state that it needs
+/// (gl::Context::enter), whatever the host's is, and the end gives it back as `leave` does.
 ///
 /// Before the first frame it needs an environment; without a scene, it shows only the environment.
 class Renderer {

@@ -29,7 +29,7 @@ inline std::size_t below(std::size_t end, std::mt19937& random) { return random(
 /// A small texture of any texels.
 inline Texture anyTexture(bool is_srgb, std::mt19937& random) {
   Texture texture{.image = Image8(3, 2, 4), .srgb = is_srgb};
-  for (std::uint8_t& sample : texture.image.samples()) sample = static_cast<std::uint8_t>(random());
+  for (std::uint8_t& sample : texture.image.edit().samples()) sample = static_cast<std::uint8_t>(random());
   return texture;
 }
 

@@ -241,7 +241,7 @@ Result<void> writeModel(Scene low, const Image& normals, const std::string& outp
   const Image8 codes = pictureOf(MadeMap{ImageSet(normals), true}, output);
   Texture texture{.image = Image8(codes.width(), codes.height(), 4, 255)};
   for (int y = 0; y < codes.height(); ++y)
-    for (int x = 0; x < codes.width(); ++x) std::copy_n(codes.texel(x, y), 3, texture.image.texel(x, y));
+    for (int x = 0; x < codes.width(); ++x) std::copy_n(codes.texel(x, y), 3, texture.image.edit().texel(x, y));
   low.textures.push_back(std::move(texture));
   for (Material& material : low.materials) {
     material.normal_map = {.texture = int(low.textures.size()) - 1};

@@ -30,7 +30,7 @@ Result<Scene> cobbledPlane() {
 Texture noise(int side, unsigned seed, bool srgb) {
   Texture texture{.image = Image8(side, side, 4), .srgb = srgb};
   unsigned state = seed;
-  for (std::uint8_t& sample : texture.image.samples()) {
+  for (std::uint8_t& sample : texture.image.edit().samples()) {
     state = state * 1664525u + 1013904223u;
     sample = static_cast<std::uint8_t>(100 + (state >> 26));
   }

@@ -42,7 +42,7 @@ const std::map<std::string, std::set<std::string>> kPermitted = {
     {"rays", {"scene"}},
     {"trace", {"rays", "bake"}},
     {"transfer", {"rays", "height_field"}},
-    {"render", {"gl", "scene", "bake"}},
+    {"render", {"gl", "rays", "bake"}},
     {"study", {"render", "trace", "metric"}},
 };
 

@@ -10,7 +10,7 @@
 
 #include "mirrorball/base/text.h"
 #include "mirrorball/gl/gl_testing.h"
-#include "mirrorball/render/frame/background.h"
+#include "mirrorball/render/surface/background.h"
 #include "mirrorball/render/surface/nearness_picture.h"
 #include "mirrorball/render/surface/surface_variant.h"
 #include "parity/evaluation.h"

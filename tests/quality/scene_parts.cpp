@@ -27,7 +27,7 @@ bool isInked(char letter, int x, int y) {
 
 void setTexel(Texture& texture, int x, int y, std::array<int, 4> color) {
   for (std::size_t channel = 0; channel < 4; ++channel)
-    texture.image.texel(x, y)[channel] = static_cast<std::uint8_t>(color[channel]);
+    texture.image.edit().texel(x, y)[channel] = static_cast<std::uint8_t>(color[channel]);
 }
 
 }  // namespace

@@ -79,8 +79,16 @@ Result<void> Context::leave() const {
   return {};
 }
 
-Deletion::Deletion(const Context& context) : before_(leaves_names) { leaves_names = !context.makeCurrent(); }
-Deletion::~Deletion() { leaves_names = before_; }
+Deletion::Deletion(const Context& context) : before_(leaves_names), restore_(currentContextRestorer()) {
+  const std::uintptr_t current = currentContext();
+  leaves_names = !context.makeCurrent();
+  if (current == currentContext()) restore_ = {};  // it may end with what is deleted
+}
+
+Deletion::~Deletion() {
+  leaves_names = before_;
+  if (restore_) restore_();
+}
 
 Api Context::api() const { return state_->api; }
 const std::string& Context::renderer() const { return state_->renderer; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -74,8 +75,8 @@ class Context {
 };
 
 /// While it lives, what is destroyed in this thread is deleted from that context, which it makes current. If that is
-/// not possible, nothing is deleted: its names may be others' in the context that is current. Which context was current
-/// before is not restored.
+/// not possible, nothing is deleted: its names may be others' in the context that is current. At its end the context is
+/// current again that was before, unless it has ended or is of a kind that gl/platform does not know.
 class Deletion {
  public:
   explicit Deletion(const Context& context);
@@ -84,7 +85,8 @@ class Deletion {
   Deletion& operator=(const Deletion&) = delete;
 
  private:
-  bool before_;  // the thread's state
+  bool before_;                    // the thread's state
+  std::function<void()> restore_;  // null: none was current
 };
 
 }  // namespace mirrorball::gl

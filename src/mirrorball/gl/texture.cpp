@@ -13,6 +13,7 @@
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/half.h"
 #include "mirrorball/gl/read_pixels.h"
+#include "mirrorball/gl/sampling_parameters.h"
 
 namespace mirrorball::gl {
 namespace {
@@ -87,32 +88,6 @@ void encodeRow(std::span<const float> rgba, bool srgb, std::span<std::uint8_t> b
     const bool curved = srgb && i % 4 != 3;
     bytes[i] = byteFromUnit(curved ? formula::srgbFromLinear1(rgba[i]) : rgba[i]);
   }
-}
-
-GLint wrapMode(Sampling::Wrap wrap) {
-  switch (wrap) {
-    case Sampling::Wrap::repeat:
-      return GL_REPEAT;
-    case Sampling::Wrap::mirrored_repeat:
-      return GL_MIRRORED_REPEAT;
-    case Sampling::Wrap::clamp_to_edge:
-      return GL_CLAMP_TO_EDGE;
-  }
-  assert(false && "no such wrap mode");
-  return GL_CLAMP_TO_EDGE;
-}
-
-GLint minifyMode(Sampling::Filter filter) {
-  switch (filter) {
-    case Sampling::Filter::nearest:
-      return GL_NEAREST;
-    case Sampling::Filter::linear:
-      return GL_LINEAR;
-    case Sampling::Filter::trilinear:
-      return GL_LINEAR_MIPMAP_LINEAR;
-  }
-  assert(false && "no such filter");
-  return GL_NEAREST;
 }
 
 }  // namespace
@@ -225,8 +200,9 @@ void Texture::bindForWork() const {
   glBindTexture(target(), handle_.name());
 }
 
-void Texture::bind(int unit) const {
+void Texture::bind(int unit, const Sampler* sampler) const {
   assert(unit >= 0 && unit < kWorkUnit);
+  glBindSampler(static_cast<GLuint>(unit), sampler ? sampler->name() : 0);
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(target(), handle_.name());
 }
@@ -318,11 +294,9 @@ void Texture::upload(int level, int face, const Image8& image) {
 
 void Texture::setSampling(const Sampling& sampling) {
   bindForWork();
-  const bool magnify_nearest = sampling.magnify_nearest || sampling.filter == Sampling::Filter::nearest;
-  glTexParameteri(target(), GL_TEXTURE_MIN_FILTER, minifyMode(sampling.filter));
-  glTexParameteri(target(), GL_TEXTURE_MAG_FILTER, magnify_nearest ? GL_NEAREST : GL_LINEAR);
-  glTexParameteri(target(), GL_TEXTURE_WRAP_S, isCube() ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_s));
-  glTexParameteri(target(), GL_TEXTURE_WRAP_T, isCube() ? GL_CLAMP_TO_EDGE : wrapMode(sampling.wrap_t));
+  Sampling of_shape = sampling;
+  if (isCube()) of_shape.wrap_s = of_shape.wrap_t = Sampling::Wrap::clamp_to_edge;
+  forEachParameter(of_shape, [this](GLenum name, GLint value) { glTexParameteri(target(), name, value); });
   // Drivers without the extension know no such parameter.
   if (sampling.anisotropy == anisotropy_) return;
   glTexParameterf(target(), GL_TEXTURE_MAX_ANISOTROPY_EXT, sampling.anisotropy);

@@ -6,6 +6,7 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/handle.h"
+#include "mirrorball/gl/sampler.h"
 #include "mirrorball/image/image.h"
 #include "mirrorball/image/image_set.h"
 
@@ -21,23 +22,6 @@ enum class Format {
   rg32f,         ///< likewise the first two
   depth24,       ///< depths, 0 to 1, of a Framebuffer: read by single texels
   rgba32ui,      ///< words that shaders take for what they like; of no mip levels, and not to be filtered
-};
-
-/// How a texture is read between texels and beyond its edges.
-struct Sampling {
-  enum class Filter {
-    nearest,    ///< level 0 only
-    linear,     ///< level 0 only, bilinear
-    trilinear,  ///< bilinear, and linear between the mip levels
-  };
-  enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
-
-  Filter filter = Filter::trilinear;
-  bool magnify_nearest = false;  ///< shows the texels as squares where they are larger than pixels
-  Wrap wrap_s = Wrap::clamp_to_edge;
-  Wrap wrap_t = Wrap::clamp_to_edge;
-  /// Reads along a pixel's longer side, at most: 1 to Context::largestAnisotropy().
-  float anisotropy = 1.0f;
 };
 
 /// A 2D texture, an array of them or a cube map, of any number of mip levels. Texel rows are as in Image: row 0 is at
@@ -107,7 +91,9 @@ class Texture {
   void setLevels(int first, int last);
 
   /// Binds to a texture unit, 0 to kUnits − 1, for the sampler uniform that is set to that number.
-  void bind(int unit) const;
+  ///
+  /// sampler   how it is read there; null: as setSampling says
+  void bind(int unit, const Sampler* sampler = nullptr) const;
 
   /// Reads one image back: 4 channels as a shader would sample them, so sRGB is decoded. In OpenGL
   /// ES the format must be one that the driver can draw into.

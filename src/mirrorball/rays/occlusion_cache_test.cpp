@@ -40,7 +40,7 @@ class OcclusionCacheTest : public ::testing::Test {
 Texture noise() {
   Texture texture{.image = Image8(8, 8, 4)};
   std::uint32_t state = 1;
-  for (std::uint8_t& sample : texture.image.samples()) {
+  for (std::uint8_t& sample : texture.image.edit().samples()) {
     state = state * 1664525u + 1013904223u;
     sample = static_cast<std::uint8_t>(state >> 24u);
   }
@@ -197,7 +197,7 @@ TEST_F(OcclusionCacheTest, AnotherKeyForEachMapThatItReads) {
       if (!counts) continue;
       EXPECT_TRUE(keys.insert(key_with).second) << map.name << ": the key of the same texture as another map";
       const std::pair<const char*, std::function<void(Scene&)>> changes[] = {
-          {"texel", [](Scene& s) { ++s.textures[0].image.samples()[21]; }},
+          {"texel", [](Scene& s) { ++s.textures[0].image.edit().samples()[21]; }},
           {"offset", [&](Scene& s) { (s.materials[0].*map.slot).offset.x = 0.5f; }},
           {"scale", [&](Scene& s) { (s.materials[0].*map.slot).scale.y = 2.0f; }},
           {"rotation", [&](Scene& s) { (s.materials[0].*map.slot).rotation_rad = 1.0f; }},

@@ -15,6 +15,8 @@ struct SceneOcclusionSettings {
   /// Meshes are cut first where their triangles are too large to tell (occlusionRefinements). Only findOcclusionOnce
   /// does so.
   bool refines = false;
+
+  bool operator==(const SceneOcclusionSettings&) const = default;
 };
 
 /// The rays from each of so many different vertices.

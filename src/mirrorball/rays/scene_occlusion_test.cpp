@@ -250,7 +250,7 @@ TEST(SceneOcclusion, ASmallWindowOfATextureShines) {
   Scene scene = panelOverFloor(panel, kHeight);
   Texture texture{.image = Image8(16, 16, 4)};
   texture.nearest = true;
-  for (int channel = 0; channel < 3; ++channel) texture.image.texel(9, 4)[channel] = 255;
+  for (int channel = 0; channel < 3; ++channel) texture.image.edit().texel(9, 4)[channel] = 255;
   scene.textures.push_back(texture);
   scene = withOcclusion(std::move(scene), 1024);
   const glm::vec3 window(2.0f * 9.5f / 16.0f - 1.0f, kHeight, 2.0f * 4.5f / 16.0f - 1.0f);
@@ -398,7 +398,7 @@ TEST(SceneOcclusion, LooksAreWhatTexturesHoldAroundAVertex) {
     vertex.uv[0] = 0.5f + 0.5f * glm::vec2(vertex.position.x, vertex.position.z);
   Texture halves{.image = Image8(64, 1, 4)};
   for (int x = 0; x < 64; ++x)
-    for (int channel = 0; channel < 4; ++channel) halves.image.texel(x, 0)[channel] = x < 32 ? 0 : 255;
+    for (int channel = 0; channel < 4; ++channel) halves.image.edit().texel(x, 0)[channel] = x < 32 ? 0 : 255;
   scene.textures.push_back(std::move(halves));
   scene.materials[0].base_color_map.texture = 0;
   scene.materials[0].emission = glm::vec3(3.0f);

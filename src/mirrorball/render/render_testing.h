@@ -76,8 +76,8 @@ inline Renderer rendererFor(Scene scene, Environment environment) {
 }
 
 /// Its radiance in a frame; expected to be drawn.
-inline Image drawn(Renderer& renderer, const FrameSettings& settings) {
-  auto image = renderer.renderRadiance(settings);
+inline Image drawn(View& view, const FrameSettings& settings) {
+  auto image = view.renderRadiance(settings);
   EXPECT_TRUE(image) << image.error().message;
   return std::move(*image);
 }

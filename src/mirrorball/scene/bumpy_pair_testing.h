@@ -73,7 +73,7 @@ inline Texture textureOfNormals(const Image& normals) {
   for (int y = 0; y < normals.height(); ++y)
     for (int x = 0; x < normals.width(); ++x)
       for (int channel = 0; channel < 3; ++channel)
-        texture.image.texel(x, y)[channel] =
+        texture.image.edit().texel(x, y)[channel] =
             static_cast<std::uint8_t>(std::lround(255.0f * (0.5f + 0.5f * normals.texel(x, y)[channel])));
   return texture;
 }

@@ -13,6 +13,7 @@
 #include "mirrorball/scene/material/material.h"
 #include "mirrorball/scene/mesh.h"
 #include "mirrorball/scene/model_light.h"
+#include "mirrorball/scene/shared_picture.h"
 
 namespace mirrorball {
 
@@ -21,8 +22,8 @@ enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
 
 /// A picture on a surface.
 struct Texture {
-  Image8 image;       ///< 4 channels
-  bool srgb = false;  ///< its colour channels are sRGB-encoded (base colour, emission)
+  SharedPicture image;  ///< 4 channels
+  bool srgb = false;    ///< its colour channels are sRGB-encoded (base colour, emission)
   Wrap wrap_s = Wrap::repeat;
   Wrap wrap_t = Wrap::repeat;
   bool nearest = false;  ///< magnified without interpolation

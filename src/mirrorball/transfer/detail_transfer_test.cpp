@@ -85,7 +85,8 @@ TEST(TransferDetail, OfADenseSphereMakesACoarseOneSmooth) {
 TEST(TransferDetail, ReadsTheNormalMapOfTheDenseModel) {
   Scene high = sceneOf(flatPlate());
   Texture texture{.image = Image8(1, 1, 4, 255)};
-  for (const int channel : {0, 1, 2}) texture.image.texel(0, 0)[channel] = std::uint8_t(channel == 0 ? 200 : 180);
+  for (const int channel : {0, 1, 2})
+    texture.image.edit().texel(0, 0)[channel] = std::uint8_t(channel == 0 ? 200 : 180);
   high.textures.push_back(texture);
   high.materials[0].normal_map.texture = 0;
   const auto detail = transferDetail(high, sceneOf(flatPlate()), {.size = {4, 4}});

@@ -202,6 +202,15 @@ Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api api) {
               std::string("no driver for ") + nameOf(api) + " found (tried: " + tried + "); " + kHowToInstall);
 }
 
+std::function<void()> currentContextRestorer() {
+  if (!epoxy_has_egl() || eglGetCurrentContext() == EGL_NO_CONTEXT) return {};
+  return [api = eglQueryAPI(), display = eglGetCurrentDisplay(), draw = eglGetCurrentSurface(EGL_DRAW),
+          read = eglGetCurrentSurface(EGL_READ), context = eglGetCurrentContext()] {
+    eglBindAPI(api);
+    eglMakeCurrent(display, draw, read, context);
+  };
+}
+
 // EGL's, or that of X11's own way to OpenGL, which libraries for windows may choose.
 std::uintptr_t currentContext() {
   if (epoxy_has_egl())

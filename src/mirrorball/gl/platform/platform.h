@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "mirrorball/base/result.h"
@@ -33,6 +34,10 @@ Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api api);
 /// The context that is current in the calling thread, whoever has made it; 0: none is, or it is of a kind that is not
 /// known here.
 std::uintptr_t currentContext();
+
+/// Makes the context current again that is so now in the calling thread; null where none is, or where it is of a kind
+/// that is not known here.
+std::function<void()> currentContextRestorer();
 
 /// Which of both APIs the calling thread's current context has.
 ///

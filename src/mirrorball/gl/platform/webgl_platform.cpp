@@ -28,6 +28,12 @@ Result<std::unique_ptr<PlatformContext>> makeHeadlessContext(Api) {
 
 std::uintptr_t currentContext() { return static_cast<std::uintptr_t>(emscripten_webgl_get_current_context()); }
 
+std::function<void()> currentContextRestorer() {
+  const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_get_current_context();
+  if (context == 0) return {};
+  return [context] { emscripten_webgl_make_context_current(context); };
+}
+
 Result<Api> apiOfCurrentContext() {
   EmscriptenWebGLContextAttributes attributes;
   const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_get_current_context();

@@ -8,6 +8,7 @@
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/gl/half.h"
 #include "mirrorball/render/surface/eye_ray.h"
+#include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {
 namespace {
@@ -28,7 +29,7 @@ glm::mat4 texelsFromClip(glm::vec2 size) {
 
 Result<GroundMirror> GroundMirror::make(gl::Api api, ProxyUniforms& proxy) {
   MIRRORBALL_TRY(program, gl::Program::load(api, "screen.vert", "ground_mirror.frag"));
-  proxy.connectBlock(program);
+  proxy.connection().connectBlock(program);
   program.set("mirror_picture", TextureUnit::mirror_picture);
   program.set("mirror_depths", TextureUnit::mirror_depths);
   MIRRORBALL_TRY(to_halves, gl::Program::load(api, "screen.vert", "limited_picture.frag"));

@@ -105,7 +105,7 @@ TEST_F(NormalFilterTest, ASmoothMapSeenFromNearbyLeavesAMirrorAsItIs) {
 TEST_F(NormalFilterTest, APictureThatIsAlsoAnotherMapKeepsItsAlpha) {
   Scene shared = testing::bumpyPlane(HeightKind::waves, BumpForm::normal_map, testing::whiteMetal(0.1f));
   shared.materials.front().metallic = 0.0f;
-  Image8& picture = shared.textures.front().image;
+  Image8& picture = shared.textures.front().image.edit();
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) picture.texel(x, y)[3] = 128;
   shared.materials.front().specular_map.texture = 0;

@@ -49,22 +49,22 @@ SurfaceLight surfaceLight(const ProbeLight& light, const FrameSettings& settings
 
 }  // namespace
 
-Result<void> Probes::begin(const gl::Context& context, SceneDrawing& drawing, const EnvironmentLight& light,
+Result<void> Probes::begin(gl::Api api, SceneDrawing& drawing, const EnvironmentLight& light, std::uint64_t environment,
                            const FrameSettings& settings, FrameUniforms& frame) {
   frame.probes = nullptr;
   // A sphere map stands for all that is reflected.
   if (settings.probes == 0 || coordinateChoice(drawing.scene(), settings).is_sphere_map) return {};
-  const Captured wanted{settingsOfFace(settings), drawing.version()};
+  const Captured wanted{settingsOfFace(settings), drawing.staged().version(StagePart::scene), environment};
   if (captured_ != wanted) {
     captured_.reset();
     const int most = settings.probes == FrameSettings::kAutoProbes ? FrameSettings::kSomeProbes : settings.probes;
     places_ = probePlaces(drawing.scene(), most);
     places_.others.resize(std::min(places_.others.size(), kMostBlended));
-    MIRRORBALL_TRY_VOID(makeLights(context, light, wanted.settings));
+    MIRRORBALL_TRY_VOID(makeLights(api, light, wanted.settings));
     FrameUniforms of_face = frame;
     for (int bounce = 0; bounce < settings.probe_bounces; ++bounce) {
       for (std::size_t probe = 0; probe < lights_.size(); ++probe)
-        MIRRORBALL_TRY_VOID(capture(probe, context, drawing, light, wanted.settings, of_face));
+        MIRRORBALL_TRY_VOID(capture(probe, drawing, light, wanted.settings, of_face));
       blend();
       tell(drawing, wanted.settings);
       of_face.probes = &uniforms_;
@@ -75,15 +75,14 @@ Result<void> Probes::begin(const gl::Context& context, SceneDrawing& drawing, co
   return {};
 }
 
-Result<void> Probes::makeLights(const gl::Context& context, const EnvironmentLight& light,
-                                const FrameSettings& settings) {
+Result<void> Probes::makeLights(gl::Api api, const EnvironmentLight& light, const FrameSettings& settings) {
   const int size = settings.probe_size;
   const gl::Format format = light.cube().format();
   const float unit = settings.env_intensity > 1.0f ? light.unit() * settings.env_intensity : light.unit();
   if (!filter_ || filter_->size() != size || filter_->format() != format || filter_->unit() != unit) {
     lights_.clear();
     blended_.clear();
-    MIRRORBALL_TRY(made, ProbeFilter::make(context.api(), size, format, unit));
+    MIRRORBALL_TRY(made, ProbeFilter::make(api, size, format, unit));
     filter_ = std::move(made);
   }
   MIRRORBALL_TRY_VOID(gl::resize(picture_, gl::Format::rgba32f, glm::ivec2(size), true));
@@ -100,14 +99,14 @@ Result<void> Probes::makeLights(const gl::Context& context, const EnvironmentLig
 }
 
 /// As captureEnvironment does from outside, but for the object that the probe stands in.
-Result<void> Probes::capture(std::size_t probe, const gl::Context& context, SceneDrawing& drawing,
-                             const EnvironmentLight& light, const FrameSettings& settings, FrameUniforms frame) {
+Result<void> Probes::capture(std::size_t probe, SceneDrawing& drawing, const EnvironmentLight& light,
+                             const FrameSettings& settings, FrameUniforms frame) {
   const ReflectiveObject& object = places_.probes[probe];
-  const DepthRange depths = depthsAround(object.middle, drawing.bounds());
+  const DepthRange depths = depthsAround(object.middle, drawing.staged().bounds());
   frame.hidden = object.instances;
   for (int face = 0; face < 6; ++face) {
     frame.camera = cubeFaceCamera(face, object.middle, depths);
-    MIRRORBALL_TRY_VOID(drawing.begin(context, settings, frame));
+    MIRRORBALL_TRY_VOID(drawing.begin(settings, frame));
     MIRRORBALL_TRY_VOID(drawing.draw(*picture_, light, frame, settings));
     filter_->setFace(lights_[probe], face, picture_->color());
     MIRRORBALL_TRY(nearness, drawing.drawNearness(*picture_, frame));
@@ -141,7 +140,7 @@ void Probes::tell(const SceneDrawing& drawing, const FrameSettings& settings) {
   for (std::size_t probe = 0; probe < lights_.size(); ++probe) {
     SurfaceLight light = surfaceLight(lights_[probe], settings, filter_->unit());
     light.captured_from = places_.probes[probe].middle;
-    light.nearness_unit = drawing.bounds().radius;
+    light.nearness_unit = drawing.staged().bounds().radius;
     light.nearness = &lights_[probe].nearness;
     add(light, places_.probes[probe]);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,14 +19,12 @@ namespace mirrorball {
 /// these objects read. It is captured again only if the scene, its light or how it is drawn has changed.
 class Probes {
  public:
-  /// The environment is another one.
-  void forgetLight() { captured_.reset(); }
-
   /// Captures what a frame needs, and says it in `frame`, for which the light and the drawing have begun.
   ///
+  /// environment   its version
   /// errors   as SceneDrawing's
   /// cost     for each probe and bounce, six faces without samples and GpuPrefilter::run
-  Result<void> begin(const gl::Context& context, SceneDrawing& drawing, const EnvironmentLight& light,
+  Result<void> begin(gl::Api api, SceneDrawing& drawing, const EnvironmentLight& light, std::uint64_t environment,
                      const FrameSettings& settings, FrameUniforms& frame);
 
   /// How often a probe was captured until now.
@@ -37,12 +36,13 @@ class Probes {
   /// What all that was captured depends on.
   struct Captured {
     FrameSettings settings;
-    int scene_version;
+    std::uint64_t scene;  // versions
+    std::uint64_t environment;
     bool operator==(const Captured&) const = default;
   };
-  Result<void> makeLights(const gl::Context& context, const EnvironmentLight& light, const FrameSettings& settings);
-  Result<void> capture(std::size_t probe, const gl::Context& context, SceneDrawing& drawing,
-                       const EnvironmentLight& light, const FrameSettings& settings, FrameUniforms frame);
+  Result<void> makeLights(gl::Api api, const EnvironmentLight& light, const FrameSettings& settings);
+  Result<void> capture(std::size_t probe, SceneDrawing& drawing, const EnvironmentLight& light,
+                       const FrameSettings& settings, FrameUniforms frame);
   void blend();
   void tell(const SceneDrawing& drawing, const FrameSettings& settings);
 

@@ -3,7 +3,6 @@
 #include "mirrorball/render/frame/probes.h"
 
 #include <cmath>
-#include <future>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "mirrorball/render/frame/frame_light.h"
 #include "mirrorball/render/frame/glass_testing.h"
 #include "mirrorball/render/render_testing.h"
+#include "mirrorball/render/stage/stage_state.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
@@ -151,26 +151,39 @@ TEST_P(ProbesTest, WhatIsCutAwayIsNotNearEither) {
   EXPECT_LT(testing::greatestDifference(drawnWith(0.3f), drawnWith(0.0f)), 0.02);
 }
 
+/// A frame on a stage of its own, as far as its probes.
+struct Begun {
+  Device device = *Device::on(*gl::Context::adoptCurrent());
+  Stage stage{device};
+  SceneDrawing drawing{device.state()};
+  FrameLight light{device.state(), stage.state().light};
+  Probes probes = {};
+  FrameUniforms frame = {};
+
+  void begin(const FrameSettings& settings) {
+    drawing.show(*stage.state().formFor(settings));
+    ASSERT_TRUE(light.begin(drawing.staged(), settings, frame));
+    ASSERT_TRUE(drawing.begin(settings, frame));
+    ASSERT_TRUE(probes.begin(device.state().context.api(), drawing, light.light(), 1, settings, frame));
+  }
+};
+
 // Of a scene without the object that the probe stands in: the same picture but for half floats.
 TEST_P(ProbesTest, AProbeIsWhatCaptureCaptures) {
   const Environment light(testing::smoothRadiance, 256);
   const auto prepared = testing::prepareOnce(light);
-  SceneDrawing drawing(std::async(std::launch::deferred, surfaceBrdfTable));
-  FrameLight frame_light;
-  ASSERT_TRUE(frame_light.setEnvironment(light, *prepared, context().filtersFloats()));
+  Begun begun;
+  ASSERT_TRUE(begun.stage.setEnvironment(light, *prepared));
   Scene seen_from_inside = sceneOfBalls(kPair);
   for (Material& material : seen_from_inside.materials) material.double_sided = true;
-  ASSERT_TRUE(drawing.setScene(std::move(seen_from_inside)));
+  ASSERT_TRUE(begun.stage.setScene(std::move(seen_from_inside)));
   FrameSettings settings;
   testing::set(settings, "probes", "2");
   testing::set(settings, "probe-size", "32");
   testing::set(settings, "probe-bounces", "1");
   testing::set(settings, "proxy", kProbeRoom);
-  FrameUniforms frame;
-  Probes probes;
-  ASSERT_TRUE(frame_light.begin(context(), drawing.scene(), drawing.bounds(), settings, frame));
-  ASSERT_TRUE(drawing.begin(context(), settings, frame));
-  ASSERT_TRUE(probes.begin(context(), drawing, frame_light.light(), settings, frame));
+  begun.begin(settings);
+  const FrameUniforms& frame = begun.frame;
   ASSERT_NE(frame.probes, nullptr);
   ASSERT_EQ(frame.probes->lights.size(), 2u);
 
@@ -287,20 +300,17 @@ TEST_P(ProbesTest, TheFurnaceIsWhite) {
 TEST_P(ProbesTest, AnObjectWithoutOneReadsABlendOfTheNearest) {
   const Environment light(testing::smoothRadiance, 64);
   const auto prepared = testing::prepareOnce(light);
-  SceneDrawing drawing(std::async(std::launch::deferred, surfaceBrdfTable));
-  FrameLight frame_light;
-  ASSERT_TRUE(frame_light.setEnvironment(light, *prepared, context().filtersFloats()));
+  Begun begun;
+  ASSERT_TRUE(begun.stage.setEnvironment(light, *prepared));
   std::vector<Ball> balls = kPair;
   balls.push_back({{-0.8f, 1.6f, 0.0f}, 0.3f, glm::vec3(1.0f)});
-  ASSERT_TRUE(drawing.setScene(sceneOfBalls(balls)));
+  ASSERT_TRUE(begun.stage.setScene(sceneOfBalls(balls)));
   FrameSettings settings;
   testing::set(settings, "probes", "2");
   testing::set(settings, "probe-size", "16");
-  FrameUniforms frame;
-  Probes probes;
-  ASSERT_TRUE(frame_light.begin(context(), drawing.scene(), drawing.bounds(), settings, frame));
-  ASSERT_TRUE(drawing.begin(context(), settings, frame));
-  ASSERT_TRUE(probes.begin(context(), drawing, frame_light.light(), settings, frame));
+  begun.begin(settings);
+  const FrameUniforms& frame = begun.frame;
+  ASSERT_NE(frame.probes, nullptr);
   ASSERT_EQ(frame.probes->lights.size(), 3u);
   const ReflectiveObject small{balls[2].middle, 0.3f, {}};
   const std::vector<float> shares = probeShares(

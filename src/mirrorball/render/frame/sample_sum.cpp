@@ -5,7 +5,7 @@
 
 #include "formula/color.h"
 #include "mirrorball/gl/gl_api.h"
-#include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {
 namespace {

@@ -205,7 +205,7 @@ inline std::string choicesWritten(const ChosenSurface& chosen) {
 inline Scene sceneOfCase(const SurfaceCase& asked) {
   Scene scene = sceneOf(sphereMesh(16, 32), asked.material);
   Texture flat_normals{.image = Image8(4, 4, 4, 128)};
-  for (int texel = 0; texel < 16; ++texel) flat_normals.image.texel(texel % 4, texel / 4)[2] = 255;
+  for (int texel = 0; texel < 16; ++texel) flat_normals.image.edit().texel(texel % 4, texel / 4)[2] = 255;
   Texture towards_eye = flat_normals;  // the mesh's +Z
   scene.textures = {flat_normals, towards_eye};
   scene.slope_textures.emplace_back(4, 4, 3, 0.05f);

@@ -119,8 +119,4 @@ Result<EnvironmentLight> EnvironmentLight::make(const PreparedEnvironment& prepa
   return EnvironmentLight(std::move(cube), std::move(prefiltered), std::move(irradiance), unit);
 }
 
-void EnvironmentLight::readNearest(bool nearest) {
-  cube_.setSampling({.filter = gl::Sampling::Filter::trilinear, .magnify_nearest = nearest});
-}
-
 }  // namespace mirrorball

@@ -42,8 +42,8 @@ class EnvironmentLight {
   static Result<EnvironmentLight> make(const PreparedEnvironment& prepared, bool filters_floats);
 
   const gl::Texture& cube() const { return cube_; }
-  /// Whether level 0 of the cube is read by its nearest texel. At first it is not; what is made of the cube needs that.
-  void readNearest(bool nearest);
+  /// How the cube is read where its level 0 is by its nearest texel.
+  const gl::Sampler& nearestSampler() const { return nearest_sampler_; }
   /// PreparedEnvironment::prefiltered: level 1 and the further ones of a chain.
   const gl::Texture& prefiltered() const { return prefiltered_; }
   const gl::Texture& irradiance() const { return irradiance_; }
@@ -58,6 +58,7 @@ class EnvironmentLight {
   gl::Texture cube_;
   gl::Texture prefiltered_;
   gl::Texture irradiance_;
+  gl::Sampler nearest_sampler_{{.filter = gl::Sampling::Filter::trilinear, .magnify_nearest = true}};
   float unit_;
 };
 

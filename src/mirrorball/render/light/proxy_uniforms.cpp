@@ -2,9 +2,21 @@
 
 #include <utility>
 
-#include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {
+
+void ProxyConnection::connect(gl::Program& program, ProxyKind kind) {
+  if (kind == ProxyKind::none) return;
+  connectBlock(program);
+  if (kind == ProxyKind::mesh) program.set("proxy_mesh", TextureUnit::proxy);
+  if (kind == ProxyKind::ground) program.set("ground_shadow", TextureUnit::proxy);
+}
+
+void ProxyConnection::connectBlock(gl::Program& program) {
+  const auto layout = program.connect("ProxyBlock", kPoint);
+  if (layout && !layout_) layout_ = std::make_shared<gl::BlockLayout>(*layout);
+}
 
 Result<void> ProxyUniforms::place(const ProxyOptions& options, const Scene& scene) {
   if (options_ == options) return {};
@@ -21,18 +33,6 @@ Result<void> ProxyUniforms::place(const ProxyOptions& options, const Scene& scen
   return {};
 }
 
-void ProxyUniforms::connect(gl::Program& program, ProxyKind kind) {
-  if (kind == ProxyKind::none) return;
-  connectBlock(program);
-  if (kind == ProxyKind::mesh) program.set("proxy_mesh", TextureUnit::proxy);
-  if (kind == ProxyKind::ground) program.set("ground_shadow", TextureUnit::proxy);
-}
-
-void ProxyUniforms::connectBlock(gl::Program& program) {
-  const auto layout = program.connect("ProxyBlock", kPoint);
-  if (layout && !layout_) layout_ = std::make_shared<gl::BlockLayout>(*layout);
-}
-
 void ProxyUniforms::setShadow(const GroundShadow& shadow, const glm::vec3& irradiance) {
   shadow_ = &shadow;
   ground_irradiance_ = irradiance;
@@ -40,9 +40,9 @@ void ProxyUniforms::setShadow(const GroundShadow& shadow, const glm::vec3& irrad
 }
 
 void ProxyUniforms::bind() {
-  if (proxy_.kind == ProxyKind::none || !layout_) return;
+  if (proxy_.kind == ProxyKind::none || !connection_->layout()) return;
   if (!block_) {
-    block_.emplace(layout_);
+    block_.emplace(connection_->layout());
     block_->set("captured_at", proxy_.captured_at);
     block_->set("proxy_ground", proxy_.ground);
     block_->set("proxy_center", proxy_.center);
@@ -52,7 +52,7 @@ void ProxyUniforms::bind() {
     block_->set("ground_irradiance", ground_irradiance_);
     block_->set("shadow_area", shadow_ ? shadow_->area() : glm::vec3(0.0f, 0.0f, 1.0f));
   }
-  block_->bind(kPoint);
+  block_->bind(ProxyConnection::kPoint);
   if (mesh_) mesh_->bind(TextureUnit::proxy);
   if (proxy_.kind == ProxyKind::ground && shadow_) shadow_->picture().bind(TextureUnit::proxy);
 }

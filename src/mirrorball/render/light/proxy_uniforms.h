@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/program.h"
@@ -12,9 +13,28 @@
 
 namespace mirrorball {
 
+/// Says where programs read a proxy; the same for all proxies of a device.
+class ProxyConnection {
+ public:
+  static constexpr unsigned kPoint = 4;  ///< of the block, beside those of SurfacePrograms
+
+  /// Of a program that has this kind's part.
+  void connect(gl::Program& program, ProxyKind kind);
+  /// Of the block alone, for a program that reads no textures of a proxy.
+  void connectBlock(gl::Program& program);
+  /// How the block lies in memory; null: no program that was connected has it.
+  const std::shared_ptr<const gl::BlockLayout>& layout() const { return layout_; }
+
+ private:
+  std::shared_ptr<const gl::BlockLayout> layout_;
+};
+
 /// A proxy as the parts "proxy" of shaders read it (shaders/surface/proxy_block.glsl).
 class ProxyUniforms {
  public:
+  explicit ProxyUniforms(std::shared_ptr<ProxyConnection> connection = std::make_shared<ProxyConnection>())
+      : connection_(std::move(connection)) {}
+
   /// Puts a proxy into a scene, unless it is there already.
   ///
   /// errors   as placedProxy's; too_large (its triangles for this driver)
@@ -33,20 +53,15 @@ class ProxyUniforms {
   /// irradiance   GroundLights::irradiance, in the unit of the environment's maps
   void setShadow(const GroundShadow& shadow, const glm::vec3& irradiance);
 
-  /// Says where a program reads the proxy that has this kind's part.
-  void connect(gl::Program& program, ProxyKind kind);
-  /// Says it of the block alone, for a program that reads no textures of a proxy.
-  void connectBlock(gl::Program& program);
+  ProxyConnection& connection() { return *connection_; }
   /// Makes it what programs read.
   void bind();
 
  private:
-  static constexpr unsigned kPoint = 4;  ///< beside those of SurfacePrograms
-
+  std::shared_ptr<ProxyConnection> connection_;
   std::optional<ProxyOptions> options_;  ///< that `proxy_` was made from
   Proxy proxy_;
   std::optional<gl::Texture> mesh_;
-  std::shared_ptr<const gl::BlockLayout> layout_;
   std::optional<gl::UniformBlock> block_;
   const GroundShadow* shadow_ = nullptr;
   glm::vec3 ground_irradiance_{0.0f};

@@ -3,7 +3,7 @@
 #include "formula/surface.h"
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
-#include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/render/surface/frame_uniforms.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {

@@ -18,7 +18,10 @@
 #include "mirrorball/gl/gl_testing.h"
 #include "mirrorball/render/light/proxy_uniforms.h"
 #include "mirrorball/render/render_testing.h"
-#include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/render/surface/brdf_texture.h"
+#include "mirrorball/render/surface/surface_drawing.h"
+#include "mirrorball/render/surface/surface_programs.h"
+#include "mirrorball/render/surface/texture_units.h"
 #include "mirrorball/scene/shapes/builtin_shapes.h"
 
 namespace mirrorball {
@@ -31,7 +34,7 @@ Texture noise(int width, int height, unsigned seed) {
   Texture texture;
   texture.image = Image8(width, height, 4);
   std::mt19937 random(seed);
-  for (std::uint8_t& byte : texture.image.samples()) byte = static_cast<std::uint8_t>(64 + random() % 128);
+  for (std::uint8_t& byte : texture.image.edit().samples()) byte = static_cast<std::uint8_t>(64 + random() % 128);
   return texture;
 }
 
@@ -103,13 +106,13 @@ class Drawing {
     FrameSettings settings;
     settings.samples = 1;
     settings.texture_filter = filter;
-    programs_.forgetScene();
-    MIRRORBALL_TRY_VOID(programs_.begin(scene, buffers, light_, frame, settings));
+    SurfaceDrawing surfaces;
+    MIRRORBALL_TRY_VOID(surfaces.begin(programs_, scene, buffers, 1, light_, frame, settings));
     framebuffer_.bind();
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
-    programs_.draw(scene, 0, buffers, settings);
+    surfaces.draw(scene, 0, buffers, settings);
     return framebuffer_.readFloat();
   }
 

@@ -48,7 +48,7 @@ Result<void> NearnessPicture::drawProxy(gl::Api api, const FrameUniforms& frame,
     MIRRORBALL_TRY(vertex, gl::shaderSource(api, "screen.vert"));
     MIRRORBALL_TRY(fragment, nearnessShader(api, kind));
     MIRRORBALL_TRY(program, gl::Program::build(vertex, fragment, "screen.vert with nearness_of_proxy.frag"));
-    frame.proxy->connect(program, kind);
+    frame.proxy->connection().connect(program, kind);
     found = of_proxy_.emplace(kind, std::move(program)).first;
   }
   gl::Program& program = found->second;

@@ -7,7 +7,7 @@
 #include "mirrorball/gl/buffer.h"
 #include "mirrorball/gl/framebuffer.h"
 #include "mirrorball/gl/program.h"
-#include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/render/surface/frame_uniforms.h"
 #include "mirrorball/scene/proxy/proxy.h"
 
 namespace mirrorball {

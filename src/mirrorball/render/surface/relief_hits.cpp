@@ -5,7 +5,7 @@
 
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/height_map_uniform.h"
-#include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {
 Result<ReliefHits> ReliefHits::make(gl::Api api) {

@@ -98,10 +98,16 @@ std::vector<bool> holdNormals(const Scene& scene) {
   return normals;
 }
 
+/// Which texture a material has in a row of materialMaps().
+std::size_t textureOf(const Material& material, std::size_t row) {
+  return static_cast<std::size_t>((material.*materialMaps()[row].slot).texture);
+}
+
 /// The mip levels of colours and numbers after the first.
 std::vector<Image8> halvedLevels(const Texture& texture) {
   std::vector<Image8> levels;
-  const Image8* last = &texture.image;
+  const Image8& first = texture.image;
+  const Image8* last = &first;
   while (last->width() > 1 || last->height() > 1) {
     Image8 next = halved(*last, texture.srgb);
     last = &levels.emplace_back(std::move(next));
@@ -110,10 +116,13 @@ std::vector<Image8> halvedLevels(const Texture& texture) {
 }
 
 /// Made on all cores: a software driver would take a multiple of the time.
-std::vector<MipLevels> makeMipLevels(const Scene& scene) {
-  const std::vector<bool> normals = holdNormals(scene);
+///
+/// needed   of each texture: whether its levels are
+std::vector<MipLevels> makeMipLevels(const Scene& scene, const std::vector<bool>& normals,
+                                     const std::vector<bool>& needed) {
   std::vector<MipLevels> levels(scene.textures.size());
   parallelFor(levels.size(), 1, [&](std::size_t index, std::size_t) {
+    if (!needed[index]) return;
     const Texture& texture = scene.textures[index];
     levels[index] = normals[index] ? MipLevels{normalLevels(texture.image), true} : MipLevels{halvedLevels(texture)};
   });
@@ -133,7 +142,6 @@ Result<gl::Texture> makeTexture(const Texture& texture, const MipLevels& levels)
   MIRRORBALL_TRY(made,
                  gl::Texture::make2d(format, texture.image.width(), texture.image.height(), gl::Texture::kAllLevels));
   forEachLevel(texture, levels, [&made](int level, const Image8& image) { made.upload(level, 0, image); });
-  made.setSampling(samplingOf(wrapOf(texture), TextureFilter::trilinear, 1.0f));
   return Result<gl::Texture>(std::move(made));
 }
 
@@ -207,14 +215,13 @@ struct RoomForSlopes {
 /// widens: so a surface looks the same until a texel of the map is nearly as large as a pixel.
 ///
 /// errors   too_large
-Result<RoomForSlopes> roomForSlopes(glm::ivec2 size, MapEdges edges) {
+Result<RoomForSlopes> roomForSlopes(glm::ivec2 size) {
   for (int finest = 0;; ++finest) {
     const glm::ivec2 sides(levelSide(size.x, finest), levelSide(size.y, finest));
     auto texture = gl::Texture::make2d(gl::Format::rgba16f, sides.x, sides.y, gl::Texture::kAllLevels);
     if (!texture && (texture.error().code != ErrorCode::too_large || std::max(sides.x, sides.y) == 1))
       return fail(std::move(texture));
     if (!texture) continue;
-    texture->setSampling(samplingOf(wrapOf(edges), TextureFilter::trilinear, 1.0f));
     return RoomForSlopes{std::move(*texture), finest};
   }
 }
@@ -226,14 +233,14 @@ Result<SceneBuffers::Heights> makeHeights(const HeightTexture& texture) {
     MIRRORBALL_TRY(horizons, makeHorizons(texture.horizons.slopes, texture.edges));
     searched.emplace(SceneBuffers::SearchedHeights{std::move(heights), std::move(horizons)});
   }
-  MIRRORBALL_TRY(room, roomForSlopes({texture.heights.width(), texture.heights.height()}, texture.edges));
+  MIRRORBALL_TRY(room, roomForSlopes({texture.heights.width(), texture.heights.height()}));
   MIRRORBALL_TRY(moments, slopeMoments(texture.heights, texture.edges, room.finest));
   room.texture.upload(moments.levels);
   return SceneBuffers::Heights{std::move(room.texture), moments.unit, std::move(searched)};
 }
 
 Result<SceneBuffers::Slopes> makeSlopes(const Image& slopes) {
-  MIRRORBALL_TRY(room, roomForSlopes({slopes.width(), slopes.height()}, MapEdges::tiled));
+  MIRRORBALL_TRY(room, roomForSlopes({slopes.width(), slopes.height()}));
   MIRRORBALL_TRY(moments, momentsOfSlopes(slopes, room.finest));
   room.texture.upload(moments.levels);
   return SceneBuffers::Slopes{std::move(room.texture), moments.unit};
@@ -252,36 +259,11 @@ std::vector<std::uint32_t> boxCorners(std::size_t boxes) {
 
 }  // namespace
 
-Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
+Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units, const SceneBuffers* alike) {
   SceneBuffers buffers;
-  for (const Mesh& mesh : scene.meshes)
-    buffers.meshes_.push_back({gl::VertexArray(gl::Buffer(std::span(mesh.vertices)), sizeof(Vertex), kAttributes,
-                                               gl::Buffer(std::span(mesh.indices))),
-                               mesh.indices.size()});
-  for (const Instance& instance : scene.instances) {
-    [[maybe_unused]] const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
-    assert(instance.occlusion.empty() || instance.occlusion.size() == vertices ||
-           instance.occlusion.size() == 2 * vertices);
-    auto& occlusion = buffers.occlusions_.emplace_back();
-    if (!instance.occlusion.empty()) occlusion.emplace(instance.occlusion);
-    buffers.ior_around_.emplace_back();
-  }
-  const std::vector<MipLevels> levels = makeMipLevels(scene);
-  buffers.textures_.resize(scene.textures.size());
-  for (const Material& material : scene.materials) {
-    std::vector<MapSource> sources = mapSources(material, scene.textures, unitsOfMaps(material, units));
-    for (std::size_t row = 0; row < sources.size(); ++row) {
-      if (sources[row].unit < 0) continue;
-      const auto index = static_cast<std::size_t>((material.*materialMaps()[row].slot).texture);
-      sources[row].has_spread = isNormalMap(materialMaps()[row]) && levels[index].has_spread;
-      if (sources[row].layer >= 0) continue;
-      if (buffers.textures_[index]) continue;
-      MIRRORBALL_TRY(made, makeTexture(scene.textures[index], levels[index]));
-      buffers.textures_[index] = std::move(made);
-    }
-    MIRRORBALL_TRY(layers, makeLayers(scene, material, sources, levels));
-    buffers.materials_.push_back({std::move(sources), std::move(layers)});
-  }
+  buffers.units_ = units;
+  buffers.addMeshes(scene);
+  MIRRORBALL_TRY_VOID(buffers.addMaps(scene, alike));
   for (const HeightTexture& texture : scene.height_textures) {
     MIRRORBALL_TRY(heights, withName("heights", makeHeights(texture)));
     buffers.heights_.push_back(std::move(heights));
@@ -290,8 +272,55 @@ Result<SceneBuffers> SceneBuffers::make(const Scene& scene, int units) {
     MIRRORBALL_TRY(slopes, withName("slopes", makeSlopes(image)));
     buffers.slopes_.push_back(std::move(slopes));
   }
-  buffers.units_ = units;
+  buffers.filterMaps(scene, TextureFilter::trilinear, 1.0f);
   return Result<SceneBuffers>(std::move(buffers));
+}
+
+void SceneBuffers::addMeshes(const Scene& scene) {
+  for (const Mesh& mesh : scene.meshes)
+    meshes_.push_back({gl::VertexArray(gl::Buffer(std::span(mesh.vertices)), sizeof(Vertex), kAttributes,
+                                       gl::Buffer(std::span(mesh.indices))),
+                       mesh.indices.size()});
+  for (const Instance& instance : scene.instances) {
+    [[maybe_unused]] const std::size_t vertices = scene.meshes[std::size_t(instance.mesh)].vertices.size();
+    assert(instance.occlusion.empty() || instance.occlusion.size() == vertices ||
+           instance.occlusion.size() == 2 * vertices);
+    auto& occlusion = occlusions_.emplace_back();
+    if (!instance.occlusion.empty()) occlusion.emplace(instance.occlusion);
+    ior_around_.emplace_back();
+  }
+}
+
+Result<void> SceneBuffers::addMaps(const Scene& scene, const SceneBuffers* alike) {
+  holds_normals_ = holdNormals(scene);
+  if (alike && alike->holds_normals_ == holds_normals_) textures_ = alike->textures_;
+  textures_.resize(scene.textures.size());
+  std::vector<bool> needs_levels(scene.textures.size(), false);
+  for (const Material& material : scene.materials) {
+    std::vector<MapSource> sources = mapSources(material, scene.textures, unitsOfMaps(material, units_));
+    for (std::size_t row = 0; row < sources.size(); ++row) {
+      if (sources[row].unit < 0) continue;
+      const auto index = textureOf(material, row);
+      sources[row].has_spread = isNormalMap(materialMaps()[row]) && holds_normals_[index];
+      if (sources[row].layer >= 0 || !textures_[index]) needs_levels[index] = true;
+    }
+    materials_.push_back({std::move(sources), {}});
+  }
+  const std::vector<MipLevels> levels = makeMipLevels(scene, holds_normals_, needs_levels);
+  for (std::size_t i = 0; i < materials_.size(); ++i) {
+    const Material& material = scene.materials[i];
+    const std::vector<MapSource>& sources = materials_[i].sources;
+    for (std::size_t row = 0; row < sources.size(); ++row) {
+      if (sources[row].unit < 0 || sources[row].layer >= 0) continue;
+      const auto index = textureOf(material, row);
+      if (textures_[index]) continue;
+      MIRRORBALL_TRY(made, makeTexture(scene.textures[index], levels[index]));
+      textures_[index] = std::make_shared<gl::Texture>(std::move(made));
+    }
+    MIRRORBALL_TRY(layers, makeLayers(scene, material, sources, levels));
+    materials_[i].layers = std::move(layers);
+  }
+  return {};
 }
 
 const SceneBuffers::Heights* SceneBuffers::heightsOf(const Scene& scene, int material) const {
@@ -304,14 +333,19 @@ const SceneBuffers::Slopes* SceneBuffers::slopesOf(const Scene& scene, int mater
   return texture < 0 ? nullptr : &slopes_[std::size_t(texture)];
 }
 
+const gl::Sampler* SceneBuffers::samplerOf(const gl::Sampling& sampling) {
+  return &samplers_.try_emplace(sampling, sampling).first->second;
+}
+
 void SceneBuffers::filterMaps(const Scene& scene, TextureFilter filter, float anisotropy) {
-  if (filter == filter_) return;
-  for (std::size_t i = 0; i < textures_.size(); ++i)
-    if (textures_[i]) textures_[i]->setSampling(samplingOf(wrapOf(scene.textures[i]), filter, anisotropy));
-  for (std::size_t i = 0; i < heights_.size(); ++i)
-    heights_[i].slopes.setSampling(samplingOf(wrapOf(scene.height_textures[i].edges), filter, anisotropy));
-  for (Slopes& slopes : slopes_) slopes.texture.setSampling(samplingOf(wrapOf(MapEdges::tiled), filter, anisotropy));
-  filter_ = filter;
+  texture_samplers_.clear();
+  for (const Texture& texture : scene.textures)
+    texture_samplers_.push_back(samplerOf(samplingOf(wrapOf(texture), filter, anisotropy)));
+  height_samplers_.clear();
+  for (const HeightTexture& texture : scene.height_textures)
+    height_samplers_.push_back(samplerOf(samplingOf(wrapOf(texture.edges), filter, anisotropy)));
+  if (!scene.slope_textures.empty())
+    slope_sampler_ = samplerOf(samplingOf(wrapOf(MapEdges::tiled), filter, anisotropy));
 }
 
 void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit, bool shows_heights) const {
@@ -320,17 +354,21 @@ void SceneBuffers::bindMaps(const Scene& scene, int material, int first_unit, bo
     const MapSource& source = maps.sources[row];
     if (source.unit < 0) continue;
     const TextureSlot& slot = scene.materials[std::size_t(material)].*materialMaps()[row].slot;
-    const gl::Texture& texture = source.layer < 0 ? *textures_[std::size_t(slot.texture)] : *maps.layers;
-    texture.bind(first_unit + source.unit);
+    const auto index = std::size_t(slot.texture);
+    if (source.layer < 0)
+      textures_[index]->bind(first_unit + source.unit, texture_samplers_[index]);
+    else
+      maps.layers->bind(first_unit + source.unit);
   }
   if (const Heights* heights = shows_heights ? heightsOf(scene, material) : nullptr) {
-    heights->slopes.bind(first_unit + units_ - 1);
+    const int texture = scene.materials[std::size_t(material)].height_texture;
+    heights->slopes.bind(first_unit + units_ - 1, height_samplers_[std::size_t(texture)]);
     if (heights->searched) {
       heights->searched->heights.bind(first_unit + units_ - 2);
       heights->searched->horizons.bind(first_unit + units_ - 4);
     }
   } else if (const Slopes* slopes = slopesOf(scene, material)) {
-    slopes->texture.bind(first_unit + units_ - 1);
+    slopes->texture.bind(first_unit + units_ - 1, slope_sampler_);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,9 +11,11 @@
 #include "mirrorball/base/range.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/buffer.h"
+#include "mirrorball/gl/sampler.h"
 #include "mirrorball/gl/texture.h"
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/surface/map_sources.h"
+#include "mirrorball/render/surface/scene_blocks.h"
 #include "mirrorball/scene/scene.h"
 
 namespace mirrorball {
@@ -21,12 +25,15 @@ inline bool isAmong(std::span<const int> instances, std::size_t instance) {
   return contains(instances, static_cast<int>(instance));
 }
 
-/// A scene's meshes and textures on the GPU.
+/// A scene's meshes, textures and uniform blocks on the GPU.
 class SceneBuffers {
  public:
   /// units    texture units that each material has
+  /// alike    of another form of the same scene, whose textures are taken where they are read alike; optional
   /// errors   too_large: a texture is larger than the driver takes
-  static Result<SceneBuffers> make(const Scene& scene, int units);
+  static Result<SceneBuffers> make(const Scene& scene, int units, const SceneBuffers* alike = nullptr);
+
+  SceneBlocks& blocks() { return blocks_; }
 
   void drawMesh(int index) const;
   /// Of an instance whose occlusion is known.
@@ -46,6 +53,8 @@ class SceneBuffers {
   void bindPrisms(int mesh, int unit) const;
   void drawPrisms(int mesh, int unit) const;
 
+  /// OpenGL's name of a texture that has a unit of its own; 0: it has none.
+  unsigned textureName(std::size_t texture) const { return textures_[texture] ? textures_[texture]->name() : 0; }
   /// mapSources() of a material.
   const std::vector<MapSource>& mapsOf(int material) const { return materials_[std::size_t(material)].sources; }
   /// What a surface is searched for in that heights move.
@@ -93,15 +102,25 @@ class SceneBuffers {
     std::vector<MapSource> sources;
     std::optional<gl::Texture> layers;
   };
+  SceneBlocks blocks_;
+  void addMeshes(const Scene& scene);
+  Result<void> addMaps(const Scene& scene, const SceneBuffers* alike);
+  const gl::Sampler* samplerOf(const gl::Sampling& sampling);
+
   std::vector<MeshBuffers> meshes_;
-  std::vector<std::optional<gl::Buffer>> occlusions_;  // of instances
-  std::vector<std::optional<gl::Buffer>> ior_around_;  // of instances, less 1
-  std::vector<std::optional<gl::Texture>> textures_;   // those that have a unit of their own
+  std::vector<std::optional<gl::Buffer>> occlusions_;   // of instances
+  std::vector<std::optional<gl::Buffer>> ior_around_;   // of instances, less 1
+  std::vector<std::shared_ptr<gl::Texture>> textures_;  // those that have a unit of their own
+  std::vector<bool> holds_normals_;                     // of each texture: nothing else is read of it
   std::vector<MaterialMaps> materials_;
   std::vector<Heights> heights_;  // of Scene::height_textures
   std::vector<Slopes> slopes_;    // of Scene::slope_textures
   int units_ = 0;
-  TextureFilter filter_ = TextureFilter::trilinear;
+  std::map<gl::Sampling, gl::Sampler> samplers_;
+  // How they are read now, each of samplers_.
+  std::vector<const gl::Sampler*> texture_samplers_;
+  std::vector<const gl::Sampler*> height_samplers_;
+  const gl::Sampler* slope_sampler_ = nullptr;
 };
 
 }  // namespace mirrorball

@@ -58,7 +58,7 @@ constexpr Texel kUpwards{128, 204, 230, 255};
 Texture textureOfTexels(int width, const std::vector<Texel>& texels) {
   Texture texture;
   texture.image = Image8(width, static_cast<int>(texels.size()) / width, 4);
-  auto out = texture.image.samples().begin();
+  auto out = texture.image.edit().samples().begin();
   for (const Texel& texel : texels) out = std::copy(texel.begin(), texel.end(), out);
   texture.nearest = true;
   return texture;

@@ -44,9 +44,9 @@ Scene chalkWithPicture(Mesh mesh) {
   Texture texture{.image = Image8(kTexels, kTexels, 4, 255)};
   for (int y = 0; y < kTexels; ++y)
     for (int x = 0; x < kTexels; ++x) {
-      texture.image.texel(x, y)[0] = static_cast<std::uint8_t>(x);
-      texture.image.texel(x, y)[1] = static_cast<std::uint8_t>(kTexels - 1 - y);
-      texture.image.texel(x, y)[2] = 0;
+      texture.image.edit().texel(x, y)[0] = static_cast<std::uint8_t>(x);
+      texture.image.edit().texel(x, y)[1] = static_cast<std::uint8_t>(kTexels - 1 - y);
+      texture.image.edit().texel(x, y)[2] = 0;
     }
   scene.textures.push_back(std::move(texture));
   return scene;

@@ -131,9 +131,9 @@ Result<void> Materials::decodeTextures() {
       MIRRORBALL_TRY_VOID(withName(quoted("images", std::size_t(planned_[i].image)),
                                    file_.named.budget().take(decoded[picture]->samples().size_bytes())));
     // The last texture that shows a picture takes it; those before it need a copy.
-    Image8& image = scene_.textures[i].image;
+    SharedPicture& image = scene_.textures[i].image;
     image = is_last ? std::move(*decoded[picture]) : *decoded[picture];
-    if (planned_[i].glossiness) makeRoughness(image, *planned_[i].glossiness);
+    if (planned_[i].glossiness) makeRoughness(image.edit(), *planned_[i].glossiness);
   }
   storage_.clear();
   return {};

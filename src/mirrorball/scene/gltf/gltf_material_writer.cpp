@@ -195,11 +195,12 @@ class MaterialWriter {
   mirrorball::Texture joinedTexture(int metallic, int roughness) const {
     constexpr std::size_t kGreen = 1, kBlue = 2;
     mirrorball::Texture joined = textureOf(roughness >= 0 ? roughness : metallic);
-    std::fill(joined.image.samples().begin(), joined.image.samples().end(), std::uint8_t{255});
+    const std::span<std::uint8_t> to = joined.image.edit().samples();
+    std::fill(to.begin(), to.end(), std::uint8_t{255});
     const auto copyChannel = [&](int texture, std::size_t channel) {
       if (texture < 0) return;
       const std::span<const std::uint8_t> from = textureOf(texture).image.samples();
-      for (std::size_t i = channel; i < from.size(); i += 4) joined.image.samples()[i] = from[i];
+      for (std::size_t i = channel; i < from.size(); i += 4) to[i] = from[i];
     };
     copyChannel(roughness, kGreen);
     copyChannel(metallic, kBlue);

@@ -67,7 +67,7 @@ Scene bowlScene() {
   clay.occlusion_map = {.texture = 0, .uv_set = 1};
   Scene scene = sceneOf(bowlMesh(), clay);
   scene.textures.push_back({.image = Image8(1, 2, 4, 255), .nearest = true});
-  scene.textures[0].image.texel(0, 0)[0] = static_cast<std::uint8_t>(std::lround(255.0f * kBowlOpenShare));
+  scene.textures[0].image.edit().texel(0, 0)[0] = static_cast<std::uint8_t>(std::lround(255.0f * kBowlOpenShare));
   fitToUnitSphere(scene);
   return scene;
 }

@@ -9,7 +9,7 @@
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/light/environment_light.h"
 #include "mirrorball/render/light/proxy_uniforms.h"
-#include "mirrorball/render/surface/surface_program.h"
+#include "mirrorball/render/surface/frame_uniforms.h"
 
 namespace mirrorball {
 

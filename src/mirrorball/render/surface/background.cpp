@@ -1,4 +1,4 @@
-#include "mirrorball/render/frame/background.h"
+#include "mirrorball/render/surface/background.h"
 
 #include <utility>
 
@@ -7,6 +7,7 @@
 #include "mirrorball/gl/gl_api.h"
 #include "mirrorball/render/surface/eye_ray.h"
 #include "mirrorball/render/surface/surface_variant.h"
+#include "mirrorball/render/surface/texture_units.h"
 
 namespace mirrorball {
 namespace {
@@ -32,7 +33,7 @@ Result<void> Background::make(gl::Api api, ProxyUniforms& proxy) {
   MIRRORBALL_TRY(fragment, backgroundShader(api, kind));
   MIRRORBALL_TRY(program, gl::Program::build(vertex, fragment, "screen.vert with background.frag"));
   program.set("environment", TextureUnit::background);
-  proxy.connect(program, kind);
+  proxy.connection().connect(program, kind);
   programs_.emplace(kind, std::move(program));
   return {};
 }
@@ -45,7 +46,8 @@ void Background::draw(const EnvironmentLight& light, const FrameUniforms& frame,
   const bool is_prefiltered = blurred && (settings.blur == BlurKind::exact || settings.blur == BlurKind::gpu);
   const PrefilteredChain& chain = frame.prefiltered;
   const gl::Texture& cube = is_prefiltered ? *chain.texture : light.cube();
-  cube.bind(TextureUnit::background);
+  const bool reads_nearest = !is_prefiltered && settings.texture_filter == TextureFilter::nearest;
+  cube.bind(TextureUnit::background, reads_nearest ? &light.nearestSampler() : nullptr);
   frame.proxy->bind();
   program.set("environment_from_world", frame.environment_from_world);
   program.set("environment_intensity", settings.env_intensity * light.unit());

@@ -1,0 +1,210 @@
+#include "mirrorball/render/frame/view.h"
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "formula/prefilter.h"
+#include "mirrorball/gl/gl_api.h"
+#include "mirrorball/render/frame/frame_light.h"
+#include "mirrorball/render/frame/probes.h"
+#include "mirrorball/render/frame/sample_sum.h"
+#include "mirrorball/render/frame/scene_drawing.h"
+#include "mirrorball/render/stage/stage_state.h"
+#include "mirrorball/render/surface/light_reads.h"
+#include "mirrorball/scene/camera/framing.h"
+
+namespace mirrorball {
+namespace {
+
+/// The camera with its picture shifted by a part of a pixel.
+Camera shifted(Camera camera, glm::vec2 offset_px, glm::ivec2 size) {
+  const glm::vec2 ndc = offset_px * 2.0f / glm::vec2(size);
+  camera.clip_from_view = glm::translate(glm::mat4(1.0f), glm::vec3(ndc, 0.0f)) * camera.clip_from_view;
+  return camera;
+}
+
+}  // namespace
+
+/// What a view has on a device.
+struct View::OnDevice {
+  explicit OnDevice(const Stage& stage)
+      : device(stage.device()), drawing(device.state()), light(device.state(), stage.state().light) {}
+
+  Device device;                          ///< outlives all else
+  std::optional<SampleSum> samples = {};  ///< made for the first frame
+  SceneDrawing drawing;
+  FrameLight light;
+  Probes probes = {};
+  FrameUniforms frame = {};  ///< of the last frame
+};
+
+struct View::State {
+  explicit State(Stage of) : stage(std::move(of)), on(new OnDevice(stage)) {}
+
+  /// When the stage last changed.
+  using Version = std::array<std::uint64_t, 2>;
+  Version version() const { return {stage.state().scene.version(), stage.state().light.version()}; }
+  /// Whether what the last frame was begun with is still there.
+  bool isCurrent() const { return on->device == stage.device() && begun_of == version(); }
+
+  Stage stage;
+  std::unique_ptr<OnDevice, EndOnDevice> on;
+  FrameSettings settings = {};              ///< of the last frame
+  std::optional<Camera> given_camera = {};  ///< of it; else it is the settings'
+  Version begun_of = {};                    ///< the stage's version then
+};
+
+View::View(const Stage& stage) : state_(std::make_unique<State>(stage)) {}
+View::View(View&&) noexcept = default;
+View& View::operator=(View&&) noexcept = default;
+View::~View() = default;
+
+const Stage& View::stage() const { return state_->stage; }
+
+LightCost View::lightCost() const {
+  const OnDevice& on = *state_->on;
+  const EnvironmentLight& light = on.light.light();
+  const PrefilteredChain& chain = on.frame.prefiltered;
+  const LightReads reads =
+      lightReads(on.drawing.scene(), blurOf(state_->settings, light.cube(), chain), state_->settings);
+  LightCost cost{.reads = reads.sum()};
+  const FlatLight* flat = on.frame.flat;
+  if (reads.environment > 0) cost.texture_bytes += (flat ? flat->environment : light.cube()).bytes();
+  if (reads.prefiltered > 0) cost.texture_bytes += (flat ? flat->prefiltered : *chain.texture).bytes();
+  if (reads.irradiance > 0) cost.texture_bytes += (flat ? flat->irradiance : light.irradiance()).bytes();
+  if (on.frame.probes) cost.texture_bytes += on.probes.bytes();
+  if (reads.sphere_map > 0) cost.texture_bytes += on.light.sphereMap().bytes();
+  return cost;
+}
+
+int View::probeCaptures() const { return state_->on->probes.captures(); }
+
+Result<Image8> View::render(const FrameSettings& settings, const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(draw(settings, progress));
+  return picture();
+}
+
+Result<Image> View::renderRadiance(const FrameSettings& settings, const ProgressFunction& progress) {
+  FrameSettings of_radiance = settings;
+  of_radiance.resolve = Resolve::radiance;
+  MIRRORBALL_TRY_VOID(draw(of_radiance, progress));
+  return radiance();
+}
+
+namespace {
+
+/// Draws all samples of a frame that has begun.
+Result<void> drawSamples(View& view, int samples, const ProgressFunction& progress) {
+  for (int drawn = 0; drawn < samples;) {
+    MIRRORBALL_TRY(now, view.drawSample());
+    drawn = now;
+    if (!progress) continue;
+    // Else the driver would only take note of what is to be drawn.
+    glFinish();
+    if (!progress(static_cast<std::size_t>(drawn), static_cast<std::size_t>(samples)))
+      return fail(ErrorCode::interrupted, "interrupted; the picture was not written");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> View::draw(const FrameSettings& settings, const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(begin(settings));
+  return drawSamples(*this, settings.samples, progress);
+}
+
+Result<void> View::draw(const Camera& camera, const FrameSettings& settings, const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(begin(camera, settings));
+  return drawSamples(*this, settings.samples, progress);
+}
+
+Result<void> View::begin(const FrameSettings& settings) {
+  state_->given_camera.reset();
+  return start(settings);
+}
+
+Result<void> View::begin(const Camera& camera, const FrameSettings& settings) {
+  state_->given_camera = camera;
+  return start(settings);
+}
+
+Result<void> View::enter() const { return state_->on->device.state().context.enter(); }
+
+Result<void> View::start(const FrameSettings& settings) {
+  State& state = *state_;
+  const Stage::State& staged = state.stage.state();
+  assert(staged.light.has() && "a frame needs an environment");
+  state.begun_of = {};  // until all is there
+  if (state.on->device != state.stage.device()) state.on.reset(new OnDevice(state.stage));
+  OnDevice& on = *state.on;
+  const gl::Api api = on.device.state().context.api();
+  MIRRORBALL_TRY_VOID(enter());
+  MIRRORBALL_TRY(form, state.stage.state().formFor(settings));
+  on.drawing.show(form);
+  state.settings = settings;
+  if (state.given_camera) {
+    on.frame.camera = *state.given_camera;
+  } else {
+    MIRRORBALL_TRY(camera, framedCamera(form->scene(), form->bounds(), settings.camera, settings.size));
+    on.frame.camera = camera;
+  }
+  if (!on.samples) {
+    MIRRORBALL_TRY(samples, SampleSum::make(api));
+    on.samples = std::move(samples);
+  }
+  MIRRORBALL_TRY_VOID(on.samples->begin(settings));
+  MIRRORBALL_TRY_VOID(on.light.begin(*form, settings, on.frame));
+  on.frame.probes = nullptr;
+  MIRRORBALL_TRY_VOID(on.drawing.begin(settings, on.frame));
+  MIRRORBALL_TRY_VOID(on.probes.begin(api, on.drawing, on.light.light(), staged.light.version(), settings, on.frame));
+  if (coordinateChoice(form->scene(), settings).is_sphere_map) MIRRORBALL_TRY_VOID(on.light.makeSphereMap(on.frame));
+  state.begun_of = state.version();
+  return {};
+}
+
+Result<int> View::drawSample() {
+  State& state = *state_;
+  if (!state.isCurrent()) MIRRORBALL_TRY_VOID(start(FrameSettings(state.settings)));
+  MIRRORBALL_TRY_VOID(enter());
+  OnDevice& on = *state.on;
+  const int samples = state.settings.samples;
+  const int drawn = on.samples->count();
+  if (drawn == samples) return samples;
+  const glm::vec2 offset_px = formula::sampleOffset(drawn, samples) - 0.5f;
+  FrameUniforms of_sample = on.frame;
+  of_sample.camera = shifted(on.frame.camera, offset_px, state.settings.size);
+  of_sample.sample = drawn;
+  MIRRORBALL_TRY_VOID(on.drawing.draw(on.samples->sample(), on.light.light(), of_sample, state.settings));
+  on.samples->add();
+  return on.samples->count();
+}
+
+Result<void> View::show(unsigned framebuffer, glm::ivec2 corner) const {
+  MIRRORBALL_TRY_VOID(enter());
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(corner.x, corner.y, state_->settings.size.x, state_->settings.size.y);
+  // What is written is encoded already.
+  const bool encodes = state_->on->device.state().context.api() == gl::Api::desktop43;
+  if (encodes) glDisable(GL_FRAMEBUFFER_SRGB);
+  state_->on->samples->show();
+  if (encodes) glEnable(GL_FRAMEBUFFER_SRGB);
+  return {};
+}
+
+Result<Image> View::radiance() const {
+  MIRRORBALL_TRY_VOID(enter());
+  return state_->on->samples->radiance();
+}
+
+Result<Image8> View::picture() {
+  MIRRORBALL_TRY_VOID(enter());
+  return state_->on->samples->picture();
+}
+
+}  // namespace mirrorball

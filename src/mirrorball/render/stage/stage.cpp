@@ -1,0 +1,118 @@
+#include "mirrorball/render/stage/stage.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "mirrorball/base/text.h"
+#include "mirrorball/render/stage/device_state.h"
+#include "mirrorball/render/stage/stage_state.h"
+
+namespace mirrorball {
+namespace {
+
+/// errors   usage: a texture is not in the scene
+Result<void> checkTextures(const Scene& scene, const Material& material) {
+  const int count = static_cast<int>(scene.textures.size());
+  for (const MaterialMap& map : materialMaps())
+    if ((material.*map.slot).texture >= count)
+      return fail(ErrorCode::usage, std::string(map.name) + ": texture " +
+                                        std::to_string((material.*map.slot).texture) + " of a scene of " +
+                                        counted(scene.textures.size(), "texture"));
+  if (material.slope_texture >= static_cast<int>(scene.slope_textures.size()))
+    return fail(ErrorCode::usage, "slope_texture: " + std::to_string(material.slope_texture) + " of a scene of " +
+                                      counted(scene.slope_textures.size(), "texture") + " of slopes");
+  return {};
+}
+
+}  // namespace
+
+Stage::Stage(const Device& device) : state_(new State(device), EndOnDevice()) {}
+
+Result<std::shared_ptr<StagedScene>> Stage::State::formFor(const FrameSettings& settings,
+                                                           const ProgressFunction& progress) {
+  const gl::Context& context = device.state().context;
+  return scene.formFor(preparationFor(settings), {[&context] { return context.largestTexture(); }, cache, progress});
+}
+
+const Device& Stage::device() const { return state_->device; }
+
+Result<void> Stage::setScene(Scene scene) {
+  MIRRORBALL_TRY_VOID(device().state().context.enter());
+  return state_->scene.set(std::move(scene));
+}
+
+Result<void> Stage::setEnvironment(Environment environment, const std::optional<CacheFolder>& cache) {
+  if (EnvironmentMap* map = environment.map()) raiseNegativeLight(*map);
+  MIRRORBALL_TRY(prepared, prepareEnvironment(environment, cache));
+  return setEnvironment(std::move(environment), prepared);
+}
+
+Result<void> Stage::setEnvironment(Environment environment, const PreparedEnvironment& prepared) {
+  const gl::Context& context = device().state().context;
+  MIRRORBALL_TRY_VOID(context.enter());
+  return state_->light.set(std::move(environment), prepared, context.filtersFloats());
+}
+
+Result<void> Stage::setMaterial(std::size_t index, Material material) {
+  if (index >= scene().materials.size())
+    return fail(ErrorCode::usage, "material " + std::to_string(index) + " of a scene of " +
+                                      counted(scene().materials.size(), "material"));
+  MIRRORBALL_TRY_VOID(checkTextures(scene(), material));
+  MIRRORBALL_TRY_VOID(device().state().context.enter());
+  return state_->scene.setMaterial(index, std::move(material));
+}
+
+void Stage::setCache(const std::optional<CacheFolder>& cache) { state_->cache = cache; }
+
+Result<void> Stage::prepare(const FrameSettings& settings, const ProgressFunction& progress) {
+  MIRRORBALL_TRY_VOID(device().state().context.enter());
+  MIRRORBALL_TRY_VOID(state_->formFor(settings, progress));
+  return {};
+}
+
+Result<void> Stage::setTransform(std::size_t instance, const glm::mat4& world_from_object) {
+  if (instance >= scene().instances.size())
+    return fail(ErrorCode::usage, "instance " + std::to_string(instance) + " of a scene of " +
+                                      counted(scene().instances.size(), "instance"));
+  state_->scene.setTransform(instance, world_from_object);
+  return {};
+}
+
+Result<void> Stage::moveInstances(const std::vector<Instance>& instances) {
+  const std::vector<Instance>& shown = scene().instances;
+  const bool are_same = std::equal(instances.begin(), instances.end(), shown.begin(), shown.end(),
+                                   [](const Instance& a, const Instance& b) { return a.mesh == b.mesh; });
+  if (!are_same)
+    return fail(ErrorCode::usage, "the instances that are to be moved are not those of the scene, which has " +
+                                      std::to_string(shown.size()));
+  for (std::size_t i = 0; i < instances.size(); ++i) state_->scene.setTransform(i, instances[i].world_from_object);
+  return {};
+}
+
+Result<void> Stage::setLights(std::vector<ModelLight> lights) {
+  if (lights.size() > Scene::kMaxLights)
+    return fail(ErrorCode::usage,
+                counted(lights.size(), "light") + "; a scene has at most " + std::to_string(Scene::kMaxLights));
+  state_->scene.setLights(std::move(lights));
+  return {};
+}
+
+Result<void> Stage::moveTo(const Device& device) {
+  const gl::Context& context = device.state().context;
+  MIRRORBALL_TRY_VOID(context.enter());
+  auto moved = std::shared_ptr<State>(new State(device), EndOnDevice());
+  moved->cache = state_->cache;
+  MIRRORBALL_TRY_VOID(moved->scene.set(Scene(scene())));
+  if (state_->light.has()) {
+    MIRRORBALL_TRY(prepared, prepareEnvironment(state_->light.environment(), state_->cache));
+    MIRRORBALL_TRY_VOID(moved->light.set(state_->light.environment(), prepared, context.filtersFloats()));
+  }
+  std::swap(*moved, *state_);  // copies of this stage are the same; what was there ends with the old device
+  return {};
+}
+
+const Scene& Stage::scene() const { return state_->scene.scene(); }
+const BoundingSphere& Stage::bounds() const { return state_->scene.bounds(); }
+
+}  // namespace mirrorball

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "mirrorball/base/cache_folder.h"
+#include "mirrorball/base/progress.h"
+#include "mirrorball/base/result.h"
+#include "mirrorball/environment/environment.h"
+#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/stage/device.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// What is shown: a scene in an environment, on a device, whose parts change one by one. What is computed from it is
+/// made when a view first needs it, and again once what it depends on has changed. A copy is the same stage.
+///
+/// Before a view draws it, it needs an environment; without a scene, that alone is shown.
+class Stage {
+ public:
+  explicit Stage(const Device& device);
+
+  const Device& device() const;
+
+  /// Shows another scene.
+  ///
+  /// errors   no_gl; too_large (a texture for this driver): then the scene is as before
+  Result<void> setScene(Scene scene);
+
+  /// Prepares the environment for drawing, and takes it; values below 0 become 0.
+  ///
+  /// cache    stores slow results for later processes; optional
+  /// errors   no_gl; too_large
+  /// cost     about a second on two cores, for a panorama of 1024 rows that is not in the cache;
+  ///          some 50 ms for one that is
+  Result<void> setEnvironment(Environment environment, const std::optional<CacheFolder>& cache = {});
+  /// The same for an environment that was prepared elsewhere, for instance in another thread.
+  ///
+  /// errors   no_gl; too_large (a texture for this driver)
+  Result<void> setEnvironment(Environment environment, const PreparedEnvironment& prepared);
+
+  /// Makes a material of the scene another one.
+  ///
+  /// errors   usage (there is no such material, or a texture of it is not in the scene); no_gl; too_large: then it is
+  ///          as before
+  /// cost     one uniform block is sent; where it has other textures or heights, the meshes again. What vertices know
+  ///          of the scene is found again when a frame next asks for it
+  Result<void> setMaterial(std::size_t index, Material material);
+
+  /// Puts an instance elsewhere, without mirroring.
+  ///
+  /// errors   usage (there is no such instance)
+  Result<void> setTransform(std::size_t instance, const glm::mat4& world_from_object);
+  /// Puts all instances elsewhere.
+  ///
+  /// errors   usage (others than there are, or of other meshes)
+  Result<void> moveInstances(const std::vector<Instance>& instances);
+
+  /// The scene's own lights; those of FrameSettings are a view's.
+  ///
+  /// errors   usage (more than Scene::kMaxLights)
+  Result<void> setLights(std::vector<ModelLight> lights);
+
+  /// Where what is found of the scene (prepare) is kept for later processes.
+  void setCache(const std::optional<CacheFolder>& cache);
+
+  /// Makes what frames with those settings show of the scene: their relief (prepareRelief), and what vertices know of
+  /// the scene (findOcclusion), unless it knows that already. Views do so where it has not been done; here it tells how
+  /// far it is.
+  ///
+  /// errors   no_gl; interrupted; too_large
+  Result<void> prepare(const FrameSettings& settings, const ProgressFunction& progress = {});
+
+  /// Shows it on another device from now on: after the old one's context was lost, all that was there is made again.
+  /// Views follow.
+  ///
+  /// errors   no_gl; too_large (a texture for this driver): then it is as before
+  /// cost     as setScene's and setEnvironment's, with the cache of setCache
+  Result<void> moveTo(const Device& device);
+
+  /// As it was given, with all changes since.
+  const Scene& scene() const;
+  /// Of the scene.
+  const BoundingSphere& bounds() const;
+
+  struct State;
+  State& state() const { return *state_; }
+
+ private:
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace mirrorball

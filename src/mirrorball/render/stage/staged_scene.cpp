@@ -1,0 +1,136 @@
+#include "mirrorball/render/stage/staged_scene.h"
+
+#include <cassert>
+#include <span>
+#include <utility>
+
+#include "mirrorball/render/light/probe_places.h"
+#include "mirrorball/render/surface/texture_units.h"
+#include "mirrorball/scene/bodies/surrounding_media.h"
+
+namespace mirrorball {
+namespace {
+
+/// The middle of the box around a mesh, in its own frame.
+glm::vec3 centerOf(const Mesh& mesh) {
+  if (mesh.vertices.empty()) return glm::vec3(0.0f);
+  Box box;
+  for (const Vertex& vertex : mesh.vertices) box.include({vertex.position, vertex.position});
+  return box.center();
+}
+
+InstanceTraits traitsOfInstance(const Scene& scene, const Instance& instance) {
+  const int index = scene.meshes[std::size_t(instance.mesh)].material;
+  const Material& material = scene.materials[std::size_t(index)];
+  return {index, material.alpha_mode == AlphaMode::blend, material.double_sided, isBody(material)};
+}
+
+/// The words of a tree as a texture.
+Result<gl::Texture> wordsOf(const BodyTree& tree, const char* what) {
+  return withName(what, gl::Texture::fromWords(tree.words));
+}
+
+}  // namespace
+
+bool areDrawnAlike(const Material& a, const Material& b) {
+  for (const MaterialMap& map : materialMaps())
+    if ((a.*map.slot).texture != (b.*map.slot).texture) return false;
+  return a.slope_texture == b.slope_texture && a.height == b.height && a.height_texture == b.height_texture &&
+         a.height_scale == b.height_scale && a.height_frequency == b.height_frequency;
+}
+
+Result<std::shared_ptr<StagedScene>> StagedScene::make(std::shared_ptr<const Scene> scene, const StagedScene* alike) {
+  MIRRORBALL_TRY(buffers, SceneBuffers::make(*scene, TextureUnit::of_material, alike ? &alike->buffers_ : nullptr));
+  return std::shared_ptr<StagedScene>(new StagedScene(std::move(scene), std::move(buffers)));
+}
+
+void StagedScene::transformChanged(std::size_t instance) {
+  buffers_.blocks().instanceChanged(scene(), instance);
+  versions_.change(StagePart::transforms);
+}
+
+void StagedScene::materialChanged(std::size_t index) {
+  buffers_.blocks().materialChanged(scene(), index);
+  versions_.change(StagePart::materials);
+}
+
+const BoundingSphere& StagedScene::bounds() const {
+  return bounds_.get(versions_, [&] { return boundingSphere(scene()); });
+}
+
+const Box& StagedScene::box() const {
+  return box_.get(versions_, [&] { return boundingBox(scene()); });
+}
+
+const std::vector<Box>& StagedScene::boxes() const {
+  return boxes_.get(versions_, [&] { return boxesOf(scene()); });
+}
+
+const std::vector<InstanceTraits>& StagedScene::traits() const {
+  return traits_.get(versions_, [&] {
+    std::vector<InstanceTraits> traits;
+    for (const Instance& instance : scene().instances) traits.push_back(traitsOfInstance(scene(), instance));
+    return traits;
+  });
+}
+
+const std::vector<glm::vec3>& StagedScene::centers() const {
+  return centers_.get(versions_, [&] {
+    std::vector<glm::vec3> centers;
+    for (const Mesh& mesh : scene().meshes) centers.push_back(centerOf(mesh));
+    return centers;
+  });
+}
+
+Result<const std::optional<BodyTree>*> StagedScene::bodies() {
+  MIRRORBALL_TRY(tree, bodies_.tryGet(versions_, [&] { return bodyTree(scene()); }));
+  return tree;
+}
+
+Result<const gl::Texture*> StagedScene::bodyWords() {
+  MIRRORBALL_TRY(tree, bodies());
+  MIRRORBALL_TRY(words, body_words_.tryGet(versions_, [&] { return wordsOf(**tree, "the triangles of glass"); }));
+  return words;
+}
+
+Result<const std::optional<StagedScene::Triangles>*> StagedScene::triangles() {
+  const auto make = [&]() -> Result<std::optional<Triangles>> {
+    MIRRORBALL_TRY(tree, sceneTree(scene()));
+    if (!tree) return std::optional<Triangles>();
+    MIRRORBALL_TRY(words, wordsOf(*tree, "the triangles that reflections show"));
+    return std::optional<Triangles>(Triangles{std::move(words), std::move(tree->unseen_by_itself)});
+  };
+  MIRRORBALL_TRY(triangles, triangles_.tryGet(versions_, make));
+  return triangles;
+}
+
+bool StagedScene::liesInBody(std::size_t instance) const {
+  const std::vector<Box>& all = boxes();
+  for (std::size_t other = 0; other < all.size(); ++other)
+    if (isBody(materialOf(scene(), other)) && liesInside(all[instance], all[other])) return true;
+  return false;
+}
+
+Result<void> StagedScene::findIorAround() {
+  std::set<std::size_t>& known = knows_ior_around_.get(versions_, [] { return std::set<std::size_t>(); });
+  for (std::size_t i = 0; i < scene().instances.size(); ++i) {
+    if (!isBody(materialOf(scene(), i)) || known.contains(i)) continue;
+    std::vector<float> ior;
+    if (liesInBody(i)) {  // which it may have left
+      MIRRORBALL_TRY(tree, bodies());
+      if (*tree) ior = iorAround(scene(), i, **tree);
+    }
+    buffers_.setIorAround(i, ior);
+    known.insert(i);
+  }
+  return {};
+}
+
+Result<void> StagedScene::makePrisms() {
+  for (const Mesh& mesh : scene().meshes)
+    if (showsHeightTexture(scene().materials[std::size_t(mesh.material)], ReliefKind::exact))
+      MIRRORBALL_TRY_VOID(buffers_.makePrisms(scene(), static_cast<int>(&mesh - scene().meshes.data())));
+  return {};
+}
+
+}  // namespace mirrorball

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "formula/bodies.h"
+#include "formula/surface.h"
+#include "mirrorball/gl/texture.h"
+#include "mirrorball/render/light/flat_light.h"
+#include "mirrorball/render/light/proxy_uniforms.h"
+#include "mirrorball/render/surface/back_faces.h"
+#include "mirrorball/render/surface/texture_coordinates.h"
+#include "mirrorball/scene/box.h"
+#include "mirrorball/scene/camera/camera.h"
+
+namespace mirrorball {
+
+/// A chain of prefiltered cubes, of which a texture holds the levels from `first_level` on.
+struct PrefilteredChain {
+  const gl::Texture* texture = nullptr;
+  int first_level = 0;
+
+  /// That of roughness 1.
+  int lastLevel() const { return first_level + texture->levels() - 1; }
+  /// The side of its level 0, in the texture or not.
+  int size() const { return texture->width() << first_level; }
+};
+
+/// The light that some surfaces of a frame read: cubes as EnvironmentLight has them.
+struct SurfaceLight {
+  const gl::Texture* environment = nullptr;
+  const gl::Sampler* environment_sampler = nullptr;  ///< how it is read; null: as it says itself
+  const gl::Texture* prefiltered = nullptr;
+  const gl::Texture* irradiance = nullptr;
+  formula::Blur blur = {};
+  float intensity = 1.0f;  ///< radiance for which a 1 in the textures stands
+  glm::mat3 environment_from_world{1.0f};
+  glm::vec3 captured_from{0.0f};  ///< of light that has `nearness`: world, as its unit of length
+  float nearness_unit = 1.0f;
+  const gl::Texture* nearness = nullptr;  ///< formula/proxy/captured_sight.glsl; null: light comes from far away
+};
+
+/// The probes' light of a frame, and which instances read it in place of the environment's.
+struct ProbeUniforms {
+  std::vector<SurfaceLight> lights;
+  std::vector<int> light_of_instance;  ///< index; −1: the environment's. Empty: of all
+};
+
+/// What all surfaces of a frame share.
+struct FrameUniforms {
+  PrefilteredChain prefiltered;
+  Camera camera;
+  glm::mat3 environment_from_world{1.0f};
+  CoordinateMatrices coordinates;
+  const FlatLight* flat = nullptr;          ///< where FrameSettings::look_up reads it
+  const gl::Texture* sphere_map = nullptr;  ///< of this camera; null: no coordinates are places of it
+  const gl::Texture* bodies = nullptr;      ///< bodyTree() of the scene; null: it has no bodies, or they are not traced
+  const gl::Texture* scene_triangles = nullptr;  ///< sceneTree(); null: none are reflected
+  std::span<const int> unseen_by_itself = {};    ///< of instances: BodyTree's of that tree
+  formula::Media eye_media;                      ///< of traced bodies, those that the camera is inside of
+  const BackFaces* back_faces = nullptr;         ///< drawn with this camera; null: the frame's refraction does without
+  const gl::Texture* relief_hits = nullptr;      ///< ReliefHits of this camera; null: none is found exactly
+  int sample = 0;                                ///< number of the sample of the frame
+  ProxyUniforms* proxy = nullptr;                ///< placed as the settings say; must be set
+  const gl::Texture* opaque_picture = nullptr;   ///< OpaquePicture of this camera; null: nothing reads it
+  float screen_unit = 1.0f;                      ///< of its distances [world units]
+  Box shown = {};                                ///< around all that it shows
+  const ProbeUniforms* probes = nullptr;         ///< null: there are none
+  std::span<const int> hidden = {};              ///< instances that are not drawn
+};
+
+}  // namespace mirrorball

@@ -1,0 +1,302 @@
+#include "mirrorball/render/surface/surface_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <string>
+
+#include "mirrorball/gl/gl_api.h"
+#include "mirrorball/render/surface/height_map_uniform.h"
+#include "mirrorball/render/surface/light_reads.h"
+#include "mirrorball/render/surface/texture_units.h"
+#include "mirrorball/render/surface/wavelength_sets.h"
+
+namespace mirrorball {
+namespace {
+
+/// Tells the program how large the maps are that it filters itself.
+void setExtents(gl::Program& program, const Scene& scene, const Material& material,
+                const std::vector<MapSource>& sources) {
+  for (std::size_t row = 0; row < sources.size(); ++row) {
+    if (sources[row].layer < 0) continue;
+    const MaterialMap& map = materialMaps()[row];
+    const Image8& image = scene.textures[std::size_t((material.*map.slot).texture)].image;
+    const int last_level = levelCount(std::max(image.width(), image.height())) - 1;
+    program.set(std::string(map.name) + "_extent", glm::vec3(image.width(), image.height(), last_level));
+  }
+}
+
+/// As shaders/surface/lamps_listed.glsl reads them.
+std::vector<glm::vec4> lampRows(const Scene& scene, const FrameSettings& settings) {
+  std::vector<glm::vec4> rows;
+  const auto add = [&](const formula::Lamp& lamp, float factor) {
+    rows.emplace_back(lamp.position, static_cast<float>(lamp.kind));
+    rows.emplace_back(lamp.direction, lamp.range);
+    rows.emplace_back(lamp.color * factor, 0.0f);
+    rows.emplace_back(lamp.cosine_inner, lamp.cosine_outer, 0.0f, 0.0f);
+  };
+  for (const PointLight& light : settings.lights) add(lampOf(light), 1.0f);
+  for (const ModelLight& light : scene.lights) add(light, settings.light_intensity);
+  return rows;
+}
+
+/// The index of an instance's material.
+int materialOf(const Scene& scene, int instance) {
+  return scene.meshes[std::size_t(scene.instances[std::size_t(instance)].mesh)].material;
+}
+
+/// Chooses what reads a probe's light in place of the environment's: by cube samplers, however that is read. What a
+/// probe shows of other objects does not hide the environment once more.
+void readProbe(SurfaceVariant& variant, const SurfaceLight& probe) {
+  variant.choose(Part::proxy, probe.nearness ? ProxyPart::captured : ProxyPart::none);
+  variant.choose(Part::arriving_light, ArrivingLightPart::distant);
+  if (variant.has(Part::sky, SkyPart::occluded)) variant.choose(Part::sky, SkyPart::open);
+}
+
+/// As shaders/surface/transmission_traced.glsl reads them.
+std::array<glm::vec4, formula::kMaxMedia> mediaRows(const formula::Media& media) {
+  std::array<glm::vec4, formula::kMaxMedia> rows{};
+  for (std::size_t i = 0; i < std::size_t(media.count); ++i) rows[i] = {media.bodies[i], media.priorities[i], 1, 0};
+  return rows;
+}
+
+/// Sets what is the same in all of a program's draws and in no block.
+void setPrograms(SurfacePrograms::Programs& programs, const Scene& scene, const FrameUniforms& frame,
+                 const FrameSettings& settings) {
+  const std::vector<glm::vec4> lamps = lampRows(scene, settings);
+  const auto eye_media = mediaRows(frame.eye_media);
+  for (auto& [variant, program] : programs) {
+    if (variant.lamp_count > 0 && std::size_t(variant.lamp_count) * 4 == lamps.size())
+      program.set("lamp_rows", std::span<const glm::vec4>(lamps));
+    if (variant.has(Part::transmission, TransmissionPart::traced))
+      program.set("eye_media", std::span<const glm::vec4>(eye_media));
+  }
+}
+
+}  // namespace
+
+SurfaceVariant SurfaceDrawing::variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
+                                         const FrameSettings& settings) const {
+  const int material = materialOf(scene, instance);
+  const Material& from_outside = scene.materials[std::size_t(material)];
+  FrameSettings decided = settings;
+  decided.refraction = refractionOf(scene, material, settings.refraction);
+  if (scene.instances[std::size_t(instance)].occlusion.empty()) decided.occlusion = OcclusionKind::none;
+  // What is seen through comes from the probe, which a surface with rays does not read.
+  const bool sees_probe_behind = settings.behind == BehindKind::probes && from_outside.transmission > 0.0f &&
+                                 !light_of_instance_.empty() && light_of_instance_[std::size_t(instance)] >= 0;
+  decided.self_reflection = settings.self_reflection && scene_triangles_ != nullptr && !sees_probe_behind;
+  const auto variant = [&](const Material& seen) {
+    SurfaceVariant made = surfaceVariant(seen, buffers.mapsOf(material), decided,
+                                         settings.lights.size() + scene.lights.size(), coordinates_);
+    if (const int light = lightRead(made, instance); light > 0 && !seen.unlit)
+      readProbe(made, lights_[std::size_t(light)]);
+    return made;
+  };
+  if (!eye_is_inside_ || !isBody(from_outside)) return variant(from_outside);
+  Material seen = from_outside;
+  static_cast<formula::Material&>(seen) = formula::openMaterial(seen);  // without its layers
+  SurfaceVariant from_inside = variant(seen);
+  from_inside.choose(Part::material, MaterialPart::from_inside);
+  return from_inside;
+}
+
+bool SurfaceDrawing::DrawList::isFor(const DrawList& frame) const {
+  return version == frame.version && coordinates == frame.coordinates && eye_is_inside == frame.eye_is_inside &&
+         has_scene_triangles == frame.has_scene_triangles && light_of_instance == frame.light_of_instance &&
+         captured == frame.captured && settings == frame.settings;
+}
+
+Result<SurfaceDrawing::Draw> SurfaceDrawing::drawOf(SurfacePrograms& programs, const Scene& scene, int instance,
+                                                    const SceneBuffers& buffers, ProxyUniforms& proxy,
+                                                    const FrameSettings& settings) {
+  MIRRORBALL_TRY(program, programs.programFor(variantOf(scene, instance, buffers, settings), proxy));
+  const SurfaceVariant& variant = program->first;
+  const bool is_traced = variant.has(Part::sky, SkyPart::occluded_traced) ||
+                         variant.has(Part::transmission, TransmissionPart::image_space) ||
+                         variant.has(Part::transmission, TransmissionPart::traced);
+  return Draw{.mesh = scene.instances[std::size_t(instance)].mesh,
+              .material = materialOf(scene, instance),
+              .variant = &variant,
+              .program = &program->second,
+              .light = lightRead(variant, instance),
+              .is_costly = is_traced && variant.has(Part::point, PointPart::raster) &&
+                           variant.has(Part::alpha, AlphaPart::opaque)};
+}
+
+/// Finds how the instances are drawn, or that it is known.
+Result<void> SurfaceDrawing::findDraws(SurfacePrograms& programs, const Scene& scene, const SceneBuffers& buffers,
+                                       std::uint64_t version, ProxyUniforms& proxy, const FrameSettings& settings) {
+  constexpr std::size_t kMostLists = 4;  // a picture, its mirror image and what probes see of it
+  DrawList list{.settings = settings,
+                .version = version,
+                .coordinates = coordinates_,
+                .eye_is_inside = eye_is_inside_,
+                .has_scene_triangles = scene_triangles_ != nullptr,
+                .light_of_instance = light_of_instance_};
+  for (const SurfaceLight& light : lights_) list.captured.push_back(light.nearness != nullptr);
+  std::erase_if(draw_lists_, [&](const DrawList& other) { return other.version != version; });
+  const auto known =
+      std::find_if(draw_lists_.begin(), draw_lists_.end(), [&](const DrawList& other) { return other.isFor(list); });
+  drawn_ = static_cast<std::size_t>(known - draw_lists_.begin());
+  if (known != draw_lists_.end()) return {};
+  for (int instance = 0; instance < static_cast<int>(scene.instances.size()); ++instance) {
+    MIRRORBALL_TRY(draw, drawOf(programs, scene, instance, buffers, proxy, settings));
+    list.draws.push_back(draw);
+  }
+  if (draw_lists_.size() == kMostLists) draw_lists_.erase(draw_lists_.begin());
+  draw_lists_.push_back(std::move(list));
+  drawn_ = draw_lists_.size() - 1;
+  return {};
+}
+
+void SurfaceDrawing::setFrame(const SurfacePrograms& programs, const FrameUniforms& frame,
+                              const FrameSettings& settings) {
+  if (!frame_) frame_.emplace(programs.layout(SurfacePrograms::frame_point));
+  gl::UniformBlock& block = *frame_;
+  const glm::mat4 clip_from_world = frame.camera.clip_from_view * frame.camera.view_from_world;
+  block.set("clip_from_world", clip_from_world);
+  block.set("world_from_clip", glm::inverse(clip_from_world));
+  block.set("look_up_matrix", frame.coordinates.look_up);
+  block.set("picture_matrix", frame.coordinates.picture);
+  if (frame.back_faces) {
+    block.set("back_faces_from_world", frame.back_faces->texelsFromWorld());
+    block.set("eye_from_back_faces", frame.back_faces->eyeFromTexels());
+  }
+  block.set("eye_from_world", glm::mat3(frame.camera.view_from_world));
+  block.set("camera_position", frame.camera.position);
+  block.set("orthographic", frame.camera.orthographic ? 1.0f : 0.0f);
+  block.set("camera_forward", frame.camera.forward);
+  block.set("screen_unit", frame.screen_unit);
+  // One that holds nothing is a point where no ray comes: shaders are not promised infinity.
+  constexpr float kNowhere = 1e30f;
+  block.set("shown_low", frame.shown.isEmpty() ? glm::vec3(kNowhere) : frame.shown.low);
+  block.set("shown_high", frame.shown.isEmpty() ? glm::vec3(kNowhere) : frame.shown.high);
+  block.set("samples_per_pixel", static_cast<float>(settings.samples));
+  block.set("sample_phase", (static_cast<float>(frame.sample) + 0.5f) / static_cast<float>(settings.samples));
+  block.set("texture_filter", static_cast<int>(settings.texture_filter));
+  block.set("lobe_taps", lobesOf(settings));
+  block.set("inner_bounces", settings.inner_bounces);
+  block.set("only_wavelength", settings.wavelength_nm / 1000.0f);
+  block.set("wavelength_count", lightKindsOf(settings));
+  if (isSpectral(settings))
+    block.set("wavelengths", std::span<const glm::vec4>(wavelengthSets(settings, frame.sample)));
+}
+
+void SurfaceDrawing::setLights(const EnvironmentLight& light, const FrameUniforms& frame,
+                               const FrameSettings& settings) {
+  const FlatLight* flat = frame.flat;
+  const bool reads_nearest = !flat && settings.texture_filter == TextureFilter::nearest;
+  lights_ = {{.environment = flat ? &flat->environment : &light.cube(),
+              .environment_sampler = reads_nearest ? &light.nearestSampler() : nullptr,
+              .prefiltered = flat ? &flat->prefiltered : frame.prefiltered.texture,
+              .irradiance = flat ? &flat->irradiance : &light.irradiance(),
+              .blur = blurOf(settings, light.cube(), frame.prefiltered),
+              .intensity = settings.env_intensity * light.unit(),
+              .environment_from_world = frame.environment_from_world}};
+  light_of_instance_.clear();
+  if (!frame.probes) return;
+  lights_.insert(lights_.end(), frame.probes->lights.begin(), frame.probes->lights.end());
+  light_of_instance_ = frame.probes->light_of_instance;
+}
+
+int SurfaceDrawing::lightRead(const SurfaceVariant& variant, int instance) const {
+  // Rays meet the other objects themselves.
+  if (light_of_instance_.empty() || variant.has(Part::sky, SkyPart::occluded_traced)) return 0;
+  return light_of_instance_[std::size_t(instance)] + 1;
+}
+
+void SurfaceDrawing::bindLight(int light) {
+  if (bound_light_ == light) return;
+  bound_light_ = light;
+  while (light_blocks_.size() < lights_.size()) light_blocks_.emplace_back(light_layout_);
+  const SurfaceLight& read = lights_[std::size_t(light)];
+  gl::UniformBlock& block = light_blocks_[std::size_t(light)];
+  block.set("environment_from_world", read.environment_from_world);
+  block.set("captured_from", read.captured_from);
+  block.set("nearness_unit", read.nearness_unit);
+  block.set("environment_intensity", read.intensity);
+  block.set("blur_kind", read.blur.kind);
+  block.set("first_level", read.blur.first_level);
+  block.set("last_level", read.blur.last_level);
+  block.set("texels_per_radian", read.blur.texels_per_radian);
+  block.bind(SurfacePrograms::light_point);
+  read.environment->bind(TextureUnit::environment, read.environment_sampler);
+  read.prefiltered->bind(TextureUnit::prefiltered);
+  read.irradiance->bind(TextureUnit::irradiance);
+}
+
+Result<void> SurfaceDrawing::begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers,
+                                   std::uint64_t version, const EnvironmentLight& light, const FrameUniforms& frame,
+                                   const FrameSettings& settings) {
+  if (scene.instances.empty()) return {};
+  coordinates_ = coordinateChoice(scene, settings);
+  eye_is_inside_ = frame.eye_media.count > 0;
+  setLights(light, frame, settings);
+  scene_triangles_ = frame.scene_triangles;
+  unseen_by_itself_ = frame.unseen_by_itself;
+  MIRRORBALL_TRY_VOID(findDraws(programs, scene, buffers, version, *frame.proxy, settings));
+  buffers.blocks().make(scene, programs.layout(SurfacePrograms::instance_point),
+                        programs.layout(SurfacePrograms::material_point));
+  light_layout_ = programs.layout(SurfacePrograms::light_point);
+  setPrograms(programs.programs(), scene, frame, settings);
+  setFrame(programs, frame, settings);
+  bound_light_ = -1;
+  programs.bindBrdfTable();
+  sphere_map_ = frame.sphere_map;
+  proxy_ = frame.proxy;
+  bodies_ = frame.bodies;
+  back_faces_ = frame.back_faces;
+  relief_hits_ = frame.relief_hits;
+  opaque_picture_ = frame.opaque_picture;
+  return {};
+}
+
+/// Those of a frame whose units others take, too.
+void SurfaceDrawing::bindFrameTextures(const SurfaceVariant& variant, const SurfaceLight& light) {
+  if (variant.has(Part::look_up, LookUpPart::sphere_map))
+    sphere_map_->bind(TextureUnit::sphere_map);
+  else if (variant.has(Part::proxy, ProxyPart::captured))
+    light.nearness->bind(TextureUnit::nearness);
+  else if (!variant.has(Part::proxy, ProxyPart::none))
+    proxy_->bind();
+  if (bodies_ && variant.has(Part::transmission, TransmissionPart::traced)) bodies_->bind(TextureUnit::bodies);
+  if (variant.has(Part::sky, SkyPart::occluded_traced)) scene_triangles_->bind(sceneTrianglesUnit(variant));
+  if (back_faces_ && variant.has(Part::transmission, TransmissionPart::image_space))
+    back_faces_->picture().bind(TextureUnit::back_faces);
+  if (opaque_picture_ && variant.has(Part::behind, BehindPart::screen))
+    opaque_picture_->bind(TextureUnit::opaque_picture);
+}
+
+void SurfaceDrawing::draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings) {
+  const Draw& draw = draws()[std::size_t(instance)];
+  const int material = draw.material;
+  const SurfaceVariant& variant = *draw.variant;
+  gl::Program& program = *draw.program;
+  const bool shows_heights = variant.has(Part::normal, NormalPart::heights);
+  buffers.bindMaps(scene, material, TextureUnit::first_of_material, shows_heights);
+  setExtents(program, scene, scene.materials[std::size_t(material)], buffers.mapsOf(material));
+  if (const auto* heights = shows_heights ? buffers.heightsOf(scene, material) : nullptr) {
+    const int texture = scene.materials[std::size_t(material)].height_texture;
+    program.set("height_map", heightMapUniform(scene.height_textures[std::size_t(texture)]));
+    program.set("height_form", glm::vec2(heights->slope_unit, settings.relief_steps));
+  }
+  if (variant.has(Part::normal, NormalPart::slopes)) program.set("slope_unit", buffers.slopesOf(scene, material)->unit);
+  if (variant.has(Part::sky, SkyPart::occluded_traced))
+    program.set("unseen_by_itself", unseen_by_itself_[std::size_t(instance)]);
+  frame_->bind(SurfacePrograms::frame_point);
+  bindLight(draw.light);
+  bindFrameTextures(variant, lights_[std::size_t(draw.light)]);
+  buffers.blocks().bind(instance, SurfacePrograms::instance_point, material, SurfacePrograms::material_point);
+  program.use();
+  if (variant.has(Part::transmission, TransmissionPart::image_space)) buffers.readIorAround(scene, instance);
+  if (variant.has(Part::sky, SkyPart::occluded) || variant.has(Part::sky, SkyPart::occluded_traced))
+    return buffers.drawMeshWithOcclusion(scene, instance);
+  if (!variant.has(Part::point, PointPart::exact)) return buffers.drawMesh(draw.mesh);
+  glDisable(GL_CULL_FACE);
+  buffers.bindPrisms(draw.mesh, TextureUnit::prisms);
+  relief_hits_->bind(TextureUnit::relief_hits);  // a unit of other materials' maps
+  screen_.draw(3);
+}
+
+}  // namespace mirrorball

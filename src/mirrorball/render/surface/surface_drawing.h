@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/buffer.h"
+#include "mirrorball/gl/uniform_block.h"
+#include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/light/environment_light.h"
+#include "mirrorball/render/surface/frame_uniforms.h"
+#include "mirrorball/render/surface/scene_buffers.h"
+#include "mirrorball/render/surface/surface_programs.h"
+#include "mirrorball/scene/scene.h"
+
+namespace mirrorball {
+
+/// How a view draws the surfaces of a scene: which program each instance needs, which light it reads, and the uniform
+/// blocks of the frame and its lights.
+class SurfaceDrawing {
+ public:
+  /// Makes the programs that a frame needs and sets what all surfaces share. Each sample begins with it; `draw` must be
+  /// called with the same programs, scene, buffers and settings. What each instance needs is worked out once and kept,
+  /// for the last few kinds of frame.
+  ///
+  /// version  of the scene: another number wherever its materials, meshes or what else draws depend on has changed
+  /// errors   unsupported (the driver does not compile a shader)
+  Result<void> begin(SurfacePrograms& programs, const Scene& scene, SceneBuffers& buffers, std::uint64_t version,
+                     const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
+
+  /// Whether an instance's light is searched for along rays, at each fragment, and its place is the mesh's. To be asked
+  /// after `begin`.
+  bool isCostly(int instance) const { return draws()[std::size_t(instance)].is_costly; }
+
+  /// Draws an instance of the scene.
+  void draw(const Scene& scene, int instance, SceneBuffers& buffers, const FrameSettings& settings);
+
+ private:
+  /// How an instance is drawn.
+  struct Draw {
+    int mesh;
+    int material;
+    const SurfaceVariant* variant;
+    gl::Program* program;
+    int light;  ///< lightRead()
+    bool is_costly;
+  };
+  /// Of a kind of frame: all that draws depend on.
+  struct DrawList {
+    FrameSettings settings = {};
+    std::uint64_t version = 0;
+    CoordinateChoice coordinates = {};
+    bool eye_is_inside = false;
+    bool has_scene_triangles = false;
+    std::vector<int> light_of_instance = {};
+    std::vector<bool> captured = {};  ///< of each light: whether it has `nearness`
+    std::vector<Draw> draws = {};     ///< of each instance
+
+    bool isFor(const DrawList& frame) const;
+  };
+
+  const std::vector<Draw>& draws() const { return draw_lists_[drawn_].draws; }
+  Result<void> findDraws(SurfacePrograms& programs, const Scene& scene, const SceneBuffers& buffers,
+                         std::uint64_t version, ProxyUniforms& proxy, const FrameSettings& settings);
+  Result<Draw> drawOf(SurfacePrograms& programs, const Scene& scene, int instance, const SceneBuffers& buffers,
+                      ProxyUniforms& proxy, const FrameSettings& settings);
+  SurfaceVariant variantOf(const Scene& scene, int instance, const SceneBuffers& buffers,
+                           const FrameSettings& settings) const;
+  void setFrame(const SurfacePrograms& programs, const FrameUniforms& frame, const FrameSettings& settings);
+  void setLights(const EnvironmentLight& light, const FrameUniforms& frame, const FrameSettings& settings);
+  /// Which of the lights: 0 is the environment's.
+  int lightRead(const SurfaceVariant& variant, int instance) const;
+  void bindLight(int light);
+  void bindFrameTextures(const SurfaceVariant& variant, const SurfaceLight& light);
+
+  std::vector<DrawList> draw_lists_;
+  std::size_t drawn_ = 0;         ///< which of them the sample has
+  CoordinateChoice coordinates_;  ///< of the frame
+  bool eye_is_inside_ = false;    ///< of it: of bodies that are traced
+  const gl::Texture* scene_triangles_ = nullptr;
+  std::span<const int> unseen_by_itself_;
+  const gl::Texture* sphere_map_ = nullptr;
+  ProxyUniforms* proxy_ = nullptr;
+  const gl::Texture* bodies_ = nullptr;       ///< null: the scene has none
+  const BackFaces* back_faces_ = nullptr;     ///< of the sample
+  const gl::Texture* relief_hits_ = nullptr;  ///< likewise
+  const gl::Texture* opaque_picture_ = nullptr;
+  std::optional<gl::UniformBlock> frame_;
+  std::shared_ptr<const gl::BlockLayout> light_layout_;
+  std::vector<SurfaceLight> lights_;            ///< of the sample: the environment's, then those of probes
+  std::vector<gl::UniformBlock> light_blocks_;  ///< of these
+  std::vector<int> light_of_instance_;          ///< of the frame's probes
+  int bound_light_ = -1;
+  gl::VertexArray screen_;
+};
+
+}  // namespace mirrorball

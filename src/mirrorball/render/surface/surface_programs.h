@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "mirrorball/base/result.h"
+#include "mirrorball/gl/program.h"
+#include "mirrorball/gl/texture.h"
+#include "mirrorball/gl/uniform_block.h"
+#include "mirrorball/image/image.h"
+#include "mirrorball/render/light/proxy_uniforms.h"
+#include "mirrorball/render/surface/surface_variant.h"
+
+namespace mirrorball {
+
+/// The shader programs for surfaces, one for each variant that some frame has needed, and the BRDF table that they
+/// read: the same for all scenes and views of a device.
+class SurfacePrograms {
+ public:
+  /// The binding points of the uniform blocks.
+  enum BlockPoint : unsigned { frame_point, instance_point, material_point, light_point, block_points };
+  using Programs = std::map<SurfaceVariant, gl::Program>;
+
+  /// brdf_table   surfaceBrdfTable(): cloth is added where a material needs it
+  /// errors       too_large (for this driver)
+  static Result<SurfacePrograms> make(gl::Api api, const Image& brdf_table);
+
+  gl::Api api() const { return api_; }
+
+  /// A variant's program, made when it is first asked for; it stays where it is.
+  ///
+  /// proxy    connected to it
+  /// errors   unsupported (the driver does not compile a shader)
+  Result<Programs::pointer> programFor(const SurfaceVariant& variant, ProxyUniforms& proxy);
+
+  /// All that were made.
+  Programs& programs() { return programs_; }
+
+  /// How a block lies in memory; null: no program that was made has it.
+  const std::shared_ptr<const gl::BlockLayout>& layout(BlockPoint point) const { return layouts_[point]; }
+
+  void bindBrdfTable() const;
+
+ private:
+  SurfacePrograms(gl::Api api, gl::Texture brdf_table) : api_(api), brdf_table_(std::move(brdf_table)) {}
+  void connect(gl::Program& program, const SurfaceVariant& variant, ProxyUniforms& proxy);
+  Result<void> addClothToBrdfTable();
+
+  gl::Api api_;
+  gl::Texture brdf_table_;
+  bool brdf_table_has_cloth_ = false;
+  Programs programs_;
+  std::array<std::shared_ptr<const gl::BlockLayout>, block_points> layouts_;
+};
+
+/// Where the scene's triangles are read: what transmits has its bodies or back faces where others have them.
+int sceneTrianglesUnit(const SurfaceVariant& variant);
+
+}  // namespace mirrorball

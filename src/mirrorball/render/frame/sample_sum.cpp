@@ -60,6 +60,13 @@ void SampleSum::add() {
   glDisable(GL_BLEND);
 }
 
+glm::vec3 SampleSum::lastRadiance(glm::ivec2 pixel) const {
+  sample_->bind();
+  glm::vec4 texel(0.0f);
+  glReadPixels(pixel.x, settings_.size.y - 1 - pixel.y, 1, 1, GL_RGBA, GL_FLOAT, &texel.x);
+  return glm::vec3(texel);
+}
+
 void SampleSum::show() {
   gl::drawOverAll();
   result().color().bind(TextureUnit::picture);

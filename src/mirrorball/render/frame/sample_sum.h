@@ -27,6 +27,8 @@ class SampleSum {
   const gl::Framebuffer& sample() const { return *sample_; }
   /// Takes the picture that is in `sample()` into the mean.
   void add();
+  /// Of the last sample that was drawn: of a pixel, row 0 at the top.
+  glm::vec3 lastRadiance(glm::ivec2 pixel) const;
   int count() const { return count_; }  ///< of the samples that were added
 
   /// Tone maps the mean of the samples that there are into what is bound.

@@ -31,7 +31,7 @@ class SceneDrawing {
   /// Draws that scene from now on, which must be called before anything else.
   void show(std::shared_ptr<StagedScene> staged) { staged_ = std::move(staged); }
 
-  const StagedScene& staged() const { return *staged_; }
+  StagedScene& staged() const { return *staged_; }
   const Scene& scene() const { return staged_->scene(); }
 
   /// Makes what a frame needs, and says it in `frame`, whose camera and proxy must be set.

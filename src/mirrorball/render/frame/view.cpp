@@ -197,6 +197,20 @@ Result<void> View::show(unsigned framebuffer, glm::ivec2 corner) const {
   return {};
 }
 
+Result<std::optional<Picked>> View::pick(glm::vec2 place) {
+  OnDevice& on = *state_->on;
+  const FrameSettings& settings = state_->settings;
+  const glm::ivec2 pixel(glm::floor(place));
+  if (glm::any(glm::lessThan(pixel, glm::ivec2(0))) || glm::any(glm::greaterThanEqual(pixel, settings.size)))
+    return std::optional<Picked>();
+  MIRRORBALL_TRY_VOID(enter());
+  MIRRORBALL_TRY(geometry, on.drawing.staged().geometry());
+  const EyeRay ray = EyeRays(on.frame.camera, settings.size).through(place);
+  std::optional<Picked> picked = pickAlong(ray, on.drawing.scene(), *geometry, settings);
+  if (picked) picked->radiance = on.samples->lastRadiance(pixel);
+  return picked;
+}
+
 Result<Image> View::radiance() const {
   MIRRORBALL_TRY_VOID(enter());
   return state_->on->samples->radiance();

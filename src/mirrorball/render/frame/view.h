@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "mirrorball/base/progress.h"
 #include "mirrorball/base/result.h"
 #include "mirrorball/image/image.h"
 #include "mirrorball/render/frame/frame_settings.h"
+#include "mirrorball/render/frame/picking.h"
 #include "mirrorball/render/stage/stage.h"
 #include "mirrorball/scene/camera/camera.h"
 
@@ -78,6 +80,14 @@ class View {
   Result<Image> radiance() const;
   /// The whole frame as `render` returns it.
   Result<Image8> picture();
+
+  /// What the frame shows at a place of it, from its top left corner [pixels]; with reliefs and holes, as rays find it
+  /// (pickAlong). At least one sample must have been drawn.
+  ///
+  /// returns  nothing: the background, or the place is outside
+  /// errors   no_gl; too_large
+  /// cost     some microseconds; after a change of meshes, places or heights, sorting the triangles (Geometry::make)
+  Result<std::optional<Picked>> pick(glm::vec2 place);
 
   /// Of the last frame, without its background.
   LightCost lightCost() const;

@@ -1,6 +1,6 @@
 #include "mirrorball/render/stage/staged_scene.h"
 
-#include <cassert>
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -102,6 +102,18 @@ Result<const std::optional<StagedScene::Triangles>*> StagedScene::triangles() {
   };
   MIRRORBALL_TRY(triangles, triangles_.tryGet(versions_, make));
   return triangles;
+}
+
+Result<const Geometry*> StagedScene::geometry() {
+  const auto make = [&]() -> Result<Geometry> {
+    MIRRORBALL_TRY(made, Geometry::make(scene()));
+    const auto can_be_searched = [](const HeightTexture& each) { return !each.picture.empty(); };
+    const auto& heights = scene().height_textures;
+    if (std::all_of(heights.begin(), heights.end(), can_be_searched)) MIRRORBALL_TRY_VOID(made.makeReliefs(scene()));
+    return Result<Geometry>(std::move(made));
+  };
+  MIRRORBALL_TRY(geometry, geometry_.tryGet(versions_, make));
+  return geometry;
 }
 
 bool StagedScene::liesInBody(std::size_t instance) const {

@@ -12,6 +12,7 @@
 
 #include "mirrorball/base/result.h"
 #include "mirrorball/gl/texture.h"
+#include "mirrorball/rays/geometry.h"
 #include "mirrorball/render/frame/frame_settings.h"
 #include "mirrorball/render/stage/derived.h"
 #include "mirrorball/render/surface/scene_buffers.h"
@@ -71,6 +72,10 @@ class StagedScene {
   ///
   /// errors   as sceneTree's; too_large (for this driver)
   Result<const std::optional<Triangles>*> triangles();
+  /// For rays on the CPU, with the reliefs below triangles where they can be searched.
+  ///
+  /// errors   as Geometry::make's
+  Result<const Geometry*> geometry();
   /// Tells the buffers what bodies are met from that lie in others.
   ///
   /// errors   as bodyTree's
@@ -99,6 +104,7 @@ class StagedScene {
   Derived<gl::Texture> body_words_{StagePart::meshes | StagePart::transforms | StagePart::materials};
   Derived<std::optional<Triangles>> triangles_{StagePart::meshes | StagePart::transforms | StagePart::occlusion |
                                                StagePart::materials};
+  Derived<Geometry> geometry_{StagePart::meshes | StagePart::transforms | StagePart::materials};
   /// Instances whose surroundings the buffers know.
   Derived<std::set<std::size_t>> knows_ior_around_{StagePart::meshes | StagePart::transforms | StagePart::materials};
 };

@@ -1,7 +1,7 @@
 #include "mirrorball/render/frame/picking.h"
 
-#include "formula/bsdf.h"
-#include "formula/surface.h"
+#include <cmath>
+
 #include "mirrorball/rays/seen_from.h"
 #include "mirrorball/rays/surface_point.h"
 #include "mirrorball/scene/relief/relief.h"
@@ -58,7 +58,7 @@ std::optional<Picked> pickAlong(const EyeRay& ray, const Scene& scene, const Geo
   picked.reflected = glm::reflect(ray.direction, facing);
   if (material.transmission > 0.0f) {
     const float ior = material.thin_walled ? 1.0f : material.ior;
-    const glm::vec3 refracted = formula::refractedDirection(ray.direction, facing, is_back ? 1.0f / ior : ior);
+    const glm::vec3 refracted = glm::refract(ray.direction, facing, is_back ? ior : 1.0f / ior);
     if (glm::dot(refracted, refracted) > 0.0f) picked.refracted = refracted;
   }
   return picked;

@@ -1,0 +1,102 @@
+// What a change costs on a stage that lives, and what a second view of it takes.
+//
+// usage: stage_bench MODEL ENVIRONMENT
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+#include "mirrorball/environment/file/load.h"
+#include "mirrorball/gl/gl_api.h"
+#include "mirrorball/render/frame/view.h"
+#include "mirrorball/scene/load_model.h"
+
+using namespace mirrorball;
+
+namespace {
+
+/// Of this process, now [MiB]; a software driver's textures are in it.
+double memory() {
+  std::ifstream file("/proc/self/statm");
+  long pages = 0, resident = 0;
+  file >> pages >> resident;
+  return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+/// The median time of `act`, made nine times, and drawn to its end [ms].
+double timeOf(const std::function<Result<void>(int turn)>& act) {
+  std::vector<double> times;
+  for (int turn = 0; turn < 9; ++turn) {
+    const auto start = std::chrono::steady_clock::now();
+    if (const auto done = act(turn); !done) std::printf("%s\n", done.error().message.c_str());
+    glFinish();
+    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  std::sort(times.begin(), times.end());
+  return times[times.size() / 2];
+}
+
+Result<void> firstSample(View& view, const FrameSettings& settings) {
+  MIRRORBALL_TRY_VOID(view.begin(settings));
+  MIRRORBALL_TRY_VOID(view.drawSample());
+  return {};
+}
+
+Result<void> measure(const std::string& model, const std::string& environment) {
+  MIRRORBALL_TRY(device, Device::headless());
+  Stage stage(device);
+  MIRRORBALL_TRY(loaded, loadEnvironment(environment));
+  MIRRORBALL_TRY_VOID(stage.setEnvironment(std::move(loaded.environment), *CacheFolder::ofUser()));
+  MIRRORBALL_TRY(scene, loadModel(model));
+  MIRRORBALL_TRY_VOID(stage.setScene(std::move(scene)));
+  FrameSettings settings{.size = {1280, 720}, .samples = 2};
+  const FrameSettings small{.size = {16, 16}, .samples = 2};
+  View view(stage);
+  const double empty = memory();
+  MIRRORBALL_TRY_VOID(view.draw(settings));
+  const double one = memory();
+  View second(stage);
+  settings.relief = ReliefKind::none;
+  MIRRORBALL_TRY_VOID(second.draw(settings));
+  std::printf("memory: %.0f MiB before the first frame, %.0f with one view of 1280 x 720, %.0f with two\n", empty, one,
+              memory());
+  View moved(stage);
+  MIRRORBALL_TRY_VOID(moved.draw(small));
+  std::printf("first sample of 16 x 16 pixels: %.2f ms after nothing, ",
+              timeOf([&](int) { return firstSample(moved, small); }));
+  std::printf("%.2f ms after a camera's move, ", timeOf([&](int turn) -> Result<void> {
+                FrameSettings turned = small;
+                turned.camera.azimuth_deg = static_cast<float>(10 * turn);
+                return firstSample(moved, turned);
+              }));
+  std::printf("%.2f ms after a material's number\n", timeOf([&](int turn) -> Result<void> {
+                Material material = stage.scene().materials[0];
+                material.perceptual_roughness = 0.1f * static_cast<float>(turn);
+                MIRRORBALL_TRY_VOID(stage.setMaterial(0, material));
+                return firstSample(moved, small);
+              }));
+  std::printf("the same scene again: %.2f ms\n", timeOf([&](int) -> Result<void> {
+                MIRRORBALL_TRY_VOID(stage.setScene(Scene(stage.scene())));
+                return firstSample(moved, small);
+              }));
+  return {};
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count != 3) {
+    std::fprintf(stderr, "usage: stage_bench MODEL ENVIRONMENT\n");
+    return 2;
+  }
+  const auto measured = measure(words[1], words[2]);
+  if (!measured) std::fprintf(stderr, "%s\n", measured.error().message.c_str());
+  return measured ? 0 : 1;
+}

@@ -1,5 +1,8 @@
 #include "cli/command.h"
 
+#include <set>
+#include <string>
+
 namespace mirrorball::cli {
 
 void addArgument(Command& command, Argument argument, std::string& target) {
@@ -17,6 +20,16 @@ void addArgument(Command& command, Argument argument, std::vector<std::string>& 
     return {};
   };
   command.arguments.push_back(std::move(argument));
+}
+
+std::string inCommandWords(std::string_view text) {
+  return filledIn(text, [](std::string_view name) { return "--" + std::string(name); });
+}
+
+OptionText inCommandWords(OptionText text) {
+  static std::set<std::string> helps;  // which live as long as the tables that they are of
+  if (text.help.find('{') != std::string_view::npos) text.help = *helps.insert(inCommandWords(text.help)).first;
+  return text;
 }
 
 std::string synopsisOf(const Command& command) {

@@ -60,6 +60,12 @@ struct Command {
   Action action = {};
 };
 
+/// A text of the library as the command line says it: {option:proxy} is --proxy.
+std::string inCommandWords(std::string_view text);
+
+/// The row of a table, in those words.
+OptionText inCommandWords(OptionText text);
+
 /// Adds an argument that sets `target`, which must outlive the command's action.
 void addArgument(Command& command, Argument argument, std::string& target);
 /// The same for one or more words.
@@ -75,8 +81,8 @@ template <typename Target>
 void addOptions(Command& command, std::type_identity_t<std::span<const Option<Target>>> table, Target& target,
                 GivenOptions* given = nullptr) {
   for (const Option<Target>& option : table)
-    command.options.push_back({option.text, written(option, target), option.isFlag(), option.mayRepeat(),
-                               [&option, &target, given](const std::string& value) {
+    command.options.push_back({inCommandWords(option.text), written(option, target), option.isFlag(),
+                               option.mayRepeat(), [&option, &target, given](const std::string& value) {
                                  if (given != nullptr) given->insert(option.text.name);
                                  return assign(option, target, value);
                                }});

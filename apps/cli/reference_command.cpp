@@ -31,7 +31,7 @@ const auto kReferenceOptions = std::to_array<Option<ReferenceRequest>>({
 
 template <typename Target>
 CommandOption rowOf(const Option<Target>& option, const Target& defaults) {
-  return {.text = option.text, .default_value = written(option, defaults), .is_flag = option.isFlag()};
+  return {.text = inCommandWords(option.text), .default_value = written(option, defaults), .is_flag = option.isFlag()};
 }
 
 template <typename Target>
@@ -114,7 +114,8 @@ std::vector<CommandOption> rowsOfMaterials() {
   for (const MaterialParameter& parameter : materialParameters())
     rows.push_back(rowOf<Material>(parameter, Material{}));
   for (const MaterialMap& map : materialMaps())
-    rows.push_back({.text = {.name = map.name, .value = "FILE", .help = map.help}, .default_value = ""});
+    rows.push_back(
+        {.text = inCommandWords({.name = map.name, .value = "FILE", .help = map.help}), .default_value = ""});
   return rows;
 }
 

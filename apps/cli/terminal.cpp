@@ -13,6 +13,7 @@
 
 #include <unistd.h>
 
+#include "cli/command.h"
 #include "cli/interruption.h"
 #include "mirrorball/base/text.h"
 #include "mirrorball/environment/projection/projection.h"
@@ -146,7 +147,7 @@ Result<void> flushStandardOutput() {
 }
 
 void remark(const std::string& text) {
-  if (!is_quiet) say(stderr, "mirrorball: note: " + text);
+  if (!is_quiet) say(stderr, "mirrorball: note: " + inCommandWords(text));
 }
 
 namespace {
@@ -222,7 +223,7 @@ Observer terminalObserver() {
           .progress = [](std::string_view stage) { return progressBar(std::string(stage)); }};
 }
 
-std::string lineOf(const Error& error) { return error.message + adviceOn(error.remedy); }
+std::string lineOf(const Error& error) { return inCommandWords(error.message) + adviceOn(error.remedy); }
 
 void complain(const Error& error) { say(stderr, "mirrorball: " + lineOf(error)); }
 

@@ -27,7 +27,8 @@ struct OptionText {
   int max_count = 1;
   std::string_view choices = {};  ///< "exact|schlick|empirical": the values of an enumeration, in its order
   std::string_view aliases = {};  ///< "linear=bilinear|cubic=bicubic": other ways to write a choice
-  std::string_view help = {};     ///< one sentence
+  /// One sentence. Another option is named {option:NAME}, since each face has its own way to write that: filledIn().
+  std::string_view help = {};
   std::string_view letter = {};   ///< "o" where -o is a short form
   std::string_view implied = {};  ///< what is meant when the option is given without a value; empty: it needs one
   std::string_view group = {};    ///< heading in help
@@ -36,7 +37,30 @@ struct OptionText {
   bool is_daily = false;          ///< most people use it: the help of a command with many options shows it at once
   /// The names that a text may be, or begin with; they complete it on the command line.
   std::span<const std::string_view> (*names)() = nullptr;
+
+  // For who sets it by hand (base/option_control.h):
+  double soft_minimum = -std::numeric_limits<double>::infinity();  ///< of a slider, within the range
+  double soft_maximum = std::numeric_limits<double>::infinity();
+  double step = 0.0;           ///< of a slider; 0: none
+  bool is_number = false;      ///< a field of a kind of its own holds nothing else
+  bool is_color = false;       ///< three numbers are linear light
+  char between_numbers = ',';  ///< as the field writes and reads them
 };
+
+/// A text of the library in the words of a face: each {option:NAME} gives way to `nameOf(NAME)`.
+template <typename NameOf>
+std::string filledIn(std::string_view text, const NameOf& nameOf) {
+  constexpr std::string_view kBegin = "{option:";
+  std::string filled;
+  while (true) {
+    const std::size_t begin = text.find(kBegin);
+    const std::size_t end = begin == std::string_view::npos ? begin : text.find('}', begin);
+    if (end == std::string_view::npos) return filled += text;
+    filled += text.substr(0, begin);
+    filled += nameOf(text.substr(begin + kBegin.size(), end - begin - kBegin.size()));
+    text.remove_prefix(end + 1);
+  }
+}
 
 /// Numbers written "1,2.5,3", as many as `text` allows and each in its range; without one up to ±1e30, so that what is
 /// computed from them stays finite.
@@ -114,7 +138,7 @@ struct Option {
 /// What is said of options that have nothing to act on: "--rays changes nothing: no occlusion is made", "--blur and
 /// --probes change nothing: ...".
 ///
-/// options   with their dashes; not empty
+/// options   as they are to be said; not empty
 std::string changesNothing(std::span<const std::string> options, std::string_view why);
 
 /// "fov takes a number in degrees (1 … 170); it was given 'wide'", with the option's own name, unit and range.

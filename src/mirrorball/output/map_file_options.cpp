@@ -70,7 +70,7 @@ constexpr Field kClampField{
 
 const std::string kProgramHelp = "store the map as this program expects it: " + join(presetNames(), " ");
 const std::string kLayoutHelp = "layout of a cube in picture files: " + join(cubeLayoutNames()) +
-                                " (faces writes six files); without it, the layout of --for, or hcross";
+                                " (faces writes six files); without it, the layout of {option:for}, or hcross";
 
 const std::string kMipsHelp =
     "write all mip levels: " + writtenExtensions(Holds::texture, " and ") +
@@ -91,7 +91,7 @@ const auto kMapFileOptions = std::to_array<Option<MapFileOptions>>({
      &MapFileOptions::as_seen},
     {{.name = "flip",
       .choices = "none|horizontal|vertical|both",
-      .help = "flip each cube face, after --for and --as-seen",
+      .help = "flip each cube face, after {option:for} and {option:as-seen}",
       .group = "Output"},
      choiceField<&MapFileOptions::flip>},
     {{.name = "face-order",
@@ -119,14 +119,16 @@ const auto kMapFileOptions = std::to_array<Option<MapFileOptions>>({
       .minimum = 1e-30,
       .maximum = 1e30,
       .help = "multiply all light by FACTOR, before anything else is done with it",
-      .group = "Output"},
+      .group = "Output",
+      .is_number = true},
      numberField<&MapFileOptions::light, &LightLimits::scale>},
     {{.name = "clamp-light",
       .value = "MAX",
       .unit = "radiance",
       .minimum = 0,
       .maximum = 1e38,
-      .help = "after --scale-light, scale texels above MAX in any channel down to MAX, keeping their hue; 0: no limit",
+      .help = "after {option:scale-light}, scale texels above MAX in any channel down to MAX, keeping their hue; 0: no "
+              "limit",
       .group = "Output"},
      kClampField},
     {{.name = "layout",

@@ -17,7 +17,7 @@ const auto kOptions = std::to_array<Option<StudySettings>>({
       .maximum = 65536,
       .help =
           "paths a pixel of each path-traced picture, and up to 64 samples of the renderer's; without it 256, or with "
-          "--noise as many as that takes",
+          "{option:noise} as many as that takes",
       .group = "Reference"},
      &StudySettings::paths},
     {{.name = "noise",

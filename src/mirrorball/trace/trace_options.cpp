@@ -18,10 +18,11 @@ const auto kOptions = std::to_array<Option<TraceSettings>>({
       .group = "Reference"},
      &TraceSettings::bounces},
     {{.name = "unoccluded",
-      .help =
-          "light reaches each surface as if there were nothing else: with --bounces 1, all that an environment map "
-          "can know; with --refraction traced, glass has its inner surfaces, as many as --inner-bounces says, and with "
-          "image-space one",
+      .help = "light reaches each surface as if there were nothing else: with {option:bounces} 1, all that an "
+              "environment map "
+              "can know; with {option:refraction} traced, glass has its inner surfaces, as many as "
+              "{option:inner-bounces} says, and with "
+              "image-space one",
       .group = "Reference"},
      &TraceSettings::is_unoccluded},
     {{.name = "strategy",

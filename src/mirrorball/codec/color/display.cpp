@@ -24,7 +24,11 @@ OptionText exposureText() {
           .maximum = 30,
           .help = help,
           .group = "Picture",
-          .is_daily = true};
+          .is_daily = true,
+          .soft_minimum = -8,
+          .soft_maximum = 8,
+          .step = 0.1,
+          .is_number = true};
 }
 
 OptionText toneMapText() {
@@ -34,7 +38,11 @@ OptionText toneMapText() {
           .choices = "agx|aces|neutral|reinhard|linear",
           .help = help,
           .group = "Picture",
-          .is_daily = true};
+          .is_daily = true,
+          .soft_minimum = -8,
+          .soft_maximum = 8,
+          .step = 0.1,
+          .is_number = true};
 }
 
 void showOn(const Display& display, Image& image) {

@@ -59,7 +59,8 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
      choiceField<&BakedSetSettings::distribution>},
     {{.name = "mip-mapping",
       .choices = "auto|filament|linear|unreal|unity|frostbite",
-      .help = "the roughness of each mip level, as this engine looks it up; auto goes by --for: unreal and unity have "
+      .help = "the roughness of each mip level, as this engine looks it up; auto goes by {option:for}: unreal and "
+              "unity have "
               "their own, godot has that of frostbite, all others that of filament"},
      kMipMappingField},
     {{.name = "irradiance-size",
@@ -92,7 +93,7 @@ const auto kBakedSetOptions = std::to_array<Option<BakedSetSettings>>({
      choiceField<&BakedSetSettings::brdf_axes>},
     {{.name = "brdf-extension",
       .value = kBrdfExtensions,
-      .help = "extension of the BRDF table's file; without it, that of --extension, but .exr in place of .hdr",
+      .help = "extension of the BRDF table's file; without it, that of {option:extension}, but .exr in place of .hdr",
       .names = bakedBrdfExtensions},
      &BakedSetSettings::brdf_extension},
     {{.name = "lobe-rows",

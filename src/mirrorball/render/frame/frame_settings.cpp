@@ -15,9 +15,12 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
     {{.name = "size",
       .value = "WxH|W",
       .unit = "pixels",
+      .min_count = 2,
+      .max_count = 2,
       .help = "width and height of the picture; of a width alone, the height keeps the default's shape",
       .group = "Picture",
-      .is_daily = true},
+      .is_daily = true,
+      .between_numbers = 'x'},
      frame_fields::kSize},
     {{.name = "samples",
       .value = "N",
@@ -71,7 +74,11 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .maximum = 170,
       .help = "vertical field of view",
       .group = "Camera",
-      .is_daily = true},
+      .is_daily = true,
+      .soft_minimum = 10,
+      .soft_maximum = 90,
+      .step = 1,
+      .is_number = true},
      numberField<&FrameSettings::camera, &CameraOptions::fov_deg>},
     {{.name = "orthographic",
       .value = "HEIGHT",
@@ -80,7 +87,10 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .maximum = 1e4,
       .help = "use an orthographic projection of this height; 2 just fits a sphere; 0: the model fills the picture",
       .implied = "0",
-      .group = "Camera"},
+      .group = "Camera",
+      .soft_maximum = 4,
+      .step = 0.01,
+      .is_number = true},
      frame_fields::kOrthographic},
 
     {{.name = "env-rotation",
@@ -90,7 +100,10 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .help = "turn the environment about +Z by ROLL, then about +X by PITCH, then about +Y by YAW, from +Z towards +X",
       .group = "Environment",
       .also = "rotate",
-      .is_daily = true},
+      .is_daily = true,
+      .soft_minimum = -180,
+      .soft_maximum = 180,
+      .step = 1},
      frame_fields::kRotation},
     {{.name = "env-intensity",
       .value = "FACTOR",
@@ -98,12 +111,14 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .maximum = 1e6,
       .help = "factor on the environment's light",
       .group = "Environment",
-      .is_daily = true},
+      .is_daily = true,
+      .soft_maximum = 4,
+      .step = 0.01},
      &FrameSettings::env_intensity},
     {{.name = "stand",
-      .help =
-          "stand the model on the floor that the panorama shows: the same as --proxy ground, and a camera that holds "
-          "the shadow too. With --background transparent the shadow is all that is left of the floor",
+      .help = "stand the model on the floor that the panorama shows: the same as {option:proxy} ground, and a camera "
+              "that holds "
+              "the shadow too. With {option:background} transparent the shadow is all that is left of the floor",
       .group = "Environment",
       .is_daily = true},
      &FrameSettings::stands},
@@ -122,7 +137,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .unit = "world units",
       .min_count = 3,
       .max_count = 3,
-      .help = "with --proxy, where the environment map was captured; without it in the middle, or on the ground above "
+      .help = "with {option:proxy}, where the environment map was captured; without it in the middle, or on the ground "
+              "above "
               "the model's middle",
       .group = "Environment"},
      frame_fields::kCapturedAt},
@@ -130,9 +146,12 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .value = "ROUGHNESS",
       .minimum = 0,
       .maximum = 1,
-      .help = "with --proxy ground, how rough the ground is: below 1 it is polished and shows the mirror image of the "
+      .help = "with {option:proxy} ground, how rough the ground is: below 1 it is polished and shows the mirror image "
+              "of the "
               "model; 1 is matt",
-      .group = "Environment"},
+      .group = "Environment",
+      .step = 0.01,
+      .is_number = true},
      frame_fields::kGroundRoughness},
     {{.name = "probes",
       .value = "N|auto",
@@ -148,7 +167,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .unit = "texels",
       .minimum = 0,
       .maximum = 1024,
-      .help = "with --probes, side of the faces of their cubes, which a power of two suits best; 0: a quarter of the "
+      .help = "with {option:probes}, side of the faces of their cubes, which a power of two suits best; 0: a quarter "
+              "of the "
               "picture's height, but 64 to 256",
       .group = "Environment"},
      &FrameSettings::probe_size},
@@ -156,7 +176,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .value = "N",
       .minimum = 1,
       .maximum = 8,
-      .help = "with --probes, number of times that they are captured: the second time objects show each other in each "
+      .help = "with {option:probes}, number of times that they are captured: the second time objects show each other "
+              "in each "
               "other",
       .group = "Environment"},
      &FrameSettings::probe_bounces},
@@ -168,7 +189,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      choiceField<&FrameSettings::blur>},
     {{.name = "lobe-taps",
       .choices = "1|2|4|6",
-      .help = "with --blur exact or gpu, number of places at which the prefiltered environment is read for one rough "
+      .help = "with {option:blur} exact or gpu, number of places at which the prefiltered environment is read for one "
+              "rough "
               "reflection; with 1 it is right only where the surface is seen from above",
       .group = "Look"},
      choiceField<&FrameSettings::lobe_taps>},
@@ -180,7 +202,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      choiceField<&FrameSettings::mapping>},
     {{.name = "reflect-at",
       .choices = "vertex|fragment|triangle",
-      .help = "where the reflected ray, or what else --mapping or --texgen says, is computed: at the vertices and then "
+      .help = "where the reflected ray, or what else {option:mapping} or {option:texgen} says, is computed: at the "
+              "vertices and then "
               "interpolated, at each fragment, or once per triangle, like a mirror made of tiles",
       .group = "Environment"},
      choiceField<&FrameSettings::reflect_at>},
@@ -197,8 +220,9 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .value = "N",
       .minimum = 4,
       .maximum = 1024,
-      .help = "number of steps of --relief steep, occlusion, linear-binary and cone",
-      .group = "Look"},
+      .help = "number of steps of {option:relief} steep, occlusion, linear-binary and cone",
+      .group = "Look",
+      .soft_maximum = 256},
      &FrameSettings::relief_steps},
     {{.name = "refraction",
       .choices = "single|image-space|traced|auto",
@@ -211,7 +235,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
      choiceField<&FrameSettings::refraction>},
     {{.name = "behind",
       .choices = "far|probes|screen",
-      .help = "what is seen through glass: the environment far away; with --probes what was captured around it; or the "
+      .help = "what is seen through glass: the environment far away; with {option:probes} what was captured around it; "
+              "or the "
               "opaque surfaces in the picture, where the ray that leaves the glass meets them there, and else that "
               "light. far leaves glass without a probe",
       .group = "Look"},
@@ -227,14 +252,15 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
     {{.name = "dispersion",
       .choices = "channels|spectral",
       .help = "which kinds of light go their own ways through glass that disperses: red, green and blue, which show "
-              "three images, or --wavelengths of the spectrum, which run into each other",
+              "three images, or {option:wavelengths} of the spectrum, which run into each other",
       .group = "Look"},
      choiceField<&FrameSettings::dispersion>},
     {{.name = "wavelengths",
       .value = "N",
       .minimum = 8,
       .maximum = formula::kMostWavelengths,
-      .help = "with --dispersion spectral, number of wavelengths that each sample of a pixel is drawn of; they differ "
+      .help = "with {option:dispersion} spectral, number of wavelengths that each sample of a pixel is drawn of; they "
+              "differ "
               "from sample to sample and from pixel to pixel",
       .group = "Look"},
      &FrameSettings::wavelengths},
@@ -245,7 +271,9 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .maximum = 780,
       .help = "refract all light as this one wavelength, by each material's index there: the directions in which a "
               "prism bends it can be measured; the light keeps the environment's colours, and metals their own",
-      .group = "Look"},
+      .group = "Look",
+      .step = 1,
+      .is_number = true},
      frame_fields::kWavelength},
     {{.name = "occlusion",
       .choices = "none|vertex",
@@ -254,7 +282,8 @@ const auto kOptions = std::to_array<Option<FrameSettings>>({
       .group = "Look"},
      choiceField<&FrameSettings::occlusion>},
     {{.name = "self-reflection",
-      .help = "smooth surfaces reflect the model itself, by a ray a sample of each pixel; also sets --occlusion vertex",
+      .help = "smooth surfaces reflect the model itself, by a ray a sample of each pixel; also sets {option:occlusion} "
+              "vertex",
       .group = "Look"},
      &FrameSettings::self_reflection},
     {{.name = "lookup",

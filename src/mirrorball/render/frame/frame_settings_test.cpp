@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "mirrorball/base/option_control.h"
 
 namespace mirrorball {
 namespace {
@@ -36,6 +39,26 @@ TEST(FrameOptions, EveryRowHasANameOfItsOwnAndHelp) {
     EXPECT_TRUE(names.insert(option.text.name).second) << option.text.name;
     EXPECT_FALSE(option.text.help.empty()) << option.text.name;
   }
+}
+
+// A panel is made of the table alone: only what is more than numbers and choices is a line of text there.
+TEST(FrameOptions, EveryRowCanBeAControl) {
+  FrameSettings settings;
+  std::vector<std::string> texts;
+  for (const auto& option : frameOptions()) {
+    const std::string name(option.text.name);
+    const OptionControl control = controlOf(option);
+    if (control.kind == ControlKind::text) texts.push_back(name);
+    EXPECT_LE(control.minimum, control.maximum) << name;
+    const std::string before = written(option, settings);
+    const ControlValue value = valueOf(option, settings);
+    if (before.empty()) continue;  // such as lights, which are added
+    EXPECT_TRUE(setValue(option, settings, value)) << name;
+    EXPECT_EQ(written(option, settings), before) << name;
+    EXPECT_EQ(valueOf(option, settings), value) << name;
+  }
+  EXPECT_EQ(settings, FrameSettings());
+  EXPECT_THAT(texts, ::testing::ElementsAre("background", "proxy", "probes"));
 }
 
 // What a row writes it also reads.

@@ -46,27 +46,28 @@ struct Idle {
 constexpr auto kIdle = std::to_array<Idle>({
     {"light-intensity", "the model has no lights of its own",
      [](const Scene& scene, const FrameSettings&) { return !scene.lights.empty(); }},
-    {"refraction", "no surface lets light through; --set transmission=1 makes it do so",
+    {"refraction", "no surface lets light through; {option:set} transmission=1 makes it do so",
      [](const Scene& scene, const FrameSettings&) { return transmitsLight(scene); }},
-    {"behind", "no surface lets light through; --set transmission=1 makes it do so",
+    {"behind", "no surface lets light through; {option:set} transmission=1 makes it do so",
      [](const Scene& scene, const FrameSettings&) { return transmitsLight(scene); }},
-    {"inner-bounces", "light is followed inside of bodies by --refraction traced, where a surface lets light through",
+    {"inner-bounces",
+     "light is followed inside of bodies by {option:refraction} traced, where a surface lets light through",
      [](const Scene& scene, const FrameSettings& settings) {
        return hasGlass(scene) && settings.refraction >= RefractionKind::traced;
      }},
-    {"dispersion", "no surface disperses the light that it lets through; --set dispersion=1 makes it do so",
+    {"dispersion", "no surface disperses the light that it lets through; {option:set} dispersion=1 makes it do so",
      [](const Scene& scene, const FrameSettings&) { return disperses(scene); }},
-    {"wavelengths", "they are drawn by --dispersion spectral",
+    {"wavelengths", "they are drawn by {option:dispersion} spectral",
      [](const Scene& scene, const FrameSettings& settings) {
        return settings.dispersion == DispersionKind::spectral && disperses(scene);
      }},
-    {"lobe-taps", "they are read of light that is prefiltered: --blur exact or gpu",
+    {"lobe-taps", "they are read of light that is prefiltered: {option:blur} exact or gpu",
      [](const Scene&, const FrameSettings& settings) { return settings.blur <= BlurKind::gpu; }},
-    {"relief-steps", "only --relief steep, occlusion, linear-binary and cone go in steps",
+    {"relief-steps", "only {option:relief} steep, occlusion, linear-binary and cone go in steps",
      [](const Scene&, const FrameSettings& settings) { return goesInSteps(settings.relief); }},
-    {"probe-size", "there are no probes; --probes N makes some",
+    {"probe-size", "there are no probes; {option:probes} N makes some",
      [](const Scene&, const FrameSettings& settings) { return settings.probes != 0; }},
-    {"probe-bounces", "there are no probes; --probes N makes some",
+    {"probe-bounces", "there are no probes; {option:probes} N makes some",
      [](const Scene&, const FrameSettings& settings) { return settings.probes != 0; }},
 });
 
@@ -78,9 +79,10 @@ std::vector<std::string> idleOptions(const Scene& scene, const FrameSettings& se
   if (scene.empty()) return lines;
   for (const Idle& idle : kIdle)
     if (given.contains(idle.option) && !idle.acts(scene, settings))
-      lines.push_back(changesNothing(std::array{"--" + std::string(idle.option)}, idle.why));
+      lines.push_back(changesNothing(std::array{"{option:" + std::string(idle.option) + "}"}, idle.why));
   if (settings.refraction == RefractionKind::single && absorbs(scene))
-    lines.emplace_back("--refraction single knows of no way through glass, and so of no absorption; image-space does");
+    lines.emplace_back(
+        "{option:refraction} single knows of no way through glass, and so of no absorption; image-space does");
   return lines;
 }
 

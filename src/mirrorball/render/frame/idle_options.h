@@ -10,7 +10,7 @@
 
 namespace mirrorball {
 
-/// What was asked for and changes nothing in a picture of a scene, a line each with the reason: "--light-intensity: the
+/// What was asked for and changes nothing in a picture of a scene, a line each with the reason: "{option:light-intensity}: the
 /// model has no lights of its own"; and what its materials ask for that is not drawn.
 ///
 /// given   names of options

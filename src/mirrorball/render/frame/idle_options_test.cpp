@@ -19,13 +19,15 @@ const std::set<std::string_view> kAll{"light-intensity", "refraction",   "behind
 TEST(IdleOptions, SayWhyTheyChangeNothing) {
   FrameSettings settings;
   settings.blur = BlurKind::mip;
-  EXPECT_THAT(idleOptions(*loadModel("sphere"), settings, kAll),
-              ElementsAre(StartsWith("--light-intensity changes nothing: the model has no lights"),
-                          StartsWith("--refraction changes nothing: "), StartsWith("--behind changes nothing: "),
-                          StartsWith("--inner-bounces changes nothing: "), StartsWith("--dispersion changes nothing: "),
-                          StartsWith("--wavelengths changes nothing: "), StartsWith("--lobe-taps changes nothing: "),
-                          StartsWith("--relief-steps changes nothing: "), StartsWith("--probe-size changes nothing: "),
-                          StartsWith("--probe-bounces changes nothing: ")));
+  EXPECT_THAT(
+      idleOptions(*loadModel("sphere"), settings, kAll),
+      ElementsAre(
+          StartsWith("{option:light-intensity} changes nothing: the model has no lights"),
+          StartsWith("{option:refraction} changes nothing: "), StartsWith("{option:behind} changes nothing: "),
+          StartsWith("{option:inner-bounces} changes nothing: "), StartsWith("{option:dispersion} changes nothing: "),
+          StartsWith("{option:wavelengths} changes nothing: "), StartsWith("{option:lobe-taps} changes nothing: "),
+          StartsWith("{option:relief-steps} changes nothing: "), StartsWith("{option:probe-size} changes nothing: "),
+          StartsWith("{option:probe-bounces} changes nothing: ")));
 }
 
 TEST(IdleOptions, SayNothingWhereTheyAct) {
@@ -50,7 +52,7 @@ TEST(IdleOptions, AbsorptionThatIsNotDrawnIsSaid) {
   scene.materials[0].transmission = 1.0f;
   scene.materials[0].attenuation_distance = 0.5f;
   scene.materials[0].attenuation_color = glm::vec3(0.2f, 0.8f, 0.3f);
-  EXPECT_THAT(idleOptions(scene, {}, {}), ElementsAre(StartsWith("--refraction single knows of no way")));
+  EXPECT_THAT(idleOptions(scene, {}, {}), ElementsAre(StartsWith("{option:refraction} single knows of no way")));
   FrameSettings settings;
   settings.refraction = RefractionKind::image_space;
   EXPECT_THAT(idleOptions(scene, settings, {}), IsEmpty());

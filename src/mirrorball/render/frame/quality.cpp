@@ -44,9 +44,9 @@ bool isAnyGiven(std::span<const std::string_view> names, const std::set<std::str
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return given.contains(name); });
 }
 
-/// "--self-reflection", "--behind screen"
+/// "{option:self-reflection}", "{option:behind} screen"
 std::string asGiven(const Option<FrameSettings>& option, std::string_view value) {
-  const std::string name = "--" + std::string(option.text.name);
+  const std::string name = "{option:" + std::string(option.text.name) + "}";
   return option.isFlag() ? name : name + " " + std::string(value);
 }
 

@@ -48,7 +48,7 @@ bool dependsOnHiding(Quality quality, SceneTraits traits, const std::set<std::st
 /// vertices know.
 ///
 /// given     names of options that stay as they are
-/// returns   what was chosen, as a user writes it: "--refraction auto --behind screen"; empty: nothing
+/// returns   what was chosen: "{option:refraction} auto {option:behind} screen"; empty: nothing
 std::string fillIn(Quality quality, const SceneTraits& traits, const std::set<std::string_view>& given,
                    FrameSettings& settings);
 

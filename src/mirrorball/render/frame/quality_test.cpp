@@ -109,7 +109,7 @@ TEST(Quality, WhatIsGivenStays) {
 TEST(Quality, SaysWhatItChose) {
   FrameSettings settings;
   EXPECT_EQ(fillIn(Quality::good, kNeedsAll, {"behind"}, settings),
-            "--refraction auto --occlusion vertex --self-reflection");
+            "{option:refraction} auto {option:occlusion} vertex {option:self-reflection}");
   EXPECT_EQ(fillIn(Quality::good, {}, {}, settings), "");
 }
 

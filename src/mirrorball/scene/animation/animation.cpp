@@ -28,12 +28,12 @@ double cubic(double from, double slope_from, double to, double slope_to, double 
 }  // namespace
 
 std::size_t AnimationSampler::components() const {
-  return values->size() / times->size() / (interpolation == Interpolation::cubic_spline ? 3 : 1);
+  return values->size() / times->size() / (interpolation == KeyInterpolation::cubic_spline ? 3 : 1);
 }
 
 void sample(const AnimationSampler& sampler, double seconds, bool is_rotation, std::vector<double>& value) {
   const std::vector<float>& times = *sampler.times;
-  const bool is_cubic = sampler.interpolation == Interpolation::cubic_spline;
+  const bool is_cubic = sampler.interpolation == KeyInterpolation::cubic_spline;
   const std::size_t components = sampler.components();
   const auto keyed = [&](std::size_t key, std::size_t which) {
     const std::size_t first = (is_cubic ? key * 3 + which : key) * components;
@@ -44,7 +44,7 @@ void sample(const AnimationSampler& sampler, double seconds, bool is_rotation, s
   const std::size_t from = next == 0 ? 0 : next - 1;
   const std::span<const float> begin = keyed(from, 1);
   value.assign(begin.begin(), begin.end());
-  const bool is_between = next > 0 && next < times.size() && sampler.interpolation != Interpolation::step;
+  const bool is_between = next > 0 && next < times.size() && sampler.interpolation != KeyInterpolation::step;
   if (!is_between) {
     if (is_rotation) write(unitQuaternion(value), value);
     return;

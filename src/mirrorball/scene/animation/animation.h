@@ -14,14 +14,14 @@
 namespace mirrorball {
 
 /// How a value goes from one key of an animation to the next.
-enum class Interpolation { step, linear, cubic_spline };
+enum class KeyInterpolation { step, linear, cubic_spline };
 
 /// A value at some times. The numbers are shared, as files let several channels share them.
 struct AnimationSampler {
   std::shared_ptr<const std::vector<float>> times;  ///< seconds, growing; at least one
   /// As many numbers at each time; of cubic splines the slope that arrives there, the value, and the slope that leaves.
   std::shared_ptr<const std::vector<float>> values;
-  Interpolation interpolation = Interpolation::linear;
+  KeyInterpolation interpolation = KeyInterpolation::linear;
 
   /// How many numbers a value has.
   std::size_t components() const;

@@ -17,7 +17,7 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-AnimationSampler keys(std::vector<float> times, std::vector<float> values, Interpolation interpolation) {
+AnimationSampler keys(std::vector<float> times, std::vector<float> values, KeyInterpolation interpolation) {
   return {std::make_shared<const std::vector<float>>(std::move(times)),
           std::make_shared<const std::vector<float>>(std::move(values)), interpolation};
 }
@@ -29,7 +29,7 @@ std::vector<double> at(const AnimationSampler& sampler, double seconds, bool is_
 }
 
 TEST(AnimationSampler, GoesStraightFromKeyToKey) {
-  const AnimationSampler line = keys({1, 2, 4}, {0, 10, 2, 20, 8, 0}, Interpolation::linear);
+  const AnimationSampler line = keys({1, 2, 4}, {0, 10, 2, 20, 8, 0}, KeyInterpolation::linear);
   EXPECT_THAT(at(line, 0.0), ElementsAre(0.0, 10.0)) << "before the first key as there";
   EXPECT_THAT(at(line, 1.0), ElementsAre(0.0, 10.0));
   EXPECT_THAT(at(line, 1.25), ElementsAre(0.5, 12.5));
@@ -40,7 +40,7 @@ TEST(AnimationSampler, GoesStraightFromKeyToKey) {
 }
 
 TEST(AnimationSampler, AStepHoldsUntilTheNextKey) {
-  const AnimationSampler steps = keys({0, 1, 2}, {5, 6, 7}, Interpolation::step);
+  const AnimationSampler steps = keys({0, 1, 2}, {5, 6, 7}, KeyInterpolation::step);
   EXPECT_THAT(at(steps, 0.999), ElementsAre(5.0));
   EXPECT_THAT(at(steps, 1.0), ElementsAre(6.0));
   EXPECT_THAT(at(steps, 1.5), ElementsAre(6.0));
@@ -50,7 +50,7 @@ TEST(AnimationSampler, AStepHoldsUntilTheNextKey) {
 TEST(AnimationSampler, ACubicSplineFollowsItsSlopes) {
   // From 1, leaving with a slope of 3, to 5, arriving with −1, in two seconds. By hand, at a quarter of the way:
   // 0.84375 · 1 + 0.140625 · 2 · 3 + 0.15625 · 5 − 0.046875 · 2 · (−1).
-  const AnimationSampler spline = keys({1, 3}, {100, 1, 3, -1, 5, 200}, Interpolation::cubic_spline);
+  const AnimationSampler spline = keys({1, 3}, {100, 1, 3, -1, 5, 200}, KeyInterpolation::cubic_spline);
   EXPECT_EQ(spline.components(), 1u);
   EXPECT_THAT(at(spline, 0.0), ElementsAre(1.0));
   EXPECT_THAT(at(spline, 1.5), ElementsAre(DoubleNear(2.5625, 1e-12)));
@@ -80,22 +80,22 @@ void expectTurn(const std::vector<double>& quaternion, float degrees) {
 
 TEST(AnimationSampler, TurnsTheShortWayAtOneSpeed) {
   // The same rotation has two quaternions; the second key has the one that is farther away.
-  const AnimationSampler turning = keys({0, 1}, joined(turn(10), turn(130, -1)), Interpolation::linear);
+  const AnimationSampler turning = keys({0, 1}, joined(turn(10), turn(130, -1)), KeyInterpolation::linear);
   expectTurn(at(turning, 0.0, true), 10);
   expectTurn(at(turning, 0.25, true), 40);
   expectTurn(at(turning, 0.5, true), 70);
   expectTurn(at(turning, 1.0, true), 130);
-  const AnimationSampler across = keys({0, 1}, joined(turn(-20), turn(300)), Interpolation::linear);
+  const AnimationSampler across = keys({0, 1}, joined(turn(-20), turn(300)), KeyInterpolation::linear);
   expectTurn(at(across, 0.5, true), -40);
 }
 
 TEST(AnimationSampler, SplinesOfRotationsStayRotations) {
   const std::vector<float> none(4, 0.0f);
   const std::vector<float> values = joined(joined(joined(none, turn(0)), none), joined(joined(none, turn(90)), none));
-  const AnimationSampler spline = keys({0, 1}, values, Interpolation::cubic_spline);
+  const AnimationSampler spline = keys({0, 1}, values, KeyInterpolation::cubic_spline);
   expectTurn(at(spline, 0.5, true), 45);
   // A rotation without a length is none.
-  EXPECT_THAT(at(keys({0}, none, Interpolation::step), 0.0, true), ElementsAre(0.0, 0.0, 0.0, 1.0));
+  EXPECT_THAT(at(keys({0}, none, KeyInterpolation::step), 0.0, true), ElementsAre(0.0, 0.0, 0.0, 1.0));
 }
 
 // --- which one is shown

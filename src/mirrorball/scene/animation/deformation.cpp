@@ -74,6 +74,15 @@ void straighten(Basis& vertex, const Basis& before) {
   vertex.tangent = glm::vec4(unit(across, formula::anyTangent(vertex.normal)), before.tangent.w);
 }
 
+/// A place; what is no number, or larger than any, is as far away as one may be, where checkExtent (load_model.h)
+/// refuses it.
+glm::vec3 withinFloats(glm::vec3 place) {
+  constexpr float kFarthest = 1e30f;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(std::abs(place[axis]) < kFarthest)) place[axis] = kFarthest;
+  return place;
+}
+
 }  // namespace
 
 std::size_t MeshDeformation::work() const {
@@ -99,7 +108,7 @@ bool deform(const MeshDeformation& how, std::span<const float> weights, std::spa
   parallelFor(vertices.size(), kVerticesAPiece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (is_bent) straighten(vertices[i], how.vertices[i]);
-      mesh.vertices[i].position = vertices[i].position;
+      mesh.vertices[i].position = withinFloats(vertices[i].position);
       mesh.vertices[i].normal = vertices[i].normal;
       mesh.vertices[i].tangent = vertices[i].tangent;
     }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "mirrorball/scene/animation/deformation.h"
 #include "mirrorball/scene/animation/target_values.h"
 
 namespace mirrorball {
@@ -28,7 +29,7 @@ bool fitsRig(const Scene& scene) {
     const std::size_t vertices = scene.meshes[std::size_t(part.mesh)].vertices.size();
     if (part.deformation && vertices != part.deformation->vertices.size()) return false;
   }
-  return scene.rig.camera_nodes.size() == scene.cameras.size() && scene.rig.light_nodes.size() == scene.lights.size();
+  return scene.rig.camera_nodes.size() <= scene.cameras.size() && scene.rig.light_nodes.size() <= scene.lights.size();
 }
 
 /// Shows a scene's parts where its rig has them at some time.
@@ -56,14 +57,16 @@ class Poser {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const int parent = nodes_[i].parent;
       worlds_[i] = (parent < 0 ? rig_.world_from_roots : worldOf(parent)) * parentFromNode(nodes_[i].place);
-      if (!isWithinFloats(worlds_[i]))
-        return fail(ErrorCode::bad_file, "one of its nodes has a transform that is too large");
+      if (!isWithinFloats(worlds_[i])) return tooLarge();
     }
     skins_.assign(rig_.skins.size(), {});
     for (std::size_t i = 0; i < skins_.size(); ++i) {
       const Skin& skin = rig_.skins[i];
-      for (std::size_t joint = 0; joint < skin.joints.size(); ++joint)
-        skins_[i].emplace_back(worldOf(skin.joints[joint]) * glm::dmat4(skin.joint_from_mesh[joint]));
+      for (std::size_t joint = 0; joint < skin.joints.size(); ++joint) {
+        const glm::dmat4 moved = worldOf(skin.joints[joint]) * glm::dmat4(skin.joint_from_mesh[joint]);
+        if (!isWithinFloats(moved)) return tooLarge();
+        skins_[i].emplace_back(moved);
+      }
     }
     for (std::size_t i = 0; i < rig_.camera_nodes.size(); ++i)
       if (const auto rigid = rigidPart(worldOf(rig_.camera_nodes[i]))) scene_.cameras[i].world_from_view = *rigid;
@@ -92,6 +95,10 @@ class Poser {
   }
 
  private:
+  static tl::unexpected<Error> tooLarge() {
+    return fail(ErrorCode::bad_file, "one of its nodes has a transform that is too large");
+  }
+
   const glm::dmat4& worldOf(int node) const { return worlds_[std::size_t(node)]; }
 
   void bend(RigPart& part, bool node_mirrors) {

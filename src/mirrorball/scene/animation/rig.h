@@ -9,9 +9,10 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "mirrorball/scene/animation/animation.h"
-#include "mirrorball/scene/animation/deformation.h"
 
 namespace mirrorball {
+
+struct MeshDeformation;
 
 /// Where a node lies in its parent: scaled, turned, moved, and then brought there by a matrix. Files have the former
 /// three or the latter.
@@ -54,8 +55,7 @@ struct RigPart {
   bool is_mirrored = false;                                 ///< a deformed mesh's triangles are turned round now
 };
 
-/// What of a model's file moves. A scene with a rig is one pose of it: the one at rest, and without a choice of
-/// animation all that is seen (pose.h).
+/// What of a model's file moves. A scene with a rig is at rest; pose.h makes scenes of other moments of it.
 struct Rig {
   glm::dmat4 world_from_roots{1.0};
   std::vector<RigNode> nodes = {};

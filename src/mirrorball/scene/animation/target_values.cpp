@@ -16,10 +16,12 @@ Part* partAt(std::vector<Part>& parts, int index) {
 
 glm::dvec3 vectorOf(std::span<const double> value) { return {value[0], value[1], value[2]}; }
 
-/// Beyond it squares of floats overflow.
 float bounded(double number, double minimum, double maximum) {
   return static_cast<float>(std::clamp(number, minimum, maximum));
 }
+
+/// Splines go beyond their keys, and may go beyond floats.
+float floatOf(double number) { return bounded(number, -1e30, 1e30); }
 
 }  // namespace
 
@@ -42,7 +44,7 @@ void TargetValues::set(const NodeTarget& target, std::span<const double> value) 
       break;
     case NodeTarget::Of::weights:
       for (std::size_t i = 0; i < std::min(node->weights.size(), value.size()); ++i)
-        node->weights[i] = static_cast<float>(value[i]);
+        node->weights[i] = floatOf(value[i]);
       break;
   }
 }
@@ -57,17 +59,17 @@ void TargetValues::set(const TextureTarget& target, std::span<const double> valu
   if (material == nullptr) return;
   TextureSlot& slot = material->*target.slot;
   if (target.of == TextureTarget::Of::rotation)
-    slot.rotation_rad = static_cast<float>(value[0]);
+    slot.rotation_rad = floatOf(value[0]);
   else
-    (target.of == TextureTarget::Of::offset ? slot.offset : slot.scale) = glm::vec2(value[0], value[1]);
+    (target.of == TextureTarget::Of::offset ? slot.offset : slot.scale) = {floatOf(value[0]), floatOf(value[1])};
 }
 
 void TargetValues::set(const LightTarget& target, std::span<const double> value) {
   Light& light = lights_.try_emplace({target.of, target.index}, Light{target.color, target.strength}).first->second;
   if (target.is_strength)
-    light.strength = static_cast<float>(value[0]);
+    light.strength = floatOf(value[0]);
   else
-    light.color = glm::vec3(vectorOf(value));
+    light.color = {floatOf(value[0]), floatOf(value[1]), floatOf(value[2])};
 }
 
 void TargetValues::set(const LampTarget& target, std::span<const double> value) {

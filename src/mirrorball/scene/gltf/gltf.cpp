@@ -13,6 +13,7 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
+#include "mirrorball/scene/animation/deformation.h"
 #include "mirrorball/scene/animation/pose.h"
 #include "mirrorball/scene/gltf/gltf_animation.h"
 #include "mirrorball/scene/gltf/gltf_deformation.h"

@@ -17,7 +17,7 @@
 namespace mirrorball::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 3> kInterpolations{"STEP", "LINEAR", "CUBICSPLINE"};  // by Interpolation
+constexpr std::array<std::string_view, 3> kInterpolations{"STEP", "LINEAR", "CUBICSPLINE"};  // by KeyInterpolation
 
 /// The number of a node whose weights a pointer leads to; −1: to something else.
 int nodeOfWeights(std::string_view pointer) {
@@ -103,10 +103,11 @@ class AnimationReader {
     if (way == kInterpolations.end())
       return fail(ErrorCode::bad_file, key + ".interpolation is '" + excerpt(source.interpolation) + "', and none of " +
                                            join(kInterpolations, ", ", " and "));
-    AnimationSampler sampler{.times = {}, .values = {}, .interpolation = Interpolation(way - kInterpolations.begin())};
+    AnimationSampler sampler{
+        .times = {}, .values = {}, .interpolation = KeyInterpolation(way - kInterpolations.begin())};
     MIRRORBALL_TRY(times, readTimes(source.input, key + ".input"));
     MIRRORBALL_TRY(values, floatsOf(source.output, key + ".output"));
-    const bool is_cubic = sampler.interpolation == Interpolation::cubic_spline;
+    const bool is_cubic = sampler.interpolation == KeyInterpolation::cubic_spline;
     const std::size_t wanted = times->size() * components * (is_cubic ? 3 : 1);
     if (values->size() != wanted)
       return fail(ErrorCode::bad_file, key + ".output has " + counted(values->size(), "number") + ", but " +

@@ -1,5 +1,6 @@
 // render --animation: a glTF file's animations from outside, in both renderers.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -94,11 +95,14 @@ TEST_F(AnimationCliTest, ATimeIsAsTheModelWouldStandThere) {
 
 TEST_F(AnimationCliTest, MaterialsAndCamerasMoveToo) {
   const Image half = drawn("walk.gltf", "--animation Grow@0.5");
-  const Glow glow = glowOf(half);
-  const float* color = half.texel(static_cast<int>(glow.x), static_cast<int>(glow.y)).data();
-  EXPECT_NEAR(color[0], 0.5f, 0.01f);
-  EXPECT_NEAR(color[1], 0.75f, 0.01f);
-  EXPECT_NEAR(color[2], 1.0f, 0.01f);
+  glm::vec3 color(0.0f);
+  for (int y = 0; y < half.height(); ++y)
+    for (int x = 0; x < half.width(); ++x)
+      for (int channel = 0; channel < 3; ++channel)
+        color[channel] = std::max(color[channel], half.texel(x, y)[channel]);
+  EXPECT_NEAR(color.x, 0.5f, 0.01f);
+  EXPECT_NEAR(color.y, 0.75f, 0.01f);
+  EXPECT_NEAR(color.z, 1.0f, 0.01f);
   // The camera goes up, and so the model down.
   succeed("render walk.gltf -e dark.exr --animation Walk@0 --camera eye --size 64x64 -o low.exr");
   succeed("render walk.gltf -e dark.exr --animation Walk@0.25 --camera eye --size 64x64 -o high.exr");
@@ -117,8 +121,8 @@ TEST_F(AnimationCliTest, FramesGoOverItsLengthBeforeACameraThatStandsStill) {
     EXPECT_GT(glows[i].pixels, 20);
     EXPECT_NEAR(glows[i].pixels, glows[0].pixels, 0.2 * glows[0].pixels) << "all of it is seen at any time";
     EXPECT_NEAR(glows[i].y, glows[0].y, 1.0);
-    if (i > 0) EXPECT_NEAR(glows[i].x - glows[i - 1].x, glows[1].x - glows[0].x, 1.5);
   }
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_NEAR(glows[i].x - glows[i - 1].x, glows[1].x - glows[0].x, 1.5);
   EXPECT_GT(glows[1].x - glows[0].x, 20.0);
   // From end to end they fill the picture.
   EXPECT_LT(glows[0].x, 192 * 0.15);
@@ -127,8 +131,10 @@ TEST_F(AnimationCliTest, FramesGoOverItsLengthBeforeACameraThatStandsStill) {
 
 TEST_F(AnimationCliTest, TurnsIfThatIsAskedFor) {
   const std::string shot = "render walk.gltf -e dark.exr --size 96x96 --set double_sided=yes ";
-  succeed(shot + "--animation Walk@0 --frames 4 -o turned.exr");
-  EXPECT_NEAR(glowOf(image("turned_001.exr")).pixels, glowOf(image("turned_003.exr")).pixels, 40) << "it stands still";
+  succeed("render walk.gltf -e dark.exr --size 96x96 --set double_sided=yes --frames 3 -o rest.exr");
+  succeed(shot + "--animation Walk@0 --frames 3 -o turned.exr");
+  for (const std::string number : {"_000.exr", "_001.exr", "_002.exr"})
+    EXPECT_EQ(maxDifference(image("turned" + number), image("rest" + number)), 0.0) << "with a time it is a turntable";
   EXPECT_GT(maxDifference(image("turned_000.exr"), image("turned_001.exr")), 0.5);
   succeed(shot + "--animation Grow --frames 2 --turn camera --camera 60,0 -o both.exr");
   succeed(shot + "--animation Grow --frames 2 --camera 60,0 -o still.exr");

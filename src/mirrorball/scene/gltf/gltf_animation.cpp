@@ -19,15 +19,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kInterpolations{"STEP", "LINEAR", "CUBICSPLINE"};  // by KeyInterpolation
 
-/// The number of a node whose weights a pointer leads to; −1: to something else.
-int nodeOfWeights(std::string_view pointer) {
-  constexpr std::string_view kBegin = "/nodes/", kEnd = "/weights";
-  if (!pointer.starts_with(kBegin) || !pointer.ends_with(kEnd)) return -1;
-  pointer.remove_prefix(kBegin.size());
-  const auto number = parseNumber(pointer.substr(0, pointer.size() - std::min(kEnd.size(), pointer.size())));
-  return number && *number >= 0.0 && *number < 1e9 ? static_cast<int>(*number) : -1;
-}
-
 class AnimationReader {
  public:
   AnimationReader(const File& file, const SceneOfFile& all) : file_(file), all_(all) {}
@@ -159,8 +150,8 @@ std::vector<bool> nodesWithAnimatedWeights(const Document& document) {
   std::vector<bool> nodes(document.nodes.size(), false);
   for (const FileAnimation& animation : document.animations)
     for (const FileChannel& channel : animation.channels)
-      if (const int node = nodeOfWeights(channel.pointer); node >= 0 && std::size_t(node) < nodes.size())
-        nodes[std::size_t(node)] = true;
+      if (const auto step = stepInto("/nodes/", channel.pointer); step && step->rest == "weights")
+        if (std::size_t(step->index) < nodes.size()) nodes[std::size_t(step->index)] = true;
   return nodes;
 }
 

@@ -172,8 +172,7 @@ TEST(GltfAnimationDamage, ABinaryFileSurvivesRandomDamage) {
     Bytes bytes = whole;
     // Mostly numbers: damaged JSON seldom goes far.
     const std::size_t first = round % 4 == 0 ? 0 : binary;
-    for (int i = 0; i < 3; ++i)
-      bytes[first + random() % (bytes.size() - first)] = static_cast<std::uint8_t>(random());
+    for (int i = 0; i < 3; ++i) bytes[first + random() % (bytes.size() - first)] = static_cast<std::uint8_t>(random());
     const Result<Scene> scene = decodeGltf(bytes, "model.glb");
     if (!scene || scene->rig.animations.empty()) continue;
     for (const double seconds : {0.0, 0.5, 1.0})

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <optional>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -17,29 +16,6 @@ namespace {
 
 bool isNumber(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char each) { return each >= '0' && each <= '9'; });
-}
-
-/// The part of an array that a pointer leads into, and the way on.
-struct Step {
-  int index;
-  std::string rest;  ///< with dots in place of slashes: "extensions.KHR_materials_ior.ior"
-};
-
-/// errors   bad_file: the index is out of range
-Result<std::optional<Step>> stepInto(std::string_view array, const std::string& pointer, std::size_t count,
-                                     const std::string& key, const char* thing) {
-  const std::string_view path(pointer);
-  if (!path.starts_with(array)) return std::optional<Step>();
-  const std::size_t end = std::min(path.find('/', array.size()), path.size());
-  const std::string_view digits = path.substr(array.size(), end - array.size());
-  if (!isNumber(digits) || end + 1 >= path.size()) return std::optional<Step>();
-  Step step{-1, std::string(path.substr(end + 1))};
-  std::replace(step.rest.begin(), step.rest.end(), '/', '.');
-  const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), step.index);
-  if (error != std::errc() || step.index < 0 || std::size_t(step.index) >= count)
-    return fail(ErrorCode::bad_file,
-                key + " leads to " + thing + " " + excerpt(digits) + ", but " + thereAre(count, thing));
-  return std::optional(std::move(step));
 }
 
 /// A word of a list that stands for one of an enumeration, and how many numbers it has.
@@ -63,7 +39,7 @@ constexpr std::array kOfNodes{
     Word<NodeTarget::Of>{"weights", NodeTarget::Of::weights, 0},
 };
 
-Pointed ofNode(const SceneOfFile& all, const Step& step) {
+Pointed ofNode(const SceneOfFile& all, const ArrayStep& step) {
   const auto* word = wordNamed(kOfNodes, step.rest);
   if (word == nullptr) return {};
   Pointed pointed{.is_read = true, .targets = {}, .components = word->components};
@@ -101,7 +77,7 @@ Pointed ofTexture(int material, std::string_view path) {
 
 constexpr std::string_view kEmissiveStrength = "extensions.KHR_materials_emissive_strength.emissiveStrength";
 
-Pointed ofMaterial(const SceneOfFile& all, const Step& step) {
+Pointed ofMaterial(const SceneOfFile& all, const ArrayStep& step) {
   const int material = all.materials[std::size_t(step.index)];
   const FileMaterial& source = all.document.materials[std::size_t(step.index)];
   const auto emission = [&](bool is_strength) {
@@ -135,7 +111,7 @@ constexpr std::array kOfCameras{
     Word<LensTarget::Of>{"orthographic.znear", LensTarget::Of::nearest},
 };
 
-Pointed ofCamera(const SceneOfFile& all, const Step& step) {
+Pointed ofCamera(const SceneOfFile& all, const ArrayStep& step) {
   const auto* word = wordNamed(kOfCameras, step.rest);
   if (word == nullptr) return {};
   Pointed pointed{.is_read = true, .targets = {}, .components = 1};
@@ -152,7 +128,7 @@ constexpr std::array kOfLamps{
     Word<LampTarget::Of>{"spot.outerConeAngle", LampTarget::Of::outer_angle},
 };
 
-Pointed ofLamp(const SceneOfFile& all, const Step& step) {
+Pointed ofLamp(const SceneOfFile& all, const ArrayStep& step) {
   const bool is_strength = step.rest == "intensity";
   const auto* word = wordNamed(kOfLamps, step.rest);
   if (word == nullptr && !is_strength && step.rest != "color") return {};
@@ -169,12 +145,24 @@ Pointed ofLamp(const SceneOfFile& all, const Step& step) {
 
 }  // namespace
 
+std::optional<ArrayStep> stepInto(std::string_view array, std::string_view pointer) {
+  if (!pointer.starts_with(array)) return std::nullopt;
+  pointer.remove_prefix(array.size());
+  const std::size_t end = std::min(pointer.find('/'), pointer.size());
+  if (!isNumber(pointer.substr(0, end)) || end == pointer.size()) return std::nullopt;
+  const double index = parseNumber(pointer.substr(0, end)).value_or(1e300);
+  ArrayStep step{static_cast<int>(std::min(index, double(std::numeric_limits<int>::max()))),
+                 std::string(pointer.substr(end + 1))};
+  std::replace(step.rest.begin(), step.rest.end(), '/', '.');
+  return step;
+}
+
 Result<Pointed> pointedAt(const SceneOfFile& all, const std::string& pointer, const std::string& key) {
   struct Kind {
     const char* array;
     const char* thing;
     std::size_t count;
-    Pointed (*find)(const SceneOfFile&, const Step&);
+    Pointed (*find)(const SceneOfFile&, const ArrayStep&);
   };
   const std::array kinds{
       Kind{"/nodes/", "node", all.document.nodes.size(), ofNode},
@@ -183,8 +171,11 @@ Result<Pointed> pointedAt(const SceneOfFile& all, const std::string& pointer, co
       Kind{"/extensions/KHR_lights_punctual/lights/", "light", all.document.lights.size(), ofLamp},
   };
   for (const Kind& kind : kinds) {
-    MIRRORBALL_TRY(step, stepInto(kind.array, pointer, kind.count, key, kind.thing));
-    if (step) return kind.find(all, *step);
+    const std::optional<ArrayStep> step = stepInto(kind.array, pointer);
+    if (!step) continue;
+    if (std::size_t(step->index) < kind.count) return kind.find(all, *step);
+    return fail(ErrorCode::bad_file, key + " leads to " + kind.thing + " " + std::to_string(step->index) + ", but " +
+                                         thereAre(kind.count, kind.thing));
   }
   return Pointed{};
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mirrorball/base/result.h"
@@ -20,6 +22,17 @@ struct SceneOfFile {
   std::vector<std::vector<int>> cameras = {};  ///< of each of the file's cameras, the scene's
   std::vector<std::vector<int>> lights = {};   ///< of each of the file's lights, the scene's
 };
+
+/// A JSON pointer's way through an array.
+struct ArrayStep {
+  int index;         ///< at least 0
+  std::string rest;  ///< the way on, with dots in place of slashes: "extensions.KHR_materials_ior.ior"
+};
+
+/// The way of a pointer that begins with that array: "/nodes/".
+///
+/// returns  nothing for other pointers, and for those that end in the array
+std::optional<ArrayStep> stepInto(std::string_view array, std::string_view pointer);
 
 /// What a JSON pointer leads to.
 struct Pointed {

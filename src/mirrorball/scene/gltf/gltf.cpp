@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,7 +12,6 @@
 #include "mirrorball/base/file.h"
 #include "mirrorball/base/parallel.h"
 #include "mirrorball/base/text.h"
-#include "mirrorball/scene/animation/deformation.h"
 #include "mirrorball/scene/animation/pose.h"
 #include "mirrorball/scene/gltf/gltf_animation.h"
 #include "mirrorball/scene/gltf/gltf_deformation.h"
@@ -21,6 +19,7 @@
 #include "mirrorball/scene/gltf/gltf_material.h"
 #include "mirrorball/scene/gltf/gltf_mesh.h"
 #include "mirrorball/scene/gltf/gltf_nodes.h"
+#include "mirrorball/scene/gltf/gltf_parts.h"
 #include "mirrorball/scene/gltf/gltf_pointer.h"
 #include "mirrorball/scene/gltf/gltf_skin.h"
 
@@ -28,17 +27,11 @@ namespace mirrorball {
 namespace gltf {
 namespace {
 
-// 2²⁶ vertices of 72 bytes each: a small file that names the same accessor again and again must not fill the memory.
-constexpr std::size_t kMaxVertices = std::size_t{1} << 26;
-
-// Likewise: each primitive has a material in each of a file's variants.
+// Each primitive has a material in each of a file's variants.
 constexpr std::size_t kMaxVariantMaterials = std::size_t{1} << 24;
 
 // More than anybody chooses from.
 constexpr std::size_t kMaxCameras = 1000;
-
-// And each part that is bent has vertices of its own, and is bent for each picture.
-constexpr std::size_t kMaxBending = std::size_t{1} << 28;
 
 /// How much memory a primitive asks for, by what its accessors say: vertices, or corners where it has more of them.
 std::size_t declaredSize(const Document& document, const Primitive& primitive) {
@@ -80,7 +73,7 @@ class SceneBuilder {
     MIRRORBALL_TRY(jobs, planPrimitives(placements));
     scene_.variants = document_.variants;
     MIRRORBALL_TRY_VOID(readPrimitives(jobs));
-    MIRRORBALL_TRY_VOID(addParts(placements));
+    MIRRORBALL_TRY_VOID(addParts(scene_, placements, meshes_, vertices_));
     MIRRORBALL_TRY_VOID(readAnimations(file_, ofFile()));
     MIRRORBALL_TRY_VOID(poseAtRest(scene_));
     if (scene_.rig.animations.empty()) scene_.rig = {};
@@ -90,12 +83,6 @@ class SceneBuilder {
   }
 
  private:
-  struct Placement {
-    int mesh;     // of the file
-    int node;     // of the rig
-    int skin;     // of the rig; −1: none
-    bool morphs;  // has weights, or will have
-  };
   struct Job {
     int mesh;  // of the file
     const Primitive* primitive;
@@ -105,13 +92,6 @@ class SceneBuilder {
     WantedDeformation wanted;
     std::string key;
   };
-  /// A primitive as a mesh of the scene.
-  struct SceneMesh {
-    int mesh;
-    std::shared_ptr<const MeshDeformation> deformation;
-    std::string key;
-  };
-
   /// Gives the rig its nodes, and the scene what they have beside meshes; lists the meshes that they show.
   Result<std::vector<Placement>> addNodes() {
     MIRRORBALL_TRY(listed, nodesOfScene(document_));
@@ -141,20 +121,37 @@ class SceneBuilder {
 
   /// What the last node of the rig shows, which gets its weights.
   Result<Placement> placementOf(const Node& node, bool weights_move, const std::string& key) {
-    const FileMesh& mesh = document_.meshes[std::size_t(node.mesh)];
     Placement placement{node.mesh, static_cast<int>(scene_.rig.nodes.size()) - 1, -1, false};
     MIRRORBALL_TRY(skin, rigSkin(node.skin, key + ".skin"));
     placement.skin = skin;
-    std::size_t targets = 0;
-    for (const Primitive& primitive : mesh.primitives) targets = std::max(targets, primitive.targets.size());
-    std::vector<float> weights = node.weights.empty() ? mesh.weights : node.weights;
-    const bool are_set = std::any_of(weights.begin(), weights.end(), [](float weight) { return weight != 0.0f; });
-    placement.morphs = targets > 0 && (weights_move || are_set);
+    const Morphing& mesh = morphingOf(node.mesh);
+    const bool are_set = node.weights.empty() ? mesh.has_weights : isAnySet(node.weights);
+    placement.morphs = mesh.targets > 0 && (weights_move || are_set);
     if (!placement.morphs) return placement;
-    MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(targets * sizeof(float))));
-    weights.resize(targets, 0.0f);
-    scene_.rig.nodes.back().weights = std::move(weights);
+    MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(mesh.targets * sizeof(float))));
+    std::vector<float>& weights = scene_.rig.nodes.back().weights;
+    weights = node.weights.empty() ? document_.meshes[std::size_t(node.mesh)].weights : node.weights;
+    weights.resize(mesh.targets, 0.0f);
     return placement;
+  }
+
+  /// What many nodes may ask of a mesh of the file.
+  struct Morphing {
+    std::size_t targets = 0;
+    bool has_weights = false;
+  };
+  const Morphing& morphingOf(int mesh) {
+    const auto [known, is_new] = morphing_.try_emplace(mesh);
+    if (!is_new) return known->second;
+    const FileMesh& source = document_.meshes[std::size_t(mesh)];
+    known->second.has_weights = isAnySet(source.weights);
+    for (const Primitive& primitive : source.primitives)
+      known->second.targets = std::max(known->second.targets, primitive.targets.size());
+    return known->second;
+  }
+
+  static bool isAnySet(const std::vector<float>& weights) {
+    return std::any_of(weights.begin(), weights.end(), [](float weight) { return weight != 0.0f; });
   }
 
   /// The place in the rig of a skin of the file; −1: none.
@@ -238,7 +235,7 @@ class SceneBuilder {
         }
         has_other_targets = has_other_targets || (wanted.targets && hasOtherTargets(primitive));
         const std::size_t size = declaredSize(document_, primitive);
-        MIRRORBALL_TRY_VOID(takeVertices(size, key));
+        MIRRORBALL_TRY_VOID(vertices_.take(size, key));
         MIRRORBALL_TRY_VOID(withName(key, file_.named.budget().take(deformationSize(primitive, wanted, size))));
         MIRRORBALL_TRY(material, materials_.sceneMaterial(primitive.material, key + ".material"));
         MIRRORBALL_TRY(of_variants, materialsOfVariants(primitive, material, key));
@@ -248,14 +245,6 @@ class SceneBuilder {
     }
     if (has_other_targets) leaveOut("what its morph targets change of texture coordinates and colours");
     return jobs;
-  }
-
-  /// Takes memory for so many vertices and corners of a mesh.
-  Result<void> takeVertices(std::size_t size, const std::string& key) {
-    if (size > left_of_vertices_)
-      return fail(ErrorCode::too_large, key + " brings the model above " + std::to_string(kMaxVertices) + " vertices");
-    left_of_vertices_ -= size;
-    return withName(key, file_.named.budget().take(size * (sizeof(Vertex) + sizeof(std::uint32_t))));
   }
 
   /// Mesh::material_of_variant of a primitive with that material.
@@ -291,61 +280,11 @@ class SceneBuilder {
       if (mesh.indices.empty()) continue;
       mesh.material = jobs[i].material;
       mesh.material_of_variant = jobs[i].material_of_variant;
-      meshes_[jobs[i].mesh].push_back({addMesh(std::move(mesh)), std::move(read[i]->deformation), jobs[i].key});
+      meshes_[jobs[i].mesh].push_back(
+          {static_cast<int>(scene_.meshes.size()), std::move(read[i]->deformation), jobs[i].key});
+      scene_.meshes.push_back(std::move(mesh));
     }
     return {};
-  }
-
-  /// Gives the rig what its nodes show. Those that are bent have meshes of their own, of which the first takes the one
-  /// that was read, unless others show it as it is.
-  Result<void> addParts(const std::vector<Placement>& placements) {
-    std::set<int> taken;
-    for (const Placement& placement : placements)
-      for (const SceneMesh& each : meshes_[placement.mesh])
-        if (!isBent(placement, each)) taken.insert(each.mesh);
-    std::size_t left = kMaxBending;
-    for (const Placement& placement : placements) {
-      for (const SceneMesh& each : meshes_[placement.mesh]) {
-        RigPart part{.node = placement.node, .mesh = each.mesh};
-        if (isBent(placement, each)) {
-          MIRRORBALL_TRY_VOID(hang(part, placement, each));
-          if (const std::size_t work = each.deformation->work(); work > left)
-            return fail(ErrorCode::too_large, each.key + " has too much that is bent for each picture");
-          else
-            left -= work;
-          if (!taken.insert(each.mesh).second) {
-            const Mesh& mesh = scene_.meshes[std::size_t(each.mesh)];
-            MIRRORBALL_TRY_VOID(takeVertices(std::max(mesh.vertices.size(), mesh.indices.size()), each.key));
-            part.mesh = addMesh(mesh);
-          }
-        }
-        scene_.rig.parts.push_back(std::move(part));
-      }
-    }
-    return {};
-  }
-
-  /// Whether a mesh does not stay as it is where it is placed.
-  static bool isBent(const Placement& placement, const SceneMesh& mesh) {
-    if (!mesh.deformation) return false;
-    return placement.morphs || (placement.skin >= 0 && mesh.deformation->hasSkin());
-  }
-
-  /// errors   bad_file: the mesh hangs on joints that the skin has not
-  Result<void> hang(RigPart& part, const Placement& placement, const SceneMesh& mesh) const {
-    part.deformation = mesh.deformation;
-    if (placement.skin < 0 || !mesh.deformation->hasSkin()) return {};
-    part.skin = placement.skin;
-    const std::size_t joints = scene_.rig.skins[std::size_t(placement.skin)].joints.size();
-    if (mesh.deformation->joints <= joints) return {};
-    return fail(ErrorCode::bad_file, mesh.key + ".attributes.JOINTS_0 names the joint " +
-                                         std::to_string(mesh.deformation->joints - 1) + ", but its skin has " +
-                                         counted(joints, "joint"));
-  }
-
-  int addMesh(Mesh mesh) {
-    scene_.meshes.push_back(std::move(mesh));
-    return static_cast<int>(scene_.meshes.size()) - 1;
   }
 
   /// What became of the file's parts, which its animations move.
@@ -369,8 +308,9 @@ class SceneBuilder {
   Names camera_names_;
   bool has_more_lights_ = false;
   std::size_t left_of_variants_ = kMaxVariantMaterials;
-  std::size_t left_of_vertices_ = kMaxVertices;
+  VertexBudget vertices_{file_.named.budget()};
   std::vector<int> places_;                       // of each node of the file, in the rig; −1: it is not shown
+  std::map<int, Morphing> morphing_;              // of meshes of the file
   std::map<int, int> skins_;                      // skin of the file → of the rig
   std::vector<int> camera_sources_;               // of each camera of the scene, the file's
   std::vector<int> light_sources_;                // likewise

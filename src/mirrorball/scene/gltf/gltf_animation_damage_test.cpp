@@ -136,6 +136,21 @@ TEST(GltfMorphDamage, TargetsThatTakeTooMuchMemoryAreRefused) {
   EXPECT_THAT(scene.error().message, HasSubstr("meshes[0].primitives[0]"));
 }
 
+TEST(GltfMorphDamage, ManyPartsOfManyNodesAreRefused) {
+  TriangleFile file;
+  const std::uint64_t usual = memoryLimit();
+  setMemoryLimit(std::uint64_t{16} << 20);
+  std::string primitives = R"({"attributes":{"POSITION":0}})", nodes = R"("nodes":[{"mesh":0})";
+  for (int i = 0; i < 1000; ++i) {
+    primitives += R"(,{"attributes":{"POSITION":0}})";
+    nodes += R"(,{"mesh":0})";
+  }
+  const Result<Scene> scene = decodedText(file.maker.gltf(primitives, nodes + "]"));
+  setMemoryLimit(usual);
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().code, ErrorCode::too_large);
+}
+
 TEST(GltfAnimationDamage, ManyChannelsOfTheSameAreReadAtOnce) {
   TriangleFile file;
   std::vector<float> times, values;

@@ -264,7 +264,7 @@ TEST(GltfPointer, MovesLightsAndCameras) {
       .point(lamp + "spot/outerConeAngle", {0, 1}, {0.5, 0.7}, "SCALAR")
       .point("/extensions/KHR_lights_punctual/lights/1/color", {0, 1}, {1, 1, 1, 0, 0, 1}, "VEC3")
       .point("/cameras/0/perspective/yfov", {0, 1}, {0.4, 0.8}, "SCALAR")
-      .point("/cameras/1/orthographic/ymag", {0, 1}, {1, 3}, "SCALAR")
+      .point("/cameras/1/orthographic/ymag", {0, 1}, {1, 5}, "SCALAR")
       .point("/nodes/0/translation", {0, 1}, {0, 0, 0, 2, 0, 0}, "VEC3");
   const Scene rest = decodedScene(
       file.json(R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","color":[1,0.5,0],"intensity":0},)"
@@ -282,7 +282,7 @@ TEST(GltfPointer, MovesLightsAndCameras) {
   EXPECT_EQ(half.lights[0].cosine_inner, 1.0f);
   for (const std::size_t light : {1, 2}) expectPlace(half.lights.at(light).color, {3, 3, 6});
   EXPECT_NEAR(half.cameras.at(0).fov_rad, 0.6f, 1e-6f);
-  EXPECT_NEAR(half.cameras.at(1).height, 4.0f, 1e-6f);
+  EXPECT_NEAR(half.cameras.at(1).height, 6.0f, 1e-6f);
   EXPECT_NEAR(half.cameras[1].aspect * half.cameras[1].height, 8.0f, 1e-5f) << "as wide as before";
   expectPlace(placeOf(half, 0, 0), {1, 0, 0});
 }

@@ -49,18 +49,20 @@ TEST(GltfSkin, TheJointsAloneMoveIt) {
   TriangleFile file;
   const std::string attributes = eachOnItsOwn(file);
   const std::string skin = matrices(file, {back(0), back(1), back(0)}) + ",\"joints\":[1,2,3]";
-  // The mesh's own node is far away, and mirrors: neither counts.
-  const Scene scene = decodedScene(
-      file.json(R"("nodes":[{"mesh":0,"skin":0,"translation":[50,0,0],"scale":[-9,1,1]},{},{"translation":[1,0,4]},)"
-                R"({"translation":[0,0,0]}],"skins":[{)" +
-                    skin + "}]",
-                "", "", attributes));
-  EXPECT_THAT(scene.warnings, IsEmpty());
-  expectPlace(placeOf(scene, 0, 0), {0, 0, 0});
-  expectPlace(placeOf(scene, 0, 1), {1, 0, 4});
-  expectPlace(placeOf(scene, 0, 2), {0, 1, 0});
-  expectOutside(scene);
-  EXPECT_TRUE(scene.rig.nodes.empty()) << "nothing moves";
+  // The mesh's own node is far away, and mirrors, or hides what has no skin: none of it counts.
+  for (const char* scale : {"-9,1,1", "0,0,0"}) {
+    const Scene scene =
+        decodedScene(file.json(R"("nodes":[{"mesh":0,"skin":0,"translation":[50,0,0],"scale":[)" + std::string(scale) +
+                                   R"(]},{},{"translation":[1,0,4]},{}],"skins":[{)" + skin + "}]",
+                               "", "", attributes));
+    EXPECT_THAT(scene.warnings, IsEmpty());
+    ASSERT_EQ(scene.instances.size(), 1u) << scale;
+    expectPlace(placeOf(scene, 0, 0), {0, 0, 0});
+    expectPlace(placeOf(scene, 0, 1), {1, 0, 4});
+    expectPlace(placeOf(scene, 0, 2), {0, 1, 0});
+    expectOutside(scene);
+    EXPECT_TRUE(scene.rig.nodes.empty()) << "nothing moves";
+  }
 }
 
 TEST(GltfSkin, WeighsItsJoints) {

@@ -54,7 +54,7 @@ struct MeshDeformation {
 ///
 /// weights  of the morph targets; those that are missing are 0
 /// joints   how each joint moves what hangs on it; empty: the mesh hangs on none
-/// mesh     with the deformation's vertices; gets their places, normals and tangents, as of a mesh that is not mirrored
+/// mesh     with the deformation's vertices; gets their places, normals and tangents, as if nothing mirrored it
 /// returns  whether most of its vertices are mirrored by their joints
 /// cost     of a million vertices 75 ms with a skin of four joints each, divided by the cores; 10 ms a morph target that
 ///          moves them all

@@ -56,8 +56,8 @@ struct MeshDeformation {
 /// joints   how each joint moves what hangs on it; empty: the mesh hangs on none
 /// mesh     with the deformation's vertices; gets their places, normals and tangents, as if nothing mirrored it
 /// returns  whether most of its vertices are mirrored by their joints
-/// cost     of a million vertices 75 ms with a skin of four joints each, divided by the cores; 10 ms a morph target that
-///          moves them all
+/// cost     of a million vertices 75 ms with a skin of four joints each, divided by the cores; 10 ms a morph target
+///          that moves them all
 /// from     Khronos, "glTF 2.0 Specification" (ISO/IEC 12113:2022), sections 3.7.2.2 and 3.7.3
 bool deform(const MeshDeformation& how, std::span<const float> weights, std::span<const glm::mat4> joints, Mesh& mesh);
 
